@@ -8,7 +8,8 @@ use std::fs::read_to_string;
 use std::path::Path;
 
 fn main() {
-    // A package of the crates' registry comes without the models. Cargo would run this again and again for a missing path.
+    // A package of the crates' registry comes without the models. Cargo would run this again and again
+    // for a missing path.
     for path in
         ["build.rs", "Cargo.toml", "models", "generated/src"].into_iter().filter(|path| Path::new(path).exists())
     {

@@ -16,10 +16,10 @@ use std::hint::black_box;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 use tripos_derive::diagnostic::Source;
-use tripos_derive::diff::diff;
-use tripos_derive::mechanics::{Derivations, Solved, derive_all};
+use tripos_derive::diff::judge_publication;
+use tripos_derive::mechanics::{Derivations, SolvedAccelerations, derive_all};
 use tripos_derive::prove::{Proof, prove};
-use tripos_derive::publication::{Publication, load};
+use tripos_derive::publication::{Publication, load_publication};
 use tripos_derive::{Formulation, Model, derive};
 
 fn folder(model: &str) -> PathBuf {
@@ -64,7 +64,11 @@ fn arms(c: &mut Criterion) {
         let kane = || derive(&model, Formulation::Kane).unwrap_or_else(|e| panic!("{e}"));
         group.bench_function(format!("{joints} joints, M and f"), |b| b.iter(|| black_box(kane())));
         group.bench_function(format!("{joints} joints, solved"), |b| {
-            b.iter_batched(kane, |mut d| Solved::new(&mut d.arena, &d.equations).ok(), BatchSize::LargeInput);
+            b.iter_batched(
+                kane,
+                |mut d| SolvedAccelerations::new(&mut d.arena, &d.equations).ok(),
+                BatchSize::LargeInput,
+            );
         });
         if joints <= 20 {
             group.bench_function(format!("{joints} joints, proved"), |b| b.iter(|| derived_and_proved(&model)));
@@ -92,7 +96,7 @@ fn proofs(c: &mut Criterion) {
 fn course_report() -> (Model, Publication) {
     let mut model = read("disk");
     let source = Source::read(&folder("disk").join("publication.toml")).unwrap_or_else(|e| panic!("{e}"));
-    let report = load(&source, &mut model).unwrap_or_else(|e| panic!("{e}"));
+    let report = load_publication(&source, &mut model).unwrap_or_else(|e| panic!("{e}"));
     (model, report)
 }
 
@@ -100,7 +104,8 @@ fn course_report() -> (Model, Publication) {
 /// of the motion.
 fn course_report_judged(c: &mut Criterion) {
     let (model, report) = course_report();
-    let judge = |(mut derivations, proof): (Derivations, Proof)| diff(&model, &mut derivations, &report, &proof);
+    let judge =
+        |(mut derivations, proof): (Derivations, Proof)| judge_publication(&model, &mut derivations, &report, &proof);
     assert!(!judge(derived_and_proved(&model)).is_clean(), "the report has errors");
     c.bench_function("diff the course report", |b| {
         b.iter_batched(|| derived_and_proved(&model), judge, BatchSize::PerIteration);

@@ -7,10 +7,12 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use tripos_derive::algebra::text::parse::parse_free;
-use tripos_derive::algebra::value::evaluate::{Numeric, Tape};
+use tripos_derive::algebra::value::tape::{Numeric, Tape};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_models::disk::kane::Kane;
-use tripos_sim::{Direction, Eliminated, Event, InRanges, Lent, Method, Options, Output, integrate};
+use tripos_sim::{
+    Direction, EliminatedDynamics, Event, InRanges, LentRightHandSide, Method, Options, OutputOption, integrate,
+};
 use tripos_traits::Enclosure;
 
 const P: [f64; 3] = [1.0, 1.0, 9.81];
@@ -36,7 +38,7 @@ impl Watched {
     fn event(&self, in_ranges: bool) -> Event<'_> {
         let (mut value, mut range) = (of(&self.tape), of(&self.ranges));
         let event = Event::recorded("watched", Direction::Either, move |_, y: &[f64]| value(y));
-        let components = Some(self.tape.used());
+        let components = Some(self.tape.used_inputs());
         let ranges = InRanges { function: Box::new(move |_, y| range(y)), components };
         Event { ranges: Some(ranges).filter(|_| in_ranges), ..event }
     }
@@ -53,9 +55,10 @@ fn of<S: Numeric>(tape: &Tape<S>) -> impl FnMut(&[S]) -> S + '_ {
 
 /// Steps and records of a run.
 fn run(method: Method, tolerance: f64, events: &mut [Event<'_>]) -> (u64, usize) {
-    let mut rhs = Eliminated::new(&Kane, &P).expect("the disk's accelerations are eliminated");
-    let options = Options { method, output: Output::Ends, ..Options::tolerances(tolerance, tolerance) };
-    let solution = integrate(Lent(&mut rhs), (0.0, 5.0), &START, &options, events).expect("the question makes sense");
+    let mut rhs = EliminatedDynamics::new(&Kane, &P).expect("the disk's accelerations are eliminated");
+    let options = Options { method, output: OutputOption::Ends, ..Options::tolerances(tolerance, tolerance) };
+    let solution =
+        integrate(LentRightHandSide(&mut rhs), (0.0, 5.0), &START, &options, events).expect("the question makes sense");
     (solution.steps, solution.events.len())
 }
 

@@ -9,7 +9,7 @@ use lent::integrate;
 use ode_solvers::dop_shared::OutputType;
 use ode_solvers::{DVector, Dop853, Dopri5, System};
 use problems::{ARENSTORF, KEPLER, PENDULUM, Problem, RIGID_BODY, VAN_DER_POL};
-use tripos_sim::{Method, Options, Output};
+use tripos_sim::{Method, Options, OutputOption};
 
 const PROBLEMS: [Problem; 5] = [PENDULUM, KEPLER, ARENSTORF, VAN_DER_POL, RIGID_BODY];
 
@@ -91,7 +91,7 @@ fn theirs(method: Method, problem: &Problem, tolerance: f64) -> Outcome {
 }
 
 fn ours(method: Method, problem: &Problem, tolerance: f64) -> Outcome {
-    let options = Options { method, output: Output::Ends, ..Options::tolerances(tolerance, tolerance) };
+    let options = Options { method, output: OutputOption::Ends, ..Options::tolerances(tolerance, tolerance) };
     let solution = integrate(problem.rhs, (0.0, problem.span), problem.y0, &options, &mut []).unwrap();
     Outcome {
         accepted: solution.steps,

@@ -7,8 +7,8 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use tripos_models::disk::lagrange::Lagrange;
-use tripos_sim::batch::{self, Equations, Plan, Trajectory, Watched};
-use tripos_sim::{Eliminated, Event, Lent, Method, integrate};
+use tripos_sim::batch::{self, BatchPlan, Equations, Trajectory, WatchedTrajectory};
+use tripos_sim::{EliminatedDynamics, Event, LentRightHandSide, Method, integrate};
 use tripos_traits::{Derivative, InLanes, Lanes, Rates, Scalar, System, lane_width};
 
 const DISK: Derivative<Lagrange> = Derivative(Lagrange);
@@ -130,21 +130,22 @@ fn batches() {
 
 fn batches_by(method: Method, p: &[f64], list: &[Trajectory<'_>]) {
     let (rtol, atol) = (1e-6, 1e-6.into());
-    let plan = Plan { method, order: None, span: (0.0, 10.0), rtol, atol, max_step: None, step_limit: 100_000 };
+    let plan = BatchPlan { method, order: None, span: (0.0, 10.0), rtol, atol, max_step: None, step_limit: 100_000 };
     let equations = InLanes::of_rates(&DISK).with_series(&DISK);
-    let outcomes = batch::integrate(equations, &plan, list).expect("the question makes sense");
+    let outcomes = batch::integrate_batch(equations, &plan, list).expect("the question makes sense");
     let attempts: u64 = outcomes.iter().map(|o| o.steps + o.rejected).sum();
     let options = plan.options();
     let single = || {
         for Trajectory { start, .. } in list {
             let mut rhs = equations_of(p);
             black_box(
-                integrate(Lent(&mut rhs), plan.span, start, &options, &mut []).expect("the question makes sense"),
+                integrate(LentRightHandSide(&mut rhs), plan.span, start, &options, &mut [])
+                    .expect("the question makes sense"),
             );
         }
     };
     // A height above the plane that is never left, beside what the equations divide by.
-    let watching = |_: usize| Watched {
+    let watching = |_: usize| WatchedTrajectory {
         equations: Box::new(equations_of(p)),
         events: vec![Event::domain("up", |_t, y| 2.0 + y[1].cos())],
     };
@@ -153,9 +154,9 @@ fn batches_by(method: Method, p: &[f64], list: &[Trajectory<'_>]) {
     let eight = Equations::<8> { rates: &DISK, series: Some(&DISK) };
     let [one, four, eight, watched] = medians([
         &mut || single(),
-        &mut || drop(black_box(batch::integrate_in(four, &plan, list, None))),
-        &mut || drop(black_box(batch::integrate_in(eight, &plan, list, None))),
-        &mut || drop(black_box(batch::integrate_in(four, &plan, list, Some(&watching)))),
+        &mut || drop(black_box(batch::integrate_in_lanes(four, &plan, list, None))),
+        &mut || drop(black_box(batch::integrate_in_lanes(eight, &plan, list, None))),
+        &mut || drop(black_box(batch::integrate_in_lanes(four, &plan, list, Some(&watching)))),
     ])
     .map(|s| 1e3 * s / n);
     println!(
@@ -167,9 +168,9 @@ fn batches_by(method: Method, p: &[f64], list: &[Trajectory<'_>]) {
     );
 }
 
-fn equations_of(p: &[f64]) -> Eliminated<'static> {
+fn equations_of(p: &[f64]) -> EliminatedDynamics<'static> {
     let system: &'static (dyn System<f64> + Sync) = &Lagrange;
-    Eliminated::new(system, p).expect("these equations were solved for")
+    EliminatedDynamics::new(system, p).expect("these equations were solved for")
 }
 
 fn main() {

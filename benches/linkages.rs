@@ -14,13 +14,13 @@ use std::sync::Mutex;
 use std::time::Instant;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use tripos::code::{Code, Ready, code};
-use tripos::preparation::passage::Chosen;
+use tripos::code::{Code, CodePreparation, runnable_code};
+use tripos::preparation::speed_changes::ChosenSpeedEquations;
 use tripos::{Problem, Scene};
 use tripos_derive::Formulation;
 use tripos_derive::mechanics::EquationsOrigin;
-use tripos_derive::scene::Solve;
-use tripos_sim::{Method, Options, Output, Solution};
+use tripos_derive::scene::AccelerationSolution;
+use tripos_sim::{Method, Options, OutputOption, Solution};
 
 /// Largest permitted change of the energy T + V, J.
 const AIM: f64 = 1e-10;
@@ -37,8 +37,9 @@ struct Equations {
 impl Equations {
     fn new(scene: &Scene) -> Self {
         let by = [Formulation::Kane, Formulation::Lagrange].map(EquationsOrigin::from);
-        let compiled =
-            |by: &EquationsOrigin| code(scene.mechanism(), by, None, Ready::AsDerived).expect("a model of the library");
+        let compiled = |by: &EquationsOrigin| {
+            runnable_code(scene.mechanism(), by, None, CodePreparation::AsDerived).expect("a model of the library")
+        };
         let code = [compiled(&by[0]), compiled(&by[1])];
         assert!(code.iter().all(Code::is_compiled), "run `tripos regenerate`: interpreted equations are not measured");
         Self { by, code }
@@ -47,7 +48,8 @@ impl Equations {
 
 /// A run at one tolerance; nothing if it did not come to its end.
 fn run(problem: &Problem<'_>, method: Method, tolerance: f64) -> Option<Solution> {
-    let options = Options { method, output: Output::Steps { refine: 1 }, ..Options::tolerances(tolerance, tolerance) };
+    let options =
+        Options { method, output: OutputOption::Steps { refine: 1 }, ..Options::tolerances(tolerance, tolerance) };
     let start = problem.start().expect("the scene states its start");
     let solution = problem.solve(&start, &options, &mut [], None).ok()?;
     (!solution.stop.is_failure()).then_some(solution)
@@ -88,15 +90,21 @@ fn linkages(c: &mut Criterion) {
     let mut group = c.benchmark_group("IFToMM, 10 s to 1e-10 J");
     for name in BENCHMARKS {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("scenes/{name}.toml"));
-        let scene = Scene::read(path).expect("the scene is ours").with(tripos_models::MODELS);
+        let scene = Scene::read(path).expect("the scene is ours").with_compiled_equations(tripos_models::MODELS);
         let equations = Equations::new(&scene);
         let ([speeds, rates], [in_speeds, in_rates]) = (&equations.by, &equations.code);
         let changes = Mutex::default();
-        let chosen = Chosen { by: speeds, code: in_speeds, solve: Solve::Eliminated, changes: &changes };
+        let chosen = ChosenSpeedEquations {
+            by: speeds,
+            code: in_speeds,
+            solve: AccelerationSolution::Eliminated,
+            changes: &changes,
+        };
         let problem = |by, code, solve| Problem::new(scene.mechanism(), scene.description(), by, code, solve);
         let plain = problem(speeds, in_speeds, None).expect("equations that run");
-        let changing =
-            problem(rates, in_rates, Some(Solve::Numeric)).expect("equations that run").with_chosen_speeds(chosen);
+        let changing = problem(rates, in_rates, Some(AccelerationSolution::Numeric))
+            .expect("equations that run")
+            .with_chosen_speeds(chosen);
         for method in METHODS {
             let found = [(&plain, "its speeds"), (&changing, "all rates beside its speeds")]
                 .into_iter()

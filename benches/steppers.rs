@@ -11,7 +11,7 @@ use std::time::Instant;
 use criterion::{Criterion, criterion_group, criterion_main};
 use ode_solvers::dop_shared::OutputType;
 use ode_solvers::{Dop853, SVector, System};
-use tripos_sim::{Method, Options, Output, integrate};
+use tripos_sim::{Method, Options, OutputOption, integrate};
 
 const N: usize = 10;
 const SPAN: f64 = 20.0;
@@ -53,7 +53,8 @@ fn theirs() -> (u64, f64) {
 }
 
 fn ours() -> (u64, f64) {
-    let options = Options { method: Method::Dop853, output: Output::Ends, ..Options::tolerances(TOLERANCE, TOLERANCE) };
+    let options =
+        Options { method: Method::Dop853, output: OutputOption::Ends, ..Options::tolerances(TOLERANCE, TOLERANCE) };
     let rhs = |_t: f64, y: &[f64], dydt: &mut [f64]| {
         let (Ok(y), Ok(dydt)) = (y.try_into(), dydt.try_into()) else { unreachable!("the state has N components") };
         chain(y, dydt);

@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use std::path::Path;
 use support::{Random, accelerations, compiled, largest_terms, system};
 use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::value::evaluate::Tape;
+use tripos_derive::algebra::value::tape::Tape;
 use tripos_derive::{Formulation, Model, derive};
 use tripos_sim::Dynamics;
 use tripos_traits::{DoubleDouble, Real, Scalar, System};

@@ -14,7 +14,7 @@ use crate::spoilt::Random;
 use problem::Problem;
 use std::fmt::Write;
 use tripos::{EquationsName, simulate};
-use tripos_derive::scene::{Integrator, Project, Solve};
+use tripos_derive::scene::{AccelerationSolution, Integrator, ProjectionTarget};
 use tripos_sim::Method;
 use truth::Truth;
 
@@ -130,13 +130,13 @@ fn draw(
     } else {
         Integrator::Steps(*random.one(&Method::ALL))
     };
-    how.solve = (random.chance(20) && how.method != Integrator::Quadrature).then_some(Solve::Numeric);
+    how.solve = (random.chance(20) && how.method != Integrator::Quadrature).then_some(AccelerationSolution::Numeric);
     how.step = None;
     if how.method == Method::Rk4.into() || (random.chance(8) && how.method != Integrator::Quadrature) {
         how.step = Some(10_f64.powf(-random.between(1.0, 3.5)));
     }
     how.project = (random.chance(10) && by.is_none() && how.solve.is_none() && how.method != Integrator::Quadrature)
-        .then_some(Project::Energy);
+        .then_some(ProjectionTarget::Energy);
     how.step_limit = 300_000;
     let words = format!(
         "{} by {by:?}, rtol {rtol:.1e}, atol {:.1e}, step {:?}, {:?}, {:?}, span {:.1}",
@@ -177,7 +177,7 @@ fn compare(run: &tripos::Run, truth: &Truth, scene: &tripos_derive::scene::Scene
         };
         let size = |of: usize| truth.size(of).max(matters);
         fewest = fewest.min(right(&size));
-        let Some(stated) = digits.at_end().filter(|_| instant + 1 == digits.t.len()) else { continue };
+        let Some(stated) = digits.digits_at_end().filter(|_| instant + 1 == digits.t.len()) else { continue };
         let stated = known.iter().map(|(at, _)| stated[*at]).fold(MOST, f64::min);
         end = Some((stated, right(&|of| size(of).min(1.0) + state[of].abs())));
     }

@@ -8,9 +8,9 @@ use std::path::Path;
 use tripos::{Overrides, Scene};
 use tripos_derive::Formulation;
 use tripos_derive::algebra::Rational;
-use tripos_derive::algebra::value::evaluate::Tape;
+use tripos_derive::algebra::value::tape::Tape;
 use tripos_derive::diagnostic::Source;
-use tripos_derive::mechanics::{Derivation, Solved, derive};
+use tripos_derive::mechanics::{Derivation, SolvedAccelerations, derive};
 use tripos_derive::scene::load_state;
 use tripos_derive::{Model, model};
 
@@ -57,7 +57,7 @@ fn linearized_equations_are_the_published_ones() {
         let mut model = read(&text);
         assert_eq!((model.coordinates.len(), model.speeds.len(), model.loops.len()), (8, 3, 1));
         let Derivation { mut arena, equations } = derive(&model, Formulation::Kane).unwrap();
-        let solved = Solved::new(&mut arena, &equations).unwrap().accelerations;
+        let solved = SolvedAccelerations::new(&mut arena, &equations).unwrap().accelerations;
         let inputs = [model.p(), model.q(), model.u()].concat();
         let tape = Tape::stepwise(&arena, &inputs, &solved.steps, &equations.unknowns[..2]).unwrap();
         for v in [0.5, 3.0, 5.0] {
@@ -130,7 +130,7 @@ fn leans_and_steers(text: &str, states: &[[f64; 4]]) -> Vec<[f64; 2]> {
     let (mut base, mut model) = (read(BICYCLE), read(text));
     let is_third = |name: &str| text.contains(&format!("u3 = \"{name}'\""));
     let Derivation { mut arena, equations } = derive(&model, Formulation::Kane).unwrap();
-    let solved = Solved::new(&mut arena, &equations).unwrap().accelerations;
+    let solved = SolvedAccelerations::new(&mut arena, &equations).unwrap().accelerations;
     let inputs = [model.p(), model.q(), model.u()].concat();
     let tape = Tape::stepwise(&arena, &inputs, &solved.steps, &equations.unknowns[..2]).unwrap();
     let rates: Vec<_> = base.kinematic_equations.rates.clone();
@@ -159,8 +159,8 @@ fn leans_and_steers(text: &str, states: &[[f64; 4]]) -> Vec<[f64; 2]> {
 #[test]
 fn a_knocked_bicycle_comes_up_again() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("models/whipple_bicycle/scenes/knocked.toml");
-    let mut scene = Scene::read(path).unwrap_or_else(|e| panic!("{e}")).with(tripos_models::MODELS);
-    scene.set("u1", 3e-4).unwrap();
+    let mut scene = Scene::read(path).unwrap_or_else(|e| panic!("{e}")).with_compiled_equations(tripos_models::MODELS);
+    scene.set_number("u1", 3e-4).unwrap();
     let v = 5.0;
     let mut slopes = nalgebra::Matrix4::<f64>::zeros();
     for column in 0..4 {
@@ -176,7 +176,7 @@ fn a_knocked_bicycle_comes_up_again() {
         let how = Overrides { by: Some(by.name().into()), rtol: Some(1e-11), ..Overrides::default() };
         let run = scene.simulate(&how).unwrap_or_else(|e| panic!("{e}"));
         assert!(run.failure().is_none() && run.warnings.is_empty(), "{:?} {:?}", run.failure(), run.warnings);
-        let columns = ["phi", "delta", "u1", "u2"].map(|name| run.column(name).unwrap());
+        let columns = ["phi", "delta", "u1", "u2"].map(|name| run.column_of_quantity(name).unwrap());
         for (at, t) in run.solution.t.iter().enumerate() {
             let truth = (slopes * *t).exp() * nalgebra::Vector4::new(0.0, 0.0, 3e-4, 0.0);
             for (column, truth) in columns.iter().zip(&truth) {

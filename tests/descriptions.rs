@@ -22,7 +22,7 @@ fn run(model_text: &str, start: &str, by: Formulation) -> Run {
 }
 
 fn column(run: &Run, name: &str) -> Vec<f64> {
-    run.column(name).unwrap_or_else(|e| panic!("{e}")).clone()
+    run.column_of_quantity(name).unwrap_or_else(|e| panic!("{e}")).clone()
 }
 
 const FOUR_BAR: &str = include_str!("../models/four_bar/model.toml");

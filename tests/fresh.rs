@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::sync::LazyLock;
 use tripos_codegen::freshness;
-use tripos_codegen::workspace::{Freshness, generate, model_folders};
+use tripos_codegen::generated_workspace::{Freshness, generate, model_folders};
 
 #[path = "../build.rs"]
 #[allow(dead_code, reason = "a program of its own")]

@@ -66,7 +66,7 @@ fn a_block_slides_on_a_plank_as_in_closed_form() {
     let rate = 0.4 * 12.0 * (1.0 / 2.0 + 1.0 / 5.0);
     for by in Formulation::ALL {
         let run = run(&rest, "[start]\nx = 0\ny = 0\nz = 0\nq = 0\nv = 1\ns = 3\nr = 0\nw = 0\n", by);
-        let [v, s] = ["v", "s"].map(|name| run.column(name).unwrap());
+        let [v, s] = ["v", "s"].map(|name| run.column_of_quantity(name).unwrap());
         assert!(s.last().unwrap() < &1e-3, "it comes to rest");
         for ((t, v), s) in run.solution.t.iter().zip(v).zip(s) {
             assert!((5.0 * v + 2.0 * (v + s) - 13.0).abs() < 1e-10);
@@ -88,7 +88,7 @@ fn a_rotor_stops_on_its_bearing_as_in_closed_form() {
         );
         for by in Formulation::ALL {
             let run = run(&rest, start, by);
-            let [w1, w2] = ["w1", "w2"].map(|name| run.column(name).unwrap());
+            let [w1, w2] = ["w1", "w2"].map(|name| run.column_of_quantity(name).unwrap());
             for ((t, w1), w2) in run.solution.t.iter().zip(w1).zip(w2) {
                 let s = if whole { w1 - w2 } else { w1 };
                 if s > 1e-6 {

@@ -52,7 +52,7 @@ fn run(scene: &Scene, by: Formulation) -> Run {
 
 /// x at the samples of a run.
 fn held(run: &Run, tolerance: f64, truth: impl Fn(f64) -> f64) {
-    let x = run.column("x").unwrap();
+    let x = run.column_of_quantity("x").unwrap();
     assert!(run.solution.t.len() > 20);
     for (t, x) in run.solution.t.iter().zip(x) {
         assert!((x - truth(*t)).abs() < tolerance, "{t}: {x}, {}", truth(*t));
@@ -82,7 +82,7 @@ fn numbers_are_parameters_that_are_inputs() {
         }
     }
     let mut scene = scene("[inputs]\nF = 3\n").unwrap();
-    scene.set("F", -2.0).unwrap();
+    scene.set_number("F", -2.0).unwrap();
     held(&run(&scene, Formulation::Kane), 1e-11, |t| under_a_line([0.1, 0.3], -2.0, 0.0, t)[0]);
 }
 
@@ -112,7 +112,7 @@ fn formulas_are_of_time_place_and_speed() {
 fn inputs_work() {
     let run = run(&scene("[inputs]\nF = 3\n").unwrap(), Formulation::Kane);
     let gained = |x: f64, v: f64| v * v + 4.0 * x * x;
-    let (x, v) = (run.column("x").unwrap(), run.column("v").unwrap());
+    let (x, v) = (run.column_of_quantity("x").unwrap(), run.column_of_quantity("v").unwrap());
     let change = gained(*x.last().unwrap(), *v.last().unwrap()) - gained(x[0], v[0]);
     assert!((change - 3.0 * (x.last().unwrap() - x[0])).abs() < 1e-10);
     let ((t0, v0), (t1, v1)) = (run.energies[0], *run.energies.last().unwrap());
@@ -253,12 +253,15 @@ fn a_controller_closes_the_loop_of_compiled_and_of_interpreted_equations() {
     // Feedback sampled at 100 Hz and held stays bounded only if the gain is below the inertia over a sample: the wrist
     // is light.
     let gains = [4.0, 4.0, 4.0, 0.01, 0.01, 0.002];
-    let damped =
-        || move |sample: &tripos::Sample<'_>| sample.state[6..].iter().zip(gains).map(|(u, gain)| -gain * u).collect();
+    let damped = || {
+        move |sample: &tripos::ControllerSample<'_>| {
+            sample.state[6..].iter().zip(gains).map(|(u, gain)| -gain * u).collect()
+        }
+    };
     let how = Overrides { until: Some(0.5), ..Overrides::default() };
     let run =
         |scene: &Scene| scene.simulate_sampled(&inputs, &instants, damped, &how).unwrap_or_else(|e| panic!("{e}"));
-    let (interpreted, compiled) = (run(&scene), run(&scene.clone().with(tripos_models::MODELS)));
+    let (interpreted, compiled) = (run(&scene), run(&scene.clone().with_compiled_equations(tripos_models::MODELS)));
     assert_eq!([interpreted.code.name(), compiled.code.name()], ["interpreted", "compiled"]);
     assert_eq!(interpreted.decisions.len(), 50);
     assert!(interpreted.decisions[49].values.iter().any(|tau| tau.abs() > 1.0));

@@ -2,13 +2,13 @@
 
 use crate::support::{Random, compiled};
 use std::path::{Path, PathBuf};
-use tripos::code::{Form, Ready, code};
-use tripos::{Mechanism, Reference};
+use tripos::code::{CodeForm, CodePreparation, runnable_code};
+use tripos::{Mechanism, ReferenceSolution};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::EquationsOrigin;
 use tripos_derive::scene::load;
 use tripos_derive::{Formulation, Model};
-use tripos_sim::work_precision::error;
+use tripos_sim::work_precision::work_precision_error;
 use tripos_traits::{DoubleDouble, Real, Scalar, System};
 
 type Dd = DoubleDouble;
@@ -55,8 +55,9 @@ fn interpreted_equations_have_28_digits_of_the_compiled_ones() {
     for name in tripos_models::MODELS.iter().map(|model| model.name) {
         let mechanism = Mechanism::new(Model::read(&folder(name).join("model.toml")).unwrap());
         for formulation in [Formulation::Kane, Formulation::Lagrange] {
-            let tape = code(&mechanism, &EquationsOrigin::from(formulation), None, Ready::Solved).unwrap();
-            assert_eq!(tape.form(), Form::Interpreted);
+            let tape =
+                runnable_code(&mechanism, &EquationsOrigin::from(formulation), None, CodePreparation::Solved).unwrap();
+            assert_eq!(tape.form(), CodeForm::Interpreted);
             let [tape, rust] = [tape.extended(), compiled(name, formulation.name()).extended];
             let both = tape.has_taylor() && rust.has_taylor();
             let (lengths, mut random) = (tape.lengths(), Random(11));
@@ -98,11 +99,11 @@ fn references_of_interpreted_models_have_32_digits() {
     let mut model = Model::read(&folder("spherical_pendulum").join("model.toml")).unwrap();
     let file = Source::read(&folder("spherical_pendulum").join("scenes/wide.toml")).unwrap();
     let scene = load(&file, &mut model).unwrap();
-    let interpreted = Reference::new(&Mechanism::new(model.clone()), &scene, &[0.5]).unwrap();
-    let compiled = Mechanism::new(model).with(tripos_models::MODELS);
-    let compiled = Reference::new(&compiled, &scene, &[0.5]).unwrap();
+    let interpreted = ReferenceSolution::new(&Mechanism::new(model.clone()), &scene, &[0.5]).unwrap();
+    let compiled = Mechanism::new(model).with_compiled_equations(tripos_models::MODELS);
+    let compiled = ReferenceSolution::new(&compiled, &scene, &[0.5]).unwrap();
     assert!(interpreted.how.contains("(32 digits)"), "{}", interpreted.how);
     assert!(interpreted.uncertainty < 1e-19, "{}", interpreted.how);
-    let difference = error(interpreted.end(), compiled.end());
+    let difference = work_precision_error(interpreted.end(), compiled.end());
     assert!(difference < 1e-25, "{difference:e}; {} and {}", interpreted.how, compiled.how);
 }

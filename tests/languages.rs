@@ -18,8 +18,8 @@ use tripos_codegen::languages::casadi::CasADi;
 use tripos_codegen::languages::matlab::Matlab;
 use tripos_codegen::languages::python::Python;
 use tripos_codegen::languages::{Dialect, Selection, emit_model};
-use tripos_codegen::plan::{ModulePlan, Regression, module_name};
-use tripos_derive::scene::{Scene, load_bound};
+use tripos_codegen::plan::{ModulePlan, RegressorFunctions, module_name};
+use tripos_derive::scene::{Scene, load_scene_with_inputs};
 use tripos_derive::{Formulation, Model};
 use tripos_models::MODELS;
 use tripos_traits::{CompiledSystem, DoubleDouble, Real, Scalar};
@@ -506,7 +506,7 @@ fn hostile_scene(random: &mut Random, model: &Model) -> (Scene, Model) {
     let mut read = |name: &str| {
         let mut source = tripos_derive::diagnostic::Source::from_text("scene", &text(name));
         source.path = PathBuf::from("scene.toml");
-        load_bound(&source, &mut model)
+        load_scene_with_inputs(&source, &mut model)
     };
     let name = TEXTS[random.below(TEXTS.len())];
     // A text that no output may have as its name stands for itself in the message; the output then has another.
@@ -534,7 +534,7 @@ fn hostile_models_stay_names_and_comments() {
         let Ok(model) = tripos_derive::model::load(&source) else { continue };
         read += 1;
         let (scene, model) = hostile_scene(&mut Random(seed), &model);
-        let named = [&Regression::FUNCTIONS[..], &["accelerations", "outputs", "reactions"]].concat();
+        let named = [&RegressorFunctions::FUNCTIONS[..], &["accelerations", "outputs", "reactions"]].concat();
         let named: Vec<String> = named.into_iter().map(str::to_owned).collect();
         let functions: &[String] = if seed % 3 == 0 { &named } else { &[] };
         let selection =

@@ -15,7 +15,7 @@ const G: f64 = 9.81;
 /// A scene of the library, run by each formulation.
 fn runs(scene: &str) -> Vec<(&'static str, Run)> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("models").join(scene);
-    let scene = Scene::read(path).unwrap_or_else(|e| panic!("{e}")).with(tripos_models::MODELS);
+    let scene = Scene::read(path).unwrap_or_else(|e| panic!("{e}")).with_compiled_equations(tripos_models::MODELS);
     let run = |by: &'static str| {
         let (rtol, atol) = (Some(1e-12), Some(1e-13));
         let how =
@@ -30,7 +30,7 @@ fn runs(scene: &str) -> Vec<(&'static str, Run)> {
 
 /// Columns of a run, sample by sample, after the time.
 fn samples<const N: usize>(run: &Run, names: [&str; N]) -> Vec<(f64, [f64; N])> {
-    let columns = names.map(|name| run.column(name).unwrap_or_else(|e| panic!("{e}")));
+    let columns = names.map(|name| run.column_of_quantity(name).unwrap_or_else(|e| panic!("{e}")));
     run.solution.t.iter().enumerate().map(|(at, t)| (*t, std::array::from_fn(|i| columns[i][at]))).collect()
 }
 
@@ -96,7 +96,7 @@ fn the_squeezer_ends_where_it_is_known_to() {
     ];
     for (by, run) in runs("squeezer/scenes/handbook.toml") {
         for (name, truth) in known {
-            close(*run.column(name).unwrap().last().unwrap(), truth, 2e-9, &format!("{by}: {name}"));
+            close(*run.column_of_quantity(name).unwrap().last().unwrap(), truth, 2e-9, &format!("{by}: {name}"));
         }
     }
 }

@@ -6,12 +6,12 @@
 use crate::mechanism;
 use crate::spoilt::Random;
 use std::path::Path;
-use tripos::code::{Code, Ready, code};
-use tripos::studies::steady::{About, Wanted, Wide, linearise};
+use tripos::code::{Code, CodePreparation, runnable_code};
+use tripos::studies::steady::{LinearisationOptions, SteadyLinearSystem, WideMatrix, linearise};
 use tripos::{Mechanism, Scene};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::EquationsOrigin;
-use tripos_derive::scene::{Loops, load_asked};
+use tripos_derive::scene::{Loops, load_state_with_unknowns};
 use tripos_derive::{Formulation, Model, model};
 use tripos_traits::{DoubleDouble as Dd, Real, Scalar};
 
@@ -28,7 +28,8 @@ struct Rates {
 
 impl Rates {
     fn new(mechanism: &Mechanism, by: Formulation) -> Self {
-        let code = code(mechanism, &EquationsOrigin::from(by), None, Ready::Solved).unwrap_or_else(|e| panic!("{e}"));
+        let code = runnable_code(mechanism, &EquationsOrigin::from(by), None, CodePreparation::Solved)
+            .unwrap_or_else(|e| panic!("{e}"));
         Self { code, coordinates: mechanism.coordinates.len() }
     }
 
@@ -47,7 +48,7 @@ struct Case {
     p: Vec<Dd>,
     x: Vec<Dd>,
     inputs: Vec<String>,
-    found: About,
+    found: SteadyLinearSystem,
 }
 
 impl Case {
@@ -60,11 +61,11 @@ impl Case {
         let accelerations = names(&mut text.speeds.iter().map(|s| s.name.as_str()));
         let shown = [rates, accelerations, vec!["\"kinetic_energy\"".to_owned()]].concat();
         let file = format!("outputs = [{}]\n{state}", shown.join(", "));
-        let asked = load_asked(&Source::from_text("state.toml", &file), &mut text, &[])
+        let asked = load_state_with_unknowns(&Source::from_text("state.toml", &file), &mut text, &[])
             .unwrap_or_else(|e| panic!("{e}\n{file}"));
         let mechanism = Mechanism::new(text);
         let inputs: Vec<String> = inputs.iter().map(|name| (*name).to_owned()).collect();
-        let wanted = Wanted { inputs: inputs.clone(), whole: true, as_is: true };
+        let wanted = LinearisationOptions { inputs: inputs.clone(), whole: true, as_is: true };
         let found = linearise(&mechanism, &asked, &wanted).unwrap_or_else(|e| panic!("{e}\n{file}"));
         Self { p: asked.parameters.clone(), x: found.steady.x.clone(), mechanism, inputs, found }
     }
@@ -104,7 +105,7 @@ impl Case {
             let all = by_state.iter().chain(&by_input).flatten();
             let scale = all.fold(1.0, |most: f64, x| most.max(x.to_f64().abs()));
             let rows = self.x.len() + 1;
-            let mut check = |name: &str, found: &Wide, columns: &[Vec<Dd>], rows: &[usize]| {
+            let mut check = |name: &str, found: &WideMatrix, columns: &[Vec<Dd>], rows: &[usize]| {
                 assert_eq!((found.rows.len(), found.columns()), (rows.len(), columns.len()), "{what}: {name}");
                 for (i, row) in rows.iter().enumerate() {
                     for (j, column) in columns.iter().enumerate() {
@@ -167,8 +168,8 @@ fn a_state_is_taken_as_it_is_with_its_loops_closed() {
     assert!(case.compare("four_bar") > 4);
     let mut text = model();
     let source = Source::from_text("state.toml", "[state]\nq1 = 0.5\nq2 = -1.1\nq3 = -1.8\nu1 = 3\n");
-    let asked = load_asked(&source, &mut text, &[]).unwrap_or_else(|e| panic!("{e}"));
-    let wanted = Wanted { as_is: true, ..Wanted::default() };
+    let asked = load_state_with_unknowns(&source, &mut text, &[]).unwrap_or_else(|e| panic!("{e}"));
+    let wanted = LinearisationOptions { as_is: true, ..LinearisationOptions::default() };
     let refused = linearise(&Mechanism::new(text), &asked, &wanted).unwrap_err().to_string();
     assert!(refused.contains("loops are open at this state: `"), "{refused}");
 }

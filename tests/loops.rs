@@ -73,7 +73,7 @@ fn a_four_bar_linkage_turns() {
             // Samples inside steps of implicit methods, three of four, are of order 3: rates are off by up to 9.5e-9
             // there.
             let is_implicit = matches!(method, Some("gauss6" | "radau5"));
-            let of = |name: &str| run.column(name).unwrap();
+            let of = |name: &str| run.column_of_quantity(name).unwrap();
             let samples = of("q1").into_iter().zip(of("q2")).zip(of("q3")).zip(of("u1")).enumerate();
             for (at, (((q1, q2), q3), u1)) in samples {
                 let loose = if is_implicit && at % 4 != 0 { 40.0 } else { 1.0 };
@@ -188,7 +188,7 @@ fn a_knife_edge_goes_along_a_cycloid() {
         let (turn, fall): (f64, f64) = (1.3 * 10.0, 9.81 * f64::sin(0.3) / (2.0 * 1.3 * 1.3));
         let expected = [("x", fall * turn.sin().powi(2)), ("y", fall * (turn - turn.sin() * turn.cos()))];
         for (name, expected) in expected {
-            let found = *run.column(name).unwrap().last().unwrap();
+            let found = *run.column_of_quantity(name).unwrap().last().unwrap();
             assert!((found - expected).abs() < 1e-9, "{by}: {name} = {found}, {expected}");
         }
     }
@@ -254,7 +254,7 @@ fn a_rocker_goes_through_its_dead_points() {
         through.notes
     );
     for (name, tolerance) in [("q1", 1e-7), ("q2", 1e-7), ("q3", 1e-7)] {
-        let end = |run: &Run| *run.column(name).unwrap().last().unwrap();
+        let end = |run: &Run| *run.column_of_quantity(name).unwrap().last().unwrap();
         assert!((end(&through) - end(&by_crank)).abs() < tolerance, "{name}: {}, {}", end(&through), end(&by_crank));
     }
 }
@@ -335,10 +335,11 @@ fn ten_windows_swing_as_one() {
     );
     let scene = self::scene(model, &scene).unwrap();
     let run = run(&scene, "kane", None, None);
-    let q = &run.column("q").unwrap();
+    let q = &run.column_of_quantity("q").unwrap();
     assert!(q.iter().any(|q| *q < -2.0), "it swings over");
     for name in (1..=10).map(|i| format!("q_ground{i}")) {
-        let apart = run.column(&name).unwrap().iter().zip(q).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        let apart =
+            run.column_of_quantity(&name).unwrap().iter().zip(q).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
         assert!(apart < 1e-10, "{name}: {apart}");
     }
 }

@@ -3,21 +3,21 @@
 use crate::arm::{Reactions, arm};
 use crate::mechanism::Mechanism;
 use crate::spoilt::Random;
-use tripos::code::{Ready, code};
+use tripos::code::{CodePreparation, runnable_code};
 use tripos_derive::algebra::form::simplify::Simplifier;
-use tripos_derive::algebra::solve::least::least;
+use tripos_derive::algebra::solve::quadratic_minimum::minimize_quadratic_form;
 use tripos_derive::algebra::term::calculus::Substitution;
-use tripos_derive::algebra::value::modular::{ZeroTest, zero_test};
+use tripos_derive::algebra::value::zero_test::{ZeroTest, zero_test};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::EquationsOrigin;
-use tripos_derive::mechanics::{Form, Kinematics, derive_all_with};
+use tripos_derive::mechanics::{EquationForm, Kinematics, derive_all_with};
 use tripos_derive::{Equations, Formulation, Model, model};
 use tripos_traits::{DoubleDouble, Real, Scalar};
 
 /// Every entry, what is required for accelerations, the energies and the power.
 fn entries(arena: &mut Arena, e: &Equations) -> Vec<Expr> {
-    let e = e.clone().with_inverse_dynamics(arena).unwrap();
+    let e = e.clone().with_certified_inverse_dynamics(arena).unwrap();
     let scalars = [e.kinetic_energy, e.potential_energy, e.power];
     let lists = [&e.matrix.concat(), &e.forcing, &e.required];
     lists.into_iter().flatten().copied().chain(scalars).collect()
@@ -25,11 +25,11 @@ fn entries(arena: &mut Arena, e: &Equations) -> Vec<Expr> {
 
 /// The places where the two ways differ by meaning, with the formulations.
 fn differences(model: &Model) -> Vec<(Formulation, usize)> {
-    let mut named = derive_all_with(model, Kinematics::in_form(model, Form::Steps).unwrap()).unwrap();
+    let mut named = derive_all_with(model, Kinematics::in_form(model, EquationForm::Steps).unwrap()).unwrap();
     named.add(model, Formulation::GibbsAppell).unwrap();
     // Both in one store, so that terms can be subtracted.
     let again = Model { arena: named.kinematics.arena.clone(), ..model.clone() };
-    let mut written = derive_all_with(&again, Kinematics::in_form(&again, Form::Closed).unwrap()).unwrap();
+    let mut written = derive_all_with(&again, Kinematics::in_form(&again, EquationForm::Closed).unwrap()).unwrap();
     written.add(&again, Formulation::GibbsAppell).unwrap();
     let mut arena = written.kinematics.arena.clone();
     let mut found = Vec::new();
@@ -53,7 +53,9 @@ fn differences(model: &Model) -> Vec<(Formulation, usize)> {
 /// True if the minimum of Gauss's form solves Kane's equations: its u' satisfy M u' = f by meaning.
 fn is_solved(arena: &mut Arena, kane: &Equations) -> bool {
     let Some(gauss) = &kane.gauss else { return false };
-    let Some(recursion) = least(arena, &mut Simplifier::default(), gauss, &kane.unknowns) else { return false };
+    let Some(recursion) = minimize_quadratic_form(arena, &mut Simplifier::default(), gauss, &kane.unknowns) else {
+        return false;
+    };
     let mut put = Substitution::default();
     for step in recursion {
         let value = put.apply(arena, step.value);
@@ -81,7 +83,7 @@ fn random_mechanisms_have_the_same_equations_with_names_and_without() {
         let text = Mechanism::new(&mut Random(seed)).text();
         let model = model::load(&Source::from_text("model.toml", &text)).unwrap_or_else(|e| panic!("{e}"));
         assert_eq!(differences(&model), [], "seed {seed}:\n{text}");
-        let mut named = derive_all_with(&model, Kinematics::in_form(&model, Form::Steps).unwrap()).unwrap();
+        let mut named = derive_all_with(&model, Kinematics::in_form(&model, EquationForm::Steps).unwrap()).unwrap();
         let kane = named.get(Formulation::Kane).unwrap().clone();
         assert!(is_solved(&mut named.kinematics.arena, &kane), "seed {seed}:\n{text}");
     }
@@ -101,7 +103,8 @@ fn large_models_run_interpreted() {
         (0..2 * n).map(|i| Dd::from_f64(0.3 + 0.4 * i as f64 - if i < n { 0.0 } else { 2.5 })).collect();
     let mut both = Vec::new();
     for formulation in [Formulation::Kane, Formulation::Lagrange] {
-        let code = code(&mechanism, &EquationsOrigin::from(formulation), None, Ready::Solved).unwrap();
+        let code =
+            runnable_code(&mechanism, &EquationsOrigin::from(formulation), None, CodePreparation::Solved).unwrap();
         let system = code.extended();
         let derivative = |y: &[Dd]| {
             let (mut q_dot, mut v_dot) = (vec![Dd::int(0); n], vec![Dd::int(0); n]);

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 use tripos_codegen::plan::{FormulationPlan, Jacobian, Language, Planner, Sharing};
-use tripos_derive::mechanics::{Derivation, Solved};
+use tripos_derive::mechanics::{Derivation, SolvedAccelerations};
 use tripos_derive::{Formulation, Model, derive};
 
 /// (model, formulation, operations of `mass_matrix`, `forcing`, `accelerations`, `derivative`). A count may fall; one
@@ -131,9 +131,9 @@ fn matrices_and_forcings_share_what_they_have_in_common() {
 fn an_arm_of_six_joints_takes_what_generators_made_for_arms_need() {
     let model = Model::read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("benches/models/arm6.toml")).unwrap();
     let Derivation { mut arena, equations } = derive(&model, Formulation::Kane).unwrap();
-    let equations = equations.written(&mut arena);
-    let solved = Solved::new(&mut arena, &equations).unwrap();
-    let equations = equations.with_inverse_dynamics(&mut arena).unwrap();
+    let equations = equations.with_definitions(&mut arena);
+    let solved = SolvedAccelerations::new(&mut arena, &equations).unwrap();
+    let equations = equations.with_certified_inverse_dynamics(&mut arena).unwrap();
     let planner = Planner::new(&model, &arena, &equations, &Language::NONE, Sharing::Shared);
     let plan = FormulationPlan::new(&planner, Some(&solved), Jacobian::Planned, None);
     let of = |name: &str| {

@@ -42,7 +42,7 @@ fn bricards_mechanism_goes_on_where_its_speed_fails() {
         let run = by(&scene, formulation, None);
         assert!(run.failure().is_none() && run.warnings.is_empty(), "{formulation}: {:?}", run.objections());
         assert!(run.by.name() == formulation && says(&run, "speeds changed"), "{:?}", run.notes);
-        let of = |name: &str| run.column(name).unwrap();
+        let of = |name: &str| run.column_of_quantity(name).unwrap();
         for (((a1, a3), a5), b4) in of("q_P1").iter().zip(of("q_P3")).zip(of("q_P5")).zip(of("q_P4")) {
             assert!((a1 + a3).abs() < 1e-12 && (a1 + a5).abs() < 1e-12, "{a1}, {a3}, {a5}");
             assert!((b4.sin() - a3.sin() - b4.sin() * a3.sin()).abs() < 1e-12, "{a3}, {b4}");
@@ -74,8 +74,8 @@ fn windows_go_through_their_singular_poses() {
         let run = scene.simulate(&how).unwrap_or_else(|e| panic!("{e}"));
         assert!(run.failure().is_none() && run.warnings.is_empty(), "{:?}", run.objections());
         assert!(says(&run, "through singular poses"), "{:?}", run.notes);
-        let cranks = ["q", "q_ground1", "q_ground2"].map(|name| run.column(name).unwrap());
-        let rates = run.column("u").unwrap();
+        let cranks = ["q", "q_ground1", "q_ground2"].map(|name| run.column_of_quantity(name).unwrap());
+        let rates = run.column_of_quantity("u").unwrap();
         for (t, phi, rate) in table {
             let at = run.solution.t.iter().position(|sampled| (sampled - t).abs() < 1e-12).unwrap();
             for crank in &cranks {
@@ -98,7 +98,11 @@ const TURNING: &str = "span = [0, 2]\n[start]\nq1 = 0.5\nu1 = 20\n[guess]\nq2 = 
 fn changed_speeds_change_neither_samples_nor_events() {
     let model = library("four_bar/model.toml");
     let crank = by(&scene(&model, TURNING), "kane", None);
-    let (q1, q2, q3) = (crank.column("q1").unwrap(), crank.column("q2").unwrap(), crank.column("q3").unwrap());
+    let (q1, q2, q3) = (
+        crank.column_of_quantity("q1").unwrap(),
+        crank.column_of_quantity("q2").unwrap(),
+        crank.column_of_quantity("q3").unwrap(),
+    );
     let ratio = |at: usize| 0.3 / 0.6 * f64::sin(q1[at] - q2[at]) / f64::sin(q3[at] - q2[at]);
     let speed = format!("u1 = {:?}", 20.0 * ratio(0));
     let by_rocker = scene(&model.replace("u1 = \"q1'\"", "u1 = \"q3'\""), &TURNING.replace("u1 = 20", &speed));
@@ -111,11 +115,13 @@ fn changed_speeds_change_neither_samples_nor_events() {
         assert!(!says(&rocker, "singular poses"), "{:?}", rocker.notes);
         assert_eq!(rocker.solution.t, crank.solution.t);
         for (name, other) in [("q1", &q1), ("q2", &q2), ("q3", &q3)] {
-            for (a, b) in rocker.column(name).unwrap().iter().zip(other.iter()) {
+            for (a, b) in rocker.column_of_quantity(name).unwrap().iter().zip(other.iter()) {
                 assert!((a - b).abs() < 1e-8, "{formulation}, {name}: {a}, {b}");
             }
         }
-        for (at, (u3, u1)) in rocker.column("u1").unwrap().iter().zip(crank.column("u1").unwrap()).enumerate() {
+        for (at, (u3, u1)) in
+            rocker.column_of_quantity("u1").unwrap().iter().zip(crank.column_of_quantity("u1").unwrap()).enumerate()
+        {
             assert!((u3 - u1 * ratio(at)).abs() < 1e-6, "{formulation}: {u3}, {}", u1 * ratio(at));
         }
         let times = |run: &Run| run.solution.events.iter().map(|event| event.t).collect::<Vec<_>>();

@@ -133,7 +133,7 @@ fn starts(model: &str, scene: &str) -> (Start, Start) {
     let mut model = Model::read(&folder.join("model.toml")).unwrap();
     let source = Source::read(&folder.join(format!("scenes/{scene}.toml"))).unwrap();
     let scene = scene::load(&source, &mut model).unwrap();
-    let own = tripos::Reduced::new(&model, &scene).unwrap().scene;
+    let own = tripos::ReducedScene::new(&model, &scene).unwrap().scene;
     let start = |scene: &Scene| Start { parameters: scene.parameters.clone(), q: scene.q.clone(), u: scene.u.clone() };
     (start(&own), start(&scene))
 }

@@ -3,13 +3,13 @@
 //! Truth: K03 of the reference cases (SymPy's `KanesMethod` and an engine of high precision), and its closed form
 //! u̇₁ = (6 u₂ u₃ r − u₃² r tan q₂ + 4 g sin q₂)/(5 r), u̇₂ = −2 u₁ u₃/3, u̇₃ = u₁ (u₃ tan q₂ − 2 u₂).
 
-use tripos::{Mechanism, Overrides, Scene, Solve};
-use tripos_derive::algebra::value::evaluate::Tape;
+use tripos::{AccelerationSolution, Mechanism, Overrides, Scene};
+use tripos_derive::algebra::value::tape::Tape;
 use tripos_derive::diagnostic::Source;
-use tripos_derive::mechanics::{Derivation, Solved, derive, derive_all};
+use tripos_derive::mechanics::{Derivation, SolvedAccelerations, derive, derive_all};
 use tripos_derive::prove::prove;
 use tripos_derive::{Formulation, Model};
-use tripos_sim::{Method, Options, Output, integrate};
+use tripos_sim::{Method, Options, OutputOption, integrate};
 use tripos_traits::Real;
 
 const DISC: &str = include_str!("../models/rolling_disc/model.toml");
@@ -84,10 +84,12 @@ const STATES: [Known; 3] = [
 fn every_formulation_rolls() {
     let model = rolling();
     assert_eq!((model.coordinates.len(), model.speeds.len(), model.motion_constraints.len()), (5, 3, 2));
-    assert!(model.count().contains("5 generalized coordinates, 2 nonholonomic constraints, 3 generalized speeds"));
+    assert!(
+        model.counts_in_words().contains("5 generalized coordinates, 2 nonholonomic constraints, 3 generalized speeds")
+    );
     for formulation in Formulation::ALL {
         let Derivation { mut arena, equations } = derive(&model, formulation).unwrap();
-        let solved = Solved::new(&mut arena, &equations).unwrap().accelerations;
+        let solved = SolvedAccelerations::new(&mut arena, &equations).unwrap().accelerations;
         let inputs = [model.p(), model.q(), equations.variables.clone()].concat();
         let v_dot = &equations.unknowns[..equations.variables.len()];
         let energies = vec![equations.kinetic_energy, equations.potential_energy];
@@ -116,7 +118,7 @@ fn every_formulation_rolls() {
 fn multipliers_are_the_forces_of_the_constraints() {
     let model = rolling();
     let Derivation { mut arena, equations } = derive(&model, Formulation::Lagrange).unwrap();
-    let solved = Solved::new(&mut arena, &equations).unwrap().accelerations;
+    let solved = SolvedAccelerations::new(&mut arena, &equations).unwrap().accelerations;
     let inputs = [model.p(), model.q(), model.q_dot()].concat();
     let n = model.coordinates.len();
     let rows: Vec<_> =
@@ -167,7 +169,7 @@ const ROLL: &str = "model = \"disc.toml\"\nspan = [0, 3]\n[start]\nq1 = 0.1\nq2 
 #[test]
 fn a_run_is_the_rolling_motion() {
     let start = [0.1, 0.2, 0.0, 1.0, -1.0, 0.3, 4.0, -1.2];
-    let how = Options { method: Method::Dop853, output: Output::Ends, ..Options::tolerances(1e-13, 1e-13) };
+    let how = Options { method: Method::Dop853, output: OutputOption::Ends, ..Options::tolerances(1e-13, 1e-13) };
     // The closed form, with the kinematic equations by hand.
     let by_hand = |_t: f64, y: &[f64], out: &mut [f64]| {
         let (r, g) = (0.31, 9.81);
@@ -183,14 +185,14 @@ fn a_run_is_the_rolling_motion() {
     let truth = integrate(by_hand, (0.0, 3.0), &start, &how, &mut []).unwrap().y_end;
     let scene = Scene::parse(Mechanism::new(rolling()), ROLL).unwrap_or_else(|e| panic!("{e}"));
     let names = Formulation::ALL.map(|f| Some(f.name()));
-    let solves = [None, Some(Solve::Numeric)];
+    let solves = [None, Some(AccelerationSolution::Numeric)];
     let ways = names.into_iter().chain([None]).flat_map(|by| solves.map(|solve| (by, solve)));
     for (by, solve) in ways {
         let run = scene.simulate(&Overrides { by: by.map(Into::into), solve, ..Overrides::default() });
         let run = run.unwrap_or_else(|e| panic!("{by:?}: {e}"));
         assert!(run.failure().is_none(), "{:?}", run.objections());
         for (name, expected) in ["q1", "q2", "q3", "x", "y", "u1", "u2", "u3"].iter().zip(&truth) {
-            let found = *run.column(name).unwrap().last().unwrap();
+            let found = *run.column_of_quantity(name).unwrap().last().unwrap();
             close(&format!("{name} by {by:?}, {solve:?}"), found, *expected, 1e-9);
         }
         assert!(run.energy_drift.unwrap() < 1e-9, "{:?}", run.energy_drift);

@@ -23,7 +23,7 @@ fn disk(velocity: &str) -> Model {
 fn energies(velocity: &str, by: &str) -> Vec<f64> {
     let scene = Scene::parse(Mechanism::new(disk(velocity)), SCENE).unwrap_or_else(|e| panic!("{e}"));
     let run = scene.simulate(&Overrides { by: Some(by.into()), ..Overrides::default() });
-    run.unwrap_or_else(|e| panic!("{by}: {e}")).column("total_energy").unwrap().clone()
+    run.unwrap_or_else(|e| panic!("{by}: {e}")).column_of_quantity("total_energy").unwrap().clone()
 }
 
 /// Goal: drag on the material takes energy at every instant, by every formulation. Method: T + V falls from output to

@@ -6,9 +6,9 @@ use crate::support;
 
 use support::compiled;
 use support::stability::{Equations, Start, options, right_angle, rounded, wide};
-use tripos_sim::stability::{growth, slope};
-use tripos_sim::work_precision::error;
-use tripos_sim::{Direction, Dynamics, Eliminated, Event, Method, Options, Output, linear};
+use tripos_sim::error_growth::{error_growth, least_squares_slope};
+use tripos_sim::work_precision::work_precision_error;
+use tripos_sim::{Direction, Dynamics, EliminatedDynamics, Event, Method, Options, OutputOption, linear};
 use tripos_traits::{DoubleDouble, Real, Scalar};
 
 /// The near-flat ladder: u2 at the start, the least cos q2 on the way, the aim for the error at t = 2 s.
@@ -28,7 +28,7 @@ fn rung(u2: &str) -> Start {
 fn certified(start: &Start, t: f64, aim: f64) -> Vec<DoubleDouble> {
     let reference = Equations::new("disk", "lagrange@q2-90deg").reference(start, t, 1e-21);
     let check = Equations::new("disk", "kane@q2-90deg").reference(start, t, 1e-20);
-    let difference = error(&reference, &check);
+    let difference = work_precision_error(&reference, &check);
     assert!(difference < 1e-3 * aim, "the reference is known to {difference:e} only");
     reference
 }
@@ -178,7 +178,7 @@ fn condition_numbers_follow_their_laws_and_errors_the_equilibrated_ones() {
     for (name, law) in [("kane", -4.0), ("lagrange", -2.0), ("newton-euler", -2.0)] {
         let looks: Vec<(f64, f64, f64)> = deltas.iter().map(|d| solve_error(name, *d, false)).collect();
         let plain: Vec<f64> = looks.iter().map(|l| l.1.ln()).collect();
-        let found = slope(&logarithms, &plain);
+        let found = least_squares_slope(&logarithms, &plain);
         assert!((found - law).abs() < 0.1, "{name}: {found}");
         for (error, plain, equilibrated) in looks {
             assert!(error < 10.0 * f64::EPSILON * equilibrated.max(10.0), "{name}: {error:e} {equilibrated:e}");
@@ -240,7 +240,7 @@ fn contact_loss_and_tumbles_are_located_to_a_tenth_of_a_nanosecond() {
     let n = |y: &[DoubleDouble]| reaction(extended, &start.p, y);
     let sides: [Side<'_>; 2] = [("contact", &n), ("upright", &q2)];
     let truth = |t: f64| {
-        let rhs = Eliminated::new(extended, &start.p).unwrap();
+        let rhs = EliminatedDynamics::new(extended, &start.p).unwrap();
         let run =
             tripos_sim::integrate(rhs, (0.0, t), &equations.state(&start), &options(Method::Dop853, 1e-19), &mut []);
         run.unwrap().y_end
@@ -262,7 +262,7 @@ fn contact_loss_and_tumbles_are_located_to_a_tenth_of_a_nanosecond() {
 fn growth_rate(model: &str, start: &Start, component: usize, until: f64) -> (f64, f64) {
     let equations = Equations::new(model, "kane");
     let times: Vec<f64> = (0..=400).map(|i| until * f64::from(i) / 400.0).collect();
-    let sampled = Options { output: Output::At(times), ..options(Method::Dop853, 1e-13) };
+    let sampled = Options { output: OutputOption::At(times), ..options(Method::Dop853, 1e-13) };
     let run = equations.run(start, until, &sampled, &mut []);
     let size: Vec<f64> =
         run.y.iter().map(|y| y[component].hypot(if model == "heavy_top" { y[1] } else { 0.0 })).collect();
@@ -271,7 +271,7 @@ fn growth_rate(model: &str, start: &Start, component: usize, until: f64) -> (f64
     let grown = size.iter().position(|s| *s >= 1e-3).unwrap_or(size.len());
     let window: Vec<usize> = (0..grown).filter(|i| size[*i] >= 1e-5).collect();
     let (t, logarithm): (Vec<f64>, Vec<f64>) = window.iter().map(|i| (run.t[*i], size[*i].ln())).unzip();
-    (slope(&t, &logarithm), largest)
+    (least_squares_slope(&t, &logarithm), largest)
 }
 
 /// Sleeping top (m = 1, l = 0.5, I1 = 0.35, I3 = 0.05): the critical spin is 52.4099227 rad/s; at 0.9 of it the
@@ -333,10 +333,10 @@ fn the_horizon_of_a_chaotic_pendulum_is_predicted_and_confirmed() {
     );
     let equations = Equations::new("cart_pendulum_3", "kane");
     let tolerance = 1e-9;
-    let mut rhs = Eliminated::new(equations.system.double, &rounded(&start.p)).unwrap();
+    let mut rhs = EliminatedDynamics::new(equations.system.double, &rounded(&start.p)).unwrap();
     let y0 = rounded(&equations.state(&start));
-    let follow = Options { output: Output::Steps { refine: 1 }, ..options(Method::Dop853, 1e-9) };
-    let found = growth(&mut rhs, (0.0, 60.0), &y0, &vec![1.0; y0.len()], &follow).unwrap();
+    let follow = Options { output: OutputOption::Steps { refine: 1 }, ..options(Method::Dop853, 1e-9) };
+    let found = error_growth(&mut rhs, (0.0, 60.0), &y0, &vec![1.0; y0.len()], &follow).unwrap();
     // As a run predicts it: every step adds an error of its own.
     let steps = equations.run(&start, 60.0, &options(Method::Dop853, tolerance), &mut []).steps as f64;
     let horizon = found.horizon(|t| tolerance * (steps * t / 60.0).max(1.0)).expect("a chaotic motion");

@@ -5,8 +5,8 @@
 use crate::support;
 
 use support::stability::{Equations, Start, fixed, options, rounded, wide};
-use tripos_sim::stability::{Trend, growth, trend};
-use tripos_sim::{Eliminated, Method, Options, Output, Warning};
+use tripos_sim::error_growth::{Trend, drift_trend, error_growth};
+use tripos_sim::{EliminatedDynamics, Method, Options, OutputOption, Warning};
 use tripos_traits::{DoubleDouble, Scalar};
 
 /// |R(iy)|² of a Runge–Kutta method with this stability polynomial.
@@ -59,7 +59,7 @@ fn energy_changes(span: f64, options: &Options) -> Vec<f64> {
     let start = Start::new(&["1", "1", "1"], &["2"], &["0"]);
     let equations = Equations::new("pendulum", "kane");
     let times = (0..=2000).map(|i| span * f64::from(i) / 2000.0).collect();
-    let run = equations.run(&start, span, &Options { output: Output::At(times), ..options.clone() }, &mut []);
+    let run = equations.run(&start, span, &Options { output: OutputOption::At(times), ..options.clone() }, &mut []);
     assert_eq!(run.stop.code(), "end");
     let energy = |y: &Vec<f64>| 0.5 * y[1] * y[1] - y[0].cos();
     run.y.iter().map(|y| energy(y) - energy(&run.y[0])).collect()
@@ -73,16 +73,16 @@ fn energy_drifts_for_ever_or_stays_bounded_by_method() {
         let changes = energy_changes(1e5, &fixed(Method::Rk4, h));
         let end = changes[changes.len() - 1];
         assert!((end / known - 1.0).abs() < 0.01, "{h}: {end:e}");
-        assert_eq!(trend(&changes), Trend::Secular);
+        assert_eq!(drift_trend(&changes), Trend::Secular);
     }
     let fixed_steps = energy_changes(1e5, &fixed(Method::Gauss6, 0.2));
     let largest = fixed_steps.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-    assert_eq!(trend(&fixed_steps), Trend::Bounded, "{largest:e}");
+    assert_eq!(drift_trend(&fixed_steps), Trend::Bounded, "{largest:e}");
     assert!(largest < 1e-6, "{largest:e}");
     let adaptive = energy_changes(2e4, &options(Method::Gauss6, 1e-5));
-    assert_eq!(trend(&adaptive), Trend::Secular, "a step that adapts is no longer symplectic");
+    assert_eq!(drift_trend(&adaptive), Trend::Secular, "a step that adapts is no longer symplectic");
     let ode45 = energy_changes(1e4, &options(Method::Ode45, 1e-6));
-    assert_eq!(trend(&ode45), Trend::Secular);
+    assert_eq!(drift_trend(&ode45), Trend::Secular);
 }
 
 /// Goal: a tolerance finer than rounding costs steps, gains nothing, and is said. Method: the pendulum's exact
@@ -119,9 +119,9 @@ fn the_phase_of_a_long_run_is_lost_where_it_is_predicted() {
     let seconds = DoubleDouble::from_f64(span);
     let lost = equations.error(&start, &run, &[exact.angle(seconds), exact.rate(seconds)]);
     assert!(lost > 0.1, "{lost:e} {run}");
-    let mut rhs = Eliminated::new(equations.system.double, &rounded(&start.p)).unwrap();
-    let follow = Options { output: Output::Steps { refine: 1 }, ..options(Method::Dop853, 1e-9) };
-    let found = growth(&mut rhs, (0.0, span), &rounded(&equations.state(&start)), &[1.0, 1.0], &follow).unwrap();
+    let mut rhs = EliminatedDynamics::new(equations.system.double, &rounded(&start.p)).unwrap();
+    let follow = Options { output: OutputOption::Steps { refine: 1 }, ..options(Method::Dop853, 1e-9) };
+    let found = error_growth(&mut rhs, (0.0, span), &rounded(&equations.state(&start)), &[1.0, 1.0], &follow).unwrap();
     let steps = run.steps as f64;
     let horizon = found.horizon(|t| tolerance * (steps * t / span).max(1.0)).expect("before the end");
     assert!((1.0..1000.0).contains(&horizon), "{horizon}");

@@ -18,7 +18,7 @@ fn scenes() -> Vec<PathBuf> {
 fn no_scene_of_the_library_is_said_to_be_stiff() {
     let mut long = 0;
     for path in scenes() {
-        let scene = Scene::read(&path).unwrap_or_else(|e| panic!("{e}")).with(tripos_models::MODELS);
+        let scene = Scene::read(&path).unwrap_or_else(|e| panic!("{e}")).with_compiled_equations(tripos_models::MODELS);
         for (method, tolerance) in [("ode45", 1e-4), ("ode45", 1e-11), ("dop853", 1e-13)] {
             let how = Overrides {
                 method: Some(method.parse().unwrap()),

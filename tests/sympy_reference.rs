@@ -10,10 +10,10 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use tripos_derive::Model;
 use tripos_derive::algebra::meaning::compare::Verdict;
-use tripos_derive::algebra::text::print::text;
+use tripos_derive::algebra::text::print::print_text;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::derive_all;
-use tripos_derive::reference::{Reference, ReferenceError, compare};
+use tripos_derive::reference::{Reference, ReferenceError, compare_reference};
 
 /// The model files of the library.
 fn library() -> Vec<PathBuf> {
@@ -53,11 +53,11 @@ fn judge(model: &Path, reference: &Source) -> Result<(usize, Vec<String>), Refer
     let model = Model::read(model).unwrap();
     let reference = Reference::read(reference)?;
     let mut derivations = derive_all(&model).unwrap();
-    let found = compare(&model, &mut derivations, &reference)?;
+    let found = compare_reference(&model, &mut derivations, &reference)?;
     let arena = &derivations.kinematics.arena;
     let count = found.len();
     let wrong = found.into_iter().filter(|entry| !entry.verdict.is_equal()).map(|entry| {
-        let shown = |e: Option<_>| e.map_or("nothing".to_owned(), |e| text(arena, e));
+        let shown = |e: Option<_>| e.map_or("nothing".to_owned(), |e| print_text(arena, e));
         let (name, verdict) = (&entry.name, &entry.verdict);
         format!("{name}: SymPy {} | here {} | {verdict:?}", shown(entry.reference), shown(entry.derived))
     });
@@ -250,7 +250,7 @@ fn a_disagreement_has_a_witness() {
     let (_, energy) = reference.quantities.iter_mut().find(|(name, _)| name == "T").unwrap();
     energy.push_str(" + M");
     let mut derivations = derive_all(&model).unwrap();
-    let found = compare(&model, &mut derivations, &reference).unwrap();
+    let found = compare_reference(&model, &mut derivations, &reference).unwrap();
     let entry = found.iter().find(|entry| entry.name == "T").unwrap();
     let Verdict::Different(witness) = &entry.verdict else { panic!("{:?}", entry.verdict) };
     assert!((witness.left - witness.right).abs() > 0.1, "the mass: {witness:?}");

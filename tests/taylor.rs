@@ -5,15 +5,15 @@ use crate::support;
 use std::path::Path;
 use support::{compiled, system};
 use tripos::Mechanism;
-use tripos::code::{Ready, code};
+use tripos::code::{CodePreparation, runnable_code};
 use tripos_codegen::taylor::{Tape, recurrences, recurrences_of};
 use tripos_derive::algebra::term::calculus::Differential;
 use tripos_derive::algebra::text::parse::parse_free;
-use tripos_derive::algebra::value::evaluate::Tape as Values;
+use tripos_derive::algebra::value::tape::Tape as Values;
 use tripos_derive::algebra::{Arena, Expr};
-use tripos_derive::mechanics::{EquationsOrigin, Solved};
+use tripos_derive::mechanics::{EquationsOrigin, SolvedAccelerations};
 use tripos_derive::{Formulation, Model, derive};
-use tripos_sim::{Eliminated, Method, Options, Output, integrate};
+use tripos_sim::{EliminatedDynamics, Method, Options, OutputOption, integrate};
 use tripos_traits::{DoubleDouble, Real, Scalar, System};
 
 type Dd = DoubleDouble;
@@ -73,11 +73,12 @@ fn the_series_of_every_model_satisfies_its_equations_to_its_order() {
         let found = tripos_models::MODELS.iter().find(|m| m.name == model).unwrap();
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("models").join(model);
         let mechanism = Mechanism::new(Model::read(&folder.join("model.toml")).unwrap());
-        let tape =
-            |formulation| code(&mechanism, &EquationsOrigin::from(formulation), None, Ready::WithSeries).unwrap();
+        let tape = |formulation| {
+            runnable_code(&mechanism, &EquationsOrigin::from(formulation), None, CodePreparation::WithSeries).unwrap()
+        };
         for named in found.systems.iter().filter(|s| !s.name.starts_with("printed:")) {
             // Few have their recurrences compiled; those of all other formulations are interpreted.
-            let interpreted = Formulation::named(named.name).filter(|_| !named.extended.has_taylor()).map(tape);
+            let interpreted = Formulation::from_name(named.name).filter(|_| !named.extended.has_taylor()).map(tape);
             let system: &dyn System<Dd> = match &interpreted {
                 Some(code) => code.extended(),
                 None if named.extended.has_taylor() => named.extended,
@@ -111,7 +112,7 @@ fn compiled_series_equal_interpreted_ones() {
         let model = Model::read(path.as_ref()).unwrap();
         for formulation in Formulation::STANDARD {
             let mut derivation = derive(&model, formulation).unwrap();
-            let solved = Solved::new(&mut derivation.arena, &derivation.equations).unwrap();
+            let solved = SolvedAccelerations::new(&mut derivation.arena, &derivation.equations).unwrap();
             let equations = &derivation.equations;
             let list = recurrences_of(&mut derivation.arena, equations, &solved.accelerations).unwrap();
             let tape = Tape::new(&derivation.arena, &model.p(), &list).unwrap();
@@ -239,13 +240,16 @@ fn every_formulation_of_the_disk_arrives_where_dop853_does() {
         let mut v = [Dd::int(0); 5];
         named.extended.motion_variables(&p, &q, &u, &mut v);
         let start = [q, v].concat();
-        let options =
-            |method, tolerance| Options { method, output: Output::Ends, ..Options::tolerances(tolerance, tolerance) };
-        let reference = Eliminated::new(named.extended, &p).unwrap();
+        let options = |method, tolerance| Options {
+            method,
+            output: OutputOption::Ends,
+            ..Options::tolerances(tolerance, tolerance)
+        };
+        let reference = EliminatedDynamics::new(named.extended, &p).unwrap();
         let reference = integrate(reference, (0.0, 2.0), &start, &options(Method::Dop853, 1e-18), &mut []).unwrap();
         let narrow = |list: &[Dd]| list.iter().map(|x| x.to_f64()).collect::<Vec<_>>();
         for tolerance in [1e-4, 1e-7, 1e-10, 1e-13] {
-            let rhs = Eliminated::new(system("disk", formulation), &narrow(&p)).unwrap();
+            let rhs = EliminatedDynamics::new(system("disk", formulation), &narrow(&p)).unwrap();
             let run =
                 integrate(rhs, (0.0, 2.0), &narrow(&start), &options(Method::Taylor, tolerance), &mut []).unwrap();
             let error = run.y_end.iter().zip(&reference.y_end).map(|(a, b)| (a - b.to_f64()).abs()).fold(0.0, f64::max);

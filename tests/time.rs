@@ -9,7 +9,7 @@ use tripos_derive::Model;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::derive_all;
 use tripos_derive::prove::prove;
-use tripos_sim::{Dynamics, Method, Options, Output, integrate};
+use tripos_sim::{Dynamics, Method, Options, OutputOption, integrate};
 
 fn model(text: &str) -> Result<Model, String> {
     tripos_derive::model::load(&Source::from_text("timed.toml", text)).map_err(|e| e.to_string())
@@ -53,7 +53,7 @@ const WAYS: [(&str, &str, &str); 10] = [
 ];
 
 fn end(run: &Run, name: &str) -> f64 {
-    *run.column(name).unwrap_or_else(|e| panic!("{e}")).last().unwrap()
+    *run.column_of_quantity(name).unwrap_or_else(|e| panic!("{e}")).last().unwrap()
 }
 
 /// Goal: a force that follows a signal. Method: x'' + 4 x = cos 3t from rest is x = (cos 2t − cos 3t)/5; its work is
@@ -69,7 +69,7 @@ fn a_force_follows_a_signal() {
     let exact = |t: f64| ((2.0 * t).cos() - (3.0 * t).cos()) / 5.0;
     for (by, solve, method) in WAYS {
         let run = run(&scene, by, solve, method);
-        for (t, x) in run.solution.t.iter().zip(run.column("x").unwrap()) {
+        for (t, x) in run.solution.t.iter().zip(run.column_of_quantity("x").unwrap()) {
             assert!((x - exact(*t)).abs() < 1e-10, "{by} {method} at {t}: {x}, {}", exact(*t));
         }
         let drift = run.energy_drift.unwrap();
@@ -144,7 +144,7 @@ fn a_rope_of_prescribed_length_swings_alike_in_every_description() {
     let (length, slope) = (1.0 + 0.2 * f64::sin(2.5), f64::cos(2.5));
     let q = f64::asin(0.3 / length);
     let start = [q, (0.4 - slope * q.sin()) / (length * q.cos())];
-    let how = Options { method: Method::Dop853, output: Output::Ends, ..Options::tolerances(1e-13, 1e-13) };
+    let how = Options { method: Method::Dop853, output: OutputOption::Ends, ..Options::tolerances(1e-13, 1e-13) };
     let truth = integrate(by_hand, (0.5, 3.0), &start, &how, &mut []).unwrap().y_end[0];
     let r = 1.0 + 0.2 * f64::sin(15.0);
     for (at, (what, start)) in ropes().into_iter().enumerate() {
@@ -170,7 +170,7 @@ fn a_rope_of_prescribed_length_swings_alike_in_every_description() {
 fn driven_mechanisms_are_proved_and_keep_no_energy() {
     for (what, _) in ropes() {
         let model = model(&pendulum(&what)).unwrap_or_else(|e| panic!("{e}"));
-        assert!(model.is_driven() && model.count().ends_with(", time"), "{}", model.count());
+        assert!(model.is_driven() && model.counts_in_words().ends_with(", time"), "{}", model.counts_in_words());
         let proof = prove(&model, &mut derive_all(&model).unwrap());
         assert!(proof.is_equivalent() && proof.pairs.len() == 3, "{what}");
         assert!(proof.integrals.is_empty(), "{what}");
@@ -228,7 +228,7 @@ fn projection_moves_no_clock() {
         let run = scene.simulate(&how).unwrap();
         let report = run.solution.projection.as_ref().unwrap();
         assert!(report.corrections > 5, "{report:?}");
-        let clock = run.column("t").unwrap();
+        let clock = run.column_of_quantity("t").unwrap();
         for (t, shown) in run.solution.t.iter().zip(clock) {
             assert!((t - shown).abs() < 1e-12, "{by}: {shown} at {t}");
         }

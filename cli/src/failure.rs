@@ -4,10 +4,10 @@
 use serde_json::{Value, json};
 use std::fmt;
 use tripos::Error;
-use tripos_codegen::files::WriteError;
+use tripos_codegen::whole_file_writer::WriteError;
 use tripos_derive::SCHEMA;
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics};
-use tripos_derive::plain::{is_forbidden, path_in_line, visible};
+use tripos_derive::plain_text::{is_forbidden, path_in_line, with_visible_characters};
 
 /// Exit statuses, which mean the same for every command.
 pub mod status {
@@ -69,7 +69,7 @@ impl Failure {
     /// The help is `None` if there is none.
     fn message_and_help(&self) -> (String, Option<String>) {
         match self {
-            Self::Refused(error) => error.what_and_help(),
+            Self::Refused(error) => error.message_and_advice(),
             Self::Output(path, error) => {
                 (format!("cannot write `{path}`: {error}"), Some("give a path that can be written".to_owned()))
             }
@@ -136,13 +136,13 @@ impl From<WriteError> for Failure {
 
 /// Prints a warning on standard error. A failure to write it is ignored, since no other channel is left.
 pub fn warn(text: &str) {
-    say(&format!("warning: {text}"));
+    print_to_stderr(&format!("warning: {text}"));
 }
 
 /// Prints a line for people on standard error. A failure to write it is ignored.
-pub fn say(text: &str) {
+pub fn print_to_stderr(text: &str) {
     use std::io::Write;
-    let _ = writeln!(std::io::stderr().lock(), "{}", visible(text));
+    let _ = writeln!(std::io::stderr().lock(), "{}", with_visible_characters(text));
 }
 
 /// Writes text for people to standard output.
@@ -150,7 +150,7 @@ pub fn say(text: &str) {
 /// # Errors
 /// [`Failure::Hangup`] for a closed pipe, `Failure::Output` for another error.
 pub fn print(text: &str) -> Result<(), Failure> {
-    write_out(&visible(text))
+    write_out(&with_visible_characters(text))
 }
 
 /// Writes JSON to standard output, with the version of its format first. Control characters and
@@ -198,7 +198,7 @@ impl Output {
 ///
 /// # Errors
 /// [`Failure`] if standard output cannot be written.
-pub fn print_either(output: Output, lines: &str, value: &serde_json::Value) -> Result<(), Failure> {
+pub fn print_result(output: Output, lines: &str, value: &serde_json::Value) -> Result<(), Failure> {
     match output {
         Output::Text => print(lines),
         Output::Json => print_json(value),

@@ -2,29 +2,32 @@
 //!
 //! Invariant: a document contains no name that it does not define.
 
-use crate::phrases::NAMED;
+use crate::phrases::NAMED_TERMS_HEADING;
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
-use tripos_derive::algebra::text::definitions::glossary;
-use tripos_derive::algebra::text::print::{text, whole_text};
+use tripos_derive::algebra::text::definitions::definitions_shown;
+use tripos_derive::algebra::text::print::{print_text, print_whole_text};
 use tripos_derive::algebra::{Arena, Expr};
 
 /// Returns a paragraph that defines every name in the formulas `shown`, each line by names of
 /// earlier lines. Empty if the formulas contain no names.
 pub fn names_text(arena: &Arena, shown: &[Expr]) -> String {
-    let names = glossary(arena, shown);
+    let names = definitions_shown(arena, shown);
     if names.is_empty() {
         return String::new();
     }
-    let mut out = format!("\n{NAMED}, each line by those before it\n");
+    let mut out = format!("\n{NAMED_TERMS_HEADING}, each line by those before it\n");
     for definition in names {
-        let _ = writeln!(out, "  {} = {}", text(arena, definition.symbol), whole_text(arena, definition.value));
+        let _ =
+            writeln!(out, "  {} = {}", print_text(arena, definition.symbol), print_whole_text(arena, definition.value));
     }
     out
 }
 
 /// Returns the definitions of every name in the formulas `shown` as a JSON object.
 pub fn names_json(arena: &Arena, shown: &[Expr]) -> Value {
-    let names = glossary(arena, shown).into_iter();
-    Value::Object(names.map(|d| (text(arena, d.symbol), json!(whole_text(arena, d.value)))).collect::<Map<_, _>>())
+    let names = definitions_shown(arena, shown).into_iter();
+    Value::Object(
+        names.map(|d| (print_text(arena, d.symbol), json!(print_whole_text(arena, d.value)))).collect::<Map<_, _>>(),
+    )
 }

@@ -3,13 +3,13 @@
 use crate::failure::Failure;
 use tripos::Mechanism;
 use tripos_derive::diagnostic::{Diagnostics, Source};
-use tripos_derive::diff::{CoordinateTable, Difference, diff};
+use tripos_derive::diff::{CoordinateTable, Difference, judge_publication};
 use tripos_derive::mechanics::{Derivations, derive_all};
 use tripos_derive::prove::{Proof, prove};
-use tripos_derive::publication::{Publication, load, load_in};
+use tripos_derive::publication::{Publication, load_publication, load_publication_in_coordinates};
 
 /// Publication with the verdicts on its entries, and the derived equations for comparison.
-pub struct Judged {
+pub struct JudgedPublication {
     /// Model of the publication. Its arena also contains the publication's formulas.
     pub model: Mechanism,
     /// Publication that is judged: the printed derivation with its entries.
@@ -22,13 +22,13 @@ pub struct Judged {
     pub difference: Difference,
 }
 
-impl Judged {
+impl JudgedPublication {
     /// Reads a publication for a model and judges it. The given model is not changed.
     ///
     /// # Errors
     /// [`Failure`] with every error of the publication file, or if the model cannot be derived.
     pub fn new(model: &Mechanism, source: &Source) -> Result<Self, Failure> {
-        Self::read(model, &|model| load(source, model))
+        Self::judge_loaded_publication(model, &|model| load_publication(source, model))
     }
 
     /// Reads a publication, replaces its table of coordinates, and judges it. The given model is
@@ -36,13 +36,17 @@ impl Judged {
     ///
     /// # Errors
     /// [`Failure`] with every error of the publication file, or if the model cannot be derived.
-    pub fn new_in(model: &Mechanism, source: &Source, coordinates: &CoordinateTable) -> Result<Self, Failure> {
-        Self::read(model, &|model| load_in(source, model, coordinates))
+    pub fn judge_in_coordinates(
+        model: &Mechanism,
+        source: &Source,
+        coordinates: &CoordinateTable,
+    ) -> Result<Self, Failure> {
+        Self::judge_loaded_publication(model, &|model| load_publication_in_coordinates(source, model, coordinates))
     }
 
     /// Judges a publication that `load` reads into a copy of the model.
     /// `Err` if the publication has errors, or the model cannot be derived.
-    fn read(
+    fn judge_loaded_publication(
         model: &Mechanism,
         load: &dyn Fn(&mut Mechanism) -> Result<Publication, Diagnostics>,
     ) -> Result<Self, Failure> {
@@ -50,7 +54,7 @@ impl Judged {
         let publication = load(&mut model)?;
         let mut derivations = derive_all(&model).map_err(|error| model.diagnose(&error))?;
         let proof = prove(&model, &mut derivations);
-        let difference = diff(&model, &mut derivations, &publication, &proof);
+        let difference = judge_publication(&model, &mut derivations, &publication, &proof);
         Ok(Self { model, publication, derivations, proof, difference })
     }
 }

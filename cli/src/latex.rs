@@ -1,10 +1,10 @@
 //! LaTeX text for words and names from files: escaped characters and unit vectors.
 
-use tripos_derive::plain::called;
+use tripos_derive::plain_text::code_point_text;
 
 /// Escapes a text for the text mode of LaTeX. Characters that its fonts lack are replaced by their
 /// names in brackets.
-pub fn escape(text: &str) -> String {
+pub fn escape_latex(text: &str) -> String {
     let one = |c: char| match c {
         '\\' => "\\textbackslash{}".to_owned(),
         '~' => "\\textasciitilde{}".to_owned(),
@@ -16,12 +16,12 @@ pub fn escape(text: &str) -> String {
         '—' => "---".to_owned(),
         '’' => "'".to_owned(),
         ' '..='~' | '\u{c0}'..='\u{ff}' => c.to_string(),
-        other => format!("[{}]", called(other)),
+        other => format!("[{}]", code_point_text(other)),
     };
     text.chars().map(one).collect()
 }
 
 /// Returns the unit vector of a frame's axis in LaTeX, such as b₂ of frame B. `axis` counts from 0.
-pub fn basis(frame: &str, axis: usize) -> String {
-    format!("\\mathbf{{{}}}_{{{}}}", escape(&frame.to_lowercase()), axis + 1)
+pub fn latex_unit_vector(frame: &str, axis: usize) -> String {
+    format!("\\mathbf{{{}}}_{{{}}}", escape_latex(&frame.to_lowercase()), axis + 1)
 }

@@ -5,9 +5,8 @@ mod arguments;
 mod chart;
 mod commands;
 mod failure;
-mod figures;
-mod follow;
 mod glossary;
+mod interruption;
 mod judgement;
 mod latex;
 mod output;
@@ -15,6 +14,7 @@ mod page;
 mod phrases;
 mod picture;
 mod plot;
+mod run_panels;
 mod scene_file;
 mod sketch;
 mod stability;
@@ -24,18 +24,18 @@ mod workspace;
 
 use arguments::{Arguments, Command};
 use clap::Parser;
-use commands::derive::latex::Part;
+use commands::derive::latex::LatexExtent;
 use commands::diff::coordinates::in_found_coordinates;
-use commands::diff::{Compare, compared};
+use commands::diff::{Compare, compare_with_file};
 use commands::inverse::Shape;
-use commands::linearise::Written;
-use failure::{Failure, Output, print_json, say};
+use commands::linearise::LinearSystemFormat;
+use failure::{Failure, Output, print_json, print_to_stderr};
 use scene_file::read_scene_with;
 use std::process::ExitCode;
-use tripos::studies::case::Printed;
-use tripos::studies::chart::Plan;
-use tripos::studies::steady::Wanted;
-use tripos_derive::mechanics::Varied;
+use tripos::studies::chart_case::PrintedEquationsChoice;
+use tripos::studies::steady::LinearisationOptions;
+use tripos::studies::work_precision_chart::ChartPlan;
+use tripos_derive::mechanics::RegressorParameters;
 
 fn main() -> ExitCode {
     let command = Arguments::try_parse().unwrap_or_else(|error| wrong_arguments(&error)).command;
@@ -48,8 +48,8 @@ fn main() -> ExitCode {
             // interruption.
             let is_own = matches!(failure, Failure::Interrupted(_) | Failure::Output(..));
             let failure =
-                if follow::is_interrupted() && !is_own { Failure::Interrupted(String::new()) } else { failure };
-            say(&failure.to_string());
+                if interruption::is_interrupted() && !is_own { Failure::Interrupted(String::new()) } else { failure };
+            print_to_stderr(&failure.to_string());
             if is_json {
                 // If standard output is closed, the error cannot be reported there.
                 let _ = print_json(&failure.json());
@@ -85,11 +85,11 @@ fn run(command: Command) -> Result<u8, Failure> {
         Command::Page(request) => commands::page::page(&request),
         Command::Derive { model, by, form, format, fragment, json } => {
             let format = if json { arguments::Format::Json } else { format };
-            let part = if fragment { Part::Fragment } else { Part::Document };
+            let part = if fragment { LatexExtent::Fragment } else { LatexExtent::Document };
             commands::derive::derive(&model, by.as_deref(), form, format, part)
         }
         Command::Diff { model, others, find_coordinates, json } => {
-            let compare: Compare = if find_coordinates { in_found_coordinates } else { compared };
+            let compare: Compare = if find_coordinates { in_found_coordinates } else { compare_with_file };
             commands::diff::diff(&model, &others, compare, Output::of_flag(json))
         }
         Command::Shelf { folder, out, json } => {
@@ -102,15 +102,15 @@ fn run(command: Command) -> Result<u8, Failure> {
             commands::equilibria::equilibria(&model, &from, &over, &wanted, out.as_deref(), Output::of_flag(json))
         }
         Command::Linearise { model, about, inputs, outputs, letters, whole, as_is, format, json } => {
-            let wanted = Wanted { inputs, whole, as_is };
-            let written = if json { Written::Json } else { Written::Notation(format) };
+            let wanted = LinearisationOptions { inputs, whole, as_is };
+            let written = if json { LinearSystemFormat::Json } else { LinearSystemFormat::Notation(format) };
             commands::linearise::linearise(&model, &about, &wanted, &outputs, &letters, written)
         }
         Command::Inverse { model, motion, inputs, csv, json } => {
             commands::inverse::inverse(&model, &motion, &inputs, Shape::of(json, csv))
         }
         Command::Identify { model, declared, at, csv, json } => {
-            let varied = if declared { Varied::Declared } else { Varied::Bodies };
+            let varied = if declared { RegressorParameters::Declared } else { RegressorParameters::Bodies };
             commands::identify::identify(&model, varied, at.as_deref(), Shape::of(json, csv))
         }
         Command::Prove { model, also, json } => commands::prove::prove(&model, &also, Output::of_flag(json)),
@@ -121,7 +121,7 @@ fn run(command: Command) -> Result<u8, Failure> {
             commands::regenerate::regenerate(&models, Output::of_flag(json))
         }
         Command::Emit { model, out, language, formulations, with, functions, json } => {
-            let request = commands::emit::Emit { model, out, language, formulations, with, functions };
+            let request = commands::emit::EmitRequest { model, out, language, formulations, with, functions };
             commands::emit::emit(&request, Output::of_flag(json))
         }
         Command::Fmu { scene, out, fmi, set, only_sources, json } => {
@@ -135,8 +135,8 @@ fn run(command: Command) -> Result<u8, Failure> {
             commands::stability::stability(&read_scene_with(&scene, &set.set)?, quick, &out, Output::of_flag(json))
         }
         Command::Chart { scene, set, quick, printed, out, json } => {
-            let plan = if quick { Plan::quick() } else { Plan::full() };
-            let printed = if printed { Printed::Included } else { Printed::LeftOut };
+            let plan = if quick { ChartPlan::quick() } else { ChartPlan::full() };
+            let printed = if printed { PrintedEquationsChoice::Included } else { PrintedEquationsChoice::LeftOut };
             commands::chart::chart(&read_scene_with(&scene, &set.set)?, &plan, printed, &out, Output::of_flag(json))
         }
         Command::Scene { scene, set, json } => {

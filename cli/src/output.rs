@@ -1,23 +1,25 @@
 //! Output of commands to files: tables, texts and folders.
 //!
 //! Invariant: everything is written through [`tripos_codegen::files`], so that a file under its
-//! final name is whole. No command overwrites an input: [`keep_inputs`] is called before work
+//! final name is whole. No command overwrites an input: [`refuse_overwriting_inputs`] is called before work
 //! begins.
 
 use crate::failure::Failure;
 use std::io::{Error, Read, Write};
 use std::path::{Path, PathBuf};
-use tripos_codegen::files::{self, Draft, Existing, Unfinished, WriteError, would_change};
+use tripos_codegen::whole_file_writer::{
+    self, Draft, ExistingFilePolicy, UnfinishedFilePolicy, WriteError, would_change,
+};
 use tripos_derive::Model;
-use tripos_derive::plain::path_in_line;
-use tripos_derive::publication::beside;
+use tripos_derive::plain_text::path_in_line;
+use tripos_derive::publication::publication_path;
 use tripos_derive::scene::Scene;
 
 /// Writes a table as a CSV file, and replaces an existing file.
 ///
 /// # Errors
 /// [`Failure`] if the table cannot be written; then no part of it remains.
-pub fn table<H: AsRef<str>>(
+pub fn write_csv_file<H: AsRef<str>>(
     path: &Path,
     header: &[H],
     rows: impl IntoIterator<Item = Vec<String>>,
@@ -26,7 +28,7 @@ pub fn table<H: AsRef<str>>(
         csv::ErrorKind::Io(error) => WriteError::Io(path.to_owned(), error),
         other => WriteError::Io(path.to_owned(), Error::other(format!("{other:?}"))),
     };
-    let draft = Draft::create(path, Existing::Replaced, Unfinished::Removed)?;
+    let draft = Draft::create(path, ExistingFilePolicy::Replaced, UnfinishedFilePolicy::Removed)?;
     let mut writer = csv::Writer::from_writer(draft);
     writer.write_record(header.iter().map(AsRef::as_ref)).map_err(failed)?;
     for row in rows {
@@ -56,8 +58,8 @@ pub fn csv_name(path: &Path) -> Result<(), Failure> {
 ///
 /// # Errors
 /// [`Failure`] if the file cannot be written.
-pub fn text(path: &Path, text: &str) -> Result<(), Failure> {
-    Ok(files::write(path, text)?)
+pub fn write_text_file(path: &Path, text: &str) -> Result<(), Failure> {
+    Ok(whole_file_writer::write(path, text)?)
 }
 
 /// Writes a binary file, and replaces an existing file.
@@ -65,16 +67,16 @@ pub fn text(path: &Path, text: &str) -> Result<(), Failure> {
 /// # Errors
 /// [`Failure`] if the file cannot be written.
 #[cfg(feature = "pictures")]
-pub fn bytes(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    Ok(files::write(path, bytes)?)
+pub fn write_binary_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    Ok(whole_file_writer::write(path, bytes)?)
 }
 
 /// Makes a folder and its parents, unless the folder exists.
 ///
 /// # Errors
 /// [`Failure::Output`] if the folder cannot be made.
-pub fn folder(path: &Path) -> Result<(), Failure> {
-    Ok(files::folder(path)?)
+pub fn make_folder(path: &Path) -> Result<(), Failure> {
+    Ok(whole_file_writer::create_folder(path)?)
 }
 
 /// Refuses output paths that would overwrite an input: the model, the publication in its folder, or
@@ -82,12 +84,12 @@ pub fn folder(path: &Path) -> Result<(), Failure> {
 ///
 /// # Errors
 /// [`Failure::Refused`] that names the output and the input.
-pub fn keep_inputs<'a>(
+pub fn refuse_overwriting_inputs<'a>(
     model: &Model,
     scene: Option<&Scene>,
     outputs: impl IntoIterator<Item = &'a Path>,
 ) -> Result<(), Failure> {
-    let publication = beside(&model.source.path);
+    let publication = publication_path(&model.source.path);
     let scene = scene.map(|scene| scene.source.path.clone());
     let inputs: Vec<PathBuf> = [model.source.path.clone(), publication].into_iter().chain(scene).collect();
     for output in outputs {
@@ -102,16 +104,16 @@ pub fn keep_inputs<'a>(
 
 /// Table file that grows row by row. If the command is interrupted, it keeps its rows under an
 /// unfinished name.
-pub struct Rows(Draft);
+pub struct GrowingTable(Draft);
 
-impl Rows {
+impl GrowingTable {
     /// Creates the file of the table, under the unfinished name `NAME.part`.
     ///
     /// # Errors
     /// [`Failure`] if the file exists and is to be kept, another command is writing it, or it
     /// cannot be written.
-    pub fn create(path: &Path, existing: Existing) -> Result<Self, Failure> {
-        Ok(Self(Draft::create(path, existing, Unfinished::Left)?))
+    pub fn create(path: &Path, existing: ExistingFilePolicy) -> Result<Self, Failure> {
+        Ok(Self(Draft::create(path, existing, UnfinishedFilePolicy::Left)?))
     }
 
     /// Opens the table that an earlier command has left unfinished; `None` if there is none.
@@ -119,13 +121,13 @@ impl Rows {
     /// # Errors
     /// [`Failure`] if the final file exists and is to be kept, or another command is writing it. No
     /// file is changed then.
-    pub fn resume(path: &Path, existing: Existing) -> Result<Option<Self>, Failure> {
+    pub fn resume(path: &Path, existing: ExistingFilePolicy) -> Result<Option<Self>, Failure> {
         Ok(Draft::resume(path, existing)?.map(Self))
     }
 
     /// Returns a reader over the rows that an earlier command has left, from the first row.
-    pub fn left(&self) -> impl Read + '_ {
-        self.0.left()
+    pub fn unfinished_rows_reader(&self) -> impl Read + '_ {
+        self.0.unfinished_file_reader()
     }
 
     /// Cuts the rows of an earlier command to their first `bytes` bytes. Further rows are added
@@ -133,8 +135,8 @@ impl Rows {
     ///
     /// # Errors
     /// [`Failure::Output`] if the file cannot be cut.
-    pub fn keep(&mut self, bytes: u64) -> Result<(), Failure> {
-        Ok(self.0.keep(bytes)?)
+    pub fn truncate_rows(&mut self, bytes: u64) -> Result<(), Failure> {
+        Ok(self.0.truncate_unfinished_file(bytes)?)
     }
 
     /// Adds lines to the file and writes them to the system at once.
@@ -143,12 +145,12 @@ impl Rows {
     /// [`Failure::Output`] if the lines cannot be written.
     pub fn add(&mut self, lines: &[u8]) -> Result<(), Failure> {
         let written = self.0.write_all(lines).and_then(|()| self.0.flush());
-        written.map_err(|error| WriteError::Io(self.0.place().to_owned(), error).into())
+        written.map_err(|error| WriteError::Io(self.0.draft_path().to_owned(), error).into())
     }
 
     /// Returns the path of the unfinished file of the table.
-    pub fn place(&self) -> &Path {
-        self.0.place()
+    pub fn unfinished_table_path(&self) -> &Path {
+        self.0.draft_path()
     }
 
     /// Finishes the table, and gives its file the final name.

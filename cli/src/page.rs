@@ -8,19 +8,20 @@
 //! them the page has the same content. Absent on purpose: outside resources, which the page's policy forbids, dates and
 //! paths of the machine. Links out of the page lead only to the tables of measured figures.
 
+mod abstract_section;
 mod content;
 pub mod markup;
 mod model;
 mod print;
 mod scenes;
-mod summary;
 
 pub use content::{
-    Advice, Choice, Drawing, Fact, Figure, Moving, Nearest, Needs, Page, RunRow, SceneSection, Standing, Viewer,
+    Advice, Figure, MotionFigure, Page, RecommendedRun, ReducedEquationsContent, RunRow, SceneFact, SceneSection,
+    SingularityDistances, SketchPicture, Standing, Viewer,
 };
-pub use markup::html::{escape, rounded};
+pub use markup::html::{escape, rounded_number_html};
 
-use markup::html::{anchor, link};
+use markup::html::{link, scene_anchor};
 use scenes::scene::VisiblePart;
 use std::fmt::Write;
 use tripos_derive::Formulation;
@@ -30,7 +31,7 @@ use tripos_derive::mechanics::DerivationInSteps;
 const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:";
 
 /// Returns the page as HTML text.
-pub fn render(page: &Page) -> String {
+pub fn render_page(page: &Page) -> String {
     let title = escape(&page.model.title);
     let viewer = page.moving.as_ref().and_then(|moving| moving.viewer.as_ref().ok());
     let source = match page.model.reference.as_str() {
@@ -45,25 +46,25 @@ pub fn render(page: &Page) -> String {
          {}<script>\n{}</script>\n{}</body>\n</html>\n",
         include_str!("page/style.css"),
         viewer.map_or("", |viewer| viewer.style),
-        summary::section(page),
-        body(page),
-        footer(page),
+        abstract_section::section(page),
+        page_body(page),
+        page_footer(page),
         include_str!("page/open.js"),
         viewer.map_or("", |viewer| viewer.script.as_str()),
     )
 }
 
 /// Returns the HTML of all sections after the abstract, in order of importance.
-fn body(page: &Page) -> String {
-    let mut out = contents(page);
+fn page_body(page: &Page) -> String {
+    let mut out = table_of_contents(page);
     if let Some(why) = &page.unfinished {
         let _ = writeln!(out, "<p class=\"missing\">This page is partial: {}.</p>", escape(why));
     }
-    out += &page.moving.as_ref().map_or_else(String::new, |moving| scenes::moving::section(page, moving));
+    out += &page.moving.as_ref().map_or_else(String::new, |moving| scenes::motion_section::section(page, moving));
     if let Some(published) = &page.study.published {
         out += &print::errata::section(page, published);
     }
-    out += &simulation(page);
+    out += &scenes_section(page);
     out += &model::mechanism::section(page.model);
     out += "<section id=\"equations\">\n<h2>Equations of motion</h2>\n";
     for (formulation, result) in &page.derivations {
@@ -71,12 +72,12 @@ fn body(page: &Page) -> String {
     }
     out += "</section>\n";
     out += &model::proof::section(page);
-    out + &derivations(page)
+    out + &derivations_section(page)
 }
 
 /// Returns the HTML of the scenes. The scene whose motion is shown is open; the other scenes are
 /// folded.
-fn simulation(page: &Page) -> String {
+fn scenes_section(page: &Page) -> String {
     if page.scenes.is_empty() {
         return String::new();
     }
@@ -91,7 +92,7 @@ fn simulation(page: &Page) -> String {
 }
 
 /// Returns the HTML of the derivations of all formulations, stage by stage.
-fn derivations(page: &Page) -> String {
+fn derivations_section(page: &Page) -> String {
     let mut shown = Vec::new();
     let steps = page.derivations.iter();
     let steps: String = steps.map(|(f, result)| model::derivation::steps(page, *f, result, &mut shown)).collect();
@@ -99,9 +100,9 @@ fn derivations(page: &Page) -> String {
 }
 
 /// Returns the HTML of the table of contents.
-fn contents(page: &Page) -> String {
+fn table_of_contents(page: &Page) -> String {
     let scenes: Vec<String> =
-        page.scenes.iter().enumerate().map(|(at, scene)| link(&anchor(at), &escape(&scene.title))).collect();
+        page.scenes.iter().enumerate().map(|(at, scene)| link(&scene_anchor(at), &escape(&scene.title))).collect();
     let formulations: Vec<String> = page.derivations.iter().map(|(of, result)| contents_of(*of, result)).collect();
     let entries = [
         page.moving.as_ref().map(|_| ("motion", "The motion", Vec::new())),
@@ -127,7 +128,7 @@ fn contents_of(formulation: Formulation, result: &Result<DerivationInSteps, Stri
 }
 
 /// Returns the HTML of the footer: the command for this page and the hash of the model text.
-fn footer(page: &Page) -> String {
+fn page_footer(page: &Page) -> String {
     format!(
         "<footer>\n<p>To make this page again: <code>tripos page {}</code>. The equations carry the mark <code>{}</code> of the \
          model text that they were derived from.</p>\n</footer>\n",

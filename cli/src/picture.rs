@@ -8,9 +8,9 @@
 mod formats;
 
 use crate::failure::Failure;
-use crate::output::text;
+use crate::output::write_text_file;
 use std::path::Path;
-use tripos_derive::plain::path_in_line;
+use tripos_derive::plain_text::path_in_line;
 
 /// Default resolution of a PNG, in dots per inch.
 pub const DPI: u32 = 200;
@@ -27,7 +27,7 @@ const MOST_PIXELS: f32 = 2e8;
 
 /// File format of a figure: SVG, PNG or PDF.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum PictureFormat {
     /// SVG text, as the figure is drawn.
     Svg,
     /// PNG image, made from the SVG at a given resolution.
@@ -42,18 +42,18 @@ pub enum Kind {
 /// # Errors
 /// [`Failure::Refused`] for an unknown extension, and for a format that this program was built
 /// without.
-pub fn kind(path: &Path, more: &str) -> Result<Kind, Failure> {
+pub fn picture_format(path: &Path, more: &str) -> Result<PictureFormat, Failure> {
     let kind = match path.extension().and_then(|ending| ending.to_str()) {
-        Some("svg") => Kind::Svg,
-        Some("png") => Kind::Png,
-        Some("pdf") => Kind::Pdf,
+        Some("svg") => PictureFormat::Svg,
+        Some("png") => PictureFormat::Png,
+        Some("pdf") => PictureFormat::Pdf,
         _ => {
             let what = format!("`{}` names no kind of figure", path_in_line(path));
             return Err(Failure::request(what, format!("give a file that ends in .svg, .png or .pdf{more}")));
         }
     };
-    if kind != Kind::Svg && !cfg!(feature = "pictures") {
-        return Err(left_out(path));
+    if kind != PictureFormat::Svg && !cfg!(feature = "pictures") {
+        return Err(missing_format_failure(path));
     }
     Ok(kind)
 }
@@ -62,7 +62,7 @@ pub fn kind(path: &Path, more: &str) -> Result<Kind, Failure> {
 ///
 /// # Errors
 /// [`Failure::Refused`] for a resolution below `LEAST_DPI` or above `MOST_DPI`.
-pub fn checked_dpi(dpi: u32) -> Result<u32, Failure> {
+pub fn check_dpi(dpi: u32) -> Result<u32, Failure> {
     if (LEAST_DPI..=MOST_DPI).contains(&dpi) {
         return Ok(dpi);
     }
@@ -73,26 +73,26 @@ pub fn checked_dpi(dpi: u32) -> Result<u32, Failure> {
 ///
 /// # Errors
 /// [`Failure`] if the figure has too many pixels, or if the file cannot be written.
-pub fn write(path: &Path, kind: Kind, svg: &str, dpi: u32) -> Result<(), Failure> {
+pub fn write_picture(path: &Path, kind: PictureFormat, svg: &str, dpi: u32) -> Result<(), Failure> {
     match kind {
-        Kind::Svg => text(path, svg),
-        Kind::Png | Kind::Pdf => made(path, kind, svg, dpi),
+        PictureFormat::Svg => write_text_file(path, svg),
+        PictureFormat::Png | PictureFormat::Pdf => write_converted_picture(path, kind, svg, dpi),
     }
 }
 
 #[cfg(feature = "pictures")]
-fn made(path: &Path, kind: Kind, svg: &str, dpi: u32) -> Result<(), Failure> {
-    let bytes = if kind == Kind::Png { formats::png(svg, dpi) } else { formats::pdf(svg) };
-    crate::output::bytes(path, &bytes?)
+fn write_converted_picture(path: &Path, kind: PictureFormat, svg: &str, dpi: u32) -> Result<(), Failure> {
+    let bytes = if kind == PictureFormat::Png { formats::png(svg, dpi) } else { formats::pdf(svg) };
+    crate::output::write_binary_file(path, &bytes?)
 }
 
 #[cfg(not(feature = "pictures"))]
-fn made(path: &Path, _: Kind, _: &str, _: u32) -> Result<(), Failure> {
-    Err(left_out(path))
+fn write_converted_picture(path: &Path, _: PictureFormat, _: &str, _: u32) -> Result<(), Failure> {
+    Err(missing_format_failure(path))
 }
 
 /// Returns the failure for a file format that this program was built without.
-fn left_out(path: &Path) -> Failure {
+fn missing_format_failure(path: &Path) -> Failure {
     let what = format!("`{}` is a kind of figure that this program was built without", path_in_line(path));
     let help = "give a file that ends in .svg, or build with `--features pictures`";
     Failure::request(what, help.to_owned())

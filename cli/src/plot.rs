@@ -5,23 +5,25 @@
 //! Logarithmic axes are for absolute values. A drift with a sign is shown on a linear axis.
 
 mod axis;
+mod curve_look;
+mod curve_thinning;
 mod error;
-mod heat;
-mod look;
-mod pen;
+mod heat_map;
 pub mod styles;
-mod thin;
+mod svg_pen;
 
 pub use error::PlotError;
-pub use heat::draw_heat;
-pub use tripos::studies::figure::{Bounds, Cell, Figure, HeatMap, Panel, Scale, Series, pretty};
+pub use heat_map::draw_heat;
+pub use tripos::studies::figure::{Bounds, Cell, Figure, HeatMap, Panel, Scale, Series, formula_to_symbols};
 
 use axis::Axis;
-use look::{Canvas, EDGE, GRID, band, curve, dashes, extent, line, look, marker, write};
-use pen::Pen;
+use curve_look::{
+    Canvas, EDGE, GRID, dashes, draw_band, draw_curve, draw_line, draw_marker, draw_text, look, size_to_units,
+};
+use curve_thinning::{marker_places, thin_curve};
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
-use thin::{marked, thin};
+use svg_pen::Pen;
 
 /// Width of every figure, px.
 const WIDTH: f64 = 1000.0;
@@ -44,26 +46,27 @@ const MOST_NAMES: usize = 8;
 pub fn draw(panels: &[Panel], columns: usize) -> Result<String, PlotError> {
     let columns = columns.clamp(1, panels.len().max(1));
     let is_shared = shares_names(panels);
-    let shared = if is_shared { legend(panels, WIDTH) } else { Vec::new() };
-    let own =
-        |panel| if is_shared { Vec::new() } else { legend(std::slice::from_ref(panel), WIDTH / columns as f64 - 90.0) };
-    let plots: Vec<Plot> = panels.iter().map(|panel| Plot::new(panel, columns, own(panel))).collect();
-    let top = if shared.is_empty() { 0.0 } else { lines(&shared) * LINE + 10.0 };
+    let shared = if is_shared { legend_entries(panels, WIDTH) } else { Vec::new() };
+    let own = |panel| {
+        if is_shared { Vec::new() } else { legend_entries(std::slice::from_ref(panel), WIDTH / columns as f64 - 90.0) }
+    };
+    let plots: Vec<PanelLayout> = panels.iter().map(|panel| PanelLayout::new(panel, columns, own(panel))).collect();
+    let top = if shared.is_empty() { 0.0 } else { legend_line_count(&shared) * LINE + 10.0 };
     // All panels have the same left margin, so that the time axes of a column stand under each other.
     let left = 14.0 + plots.iter().map(|plot| plot.tick_width).fold(0.0, f64::max);
     let column = (WIDTH - GAP * (columns - 1) as f64) / columns as f64;
     let (mut corners, mut y) = (Vec::new(), top);
     for row in plots.chunks(columns) {
-        let head = row.iter().map(Plot::lines_above).fold(0.0, f64::max) * LINE + 6.0;
+        let head = row.iter().map(PanelLayout::lines_above).fold(0.0, f64::max) * LINE + 6.0;
         corners.extend((0..row.len()).map(|at| ((column + GAP) * at as f64 + left, y + head)));
         let foot = row.iter().map(|plot| plot.foot.len()).max().unwrap_or(0) as f64 * LINE + 26.0;
         y += head + row[0].height + foot + 8.0;
     }
     let mut svg = String::new();
     {
-        let canvas = Pen::new(&mut svg, (extent(WIDTH), extent(y)), dashes).into_drawing_area();
+        let canvas = Pen::new(&mut svg, (size_to_units(WIDTH), size_to_units(y)), dashes).into_drawing_area();
         canvas.fill(&WHITE)?;
-        names(&canvas, &shared, (4.0, 2.0))?;
+        draw_legend(&canvas, &shared, (4.0, 2.0))?;
         for ((panel, plot), corner) in panels.iter().zip(&plots).zip(&corners) {
             let below = panels
                 .iter()
@@ -74,30 +77,30 @@ pub fn draw(panels: &[Panel], columns: usize) -> Result<String, PlotError> {
         }
         canvas.present()?;
     }
-    Ok(finish(&svg, &describe(panels), y))
+    Ok(svg_element(&svg, &figure_description(panels), y))
 }
 
 /// Returns the elements of a figure as an `<svg>` element with the title `about` and the height in
 /// px.
-fn finish(elements: &str, about: &str, height: f64) -> String {
+fn svg_element(elements: &str, about: &str, height: f64) -> String {
     let about = about.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;");
     format!(
         "<svg role=\"img\" aria-label=\"{about}\" xmlns=\"http://www.w3.org/2000/svg\" width=\"{WIDTH}\" \
          height=\"{height}\" viewBox=\"0 0 {} {}\" stroke-linejoin=\"round\" \
          font-family=\"sans-serif\">\n<title>{about}</title>\n{elements}</svg>\n",
-        extent(WIDTH),
-        extent(height),
+        size_to_units(WIDTH),
+        size_to_units(height),
     )
 }
 
 /// Returns a description of a figure for its title: axes and curves.
-fn describe(panels: &[Panel]) -> String {
+fn figure_description(panels: &[Panel]) -> String {
     if panels.is_empty() {
         return "Empty figure".to_owned();
     }
-    let panel = |p: &Panel| format!("{} against {}", pretty(&p.y_label), pretty(&p.x_label));
+    let panel = |p: &Panel| format!("{} against {}", formula_to_symbols(&p.y_label), formula_to_symbols(&p.x_label));
     let of = |panels: &[Panel]| {
-        let entries = legend(panels, WIDTH);
+        let entries = legend_entries(panels, WIDTH);
         let curves: Vec<&str> = entries.iter().map(|entry| entry.series.label.as_str()).collect();
         let curves = if curves.is_empty() { "none".to_owned() } else { curves.join(", ") };
         format!("{}. Curves: {curves}", panels.iter().map(panel).collect::<Vec<_>>().join("; "))
@@ -107,8 +110,8 @@ fn describe(panels: &[Panel]) -> String {
 
 /// True if one legend serves all panels: it is short, and no two names in it have the same look.
 fn shares_names(panels: &[Panel]) -> bool {
-    let entries = legend(panels, WIDTH);
-    let is_clear = |Entry { series, .. }: &Entry| {
+    let entries = legend_entries(panels, WIDTH);
+    let is_clear = |LegendEntry { series, .. }: &LegendEntry| {
         let mut others = entries.iter().map(|entry| entry.series);
         others.all(|other| other.label == series.label || !std::ptr::eq(look(other.style), look(series.style)))
     };
@@ -116,12 +119,12 @@ fn shares_names(panels: &[Panel]) -> bool {
 }
 
 /// Returns the number of lines that a legend takes.
-fn lines(entries: &[Entry<'_>]) -> f64 {
+fn legend_line_count(entries: &[LegendEntry<'_>]) -> f64 {
     entries.last().map_or(0.0, |entry| entry.y / LINE + 1.0)
 }
 
 /// Entry of a legend: a curve with the place of its name.
-struct Entry<'a> {
+struct LegendEntry<'a> {
     /// Curve whose name the legend entry shows.
     series: &'a Series,
     /// Distance of the entry to the right of the legend's upper left corner, px.
@@ -132,21 +135,21 @@ struct Entry<'a> {
 
 /// Draws a legend with its upper left corner at `corner`, px.
 /// `Err` if plotters fails.
-fn names(canvas: &Canvas, entries: &[Entry<'_>], corner: (f64, f64)) -> Result<(), PlotError> {
+fn draw_legend(canvas: &Canvas, entries: &[LegendEntry<'_>], corner: (f64, f64)) -> Result<(), PlotError> {
     let (left, top) = corner;
-    for Entry { series, x, y } in entries {
+    for LegendEntry { series, x, y } in entries {
         let (look, x, y) = (look(series.style), left + x, top + y + 9.0);
-        curve(canvas, &[(x, y), (x + 44.0, y)], look)?;
-        marker(canvas, (x + 22.0, y), look)?;
-        write(canvas, &series.label, (x + 52.0, y), HPos::Left, FontStyle::Normal)?;
+        draw_curve(canvas, &[(x, y), (x + 44.0, y)], look)?;
+        draw_marker(canvas, (x + 22.0, y), look)?;
+        draw_text(canvas, &series.label, (x + 52.0, y), HPos::Left, FontStyle::Normal)?;
     }
     Ok(())
 }
 
 /// Returns the entries of a legend `room` px wide: every label once, with its place. New labels of
 /// each panel begin on a new line. A single curve with the name of its panel needs no entry.
-fn legend(panels: &[Panel], room: f64) -> Vec<Entry<'_>> {
-    let mut entries: Vec<Entry> = Vec::new();
+fn legend_entries(panels: &[Panel], room: f64) -> Vec<LegendEntry<'_>> {
+    let mut entries: Vec<LegendEntry> = Vec::new();
     let (mut x, mut y) = (0.0, 0.0);
     for panel in panels {
         if x > 0.0 {
@@ -163,7 +166,7 @@ fn legend(panels: &[Panel], room: f64) -> Vec<Entry<'_>> {
             if x > 0.0 && x + width > room {
                 (x, y) = (0.0, y + LINE);
             }
-            entries.push(Entry { series, x, y });
+            entries.push(LegendEntry { series, x, y });
             x += width;
         }
     }
@@ -171,7 +174,7 @@ fn legend(panels: &[Panel], room: f64) -> Vec<Entry<'_>> {
 }
 
 /// Panel with its axes and texts, before its place on the canvas is known.
-struct Plot<'a> {
+struct PanelLayout<'a> {
     /// Panel of the figure, with its curves.
     panel: &'a Panel,
     /// Horizontal axis of the panel.
@@ -181,7 +184,7 @@ struct Plot<'a> {
     /// Lines of text above the panel: title and label of the vertical axis.
     head: Vec<(String, FontStyle)>,
     /// Entries of the panel's own legend; empty if the panels share a legend.
-    names: Vec<Entry<'a>>,
+    names: Vec<LegendEntry<'a>>,
     /// Lines of the note below the panel.
     foot: Vec<String>,
     /// Width of the longest tick text of the vertical axis, px.
@@ -190,10 +193,10 @@ struct Plot<'a> {
     height: f64,
 }
 
-impl<'a> Plot<'a> {
+impl<'a> PanelLayout<'a> {
     /// Chooses the axes and texts of a panel in a figure with this number of columns. `names` is
     /// its own legend.
-    fn new(panel: &'a Panel, columns: usize, names: Vec<Entry<'a>>) -> Self {
+    fn new(panel: &'a Panel, columns: usize, names: Vec<LegendEntry<'a>>) -> Self {
         let points = || panel.series.iter().flat_map(|s| &s.points).filter(|p| panel.shows(**p));
         let per_axis = if columns == 1 { 10.0 } else { 5.0 };
         let bars = panel.series.iter().flat_map(|s| &s.spread).flat_map(|(low, high)| [*low, *high]);
@@ -209,9 +212,9 @@ impl<'a> Plot<'a> {
         };
         let mut head = vec![(y.label.clone(), FontStyle::Normal)];
         if !panel.y_label.starts_with(panel.title.as_str()) {
-            head.insert(0, (pretty(&panel.title), FontStyle::Bold));
+            head.insert(0, (formula_to_symbols(&panel.title), FontStyle::Bold));
         }
-        let foot = panel.note.as_ref().map_or(Vec::new(), |note| wrap(note, WIDTH / columns as f64 - 90.0));
+        let foot = panel.note.as_ref().map_or(Vec::new(), |note| wrap_note(note, WIDTH / columns as f64 - 90.0));
         let tick_width = y.ticks.iter().map(|(_, text)| text_width(text)).fold(0.0, f64::max);
         // With two logarithmic axes, slopes matter. Therefore such a panel is higher.
         let height = if columns == 1 || panel.x_scale == Scale::Logarithmic { 300.0 } else { 150.0 };
@@ -220,7 +223,7 @@ impl<'a> Plot<'a> {
 
     /// Returns the number of lines of text above the panel.
     fn lines_above(&self) -> f64 {
-        self.head.len() as f64 + lines(&self.names)
+        self.head.len() as f64 + legend_line_count(&self.names)
     }
 
     /// Draws the panel with the upper left corner of its axes at `corner` and this `width`, px.
@@ -230,30 +233,32 @@ impl<'a> Plot<'a> {
         let (left, top) = corner;
         let (right, bottom) = (left + width, top + self.height);
         let head_top = top - 6.0 - self.lines_above() * LINE + LINE / 2.0;
-        names(canvas, &self.names, (left, top - 6.0 - lines(&self.names) * LINE))?;
+        draw_legend(canvas, &self.names, (left, top - 6.0 - legend_line_count(&self.names) * LINE))?;
         for (at, (text, style)) in self.head.iter().enumerate() {
-            write(canvas, text, (left, head_top + at as f64 * LINE), HPos::Left, *style)?;
+            draw_text(canvas, text, (left, head_top + at as f64 * LINE), HPos::Left, *style)?;
         }
         for (at, text) in &self.x.ticks {
             let x = left + at * width;
-            line(canvas, &[(x, top), (x, bottom)], 1.0, GRID)?;
-            write(canvas, text, (x, bottom + 11.0), HPos::Center, FontStyle::Normal)?;
+            draw_line(canvas, &[(x, top), (x, bottom)], 1.0, GRID)?;
+            draw_text(canvas, text, (x, bottom + 11.0), HPos::Center, FontStyle::Normal)?;
         }
         for (at, text) in &self.y.ticks {
             let y = bottom - at * self.height;
-            line(canvas, &[(left, y), (right, y)], 1.0, GRID)?;
-            write(canvas, text, (left - 6.0, y), HPos::Right, FontStyle::Normal)?;
+            draw_line(canvas, &[(left, y), (right, y)], 1.0, GRID)?;
+            draw_text(canvas, text, (left - 6.0, y), HPos::Right, FontStyle::Normal)?;
         }
-        line(canvas, &[(left, top), (left, bottom), (right, bottom)], 1.0, EDGE)?;
+        draw_line(canvas, &[(left, top), (left, bottom), (right, bottom)], 1.0, EDGE)?;
         if let Some(label) = label {
-            write(canvas, label, (left + width / 2.0, bottom + 26.0), HPos::Center, FontStyle::Normal)?;
+            draw_text(canvas, label, (left + width / 2.0, bottom + 26.0), HPos::Center, FontStyle::Normal)?;
         }
         for (at, text) in self.foot.iter().enumerate() {
             let y = bottom + if label.is_none() { 27.0 } else { 42.0 } + at as f64 * LINE;
-            write(canvas, text, (left, y), HPos::Left, FontStyle::Italic)?;
+            draw_text(canvas, text, (left, y), HPos::Left, FontStyle::Italic)?;
         }
         let shows = |p: (f64, f64)| self.panel.shows(p);
-        let place = |(x, y): (f64, f64)| (left + self.x.place(x) * width, bottom - self.y.place(y) * self.height);
+        let place = |(x, y): (f64, f64)| {
+            (left + self.x.position_on_axis(x) * width, bottom - self.y.position_on_axis(y) * self.height)
+        };
         for series in &self.panel.series {
             let edge = |y: &dyn Fn(&Bounds) -> f64| -> Vec<(f64, f64)> {
                 let inside = |(x, y): (f64, f64)| (x, y.clamp(top, bottom));
@@ -266,36 +271,36 @@ impl<'a> Plot<'a> {
             };
             let (low, high) = (edge(&|bounds| bounds.low), edge(&|bounds| bounds.high));
             if low.iter().zip(&high).any(|(low, high)| low.1 - high.1 > BAND) {
-                band(canvas, &low, &high, look(series.style))?;
+                draw_band(canvas, &low, &high, look(series.style))?;
             }
         }
         for (at, series) in self.panel.series.iter().enumerate() {
             let look = look(series.style);
             for run in series.points.split(|p| !shows(*p)).filter(|run| !run.is_empty()) {
                 let run: Vec<_> = run.iter().map(|p| place(*p)).collect();
-                curve(canvas, &thin(&run), look)?;
+                draw_curve(canvas, &thin_curve(&run), look)?;
                 let share = (at as f64 + 0.5) / self.panel.series.len() as f64;
-                let markers = if series.spread.is_empty() { marked(&run, width, share) } else { run };
+                let markers = if series.spread.is_empty() { marker_places(&run, width, share) } else { run };
                 for point in markers {
-                    marker(canvas, point, look)?;
+                    draw_marker(canvas, point, look)?;
                 }
             }
             for ((low, high), (_, y)) in series.spread.iter().zip(&series.points) {
                 if shows((*low, *y)) && shows((*high, *y)) {
-                    line(canvas, &[place((*low, *y)), place((*high, *y))], 1.0, EDGE)?;
+                    draw_line(canvas, &[place((*low, *y)), place((*high, *y))], 1.0, EDGE)?;
                 }
             }
         }
         if !self.panel.series.iter().any(|s| s.points.iter().any(|p| shows(*p))) {
             let middle = (left + width / 2.0, top + self.height / 2.0);
-            write(canvas, "no finite values", middle, HPos::Center, FontStyle::Italic)?;
+            draw_text(canvas, "no finite values", middle, HPos::Center, FontStyle::Italic)?;
         }
         Ok(())
     }
 }
 
 /// Breaks a text into lines of about `width` px.
-fn wrap(text: &str, width: f64) -> Vec<String> {
+fn wrap_note(text: &str, width: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split_whitespace() {
         match lines.last_mut() {

@@ -1,14 +1,14 @@
 //! Scene files that arguments name, each read with its model, and new values for their numbers.
 
-use crate::failure::{Failure, say, warn};
-use crate::workspace::{edited, model_file, read_model};
+use crate::failure::{Failure, print_to_stderr, warn};
+use crate::workspace::{edited_model_warning, model_file, read_model};
 use std::path::{Path, PathBuf};
 use tripos::{Error, Mechanism};
 use tripos_codegen::scene_files::scene_files;
-use tripos_derive::diagnostic::{Source, nearest};
+use tripos_derive::diagnostic::{Source, nearest_name_advice};
 use tripos_derive::model::is_model;
-use tripos_derive::plain::path_in_line;
-use tripos_derive::scene::{Family, Grid, Scene, load_bound, model_path};
+use tripos_derive::plain_text::path_in_line;
+use tripos_derive::scene::{Family, Grid, Scene, load_scene_with_inputs, model_path};
 
 /// Reads a scene file and its model.
 ///
@@ -24,13 +24,13 @@ pub fn read_scene(path: &Path) -> Result<(Mechanism, Scene), Failure> {
         return Err(Failure::request(what, help));
     }
     let mut model = read_model(&place)?;
-    let scene = load_bound(&source, &mut model)?;
-    edited(&model).iter().chain(&scene.hints(&model)).for_each(|note| warn(note));
+    let scene = load_scene_with_inputs(&source, &mut model)?;
+    edited_model_warning(&model).iter().chain(&scene.degree_warnings(&model)).for_each(|note| warn(note));
     Ok((model, scene))
 }
 
 /// Scene with new values for some of its numbers, and its model.
-pub struct VariedScene {
+pub struct SceneWithSetValues {
     /// Model of the mechanism in the scene.
     pub model: Mechanism,
     /// Scene in which the new values are set.
@@ -45,13 +45,13 @@ pub struct VariedScene {
 /// # Errors
 /// [`Failure`] as for [`read_scene`]. Also for a name that is neither a parameter nor a number of
 /// the start, and for values that the scene cannot have.
-pub fn read_scene_with(path: &Path, set: &[String]) -> Result<VariedScene, Failure> {
+pub fn read_scene_with(path: &Path, set: &[String]) -> Result<SceneWithSetValues, Failure> {
     let (mut model, scene) = read_scene(path)?;
-    let (scene, set) = with_values(scene, &mut model, set)?;
+    let (scene, set) = set_scene_values(scene, &mut model, set)?;
     for (name, value) in &set {
-        say(&format!("note: {name} = {value}, not the value of the scene"));
+        print_to_stderr(&format!("note: {name} = {value}, not the value of the scene"));
     }
-    Ok(VariedScene { model, scene, set })
+    Ok(SceneWithSetValues { model, scene, set })
 }
 
 /// Changes some numbers of a scene, each given as `NAME=VALUE`. Returns the changed scene, and the
@@ -60,7 +60,7 @@ pub fn read_scene_with(path: &Path, set: &[String]) -> Result<VariedScene, Failu
 /// # Errors
 /// [`Failure`] for a name that is neither a parameter nor a number of the start, and for values
 /// that the scene cannot have.
-pub fn with_values(
+pub fn set_scene_values(
     scene: Scene,
     model: &mut Mechanism,
     set: &[String],
@@ -104,7 +104,7 @@ fn scene_source(path: &Path) -> Result<Source, Failure> {
     }
     if !path.exists() {
         let what = format!("there is no scene at `{}`", path_in_line(path));
-        return Err(Failure::request(what, similar_files(path)));
+        return Err(Failure::request(what, missing_scene_advice(path)));
     }
     let source = Source::read(path)?;
     if is_model(&source) {
@@ -116,7 +116,7 @@ fn scene_source(path: &Path) -> Result<Source, Failure> {
 
 /// Returns advice for a scene file that does not exist: the TOML files in its folder with similar
 /// names.
-fn similar_files(path: &Path) -> String {
+fn missing_scene_advice(path: &Path) -> String {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let Ok(entries) = std::fs::read_dir(folder) else {
         return format!("there is no folder `{}` either", path_in_line(folder));
@@ -129,5 +129,5 @@ fn similar_files(path: &Path) -> String {
     if names.is_empty() {
         return format!("`{}` holds no scene", path_in_line(folder));
     }
-    nearest(&name(path), names.iter().map(String::as_str))
+    nearest_name_advice(&name(path), names.iter().map(String::as_str))
 }

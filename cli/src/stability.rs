@@ -2,9 +2,9 @@
 
 pub mod sentences;
 
-use crate::chart::figure::drawn;
+use crate::chart::figure::draw_figure_svg;
 use crate::failure::Failure;
-use crate::output::{table, text};
+use crate::output::{write_csv_file, write_text_file};
 use std::path::Path;
 use tripos::Mechanism;
 use tripos::studies::stability::{Findings, Topic};
@@ -14,10 +14,10 @@ use tripos::studies::stability::{Findings, Topic};
 ///
 /// # Errors
 /// [`Failure::Output`] if a file cannot be written.
-pub fn write(findings: &Findings, out: &Path) -> Result<(), Failure> {
-    tables(findings, out)?;
+pub fn write_stability_results(findings: &Findings, out: &Path) -> Result<(), Failure> {
+    write_stability_tables(findings, out)?;
     for (name, figure) in &findings.figures {
-        text(&out.join(name), &drawn(figure)?)?;
+        write_text_file(&out.join(name), &draw_figure_svg(figure)?)?;
     }
     Ok(())
 }
@@ -27,14 +27,14 @@ pub fn write(findings: &Findings, out: &Path) -> Result<(), Failure> {
 ///
 /// # Errors
 /// [`Failure::Output`] if a file cannot be written.
-pub fn tables(findings: &Findings, out: &Path) -> Result<(), Failure> {
+pub fn write_stability_tables(findings: &Findings, out: &Path) -> Result<(), Failure> {
     let header = ["check", "formulation", "solve", "method", "case", "quantity", "value", "expected", "remark"];
     let number = |x: Option<f64>| x.map_or_else(String::new, |x| format!("{x:e}"));
     let rows = findings.rows.iter().map(|r| {
         let words = [r.check, &r.formulation, r.solve, r.method, &r.case, r.quantity].map(str::to_owned);
         [words.to_vec(), vec![number(r.value), number(r.expected), r.remark.clone()]].concat()
     });
-    table(&out.join("stability.csv"), &header, rows)?;
+    write_csv_file(&out.join("stability.csv"), &header, rows)?;
     if findings.passages.is_empty() {
         return Ok(());
     }
@@ -44,16 +44,16 @@ pub fn tables(findings: &Findings, out: &Path) -> Result<(), Failure> {
         let numbers = [format!("{:.2e}", p.least), number(p.error), p.steps.to_string(), p.stop.clone()];
         [words.to_vec(), numbers.to_vec(), vec![p.t_end.to_string()]].concat()
     });
-    table(&out.join("passages.csv"), &header, rows)
+    write_csv_file(&out.join("passages.csv"), &header, rows)
 }
 
 /// Returns the conclusions of the studies, one sentence each. Conclusions from the table of
 /// passages follow those of the study of passages.
-pub fn statements(model: &Mechanism, findings: &Findings) -> Vec<String> {
+pub fn stability_conclusions(model: &Mechanism, findings: &Findings) -> Vec<String> {
     let (passages, others): (Vec<_>, Vec<_>) = findings.statements.iter().partition(|s| s.study == Topic::Passages);
     let mut list: Vec<String> = passages.into_iter().map(|s| s.text.clone()).collect();
-    list.extend(sentences::own(&findings.passages));
-    list.extend(sentences::coordinate(model, &findings.passages));
+    list.extend(sentences::reduced_passages_sentence(&findings.passages));
+    list.extend(sentences::lagrange_coordinate_sentence(model, &findings.passages));
     list.extend(others.into_iter().map(|s| s.text.clone()));
     list
 }

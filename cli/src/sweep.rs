@@ -1,11 +1,11 @@
 //! Output of a sweep: table, summary, and the record by which an interrupted sweep is resumed.
 
 mod kept_rows;
-mod record;
 mod summary;
+mod sweep_record;
 mod table;
 
-pub use kept_rows::{Alien, KeptRows};
-pub use record::{Record, refused, remove};
+pub use kept_rows::{KeptRows, UnfinishedTableMismatch};
 pub use summary::Tally;
+pub use sweep_record::{Record, other_sweep_failure, remove_record};
 pub use table::Columns;

@@ -6,16 +6,16 @@
 //! `textContent`. The mechanics are in [`tripos::pictures::view`]. No libraries are used.
 
 mod data;
-mod live;
+mod live_equations;
 
 use crate::page::escape;
-pub use live::Live;
+pub use live_equations::LiveEquations;
 
 use data::{as_script, figure_data};
 use std::fmt::Write;
 use tripos::Mechanism;
-use tripos::pictures::view::{ArrowKind, Forces, Form, Motion, View};
-use tripos_codegen::js::{RUNNERS, in_page};
+use tripos::pictures::view::{ForceSource, Forces, Motion, SolidForm, View};
+use tripos_codegen::js::{RUNNERS, without_module_syntax};
 use tripos_derive::scene::Scene;
 
 /// JavaScript sources of the viewer, in the order of their dependence.
@@ -40,7 +40,7 @@ pub const STYLE: &str = include_str!("view/style.css");
 const PAGE_STYLE: &str = include_str!("view/page.css");
 
 /// Content of a view: the mechanism, its scene, solids and motions.
-pub struct Seen<'a> {
+pub struct ViewContent<'a> {
     /// Mechanism whose motion is shown.
     pub mechanism: &'a Mechanism,
     /// Scene whose motion is shown.
@@ -53,7 +53,7 @@ pub struct Seen<'a> {
     pub title: String,
 }
 
-impl Seen<'_> {
+impl ViewContent<'_> {
     /// True if the first motion has forces that are drawn as arrows.
     fn has_arrows(&self) -> bool {
         self.motions.first().is_some_and(|motion| !motion.forces.list.is_empty())
@@ -64,18 +64,18 @@ impl Seen<'_> {
 #[derive(Clone, Copy)]
 pub struct LiveView<'a> {
     /// Content of the view: mechanism, scene, solids and motions.
-    pub seen: &'a Seen<'a>,
+    pub seen: &'a ViewContent<'a>,
     /// Equations that the view runs in the browser, or the reason why it runs none.
-    pub live: &'a Live,
+    pub live: &'a LiveEquations,
 }
 
 /// True if the viewer's frames are close enough in time to show correctly how every body turns.
-pub fn turns_truly(seen: &Seen<'_>, home: Home) -> bool {
+pub fn turns_truly(seen: &ViewContent<'_>, home: ViewPlace) -> bool {
     data::turns_truly(seen, home.bytes())
 }
 
 /// Returns the HTML page of a view that is a file by itself.
-pub fn document(seen: &Seen<'_>, live: &Live) -> String {
+pub fn document(seen: &ViewContent<'_>, live: &LiveEquations) -> String {
     let shown = LiveView { seen, live };
     let (title, scene) = (escape(&seen.mechanism.title), escape(&seen.title));
     let about = if seen.scene.about.is_empty() { String::new() } else { format!(": {}", escape(&seen.scene.about)) };
@@ -85,21 +85,21 @@ pub fn document(seen: &Seen<'_>, live: &Live) -> String {
          <meta name=\"color-scheme\" content=\"light dark\">\n<title>{title} – {scene}</title>\n\
          <link rel=\"icon\" href=\"data:,\">\n<style>\n{PAGE_STYLE}{STYLE}</style>\n</head>\n<body>\n<main>\n<h1>{title}</h1>\n\
          <p class=\"scene\">{scene}{about}</p>\n{}</main>\n{}</body>\n</html>\n",
-        figure(shown, Home::Alone),
+        figure(shown, ViewPlace::Alone),
         script(&[shown]),
     )
 }
 
 /// Place of a view: a file by itself or a model's page.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub enum Home {
+pub enum ViewPlace {
     /// The view is an HTML file by itself.
     Alone,
     /// The view is part of a model's page.
     Page,
 }
 
-impl Home {
+impl ViewPlace {
     /// Returns the approximate largest number of bytes of the motions' data.
     const fn bytes(self) -> usize {
         match self {
@@ -120,10 +120,10 @@ impl Home {
 /// Returns the `<script>` element with the viewer, once for all views of a page, and with the
 /// equations of the views that run.
 pub fn script(list: &[LiveView<'_>]) -> String {
-    let method: String = RUNNERS.iter().map(|(_, text)| in_page(text)).collect();
+    let method: String = RUNNERS.iter().map(|(_, text)| without_module_syntax(text)).collect();
     let equations = list.iter().map(|shown| match shown.live {
-        Live::Runs(running) => running.equations.as_str(),
-        Live::Rests(_) => "null",
+        LiveEquations::Runs(running) => running.equations.as_str(),
+        LiveEquations::Rests(_) => "null",
     });
     let equations = equations.collect::<Vec<_>>().join(",\n");
     format!(
@@ -134,9 +134,9 @@ pub fn script(list: &[LiveView<'_>]) -> String {
 }
 
 /// Returns the HTML of a view's figure. It must be the first view of its page.
-pub fn figure(shown: LiveView<'_>, home: Home) -> String {
+pub fn figure(shown: LiveView<'_>, home: ViewPlace) -> String {
     let LiveView { seen, live } = shown;
-    let words = words(seen);
+    let words = view_description(seen);
     let label = format!("3-D view of {}, {}: drag to turn, keys are listed below", seen.mechanism.title, seen.title);
     format!(
         "<figure class=\"view{}\">\n\
@@ -162,24 +162,24 @@ pub fn figure(shown: LiveView<'_>, home: Home) -> String {
          <kbd>n</kbd> names of points, <kbd>f</kbd> forces, <kbd>g</kbd> ghosts. A finger or the mouse turns the view, two fingers or the right button move it, \
          a pinch or the wheel zooms.</p>\n</details>\n\
          <script type=\"application/json\">{}</script>\n</figure>\n",
-        if matches!(live, Live::Runs(_)) { " live" } else { "" },
+        if matches!(live, LiveEquations::Runs(_)) { " live" } else { "" },
         escape(&label),
         legend(seen),
-        acting(seen),
-        controls(seen, live),
+        force_legend(seen),
+        live_controls(seen, live),
         as_script(&figure_data(seen, live, home, home.bytes())),
     )
 }
 
 /// Returns the HTML of the controls that change the motion, or of the reason why there are none.
-fn controls(seen: &Seen<'_>, live: &Live) -> String {
+fn live_controls(seen: &ViewContent<'_>, live: &LiveEquations) -> String {
     let title = match live {
-        Live::Rests(why) => {
+        LiveEquations::Rests(why) => {
             return format!(
                 "<p class=\"view-rests\">This motion is as it was computed: nothing of it can be changed here, since {why}.</p>\n"
             );
         }
-        Live::Runs(running) => escape(&running.title),
+        LiveEquations::Runs(running) => escape(&running.title),
     };
     let drawn = if seen.view.is_stated {
         ""
@@ -211,7 +211,7 @@ fn controls(seen: &Seen<'_>, live: &Live) -> String {
 }
 
 /// Returns the HTML legend of the motions; empty for a single motion.
-fn legend(seen: &Seen<'_>) -> String {
+fn legend(seen: &ViewContent<'_>) -> String {
     if seen.motions.len() < 2 {
         return String::new();
     }
@@ -225,12 +225,12 @@ fn legend(seen: &Seen<'_>) -> String {
 }
 
 /// Returns the HTML legend of the kinds of force arrows; empty without arrows.
-fn acting(seen: &Seen<'_>) -> String {
+fn force_legend(seen: &ViewContent<'_>) -> String {
     let Some(forces) = seen.motions.first().map(|motion| &motion.forces) else { return String::new() };
     let kinds = [
-        (ArrowKind::Weight, "weight", "weights"),
-        (ArrowKind::Applied, "applied", "applied forces"),
-        (ArrowKind::Reaction, "reaction", "forces of constraints"),
+        (ForceSource::Weight, "weight", "weights"),
+        (ForceSource::Applied, "applied", "applied forces"),
+        (ForceSource::Reaction, "reaction", "forces of constraints"),
     ];
     let there = kinds.iter().filter(|(kind, ..)| forces.list.iter().any(|arrow| arrow.kind == *kind));
     let mut items = String::new();
@@ -245,10 +245,10 @@ fn forces_in_words(forces: &Forces) -> String {
     let mut out = String::new();
     if !forces.list.is_empty() {
         let largest = forces.largest();
-        let _ = write!(out, " Arrows are forces, of at most {} N", short(largest));
+        let _ = write!(out, " Arrows are forces, of at most {} N", short_number(largest));
         let cut = Forces::CUT * forces.usual;
         if largest > cut {
-            let _ = write!(out, "; those over {} N are cut, and have two heads", short(cut));
+            let _ = write!(out, "; those over {} N are cut, and have two heads", short_number(cut));
         }
         out += ".";
     }
@@ -263,7 +263,7 @@ fn forces_in_words(forces: &Forces) -> String {
 }
 
 /// Returns the HTML description of a view in words: bodies, motions, forces and warnings.
-fn words(seen: &Seen<'_>) -> String {
+fn view_description(seen: &ViewContent<'_>) -> String {
     let mut out = String::new();
     let kinds: Vec<String> = seen
         .mechanism
@@ -272,7 +272,7 @@ fn words(seen: &Seen<'_>) -> String {
         .enumerate()
         .filter_map(|(at, body)| {
             let forms = seen.view.solids.iter().filter(|solid| solid.body == Some(at)).map(|solid| &solid.form);
-            let mut nouns: Vec<&str> = forms.map(Form::noun).collect();
+            let mut nouns: Vec<&str> = forms.map(SolidForm::noun).collect();
             nouns.sort_unstable();
             nouns.dedup();
             (!nouns.is_empty()).then(|| format!("{} ({})", body.name, nouns.join(", ")))
@@ -280,7 +280,13 @@ fn words(seen: &Seen<'_>) -> String {
         .collect();
     if let Some(motion) = seen.motions.first() {
         let (from, to) = (motion.t.first().copied().unwrap_or_default(), motion.t.last().copied().unwrap_or_default());
-        let _ = write!(out, "The motion from t = {} s to {} s by {}", short(from), short(to), escape(&motion.title));
+        let _ = write!(
+            out,
+            "The motion from t = {} s to {} s by {}",
+            short_number(from),
+            short_number(to),
+            escape(&motion.title)
+        );
     }
     let most = 12;
     let more = if kinds.len() > most { format!(" and {} more", kinds.len() - most) } else { String::new() };
@@ -314,6 +320,6 @@ fn words(seen: &Seen<'_>) -> String {
 }
 
 /// Returns a number as text with five significant digits.
-fn short(x: f64) -> String {
-    crate::page::rounded(x, 5).replace('-', "−")
+fn short_number(x: f64) -> String {
+    crate::page::rounded_number_html(x, 5).replace('-', "−")
 }

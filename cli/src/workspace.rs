@@ -1,15 +1,15 @@
 //! Models that arguments name, and the workspace around the current folder.
 
 use crate::failure::Failure;
-use crate::follow::follow;
+use crate::interruption::run_follower;
 use std::path::{Path, PathBuf};
 use tripos::Mechanism;
-use tripos::code::compiled;
-use tripos_codegen::scene_files::is_same;
+use tripos::code::compiled_model;
+use tripos_codegen::scene_files::is_same_file;
 use tripos_derive::Model;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::model::is_model;
-use tripos_derive::plain::path_in_line;
+use tripos_derive::plain_text::path_in_line;
 use tripos_derive::scene::{is_scene, model_path};
 use tripos_models::MODELS;
 
@@ -29,15 +29,15 @@ pub fn read_model(argument: &Path) -> Result<Mechanism, Failure> {
         return Err(Failure::request(what, help));
     }
     let path = model_file(argument);
-    if let Some(failure) = not_a_model(&path) {
+    if let Some(failure) = scene_instead_of_model_failure(&path) {
         return Err(failure);
     }
-    Ok(Mechanism::read(&path)?.with(MODELS).followed(follow()))
+    Ok(Mechanism::read(&path)?.with_compiled_equations(MODELS).with_observer(run_follower()))
 }
 
 /// Returns the failure for a scene file in place of a model, with the scene's model as advice.
 /// `None` for other files.
-fn not_a_model(path: &Path) -> Option<Failure> {
+fn scene_instead_of_model_failure(path: &Path) -> Option<Failure> {
     let source = Source::read(path).ok().filter(|source| is_scene(source) && !is_model(source))?;
     let what = format!("`{}` is a scene, not a model", path_in_line(path));
     let model = model_path(&source).ok().filter(|model| model.is_file());
@@ -60,9 +60,9 @@ pub fn short_name(model: &Model) -> String {
 
 /// Returns a warning about a workspace model that was edited after its equations were compiled.
 /// `None` if it was not edited.
-pub fn edited(model: &Mechanism) -> Option<String> {
-    let of_place = MODELS.iter().find(|m| is_workspace_model(model, m.name))?;
-    (compiled(model).is_none()).then(|| {
+pub fn edited_model_warning(model: &Mechanism) -> Option<String> {
+    let of_place = MODELS.iter().find(|m| is_compiled_model_file(model, m.name))?;
+    (compiled_model(model).is_none()).then(|| {
         let name = of_place.name;
         format!(
             "the equations of `{name}` that were compiled are of another text, so this one is interpreted: \
@@ -73,11 +73,11 @@ pub fn edited(model: &Mechanism) -> Option<String> {
 
 /// True if the model file is the file in the workspace from which the compiled model `name` was
 /// derived.
-fn is_workspace_model(model: &Model, name: &str) -> bool {
+fn is_compiled_model_file(model: &Model, name: &str) -> bool {
     let path = &model.source.path;
     let folder = path.canonicalize().ok().and_then(|path| path.parent().map(Path::to_owned));
     let root = folder.and_then(|folder| workspace_around(&folder));
-    root.is_some_and(|root| is_same(&root.join("models").join(name).join("model.toml"), path))
+    root.is_some_and(|root| is_same_file(&root.join("models").join(name).join("model.toml"), path))
 }
 
 /// Returns the workspace around a folder: the nearest folder upwards that contains `models` and

@@ -1,25 +1,25 @@
 //! Modules of generated code for any model file, for use in other programs, in Rust or another
 //! target language.
 //!
-//! Invariant: a file that [`place`] did not write is never changed. If a foreign file has the name
-//! of a new file, no file is changed at all. The header of a file tells whether [`place`] wrote it.
+//! Invariant: a file that [`write_emission`] did not write is never changed. If a foreign file has the name
+//! of a new file, no file is changed at all. The header of a file tells whether [`write_emission`] wrote it.
 //! A Rust module comes without a crate around it and needs the crate `tripos-traits`.
 
 #[cfg(feature = "rust")]
-use crate::extras::Extras;
-use crate::files::{self, Draft, WriteError};
+use crate::generated_workspace::{ModuleFiles, module_files, requested_extras};
+#[cfg(feature = "rust")]
+use crate::optional_functions::Extras;
 #[cfg(feature = "rust")]
 use crate::origin::Origin;
-use crate::origin::{EMIT, is_written_by, source_in};
-use crate::target::LeftOut;
-#[cfg(feature = "rust")]
-use crate::workspace::{ModuleFiles, asked_for, module_files};
+use crate::origin::{EMIT, is_written_by, read_origin_source};
+use crate::target::UnsupportedFormulations;
+use crate::whole_file_writer::{self, Draft, WriteError};
 use std::collections::BTreeMap;
 use std::fmt;
 use std::path::{Path, PathBuf};
 #[cfg(feature = "rust")]
 use tripos_derive::diagnostic::Diagnostics;
-use tripos_derive::plain::path_in_line;
+use tripos_derive::plain_text::path_in_line;
 #[cfg(feature = "rust")]
 use tripos_derive::{Formulation, Model};
 
@@ -30,7 +30,7 @@ pub struct Emission {
     /// in `code/`.
     pub files: BTreeMap<String, String>,
     /// Formulations that the model does not support, each with the reason. They have no file.
-    pub left_out: LeftOut,
+    pub left_out: UnsupportedFormulations,
     /// Subcommand of `tripos` that writes the files, as their headers state it. Files written by
     /// other commands are not touched.
     pub command: &'static str,
@@ -49,8 +49,13 @@ pub struct Emission {
 /// # Errors
 /// [`Diagnostics`] of the model file or the publication, or of a given formulation that the model does not support.
 #[cfg(feature = "rust")]
-pub fn emit(path: &Path, module: &str, formulations: &[Formulation], extras: Extras) -> Result<Emission, Diagnostics> {
-    emit_model(&Model::read(path)?, module, formulations, extras)
+pub fn emit_rust_module(
+    path: &Path,
+    module: &str,
+    formulations: &[Formulation],
+    extras: Extras,
+) -> Result<Emission, Diagnostics> {
+    emit_rust_model(&Model::read(path)?, module, formulations, extras)
 }
 
 /// Generates the Rust module `module` of a model that is already read, or was changed after
@@ -62,21 +67,21 @@ pub fn emit(path: &Path, module: &str, formulations: &[Formulation], extras: Ext
 /// [`Diagnostics`] of the model, the publication or `code.toml`, or of a given formulation that the
 /// model does not support.
 #[cfg(feature = "rust")]
-pub fn emit_model(
+pub fn emit_rust_model(
     model: &Model,
     module: &str,
     formulations: &[Formulation],
     extras: Extras,
 ) -> Result<Emission, Diagnostics> {
-    let origin = Origin::emitted(&model.source.path, EMIT);
-    let extras = extras.and(asked_for(model, &model.source.path)?);
+    let origin = Origin::origin_of_model_file(&model.source.path, EMIT);
+    let extras = extras.and(requested_extras(model, &model.source.path)?);
     let ModuleFiles { files, left_out, .. } = module_files(model, module, &origin, formulations, extras)?;
     Ok(Emission { files, left_out, command: EMIT, extensions: &["rs"] })
 }
 
 /// Change of one file when a module is written into a folder. Each variant holds the file's name.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Placed {
+pub enum EmittedFileChange {
     /// The file is new, or its text has changed. It was written.
     Written(String),
     /// The file already had the new text and was not touched.
@@ -86,7 +91,7 @@ pub enum Placed {
     Removed(String),
 }
 
-impl Placed {
+impl EmittedFileChange {
     /// Returns the word for the change (`written`, `unchanged` or `removed`) and the name of the
     /// file.
     #[must_use]
@@ -99,7 +104,7 @@ impl Placed {
     }
 }
 
-impl fmt::Display for Placed {
+impl fmt::Display for EmittedFileChange {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (word, file) = self.word_and_file();
         write!(f, "{word:9}  {file}")
@@ -108,8 +113,8 @@ impl fmt::Display for Placed {
 
 /// Reason why the files of a module could not be written into a folder.
 #[derive(Debug)]
-pub enum PlaceError {
-    /// A file that [`place`] did not write has the name of a file of the module. Holds its path.
+pub enum EmissionError {
+    /// A file that [`write_emission`] did not write has the name of a file of the module. Holds its path.
     Foreign(PathBuf),
     /// A file of the module was written earlier from a different model. Holds the path of the file
     /// and that model's path as its header states it.
@@ -121,15 +126,15 @@ pub enum PlaceError {
     Write(WriteError),
 }
 
-impl From<WriteError> for PlaceError {
+impl From<WriteError> for EmissionError {
     fn from(error: WriteError) -> Self {
         Self::Write(error)
     }
 }
 
-impl std::error::Error for PlaceError {}
+impl std::error::Error for EmissionError {}
 
-impl fmt::Display for PlaceError {
+impl fmt::Display for EmissionError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Foreign(path) => write!(f, "the file `{}` was not written by `tripos {EMIT}`", path_in_line(path)),
@@ -147,47 +152,47 @@ impl fmt::Display for PlaceError {
 /// Returns the change of each file.
 ///
 /// # Errors
-/// [`PlaceError`]. No file is changed if a foreign file or a file of another model has the name of
+/// [`EmissionError`]. No file is changed if a foreign file or a file of another model has the name of
 /// a new file, or a text cannot be written.
-pub fn place(emission: &Emission, folder: &Path) -> Result<Vec<Placed>, PlaceError> {
-    let old = written_before(folder, emission)?;
+pub fn write_emission(emission: &Emission, folder: &Path) -> Result<Vec<EmittedFileChange>, EmissionError> {
+    let old = earlier_emitted_files(folder, emission)?;
     for (file, text) in &emission.files {
         let path = folder.join(file);
         let Some(old) = old.get(file) else {
             if path.symlink_metadata().is_ok() {
-                return Err(PlaceError::Foreign(path));
+                return Err(EmissionError::Foreign(path));
             }
             continue;
         };
-        let sources = source_in(text, emission.command).zip(source_in(old, emission.command));
-        if let Some(other) = sources.and_then(|(own, old)| own.other_model(&old)) {
-            return Err(PlaceError::OtherModel(path, other));
+        let sources = read_origin_source(text, emission.command).zip(read_origin_source(old, emission.command));
+        if let Some(other) = sources.and_then(|(own, old)| own.path_of_other_model(&old)) {
+            return Err(EmissionError::OtherModel(path, other));
         }
     }
-    files::folder(folder)?;
+    whole_file_writer::create_folder(folder)?;
     let (mut placed, mut drafts) = (Vec::new(), Vec::new());
     for (file, text) in &emission.files {
         if old.get(file) == Some(text) {
-            placed.push(Placed::Unchanged(file.clone()));
+            placed.push(EmittedFileChange::Unchanged(file.clone()));
             continue;
         }
         let path = folder.join(file);
-        files::folder(path.parent().unwrap_or(folder))?;
-        drafts.push(files::draft(&path, text)?);
-        placed.push(Placed::Written(file.clone()));
+        whole_file_writer::create_folder(path.parent().unwrap_or(folder))?;
+        drafts.push(whole_file_writer::draft(&path, text)?);
+        placed.push(EmittedFileChange::Written(file.clone()));
     }
     // All texts are on the disk, under temporary names, before the first file is replaced.
     drafts.into_iter().try_for_each(Draft::finish)?;
     // Files of other models stay, so that several models can share a folder.
-    let own: Vec<_> = emission.files.values().filter_map(|text| source_in(text, emission.command)).collect();
+    let own: Vec<_> = emission.files.values().filter_map(|text| read_origin_source(text, emission.command)).collect();
     let is_own = |text: &str| {
-        source_in(text, emission.command).is_some_and(|old| own.iter().any(|own| own.is_of_one_model(&old)))
+        read_origin_source(text, emission.command).is_some_and(|old| own.iter().any(|own| own.is_of_one_model(&old)))
     };
     let gone = old.into_iter().filter(|(file, text)| !emission.files.contains_key(file) && is_own(text));
     for file in gone.map(|(file, _)| file) {
         let path = folder.join(&file);
-        std::fs::remove_file(&path).map_err(|error| PlaceError::Io(path, error))?;
-        placed.push(Placed::Removed(file));
+        std::fs::remove_file(&path).map_err(|error| EmissionError::Io(path, error))?;
+        placed.push(EmittedFileChange::Removed(file));
     }
     Ok(placed)
 }
@@ -195,9 +200,9 @@ pub fn place(emission: &Emission, folder: &Path) -> Result<Vec<Placed>, PlaceErr
 /// Reads the files that an earlier emission wrote into `folder` and its subfolder `code`. Returns
 /// their texts by relative path, empty if the folder does not exist.
 /// `Err` if a file or folder cannot be read.
-fn written_before(folder: &Path, emission: &Emission) -> Result<BTreeMap<String, String>, PlaceError> {
-    let mut files = written_in(folder, emission)?;
-    let code = written_in(&folder.join("code"), emission)?;
+fn earlier_emitted_files(folder: &Path, emission: &Emission) -> Result<BTreeMap<String, String>, EmissionError> {
+    let mut files = emitted_files_in_folder(folder, emission)?;
+    let code = emitted_files_in_folder(&folder.join("code"), emission)?;
     files.extend(code.into_iter().map(|(name, text)| (format!("code/{name}"), text)));
     Ok(files)
 }
@@ -205,10 +210,10 @@ fn written_before(folder: &Path, emission: &Emission) -> Result<BTreeMap<String,
 /// Reads the files directly in `folder` that carry the header of the emission's command and one of
 /// its extensions. Returns their texts by file name.
 /// `Err` if a file or folder cannot be read.
-fn written_in(folder: &Path, emission: &Emission) -> Result<BTreeMap<String, String>, PlaceError> {
+fn emitted_files_in_folder(folder: &Path, emission: &Emission) -> Result<BTreeMap<String, String>, EmissionError> {
     let failed = |path: &Path| {
         let path = path.to_owned();
-        move |error| PlaceError::Io(path, error)
+        move |error| EmissionError::Io(path, error)
     };
     let mut files = BTreeMap::new();
     if folder.symlink_metadata().is_err() {

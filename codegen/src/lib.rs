@@ -11,18 +11,18 @@
 
 #[cfg(any(feature = "rust", feature = "js", feature = "languages"))]
 pub mod emit;
-#[cfg(feature = "rust")]
-mod extras;
-#[cfg(feature = "files")]
-pub mod files;
 #[cfg(feature = "languages")]
 pub mod fmu;
+#[cfg(feature = "rust")]
+pub mod generated_workspace;
 #[cfg(feature = "js")]
 pub mod js;
 #[cfg(feature = "languages")]
 pub mod languages;
 #[cfg(any(feature = "rust", feature = "js", feature = "languages"))]
 mod lines;
+#[cfg(feature = "rust")]
+mod optional_functions;
 #[cfg(any(feature = "rust", feature = "js", feature = "languages"))]
 mod origin;
 pub mod plan;
@@ -35,10 +35,10 @@ pub mod syntax;
 #[cfg(any(feature = "rust", feature = "js", feature = "languages"))]
 pub mod target;
 pub mod taylor;
-#[cfg(feature = "rust")]
-pub mod workspace;
+#[cfg(feature = "files")]
+pub mod whole_file_writer;
 
 #[cfg(feature = "rust")]
-pub use extras::Extras;
+pub use generated_workspace::{Difference, Freshness, GeneratedFiles, freshness};
 #[cfg(feature = "rust")]
-pub use workspace::{Difference, Freshness, Generated, freshness};
+pub use optional_functions::Extras;

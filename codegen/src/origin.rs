@@ -8,15 +8,15 @@ use std::path::Path;
 pub(crate) const EMIT: &str = "emit";
 
 /// Beginning of the header sentence in files generated from a model, publication or scene.
-const GENERATED: &str = "Generated from `";
+const GENERATED_FILE_PREFIX: &str = "Generated from `";
 /// Beginning of the header sentence in files that are the same for every model.
-const BESIDE: &str = "Goes with what is generated from `";
+const SHARED_FILE_PREFIX: &str = "Goes with what is generated from `";
 
 /// Name of the publication file, which lies in the folder of its model.
 const PUBLICATION: &str = "publication.toml";
 
 /// Marks that begin a comment line in the target languages: Rust, C and JavaScript, Python, MATLAB.
-const MARKS: [&str; 4] = ["//!", "//", "#", "%"];
+const COMMENT_MARKS: [&str; 4] = ["//!", "//", "#", "%"];
 
 /// Source files of a generated module, and the command that generates it.
 pub(crate) struct Origin {
@@ -32,7 +32,7 @@ impl Origin {
     /// Returns the origin of modules that a command writes from the model file at `path`.
     /// If the file is `model.toml`, the name of its folder is added, because that file name alone
     /// says little. The result does not depend on where the folder is.
-    pub fn emitted(path: &Path, command: &'static str) -> Self {
+    pub fn origin_of_model_file(path: &Path, command: &'static str) -> Self {
         let name = |path: Option<&std::ffi::OsStr>| path.map(|name| name.to_string_lossy().into_owned());
         let model = name(path.file_name()).unwrap_or_default();
         let full = path.canonicalize().unwrap_or_else(|_| path.to_owned());
@@ -43,26 +43,26 @@ impl Origin {
 
     /// Returns the header sentence for files that are the same for every model.
     #[cfg(any(feature = "js", feature = "languages"))]
-    pub fn of_shared_files(&self) -> String {
-        self.of_model().replacen(GENERATED, BESIDE, 1)
+    pub fn shared_file_origin_sentence(&self) -> String {
+        self.model_origin_sentence().replacen(GENERATED_FILE_PREFIX, SHARED_FILE_PREFIX, 1)
     }
 
     /// Returns the header sentence for files derived from the model.
-    pub fn of_model(&self) -> String {
-        self.of(&self.model)
+    pub fn model_origin_sentence(&self) -> String {
+        self.origin_sentence(&self.model)
     }
 
     /// Returns the header sentence for files with the printed equations of the publication in the
     /// model's folder.
-    pub fn of_publication(&self) -> String {
-        self.of(PUBLICATION)
+    pub fn publication_origin_sentence(&self) -> String {
+        self.origin_sentence(PUBLICATION)
     }
 
     /// Returns the header sentence for files derived from a scene. `name` is the scene's path
     /// relative to the model's folder.
     #[cfg(feature = "rust")]
-    pub fn of_scene(&self, name: &str) -> String {
-        self.of(name)
+    pub fn scene_origin_sentence(&self, name: &str) -> String {
+        self.origin_sentence(name)
     }
 
     /// True if scenes get generated equations too. This holds only for the command `regenerate`.
@@ -73,62 +73,62 @@ impl Origin {
 
     /// Returns the header sentence for a source file: its path in backquotes, then the advice to
     /// run the command.
-    fn of(&self, file: &str) -> String {
+    fn origin_sentence(&self, file: &str) -> String {
         // The path is in Markdown's quotes, which a backquote in the path would end.
         let path = format!("{}{file}", self.folder).replace('`', "'");
-        format!("{GENERATED}{path}`. {}", advice(self.command))
+        format!("{GENERATED_FILE_PREFIX}{path}`. {}", regeneration_advice(self.command))
     }
 }
 
 /// Returns the header's advice not to edit the file, with the `tripos` command that writes it.
-fn advice(command: &str) -> String {
+fn regeneration_advice(command: &str) -> String {
     format!("Do not edit; run `tripos {command}`.")
 }
 
 /// True if the `tripos` command `command` wrote the text. Its leading comment then contains the
 /// header sentence of that command.
 pub(crate) fn is_written_by(text: &str, command: &str) -> bool {
-    source_in(text, command).is_some()
+    read_origin_source(text, command).is_some()
 }
 
 /// Source file of a generated text, as the text's header states it.
-pub(crate) struct StatedSource {
+pub(crate) struct OriginSource {
     folder: String,
     file: String,
 }
 
-impl StatedSource {
+impl OriginSource {
     /// True if two generated texts have the same source folder and no different model files. A
     /// publication counts as part of the model in its folder.
     pub(crate) fn is_of_one_model(&self, other: &Self) -> bool {
-        self.folder == other.folder && !self.differs(other)
+        self.folder == other.folder && !self.is_of_other_model(other)
     }
 
     /// Path of the model of the text `other`, if the headers of the two texts name different model
     /// files.
     /// `None` if the file names agree. Folders are not compared, because a folder may have moved.
-    pub(crate) fn other_model(&self, other: &Self) -> Option<String> {
+    pub(crate) fn path_of_other_model(&self, other: &Self) -> Option<String> {
         let Self { folder, file } = other;
-        self.differs(other).then(|| if folder.is_empty() { file.clone() } else { format!("{folder}/{file}") })
+        self.is_of_other_model(other).then(|| if folder.is_empty() { file.clone() } else { format!("{folder}/{file}") })
     }
 
     /// True if the two headers name different model files. A publication differs from no model.
-    fn differs(&self, other: &Self) -> bool {
+    fn is_of_other_model(&self, other: &Self) -> bool {
         self.file != other.file && [self, other].iter().all(|source| source.file != PUBLICATION)
     }
 }
 
 /// Reads the header of a generated text and returns the source file that it states. `None` if
 /// `command` did not write the text.
-pub(crate) fn source_in(text: &str, command: &str) -> Option<StatedSource> {
-    let advice = advice(command);
-    let comment = |line: &'_ str| MARKS.iter().find_map(|mark| line.strip_prefix(mark)).map(str::to_owned);
+pub(crate) fn read_origin_source(text: &str, command: &str) -> Option<OriginSource> {
+    let advice = regeneration_advice(command);
+    let comment = |line: &'_ str| COMMENT_MARKS.iter().find_map(|mark| line.strip_prefix(mark)).map(str::to_owned);
     let origin = |line: String| {
         let line = line.trim_start();
-        let rest = line.strip_prefix(GENERATED).or_else(|| line.strip_prefix(BESIDE))?;
+        let rest = line.strip_prefix(GENERATED_FILE_PREFIX).or_else(|| line.strip_prefix(SHARED_FILE_PREFIX))?;
         let path = rest.strip_suffix(&advice)?.trim_end_matches(['`', '.', ' ']);
         let (folder, file) = path.rsplit_once('/').unwrap_or(("", path));
-        Some(StatedSource { folder: folder.to_owned(), file: file.to_owned() })
+        Some(OriginSource { folder: folder.to_owned(), file: file.to_owned() })
     };
     text.lines().map_while(comment).find_map(origin)
 }

@@ -8,7 +8,7 @@
 
 use std::path::{Path, PathBuf};
 use tripos_derive::diagnostic::Source;
-use tripos_derive::publication::is_beside;
+use tripos_derive::publication::is_publication_path;
 use tripos_derive::scene::model_path;
 
 /// Returns the scene files of a model file: first those in `scenes/`, then those in the model's
@@ -17,20 +17,20 @@ use tripos_derive::scene::model_path;
 pub fn scene_files(model: &Path) -> Vec<PathBuf> {
     let beside = model.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let is_scene = |path: &PathBuf| {
-        let is_other = path.file_name() == model.file_name() || is_beside(path);
+        let is_other = path.file_name() == model.file_name() || is_publication_path(path);
         let belongs =
-            || Source::read(path).and_then(|source| model_path(&source)).map_or(true, |of| is_same(&of, model));
+            || Source::read(path).and_then(|source| model_path(&source)).map_or(true, |of| is_same_file(&of, model));
         !is_other && belongs()
     };
-    let mut list = tables(&model.with_file_name("scenes"));
-    list.extend(tables(beside).into_iter().filter(is_scene));
+    let mut list = toml_files_in_folder(&model.with_file_name("scenes"));
+    list.extend(toml_files_in_folder(beside).into_iter().filter(is_scene));
     list
 }
 
 /// Returns the path of a scene file relative to its model, such as `scenes/swing.toml` or
 /// `swing.toml`.
 #[must_use]
-pub fn name_beside(model: &Path, scene: &Path) -> String {
+pub fn scene_path_from_model(model: &Path, scene: &Path) -> String {
     let name = scene.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
     let is_inside = scene.parent() == Some(&model.with_file_name("scenes"));
     if is_inside { format!("scenes/{name}") } else { name }
@@ -38,13 +38,13 @@ pub fn name_beside(model: &Path, scene: &Path) -> String {
 
 /// True if two paths lead to one existing file. False if a file does not exist.
 #[must_use]
-pub fn is_same(a: &Path, b: &Path) -> bool {
+pub fn is_same_file(a: &Path, b: &Path) -> bool {
     matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b)
 }
 
 /// Lists the TOML files of a folder in alphabetical order. The list is empty if the folder cannot
 /// be read.
-fn tables(folder: &Path) -> Vec<PathBuf> {
+fn toml_files_in_folder(folder: &Path) -> Vec<PathBuf> {
     let Ok(entries) = std::fs::read_dir(folder) else { return Vec::new() };
     let names = entries.filter_map(|entry| Some(entry.ok()?.file_name()));
     let mut list: Vec<PathBuf> = names.map(|name| folder.join(name)).collect();
@@ -74,7 +74,7 @@ mod tests {
         put("another's.toml", "model = \"other/model.toml\"\n");
         put("broken.toml", "model = \n");
         let model = folder.path().join("model.toml");
-        let names: Vec<String> = scene_files(&model).iter().map(|path| name_beside(&model, path)).collect();
+        let names: Vec<String> = scene_files(&model).iter().map(|path| scene_path_from_model(&model, path)).collect();
         assert_eq!(names, ["scenes/a.toml", "scenes/b.toml", "broken.toml", "own.toml"]);
     }
 }

@@ -7,7 +7,7 @@ use tripos_derive::algebra::Arena;
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics};
 use tripos_derive::diff::printed_equations;
 use tripos_derive::mechanics::{Derivation, DeriveError, derive_all};
-use tripos_derive::publication::load_beside;
+use tripos_derive::publication::load_publication_of_model;
 use tripos_derive::{Equations, Formulation, Model, derive};
 
 /// Language into which a model is written. A target receives sets of equations one after the other
@@ -23,7 +23,7 @@ pub trait Target {
     ///
     /// # Errors
     /// [`Diagnostics`] if the accelerations were solved for but the solution is not proved.
-    fn derived(&mut self, model: &Model, derivation: Derivation) -> Result<(), Diagnostics>;
+    fn write_derived_equations(&mut self, model: &Model, derivation: Derivation) -> Result<(), Diagnostics>;
 
     /// Writes the equations of a publication exactly as printed. `model` must contain the symbols
     /// of the publication.
@@ -31,7 +31,7 @@ pub trait Target {
 }
 
 /// Formulations that a model does not support, each with the reason.
-pub type LeftOut = Vec<(Formulation, DeriveError)>;
+pub type UnsupportedFormulations = Vec<(Formulation, DeriveError)>;
 
 /// Derives the equations of a model and passes each set to a target.
 /// It writes the given formulations. If none are given, it writes the standard formulations that
@@ -42,20 +42,24 @@ pub type LeftOut = Vec<(Formulation, DeriveError)>;
 /// # Errors
 /// [`Diagnostics`] of the model or the publication, of a given formulation that the model does not support, or of two
 /// printed systems whose files would have one name.
-pub fn write(model: &Model, formulations: &[Formulation], target: &mut dyn Target) -> Result<LeftOut, Diagnostics> {
+pub fn write_equations_to_target(
+    model: &Model,
+    formulations: &[Formulation],
+    target: &mut dyn Target,
+) -> Result<UnsupportedFormulations, Diagnostics> {
     let mut left_out = Vec::new();
     let is_wanted = |f: &Formulation| {
         if formulations.is_empty() { Formulation::STANDARD.contains(f) } else { formulations.contains(f) }
     };
     for f in Formulation::ALL.into_iter().filter(is_wanted) {
         match derive(model, f) {
-            Ok(derivation) => target.derived(model, derivation)?,
+            Ok(derivation) => target.write_derived_equations(model, derivation)?,
             Err(error) if error.is_unsupported() && formulations.is_empty() => left_out.push((f, error)),
             Err(error) => return Err(model.diagnose(&error)),
         }
     }
     if formulations.is_empty() {
-        printed(model, target)?;
+        write_printed_equations(model, target)?;
     }
     Ok(left_out)
 }
@@ -66,9 +70,11 @@ pub fn write(model: &Model, formulations: &[Formulation], target: &mut dyn Targe
 ///
 /// # Errors
 /// [`Diagnostics`] of the publication, or of two entries whose files would have the same name.
-fn printed(model: &Model, target: &mut dyn Target) -> Result<(), Diagnostics> {
+fn write_printed_equations(model: &Model, target: &mut dyn Target) -> Result<(), Diagnostics> {
     let mut with_publication = model.clone();
-    let Some(publication) = load_beside(&model.source.path, &mut with_publication)? else { return Ok(()) };
+    let Some(publication) = load_publication_of_model(&model.source.path, &mut with_publication)? else {
+        return Ok(());
+    };
     let mut derivations = derive_all(&with_publication).map_err(|error| model.diagnose(&error))?;
     for equations in printed_equations(&with_publication, &mut derivations, &publication) {
         let name = equations.name(&with_publication);

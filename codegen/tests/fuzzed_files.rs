@@ -56,7 +56,7 @@ fn spoilt_files_are_read_or_refused() {
             && path.parent().is_some_and(|p| !p.ends_with("scenes"));
         let answer = guarded(&format!("seed {seed} of {}", path.display()), &source.text, || match &owners[at] {
             _ if is_model(path) => model::load(&source).map(drop),
-            Some(model) if is_publication => publication::load(&source, &mut model.clone()).map(drop),
+            Some(model) if is_publication => publication::load_publication(&source, &mut model.clone()).map(drop),
             Some(model) => scene::load(&source, &mut model.clone()).map(drop),
             None => scene::model_path(&source).map(drop),
         });
@@ -88,9 +88,11 @@ fn spoilt_models_are_emitted_or_refused() {
         }
         std::fs::write(&path, &text).unwrap();
         emitted += 1;
-        guarded(&what, &text, || match tripos_codegen::emit::emit(&path, "spoilt", &[], tripos_codegen::Extras::ALL) {
-            Ok(emission) => assert!(emission.files.contains_key("mod.rs")),
-            Err(diagnostics) => shown(&diagnostics),
+        guarded(&what, &text, || {
+            match tripos_codegen::emit::emit_rust_module(&path, "spoilt", &[], tripos_codegen::Extras::ALL) {
+                Ok(emission) => assert!(emission.files.contains_key("mod.rs")),
+                Err(diagnostics) => shown(&diagnostics),
+            }
         });
     }
 }

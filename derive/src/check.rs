@@ -10,23 +10,23 @@
 //! Sources: G. Frobenius 1877; V. Jurdjevic, *Geometric Control Theory* (1997), chapter 2; R. L.
 //! Bryant et al., *Exterior Differential Systems* (1991), chapter II §4 (derived flag).
 
-mod creates;
+mod created_energy;
 mod rank_loss;
 
-pub use creates::{Effect, LoadEffect};
+pub use created_energy::{EnergyEffect, LoadEffect};
 pub use rank_loss::RankLoss;
 
 use crate::algebra::form::simplify::Simplifier;
-use crate::algebra::solve::primitive::primitive;
+use crate::algebra::solve::antiderivative::antiderivative;
 use crate::algebra::term::calculus::{Gradient, Substitution};
-use crate::algebra::text::definitions::glossary;
-use crate::algebra::text::print::{text, whole_text};
-use crate::algebra::value::modular::{ZeroTest, zero_test};
+use crate::algebra::text::definitions::definitions_shown;
+use crate::algebra::text::print::{print_text, print_whole_text};
 use crate::algebra::value::rank::rank;
+use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr};
 use crate::geometry::{Vector, apply_tensor};
-use crate::mechanics::{Derivation, DeriveError, Form, Formulation, Kinematics, derive, load_divisors};
-use crate::model::{Branch, DependentConstraint, Model, MotionConstraint, MotionConstraintKind};
+use crate::mechanics::{Derivation, DeriveError, EquationForm, Formulation, Kinematics, derive, load_divisors};
+use crate::model::{AssemblyBranch, Model, MotionConstraint, MotionConstraintKind, RedundantConstraint};
 
 /// Kind of a constraint: an equation between coordinates or between velocities.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,7 +39,7 @@ pub enum ConstraintKind {
 
 /// A constraint of a model with the results of its check: integrable or not, redundant or not.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Checked {
+pub struct CheckedConstraint {
     /// Name of the constraint in the model file.
     pub name: String,
     /// Kind of the constraint.
@@ -57,13 +57,13 @@ pub struct Checked {
 /// Result of a check of a model: its degrees of freedom, constraints, singular poses, loads and
 /// notes.
 #[derive(Clone, Debug)]
-pub struct Check {
+pub struct ModelCheck {
     /// Number of generalized coordinates, without time.
     pub coordinates: usize,
     /// Number of generalized speeds.
     pub speeds: usize,
     /// All constraints of the model, with the results of their checks.
-    pub constraints: Vec<Checked>,
+    pub constraints: Vec<CheckedConstraint>,
     /// Number of degrees of freedom: independent generalized speeds under all constraints.
     pub degrees_of_freedom: usize,
     /// Mobility by counting: number of coordinates less number of constraints, redundant constraints
@@ -73,7 +73,7 @@ pub struct Check {
     pub configuration_freedom: Option<usize>,
     /// Assembly branch in which all results about loops were found, with the rank of the constraints
     /// there. `None` if the model has none.
-    pub branch: Option<Branch>,
+    pub branch: Option<AssemblyBranch>,
     /// Formulas whose zeros are the poses in which the chosen generalized speeds do not determine the
     /// motion.
     pub singular_where: Vec<String>,
@@ -99,39 +99,46 @@ pub struct Check {
 /// # Errors
 /// Returns [`DeriveError`] if Kane's equations cannot be derived. A speed without inertia is no
 /// error: it gives a note.
-pub fn check(model: &Model) -> Result<Check, DeriveError> {
+#[allow(clippy::too_many_lines, reason = "one step for each part of the answer")]
+pub fn check(model: &Model) -> Result<ModelCheck, DeriveError> {
     let mut arena = model.arena.clone();
-    let mut reach = Reach::new(model, &mut arena);
-    let is_known = reach.close(&mut arena);
-    let configuration = model.constraints.iter().map(|c| Checked {
+    let mut reach = ReachableDirections::new(model, &mut arena);
+    let is_known = reach.close_under_brackets(&mut arena);
+    let configuration = model.constraints.iter().map(|c| CheckedConstraint {
         name: c.name.clone(),
         kind: ConstraintKind::Configuration,
         integrable: Some(true),
-        integral: Some(text(&model.arena, c.equation)),
+        integral: Some(print_text(&model.arena, c.equation)),
         redundant: false,
     });
-    let loops = model.loops.iter().chain(&model.closed).map(|c| Checked {
+    let loops = model.loops.iter().chain(&model.closed).map(|c| CheckedConstraint {
         name: c.name.clone(),
         kind: ConstraintKind::Configuration,
         integrable: Some(true),
-        integral: Some(text(&model.arena, c.equation)),
+        integral: Some(print_text(&model.arena, c.equation)),
         redundant: model.dependent.iter().any(|d| d.name == c.name),
     });
-    let mut constraints: Vec<Checked> = configuration.chain(loops).collect();
+    let mut constraints: Vec<CheckedConstraint> = configuration.chain(loops).collect();
     for constraint in model
         .motion_constraints
         .iter()
         .filter(|c| matches!(c.kind, MotionConstraintKind::Stated | MotionConstraintKind::Rolling(_)))
     {
-        let integrable = match reach.permits(model, &mut arena, constraint) {
+        let integrable = match reach.satisfies_constraint(model, &mut arena, constraint) {
             Some(true) if !is_known => None,
             decided => decided,
         };
         let integral = if integrable == Some(true) { integral_of(model, &mut arena, constraint) } else { None };
         let name = constraint.name.clone();
-        constraints.push(Checked { name, kind: ConstraintKind::Motion, integrable, integral, redundant: false });
+        constraints.push(CheckedConstraint {
+            name,
+            kind: ConstraintKind::Motion,
+            integrable,
+            integral,
+            redundant: false,
+        });
     }
-    constraints.extend(model.repeated.iter().map(|repeated| Checked {
+    constraints.extend(model.repeated.iter().map(|repeated| CheckedConstraint {
         name: repeated.name.clone(),
         kind: if repeated.is_of_loop { ConstraintKind::Configuration } else { ConstraintKind::Motion },
         integrable: repeated.is_of_loop.then_some(true),
@@ -140,8 +147,8 @@ pub fn check(model: &Model) -> Result<Check, DeriveError> {
     }));
     let mut notes: Vec<String> =
         model.unused.iter().map(|(kind, name)| format!("nothing names the {kind} `{name}`")).collect();
-    notes.extend(model.dependent.iter().map(dependent_note));
-    notes.extend(model.repeated.iter().filter(|r| r.elsewhere.is_some()).map(|r| in_most_poses(&r.name)));
+    notes.extend(model.dependent.iter().map(redundant_constraint_note));
+    notes.extend(model.repeated.iter().filter(|r| r.elsewhere.is_some()).map(|r| rolling_dependence_note(&r.name)));
     notes.extend(speeds_note(model));
     let mut indeterminate = Vec::new();
     let mut names = Vec::new();
@@ -149,34 +156,42 @@ pub fn check(model: &Model) -> Result<Check, DeriveError> {
         Ok(mut derivation) => {
             derivation.write_names();
             let Derivation { arena, equations } = &derivation;
-            if let Some(note) = power(model, arena, equations.power) {
+            if let Some(note) = power_note(model, arena, equations.power) {
                 notes.push(note);
-                let named = glossary(arena, &[equations.power]).into_iter();
-                names.extend(named.map(|d| (text(arena, d.symbol), whole_text(arena, d.value))));
+                let named = definitions_shown(arena, &[equations.power]).into_iter();
+                names.extend(named.map(|d| (print_text(arena, d.symbol), print_whole_text(arena, d.value))));
             }
         }
         Err(error @ DeriveError::NoInertia { .. }) => {
             if let DeriveError::NoInertia { speed } = &error {
-                notes.extend(without_inertia(model, speed)?);
+                notes.extend(notes_on_bodies_without_inertia(model, speed)?);
                 indeterminate.push(speed.clone());
             }
             notes.push(error.to_string());
         }
         Err(error) => return Err(error),
     }
-    let loads = if Form::computed(model) == Form::Steps { Vec::new() } else { creates::effects(model)? };
+    let loads = if EquationForm::computed(model) == EquationForm::Steps {
+        Vec::new()
+    } else {
+        created_energy::energy_effects_of_loads(model)?
+    };
     if loads.is_empty() && model.forces.len() + model.torques.len() > 0 {
         notes.push("the model is too large to check its loads for created energy".to_owned());
     }
     notes.extend(load_divisors(&mut arena, model).iter().map(|divisor| {
-        format!("no run goes through {} = 0: {} there", text(&arena, divisor.value), divisor.meaning())
+        format!(
+            "no run goes through {} = 0: {} there",
+            print_text(&arena, divisor.value),
+            divisor.zero_divisor_meaning()
+        )
     }));
     if !is_known {
         notes.push(
             "which motion constraints are integrable could not be decided: their brackets are too many, or have no value at random points".to_owned(),
         );
     }
-    Ok(Check {
+    Ok(ModelCheck {
         coordinates: model.coordinates.len() - usize::from(model.time().is_some()),
         speeds: model.speeds.len(),
         constraints,
@@ -187,7 +202,7 @@ pub fn check(model: &Model) -> Result<Check, DeriveError> {
         rank_loss: rank_loss::rank_loss(model),
         indeterminate,
         loads,
-        singular_where: model.kinematic_equations.divisors.iter().map(|e| text(&model.arena, *e)).collect(),
+        singular_where: model.kinematic_equations.divisors.iter().map(|e| print_text(&model.arena, *e)).collect(),
         notes,
         names,
     })
@@ -205,7 +220,7 @@ fn mobility_count(model: &Model) -> i64 {
 
 /// Writes the note that a component of rolling follows from the other constraints, except in single
 /// poses.
-fn in_most_poses(name: &str) -> String {
+fn rolling_dependence_note(name: &str) -> String {
     format!(
         "`{name}` follows from the other constraints except in single poses: in these the equations of Lagrange and of Newton and Euler \
          have no solution, though the mechanism may be regular. State `frame`, in which the body's own heading is an axis"
@@ -214,7 +229,7 @@ fn in_most_poses(name: &str) -> String {
 
 /// Writes the note on a constraint that follows from other constraints wherever the loops are
 /// closed.
-fn dependent_note(d: &DependentConstraint) -> String {
+fn redundant_constraint_note(d: &RedundantConstraint) -> String {
     let poses = if d.poses == 1 { "the closed pose" } else { "each of the closed poses" };
     format!(
         "wherever the loops are closed, `{}` follows from {}: found in doubles, in {poses} that {} reached from random ones ({}), at the \
@@ -241,7 +256,7 @@ fn speeds_note(model: &Model) -> Option<String> {
 
 /// Writes the notes on bodies that have no inertia about the axis about which the speed `speed`
 /// turns them.
-fn without_inertia(model: &Model, speed: &str) -> Result<Vec<String>, DeriveError> {
+fn notes_on_bodies_without_inertia(model: &Model, speed: &str) -> Result<Vec<String>, DeriveError> {
     let Some(at) = model.speeds.iter().position(|s| s.name == speed) else { return Ok(Vec::new()) };
     let mut kinematics = Kinematics::new(model)?;
     let velocities = kinematics.in_speeds(model);
@@ -249,7 +264,7 @@ fn without_inertia(model: &Model, speed: &str) -> Result<Vec<String>, DeriveErro
     let mut notes = Vec::new();
     for body in &model.bodies {
         let Some((frame, inertia)) = &body.rigid else { continue };
-        let turning = velocities.angular[*frame].slopes(&mut kinematics.arena, &mut gradient);
+        let turning = velocities.angular[*frame].partial_derivatives(&mut kinematics.arena, &mut gradient);
         let Some((_, axis)) = turning.into_iter().next() else { continue };
         let axis: Vector = axis;
         let axis = kinematics.frames.express(&mut kinematics.arena, &axis, inertia.frame);
@@ -263,11 +278,11 @@ fn without_inertia(model: &Model, speed: &str) -> Result<Vec<String>, DeriveErro
 }
 
 /// Writes the note on the power that changes the total energy T + V; `None` if T + V is constant.
-fn power(model: &Model, arena: &Arena, power: Expr) -> Option<String> {
+fn power_note(model: &Model, arena: &Arena, power: Expr) -> Option<String> {
     if model.is_driven() {
         return Some("constraints drive the mechanism: T + V changes by the work of their forces".to_owned());
     }
-    (power != Expr::ZERO).then(|| format!("T + V changes at the rate {}", text(arena, power)))
+    (power != Expr::ZERO).then(|| format!("T + V changes at the rate {}", print_text(arena, power)))
 }
 
 /// Function of the coordinates that a motion constraint keeps constant, as the text of a formula.
@@ -283,8 +298,8 @@ fn integral_of(model: &Model, arena: &mut Arena, constraint: &MotionConstraint) 
         None if constraint.drive != Expr::ZERO => return None,
         None => {}
     }
-    let function = primitive(arena, &mut Simplifier::default(), &model.q(), &slopes)?;
-    Some(text(arena, function))
+    let function = antiderivative(arena, &mut Simplifier::default(), &model.q(), &slopes)?;
+    Some(print_text(arena, function))
 }
 
 /// Number of Lie brackets that are computed before integrability stays undecided.
@@ -293,7 +308,7 @@ const MOST_BRACKETS: usize = 200;
 /// Independent vector fields of permitted motions: the columns of W, the drift w, and their Lie
 /// brackets. A field has a component for each coordinate. With a drift and without a time
 /// coordinate, a last component stands for time.
-struct Reach {
+struct ReachableDirections {
     /// Vector fields found so far, each with its components.
     fields: Vec<Vec<Expr>>,
     /// Symbols of the coordinates with respect to which the fields are differentiated.
@@ -305,7 +320,7 @@ struct Reach {
     is_holonomic: bool,
 }
 
-impl Reach {
+impl ReachableDirections {
     /// Takes the columns of W, and the drift w if it is not zero, from q̇ = W u + w of the model.
     fn new(model: &Model, arena: &mut Arena) -> Self {
         let rates = &model.kinematic_equations.rates;
@@ -337,7 +352,7 @@ impl Reach {
 
     /// Adds Lie brackets of the fields until no bracket is independent. Returns false if too many
     /// brackets were computed or a rank is undecided.
-    fn close(&mut self, arena: &mut Arena) -> bool {
+    fn close_under_brackets(&mut self, arena: &mut Arena) -> bool {
         let mut simplifier = Simplifier::default();
         let mut tried = 0;
         let mut later = 1;
@@ -390,7 +405,7 @@ impl Reach {
 
     /// True if every field satisfies a motion constraint, so that the constraint is integrable; `None`
     /// if undecided.
-    fn permits(&self, model: &Model, arena: &mut Arena, constraint: &MotionConstraint) -> Option<bool> {
+    fn satisfies_constraint(&self, model: &Model, arena: &mut Arena, constraint: &MotionConstraint) -> Option<bool> {
         let mut row = vec![Expr::ZERO; model.coordinates.len()];
         for &(at, slope) in Gradient::new(&model.q_dot()).apply(arena, constraint.equation).iter() {
             row[at] = slope;

@@ -1,6 +1,6 @@
 //! Diagnostics: errors of an input file, each with its place, a message and advice.
 
-use crate::plain::{one_line, path_in_line, visible};
+use crate::plain_text::{one_line, path_in_line, with_visible_characters};
 use annotate_snippets::{AnnotationKind, Level, Origin, Renderer, Snippet};
 use std::fmt;
 #[cfg(feature = "files")]
@@ -177,7 +177,11 @@ impl fmt::Display for Diagnostics {
                 writeln!(f, "\n")?;
             }
             let file = self.file(diagnostic);
-            f.write_str(&visible(&render(&path_in_line(&file.path), &file.text, diagnostic)))?;
+            f.write_str(&with_visible_characters(&render_diagnostic(
+                &path_in_line(&file.path),
+                &file.text,
+                diagnostic,
+            )))?;
         }
         if self.list.len() > MAX_SHOWN {
             write!(f, "\n\nand {} more errors", self.list.len() - MAX_SHOWN)?;
@@ -187,7 +191,7 @@ impl fmt::Display for Diagnostics {
 }
 
 /// Writes one error as compilers do: message, place with the lines of the file, and advice.
-fn render(path: &str, text: &str, diagnostic: &Diagnostic) -> String {
+fn render_diagnostic(path: &str, text: &str, diagnostic: &Diagnostic) -> String {
     let title = Level::ERROR.primary_title(diagnostic.message.as_str());
     let excerpt = diagnostic.span.as_ref().map(|span| Excerpt::new(text, span));
     let mut group = match &excerpt {
@@ -215,7 +219,7 @@ fn render(path: &str, text: &str, diagnostic: &Diagnostic) -> String {
             let origin = Origin::path(path).line(excerpt.line).char_column(excerpt.column);
             let note = match &*excerpt.text {
                 "" => "at the end of a very long line".to_owned(),
-                part => format!("in a very long line, at `{}`", shown(part)),
+                part => format!("in a very long line, at `{}`", shortened_for_message(part)),
             };
             title.element(origin).element(Level::NOTE.message(note))
         }
@@ -245,8 +249,8 @@ struct Excerpt<'a> {
 impl<'a> Excerpt<'a> {
     /// Cuts the excerpt for an error at the byte range `span` out of the file `text`.
     fn new(text: &'a str, span: &Range<usize>) -> Self {
-        let from = floor(text, span.start);
-        let to = floor(text, span.end).max(from);
+        let from = floor_char_boundary(text, span.start);
+        let to = floor_char_boundary(text, span.end).max(from);
         let first = text[..from].rfind('\n').map_or(0, |n| n + 1);
         // For an error over many lines, the first line is enough.
         let end = text[from..].find('\n').map_or(text.len(), |n| from + n);
@@ -256,7 +260,7 @@ impl<'a> Excerpt<'a> {
         let column = text[first..from].chars().count() + 1;
         let whole = end - first <= 2 * MARGIN;
         let start = if whole { first } else { from };
-        let end = if whole { end } else { floor(text, from + MARGIN).min(end) };
+        let end = if whole { end } else { floor_char_boundary(text, from + MARGIN).min(end) };
         Self { text: text[start..end].into(), start, line, column, span: from - start..to.min(end) - start, whole }
     }
 
@@ -267,7 +271,7 @@ impl<'a> Excerpt<'a> {
 }
 
 /// Largest byte index that is at most `at` and at which a character of `text` starts.
-fn floor(text: &str, at: usize) -> usize {
+fn floor_char_boundary(text: &str, at: usize) -> usize {
     let mut at = at.min(text.len());
     while !text.is_char_boundary(at) {
         at -= 1;
@@ -287,7 +291,7 @@ pub struct UnknownName {
 impl UnknownName {
     /// Creates an error for `name`, with the nearest of the names `known` as advice.
     pub(crate) fn new<'a>(message: String, name: &str, known: impl IntoIterator<Item = &'a str>) -> Self {
-        Self { message, help: nearest(name, known) }
+        Self { message, help: nearest_name_advice(name, known) }
     }
 }
 
@@ -302,7 +306,7 @@ impl std::error::Error for UnknownName {}
 /// Advice for an unknown name: "did you mean …?" with the nearest known name. If no known name is
 /// near, lists at most 40 of them.
 #[must_use]
-pub fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> String {
+pub fn nearest_name_advice<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> String {
     let known: Vec<&str> = known.into_iter().collect();
     let close = known
         .iter()
@@ -322,10 +326,10 @@ pub fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Stri
 
 /// Shortens a text for a message: one line of at most 60 characters, with forbidden characters written out.
 #[must_use]
-pub fn shown(text: &str) -> String {
+pub fn shortened_for_message(text: &str) -> String {
     const LONGEST: usize = 60;
     let line = one_line(text);
-    let text = visible(&line);
+    let text = with_visible_characters(&line);
     match text.char_indices().nth(LONGEST) {
         Some((end, _)) => format!("{}…", &text[..end]),
         None => text.into_owned(),

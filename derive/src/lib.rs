@@ -2,7 +2,7 @@
 //! formulations.
 //!
 //! ```
-//! use tripos_derive::algebra::text::print::text;
+//! use tripos_derive::algebra::text::print::print_text;
 //! use tripos_derive::diagnostic::Source;
 //! use tripos_derive::{Formulation, derive, model};
 //!
@@ -31,8 +31,8 @@
 //! "#);
 //! let model = model::load(&source)?;
 //! let kane = derive(&model, Formulation::Kane)?;
-//! assert_eq!(text(&kane.arena, kane.equations.matrix[0][0]), "m*l^2");
-//! assert_eq!(text(&kane.arena, kane.equations.forcing[0]), "-m*l*g*sin(q1)");
+//! assert_eq!(print_text(&kane.arena, kane.equations.matrix[0][0]), "m*l^2");
+//! assert_eq!(print_text(&kane.arena, kane.equations.forcing[0]), "-m*l*g*sin(q1)");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
@@ -52,15 +52,15 @@ pub mod geometry;
 pub mod identify;
 pub mod mechanics;
 pub mod model;
-pub mod plain;
+pub mod plain_text;
 pub mod prove;
 pub mod publication;
-mod read;
 pub mod reduce;
 pub mod reference;
 pub mod scene;
 pub mod schema;
+mod toml_reader;
 
 pub use mechanics::{Equations, Formulation, derive};
 pub use model::Model;
-pub use read::SCHEMA;
+pub use toml_reader::SCHEMA;

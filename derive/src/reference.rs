@@ -3,20 +3,20 @@
 //!
 //! `tests/sympy/reference.py` writes a reference, and `models/*/reference.json` stores it.
 //! `tests/sympy/README.md` describes the keys. Formulas are compared by algebra, never by text: see
-//! [`compare`].
+//! [`compare_reference`].
 //!
 //! Invariant: a reference agrees only if it is complete. A missing entry is reported, never passed
 //! over. This module does not run Python.
 
-mod compare;
+mod compare_reference;
 
-pub use compare::{Compared, compare};
+pub use compare_reference::{ComparedEntry, compare_reference};
 
 use crate::algebra::text::parse::ParseError;
-use crate::diagnostic::{Source, shown};
+use crate::diagnostic::{Source, shortened_for_message};
 use crate::mechanics::{Formulation, QuantityError};
 use crate::model::text_hash;
-use crate::plain::path_in_line;
+use crate::plain_text::path_in_line;
 use serde_json::{Map, Value};
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -37,14 +37,14 @@ pub struct Reference {
     pub quantities: Vec<(String, String)>,
     /// Equations of motion, one system for each formulation in the file. Kane's and Lagrange's are
     /// always present, unless `not_derived` is set.
-    pub systems: Vec<System>,
+    pub systems: Vec<ReferenceSystem>,
     /// Reason why SymPy does not derive this model, so that the reference is empty; `None` if it does.
     pub not_derived: Option<String>,
 }
 
 /// Linear system of equations of motion, matrix · unknowns = forcing, with formulas as text.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct System {
+pub struct ReferenceSystem {
     /// Formulation by which SymPy derived the equations.
     pub formulation: Formulation,
     /// Names of the unknowns, in the order of the columns.
@@ -118,15 +118,22 @@ impl fmt::Display for ReferenceError {
             Self::NotJson { file, why } => write!(f, "{}: this is not JSON: {why}", path_in_line(file)),
             Self::Form { file, key, expected } => write!(f, "{}: `{key}` must be {expected}", path_in_line(file)),
             Self::OtherText { file, recorded, current } => {
-                let recorded = shown(recorded);
+                let recorded = shortened_for_message(recorded);
                 write!(f, "{}: derived from the model text {recorded}, which now is {current}", path_in_line(file))
             }
             Self::Quantity { file, name, error } => {
-                write!(f, "{}: `{}`: {} ({})", path_in_line(file), shown(name), error.message, error.help)
+                write!(
+                    f,
+                    "{}: `{}`: {} ({})",
+                    path_in_line(file),
+                    shortened_for_message(name),
+                    error.message,
+                    error.help
+                )
             }
-            Self::NotDerived { file, why } => write!(f, "{}: {}", path_in_line(file), shown(why)),
+            Self::NotDerived { file, why } => write!(f, "{}: {}", path_in_line(file), shortened_for_message(why)),
             Self::Formula { file, name, error } => {
-                write!(f, "{}: the value of `{}`: {}", path_in_line(file), shown(name), error.message)
+                write!(f, "{}: the value of `{}`: {}", path_in_line(file), shortened_for_message(name), error.message)
             }
         }
     }
@@ -142,15 +149,15 @@ impl Reference {
         let not_json =
             |error: serde_json::Error| ReferenceError::NotJson { file: file.clone(), why: error.to_string() };
         let value: Value = serde_json::from_str(&source.text).map_err(not_json)?;
-        let file_table = value.as_object().ok_or_else(|| form(file, "the file", "an object"))?;
-        let table = Table { file, path: "", entries: file_table };
+        let file_table = value.as_object().ok_or_else(|| form_error(file, "the file", "an object"))?;
+        let table = ReferenceTable { file, path: "", entries: file_table };
         let not_derived = match file_table.get(NOT_DERIVED) {
             Some(_) => Some(table.text(NOT_DERIVED)?),
             None => None,
         };
         let mut systems = Vec::new();
         for (formulation, key) in SYSTEMS {
-            let is_wanted = not_derived.is_none() && !formulation.carries_reactions();
+            let is_wanted = not_derived.is_none() && !formulation.has_reactions();
             if is_wanted || file_table.contains_key(key) {
                 systems.push(table.table(key)?.system(formulation)?);
             }
@@ -182,7 +189,7 @@ impl Reference {
 /// Name of the Python environment's folder among cargo's test folders. It contains the hash of the
 /// text of `tests/sympy/requirements.txt`, which lists the packages.
 #[must_use]
-pub fn environment_name(requirements: &str) -> String {
+pub fn reference_environment_name(requirements: &str) -> String {
     format!("sympy-{}", text_hash(requirements))
 }
 
@@ -194,12 +201,12 @@ const SYSTEMS: [(Formulation, &str); 3] =
     [(Formulation::Kane, "kane"), (Formulation::Lagrange, "lagrange"), (Formulation::NewtonEuler, "newton_euler")];
 
 /// Creates the error for a key whose content differs from the expected content.
-fn form(file: &Path, key: &str, expected: &str) -> ReferenceError {
-    ReferenceError::Form { file: file.to_owned(), key: shown(key), expected: expected.to_owned() }
+fn form_error(file: &Path, key: &str, expected: &str) -> ReferenceError {
+    ReferenceError::Form { file: file.to_owned(), key: shortened_for_message(key), expected: expected.to_owned() }
 }
 
 /// JSON object in a reference file, with the path and key that errors state.
-struct Table<'a> {
+struct ReferenceTable<'a> {
     /// Path of the reference file.
     file: &'a Path,
     /// Key of the object; empty for the whole file.
@@ -208,29 +215,33 @@ struct Table<'a> {
     entries: &'a Map<String, Value>,
 }
 
-impl<'a> Table<'a> {
+impl<'a> ReferenceTable<'a> {
     /// Creates the error for an entry of this object whose content differs from the expected.
-    fn wrong(&self, key: &str, expected: &str) -> ReferenceError {
+    fn wrong_entry_error(&self, key: &str, expected: &str) -> ReferenceError {
         let dot = if self.path.is_empty() { "" } else { "." };
-        form(self.file, &format!("{}{dot}{key}", self.path), expected)
+        form_error(self.file, &format!("{}{dot}{key}", self.path), expected)
     }
 
     /// Reads the entry with this key, which must be a string.
     fn text(&self, key: &str) -> Result<String, ReferenceError> {
         let text = self.entries.get(key).and_then(Value::as_str);
-        text.map(str::to_owned).ok_or_else(|| self.wrong(key, "a string"))
+        text.map(str::to_owned).ok_or_else(|| self.wrong_entry_error(key, "a string"))
     }
 
     /// Reads the entry with this key, which must be an object.
-    fn table(&self, key: &'a str) -> Result<Table<'a>, ReferenceError> {
+    fn table(&self, key: &'a str) -> Result<ReferenceTable<'a>, ReferenceError> {
         let entries = self.entries.get(key).and_then(Value::as_object);
-        Ok(Table { file: self.file, path: key, entries: entries.ok_or_else(|| self.wrong(key, "an object"))? })
+        Ok(ReferenceTable {
+            file: self.file,
+            path: key,
+            entries: entries.ok_or_else(|| self.wrong_entry_error(key, "an object"))?,
+        })
     }
 
     /// Reads all entries as formulas: pairs of name and text.
     fn formulas(&self) -> Result<Vec<(String, String)>, ReferenceError> {
         let entries = self.entries.iter().map(|(name, value)| {
-            let formula = value.as_str().ok_or_else(|| self.wrong(name, "a string"))?;
+            let formula = value.as_str().ok_or_else(|| self.wrong_entry_error(name, "a string"))?;
             Ok((name.clone(), formula.to_owned()))
         });
         entries.collect()
@@ -238,24 +249,25 @@ impl<'a> Table<'a> {
 
     /// Reads an entry that must be a list of strings, with `count` strings if given.
     fn list(&self, key: &str, count: Option<usize>) -> Result<Vec<String>, ReferenceError> {
-        let found = self.entries.get(key).and_then(strings).filter(|list| count.is_none_or(|n| n == list.len()));
-        found.ok_or_else(|| self.wrong(key, "strings, one for each unknown"))
+        let found = self.entries.get(key).and_then(string_list).filter(|list| count.is_none_or(|n| n == list.len()));
+        found.ok_or_else(|| self.wrong_entry_error(key, "strings, one for each unknown"))
     }
 
     /// Reads this object as a linear system: unknowns, matrix and forcing.
-    fn system(&self, formulation: Formulation) -> Result<System, ReferenceError> {
+    fn system(&self, formulation: Formulation) -> Result<ReferenceSystem, ReferenceError> {
         let unknowns = self.list("unknowns", None)?;
         let n = unknowns.len();
         let rows = self.entries.get("matrix").and_then(Value::as_array);
-        let rows = rows.and_then(|rows| rows.iter().map(strings).collect::<Option<Vec<_>>>());
+        let rows = rows.and_then(|rows| rows.iter().map(string_list).collect::<Option<Vec<_>>>());
         let matrix = rows.filter(|rows| rows.len() == n && rows.iter().all(|row| row.len() == n));
-        let matrix = matrix
-            .ok_or_else(|| self.wrong("matrix", "a list of n rows of n strings, with n the number of unknowns"))?;
-        Ok(System { formulation, unknowns, matrix, forcing: self.list("forcing", Some(n))? })
+        let matrix = matrix.ok_or_else(|| {
+            self.wrong_entry_error("matrix", "a list of n rows of n strings, with n the number of unknowns")
+        })?;
+        Ok(ReferenceSystem { formulation, unknowns, matrix, forcing: self.list("forcing", Some(n))? })
     }
 }
 
 /// Reads a JSON value as a list of strings; `None` if it is not.
-fn strings(value: &Value) -> Option<Vec<String>> {
+fn string_list(value: &Value) -> Option<Vec<String>> {
     value.as_array()?.iter().map(|entry| entry.as_str().map(str::to_owned)).collect()
 }

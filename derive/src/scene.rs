@@ -10,30 +10,30 @@ mod starts;
 use crate::algebra::Expr;
 use crate::diagnostic::{Diagnostic, Diagnostics, Source};
 use crate::model::{Coordinate, Model, TIME};
-use crate::read::Reader;
-use numbers::values::{Number, ValueReader, doubles};
+use crate::toml_reader::TomlReader;
+use numbers::number_reader::{Number, ValueReader, double_values};
 use starts::state::Start;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 use tripos_traits::{Direction, DoubleDouble};
 
-pub use families::axis::{Grid, MOST_POINTS};
-pub use families::family::Family;
-pub use families::ladder::Ladder;
-pub use families::neighbours::Nearby;
-pub use motions::motion::{Formulas, Motion, MotionForm, MotionSample, load_motion};
+pub use families::neighbours::SceneNeighbours;
+pub use families::scene_family::Family;
+pub use families::start_ladder::Ladder;
+pub use families::sweep_grid::{Grid, MOST_POINTS};
 #[cfg(feature = "files")]
-pub use motions::samples::load_samples;
-pub use numbers::values::NamedNumber;
-pub use settings::impacts::{ContactFriction, Impact, ImpactLaw};
-pub use settings::inputs::load_bound;
+pub use motions::motion_samples::load_samples;
+pub use motions::prescribed_motion::{Formulas, Motion, MotionForm, MotionSample, load_motion};
+pub use numbers::number_reader::NamedNumber;
+pub use settings::impacts::{ContactFriction, ImpactContact, ImpactLaw};
+pub use settings::inputs::load_scene_with_inputs;
 pub(crate) use settings::integration::SOLVES;
-pub use settings::integration::{Integration, Integrator, Project, Solve};
+pub use settings::integration::{AccelerationSolution, Integration, Integrator, ProjectionTarget};
 pub use settings::outputs::ENERGIES;
 pub use starts::loops::{DependentLoop, Loops};
-pub use starts::start::{Exact, InitialMotion, SolvedVariable};
-pub use starts::unknowns::{Asked, load_asked, load_output};
+pub use starts::start::{ExactStart, InitialMotion, SolvedVariable};
+pub use starts::state_with_unknowns::{StateWithUnknowns, load_output, load_state_with_unknowns};
 
 /// Event of a scene: an instant of a run at which a function of the state crosses zero.
 #[derive(Clone, Debug)]
@@ -55,7 +55,7 @@ pub enum FigureKind {
     Energy,
     /// Figure of every coordinate and speed over time, each in its own panel.
     States,
-    /// Figure of computing speed against accuracy, for every formulation, every [`Solve`] and every
+    /// Figure of computing speed against accuracy, for every formulation, every [`AccelerationSolution`] and every
     /// integration method.
     WorkPrecision,
     /// Heat map of the errors after passages near a singular surface of the equations.
@@ -131,7 +131,7 @@ pub struct Scene {
     /// First and last instant of the run, s. The last may be earlier than the first.
     pub span: (f64, f64),
     /// Parameters and start values to 32 digits, for reference runs.
-    pub exact: Exact,
+    pub exact: ExactStart,
     /// Settings of the integration: method, tolerances, steps, samples.
     pub integration: Integration,
     /// Further values of one coordinate or speed at the start, for stability tests; `None` if the file states none.
@@ -145,7 +145,7 @@ pub struct Scene {
     /// Events to detect during the run.
     pub events: Vec<SceneEvent>,
     /// Contacts at which bodies can meet and part during the run.
-    pub impacts: Vec<Impact>,
+    pub impacts: Vec<ImpactContact>,
     /// Figures to draw on the scene's page.
     pub figures: Vec<Figure>,
 }
@@ -174,7 +174,7 @@ const KEYS: [&str; 16] = [
 #[must_use]
 pub fn is_scene(source: &Source) -> bool {
     const OWN: [&str; 8] = ["start", "span", "integration", "outputs", "events", "impacts", "figures", "ladder"];
-    Reader::parse(source).is_ok_and(|(_, table)| OWN.iter().any(|key| table.get_ref().contains_key(*key)))
+    TomlReader::parse(source).is_ok_and(|(_, table)| OWN.iter().any(|key| table.get_ref().contains_key(*key)))
 }
 
 /// Path of the model file that a scene file belongs to: its key `model`, relative to the scene's
@@ -183,7 +183,7 @@ pub fn is_scene(source: &Source) -> bool {
 /// # Errors
 /// [`Diagnostics`] if the scene file is not TOML, or if its key `model` is not a string.
 pub fn model_path(source: &Source) -> Result<PathBuf, Diagnostics> {
-    let (mut reader, table) = Reader::parse(source)?;
+    let (mut reader, table) = TomlReader::parse(source)?;
     let stated = reader.get(table.get_ref(), "model").and_then(|v| reader.string(v, "`model`"));
     reader.finish()?;
     let folder = source.path.parent().unwrap_or(Path::new("."));
@@ -196,12 +196,12 @@ pub fn model_path(source: &Source) -> Result<PathBuf, Diagnostics> {
 /// # Errors
 /// [`Diagnostics`] with every error of the scene file.
 pub fn load(source: &Source, model: &mut Model) -> Result<Scene, Diagnostics> {
-    let (mut reader, table) = Reader::parse(source)?;
+    let (mut reader, table) = TomlReader::parse(source)?;
     let table = table.get_ref();
     reader.schema(table);
     reader.finish()?;
     let mut values = ValueReader::new(reader, model);
-    values.reader.allow(table, "a scene file", &KEYS);
+    values.reader.report_unknown_keys(table, "a scene file", &KEYS);
     let given = values.inputs(table);
     if given.bindings != values.model.bindings {
         let message = "this scene gives formulas to inputs, and has equations of its own, which are not shown beside those of others";
@@ -210,7 +210,7 @@ pub fn load(source: &Source, model: &mut Model) -> Result<Scene, Diagnostics> {
     let numbers = values.scene_numbers(table);
     let ladder = values.ladder(table, &numbers.p, &numbers.start.exact);
     let (outputs, states_outputs) = values.outputs(table);
-    let free = values.free(table);
+    let free = values.free_parameters(table);
     let events = values.events(table);
     let impacts = values.impacts(table, &numbers.coefficients);
     let figures = values.figures(table);
@@ -223,7 +223,7 @@ pub fn load(source: &Source, model: &mut Model) -> Result<Scene, Diagnostics> {
         source: source.clone(),
         title,
         about,
-        parameters: doubles(&numbers.p),
+        parameters: double_values(&numbers.p),
         q,
         u,
         closed,
@@ -244,7 +244,7 @@ impl Scene {
     /// Scenes of the ladder (the varied start value), one for each value, with the text "name = value".
     /// Without a ladder, the scene itself is the only entry.
     #[must_use]
-    pub fn rungs(&self) -> Vec<(String, Self)> {
+    pub fn ladder_scenes(&self) -> Vec<(String, Self)> {
         let Some(ladder) = &self.ladder else { return vec![("as it is".to_owned(), self.clone())] };
         let n = self.q.len();
         let rung = |value: &DoubleDouble| {
@@ -265,7 +265,7 @@ impl Scene {
 
     /// Warnings about start angles that were probably meant in degrees, one line each.
     #[must_use]
-    pub fn hints(&self, model: &Model) -> Vec<String> {
+    pub fn degree_warnings(&self, model: &Model) -> Vec<String> {
         let starts = model.coordinates.iter().zip(&self.q).filter(|(c, q)| c.looks_like_degrees(**q));
         let hint = |(c, q): (&Coordinate, &f64)| {
             format!("`{}` starts at {q} rad: if degrees are meant, write \"{q}*deg\"", c.name)
@@ -275,7 +275,7 @@ impl Scene {
 }
 
 /// Numeric values of a scene file: parameters, and the values that may depend on them.
-struct Numbers {
+struct SceneNumbers {
     /// Values of the parameters, in the order of the model.
     p: Vec<Number>,
     /// Coordinates and speeds at the start.
@@ -315,8 +315,8 @@ impl State {
 /// # Errors
 /// [`Diagnostics`] with every error of the state file.
 pub fn load_state(source: &Source, model: &mut Model) -> Result<State, Diagnostics> {
-    settings::inputs::bind(source, model)?;
-    let (reader, table) = Reader::parse(source)?;
+    settings::inputs::bind_inputs(source, model)?;
+    let (reader, table) = TomlReader::parse(source)?;
     let table = table.get_ref();
     let mut values = ValueReader::new(reader, model);
     values.state_file(table, &[]);
@@ -329,13 +329,13 @@ pub fn load_state(source: &Source, model: &mut Model) -> Result<State, Diagnosti
     let state = state.and_then(|state| values.state(table, state, parameters.as_deref()?));
     values.reader.finish()?;
     let Start { q, u, .. } = state.expect("reported if missing");
-    Ok(State { parameters: doubles(&parameters.expect("reported if missing")), q, u })
+    Ok(State { parameters: double_values(&parameters.expect("reported if missing")), q, u })
 }
 
 impl<'a> ValueReader<'a, '_> {
     /// Reads the parameters, start, span, integration settings and contact coefficients of a scene
     /// file. Errors are recorded in the reader.
-    fn scene_numbers(&mut self, table: &'a DeTable<'a>) -> Numbers {
+    fn scene_numbers(&mut self, table: &'a DeTable<'a>) -> SceneNumbers {
         let parameters = self.parameters(table);
         let span = self.span(table, parameters.as_deref().unwrap_or_default());
         self.instant = span.as_ref().map(|(from, _)| from.clone());
@@ -356,8 +356,8 @@ impl<'a> ValueReader<'a, '_> {
         let p = parameters.unwrap_or_default();
         let span = span.map(|(from, to)| (from.double, to.double));
         let integration = self.integration(table, &p);
-        let coefficients = self.coefficients(table, &p);
-        Numbers { coefficients, p, start: start.unwrap_or_default(), span, integration }
+        let coefficients = self.impact_coefficients(table, &p);
+        SceneNumbers { coefficients, p, start: start.unwrap_or_default(), span, integration }
     }
 
     /// Reads `span`: first and last instant, s. `None` after an error is reported.
@@ -410,10 +410,10 @@ impl<'a> ValueReader<'a, '_> {
     fn events(&mut self, table: &'a DeTable<'a>) -> Vec<SceneEvent> {
         let mut events: Vec<SceneEvent> = Vec::new();
         for (entry, value) in self.entries(table, "events") {
-            self.reader.allow(entry, "an event", &["name", "zero", "direction", "terminal", "about"]);
-            let name = self.reader.need(entry, "name", "an event", &value.span());
+            self.reader.report_unknown_keys(entry, "an event", &["name", "zero", "direction", "terminal", "about"]);
+            let name = self.reader.required(entry, "name", "an event", &value.span());
             let name = name.and_then(|v| self.reader.name(v, "an event's name"));
-            let zero = self.reader.need(entry, "zero", "an event", &value.span());
+            let zero = self.reader.required(entry, "zero", "an event", &value.span());
             let zero = zero.and_then(|v| self.reader.formula(v, "an event function"));
             let function = zero.and_then(|f| self.motion_formula(&f));
             let direction = self.choice(Some(entry), "direction", &["rising", "falling", "either"]);
@@ -441,8 +441,8 @@ impl<'a> ValueReader<'a, '_> {
     fn figures(&mut self, table: &'a DeTable<'a>) -> Vec<Figure> {
         let mut figures = Vec::new();
         for (entry, value) in self.entries(table, "figures") {
-            self.reader.allow(entry, "a figure", &["kind", "caption"]);
-            if self.reader.need(entry, "kind", "a figure", &value.span()).is_none() {
+            self.reader.report_unknown_keys(entry, "a figure", &["kind", "caption"]);
+            if self.reader.required(entry, "kind", "a figure", &value.span()).is_none() {
                 continue;
             }
             let name = self.choice(Some(entry), "kind", &FIGURES);

@@ -197,7 +197,7 @@ fn equal_numbers_beside_the_diagonal_are_one() {
         ])
     };
     let model = with("[0, \"0.5 kg*m\", 0, 0, 0, \"Ar\"]").unwrap_or_else(|e| panic!("{e}"));
-    assert_eq!(model.parameters.iter().filter(|p| p.unit.words() == "kg*m").count(), 2, "it, and Ayr");
+    assert_eq!(model.parameters.iter().filter(|p| p.unit.unit_words() == "kg*m").count(), 2, "it, and Ayr");
     let Err(error) = with("[0, \"0.6 kg*m\", 0, 0, 0, \"Ar\"]") else { panic!("this must not be accepted") };
     assert!(error.contains("entries 6, 2 and 2, 6 differ"), "{error}");
 }

@@ -6,7 +6,7 @@ use crate::figures;
 
 use figures::{CASES, Case, State};
 use std::path::Path;
-use tripos_derive::algebra::value::evaluate::Tape;
+use tripos_derive::algebra::value::tape::Tape;
 use tripos_derive::mechanics::{Derivation, Kinematics};
 use tripos_derive::{Formulation, Model, derive};
 

@@ -2,13 +2,14 @@
 
 use std::path::{Path, PathBuf};
 use tripos_derive::algebra::solve::elimination::Elimination;
-use tripos_derive::algebra::term::steps::{Definition, needed};
-use tripos_derive::algebra::text::print::text;
-use tripos_derive::algebra::value::evaluate::Tape;
+use tripos_derive::algebra::term::steps::{Definition, needed_steps};
+use tripos_derive::algebra::text::print::print_text;
+use tripos_derive::algebra::value::tape::Tape;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::{
-    Derivation, Solved, Unproved, Unsolved, certify, certify_inverse_dynamics, distances, in_distance,
+    Derivation, SolvedAccelerations, Unproved, Unsolved, certify_accelerations, certify_inverse_dynamics,
+    equations_in_distance, singular_distances,
 };
 use tripos_derive::{Equations, Formulation, Model, derive, model};
 
@@ -30,7 +31,7 @@ fn models() -> Vec<PathBuf> {
 }
 
 fn solved(arena: &mut Arena, equations: &Equations, what: &str) {
-    match Solved::new(arena, equations) {
+    match SolvedAccelerations::new(arena, equations) {
         Ok(solved) => assert_eq!(solved.certificate.primes.len(), 2, "{what}"),
         Err(why) => panic!("{what}: {why}"),
     }
@@ -45,13 +46,13 @@ fn every_model_of_the_library_is_proved() {
         for formulation in Formulation::ALL {
             let Ok(derivation) = derive(&model, formulation) else { continue };
             let what = format!("{} {}", path.display(), formulation.name());
-            for distance in distances(&model) {
-                let Derivation { mut arena, equations } = in_distance(&model, derivation.clone(), distance);
+            for distance in singular_distances(&model) {
+                let Derivation { mut arena, equations } = equations_in_distance(&model, derivation.clone(), distance);
                 solved(&mut arena, &equations, &format!("{what} in a distance"));
             }
             let Derivation { mut arena, equations } = derivation;
             solved(&mut arena, &equations, &what);
-            equations.with_inverse_dynamics(&mut arena).unwrap_or_else(|why| panic!("{what}: {why}"));
+            equations.with_certified_inverse_dynamics(&mut arena).unwrap_or_else(|why| panic!("{what}: {why}"));
         }
     }
 }
@@ -89,11 +90,11 @@ acceleration = [0, 0, "-g"]
 fn a_wrong_term_anywhere_is_found() {
     for formulation in Formulation::ALL {
         let (parameters, Derivation { mut arena, equations }) = pendulum(formulation);
-        let equations = equations.written(&mut arena);
-        let right = Solved::new(&mut arena, &equations).unwrap();
+        let equations = equations.with_definitions(&mut arena);
+        let right = SolvedAccelerations::new(&mut arena, &equations).unwrap();
         let twice = |arena: &mut Arena, e: Expr| arena.add(e, e);
         let rates = &equations.unknowns[..equations.variables.len()];
-        let used = needed(&arena, &right.accelerations.steps, rates);
+        let used = needed_steps(&arena, &right.accelerations.steps, rates);
         let inputs = [parameters.clone(), equations.coordinates.clone(), equations.variables.clone()].concat();
         let values: Vec<f64> = (0..inputs.len()).map(|at| 0.3 + 0.07 * at as f64).collect();
         let numbers = |arena: &Arena, steps: &[Definition]| {
@@ -107,9 +108,9 @@ fn a_wrong_term_anywhere_is_found() {
             // What cancels in the end changes nothing.
             let found = numbers(&arena, &wrong.steps);
             let is_changed = found.iter().zip(&expected).any(|(a, b)| (a - b).abs() > 1e-9);
-            let verdict = certify(&arena, &equations, &wrong, None);
+            let verdict = certify_accelerations(&arena, &equations, &wrong, None);
             let is_refused = matches!(verdict, Err(Unproved::Accelerations(_)));
-            assert_eq!(is_refused, is_changed, "{formulation:?}, {}: {verdict:?}", text(&arena, used[at].value));
+            assert_eq!(is_refused, is_changed, "{formulation:?}, {}: {verdict:?}", print_text(&arena, used[at].value));
             changes += usize::from(is_changed);
         }
         assert!(changes > 10, "{formulation:?}: {changes}");
@@ -118,10 +119,10 @@ fn a_wrong_term_anywhere_is_found() {
             let mut wrong = right.jacobian.clone();
             let entry = &mut wrong.entries[row][column];
             *entry = arena.add(*entry, Expr::ONE);
-            let found = certify(&arena, &equations, &right.accelerations, Some(&wrong));
+            let found = certify_accelerations(&arena, &equations, &right.accelerations, Some(&wrong));
             assert!(matches!(found, Err(Unproved::Jacobian(_))), "{formulation:?}, entry {row} {column}: {found:?}");
         }
-        let mut inverse = equations.clone().with_inverse_dynamics(&mut arena).unwrap();
+        let mut inverse = equations.clone().with_certified_inverse_dynamics(&mut arena).unwrap();
         for at in 0..inverse.required.len() {
             let right = inverse.required[at];
             inverse.required[at] = arena.add(right, Expr::ONE);
@@ -135,10 +136,10 @@ fn a_wrong_term_anywhere_is_found() {
 #[test]
 fn accelerations_of_other_equations_are_refused() {
     let (_, Derivation { mut arena, mut equations }) = pendulum(Formulation::Kane);
-    let right = Solved::new(&mut arena, &equations).unwrap().accelerations;
+    let right = SolvedAccelerations::new(&mut arena, &equations).unwrap().accelerations;
     let entry = equations.matrix[1][1];
     equations.matrix[1][1] = arena.add(entry, Expr::ONE);
-    let why = certify(&arena, &equations, &right, None).unwrap_err();
+    let why = certify_accelerations(&arena, &equations, &right, None).unwrap_err();
     assert_eq!(why, Unproved::Accelerations(1));
     assert!(Unsolved::from(why).to_string().contains("row 2 of the equations of motion"));
 }
@@ -163,12 +164,16 @@ fn a_net_of_springs_is_proved() {
     let model = model::load(&Source::from_text("net.toml", &text)).unwrap_or_else(|e| panic!("{e}"));
     for formulation in [Formulation::Kane, Formulation::Lagrange] {
         let Derivation { mut arena, equations } = derive(&model, formulation).unwrap();
-        let equations = equations.written(&mut arena);
-        let right = Solved::new(&mut arena, &equations).unwrap_or_else(|why| panic!("{formulation:?}: {why}"));
+        let equations = equations.with_definitions(&mut arena);
+        let right =
+            SolvedAccelerations::new(&mut arena, &equations).unwrap_or_else(|why| panic!("{formulation:?}: {why}"));
         let mut wrong = right.jacobian.clone();
         let entry = &mut wrong.entries[12][0];
         *entry = arena.add(*entry, Expr::ONE);
-        assert!(certify(&arena, &equations, &right.accelerations, Some(&wrong)).is_err(), "{formulation:?}");
-        equations.with_inverse_dynamics(&mut arena).unwrap_or_else(|why| panic!("{formulation:?}: {why}"));
+        assert!(
+            certify_accelerations(&arena, &equations, &right.accelerations, Some(&wrong)).is_err(),
+            "{formulation:?}"
+        );
+        equations.with_certified_inverse_dynamics(&mut arena).unwrap_or_else(|why| panic!("{formulation:?}: {why}"));
     }
 }

@@ -3,11 +3,11 @@
 use crate::chain;
 
 use chain::{by_hand, chain};
-use tripos_derive::algebra::form::simplify::cost_of_all;
+use tripos_derive::algebra::form::simplify::operation_count_of_all;
 use tripos_derive::algebra::term::calculus::Substitution;
 use tripos_derive::algebra::text::parse::parse_free;
-use tripos_derive::algebra::text::print::text;
-use tripos_derive::algebra::value::modular::{ZeroTest, zero_test};
+use tripos_derive::algebra::text::print::print_text;
+use tripos_derive::algebra::value::zero_test::{ZeroTest, zero_test};
 use tripos_derive::algebra::{Arena, Expr, Function, Node};
 use tripos_derive::mechanics::{Derivation, Equations, derive_all};
 use tripos_derive::prove::prove;
@@ -21,7 +21,7 @@ fn entries(e: &Equations) -> Vec<Expr> {
 
 /// (operations with 4 for a sine or cosine, operations with 1 for it)
 fn operations(arena: &Arena, list: &[Expr]) -> (usize, usize) {
-    let weighted = cost_of_all(arena, list);
+    let weighted = operation_count_of_all(arena, list);
     let functions = arena.reachable(list).into_iter().filter(|e| matches!(arena.node(*e), Node::Apply(..))).count();
     assert!(arena.reachable(list).into_iter().all(|e| match arena.node(e) {
         Node::Apply(f, _) => matches!(f, Function::Sin | Function::Cos),
@@ -46,7 +46,7 @@ fn chains_have_the_equations_worked_by_hand() {
                 let got = as_speeds.apply(&mut arena, got);
                 let right = parse_free(&mut arena, &expected).unwrap();
                 let difference = arena.sub(got, right);
-                let what = || format!("{n} {formulation:?}: {} is not {expected}", text(&arena, got));
+                let what = || format!("{n} {formulation:?}: {} is not {expected}", print_text(&arena, got));
                 assert_eq!(zero_test(&arena, difference), ZeroTest::Zero, "{}", what());
             }
         }

@@ -4,7 +4,7 @@
 use crate::printed_forms::CART;
 use tripos_derive::Model;
 use tripos_derive::diagnostic::Source;
-use tripos_derive::diff::{Derived, ModelDifference, diff_models};
+use tripos_derive::diff::{DerivedModel, ModelDifference, diff_models};
 use tripos_derive::mechanics::derive_all;
 use tripos_derive::model::load;
 
@@ -22,8 +22,8 @@ fn edited(edits: &[(&str, &str)]) -> ModelDifference {
     let (old, new) = (read(CART), read(&text));
     let (mut before, mut after) = (derive_all(&old).unwrap(), derive_all(&new).unwrap());
     diff_models(
-        &mut Derived { model: &old, derivations: &mut before, proof: None },
-        &mut Derived { model: &new, derivations: &mut after, proof: None },
+        &mut DerivedModel { model: &old, derivations: &mut before, proof: None },
+        &mut DerivedModel { model: &new, derivations: &mut after, proof: None },
     )
 }
 

@@ -4,7 +4,7 @@
 //! *Principles of Structural Stability*, 1968, § 2.3), a magnetic force does no work.
 
 use crate::common::read;
-use tripos_derive::check::{Effect, LoadEffect, check};
+use tripos_derive::check::{EnergyEffect, LoadEffect, check};
 
 /// Effects of loads on a particle in a plane, in Cartesian coordinates.
 fn particle(loads: &str) -> Vec<LoadEffect> {
@@ -24,7 +24,7 @@ fn effects(text: &str) -> Vec<LoadEffect> {
 }
 
 /// Effect of the only load of a particle, with these components.
-fn effect(x: &str, y: &str) -> (Effect, String) {
+fn effect(x: &str, y: &str) -> (EnergyEffect, String) {
     let list = particle(&format!("[forces.load]\non = \"p\"\nframe = \"N\"\nvector = [\"{x}\", \"{y}\", 0]\n"));
     assert_eq!(list.len(), 1);
     (list[0].effect, list[0].why.clone())
@@ -42,33 +42,33 @@ fn dampers_dissipate_in_any_direction() {
         ("-c*u + 3*c*v", "-c*v - 3*c*u"),
         ("-c*(k*x/F)^2*u", "-c*(1 + cos(k*x/F)^2)*v"),
     ] {
-        assert_eq!(effect(x, y), (Effect::Dissipates, String::new()), "{x}, {y}");
+        assert_eq!(effect(x, y), (EnergyEffect::Dissipates, String::new()), "{x}, {y}");
     }
 }
 
 #[test]
 fn negative_dampers_are_found_with_a_state_in_which_they_work() {
-    assert_eq!(effect("-e*u", "0"), (Effect::Creates, "it adds energy at u = 1".to_owned()));
-    assert_eq!(effect("0", "c*v").0, Effect::Creates);
+    assert_eq!(effect("-e*u", "0"), (EnergyEffect::Creates, "it adds energy at u = 1".to_owned()));
+    assert_eq!(effect("0", "c*v").0, EnergyEffect::Creates);
     // −c (u² + 3 u v + v²) is positive at u = −v.
-    assert_eq!(effect("-c*u - 3*c*v", "-c*v").0, Effect::Creates);
+    assert_eq!(effect("-c*u - 3*c*v", "-c*v").0, EnergyEffect::Creates);
     // Negative beyond x = 1 alone, as van der Pol's inside.
     let (effect, why) = effect("c*(1 - (k*x/F)^2)*u", "0");
-    assert_eq!((effect, why.as_str()), (Effect::Creates, "it adds energy at u = 1"));
+    assert_eq!((effect, why.as_str()), (EnergyEffect::Creates, "it adds energy at u = 1"));
 }
 
 #[test]
 fn potentials_and_loads_without_power_keep_energy() {
     for (x, y) in [("-k*x", "-k*y"), ("F", "2*F"), ("-k*y", "-k*x"), ("c*v", "-c*u"), ("c*v - k*x", "-c*u")] {
-        assert_eq!(effect(x, y), (Effect::Keeps, String::new()), "{x}, {y}");
+        assert_eq!(effect(x, y), (EnergyEffect::Keeps, String::new()), "{x}, {y}");
     }
 }
 
 #[test]
 fn circulatory_forces_are_found_by_their_curl() {
-    assert_eq!(effect("-k*y", "k*x"), (Effect::Creates, "its work depends on the way".to_owned()));
+    assert_eq!(effect("-k*y", "k*x"), (EnergyEffect::Creates, "its work depends on the way".to_owned()));
     // A damper beside it does not hide it.
-    assert_eq!(effect("-k*y - c*u", "k*x - c*v").0, Effect::Creates);
+    assert_eq!(effect("-k*y - c*u", "k*x - c*v").0, EnergyEffect::Creates);
 }
 
 /// Goal: a force that follows its rod. Method: Ziegler's column of two rods, with a load along the last.
@@ -84,8 +84,8 @@ fn a_follower_force_can_create_energy_and_a_dead_load_cannot() {
              \"{frame}\"\nvector = [\"-F\", 0, 0]\n"
         ))
     };
-    assert_eq!(column("B")[0].effect, Effect::Creates);
-    assert_eq!(column("N")[0].effect, Effect::Keeps);
+    assert_eq!(column("B")[0].effect, EnergyEffect::Creates);
+    assert_eq!(column("N")[0].effect, EnergyEffect::Keeps);
 }
 
 #[test]
@@ -95,7 +95,10 @@ fn friction_dissipates_and_an_input_does_what_it_is_told() {
          \"p\"\nframe = \"N\"\nvector = [\"-F*u/sqrt(u^2 + v^2 + s0^2)\", \"-F*v/sqrt(u^2 + v^2 + s0^2)\", 0]\n",
     );
     let known: Vec<_> = list.iter().map(|l| (l.load.as_str(), l.effect, l.why.as_str())).collect();
-    assert_eq!(known, [("push", Effect::Creates, "the input `f` drives it"), ("dry", Effect::Dissipates, "")]);
+    assert_eq!(
+        known,
+        [("push", EnergyEffect::Creates, "the input `f` drives it"), ("dry", EnergyEffect::Dissipates, "")]
+    );
 }
 
 /// Goal: loads that only together dissipate are not called what each is alone.
@@ -103,10 +106,10 @@ fn friction_dissipates_and_an_input_does_what_it_is_told() {
 fn a_stronger_damper_covers_a_negative_one() {
     let force = |name: &str, x: &str| format!("[forces.{name}]\non = \"p\"\nframe = \"N\"\nvector = [\"{x}\", 0, 0]\n");
     let both = particle(&(force("fed", "c*u") + &force("damped", "-2*c*u")));
-    assert_eq!(both.iter().map(|l| l.effect).collect::<Vec<_>>(), [Effect::Dissipates; 2]);
+    assert_eq!(both.iter().map(|l| l.effect).collect::<Vec<_>>(), [EnergyEffect::Dissipates; 2]);
     assert_eq!(both[0].why, "together with the other loads");
     let weaker = particle(&(force("fed", "c*u") + &force("damped", "-c*u/2")));
-    assert_eq!(weaker.iter().map(|l| l.effect).collect::<Vec<_>>(), [Effect::Creates, Effect::Dissipates]);
+    assert_eq!(weaker.iter().map(|l| l.effect).collect::<Vec<_>>(), [EnergyEffect::Creates, EnergyEffect::Dissipates]);
 }
 
 /// Goal: a damper between points of turning bodies takes energy, however its length depends on their angles. Truth:
@@ -114,10 +117,10 @@ fn a_stronger_damper_covers_a_negative_one() {
 #[test]
 fn a_spring_with_a_damper_takes_energy_between_any_points() {
     for (joint, damping, expected) in [
-        ("kind = \"pin\", axis = 3", "c", Effect::Dissipates),
-        ("kind = \"universal\"", "c", Effect::Dissipates),
-        ("kind = \"slider\", axis = 2", "2*c", Effect::Dissipates),
-        ("kind = \"pin\", axis = 1", "-c", Effect::Creates),
+        ("kind = \"pin\", axis = 3", "c", EnergyEffect::Dissipates),
+        ("kind = \"universal\"", "c", EnergyEffect::Dissipates),
+        ("kind = \"slider\", axis = 2", "2*c", EnergyEffect::Dissipates),
+        ("kind = \"pin\", axis = 1", "-c", EnergyEffect::Creates),
     ] {
         let list = effects(&format!(
             "name = \"arms\"\n[parameters]\nm = {{ unit = \"kg\", value = 2, positive = true }}\nl = {{ unit = \"m\", value = 0.4, positive = true }}\n\
@@ -136,5 +139,5 @@ fn a_spring_with_a_damper_takes_energy_between_any_points() {
 #[test]
 fn what_is_not_proved_is_not_claimed() {
     // −c u tanh(u) takes energy, and no rule here says so.
-    assert_eq!(effect("-F*tanh(u/s0)", "0").0, Effect::Undecided);
+    assert_eq!(effect("-F*tanh(u/s0)", "0").0, EnergyEffect::Undecided);
 }

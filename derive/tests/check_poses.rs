@@ -11,8 +11,8 @@ use std::fmt::Write;
 use std::path::Path;
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::term::calculus::Differential;
-use tripos_derive::algebra::value::evaluate::Tape;
-use tripos_derive::check::{Check, check};
+use tripos_derive::algebra::value::tape::Tape;
+use tripos_derive::check::{ModelCheck, check};
 use tripos_derive::model::Model;
 
 fn of_library(name: &str) -> String {
@@ -20,13 +20,13 @@ fn of_library(name: &str) -> String {
     std::fs::read_to_string(path).unwrap()
 }
 
-fn checked(text: &str) -> Check {
+fn checked(text: &str) -> ModelCheck {
     let model = read(text).unwrap_or_else(|e| panic!("{e}"));
     check(&model).unwrap_or_else(|e| panic!("{}", model.diagnose(&e)))
 }
 
 /// The linkage of the library with other lengths: crank, coupler, rocker, ground.
-fn four_bar(lengths: [f64; 4]) -> Check {
+fn four_bar(lengths: [f64; 4]) -> ModelCheck {
     let mut text = of_library("four_bar");
     for ((name, old), new) in [("a", "0.3"), ("b", "0.8"), ("c", "0.6"), ("d", "0.7")].iter().zip(lengths) {
         let stated = format!("\n{name} = {{ unit = \"m\", value = {old},");

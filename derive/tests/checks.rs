@@ -8,7 +8,7 @@ use crate::common::read;
 use std::fmt::Write;
 use std::path::Path;
 use tripos_derive::Model;
-use tripos_derive::check::{Check, check};
+use tripos_derive::check::{ModelCheck, check};
 
 fn of_library(name: &str) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models").join(name).join("model.toml");
@@ -19,18 +19,18 @@ fn loaded(text: &str) -> Model {
     read(text).unwrap_or_else(|e| panic!("{e}"))
 }
 
-fn checked(text: &str) -> Check {
+fn checked(text: &str) -> ModelCheck {
     let model = loaded(text);
     check(&model).unwrap_or_else(|e| panic!("{}", model.diagnose(&e)))
 }
 
 /// (coordinates, degrees of freedom, freedom of configuration).
-fn freedoms(found: &Check) -> (usize, usize, Option<usize>) {
+fn freedoms(found: &ModelCheck) -> (usize, usize, Option<usize>) {
     (found.coordinates, found.degrees_of_freedom, found.configuration_freedom)
 }
 
 /// (name, integrable, redundant) of each constraint.
-fn constraints(found: &Check) -> Vec<(&str, Option<bool>, bool)> {
+fn constraints(found: &ModelCheck) -> Vec<(&str, Option<bool>, bool)> {
     found.constraints.iter().map(|c| (c.name.as_str(), c.integrable, c.redundant)).collect()
 }
 
@@ -101,7 +101,7 @@ fn a_bicycle_has_three_velocities_and_seven_coordinates_to_choose() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/whipple_bicycle/model.toml");
     let found = checked(&std::fs::read_to_string(path).unwrap());
     assert_eq!(freedoms(&found), (8, 3, Some(7)));
-    let count = |of: fn(&&tripos_derive::check::Checked) -> bool| found.constraints.iter().filter(of).count();
+    let count = |of: fn(&&tripos_derive::check::CheckedConstraint) -> bool| found.constraints.iter().filter(of).count();
     assert_eq!((count(|c| c.integrable == Some(false)), count(|c| c.redundant)), (4, 2), "{:?}", found.constraints);
 }
 

@@ -3,10 +3,12 @@
 use expect_test::expect;
 use std::f64::consts::{PI, TAU};
 use std::fmt::Write;
-use tripos_derive::algebra::solve::closed::{Branch, Kind, Need, Relation, Solutions, solve};
+use tripos_derive::algebra::solve::closed::{
+    Branch, Condition, Relation, RelationKind, Solutions, solve_in_closed_form,
+};
 use tripos_derive::algebra::text::parse::parse_free;
-use tripos_derive::algebra::text::print::text;
-use tripos_derive::algebra::value::evaluate::Tape;
+use tripos_derive::algebra::text::print::print_text;
+use tripos_derive::algebra::value::tape::Tape;
 use tripos_derive::algebra::{Arena, Expr};
 
 /// A system with its solutions; a, b, c, d are positive, k is anything.
@@ -25,7 +27,7 @@ fn case(equations: &[&str], unknowns: &[&str], asked: usize) -> Case {
     }
     let equations: Vec<Expr> = equations.iter().map(|e| parse_free(&mut arena, e).unwrap()).collect();
     let unknowns: Vec<Expr> = unknowns.iter().map(|name| arena.symbol(name)).collect();
-    let found = solve(&mut arena, &equations, &unknowns, asked, &[]);
+    let found = solve_in_closed_form(&mut arena, &equations, &unknowns, asked, &[]);
     Case { arena, equations, unknowns, found }
 }
 
@@ -34,14 +36,14 @@ fn told(case: &Case) -> String {
     let mut out = String::new();
     for branch in &case.found.branches {
         for Relation { kind, angle, value, .. } in &branch.solved {
-            let _ = write!(out, "{kind:?} {} = {}; ", text(a, *angle), text(a, *value));
+            let _ = write!(out, "{kind:?} {} = {}; ", print_text(a, *angle), print_text(a, *value));
         }
         for need in &branch.needs {
-            let kind = if matches!(need, Need::Unit(_)) { "unit" } else { "not negative" };
-            let _ = write!(out, "{kind} {}; ", text(a, need.term()));
+            let kind = if matches!(need, Condition::Unit(_)) { "unit" } else { "not negative" };
+            let _ = write!(out, "{kind} {}; ", print_text(a, need.term()));
         }
-        branch.divided_by.iter().for_each(|e| write!(out, "not 0 {}; ", text(a, *e)).unwrap());
-        branch.left.iter().for_each(|e| write!(out, "left {}; ", text(a, *e)).unwrap());
+        branch.divided_by.iter().for_each(|e| write!(out, "not 0 {}; ", print_text(a, *e)).unwrap());
+        branch.left.iter().for_each(|e| write!(out, "left {}; ", print_text(a, *e)).unwrap());
         out = out.trim_end().to_owned();
         out.push('\n');
     }
@@ -80,13 +82,13 @@ impl Case {
                 let with = |x: f64| list.iter().copied().chain([(relation.unknown, x)]).collect::<Vec<_>>();
                 let scale = |angle: f64| angle / self.at(&[relation.angle], &with(1.0))[0];
                 let values = match (relation.kind, partner) {
-                    (Kind::Sine, Some(cosine)) => vec![scale(x.atan2(self.at(&[cosine.value], list)[0]))],
+                    (RelationKind::Sine, Some(cosine)) => vec![scale(x.atan2(self.at(&[cosine.value], list)[0]))],
                     (_, Some(sine)) => vec![scale(self.at(&[sine.value], list)[0].atan2(x))],
-                    (Kind::Value, _) => vec![x],
-                    (Kind::Square, _) => vec![x.sqrt(), -x.sqrt()],
-                    (Kind::Sine, _) => vec![scale(x.asin()), scale(PI - x.asin())],
-                    (Kind::Cosine, _) => vec![scale(x.acos()), scale(-x.acos())],
-                    (Kind::Tangent, _) => vec![scale(x.atan()), scale(x.atan() + PI)],
+                    (RelationKind::Value, _) => vec![x],
+                    (RelationKind::Square, _) => vec![x.sqrt(), -x.sqrt()],
+                    (RelationKind::Sine, _) => vec![scale(x.asin()), scale(PI - x.asin())],
+                    (RelationKind::Cosine, _) => vec![scale(x.acos()), scale(-x.acos())],
+                    (RelationKind::Tangent, _) => vec![scale(x.atan()), scale(x.atan() + PI)],
                 };
                 values.into_iter().filter(|x| x.is_finite()).map(with).collect()
             };
@@ -95,8 +97,8 @@ impl Case {
         let needs: Vec<Expr> = branch.needs.iter().map(|need| need.term()).collect();
         let met = |list: &Vec<(Expr, f64)>| {
             branch.needs.iter().zip(self.at(&needs, list)).all(|(need, x)| match need {
-                Need::NotNegative(_) => x >= 0.0,
-                Need::Unit(_) => x.abs() <= 1.0,
+                Condition::NotNegative(_) => x >= 0.0,
+                Condition::Unit(_) => x.abs() <= 1.0,
             })
         };
         lists.retain(met);

@@ -6,8 +6,8 @@
 use crate::common::read;
 use std::fmt::Write;
 use std::path::Path;
-use tripos_derive::algebra::text::print::text;
-use tripos_derive::algebra::value::evaluate::Tape;
+use tripos_derive::algebra::text::print::print_text;
+use tripos_derive::algebra::value::tape::Tape;
 use tripos_derive::mechanics::{Derivations, Formulation, derive_all};
 use tripos_derive::model::{Model, ReactionKind};
 use tripos_derive::prove::{Proof, prove};
@@ -103,7 +103,7 @@ fn the_ground_holds_a_disc_on_an_incline() {
     let equations = derivations.get(Formulation::Kane).unwrap().clone();
     let arena = &mut derivations.kinematics.arena;
     let rate = arena.div(equations.forcing[0], equations.matrix[0][0]).unwrap();
-    assert_eq!(text(arena, rate), "2*g*sin(alpha)/3");
+    assert_eq!(print_text(arena, rate), "2*g*sin(alpha)/3");
     let names: Vec<&str> = proof.reactions.iter().map(|r| r.name.as_str()).collect();
     assert_eq!(names, ["disc_force_n1", "disc_force_n2"]);
     let acceleration = 2.0 / 3.0 * 9.81 * f64::sin(0.4);

@@ -8,12 +8,12 @@ use crate::differences::solved;
 use std::collections::BTreeMap;
 use tripos_derive::algebra::Arena;
 use tripos_derive::algebra::meaning::compare::{Verdict, Witness};
-use tripos_derive::algebra::meaning::permitted::Permitted;
+use tripos_derive::algebra::meaning::permitted_states::PermittedStates;
 use tripos_derive::algebra::text::parse::parse_free;
-use tripos_derive::algebra::text::print::text;
-use tripos_derive::algebra::value::evaluate::Tape;
+use tripos_derive::algebra::text::print::print_text;
+use tripos_derive::algebra::value::tape::Tape;
 use tripos_derive::diagnostic::Source;
-use tripos_derive::diff::{Difference, Finding, diff};
+use tripos_derive::diff::{Difference, Finding, judge_publication};
 use tripos_derive::mechanics::{Derivations, derive_all};
 use tripos_derive::model::load;
 use tripos_derive::prove::prove;
@@ -27,10 +27,11 @@ struct Judged {
 fn judge(model: &str, publication: &str) -> Judged {
     let mut model = load(&Source::from_text("model.toml", model)).unwrap_or_else(|e| panic!("{e}"));
     let source = Source::from_text("publication.toml", publication);
-    let publication = publication::load(&source, &mut model).unwrap_or_else(|e| panic!("{e}\n{publication}"));
+    let publication =
+        publication::load_publication(&source, &mut model).unwrap_or_else(|e| panic!("{e}\n{publication}"));
     let mut derivations = derive_all(&model).unwrap();
     let proof = prove(&model, &mut derivations);
-    let difference = diff(&model, &mut derivations, &publication, &proof);
+    let difference = judge_publication(&model, &mut derivations, &publication, &proof);
     Judged { derivations, difference }
 }
 
@@ -213,8 +214,8 @@ fn an_energy_on_a_circle_is_judged_there() {
     let wrong = judged.finding("T-wrong");
     let arena = &judged.derivations.kinematics.arena;
     assert_eq!(wrong.judgement.word(), "different");
-    assert_eq!(text(arena, wrong.derived.unwrap()), "m*v^2/2");
-    assert_eq!(text(arena, wrong.factor.unwrap()), "2");
+    assert_eq!(print_text(arena, wrong.derived.unwrap()), "m*v^2/2");
+    assert_eq!(print_text(arena, wrong.factor.unwrap()), "2");
 }
 
 #[test]
@@ -236,8 +237,8 @@ fn euler_parameters_have_length_one() {
     assert_eq!(wrong.judgement.word(), "different");
     let arena = &judged.derivations.kinematics.arena;
     // 2 (q3 q4 − q1 q2), not divided by the squared length.
-    assert!(!text(arena, wrong.derived.unwrap()).contains('/'));
-    assert_eq!(text(arena, wrong.factor.unwrap()), "-1");
+    assert!(!print_text(arena, wrong.derived.unwrap()).contains('/'));
+    assert_eq!(print_text(arena, wrong.factor.unwrap()), "-1");
     let at = state(wrong.witness.as_ref().unwrap());
     let length: f64 = ["q1", "q2", "q3", "q4"].iter().map(|q| at[*q].powi(2)).sum();
     assert!((length - 1.0).abs() < 1e-12, "{at:?}");
@@ -461,7 +462,7 @@ fn random_formulas_on_random_curves_are_judged_as_their_values_are() {
         let phi = parse_free(&mut arena, curve).unwrap();
         let [fx, fy] = [x, y].map(|s| {
             let slope = tripos_derive::algebra::term::calculus::Differential::partial(s).apply(&mut arena, phi);
-            text(&arena, slope)
+            print_text(&arena, slope)
         });
         let rate = format!("(({fx})*x' + ({fy})*y')");
         let k = dice.pick(&["1", "2", "1/3", "m", "x/l", "y^2", "cos(x)"]);
@@ -590,8 +591,8 @@ fn an_equality_may_need_the_constraints_and_the_domain() {
     let mut arena = Arena::new();
     let [a, b] = ["a", "b"].map(|name| arena.symbol(name));
     let root = parse_free(&mut arena, "sqrt(b^2)").unwrap();
-    let mut permitted = Permitted::new(&mut arena, vec![(b, a)], vec![a]);
-    let views = permitted.views(&mut arena, root, a).unwrap();
+    let mut permitted = PermittedStates::new(&mut arena, vec![(b, a)], vec![a]);
+    let views = permitted.rewritten_sides(&mut arena, root, a).unwrap();
     let equal: Vec<(bool, bool)> = views
         .iter()
         .filter(|view| view.sides.0 == view.sides.1)

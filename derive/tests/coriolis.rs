@@ -6,7 +6,7 @@
 use crate::publications::load_text;
 use std::path::Path;
 use tripos_derive::Model;
-use tripos_derive::diff::{Difference, diff};
+use tripos_derive::diff::{Difference, judge_publication};
 use tripos_derive::mechanics::derive_all;
 use tripos_derive::prove::prove;
 
@@ -16,7 +16,7 @@ fn judged(publication: &str) -> Difference {
     let publication = load_text(publication, &mut model).unwrap_or_else(|e| panic!("{e}"));
     let mut derivations = derive_all(&model).unwrap();
     let proof = prove(&model, &mut derivations);
-    diff(&model, &mut derivations, &publication, &proof)
+    judge_publication(&model, &mut derivations, &publication, &proof)
 }
 
 /// The verdicts of a matrix C with these claims, in words.

@@ -1,10 +1,10 @@
 //! Verdicts of `diff` on printed equations.
 
 use tripos_derive::algebra::meaning::compare::Verdict;
-use tripos_derive::algebra::text::print::text;
-use tripos_derive::algebra::value::evaluate::Tape;
+use tripos_derive::algebra::text::print::print_text;
+use tripos_derive::algebra::value::tape::Tape;
 use tripos_derive::diagnostic::Source;
-use tripos_derive::diff::{Difference, Finding, Judgement, diff, printed_equations};
+use tripos_derive::diff::{Difference, Finding, Judgement, judge_publication, printed_equations};
 use tripos_derive::mechanics::{Derivations, derive_all};
 use tripos_derive::prove::{Proof, prove};
 use tripos_derive::{Model, model, publication};
@@ -18,10 +18,10 @@ struct Judged {
 }
 
 fn judge(mut model: Model, source: &Source) -> Judged {
-    let publication = publication::load(source, &mut model).unwrap_or_else(|errors| panic!("{errors}"));
+    let publication = publication::load_publication(source, &mut model).unwrap_or_else(|errors| panic!("{errors}"));
     let mut derivations = derive_all(&model).unwrap();
     let proof = prove(&model, &mut derivations);
-    let difference = diff(&model, &mut derivations, &publication, &proof);
+    let difference = judge_publication(&model, &mut derivations, &publication, &proof);
     Judged { model, derivations, proof, publication, difference }
 }
 
@@ -38,7 +38,7 @@ impl Judged {
 
     fn difference_of(&self, id: &str) -> String {
         let difference = self.finding(id).difference.unwrap_or_else(|| panic!("{id} has no difference"));
-        text(&self.derivations.kinematics.arena, difference)
+        print_text(&self.derivations.kinematics.arena, difference)
     }
 }
 
@@ -187,7 +187,7 @@ fn energy_alone_does_not_certify_equations() {
     // The printed matrix of Kane's method is the derived one, and regular in every state.
     let (printed, _, verdict) = of("kane-final").determinant.as_ref().unwrap();
     assert!(verdict.is_equal());
-    assert_eq!(text(&judged.derivations.kinematics.arena, *printed), "R^2*(4*cos(q2)^2 - 5)");
+    assert_eq!(print_text(&judged.derivations.kinematics.arena, *printed), "R^2*(4*cos(q2)^2 - 5)");
 }
 
 #[test]
@@ -237,7 +237,7 @@ fn a_value_off_by_a_factor_is_different_and_the_factor_is_named() {
     assert_eq!(judged.finding("T").judgement, Judgement::Equal, "q' and u are one");
     let v = judged.finding("V");
     assert_eq!(v.judgement, Judgement::Different);
-    assert_eq!(text(&judged.derivations.kinematics.arena, v.factor.unwrap()), "-1");
+    assert_eq!(print_text(&judged.derivations.kinematics.arena, v.factor.unwrap()), "-1");
 }
 
 /// Errors are counted where they are made: a named symbol is what is derived, not what another line prints for it.

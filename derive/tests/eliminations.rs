@@ -1,15 +1,17 @@
 //! Accelerations that were solved for at derivation time, against the equations they come from, by meaning.
 
 use std::fmt::Write;
-use tripos_derive::algebra::form::simplify::{Simplifier, cost_of_all};
+use tripos_derive::algebra::form::simplify::{Simplifier, operation_count_of_all};
 use tripos_derive::algebra::solve::elimination::Elimination;
 use tripos_derive::algebra::term::calculus::{Differential, Substitution};
 use tripos_derive::algebra::term::steps::Definition;
-use tripos_derive::algebra::text::print::text;
-use tripos_derive::algebra::value::modular::{ZeroTest, zero_test};
+use tripos_derive::algebra::text::print::print_text;
+use tripos_derive::algebra::value::zero_test::{ZeroTest, zero_test};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diagnostic::Source;
-use tripos_derive::mechanics::{Derivation, Distance, accelerations, distances, in_distance, jacobian};
+use tripos_derive::mechanics::{
+    Derivation, SingularDistance, accelerations, equations_in_distance, jacobian, singular_distances,
+};
 use tripos_derive::{Formulation, Model, derive, model};
 
 const MODELS: [&str; 10] = [
@@ -85,7 +87,7 @@ fn the_disk_ends_in_a_closed_form_that_divides_by_three_things() {
         let mut derivation = derive(&model, formulation).unwrap();
         let solution = solved(&mut derivation);
         assert_eq!(solution.steps.len(), 5, "no intermediate quantities: {formulation:?}");
-        let divisors: Vec<String> = solution.divisors.iter().map(|e| text(&derivation.arena, *e)).collect();
+        let divisors: Vec<String> = solution.divisors.iter().map(|e| print_text(&derivation.arena, *e)).collect();
         // 4 cos² − 5 is −(1 + 4 sin²).
         assert_eq!(divisors, ["cos(q2)", "R", "4*cos(q2)^2 - 5"], "{formulation:?}");
     }
@@ -121,8 +123,11 @@ fn the_jacobian_is_the_derivative() {
 
 #[test]
 fn the_disk_is_worth_a_distance_from_lying_flat() {
-    assert_eq!(distances(&read("models/disk/model.toml")), [Distance { coordinate: 1, quarter_turns: 1 }]);
-    assert_eq!(distances(&read("models/cart_pendulum_3/model.toml")), []);
+    assert_eq!(
+        singular_distances(&read("models/disk/model.toml")),
+        [SingularDistance { coordinate: 1, quarter_turns: 1 }]
+    );
+    assert_eq!(singular_distances(&read("models/cart_pendulum_3/model.toml")), []);
 }
 
 /// Goal: equations in a distance are the same equations. Method: put q2 − 90° back for the distance; zero tests.
@@ -130,10 +135,10 @@ fn the_disk_is_worth_a_distance_from_lying_flat() {
 fn equations_in_a_distance_mean_the_same() {
     let model = read("models/disk/model.toml");
     for quarter_turns in [1, -1, 2] {
-        let distance = Distance { coordinate: 1, quarter_turns };
+        let distance = SingularDistance { coordinate: 1, quarter_turns };
         for formulation in Formulation::ALL {
             let plain = derive(&model, formulation).unwrap();
-            let Derivation { mut arena, equations } = in_distance(&model, plain.clone(), distance);
+            let Derivation { mut arena, equations } = equations_in_distance(&model, plain.clone(), distance);
             let pi = arena.pi();
             let half = arena.ratio(i64::from(quarter_turns), 2);
             let origin = arena.mul(half, pi);
@@ -177,7 +182,7 @@ fn operations_of_a_chain_grow_as_those_of_a_factorization() {
         let mut derivation = derive(&chain(n), Formulation::Kane).unwrap();
         let solution = solved(&mut derivation);
         let values: Vec<Expr> = solution.steps.iter().map(|step| step.value).collect();
-        cost_of_all(&derivation.arena, &values)
+        operation_count_of_all(&derivation.arena, &values)
     };
     let (five, ten) = (operations(5), operations(10));
     assert!(ten < 10 * five, "{five} operations for 5 links, {ten} for 10");

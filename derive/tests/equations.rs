@@ -4,7 +4,7 @@ use expect_test::{Expect, expect};
 use std::fmt::Write;
 use std::path::Path;
 use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::text::print::text;
+use tripos_derive::algebra::text::print::print_text;
 use tripos_derive::{Formulation, Model, derive};
 
 /// The entries that are not zero, upper triangle where symmetric.
@@ -18,12 +18,12 @@ fn check(model: &str, formulation: Formulation, expected: Expect) {
     for (i, row) in e.matrix.iter().enumerate() {
         for (j, entry) in row.iter().enumerate() {
             if *entry != Expr::ZERO && !(e.symmetric && j < i) {
-                let _ = writeln!(out, "M{}{} = {}", i + 1, j + 1, text(&derivation.arena, *entry));
+                let _ = writeln!(out, "M{}{} = {}", i + 1, j + 1, print_text(&derivation.arena, *entry));
             }
         }
     }
     for (i, entry) in e.forcing.iter().enumerate() {
-        let _ = writeln!(out, "f{} = {}", i + 1, text(&derivation.arena, *entry));
+        let _ = writeln!(out, "f{} = {}", i + 1, print_text(&derivation.arena, *entry));
     }
     expected.assert_eq(&out);
 }

@@ -8,7 +8,7 @@
 use expect_test::{Expect, expect};
 use tripos_derive::Model;
 use tripos_derive::diagnostic::Source;
-use tripos_derive::diff::{CoordinateSearch, diff, find_coordinates};
+use tripos_derive::diff::{CoordinateSearch, find_coordinates, judge_publication};
 use tripos_derive::mechanics::derive_all;
 use tripos_derive::model::load;
 use tripos_derive::prove::prove;
@@ -51,7 +51,7 @@ fn model() -> Model {
 
 fn found(text: &str) -> CoordinateSearch {
     let mut model = model();
-    let publication = publication::load(&Source::from_text("publication.toml", text), &mut model);
+    let publication = publication::load_publication(&Source::from_text("publication.toml", text), &mut model);
     let publication = publication.unwrap_or_else(|e| panic!("{e}"));
     let mut derivations = derive_all(&model).unwrap();
     find_coordinates(&model, &mut derivations, &publication).unwrap()
@@ -61,10 +61,11 @@ fn found(text: &str) -> CoordinateSearch {
 fn judged(text: &str, table: &[(String, String)]) -> String {
     let mut model = model();
     let source = Source::from_text("publication.toml", text);
-    let publication = publication::load_in(&source, &mut model, table).unwrap_or_else(|e| panic!("{e}"));
+    let publication =
+        publication::load_publication_in_coordinates(&source, &mut model, table).unwrap_or_else(|e| panic!("{e}"));
     let mut derivations = derive_all(&model).unwrap();
     let proof = prove(&model, &mut derivations);
-    let difference = diff(&model, &mut derivations, &publication, &proof);
+    let difference = judge_publication(&model, &mut derivations, &publication, &proof);
     let lines = difference.findings.iter().map(|f| format!("{} {}\n", f.id, f.judgement.word()));
     lines.collect()
 }
@@ -241,7 +242,7 @@ fn names_and_points_of_renamed_coordinates_are_refused() {
     ];
     for text in texts {
         let source = Source::from_text("publication.toml", &text);
-        assert!(publication::load(&source, &mut model()).is_err(), "{text}");
+        assert!(publication::load_publication(&source, &mut model()).is_err(), "{text}");
     }
 }
 

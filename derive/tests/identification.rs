@@ -8,11 +8,11 @@ use nalgebra::DMatrix;
 use std::path::Path;
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::text::print::text;
-use tripos_derive::algebra::value::evaluate::Tape;
+use tripos_derive::algebra::text::print::print_text;
+use tripos_derive::algebra::value::tape::Tape;
 use tripos_derive::diagnostic::Source;
-use tripos_derive::identify::{Complete, Factor, Identification};
-use tripos_derive::mechanics::{ColumnParameter, Inertial, Varied};
+use tripos_derive::identify::{BaseParameterFactor, Completeness, Identification};
+use tripos_derive::mechanics::{ColumnParameter, InertialParameter, RegressorParameters};
 
 fn library(model: &str) -> Model {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models").join(model).join("model.toml");
@@ -23,18 +23,18 @@ fn model(text: &str) -> Model {
     tripos_derive::model::load(&Source::from_text("model.toml", text)).unwrap_or_else(|e| panic!("{e}"))
 }
 
-fn identify(model: &Model, varied: Varied) -> Identification {
+fn identify(model: &Model, varied: RegressorParameters) -> Identification {
     Identification::new(model, varied).unwrap_or_else(|e| panic!("{e:?}"))
 }
 
 /// The base parameters as sums.
 fn sums(found: &Identification) -> Vec<String> {
     let name = |at: usize| found.regressor.columns[at].name.clone();
-    let factor = |factor: &Factor| match factor {
-        Factor::Exact(e) => text(&found.regressor.arena, *e),
+    let factor = |factor: &BaseParameterFactor| match factor {
+        BaseParameterFactor::Exact(e) => print_text(&found.regressor.arena, *e),
         other => format!("{other:?}"),
     };
-    let sum = |base: &tripos_derive::identify::Base| {
+    let sum = |base: &tripos_derive::identify::BaseParameter| {
         let with: Vec<String> = base.with.iter().map(|(at, k)| format!(" + ({}) {}", factor(k), name(*at))).collect();
         name(base.column) + &with.concat()
     };
@@ -42,7 +42,7 @@ fn sums(found: &Identification) -> Vec<String> {
 }
 
 fn is_proved(found: &Identification) -> bool {
-    matches!(found.complete, Complete::Proved(bound) if bound >= 32.0)
+    matches!(found.complete, Completeness::Proved(bound) if bound >= 32.0)
 }
 
 const ARM: &str = r#"
@@ -91,14 +91,14 @@ const GRAVITY: &str = "[gravity]\nframe = \"N\"\nacceleration = [0, \"-g\", 0]\n
 /// a joint that stands still shows in weight alone (Khalil & Dombre, § 9.4.2.4).
 #[test]
 fn a_planar_arm_has_the_base_parameters_of_the_textbook() {
-    let falling = identify(&model(&format!("{ARM}{GRAVITY}")), Varied::Bodies);
+    let falling = identify(&model(&format!("{ARM}{GRAVITY}")), RegressorParameters::Bodies);
     assert_eq!(
         sums(&falling),
         ["Izz_one + (L1^2) m_two", "mx_one + (L1) m_two", "my_one", "Izz_two", "mx_two", "my_two", "d1", "k2"]
     );
     assert!(is_proved(&falling), "{:?}", falling.complete);
     assert_eq!(falling.without_effect.len(), 7 + 6);
-    let level = identify(&model(ARM), Varied::Bodies);
+    let level = identify(&model(ARM), RegressorParameters::Bodies);
     assert_eq!(sums(&level), ["Izz_one + (L1^2) m_two", "Izz_two", "mx_two", "my_two", "d1", "k2"]);
     assert!(is_proved(&level), "{:?}", level.complete);
 }
@@ -107,9 +107,9 @@ fn a_planar_arm_has_the_base_parameters_of_the_textbook() {
 /// m₁ acts by c₁² with I₁ and in weight by itself, m₂ in the first link and in the second.
 #[test]
 fn declared_parameters_are_grouped_as_they_enter() {
-    let falling = identify(&model(&format!("{ARM}{GRAVITY}")), Varied::Declared);
+    let falling = identify(&model(&format!("{ARM}{GRAVITY}")), RegressorParameters::Declared);
     assert_eq!(sums(&falling), ["m1", "m2", "I1", "I2", "d1", "k2"]);
-    let level = identify(&model(ARM), Varied::Declared);
+    let level = identify(&model(ARM), RegressorParameters::Declared);
     assert_eq!(sums(&level), ["m1 + (1/c1^2) I1", "m2", "I2", "d1", "k2"]);
     assert!(is_proved(&falling) && is_proved(&level), "{:?} {:?}", falling.complete, level.complete);
 }
@@ -146,11 +146,11 @@ fn lowered(link: &Ten, r: f64) -> Ten {
     [xx + away, xy, xz - r * mx, yy + away, yz - r * my, zz, mx, my, mz + r * m, m]
 }
 
-fn place(inertial: Inertial) -> usize {
+fn place(inertial: InertialParameter) -> usize {
     match inertial {
-        Inertial::Inertia(i, j) => [[0, 1, 2], [1, 3, 4], [2, 4, 5]][i][j],
-        Inertial::FirstMoment(i) => 6 + i,
-        Inertial::Mass => 9,
+        InertialParameter::Inertia(i, j) => [[0, 1, 2], [1, 3, 4], [2, 4, 5]][i][j],
+        InertialParameter::FirstMoment(i) => 6 + i,
+        InertialParameter::Mass => 9,
     }
 }
 
@@ -162,7 +162,7 @@ fn place(inertial: Inertial) -> usize {
 #[test]
 fn the_puma_has_its_published_base_parameters() {
     let model = library("puma560");
-    let mut found = identify(&model, Varied::Bodies);
+    let mut found = identify(&model, RegressorParameters::Bodies);
     let of_link = |at: usize| {
         found
             .base
@@ -199,7 +199,7 @@ fn the_puma_has_its_published_base_parameters() {
         .base
         .iter()
         .flat_map(|base| &base.with)
-        .map(|(_, k)| if let Factor::Exact(e) = k { *e } else { panic!("{k:?}") })
+        .map(|(_, k)| if let BaseParameterFactor::Exact(e) = k { *e } else { panic!("{k:?}") })
         .collect();
     let tape = Tape::new(&found.regressor.arena, &model.p(), &factors).unwrap();
     let p: Vec<f64> = model
@@ -230,7 +230,7 @@ fn the_puma_has_its_published_base_parameters() {
 fn ranks_in_numbers_are_those_of_exact_algebra() {
     for name in ["puma560", "furuta", "rolling_disc", "heavy_top", "cart_with_spring", "gimbals"] {
         let model = library(name);
-        let found = identify(&model, Varied::Bodies);
+        let found = identify(&model, RegressorParameters::Bodies);
         let rates: Vec<Expr> = model.speeds.iter().map(|s| s.rate).collect();
         let known = [model.p(), model.q(), model.u(), rates].concat();
         let columns = &found.regressor.columns;
@@ -280,7 +280,7 @@ fn base_parameters_are_proved_for_all_kinds_of_mechanisms() {
         "four_bar",
     ] {
         let model = library(name);
-        for varied in [Varied::Bodies, Varied::Declared] {
+        for varied in [RegressorParameters::Bodies, RegressorParameters::Declared] {
             let found = identify(&model, varied);
             assert!(is_proved(&found), "{name}: {:?}", found.complete);
             assert!(!found.base.is_empty(), "{name}");
@@ -294,7 +294,7 @@ fn base_parameters_are_proved_for_all_kinds_of_mechanisms() {
 /// Closed poses, in doubles, show no more.
 #[test]
 fn loops_group_what_acts_as_one() {
-    let found = identify(&library("four_bar"), Varied::Bodies);
+    let found = identify(&library("four_bar"), RegressorParameters::Bodies);
     let seen = found.on_loops.expect("closed poses are found");
     assert!(seen.dependent < 1e-9 && seen.independent > 1e-6, "{seen:?}");
     let name = |at: usize| found.regressor.columns[at].name.as_str();
@@ -364,7 +364,7 @@ fn poses_near_dead_points_hide_no_parameter() {
     let lengths = [[0.4, 1.12, 0.81, 0.89], [0.31, 0.97, 0.74, 0.83], [0.55, 0.6, 0.7, 0.9], [0.9, 0.35, 0.8, 0.7]];
     for lengths in lengths {
         for speed in ["q1'", "q2'", "q3'"] {
-            let found = identify(&four_bars(lengths, speed), Varied::Bodies);
+            let found = identify(&four_bars(lengths, speed), RegressorParameters::Bodies);
             let seen = found.on_loops.expect("closed poses are found");
             let what = format!("{lengths:?}, {speed}: {seen:?}");
             assert_eq!(found.base.len(), 8, "{what}");
@@ -380,7 +380,7 @@ fn poses_near_dead_points_hide_no_parameter() {
 /// with random rates and accelerations. For other lengths Tripos always found eleven.
 #[test]
 fn six_bars_keep_all_parameters() {
-    let found = identify(&model(SIX_BARS), Varied::Bodies);
+    let found = identify(&model(SIX_BARS), RegressorParameters::Bodies);
     let seen = found.on_loops.expect("closed poses are found");
     assert!(seen.is_clear, "{seen:?}");
     assert_eq!(found.base.len(), 11, "{:?}", sums(&found));
@@ -469,7 +469,7 @@ fn factors_hold_sines_of_angles_that_stay() {
         )
         .replace("inertia = \"I2\"", "inertia = { diagonal = [\"I2\", \"I2\", \"I2\"] }")
         .replace("[inputs]", "beta = { unit = \"rad\", value = 0.3 }\n[inputs]");
-    let found = identify(&model(&text), Varied::Bodies);
+    let found = identify(&model(&text), RegressorParameters::Bodies);
     assert!(is_proved(&found), "{:?}", found.complete);
     let all = sums(&found);
     assert!(all[0].starts_with("Izz_one") && all[0].contains("Iyy_two") && all[0].contains("cos(beta)^2"), "{all:?}");

@@ -3,12 +3,12 @@
 use crate::random::Random;
 use std::path::Path;
 use tripos_derive::algebra::meaning::identity::Identity;
-use tripos_derive::algebra::value::evaluate::Tape;
-use tripos_derive::algebra::value::modular::{ZeroTest, zero_test};
+use tripos_derive::algebra::value::tape::Tape;
+use tripos_derive::algebra::value::zero_test::{ZeroTest, zero_test};
 use tripos_derive::algebra::{Arena, Expr, Node};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::derive_all;
-use tripos_derive::prove::{Combination, Part, prove};
+use tripos_derive::prove::{Combination, CombinationPart, prove};
 use tripos_derive::{Formulation, Model};
 
 fn library(name: &str) -> Model {
@@ -93,7 +93,7 @@ fn multipliers_and_relations_lead_from_one_formulation_to_the_other() {
             terms.push(to.forcing[r]);
             let difference = arena.sum(&terms);
             assert_eq!(zero_test(arena, difference), ZeroTest::Zero, "row {r}");
-            let of_row = |part: &Part| matches!(part, Part::Coefficient { row, .. } | Part::Right { row } if *row == r);
+            let of_row = |part: &CombinationPart| matches!(part, CombinationPart::Coefficient { row, .. } | CombinationPart::Right { row } if *row == r);
             let own: Vec<_> = combination.identities.iter().filter(|(part, _)| of_row(part)).collect();
             assert_eq!(own.len(), to.unknowns.len() + 1);
             assert_eq!(own.last().map(|(_, identity)| identity.right), Some(to.forcing[r]));
@@ -138,6 +138,6 @@ fn identities_of_a_reduction_hold_in_numbers() {
     let scene = tripos_derive::scene::load(&source, &mut model).unwrap();
     let reduction = tripos_derive::reduce::reduce(&model, &scene).unwrap();
     assert!(reduction.proof.identities.len() > 10);
-    let gap = gap(reduction.terms(), &reduction.proof.identities);
+    let gap = gap(reduction.arena(), &reduction.proof.identities);
     assert!(gap < 1e-8, "{gap:e}");
 }

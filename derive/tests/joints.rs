@@ -8,7 +8,7 @@ use crate::common;
 
 use common::{errors, read};
 use expect_test::{Expect, expect};
-use tripos_derive::algebra::text::print::text;
+use tripos_derive::algebra::text::print::print_text;
 use tripos_derive::mechanics::{Formulation, derive_all};
 use tripos_derive::model::Model;
 
@@ -30,7 +30,7 @@ fn check(rest: &str, expected: &Expect) {
 fn kane(model: &Model) -> (Vec<Vec<String>>, Vec<String>) {
     let derivations = derive_all(model).unwrap();
     let arena = &derivations.kinematics.arena;
-    let show = |e: &tripos_derive::algebra::Expr| text(arena, *e);
+    let show = |e: &tripos_derive::algebra::Expr| print_text(arena, *e);
     let equations = derivations.get(Formulation::Kane).unwrap();
     (
         equations.matrix.iter().map(|row| row.iter().map(show).collect()).collect(),

@@ -1,11 +1,11 @@
 //! Solving u = J q' + d for q' brings in no singularities of its own.
 
 use std::path::Path;
-use tripos_derive::algebra::text::print::text;
+use tripos_derive::algebra::text::print::print_text;
 use tripos_derive::{Formulation, Model, derive, model};
 
 fn singular_where(model: &Model) -> Vec<String> {
-    model.kinematic_equations.divisors.iter().map(|d| text(&model.arena, *d)).collect()
+    model.kinematic_equations.divisors.iter().map(|d| print_text(&model.arena, *d)).collect()
 }
 
 /// Goal: a vehicle's natural start. Truth: Newton in body axes, m (dv/dt + ω × v) = 0, and the one
@@ -17,8 +17,9 @@ fn a_body_in_body_axis_velocities_has_the_textbook_equations() {
     assert_eq!(singular_where(&model), ["cos(th)"]);
     let kane = derive(&model, Formulation::Kane).unwrap();
     let (arena, e) = (&kane.arena, &kane.equations);
-    let rows: Vec<String> =
-        (0..3).map(|i| format!("{} | {}", text(arena, e.matrix[i][i]), text(arena, e.forcing[i]))).collect();
+    let rows: Vec<String> = (0..3)
+        .map(|i| format!("{} | {}", print_text(arena, e.matrix[i][i]), print_text(arena, e.forcing[i])))
+        .collect();
     assert_eq!(rows, ["m | m*(V*r - W*q)", "m | m*(W*p - U*r)", "m | m*(U*q - V*p)"]);
 }
 

@@ -1,7 +1,7 @@
 //! Numbers with units in formulas, the short form of constraints, and expressions in scenes.
 
 use crate::common::{BASE, edited, errors, read};
-use tripos_derive::algebra::text::print::text;
+use tripos_derive::algebra::text::print::print_text;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::derive_all;
 use tripos_derive::{Formulation, Model, scene};
@@ -17,7 +17,7 @@ fn matrix(model: &Model) -> Vec<String> {
     let mut put = tripos_derive::algebra::term::calculus::Substitution::new(&pairs);
     let mut shown = |entry| {
         let entry = put.apply(arena, entry);
-        text(arena, entry)
+        print_text(arena, entry)
     };
     entries.into_iter().map(&mut shown).collect()
 }
@@ -69,7 +69,7 @@ fn a_constraint_may_be_its_equation_alone() {
         read(&edited(&drop_speed, &format!("[constraints]\nfix = {value}\n"))).unwrap()
     });
     let values = |model: &Model| -> Vec<String> {
-        model.constraints.iter().map(|c| format!("{} {}", c.name, text(&model.arena, c.value))).collect()
+        model.constraints.iter().map(|c| format!("{} {}", c.name, print_text(&model.arena, c.value))).collect()
     };
     assert_eq!(values(&short), ["fix l1"]);
     assert_eq!(values(&short), values(&long));

@@ -9,8 +9,8 @@ use crate::common::{BASE, edited, errors, read};
 use expect_test::{Expect, expect};
 use tripos_derive::algebra::meaning::compare::{Comparer, Verdict};
 use tripos_derive::algebra::text::parse::parse_free;
-use tripos_derive::algebra::text::print::text;
-use tripos_derive::algebra::value::evaluate::Tape;
+use tripos_derive::algebra::text::print::print_text;
+use tripos_derive::algebra::value::tape::Tape;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{Quantities, Quantity, derive_all, moving_places, rates_to_speeds};
 use tripos_derive::prove::prove;
@@ -35,7 +35,7 @@ fn value(quantities: &mut Quantities<'_>, name: &str) -> Expr {
 
 fn same(arena: &mut Arena, left: Expr, right: Expr) {
     let verdict = Comparer::default().compare(arena, left, right);
-    assert!(verdict.is_equal(), "{} and {}: {verdict:?}", text(arena, left), text(arena, right));
+    assert!(verdict.is_equal(), "{} and {}: {verdict:?}", print_text(arena, left), print_text(arena, right));
 }
 
 /// Σ Q_i q̇_i of everything but gravity, in q and u.
@@ -130,7 +130,7 @@ fn at_a_point_fixed_in_the_body_both_names_are_the_same() {
         let c = "c = { unit = \"N*s/m\", value = 1 }\ng =";
         let model = read(&edited(&[("[points]\n", point), ("g =", c)], &damper)).unwrap_or_else(|e| panic!("{e}"));
         let derivation = derive(&model, Formulation::Kane).unwrap();
-        let texts = derivation.equations.forcing.iter().map(|e| text(&derivation.arena, *e));
+        let texts = derivation.equations.forcing.iter().map(|e| print_text(&derivation.arena, *e));
         (texts.collect::<Vec<_>>(), moving_places(&model).unwrap())
     };
     let (by_point, by_material) = (with("v(T)"), with("v(rod, T)"));
@@ -365,7 +365,7 @@ fn a_speed_may_be_a_velocity_of_a_point_or_a_frame() {
     let stated = [("\"x'\"", "\"v(P) @ N [1]\""), ("\"q'\"", "\"omega(rod) @ A [3]\"")];
     let (by_velocities, by_rates) = (read(&edited(&stated, "")).unwrap(), read(BASE).unwrap());
     let shown = |model: &Model| -> Vec<String> {
-        model.speeds.iter().map(|speed| text(&model.arena, speed.definition)).collect()
+        model.speeds.iter().map(|speed| print_text(&model.arena, speed.definition)).collect()
     };
     assert_eq!(shown(&by_velocities), shown(&by_rates));
     let units = |model: &Model| -> Vec<String> { model.speeds.iter().map(|speed| speed.unit.to_string()).collect() };

@@ -7,11 +7,11 @@ use crate::random::Random;
 use std::fmt::Write;
 use std::path::Path;
 use tripos_derive::algebra::text::parse::parse_primed;
-use tripos_derive::algebra::text::print::text;
-use tripos_derive::algebra::value::evaluate::Tape;
+use tripos_derive::algebra::text::print::print_text;
+use tripos_derive::algebra::value::tape::Tape;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diagnostic::Source;
-use tripos_derive::diff::{Judgement, Slip, diff};
+use tripos_derive::diff::{Judgement, MistakeKind, judge_publication};
 use tripos_derive::mechanics::{Quantities, Quantity, derive_all};
 use tripos_derive::prove::prove;
 use tripos_derive::{Formulation, Model, model, publication};
@@ -113,7 +113,7 @@ fn single_slips_are_convicted_and_named() {
             let Ok(parsed) = Quantity::parse(&quantity, &model) else { continue };
             let Ok(value) = derived.value(&parsed) else { continue };
             let value = derived.in_speeds(value);
-            let formula = text(&derivations.kinematics.arena, value);
+            let formula = print_text(&derivations.kinematics.arena, value);
             if formula.len() > LONGEST || formula == "0" {
                 continue;
             }
@@ -140,11 +140,11 @@ fn single_slips_are_convicted_and_named() {
                 known.push(wrong);
             }
         }
-        let publication = publication::load(&Source::from_text("publication.toml", &file), &mut model)
+        let publication = publication::load_publication(&Source::from_text("publication.toml", &file), &mut model)
             .unwrap_or_else(|e| panic!("{name}: {e}"));
         let mut derivations = derive_all(&model).unwrap();
         let proof = prove(&model, &mut derivations);
-        let difference = diff(&model, &mut derivations, &publication, &proof);
+        let difference = judge_publication(&model, &mut derivations, &publication, &proof);
         for finding in &difference.findings {
             made += 1;
             convicted += usize::from(finding.judgement == Judgement::Different);
@@ -152,7 +152,7 @@ fn single_slips_are_convicted_and_named() {
             // A formula that is set against the right one as a whole names nothing, unless it is one term whose slip is
             // known.
             let is_part = finding.change.is_some_and(|(_, right)| Some(right) != finding.derived);
-            let is_term = finding.slip.is_some_and(|slip| slip != Slip::LostTerm || finding.change.is_none());
+            let is_term = finding.slip.is_some_and(|slip| slip != MistakeKind::LostTerm || finding.change.is_none());
             if is_part || is_term || finding.factor.is_some() {
                 named += 1;
             } else {
@@ -172,8 +172,8 @@ pub fn equations(model: &Model, derivations: &tripos_derive::mechanics::Derivati
     let names: Vec<String> = by.unknowns(model).into_iter().map(|(name, _)| name).collect();
     let row = |(entries, right): (&Vec<Expr>, &Expr)| {
         let terms = entries.iter().zip(&names).filter(|(e, _)| **e != Expr::ZERO);
-        let left: Vec<String> = terms.map(|(e, name)| format!("({})*{name}", text(arena, *e))).collect();
-        format!("{} = {}", left.join(" + "), text(arena, *right))
+        let left: Vec<String> = terms.map(|(e, name)| format!("({})*{name}", print_text(arena, *e))).collect();
+        format!("{} = {}", left.join(" + "), print_text(arena, *right))
     };
     equations.matrix.iter().zip(&equations.forcing).map(row).collect()
 }
@@ -239,11 +239,11 @@ fn rearranged_systems_are_acquitted() {
 
 /// Number of rows of a publication, all of which are judged as right.
 pub fn judged_as_right(name: &str, model: &mut Model, file: &str) -> usize {
-    let publication = publication::load(&Source::from_text("publication.toml", file), model)
+    let publication = publication::load_publication(&Source::from_text("publication.toml", file), model)
         .unwrap_or_else(|e| panic!("{name}: {e}"));
     let mut derivations = derive_all(model).unwrap();
     let proof = prove(model, &mut derivations);
-    let difference = diff(model, &mut derivations, &publication, &proof);
+    let difference = judge_publication(model, &mut derivations, &publication, &proof);
     for finding in &difference.findings {
         let is_right = matches!(finding.judgement, Judgement::Equal | Judgement::Scaled);
         assert!(is_right, "{name} {}: {:?} {}", finding.id, finding.judgement, finding.printed);

@@ -4,19 +4,21 @@ use crate::arm::{Reactions, arm, tree};
 use crate::chain::{chain, relative_chain};
 use std::collections::HashSet;
 use std::path::Path;
-use tripos_derive::algebra::form::simplify::{Simplifier, cost};
+use tripos_derive::algebra::form::simplify::{Simplifier, operation_count};
 use tripos_derive::algebra::meaning::compare::Verdict;
-use tripos_derive::algebra::solve::least::least;
-use tripos_derive::algebra::term::adjoint::transposed_product;
+use tripos_derive::algebra::solve::quadratic_minimum::minimize_quadratic_form;
+use tripos_derive::algebra::term::adjoint::adjoint_product;
 use tripos_derive::algebra::term::calculus::{Differential, Gradient, Substitution};
-use tripos_derive::algebra::term::steps::{Definition, needed};
-use tripos_derive::algebra::text::definitions::written;
+use tripos_derive::algebra::term::steps::{Definition, needed_steps};
+use tripos_derive::algebra::text::definitions::define_named_terms;
 use tripos_derive::algebra::text::parse::parse_free;
-use tripos_derive::algebra::text::print::text;
-use tripos_derive::algebra::value::evaluate::Tape;
-use tripos_derive::algebra::value::modular::{ZeroTest, zero_test};
+use tripos_derive::algebra::text::print::print_text;
+use tripos_derive::algebra::value::tape::Tape;
+use tripos_derive::algebra::value::zero_test::{ZeroTest, zero_test};
 use tripos_derive::algebra::{Arena, Expr, Node};
-use tripos_derive::mechanics::{Derivation, Divisors, Form, Kinematics, Solved, derive_all, derive_all_with};
+use tripos_derive::mechanics::{
+    Derivation, Divisors, EquationForm, Kinematics, SolvedAccelerations, derive_all, derive_all_with,
+};
 use tripos_derive::prove::prove;
 use tripos_derive::{Equations, Formulation, Model, derive};
 
@@ -36,15 +38,15 @@ fn trees_have_the_same_equations_with_names_and_without() {
         tree(3, |i| i / 2, slide, Reactions::All),
         tree(4, |i| i / 3, slide, Reactions::None),
     ] {
-        let mut named = derive_all_with(&model, Kinematics::in_form(&model, Form::Steps).unwrap()).unwrap();
+        let mut named = derive_all_with(&model, Kinematics::in_form(&model, EquationForm::Steps).unwrap()).unwrap();
         named.add(&model, Formulation::GibbsAppell).unwrap();
         let again = Model { arena: named.kinematics.arena.clone(), ..model.clone() };
-        let mut plain = derive_all_with(&again, Kinematics::in_form(&again, Form::Closed).unwrap()).unwrap();
+        let mut plain = derive_all_with(&again, Kinematics::in_form(&again, EquationForm::Closed).unwrap()).unwrap();
         plain.add(&again, Formulation::GibbsAppell).unwrap();
         let mut arena = plain.kinematics.arena.clone();
-        for f in Formulation::ALL.into_iter().filter(|f| !f.carries_reactions() || !model.reactions.is_empty()) {
-            let [a, b] =
-                [&named, &plain].map(|all| all.result(f).unwrap().clone().with_inverse_dynamics(&mut arena).unwrap());
+        for f in Formulation::ALL.into_iter().filter(|f| !f.has_reactions() || !model.reactions.is_empty()) {
+            let [a, b] = [&named, &plain]
+                .map(|all| all.result(f).unwrap().clone().with_certified_inverse_dynamics(&mut arena).unwrap());
             for (x, y) in entries(&a).into_iter().zip(entries(&b)) {
                 let difference = arena.sub(x, y);
                 assert_eq!(zero_test(&arena, difference), ZeroTest::Zero, "{} {f:?}", model.title);
@@ -57,12 +59,14 @@ fn trees_have_the_same_equations_with_names_and_without() {
 #[test]
 fn small_models_are_written_out() {
     for model in [chain(1), chain(3), chain(6), arm(2, Reactions::All)] {
-        assert_eq!(Form::computed(&model), Form::Closed, "{}", model.title);
+        assert_eq!(EquationForm::computed(&model), EquationForm::Closed, "{}", model.title);
         let Derivation { arena, equations } = derive(&model, Formulation::Kane).unwrap();
         let parts = arena.reachable(&entries(&equations));
-        assert!(parts.iter().all(|e| arena.behind(*e).is_none()), "{}", model.title);
+        assert!(parts.iter().all(|e| arena.named_term_value(*e).is_none()), "{}", model.title);
     }
-    assert!([arm(3, Reactions::None), chain(20)].iter().all(|model| Form::computed(model) == Form::Steps));
+    assert!(
+        [arm(3, Reactions::None), chain(20)].iter().all(|model| EquationForm::computed(model) == EquationForm::Steps)
+    );
 }
 
 /// Operations of these values and of the steps that they need, one for each + − × ÷: (with what moves, of parameters
@@ -74,9 +78,9 @@ fn operations(arena: &Arena, model: &Model, steps: &[Definition], values: &[Expr
         parts.filter(|e| matches!(arena.node(*e), Node::Apply(..))).count()
     };
     let (mut moving, mut fixed) = (0, 0);
-    for step in needed(arena, steps, values) {
+    for step in needed_steps(arena, steps, values) {
         let parts = arena.reachable(&[step.value]);
-        let own = cost(arena, step.value) - 4 * functions(step.value);
+        let own = operation_count(arena, step.value) - 4 * functions(step.value);
         if parts.iter().all(|e| arena.symbol_name(*e).is_none() || constant.contains(e)) {
             constant.insert(step.symbol);
             fixed += own;
@@ -84,17 +88,17 @@ fn operations(arena: &Arena, model: &Model, steps: &[Definition], values: &[Expr
             moving += own;
         }
     }
-    (moving + values.iter().map(|e| cost(arena, *e) - 4 * functions(*e)).sum::<usize>(), fixed)
+    (moving + values.iter().map(|e| operation_count(arena, *e) - 4 * functions(*e)).sum::<usize>(), fixed)
 }
 
 /// The operations by Kane's method of M with f, of f, of the accelerations and of inverse dynamics.
 fn counts(model: &Model) -> [usize; 4] {
     let Derivation { mut arena, equations } = derive(model, Formulation::Kane).unwrap();
-    let e = equations.written(&mut arena);
+    let e = equations.with_definitions(&mut arena);
     let upper: Vec<Expr> = e.matrix.iter().enumerate().flat_map(|(i, row)| row[i..].to_vec()).collect();
     let both = operations(&arena, model, &e.definitions, &[upper, e.forcing.clone()].concat()).0;
     let forcing = operations(&arena, model, &e.definitions, &e.forcing).0;
-    let solved = Solved::new(&mut arena, &equations).unwrap();
+    let solved = SolvedAccelerations::new(&mut arena, &equations).unwrap();
     let rates = &e.unknowns[..e.variables.len()];
     let inverse = operations(&arena, model, &e.definitions, &e.required).0;
     [both, forcing, operations(&arena, model, &solved.accelerations.steps, rates).0, inverse]
@@ -128,8 +132,8 @@ fn arms_and_chains_divide_by_nothing_that_vanishes() {
     ];
     for (model, formulation) in list.into_iter().chain([(arm(3, Reactions::All), Formulation::NewtonEuler)]) {
         let Derivation { mut arena, equations } = derive(&model, formulation).unwrap();
-        let solved = Solved::new(&mut arena, &equations).unwrap();
-        let found = Divisors::of(&arena, &equations.written(&mut arena.clone()), Some(&solved.accelerations));
+        let solved = SolvedAccelerations::new(&mut arena, &equations).unwrap();
+        let found = Divisors::of(&arena, &equations.with_definitions(&mut arena.clone()), Some(&solved.accelerations));
         assert!(found.values.is_empty(), "{} {formulation:?}: {:?}", model.title, found.names(&arena));
     }
 }
@@ -168,7 +172,8 @@ fn recursions_solve_the_equations() {
     ] {
         let Derivation { mut arena, equations } = derive(&model, Formulation::Kane).unwrap();
         let gauss = equations.gauss.as_ref().unwrap();
-        let recursion = least(&mut arena, &mut Simplifier::default(), gauss, &equations.unknowns).unwrap();
+        let recursion =
+            minimize_quadratic_form(&mut arena, &mut Simplifier::default(), gauss, &equations.unknowns).unwrap();
         let solved = recursion.iter().filter(|step| equations.unknowns.contains(&step.symbol)).count();
         assert_eq!(solved, equations.variables.len(), "{}", model.title);
         let mut put = Substitution::default();
@@ -232,14 +237,14 @@ fn steps_stand_after_what_they_need() {
     let model = arm(4, Reactions::All);
     for f in Formulation::ALL {
         let Derivation { mut arena, equations } = derive(&model, f).unwrap();
-        let e = equations.written(&mut arena);
+        let e = equations.with_definitions(&mut arena);
         let steps: HashSet<Expr> = e.definitions.iter().map(|d| d.symbol).collect();
         assert_eq!(steps.len(), e.definitions.len());
         let mut known: HashSet<Expr> = HashSet::new();
         let check = |known: &HashSet<Expr>, e: Expr| {
             for part in arena.reachable(&[e]) {
-                assert!(arena.behind(part).is_none(), "no name is left");
-                assert!(!steps.contains(&part) || known.contains(&part), "{}", text(&arena, part));
+                assert!(arena.named_term_value(part).is_none(), "no name is left");
+                assert!(!steps.contains(&part) || known.contains(&part), "{}", print_text(&arena, part));
             }
         };
         for step in &e.definitions {
@@ -250,7 +255,7 @@ fn steps_stand_after_what_they_need() {
             check(&known, entry);
         }
         // The same symbols whenever it is written.
-        assert_eq!(equations.written(&mut arena).definitions, e.definitions);
+        assert_eq!(equations.with_definitions(&mut arena).definitions, e.definitions);
     }
 }
 
@@ -281,19 +286,19 @@ fn a_name_changes_no_value() {
     let minus = arena.neg(e);
     let (one, other) = (arena.name(e, "d"), arena.name(minus, "other"));
     assert_eq!(other, arena.neg(one));
-    assert_eq!(text(&arena, one), "3*(x - y)", "a name that is not written is shown as its term");
+    assert_eq!(print_text(&arena, one), "3*(x - y)", "a name that is not written is shown as its term");
     assert_eq!(arena.name(variables[0], "x2"), variables[0]);
     assert_eq!(arena.name(one, "again"), one);
 
     let last = *terms.last().unwrap();
-    let (steps, values) = written(&mut arena, &[], &[last]);
+    let (steps, values) = define_named_terms(&mut arena, &[], &[last]);
     let mut out = Substitution::default();
     for step in &steps {
         let value = out.apply(&mut arena, step.value);
         out.set(step.symbol, value);
     }
     let plain = out.apply(&mut arena, values[0]);
-    assert!(arena.reachable(&[plain]).iter().all(|e| arena.behind(*e).is_none()));
+    assert!(arena.reachable(&[plain]).iter().all(|e| arena.named_term_value(*e).is_none()));
     let difference = arena.sub(plain, last);
     assert_eq!(zero_test(&arena, difference), ZeroTest::Zero);
     let slopes = [plain, last].map(|e| Differential::partial(variables[1]).apply(&mut arena, e));
@@ -308,7 +313,7 @@ fn a_name_changes_no_value() {
 fn a_transposed_product_is_the_sum_of_weighted_slopes() {
     let (mut arena, variables, terms) = sample();
     let pairs: Vec<(Expr, Expr)> = terms.iter().rev().take(4).enumerate().map(|(at, e)| (*e, terms[at])).collect();
-    let backward = transposed_product(&mut arena, &pairs, &variables, "to");
+    let backward = adjoint_product(&mut arena, &pairs, &variables, "to");
     let mut gradient = Gradient::new(&variables);
     let mut forward = vec![Expr::ZERO; variables.len()];
     for (e, weight) in pairs {

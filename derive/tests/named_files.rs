@@ -8,7 +8,7 @@
 use crate::printed_forms::CART;
 use expect_test::{Expect, expect};
 use tripos_derive::diagnostic::{Diagnostics, Source};
-use tripos_derive::diff::diff;
+use tripos_derive::diff::judge_publication;
 use tripos_derive::mechanics::derive_all;
 use tripos_derive::model::load;
 use tripos_derive::prove::prove;
@@ -110,7 +110,7 @@ fn read(name: &str) -> Result<Source, Diagnostics> {
 fn loaded(text: &str) -> Result<(tripos_derive::Model, Publication), Diagnostics> {
     let mut model = load(&Source::from_text("model.toml", CART)).unwrap_or_else(|e| panic!("{e}"));
     let source = Source::from_text("publication.toml", text);
-    let publication = publication::load_with(&source, &mut model, &read)?;
+    let publication = publication::load_publication_with_files(&source, &mut model, &read)?;
     Ok((model, publication))
 }
 
@@ -119,7 +119,7 @@ fn check(text: &str, expected: &Expect) {
     let (model, publication) = loaded(text).unwrap_or_else(|e| panic!("{e}"));
     let mut derivations = derive_all(&model).unwrap();
     let proof = prove(&model, &mut derivations);
-    let difference = diff(&model, &mut derivations, &publication, &proof);
+    let difference = judge_publication(&model, &mut derivations, &publication, &proof);
     let line = |f: &tripos_derive::diff::Finding| {
         let mistake = f.wrong.as_ref().map_or(String::new(), |wrong| format!(": {wrong}"));
         format!("{} {}{mistake}", f.id, f.judgement.word())

@@ -6,7 +6,7 @@ use crate::publications;
 
 use expect_test::{Expect, expect};
 use publications::{base, check, load_text};
-use tripos_derive::diff::{Difference, diff};
+use tripos_derive::diff::{Difference, judge_publication};
 use tripos_derive::mechanics::derive_all;
 use tripos_derive::prove::prove;
 
@@ -15,7 +15,7 @@ fn judged(text: &str) -> Difference {
     let publication = load_text(text, &mut model).unwrap_or_else(|errors| panic!("{errors}"));
     let mut derivations = derive_all(&model).unwrap();
     let proof = prove(&model, &mut derivations);
-    diff(&model, &mut derivations, &publication, &proof)
+    judge_publication(&model, &mut derivations, &publication, &proof)
 }
 
 /// Each finding: its id, the verdict, what is wrong and what else is said.

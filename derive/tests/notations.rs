@@ -4,12 +4,12 @@ use crate::publications;
 
 use publications::{base, edited, load_text};
 use std::path::Path;
-use tripos_derive::algebra::text::notation::{Notation, Spell, Symbol, Unknown, translate};
+use tripos_derive::algebra::text::notation::{LatexSymbol, Notation, SymbolNames, Unknown, translate};
 use tripos_derive::algebra::text::parse::{ParseError, parse_primed};
-use tripos_derive::algebra::text::print::{latex, text};
+use tripos_derive::algebra::text::print::{latex, print_text};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diagnostic::Source;
-use tripos_derive::diff::{Finding, diff};
+use tripos_derive::diff::{Finding, judge_publication};
 use tripos_derive::mechanics::derive_all;
 use tripos_derive::prove::prove;
 use tripos_derive::{Model, publication};
@@ -17,18 +17,18 @@ use tripos_derive::{Model, publication};
 /// Every symbol has a name: its letters, its subscript, and primes for its dots. `I^B` and `F^*` are symbols.
 struct Anything;
 
-impl Spell for Anything {
-    fn knows(&self, symbol: &Symbol) -> bool {
+impl SymbolNames for Anything {
+    fn knows(&self, symbol: &LatexSymbol) -> bool {
         ["", "B", "*"].contains(&symbol.mark.as_str()) && symbol.base != "\\pi"
     }
 
-    fn latex(&mut self, symbol: &Symbol, _: &str) -> Result<String, Unknown> {
+    fn name_of_latex_symbol(&mut self, symbol: &LatexSymbol, _: &str) -> Result<String, Unknown> {
         let letters = |text: &str| text.chars().filter(char::is_ascii_alphanumeric).collect::<String>();
         let mark = if symbol.mark.is_empty() { "" } else { "_on" };
         Ok(format!("{}{}{mark}{}", letters(&symbol.base), letters(&symbol.subscript), "'".repeat(symbol.dots)))
     }
 
-    fn variable(&mut self, name: &str) -> Result<String, Unknown> {
+    fn name_of_variable(&mut self, name: &str) -> Result<String, Unknown> {
         let inside: String = name.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect();
         Ok(inside.trim_end_matches('_').to_owned())
     }
@@ -38,7 +38,7 @@ impl Spell for Anything {
 fn read(arena: &mut Arena, formula: &str, notation: Notation) -> Result<Expr, ParseError> {
     let plain = translate(formula, notation, &mut Anything)?;
     let read = parse_primed(arena, plain.text(), 2, &mut |arena, name| Ok(arena.symbol(name)));
-    read.map_err(|error| ParseError { span: plain.source(error.span), ..error })
+    read.map_err(|error| ParseError { span: plain.source_range(error.span), ..error })
 }
 
 /// Each formula is the plain one beside it, as a term.
@@ -47,7 +47,7 @@ fn check(notation: Notation, pairs: &[(&str, &str)]) {
         let mut arena = Arena::new();
         let expected = read(&mut arena, plain, Notation::Tripos).unwrap();
         let found = read(&mut arena, written, notation).unwrap_or_else(|e| panic!("{written}: {e:?}"));
-        assert_eq!(found, expected, "{written} is {}, not {plain}", text(&arena, found));
+        assert_eq!(found, expected, "{written} is {}, not {plain}", print_text(&arena, found));
     }
 }
 
@@ -231,7 +231,7 @@ fn printed_latex_is_the_term_again() {
 
 /// Content of a finding, except the text of the entry.
 fn said(arena: &Arena, f: &Finding) -> String {
-    let shown = |e: Option<Expr>| e.map(|e| text(arena, e));
+    let shown = |e: Option<Expr>| e.map(|e| print_text(arena, e));
     format!(
         "{} {} {:?} derived {:?} factor {:?} difference {:?} {:?}",
         f.id,
@@ -249,10 +249,10 @@ fn verdicts(path: &Path) -> Vec<String> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut model = Model::read(&root.join("../models/disk/model.toml")).unwrap();
     let source = Source::read(&root.join(path)).unwrap();
-    let publication = publication::load(&source, &mut model).unwrap_or_else(|errors| panic!("{errors}"));
+    let publication = publication::load_publication(&source, &mut model).unwrap_or_else(|errors| panic!("{errors}"));
     let mut derivations = derive_all(&model).unwrap();
     let proof = prove(&model, &mut derivations);
-    let difference = diff(&model, &mut derivations, &publication, &proof);
+    let difference = judge_publication(&model, &mut derivations, &publication, &proof);
     let arena = &derivations.kinematics.arena;
     let mut list: Vec<String> = difference.findings.iter().map(|f| said(arena, f)).collect();
     for system in &difference.consequences {
@@ -296,7 +296,7 @@ fn symbols_of_the_paper_stand_for_names_of_the_model() {
             panic!("an equation")
         };
         assert_eq!(
-            tripos_derive::algebra::text::print::text(&model.arena, *printed),
+            tripos_derive::algebra::text::print::print_text(&model.arena, *printed),
             "u1 + length*u2*cos(q)",
             "{notation}"
         );

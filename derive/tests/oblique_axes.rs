@@ -1,7 +1,7 @@
 //! Joints about oblique axes, whose directions contain roots.
 
 use crate::common::read;
-use tripos_derive::algebra::value::evaluate::Tape;
+use tripos_derive::algebra::value::tape::Tape;
 use tripos_derive::scene::load_output;
 
 /// Goal: components along the axes of the ground are known, although constants with roots cancel in them. Method: two

@@ -2,8 +2,8 @@
 //! and do no work.
 
 use tripos_derive::algebra::text::parse::{parse_free, parse_primed};
-use tripos_derive::algebra::text::print::text;
-use tripos_derive::algebra::value::modular::{ZeroTest, zero_test};
+use tripos_derive::algebra::text::print::print_text;
+use tripos_derive::algebra::value::zero_test::{ZeroTest, zero_test};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::{derive_all, speeds_to_rates};
@@ -20,7 +20,7 @@ fn says_what_is_constant(arena: &mut Arena, names: &[String], expression: Expr) 
         assert!(
             either.into_iter().any(|e| zero_test(arena, e) == ZeroTest::Zero),
             "{name}: {}",
-            text(arena, expression)
+            print_text(arena, expression)
         );
     }
 }
@@ -68,7 +68,7 @@ vector = ["{x}", "{y}", 0]
         says_what_is_constant(arena, &names, expression);
     }
     let found: Vec<_> = proof.integrals.iter().map(|i| i.expression).collect();
-    let all: Vec<String> = found.iter().map(|e| text(arena, *e)).collect();
+    let all: Vec<String> = found.iter().map(|e| print_text(arena, *e)).collect();
     assert_eq!(found.len(), expected.len(), "{force:?}: {all:?}");
     for formula in expected {
         let value = parse_free(arena, formula).unwrap();
@@ -131,7 +131,13 @@ fn energies(file: &str, potential: &str, power: &str) {
             .unwrap();
             let derived = to_rates.apply(arena, derived);
             let difference = arena.sub(derived, stated);
-            assert_eq!(zero_test(arena, difference), ZeroTest::Zero, "{:?}: {}", equations.by, text(arena, derived));
+            assert_eq!(
+                zero_test(arena, difference),
+                ZeroTest::Zero,
+                "{:?}: {}",
+                equations.by,
+                print_text(arena, derived)
+            );
         }
     }
 }

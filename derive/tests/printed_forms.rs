@@ -6,7 +6,7 @@
 
 use expect_test::{Expect, expect};
 use tripos_derive::diagnostic::Source;
-use tripos_derive::diff::{Difference, diff};
+use tripos_derive::diff::{Difference, judge_publication};
 use tripos_derive::mechanics::derive_all;
 use tripos_derive::model::load;
 use tripos_derive::prove::prove;
@@ -60,10 +60,10 @@ vector = ["F", 0, 0]
 fn judged(text: &str) -> Difference {
     let mut model = load(&Source::from_text("model.toml", CART)).unwrap_or_else(|e| panic!("{e}"));
     let source = Source::from_text("publication.toml", text);
-    let publication = publication::load(&source, &mut model).unwrap_or_else(|e| panic!("{e}"));
+    let publication = publication::load_publication(&source, &mut model).unwrap_or_else(|e| panic!("{e}"));
     let mut derivations = derive_all(&model).unwrap();
     let proof = prove(&model, &mut derivations);
-    diff(&model, &mut derivations, &publication, &proof)
+    judge_publication(&model, &mut derivations, &publication, &proof)
 }
 
 /// A line for each finding: id, verdict, what it holds up to, and the mistake.
@@ -382,6 +382,8 @@ fn a_hostile_publication_costs_bounded_time() {
     assert!(start.elapsed().as_secs() < 120, "{:?}", start.elapsed());
     let mut model = load(&Source::from_text("model.toml", CART)).unwrap_or_else(|e| panic!("{e}"));
     let text = format!("notation = \"latex\"\n{}", equation("d", r"\frac{d^{99999999} x}{dt^{99999999}} = 0"));
-    let error = publication::load(&Source::from_text("publication.toml", &text), &mut model).unwrap_err().to_string();
+    let error = publication::load_publication(&Source::from_text("publication.toml", &text), &mut model)
+        .unwrap_err()
+        .to_string();
     assert!(error.contains("unknown symbol `d`"), "{error}");
 }

@@ -4,7 +4,7 @@ use crate::common;
 
 use common::{edited, errors, place, read};
 use tripos_derive::algebra::text::notation::read_symbol;
-use tripos_derive::algebra::text::print::{latex, latex_name, mathml_name, name_parts, text, typst_name};
+use tripos_derive::algebra::text::print::{latex, latex_name, mathml_name, name_parts, print_text, typst_name};
 use tripos_derive::model::text_hash;
 
 /// Goal: subscripts look as authors write them. Method: Greek letters, with and without an index, words and indices, in
@@ -41,7 +41,7 @@ fn stated_symbols_are_shown_in_documents_alone() {
     let square = arena.square(length);
     let product = arena.product(&[square, inertia, rate]);
     assert_eq!(latex(&arena, product), "l^{2} \\, J_{s} \\, \\dot{\\omega}_{2}");
-    assert_eq!(text(&arena, product), "length^2*I*u2'");
+    assert_eq!(print_text(&arena, product), "length^2*I*u2'");
     assert_eq!(model.text_hash(), text_hash(common::BASE), "compiled equations go on running");
 }
 

@@ -5,10 +5,10 @@ use crate::publications;
 use publications::{PUBLICATION, base, edited, errors, load_text};
 use std::path::Path;
 use tripos_derive::algebra::meaning::compare::{Comparer, Verdict};
-use tripos_derive::algebra::text::print::text;
+use tripos_derive::algebra::text::print::print_text;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::{Derivations, Quantities, derive_all};
-use tripos_derive::publication::{EntryKind, Names, Publication, load};
+use tripos_derive::publication::{EntryKind, Publication, QuantityNames, load_publication};
 use tripos_derive::{Formulation, Model};
 
 #[test]
@@ -26,7 +26,7 @@ fn a_report_is_read_entry_by_entry() {
     assert_eq!(publication.entries[2].repaired.as_deref(), Some("a stain, read as 0"));
     let EntryKind::Equation { quantity, printed, text: source } = &entry.kind else { panic!("an equation") };
     assert_eq!((quantity.to_string().as_str(), source.as_str()), ("v(C) @ N [1]", "u1 + length*cos(q)*u2"));
-    assert_eq!(text(&model.arena, *printed), "u1 + length*u2*cos(q)");
+    assert_eq!(print_text(&model.arena, *printed), "u1 + length*u2*cos(q)");
     let EntryKind::Definition { text } = &publication.entries[1].kind else { panic!("a definition") };
     assert_eq!(text, "F = m a");
 }
@@ -39,15 +39,15 @@ fn systems_listings_and_numbers_are_read_with_their_names() {
     assert_eq!((system.formulation, system.frame), (Formulation::Lagrange, None));
     assert_eq!(system.unknowns, [model.coordinates[0].second_rate, model.coordinates[1].second_rate]);
     assert_eq!(system.matrix[0][1], system.matrix[1][0]);
-    assert_eq!(text(&model.arena, system.right[1]), "-m*length*g*sin(q)");
+    assert_eq!(print_text(&model.arena, system.right[1]), "-m*length*g*sin(q)");
     assert_eq!((system.matrix_texts[1][1].as_str(), system.right_texts[0].as_str()), ("I + m*length^2", "bob*q'^2"));
     let EntryKind::Listing(listing) = &publication.entries[4].kind else { panic!("a listing") };
     assert_eq!(listing.state_names, ["q", "x", "u2", "u1"]);
     assert_eq!(listing.state[2], model.speeds[1].symbol);
-    assert_eq!(listing.matrix.as_ref().map(|m| text(&model.arena, m[1][1])), Some("m".to_owned()));
+    assert_eq!(listing.matrix.as_ref().map(|m| print_text(&model.arena, m[1][1])), Some("m".to_owned()));
     let initial = |at: usize| {
         let EntryKind::Initial(initial) = &publication.entries[at].kind else { panic!("an initial value") };
-        (initial.set.as_str(), initial.quantity, text(&model.arena, initial.value), initial.decimals)
+        (initial.set.as_str(), initial.quantity, print_text(&model.arena, initial.value), initial.decimals)
     };
     assert_eq!(initial(5), ("text", model.coordinates[1].symbol, "pi/18".to_owned(), None));
     assert_eq!(initial(6), ("text", model.coordinates[0].rate, "-1/4".to_owned(), Some(3)));
@@ -56,11 +56,11 @@ fn systems_listings_and_numbers_are_read_with_their_names() {
 /// Resolves the names of a publication and compares an equation with the derived value of its quantity.
 fn verdict(publication: &Publication, model: &Model, derivations: &mut Derivations, id: &str) -> Verdict {
     let mut quantities = Quantities::new(model, derivations);
-    let names = Names::new(publication, &mut quantities);
+    let names = QuantityNames::new(publication, &mut quantities);
     let entry = publication.entries.iter().find(|e| e.id == id).unwrap_or_else(|| panic!("no entry {id}"));
     let EntryKind::Equation { quantity, printed, .. } = &entry.kind else { panic!("{id} is no equation") };
     let derived = quantities.value(quantity).unwrap_or_else(|e| panic!("{id}: {e}"));
-    let printed = names.resolve(&mut quantities, *printed).unwrap_or_else(|e| panic!("{id}: {e}"));
+    let printed = names.resolve_quantity_names(&mut quantities, *printed).unwrap_or_else(|e| panic!("{id}: {e}"));
     let rates = quantities.mentions_rates(printed) || quantities.mentions_rates(derived);
     let both = [printed, derived].map(|e| if rates { quantities.in_rates(e) } else { quantities.in_speeds(e) });
     Comparer::default().compare(&mut quantities.derivations.kinematics.arena, both[0], both[1])
@@ -87,7 +87,7 @@ fn the_report_on_the_disk_is_read() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/disk");
     let mut model = Model::read(&folder.join("model.toml")).unwrap_or_else(|e| panic!("{e}"));
     let source = Source::read(&folder.join("publication.toml")).unwrap_or_else(|e| panic!("{e}"));
-    let publication = load(&source, &mut model).unwrap_or_else(|e| panic!("{e}"));
+    let publication = load_publication(&source, &mut model).unwrap_or_else(|e| panic!("{e}"));
     assert_eq!(publication.entries.len(), source.text.lines().filter(|line| line.starts_with("[[")).count());
     let mut derivations = derive_all(&model).unwrap_or_else(|e| panic!("{e}"));
     assert!(verdict(&publication, &model, &mut derivations, "2.9-v1").is_equal());

@@ -4,10 +4,10 @@ use crate::random::Random;
 use crate::tree::Tree;
 use nalgebra::{DMatrix, DVector};
 use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::term::steps::needed;
-use tripos_derive::algebra::value::evaluate::Tape;
+use tripos_derive::algebra::term::steps::needed_steps;
+use tripos_derive::algebra::value::tape::Tape;
 use tripos_derive::diagnostic::Source;
-use tripos_derive::mechanics::{Derivation, Solved, Unsolved};
+use tripos_derive::mechanics::{Derivation, SolvedAccelerations, Unsolved};
 use tripos_derive::{Formulation, Model, derive, model};
 use tripos_traits::{DoubleDouble, Real, Scalar};
 
@@ -62,7 +62,7 @@ fn accelerations_of_random_trees_are_those_of_first_principles() {
 /// Compares all accelerations of one formulation at one state; returns the number of comparisons.
 fn numbers(model: &Model, tree: &Tree, q: &[f64], u: &[f64], derivation: Derivation, seed: u64) -> usize {
     let Derivation { mut arena, equations } = derivation;
-    let e = equations.written(&mut arena);
+    let e = equations.with_definitions(&mut arena);
     let n = e.variables.len();
     let (seconds, u_dot) = tree.accelerations(q, u);
     let in_rates = e.formulation.is_in_rates();
@@ -77,7 +77,7 @@ fn numbers(model: &Model, tree: &Tree, q: &[f64], u: &[f64], derivation: Derivat
             assert!((a - b).abs() <= TOLERANCE * scale, "{what}, {path}: v̇{at} is {b}, found {a}\n{}", tree.text());
         }
     };
-    let solved = match Solved::new(&mut arena, &e) {
+    let solved = match SolvedAccelerations::new(&mut arena, &e) {
         Ok(solved) => solved,
         Err(Unsolved::Singular(_)) => panic!("{what}: singular"),
         Err(why) => panic!("{what}: {why}\n{}", tree.text()),
@@ -89,7 +89,7 @@ fn numbers(model: &Model, tree: &Tree, q: &[f64], u: &[f64], derivation: Derivat
     let wide: Vec<f64> = tape.to::<DoubleDouble>().evaluate(&wide).iter().map(|x| x.to_f64()).collect();
     compare("in 32 digits", &wide);
 
-    let steps = needed(&arena, &e.definitions, &[e.matrix.concat(), e.forcing.clone()].concat());
+    let steps = needed_steps(&arena, &e.definitions, &[e.matrix.concat(), e.forcing.clone()].concat());
     let m = e.unknowns.len();
     let system = Tape::stepwise(&arena, &inputs, &steps, &[e.matrix.concat(), e.forcing.clone()].concat()).unwrap();
     let system = system.evaluate(&values);
@@ -97,11 +97,11 @@ fn numbers(model: &Model, tree: &Tree, q: &[f64], u: &[f64], derivation: Derivat
     let found = matrix.lu().solve(&DVector::from_row_slice(&system[m * m..])).expect("regular");
     compare("solved numerically", &found.as_slice()[..n]);
 
-    let inverse = e.clone().with_inverse_dynamics(&mut arena).unwrap_or_else(|why| panic!("{what}: {why}"));
+    let inverse = e.clone().with_certified_inverse_dynamics(&mut arena).unwrap_or_else(|why| panic!("{what}: {why}"));
     if !inverse.required.is_empty() {
-        let inverse = inverse.written(&mut arena);
+        let inverse = inverse.with_definitions(&mut arena);
         let inputs = [inputs.clone(), rates.to_vec()].concat();
-        let steps = needed(&arena, &inverse.definitions, &inverse.required);
+        let steps = needed_steps(&arena, &inverse.definitions, &inverse.required);
         let tape = Tape::stepwise(&arena, &inputs, &steps, &inverse.required).unwrap();
         let required = tape.evaluate(&[values.clone(), expected.clone()].concat());
         let largest = system.iter().fold(1.0_f64, |m, x| m.max(x.abs()));

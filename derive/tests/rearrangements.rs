@@ -9,9 +9,9 @@ use crate::random::Random;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use tripos_derive::algebra::Arena;
-use tripos_derive::algebra::form::normal::Normalizer;
+use tripos_derive::algebra::form::normal_form::Normalizer;
 use tripos_derive::algebra::text::parse::parse_primed;
-use tripos_derive::algebra::text::print::whole_text;
+use tripos_derive::algebra::text::print::print_whole_text;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::derive_all;
 use tripos_derive::{Formulation, Model, model};
@@ -51,9 +51,9 @@ fn expanded(formula: &str) -> Option<String> {
     let mut arena = Arena::new();
     let e = parse_primed(&mut arena, formula, 2, &mut |arena, name| Ok(arena.symbol(name))).ok()?;
     let mut normalizer = Normalizer::new(20_000);
-    let form = normalizer.fraction(&mut arena, e)?;
+    let form = normalizer.normal_form(&mut arena, e)?;
     let numerator = normalizer.polynomial(&form.numerator).expand(&mut arena);
-    Some(whole_text(&arena, numerator))
+    Some(print_whole_text(&arena, numerator))
 }
 
 /// Rows of a system, rearranged.

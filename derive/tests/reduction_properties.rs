@@ -5,7 +5,7 @@ use crate::reduced;
 use proptest::prelude::*;
 use std::fmt::Write;
 use tripos_derive::algebra::term::calculus::{Differential, Substitution};
-use tripos_derive::algebra::value::modular::{ZeroTest, zero_test};
+use tripos_derive::algebra::value::zero_test::{ZeroTest, zero_test};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::model;
 use tripos_derive::reduce::reduce;
@@ -137,7 +137,7 @@ proptest! {
         prop_assert!(r.states.len() + r.quadratures.len() <= full);
         prop_assert!(r.proof.exponent() > 32.0);
         let e = &r.derivation.equations;
-        let mut arena = r.terms().clone();
+        let mut arena = r.arena().clone();
         let mut inline = Substitution::default();
         for d in r.products.iter().chain(&e.definitions) {
             let value = inline.apply(&mut arena, d.value);

@@ -8,7 +8,7 @@ use toml::de::{DeTable, DeValue};
 use tripos_derive::diagnostic::{Diagnostics, Source};
 use tripos_derive::model::load;
 use tripos_derive::publication;
-use tripos_derive::scene::{self, load_asked};
+use tripos_derive::scene::{self, load_state_with_unknowns};
 use tripos_derive::schema::Format;
 
 /// Content of a TOML value, as JSON.
@@ -191,7 +191,8 @@ fn schemas_state_the_keys_that_readers_know() {
         assert_eq!(keys, stated(Format::Scene, place), "{place}");
     }
     let state = format!("{ODD} = 1\n[state]\n");
-    let errors = load_asked(&Source::from_text("state.toml", &state), &mut mechanism.clone(), &[]).unwrap_err();
+    let errors =
+        load_state_with_unknowns(&Source::from_text("state.toml", &state), &mut mechanism.clone(), &[]).unwrap_err();
     assert_eq!(known(&errors), stated(Format::State, ""));
     for (place, mark) in [
         ("equation", "[[equation]]"),
@@ -201,12 +202,15 @@ fn schemas_state_the_keys_that_readers_know() {
         ("initial", "[[initial]]"),
     ] {
         let text = PUBLICATION.replace(mark, &format!("{mark}\n{ODD} = 1"));
-        let errors = publication::load(&Source::from_text("publication.toml", &text), &mut mechanism).unwrap_err();
+        let errors =
+            publication::load_publication(&Source::from_text("publication.toml", &text), &mut mechanism).unwrap_err();
         assert_eq!(known(&errors), stated(Format::Publication, &format!("{place}/[]")), "{place}");
     }
-    let errors =
-        publication::load(&Source::from_text("publication.toml", &format!("{ODD} = 1\n{PUBLICATION}")), &mut mechanism)
-            .unwrap_err();
+    let errors = publication::load_publication(
+        &Source::from_text("publication.toml", &format!("{ODD} = 1\n{PUBLICATION}")),
+        &mut mechanism,
+    )
+    .unwrap_err();
     assert_eq!(known(&errors), stated(Format::Publication, ""));
 }
 

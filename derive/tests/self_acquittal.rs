@@ -6,11 +6,11 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::meaning::compare::Verdict;
-use tripos_derive::algebra::solve::linear::{row_term, solve};
-use tripos_derive::algebra::text::print::whole_text;
-use tripos_derive::algebra::value::modular::{ZeroTest, zero_test};
+use tripos_derive::algebra::solve::linear::{linear_row_term, solve_linear};
+use tripos_derive::algebra::text::print::print_whole_text;
+use tripos_derive::algebra::value::zero_test::{ZeroTest, zero_test};
 use tripos_derive::diagnostic::Source;
-use tripos_derive::diff::{Difference, Judgement, diff};
+use tripos_derive::diff::{Difference, Judgement, judge_publication};
 use tripos_derive::mechanics::{Derivations, Kinematics, Quantities, Quantity, derive_all};
 use tripos_derive::model::MotionConstraintKind;
 use tripos_derive::prove::prove;
@@ -39,7 +39,7 @@ fn printed(model: &Model, derivations: &mut Derivations) -> String {
     for formulation in Formulation::ALL {
         let Some(e) = derivations.get(formulation) else { continue };
         let arena = &derivations.kinematics.arena;
-        let shown = |e: Expr| whole_text(arena, e);
+        let shown = |e: Expr| print_whole_text(arena, e);
         entry(&mut file, "T", shown(e.kinetic_energy));
         entry(&mut file, "V", shown(e.potential_energy));
         entry(&mut file, "L", format!("{} - ({})", shown(e.kinetic_energy), shown(e.potential_energy)));
@@ -50,7 +50,7 @@ fn printed(model: &Model, derivations: &mut Derivations) -> String {
         if unknowns.is_empty() {
             continue;
         }
-        let frame = if formulation.carries_reactions() { "frame = \"N\"\n" } else { "" };
+        let frame = if formulation.has_reactions() { "frame = \"N\"\n" } else { "" };
         let _ = writeln!(
             file,
             "[[system]]\nid = \"{0}\"\nsection = \"1\"\nformulation = \"{0}\"\n{frame}unknowns = [{1}]\nmatrix = [{2}]\nright = [{3}]",
@@ -71,18 +71,18 @@ fn printed(model: &Model, derivations: &mut Derivations) -> String {
         let mut quantities = Quantities::new(model, derivations);
         let Ok(quantity) = Quantity::parse(&name, model) else { continue };
         let Ok(value) = quantities.value(&quantity) else { continue };
-        entry(&mut file, &name, whole_text(&derivations.kinematics.arena, value));
+        entry(&mut file, &name, print_whole_text(&derivations.kinematics.arena, value));
     }
     file
 }
 
 /// Verdicts on a publication about a mechanism.
 fn verdicts(model: &mut Model, file: &str, mechanism: &Mechanism) -> Difference {
-    let publication = publication::load(&Source::from_text("publication.toml", file), model)
+    let publication = publication::load_publication(&Source::from_text("publication.toml", file), model)
         .unwrap_or_else(|e| panic!("{e}\n{}", mechanism.text));
     let mut derivations = derive_all(model).unwrap();
     let proof = prove(model, &mut derivations);
-    diff(model, &mut derivations, &publication, &proof)
+    judge_publication(model, &mut derivations, &publication, &proof)
 }
 
 /// Goal: right work is acquitted, whatever the mechanism is. Method: T, V, L, M, f, rates and the equations of motion
@@ -175,17 +175,17 @@ fn solved(model: &Model, derivations: &mut Derivations) -> Vec<Solved> {
         }
         let Kinematics { arena, simplifier, .. } = &mut derivations.kinematics;
         let right: Vec<Vec<Expr>> = e.forcing.iter().map(|right| vec![*right]).collect();
-        let Ok((values, _)) = solve(arena, simplifier, &e.matrix, &right) else { continue };
+        let Ok((values, _)) = solve_linear(arena, simplifier, &e.matrix, &right) else { continue };
         let values: Vec<Expr> = values.into_iter().map(|value| value[0]).collect();
         for (row, right) in e.matrix.iter().zip(&e.forcing) {
-            let residual = row_term(arena, &values, &[&row[..], &[*right]].concat());
+            let residual = linear_row_term(arena, &values, &[&row[..], &[*right]].concat());
             assert_ne!(zero_test(arena, residual), ZeroTest::NonZero, "{}", formulation.name());
         }
         for ((name, unknown), value) in formulation.unknowns(model).iter().zip(values) {
             if value == Expr::ZERO || of_time.contains(unknown) {
                 continue;
             }
-            let value = whole_text(arena, value);
+            let value = print_whole_text(arena, value);
             for (is_right, value) in [(true, value.clone()), (false, format!("-({value})"))] {
                 let (id, by) = (format!("e{}", list.len()), formulation.name());
                 let text = format!(

@@ -1,13 +1,13 @@
 //! Shared sub-sums and sub-products, against what they were taken out of, by meaning.
 
-use tripos_derive::algebra::form::sharing::{Angles, Products, Reading, is_shared_symbol, share};
-use tripos_derive::algebra::form::simplify::{Simplifier, cost_of_all};
+use tripos_derive::algebra::form::sharing::{Angles, Products, SharingOptions, is_shared_symbol, share_common_parts};
+use tripos_derive::algebra::form::simplify::{Simplifier, operation_count_of_all};
 use tripos_derive::algebra::meaning::compare::Comparer;
 use tripos_derive::algebra::term::calculus::Substitution;
 use tripos_derive::algebra::term::steps::Definition;
 use tripos_derive::algebra::text::parse::parse_free;
-use tripos_derive::algebra::text::print::text;
-use tripos_derive::algebra::value::modular::{ZeroTest, zero_test};
+use tripos_derive::algebra::text::print::print_text;
+use tripos_derive::algebra::value::zero_test::{ZeroTest, zero_test};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{Derivation, accelerations, jacobian};
 use tripos_derive::{Formulation, Model, derive};
@@ -42,7 +42,10 @@ fn read(path: &str) -> Model {
 }
 
 fn operations(arena: &Arena, steps: &[Definition], values: &[Expr]) -> usize {
-    cost_of_all(arena, &steps.iter().map(|step| step.value).chain(values.iter().copied()).collect::<Vec<_>>())
+    operation_count_of_all(
+        arena,
+        &steps.iter().map(|step| step.value).chain(values.iter().copied()).collect::<Vec<_>>(),
+    )
 }
 
 /// Every step and value in the symbols that no step defines.
@@ -62,16 +65,18 @@ fn unfolded(arena: &mut Arena, steps: &[Definition], values: &[Expr]) -> (Vec<De
 fn proved(arena: &Arena, steps: &[Definition], values: &[Expr], of: &str) -> usize {
     let before = operations(arena, steps, values);
     let mut least = before;
-    for reading in Reading::ALL {
+    for reading in SharingOptions::ALL {
         let mut arena = arena.clone();
-        let Some(shared) = share(&mut arena, &mut Simplifier::default(), reading, steps, values) else { continue };
+        let Some(shared) = share_common_parts(&mut arena, &mut Simplifier::default(), reading, steps, values) else {
+            continue;
+        };
         least = least.min(operations(&arena, &shared.steps, &shared.values));
         let (old_steps, old_values) = unfolded(&mut arena, steps, values);
         let (new_steps, new_values) = unfolded(&mut arena, &shared.steps, &shared.values);
         assert_eq!(new_steps.len(), steps.len(), "{of}: every step is still there");
         for old in &old_steps {
             let now = new_steps.iter().find(|s| s.symbol == old.symbol).expect("a step is not lost");
-            let name = format!("{of}, {reading:?}, {}", text(&arena, old.symbol));
+            let name = format!("{of}, {reading:?}, {}", print_text(&arena, old.symbol));
             assert_equal(&mut arena, old.value, now.value, &name);
         }
         for (value, now) in old_values.iter().zip(&new_values) {
@@ -84,10 +89,10 @@ fn proved(arena: &Arena, steps: &[Definition], values: &[Expr], of: &str) -> usi
                 assert!(
                     !arena.mentions(step.value, later.symbol),
                     "{of}: {} is used too early",
-                    text(&arena, later.symbol)
+                    print_text(&arena, later.symbol)
                 );
             }
-            assert!(!known.contains(&step.symbol), "{of}: {} is defined twice", text(&arena, step.symbol));
+            assert!(!known.contains(&step.symbol), "{of}: {} is defined twice", print_text(&arena, step.symbol));
             known.push(step.symbol);
         }
     }
@@ -127,10 +132,11 @@ fn sharing_keeps_the_meaning_of_a_jacobian() {
 fn shared(input: &[&str], products: Products, angles: Angles) -> Vec<String> {
     let mut arena = Arena::new();
     let values: Vec<Expr> = input.iter().map(|text| parse_free(&mut arena, text).unwrap()).collect();
-    let reading = Reading { products, angles };
-    let shared = share(&mut arena, &mut Simplifier::default(), reading, &[], &values).unwrap();
-    let steps = shared.steps.iter().map(|s| format!("{} = {}", text(&arena, s.symbol), text(&arena, s.value)));
-    steps.chain(shared.values.iter().map(|e| text(&arena, *e))).collect()
+    let reading = SharingOptions { products, angles };
+    let shared = share_common_parts(&mut arena, &mut Simplifier::default(), reading, &[], &values).unwrap();
+    let steps =
+        shared.steps.iter().map(|s| format!("{} = {}", print_text(&arena, s.symbol), print_text(&arena, s.value)));
+    steps.chain(shared.values.iter().map(|e| print_text(&arena, *e))).collect()
 }
 
 #[test]
@@ -172,8 +178,8 @@ fn sums_along_a_chain_grow_as_its_length() {
                 parse_free(&mut arena, &terms.join(" + ")).unwrap()
             })
             .collect();
-        let reading = Reading { products: Products::Factored, angles: Angles::Kept };
-        let shared = share(&mut arena, &mut Simplifier::default(), reading, &[], &values).unwrap();
+        let reading = SharingOptions { products: Products::Factored, angles: Angles::Kept };
+        let shared = share_common_parts(&mut arena, &mut Simplifier::default(), reading, &[], &values).unwrap();
         operations(&arena, &shared.steps, &shared.values)
     };
     for n in [4, 8, 16, 32] {
@@ -200,8 +206,8 @@ fn sines_of_sums_come_from_those_of_the_parts() {
     // Two angles are no cheaper than one sum of them.
     let mut arena = Arena::new();
     let alone = parse_free(&mut arena, "sin(p + q)*cos(p + q)").unwrap();
-    let reading = Reading { products: Products::Factored, angles: Angles::Composed };
-    assert!(share(&mut arena, &mut Simplifier::default(), reading, &[], &[alone]).is_none());
+    let reading = SharingOptions { products: Products::Factored, angles: Angles::Composed };
+    assert!(share_common_parts(&mut arena, &mut Simplifier::default(), reading, &[], &[alone]).is_none());
     // Inside another function they are defined before it.
     let lines = composed(&["sin(p)*cos(q)*sqrt(2 - cos(p - q))"]);
     let (cosine, root) = ("#cos(p - q) = ", "sqrt(2 - #cos(p - q))");

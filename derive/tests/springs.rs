@@ -5,8 +5,8 @@
 use crate::common;
 
 use common::{edited, errors, read};
-use tripos_derive::algebra::value::evaluate::Tape;
-use tripos_derive::mechanics::{Derivation, Solved, derive, load_divisors};
+use tripos_derive::algebra::value::tape::Tape;
+use tripos_derive::mechanics::{Derivation, SolvedAccelerations, derive, load_divisors};
 use tripos_derive::prove::prove;
 use tripos_derive::{Formulation, Model};
 
@@ -34,7 +34,7 @@ const NUMBERS: [f64; 10] = [2.0, 0.5, 0.1, 9.81, 70.0, 3.0, 0.3, 0.7, -0.4, 1.1]
 
 fn values(model: &Model, formulation: Formulation) -> Vec<f64> {
     let Derivation { mut arena, equations } = derive(model, formulation).unwrap();
-    let solved = Solved::new(&mut arena, &equations).unwrap().accelerations;
+    let solved = SolvedAccelerations::new(&mut arena, &equations).unwrap().accelerations;
     let inputs = [model.p(), model.q(), equations.variables.clone()].concat();
     let values = [&equations.unknowns[..2], &[equations.potential_energy, equations.power]].concat();
     Tape::stepwise(&arena, &inputs, &solved.steps, &values).unwrap().evaluate(&NUMBERS)
@@ -149,6 +149,8 @@ fn loads_that_divide_by_what_may_vanish_are_listed() {
     let found: Vec<(&str, bool)> = list.iter().map(|divisor| (divisor.load.as_str(), divisor.is_distance)).collect();
     assert_eq!(found, [("s", true), ("well", false)]);
     let x = model.coordinates[0].symbol;
-    assert!(arena.mentions(list[1].value, x) && list[1].meaning().contains("the load `well` divides by it"));
-    assert_eq!(list[0].meaning(), "the ends of the spring `s` meet");
+    assert!(
+        arena.mentions(list[1].value, x) && list[1].zero_divisor_meaning().contains("the load `well` divides by it")
+    );
+    assert_eq!(list[0].zero_divisor_meaning(), "the ends of the spring `s` meet");
 }

@@ -236,8 +236,8 @@ fn what_a_formula_mentions_and_does_not_depend_on_is_left_out() {
         let r = reduced(&text, "outputs = [\"r\"]");
         assert_eq!(integrated(&r).0, ["r", "vr"], "{hidden}");
         assert!(integrated(&r).1.is_empty(), "{hidden}");
-        let angle = r.terms().find_symbol("turn").unwrap();
-        assert!(r.derivation.equations.forcing.iter().all(|f| !r.terms().mentions(*f, angle)), "{hidden}");
+        let angle = r.arena().find_symbol("turn").unwrap();
+        assert!(r.derivation.equations.forcing.iter().all(|f| !r.arena().mentions(*f, angle)), "{hidden}");
     }
 }
 

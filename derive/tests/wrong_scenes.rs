@@ -259,7 +259,7 @@ fn every_kind_of_figure_is_read() {
     let mut model = load(&Source::from_text("model.toml", MODEL)).unwrap();
     let scene = scene::load(&Source::from_text("scene.toml", &text), &mut model).unwrap_or_else(|e| panic!("{e}"));
     assert_eq!(scene.figures.iter().map(|f| f.kind).collect::<Vec<_>>(), FigureKind::ALL);
-    assert_eq!(scene.rungs().len(), 2);
+    assert_eq!(scene.ladder_scenes().len(), 2);
 }
 
 /// Checks the message for a wrong `outputs` line.

@@ -3,30 +3,30 @@
 
 use crate::equations_name::EquationsName;
 use crate::error::Error;
-use crate::interpreted::{Interpreted, NotInterpreted};
+use crate::interpreted_equations::{InterpretationError, InterpretedEquations};
 use crate::mechanism::Mechanism;
 use std::sync::{Arc, OnceLock};
 use tripos_derive::algebra::term::steps::Definition;
-use tripos_derive::algebra::value::evaluate::Tape;
+use tripos_derive::algebra::value::tape::Tape;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diff::printed_equations;
-use tripos_derive::mechanics::{Derivation, Distance, EquationsOrigin, derive_all, in_distance};
-use tripos_derive::publication::{hash_beside, load_beside};
+use tripos_derive::mechanics::{Derivation, EquationsOrigin, SingularDistance, derive_all, equations_in_distance};
+use tripos_derive::publication::{hash_publication_of_model, load_publication_of_model};
 use tripos_derive::reduce::Reduction;
-use tripos_derive::scene::{Scene, Solve};
+use tripos_derive::scene::{AccelerationSolution, Scene};
 use tripos_derive::{Equations, Formulation, derive};
 use tripos_traits::{CompiledModel, CompiledSystem, DoubleDouble, System};
 
 /// Form in which equations of motion are run: compiled Rust code, or interpreted tapes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Form {
+pub enum CodeForm {
     /// Rust code that was generated from the equations and compiled into the program.
     Compiled,
     /// Tapes (lists of arithmetic instructions) that are interpreted at run time.
     Interpreted,
 }
 
-impl Form {
+impl CodeForm {
     /// Name of the form for tables and messages: `compiled` or `interpreted`.
     #[must_use]
     pub const fn name(self) -> &'static str {
@@ -41,13 +41,13 @@ impl Form {
 /// doubles.
 pub struct InterpretedSystem {
     /// Equations of motion as tapes in double precision.
-    pub double: Interpreted,
+    pub double: InterpretedEquations,
     /// Equations as tapes in twice the precision of a double; empty until they are first used.
-    extended: OnceLock<Interpreted<DoubleDouble>>,
+    extended: OnceLock<InterpretedEquations<DoubleDouble>>,
 }
 
-impl From<Interpreted> for InterpretedSystem {
-    fn from(double: Interpreted) -> Self {
+impl From<InterpretedEquations> for InterpretedSystem {
+    fn from(double: InterpretedEquations) -> Self {
         Self { double, extended: OnceLock::new() }
     }
 }
@@ -55,8 +55,8 @@ impl From<Interpreted> for InterpretedSystem {
 impl InterpretedSystem {
     /// Returns the equations as tapes in twice the precision of a double. The first call makes them.
     #[must_use]
-    pub fn extended(&self) -> &Interpreted<DoubleDouble> {
-        self.extended.get_or_init(|| self.double.to())
+    pub fn extended(&self) -> &InterpretedEquations<DoubleDouble> {
+        self.extended.get_or_init(|| self.double.convert_to())
     }
 }
 
@@ -89,7 +89,7 @@ impl Code {
     }
 
     /// Makes runnable code from equations that were compiled to tapes in double precision.
-    fn interpreted(system: Interpreted) -> Self {
+    fn interpreted(system: InterpretedEquations) -> Self {
         Self::Interpreted(Arc::new(system.into()))
     }
 
@@ -97,7 +97,7 @@ impl Code {
     /// interpreted.
     #[must_use]
     pub fn is_compiled(&self) -> bool {
-        self.form() == Form::Compiled
+        self.form() == CodeForm::Compiled
     }
 
     /// Name of the code's form for tables and messages: `compiled` or `interpreted`.
@@ -108,10 +108,10 @@ impl Code {
 
     /// Form of the code: compiled or interpreted.
     #[must_use]
-    pub fn form(&self) -> Form {
+    pub fn form(&self) -> CodeForm {
         match self {
-            Self::Compiled(_) => Form::Compiled,
-            Self::Interpreted(_) => Form::Interpreted,
+            Self::Compiled(_) => CodeForm::Compiled,
+            Self::Interpreted(_) => CodeForm::Interpreted,
         }
     }
 }
@@ -121,9 +121,12 @@ impl Code {
 /// # Errors
 /// [`Error::Request`] if there is no formulation of this name.
 pub fn formulation(name: &str) -> Result<Formulation, Error> {
-    Formulation::named(name).ok_or_else(|| {
+    Formulation::from_name(name).ok_or_else(|| {
         let names = Formulation::ALL.map(Formulation::name);
-        Error::request(format!("there is no formulation `{name}`"), tripos_derive::diagnostic::nearest(name, names))
+        Error::request(
+            format!("there is no formulation `{name}`"),
+            tripos_derive::diagnostic::nearest_name_advice(name, names),
+        )
     })
 }
 
@@ -134,7 +137,7 @@ pub fn formulation(name: &str) -> Result<Formulation, Error> {
 /// [`Error::Request`] if the model has no equations of this name; [`Error::Input`] if the
 /// publication has errors. The name `reduced` is refused too, since reduced equations belong to a
 /// scene.
-pub fn by(model: &Mechanism, name: &EquationsName) -> Result<EquationsOrigin, Error> {
+pub fn find_equations(model: &Mechanism, name: &EquationsName) -> Result<EquationsOrigin, Error> {
     let id = match name {
         EquationsName::Derived(formulation) => return Ok(EquationsOrigin::from(*formulation)),
         EquationsName::Printed(id) => id,
@@ -143,13 +146,13 @@ pub fn by(model: &Mechanism, name: &EquationsName) -> Result<EquationsOrigin, Er
             return formulation(&name.to_string()).map(EquationsOrigin::from);
         }
     };
-    let list = printed(model)?;
+    let list = list_printed_equations(model)?;
     list.iter().find(|by| by.printed_id() == Some(id)).cloned().ok_or_else(|| {
         let names: Vec<String> = list.iter().map(EquationsOrigin::name).collect();
         let help = if list.is_empty() {
             "the model has no publication.toml beside it".to_owned()
         } else {
-            tripos_derive::diagnostic::nearest(&name.to_string(), names.iter().map(String::as_str))
+            tripos_derive::diagnostic::nearest_name_advice(&name.to_string(), names.iter().map(String::as_str))
         };
         Error::request(format!("there are no printed equations `{name}`"), help)
     })
@@ -161,9 +164,9 @@ pub fn by(model: &Mechanism, name: &EquationsName) -> Result<EquationsOrigin, Er
 /// # Errors
 /// `Error::Request` if the model has no equations of the given name; `Error::Input` if its
 /// publication has errors. No error without a name.
-pub fn by_or_first(model: &Mechanism, name: Option<&EquationsName>) -> Result<EquationsOrigin, Error> {
+pub fn find_equations_or_first(model: &Mechanism, name: Option<&EquationsName>) -> Result<EquationsOrigin, Error> {
     let first = || Formulation::STANDARD.into_iter().find(|f| derive(model, *f).is_ok()).unwrap_or(Formulation::Kane);
-    name.map_or_else(|| Ok(EquationsOrigin::from(first())), |name| by(model, name))
+    name.map_or_else(|| Ok(EquationsOrigin::from(first())), |name| find_equations(model, name))
 }
 
 /// Lists the origins of the printed equations in the publication file beside the model file, in the
@@ -171,16 +174,18 @@ pub fn by_or_first(model: &Mechanism, name: Option<&EquationsName>) -> Result<Eq
 ///
 /// # Errors
 /// [`Error::Input`] if the publication file or the model has errors.
-pub fn printed(model: &Mechanism) -> Result<Vec<EquationsOrigin>, Error> {
-    let list = printed_derivation(model)?.map(|(_, equations)| equations).unwrap_or_default();
+pub fn list_printed_equations(model: &Mechanism) -> Result<Vec<EquationsOrigin>, Error> {
+    let list = read_printed_equations(model)?.map(|(_, equations)| equations).unwrap_or_default();
     Ok(list.into_iter().map(|equations| equations.by).collect())
 }
 
 /// Reads the printed equations of the publication beside the model file, with the arena that holds
 /// their terms. `None` if there is no publication file.
-fn printed_derivation(model: &Mechanism) -> Result<Option<(Arena, Vec<Equations>)>, Error> {
+fn read_printed_equations(model: &Mechanism) -> Result<Option<(Arena, Vec<Equations>)>, Error> {
     let mut with_publication = model.clone();
-    let Some(publication) = load_beside(&model.source.path, &mut with_publication)? else { return Ok(None) };
+    let Some(publication) = load_publication_of_model(&model.source.path, &mut with_publication)? else {
+        return Ok(None);
+    };
     let mut derivations = derive_all(&with_publication).map_err(|error| model.diagnose(&error))?;
     let list = printed_equations(&with_publication, &mut derivations, &publication);
     Ok(Some((derivations.kinematics.arena, list)))
@@ -192,7 +197,7 @@ fn printed_derivation(model: &Mechanism) -> Result<Option<(Arena, Vec<Equations>
 /// Compiled equations always contain accelerations. Few contain recurrences of Taylor coefficients.
 /// If a run needs recurrences that the compiled equations lack, the equations are interpreted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Ready {
+pub enum CodePreparation {
     /// The equations as they were derived: mass matrix, forcing and energies. Accelerations are found
     /// numerically.
     AsDerived,
@@ -203,14 +208,14 @@ pub enum Ready {
     WithSeries,
 }
 
-impl Ready {
+impl CodePreparation {
     /// Extent of preparation that runs of a scene need. Taylor's method needs recurrences. With a
     /// numeric solve, the accelerations are eliminated only if the method needs the Jacobian.
     #[must_use]
-    pub fn for_runs(scene: &Scene) -> Self {
+    pub fn preparation_for_runs(scene: &Scene) -> Self {
         let how = &scene.integration;
         let Some(method) = how.method.method() else { return Self::Solved };
-        let is_numeric = how.solve == Some(Solve::Numeric);
+        let is_numeric = how.solve == Some(AccelerationSolution::Numeric);
         match () {
             () if is_numeric && !method.needs_jacobian() => Self::AsDerived,
             () if method.needs_series() => Self::WithSeries,
@@ -219,7 +224,7 @@ impl Ready {
     }
 
     /// True if the given compiled equations are ready to this extent.
-    fn is_had(self, system: &CompiledSystem) -> bool {
+    fn is_met_by(self, system: &CompiledSystem) -> bool {
         self != Self::WithSeries || system.double.has_taylor()
     }
 }
@@ -234,16 +239,21 @@ impl Ready {
 /// # Errors
 /// [`Error::Unsupported`] if the model does not have this formulation; [`Error::Input`] if it cannot be derived;
 /// [`Error::Request`] if the equations cannot be run.
-pub fn code(model: &Mechanism, by: &EquationsOrigin, distance: Option<Distance>, ready: Ready) -> Result<Code, Error> {
+pub fn runnable_code(
+    model: &Mechanism,
+    by: &EquationsOrigin,
+    distance: Option<SingularDistance>,
+    ready: CodePreparation,
+) -> Result<Code, Error> {
     if let Some(code) = compiled_code(model, by, distance, ready) {
         return Ok(code);
     }
-    let derivation = derivation(model, by)?;
+    let derivation = derive_or_read_equations(model, by)?;
     let derivation = match distance {
-        Some(distance) => in_distance(model, derivation, distance),
+        Some(distance) => equations_in_distance(model, derivation, distance),
         None => derivation,
     };
-    code_of(model, by, &derivation, ready)
+    interpreted_code(model, by, &derivation, ready)
 }
 
 /// Finds compiled equations of a model by their origin. `None` if the program has none that were
@@ -252,24 +262,25 @@ pub fn code(model: &Mechanism, by: &EquationsOrigin, distance: Option<Distance>,
 pub fn compiled_code(
     model: &Mechanism,
     by: &EquationsOrigin,
-    distance: Option<Distance>,
-    ready: Ready,
+    distance: Option<SingularDistance>,
+    ready: CodePreparation,
 ) -> Option<Code> {
-    let compiled = compiled(model)?;
+    let compiled = compiled_model(model)?;
     let name = by.name_in(distance, model);
     let found = compiled.systems.iter().find(|system| system.name == name);
     // Printed equations must also come from exactly this text of the publication file.
-    let current = by.printed_id().is_none() || hash_beside(&model.source.path) == compiled.publication_hash;
-    found.filter(|system| current && ready.is_had(system)).map(Code::Compiled)
+    let current =
+        by.printed_id().is_none() || hash_publication_of_model(&model.source.path) == compiled.publication_hash;
+    found.filter(|system| current && ready.is_met_by(system)).map(Code::Compiled)
 }
 
 /// Finds the compiled reduced equations of a scene by the key of its reduction. `None` if the
 /// program has none with this key, or none that are ready to the given extent.
 #[must_use]
-pub fn compiled_scene(mechanism: &Mechanism, reduction: &Reduction, ready: Ready) -> Option<Code> {
-    let key = reduction.key();
+pub fn compiled_scene_code(mechanism: &Mechanism, reduction: &Reduction, ready: CodePreparation) -> Option<Code> {
+    let key = reduction.reduction_hash();
     let found = mechanism.compiled.iter().flat_map(|model| model.scenes).find(|scene| scene.key == key);
-    found.filter(|scene| ready.is_had(&scene.system)).map(|scene| Code::Compiled(&scene.system))
+    found.filter(|scene| ready.is_met_by(&scene.system)).map(|scene| Code::Compiled(&scene.system))
 }
 
 /// Compiles derived or printed equations to tapes for interpretation. The accelerations v̇ are
@@ -278,15 +289,20 @@ pub fn compiled_scene(mechanism: &Mechanism, reduction: &Reduction, ready: Ready
 /// # Errors
 /// [`Error::Request`] if the equations contain a symbol that has no value during a run, which only
 /// printed equations can, or if they cannot be solved for v̇.
-pub fn code_of(model: &Mechanism, by: &EquationsOrigin, derivation: &Derivation, ready: Ready) -> Result<Code, Error> {
-    let code = Interpreted::new(model, derivation).map_err(NotInterpreted::from);
+pub fn interpreted_code(
+    model: &Mechanism,
+    by: &EquationsOrigin,
+    derivation: &Derivation,
+    ready: CodePreparation,
+) -> Result<Code, Error> {
+    let code = InterpretedEquations::new(model, derivation).map_err(InterpretationError::from);
     let code = match ready {
-        Ready::Solved | Ready::WithSeries if by.formulation().is_some() => {
-            code.and_then(|code| code.solved(derivation))
+        CodePreparation::Solved | CodePreparation::WithSeries if by.formulation().is_some() => {
+            code.and_then(|code| code.with_solved_accelerations(derivation))
         }
         _ => code,
     };
-    Ok(Code::interpreted(code.map_err(|why| not_interpreted(&by.name(), &why))?))
+    Ok(Code::interpreted(code.map_err(|why| interpretation_error(&by.name(), &why))?))
 }
 
 /// Compiles the reduced equations of a scene to tapes for interpretation, with the scene's outputs.
@@ -294,21 +310,21 @@ pub fn code_of(model: &Mechanism, by: &EquationsOrigin, derivation: &Derivation,
 /// # Errors
 /// [`Error::Request`] if the equations contain a symbol that has no value during a run, or cannot
 /// be solved for v̇. Equations of a reduction never contain such a symbol.
-pub fn interpreted_scene(reduction: &Reduction) -> Result<Code, Error> {
+pub fn interpreted_scene_code(reduction: &Reduction) -> Result<Code, Error> {
     let derivation = &reduction.derivation;
-    let code = Interpreted::new(&reduction.model, derivation).map_err(NotInterpreted::from);
-    let code = code.and_then(|code| Ok(code.solved(derivation)?.showing(reduction)?));
-    Ok(Code::interpreted(code.map_err(|why| not_interpreted(&EquationsOrigin::Reduced.name(), &why))?))
+    let code = InterpretedEquations::new(&reduction.model, derivation).map_err(InterpretationError::from);
+    let code = code.and_then(|code| Ok(code.with_solved_accelerations(derivation)?.with_scene_outputs(reduction)?));
+    Ok(Code::interpreted(code.map_err(|why| interpretation_error(&EquationsOrigin::Reduced.name(), &why))?))
 }
 
 /// Error that says why equations cannot be interpreted; `name` is their name for people.
-fn not_interpreted(name: &str, why: &NotInterpreted) -> Error {
+fn interpretation_error(name: &str, why: &InterpretationError) -> Error {
     match why {
-        NotInterpreted::Unknown(unknown) => Error::request(
+        InterpretationError::Unknown(unknown) => Error::request(
             format!("`{name}` mentions `{}`, which has no value during a run", unknown.0),
             "equations of a run contain only parameters, coordinates and motion variables".to_owned(),
         ),
-        NotInterpreted::Unsolved(why) => Error::request(format!("`{name}`: {why}"), why.help().to_owned()),
+        InterpretationError::Unsolved(why) => Error::request(format!("`{name}`: {why}"), why.help().to_owned()),
     }
 }
 
@@ -317,8 +333,8 @@ fn not_interpreted(name: &str, why: &NotInterpreted) -> Error {
 ///
 /// # Errors
 /// [`Error::Request`] if a value contains a symbol other than the inputs.
-pub fn tape(arena: &Arena, inputs: &[Expr], values: &[Expr], what: &str) -> Result<Tape, Error> {
-    stepwise(arena, inputs, &[], values, what)
+pub fn compile_tape(arena: &Arena, inputs: &[Expr], values: &[Expr], what: &str) -> Result<Tape, Error> {
+    compile_tape_with_steps(arena, inputs, &[], values, what)
 }
 
 /// Compiles a tape that computes `values` from numbers for the symbols `inputs`. The values may
@@ -327,7 +343,7 @@ pub fn tape(arena: &Arena, inputs: &[Expr], values: &[Expr], what: &str) -> Resu
 /// # Errors
 /// `Error::Request` if a value or a step contains a symbol that is neither an input nor defined by
 /// an earlier step.
-pub fn stepwise(
+pub fn compile_tape_with_steps(
     arena: &Arena,
     inputs: &[Expr],
     steps: &[Definition],
@@ -346,11 +362,11 @@ pub fn stepwise(
 /// # Errors
 /// [`Error::Unsupported`] if the model does not have this formulation; [`Error::Input`] if it
 /// cannot be derived; `Error::Request` if the publication has no such printed equations.
-pub fn derivation(model: &Mechanism, by: &EquationsOrigin) -> Result<Derivation, Error> {
+pub fn derive_or_read_equations(model: &Mechanism, by: &EquationsOrigin) -> Result<Derivation, Error> {
     if let Some(formulation) = by.formulation() {
         return model.derive(formulation);
     }
-    let (arena, list) = printed_derivation(model)?.unwrap_or_default();
+    let (arena, list) = read_printed_equations(model)?.unwrap_or_default();
     let equations = list.into_iter().find(|e| e.by == *by);
     let missing = || {
         let help = "the publication file changed while it was read: try again".to_owned();
@@ -362,7 +378,7 @@ pub fn derivation(model: &Mechanism, by: &EquationsOrigin) -> Result<Derivation,
 /// Finds the compiled equations of a model whose text has the same hash. `None` if the program
 /// contains none.
 #[must_use]
-pub fn compiled(model: &Mechanism) -> Option<&'static CompiledModel> {
+pub fn compiled_model(model: &Mechanism) -> Option<&'static CompiledModel> {
     let hash = model.text_hash();
     model.compiled.iter().find(|m| m.text_hash == hash)
 }

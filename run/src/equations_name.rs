@@ -23,10 +23,10 @@ pub enum EquationsName {
 
 impl From<&str> for EquationsName {
     fn from(name: &str) -> Self {
-        if let Some(formulation) = Formulation::named(name) {
+        if let Some(formulation) = Formulation::from_name(name) {
             return Self::Derived(formulation);
         }
-        match EquationsOrigin::asked_id(name) {
+        match EquationsOrigin::printed_id_of_argument(name) {
             Some(id) => Self::Printed(id.to_owned()),
             None if name == EquationsOrigin::Reduced.name() => Self::Reduced,
             None => Self::Unknown(name.to_owned()),

@@ -2,7 +2,7 @@
 
 use std::fmt;
 use tripos_derive::diagnostic::{Diagnostics, UnknownName};
-use tripos_derive::plain::path_in_line;
+use tripos_derive::plain_text::path_in_line;
 use tripos_derive::scene::Scene;
 use tripos_sim::SimError;
 
@@ -38,7 +38,7 @@ impl Error {
     /// Returns the message of the first error and its advice. The advice is `None` if the error has
     /// none.
     #[must_use]
-    pub fn what_and_help(&self) -> (String, Option<String>) {
+    pub fn message_and_advice(&self) -> (String, Option<String>) {
         let of_first = |list: &[Diagnostics]| {
             let first = list.iter().find_map(|file| file.list.first());
             first.map_or_else(Default::default, |d| (d.message.clone(), d.help.clone()))
@@ -55,7 +55,7 @@ impl Error {
     /// First line of the error's message.
     #[must_use]
     pub fn first_line(&self) -> String {
-        self.what_and_help().0.lines().next().unwrap_or_default().to_owned()
+        self.message_and_advice().0.lines().next().unwrap_or_default().to_owned()
     }
 
     /// Diagnostics of the files with errors, a file each; empty if the error is about no file.
@@ -95,7 +95,7 @@ impl From<Diagnostics> for Error {
 /// Creates the error for a scene that the simulator refuses to run: the simulator's message, and
 /// advice to check the scene file.
 #[must_use]
-pub fn refused(scene: &Scene, error: &SimError) -> Error {
+pub fn refused_scene_error(scene: &Scene, error: &SimError) -> Error {
     Error::request(error.to_string(), format!("check {}", path_in_line(&scene.source.path)))
 }
 

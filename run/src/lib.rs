@@ -6,9 +6,9 @@
 //!
 //! let mut scene = Scene::read("../models/pendulum/scenes/over.toml")?;
 //! assert!(scene.prove()?.is_equivalent());
-//! scene.set("g", 1.62)?;
+//! scene.set_number("g", 1.62)?;
 //! let run = scene.simulate(&Overrides { rtol: Some(1e-9), ..Overrides::default() })?;
-//! println!("theta ends at {} rad", run.column("theta")?.last().unwrap());
+//! println!("theta ends at {} rad", run.column_of_quantity("theta")?.last().unwrap());
 //! run.events().iter().for_each(|event| println!("{} at t = {} s", event.name, event.t));
 //! run.drifts.iter().for_each(|drift| println!("{} changes by {:e}", drift.integral, drift.change));
 //! run.objections().iter().for_each(|warning| println!("do not trust it: {warning}"));
@@ -17,7 +17,7 @@
 //!
 //! A program begins with [`Scene`] and [`Mechanism`]. The modules contain the parts of both, for
 //! special needs. The library never prints, never ends the process, and knows no command line. A
-//! scene runs by compiled equations if the program contains them ([`Scene::with`]). Otherwise the
+//! scene runs by compiled equations if the program contains them ([`Scene::with_compiled_equations`]). Otherwise the
 //! equations are interpreted; the results agree to rounding.
 
 // The examples of the README are tested too.
@@ -26,10 +26,10 @@
 pub mod code;
 mod equations_name;
 mod error;
-pub mod follow;
-mod interpreted;
+mod integration_options;
+mod interpreted_equations;
 mod mechanism;
-mod options;
+pub mod observer;
 mod overrides;
 pub mod pictures;
 pub mod preparation;
@@ -41,23 +41,23 @@ pub mod trust;
 
 pub use equations_name::EquationsName;
 pub use error::Error;
+pub use integration_options::method_words;
 pub use mechanism::Mechanism;
-pub use options::method_words;
 pub use overrides::Overrides;
 pub use preparation::near_divisors::near_divisors;
 pub use preparation::problem::Problem;
-pub use preparation::reduced::Reduced;
+pub use preparation::reduced_equations::ReducedScene;
 pub use scene::Scene;
-pub use simulation::outputs::state_names;
 pub use simulation::run::Run;
-pub use simulation::run_problem::{run_code, run_problem, whole_energies};
-pub use simulation::sampled::{Decision, Held, Sample, SampledRun};
+pub use simulation::run_problem::{run_code, run_problem, set_whole_model_energies};
+pub use simulation::sampled_inputs::{ControllerSample, HeldSignal, InputDecision, SampledRun};
+pub use simulation::shown_quantities::state_names;
 pub use simulation::simulate::simulate;
 pub use studies::sensitivity::gradient::{Gradient, gradient};
-pub use studies::sensitivity::{At, Sensitivities, sensitivities};
-pub use tripos_derive::scene::{Integrator, Project, Solve};
+pub use studies::sensitivity::{DerivativeInstants, Sensitivities, sensitivities};
+pub use tripos_derive::scene::{AccelerationSolution, Integrator, ProjectionTarget};
 pub use tripos_sim::Method;
-pub use trust::digits::Digits;
-pub use trust::invariants::{Conserved, Course, Drift, Watch};
-pub use trust::reference::Reference;
-pub use trust::residuals::Residual;
+pub use trust::constraint_residuals::Residual;
+pub use trust::correct_digits::CorrectDigits;
+pub use trust::invariants::{ConservedQuantity, Drift, InvariantValues, WatchedInvariants};
+pub use trust::reference_solution::ReferenceSolution;

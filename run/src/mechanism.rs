@@ -1,7 +1,7 @@
 //! A model together with the compiled equations of the program and an observer.
 
 use crate::error::Error;
-use crate::follow::Follow;
+use crate::observer::Observer;
 use std::ops::{Deref, DerefMut};
 #[cfg(feature = "files")]
 use std::path::Path;
@@ -23,14 +23,14 @@ pub struct Mechanism {
     /// All compiled equations of the program, of this model or of others; empty if none were added.
     pub compiled: &'static [CompiledModel],
     /// Observer that may end long computations early.
-    pub follow: Follow,
+    pub follow: Observer,
 }
 
 impl Mechanism {
     /// Creates a mechanism without compiled equations and without an observer.
     #[must_use]
     pub fn new(model: Model) -> Self {
-        Self { model, compiled: &[], follow: Follow::default() }
+        Self { model, compiled: &[], follow: Observer::default() }
     }
 
     /// Reads a model file as a mechanism without compiled equations.
@@ -44,13 +44,13 @@ impl Mechanism {
 
     /// Sets the list of equations that were compiled into the program, in place of the present list.
     #[must_use]
-    pub fn with(self, compiled: &'static [CompiledModel]) -> Self {
+    pub fn with_compiled_equations(self, compiled: &'static [CompiledModel]) -> Self {
         Self { compiled, ..self }
     }
 
     /// Sets the observer that may end long computations early, in place of the present observer.
     #[must_use]
-    pub fn followed(self, follow: Follow) -> Self {
+    pub fn with_observer(self, follow: Observer) -> Self {
         Self { follow, ..self }
     }
 }
@@ -81,7 +81,7 @@ impl Mechanism {
     ///
     /// # Errors
     /// `Error::Request` if the constraints leave no generalized speed, so that the task has no sense.
-    pub(crate) fn has_speeds(&self, what: &str) -> Result<(), Error> {
+    pub(crate) fn require_speeds(&self, what: &str) -> Result<(), Error> {
         if !self.model.speeds.is_empty() {
             return Ok(());
         }

@@ -2,7 +2,7 @@
 
 use crate::equations_name::EquationsName;
 use crate::error::Error;
-use tripos_derive::scene::{Integrator, Project, Scene, Solve};
+use tripos_derive::scene::{AccelerationSolution, Integrator, ProjectionTarget, Scene};
 
 /// Settings of one run that replace the integration settings of its scene. `None` keeps the scene's
 /// value.
@@ -14,10 +14,10 @@ pub struct Overrides {
     /// Numerical method of integration: a stepping method, or quadrature.
     pub method: Option<Integrator>,
     /// Integral onto which the state is projected after each step, such as the energy.
-    pub project: Option<Project>,
+    pub project: Option<ProjectionTarget>,
     /// Method that finds the accelerations: eliminated beforehand, or solved for numerically in each
     /// step.
-    pub solve: Option<Solve>,
+    pub solve: Option<AccelerationSolution>,
     /// Constant length of every step, s; error control is then off.
     pub step: Option<f64>,
     /// Longest step that error control may choose, s.
@@ -37,7 +37,7 @@ impl Overrides {
     /// # Errors
     /// [`Error::Request`] for steps, tolerances or an end with which no run is possible, and for
     /// settings that exclude one another. The scene may then be partly changed.
-    pub fn change(&self, scene: &mut Scene) -> Result<(), Error> {
+    pub fn apply_to_scene(&self, scene: &mut Scene) -> Result<(), Error> {
         let how = &mut scene.integration;
         how.method = self.method.unwrap_or(how.method);
         how.solve = self.solve.or(how.solve);

@@ -1,23 +1,23 @@
 //! A scene with its mechanism, read from files and run: the starting point of most programs.
 
 use crate::error::Error;
-use crate::follow::Follow;
 use crate::mechanism::Mechanism;
+use crate::observer::Observer;
 use crate::overrides::Overrides;
-use crate::preparation::reduced::Reduced;
+use crate::preparation::reduced_equations::ReducedScene;
 use crate::simulation::run::Run;
-use crate::simulation::sampled::{self, Held, Sample, SampledRun};
+use crate::simulation::sampled_inputs::{self, ControllerSample, HeldSignal, SampledRun};
 use crate::simulation::simulate::simulate;
 use crate::studies::sensitivity::gradient::{Gradient, gradient};
-use crate::studies::sensitivity::{At, Sensitivities, sensitivities};
-use crate::trust::reference::Reference;
+use crate::studies::sensitivity::{DerivativeInstants, Sensitivities, sensitivities};
+use crate::trust::reference_solution::ReferenceSolution;
 #[cfg(feature = "files")]
 use std::path::Path;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::prove::Proof;
 #[cfg(feature = "files")]
 use tripos_derive::scene::model_path;
-use tripos_derive::scene::{self as description, Family, Grid, load_bound};
+use tripos_derive::scene::{self as description, Family, Grid, load_scene_with_inputs};
 use tripos_traits::CompiledModel;
 
 /// Scene (parameters, start and span of a run) that was read from a file, together with its
@@ -43,7 +43,7 @@ impl Scene {
     pub fn read(path: impl AsRef<Path>) -> Result<Self, Error> {
         let source = Source::read(path.as_ref())?;
         let mechanism = Mechanism::read(&model_path(&source)?)?;
-        Self::load(mechanism, &source)
+        Self::from_source(mechanism, &source)
     }
 
     /// Creates a scene of a mechanism from the text of a scene file. The model file that the text names is not read.
@@ -51,27 +51,27 @@ impl Scene {
     /// # Errors
     /// [`Error::Input`] with every error of the text, each with its line and column.
     pub fn parse(mechanism: Mechanism, text: &str) -> Result<Self, Error> {
-        Self::load(mechanism, &Source::from_text("scene", text))
+        Self::from_source(mechanism, &Source::from_text("scene", text))
     }
 
     /// Reads the text of a scene file and puts the scene's formulas of inputs into the mechanism's
     /// model.
-    fn load(mut mechanism: Mechanism, source: &Source) -> Result<Self, Error> {
-        let file = load_bound(source, &mut mechanism)?;
+    fn from_source(mut mechanism: Mechanism, source: &Source) -> Result<Self, Error> {
+        let file = load_scene_with_inputs(source, &mut mechanism)?;
         Ok(Self { mechanism, current: file.clone(), file, set: Vec::new() })
     }
 
     /// Adds equations of motion that were compiled into the program, such as `tripos_models::MODELS`.
     /// Without them, the equations of every model are interpreted.
     #[must_use]
-    pub fn with(mut self, compiled: &'static [CompiledModel]) -> Self {
+    pub fn with_compiled_equations(mut self, compiled: &'static [CompiledModel]) -> Self {
         self.mechanism.compiled = compiled;
         self
     }
 
     /// Adds an observer that may end long computations early.
     #[must_use]
-    pub fn followed(mut self, follow: Follow) -> Self {
+    pub fn with_observer(mut self, follow: Observer) -> Self {
         self.mechanism.follow = follow;
         self
     }
@@ -95,7 +95,7 @@ impl Scene {
     /// # Errors
     /// [`Error::Inputs`] if the scene has no number of this name; [`Error::Input`] if the number cannot have this
     /// value, such as a mass below zero.
-    pub fn set(&mut self, name: &str, value: f64) -> Result<(), Error> {
+    pub fn set_number(&mut self, name: &str, value: f64) -> Result<(), Error> {
         let mut set = self.set.clone();
         set.retain(|(known, _)| known != name);
         set.push((name.to_owned(), value));
@@ -119,8 +119,8 @@ impl Scene {
     ///
     /// # Errors
     /// [`Error`] if the model cannot be derived, or does not determine an output of the scene.
-    pub fn reduce(&self) -> Result<Reduced, Error> {
-        Reduced::new(&self.mechanism, &self.current)
+    pub fn reduce(&self) -> Result<ReducedScene, Error> {
+        ReducedScene::new(&self.mechanism, &self.current)
     }
 
     /// Computes reference states at the given instants to about twenty digits, with their uncertainty.
@@ -128,8 +128,8 @@ impl Scene {
     ///
     /// # Errors
     /// [`Error`] if a run does not reach the last instant.
-    pub fn reference(&self, times: &[f64]) -> Result<Reference, Error> {
-        Reference::new(&self.mechanism, &self.current, times)
+    pub fn reference(&self, times: &[f64]) -> Result<ReferenceSolution, Error> {
+        ReferenceSolution::new(&self.mechanism, &self.current, times)
     }
 
     /// Runs the scene by its own reduced equations, unless `how` names other equations or asks for a numeric solve.
@@ -139,7 +139,7 @@ impl Scene {
     /// why.
     pub fn simulate(&self, how: &Overrides) -> Result<Run, Error> {
         let mut scene = self.current.clone();
-        how.change(&mut scene)?;
+        how.apply_to_scene(&mut scene)?;
         simulate(&self.mechanism, &scene, how.by.as_ref())
     }
 
@@ -148,19 +148,24 @@ impl Scene {
     /// start.
     ///
     /// ```
-    /// # use tripos::{At, Overrides, Scene};
+    /// # use tripos::{DerivativeInstants, Overrides, Scene};
     /// let scene = Scene::read("../models/pendulum/scenes/over.toml")?;
-    /// let slopes = scene.sensitivities(&["l", "theta"], At::End, &Overrides::default())?;
-    /// println!("theta at the end changes by {} rad for each metre", slopes.of("theta", "l")?);
+    /// let slopes = scene.sensitivities(&["l", "theta"], DerivativeInstants::End, &Overrides::default())?;
+    /// println!("theta at the end changes by {} rad for each metre", slopes.derivative_of("theta", "l")?);
     /// # Ok::<(), tripos::Error>(())
     /// ```
     ///
     /// # Errors
     /// `Error::Input` for a name that the scene does not have. `Error::Request` if the equations, the
     /// integrator or a number cannot be differentiated. Otherwise `Error` if the scene cannot be run.
-    pub fn sensitivities(&self, names: &[&str], at: At, how: &Overrides) -> Result<Sensitivities, Error> {
+    pub fn sensitivities(
+        &self,
+        names: &[&str],
+        at: DerivativeInstants,
+        how: &Overrides,
+    ) -> Result<Sensitivities, Error> {
         let mut scene = self.current.clone();
-        how.change(&mut scene)?;
+        how.apply_to_scene(&mut scene)?;
         let names: Vec<String> = names.iter().map(|name| (*name).to_owned()).collect();
         sensitivities(&self.mechanism, &scene, &self.set, &names, at, how.by.as_ref())
     }
@@ -184,7 +189,7 @@ impl Scene {
     /// differentiated. Otherwise `Error` if the scene cannot be run.
     pub fn gradient(&self, of: &str, how: &Overrides) -> Result<Gradient, Error> {
         let mut scene = self.current.clone();
-        how.change(&mut scene)?;
+        how.apply_to_scene(&mut scene)?;
         gradient(&self.mechanism, &scene, &self.set, of, how.by.as_ref())
     }
 
@@ -194,10 +199,10 @@ impl Scene {
     /// # Errors
     /// [`Error::Request`] for a signal without as many values as instants. Otherwise errors of
     /// [`Scene::simulate_sampled`], as for unknown inputs.
-    pub fn simulate_held(&self, signals: &[Held<'_>], how: &Overrides) -> Result<SampledRun, Error> {
+    pub fn simulate_held(&self, signals: &[HeldSignal<'_>], how: &Overrides) -> Result<SampledRun, Error> {
         let mut scene = self.current.clone();
-        how.change(&mut scene)?;
-        sampled::simulate_held(&self.mechanism, &scene, signals, how.by.as_ref())
+        how.apply_to_scene(&mut scene)?;
+        sampled_inputs::simulate_recorded_signals(&self.mechanism, &scene, signals, how.by.as_ref())
     }
 
     /// Runs the scene with inputs that a controller sets at the given instants, s, from the state at
@@ -208,7 +213,7 @@ impl Scene {
     /// errors. Each run has a new controller, which may keep data between instants:
     ///
     /// ```
-    /// # use tripos::{Mechanism, Overrides, Sample, Scene};
+    /// # use tripos::{ControllerSample, Mechanism, Overrides, Scene};
     /// # let text = r#"
     /// # name = "cart"
     /// # [parameters]
@@ -234,7 +239,7 @@ impl Scene {
     /// let every_50_ms: Vec<f64> = (0..100).map(|k| f64::from(k) * 0.05).collect();
     /// let controller = || {
     ///     let mut sum = 0.0;
-    ///     move |sample: &Sample<'_>| {
+    ///     move |sample: &ControllerSample<'_>| {
     ///         let (x, v) = (sample.state[0], sample.state[1]);
     ///         sum += 0.05 * x;
     ///         vec![-8.0 * x - 6.0 * v - 2.0 * sum]
@@ -250,7 +255,7 @@ impl Scene {
     /// [`Error::Request`] for unknown inputs or inputs with formulas; for instants that are not in order or outside the
     /// span; for a decision with a wrong number of values or a value that is not finite; for a run backwards, by
     /// quadrature, projected or with impacts. Otherwise the errors of [`Scene::simulate`].
-    pub fn simulate_sampled<C: FnMut(&Sample<'_>) -> Vec<f64>>(
+    pub fn simulate_sampled<C: FnMut(&ControllerSample<'_>) -> Vec<f64>>(
         &self,
         inputs: &[&str],
         instants: &[f64],
@@ -258,7 +263,7 @@ impl Scene {
         how: &Overrides,
     ) -> Result<SampledRun, Error> {
         let mut scene = self.current.clone();
-        how.change(&mut scene)?;
-        sampled::simulate_sampled(&self.mechanism, &scene, inputs, instants, controller, how.by.as_ref())
+        how.apply_to_scene(&mut scene)?;
+        sampled_inputs::simulate_sampled(&self.mechanism, &scene, inputs, instants, controller, how.by.as_ref())
     }
 }

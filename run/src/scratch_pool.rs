@@ -9,7 +9,7 @@ pub struct ScratchPool<T>(Mutex<T>);
 impl<T: Default> ScratchPool<T> {
     /// Calls `work` with the kept memory, or with new memory if another thread is using the kept
     /// memory. The contents of the memory are those that the last call left.
-    pub fn with<R>(&self, work: impl FnOnce(&mut T) -> R) -> R {
+    pub fn with_scratch<R>(&self, work: impl FnOnce(&mut T) -> R) -> R {
         match self.0.try_lock() {
             Ok(mut room) => work(&mut room),
             Err(_) => work(&mut T::default()),

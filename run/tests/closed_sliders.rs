@@ -144,7 +144,7 @@ fn sliders_in_closed_chains_carry_nothing_along_themselves() {
             match (chain.forces(axis), run(&model, &chain.scene(&names))) {
                 (Some(forces), Ok(run)) => {
                     for (name, force) in names.iter().zip(&forces) {
-                        let found = *run.column(name).unwrap().last().unwrap();
+                        let found = *run.column_of_quantity(name).unwrap().last().unwrap();
                         asked += 1;
                         assert!((found - force).abs() < 1e-9, "case {case}: {name} is {found}, not {force}\n{model}");
                     }
@@ -203,7 +203,7 @@ shaft = { kind = "pin", body = "crank", axis = 3, body_at = ["r", 0, 0] }
     let scene = Scene::parse(Mechanism::new(mechanism), scene).unwrap();
     for by in ["kane", "lagrange", "newton-euler"] {
         let run = scene.simulate(&Overrides { by: Some(by.into()), ..Overrides::default() }).unwrap();
-        let found = *run.column("q").unwrap().last().unwrap();
+        let found = *run.column_of_quantity("q").unwrap().last().unwrap();
         assert!(run.failure().is_none() && (found - q).abs() < 1e-9, "{by}: {found}, not {q}");
     }
 }
@@ -244,7 +244,7 @@ vector = [0, "m*g", 0]
     for model in [model, &moved] {
         let scene = "span = [0, 0.3]\noutputs = [\"hold_force3\", \"force(ground on a) @ N [1]\"]\n[start]\nth = 1\n\"th'\" = 2\n";
         let run = run(model, scene).unwrap_or_else(|error| panic!("{error}"));
-        let end = |name: &str| *run.column(name).unwrap().last().unwrap();
+        let end = |name: &str| *run.column_of_quantity(name).unwrap().last().unwrap();
         assert!((end("hold_force3") - 20.0).abs() < 1e-9, "{}", end("hold_force3"));
         assert!((end("force(ground on a) @ N [1]") + 10.0).abs() < 1e-9);
     }

@@ -6,12 +6,12 @@
 
 use std::path::Path;
 use tripos::Mechanism;
-use tripos::studies::steady::{BranchesAt, ClosedForm, Conditions, FoundMotion, conditions, equilibria};
+use tripos::studies::steady::{BranchesAt, ClosedForm, Conditions, FoundMotion, conditions, find_equilibria};
 use tripos_derive::algebra::Arena;
 use tripos_derive::algebra::text::parse::parse_free;
-use tripos_derive::algebra::value::evaluate::Tape;
+use tripos_derive::algebra::value::tape::Tape;
 use tripos_derive::diagnostic::Source;
-use tripos_derive::scene::{Asked, load_asked};
+use tripos_derive::scene::{StateWithUnknowns, load_state_with_unknowns};
 
 fn read(model: &str) -> Mechanism {
     if model.contains('\n') {
@@ -258,7 +258,7 @@ fn formulas_meet_the_equations_of_the_textbook() {
         [("rolling_disc", ["m", "r"], [6.0, 5.0]), ("disk", ["M", "R"], [2.0, 1.0])]
     {
         let form = closed(model, &[]);
-        let spin = |branch: &tripos::studies::steady::Solved| {
+        let spin = |branch: &tripos::studies::steady::SolutionBranch| {
             branch.solved.iter().find(|told| told.name.text == "q3'").cloned()
         };
         let formulas: Vec<_> = form.list[1].branches.iter().filter_map(spin).collect();
@@ -287,11 +287,11 @@ fn closed_top() -> ClosedForm {
     closed("heavy_top", &["Omega_n3"])
 }
 
-fn found(model: &str, state: &str, starts: u64) -> (ClosedForm, Asked, Vec<FoundMotion>) {
+fn found(model: &str, state: &str, starts: u64) -> (ClosedForm, StateWithUnknowns, Vec<FoundMotion>) {
     let mut mechanism = read(model);
-    let asked =
-        load_asked(&Source::from_text("state.toml", state), &mut mechanism, &[]).unwrap_or_else(|e| panic!("{e}"));
-    let found = equilibria(&mechanism, &asked, starts).unwrap_or_else(|e| panic!("{e}"));
+    let asked = load_state_with_unknowns(&Source::from_text("state.toml", state), &mut mechanism, &[])
+        .unwrap_or_else(|e| panic!("{e}"));
+    let found = find_equilibria(&mechanism, &asked, starts).unwrap_or_else(|e| panic!("{e}"));
     (conditions(&mechanism, &[]).unwrap_or_else(|e| panic!("{e}")), asked, found)
 }
 

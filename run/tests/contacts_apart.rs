@@ -22,7 +22,7 @@ fn run(model: &str, scene: &str, method: &str, tolerance: f64) -> Run {
 }
 
 fn end(run: &Run, name: &str) -> f64 {
-    *run.column(name).unwrap().last().unwrap()
+    *run.column_of_quantity(name).unwrap().last().unwrap()
 }
 
 /// Two particles on floors of their own, lifted by forces f and f2 in N, in t.
@@ -302,7 +302,7 @@ along = "v(C) @ F [1] - v(W) @ F [1]"
 "#;
     let model = load(&Source::from_text("model.toml", model)).unwrap_or_else(|e| panic!("{e}"));
     let scene = Scene::parse(Mechanism::new(model), text).unwrap_or_else(|e| panic!("{e}"));
-    let by = |by: &str, solve: tripos::Solve| {
+    let by = |by: &str, solve: tripos::AccelerationSolution| {
         let how = Overrides { by: Some(by.into()), solve: Some(solve), ..Overrides::default() };
         let run = scene.simulate(&how).unwrap_or_else(|e| panic!("{by}: {e}"));
         assert!(run.failure().is_none(), "{by}: {:?}", run.objections());
@@ -310,7 +310,7 @@ along = "v(C) @ F [1] - v(W) @ F [1]"
     };
     let truth = ball_on_wedge();
     for other in ["kane", "lagrange", "newton-euler"] {
-        for solve in [tripos::Solve::Eliminated, tripos::Solve::Numeric] {
+        for solve in [tripos::AccelerationSolution::Eliminated, tripos::AccelerationSolution::Numeric] {
             let run = by(other, solve);
             for (name, wanted) in ["X", "x", "y", "U", "u"].iter().zip(truth) {
                 let found = end(&run, name);

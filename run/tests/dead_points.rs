@@ -263,7 +263,7 @@ fn random_linkages_go_through_the_dead_points_of_their_speeds() {
             assert!(run.failure().is_none(), "{what}: {:?}", run.objections());
             changed += usize::from(run.notes.iter().any(|note| note.contains("speeds changed")));
             for (at, angle) in angles.iter().enumerate() {
-                let found = *run.column(&format!("q{at}")).unwrap().last().unwrap();
+                let found = *run.column_of_quantity(&format!("q{at}")).unwrap().last().unwrap();
                 assert!((found - angle).abs() < 3e3 * tolerance, "{what}: q{at} is off by {:e}", found - angle);
             }
         }
@@ -288,7 +288,7 @@ fn a_start_in_a_dead_point_needs_a_rate() {
             let run = by(&chain.scene(&[2], &state, 0.4, &how), formulation);
             assert!(run.failure().is_none(), "case {case}, {formulation}: {:?}", run.objections());
             for (at, angle) in truth.iter().enumerate() {
-                near(*run.column(&format!("q{at}")).unwrap().last().unwrap(), *angle, 1e-8, "angle");
+                near(*run.column_of_quantity(&format!("q{at}")).unwrap().last().unwrap(), *angle, 1e-8, "angle");
             }
         }
         // One rate is enough, since the other follows from it.
@@ -297,7 +297,12 @@ fn a_start_in_a_dead_point_needs_a_rate() {
             &chain.model(&[2]),
             &format!("{text}[integration]\nmethod = \"dop853\"\nrtol = 1e-11\natol = 1e-11\n"),
         );
-        near(*run(&part, "kane").column("q0").unwrap().last().unwrap(), truth[0], 1e-8, "angle by one rate");
+        near(
+            *run(&part, "kane").column_of_quantity("q0").unwrap().last().unwrap(),
+            truth[0],
+            1e-8,
+            "angle by one rate",
+        );
         let model =
             tripos_derive::model::load(&tripos_derive::diagnostic::Source::from_text("m.toml", &chain.model(&[2])));
         let by_speed = text.replace(&format!("\"q0'\" = {rate:?}"), "v = 0");
@@ -348,12 +353,12 @@ fn derivatives_of_runs_that_change_their_speeds_hold() {
     let h = 1e-3;
     let truth = (8.0 * (beside(h) - beside(-h)) - beside(2.0 * h) + beside(-2.0 * h)) / (12.0 * h);
     let how = Overrides { by: Some("kane".into()), ..Overrides::default() };
-    let found = scene.sensitivities(&[name], tripos::At::End, &how).unwrap();
+    let found = scene.sensitivities(&[name], tripos::DerivativeInstants::End, &how).unwrap();
     let error = found.errors.as_ref().unwrap()[0][0];
-    let value = found.of("q0", name).unwrap();
+    let value = found.derivative_of("q0", name).unwrap();
     assert!((value - truth).abs() < error + 1e-7 && error < 1e-4 * truth.abs().max(1.0), "{value}, {truth}, {error:e}");
     let gradient = scene.gradient("q0", &how).unwrap();
-    let slope = gradient.by(name).unwrap();
+    let slope = gradient.slope_by(name).unwrap();
     assert!((slope.value - truth).abs() < slope.error.unwrap() + 1e-7, "{slope:?}, {truth}");
 }
 
@@ -413,9 +418,9 @@ ly = { equation = "p(Q) @ N [2] = p(R) @ N [2]" }
     let scene = crate::driven::scene(model, text);
     for by in ["kane", "lagrange"] {
         let how = Overrides { by: Some(by.into()), ..Overrides::default() };
-        let found = scene.sensitivities(&["b"], tripos::At::End, &how).unwrap();
+        let found = scene.sensitivities(&["b"], tripos::DerivativeInstants::End, &how).unwrap();
         for (at, (name, truth)) in [("q1", 2_169.354_3), ("q2", -644.135_9), ("u2", -11_410.741)].iter().enumerate() {
-            let (value, error) = (found.of(name, "b").unwrap(), found.errors.as_ref().unwrap()[0][at]);
+            let (value, error) = (found.derivative_of(name, "b").unwrap(), found.errors.as_ref().unwrap()[0][at]);
             assert!((value - truth).abs() < error + 1e-6 * truth.abs(), "{by}, {name}: {value}, not {truth}");
             assert!(error < 1e-6 * truth.abs(), "{by}, {name}: {error:e}");
         }

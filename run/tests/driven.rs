@@ -22,7 +22,8 @@ pub fn run(scene: &Scene, by: &str) -> Run {
 
 /// Samples of a run: time, and the values under these names.
 pub fn samples(run: &Run, names: &[&str]) -> Vec<(f64, Vec<f64>)> {
-    let columns: Vec<Vec<f64>> = names.iter().map(|name| run.column(name).unwrap_or_else(|e| panic!("{e}"))).collect();
+    let columns: Vec<Vec<f64>> =
+        names.iter().map(|name| run.column_of_quantity(name).unwrap_or_else(|e| panic!("{e}"))).collect();
     let times = run.samples().map(|(t, _)| t);
     times.enumerate().map(|(at, t)| (t, columns.iter().map(|column| column[at]).collect())).collect()
 }
@@ -394,7 +395,7 @@ fn forces_go_through_the_joints_of_the_file() {
     let text = format!("model = \"model.toml\"\nspan = [0, 1]\noutputs = [{}]\n{start}", list.join(", "));
     let run = run(&scene(COLUMN, &text), "kane");
     for (name, expected) in outputs {
-        let found = run.column(name).unwrap_or_else(|e| panic!("{e}"));
+        let found = run.column_of_quantity(name).unwrap_or_else(|e| panic!("{e}"));
         near(*found.last().unwrap(), expected, 1e-9, name);
     }
 }

@@ -13,7 +13,7 @@ fn scene(model: &str, scene: &str) -> Scene {
 fn column(scene: &Scene, by: Option<&str>, name: &str) -> Vec<f64> {
     let run = scene.simulate(&Overrides { by: by.map(Into::into), ..Overrides::default() }).unwrap();
     assert!(run.failure().is_none(), "{by:?}: {:?}", run.objections());
-    run.column(name).unwrap()
+    run.column_of_quantity(name).unwrap()
 }
 
 /// Two masses that attract one another. The law is a potential of their distance d and two parameters.

@@ -116,7 +116,11 @@ fn a_block_thrown_up_stops_or_comes_back() {
         assert!(near(end(&run, "x"), -4.5 / up + 0.5 * back * left * left, 1e-10), "{mu}: {:?}", run.end);
         assert!(near(end(&run, "vx"), back * left, 1e-10));
         keeps_energy(&run, 1e-10);
-        assert!(run.digits.as_ref().unwrap().end().unwrap() > 8.0, "{:?}", run.digits.as_ref().unwrap().end());
+        assert!(
+            run.digits.as_ref().unwrap().digits_at_end_least().unwrap() > 8.0,
+            "{:?}",
+            run.digits.as_ref().unwrap().digits_at_end_least()
+        );
     }
 }
 
@@ -290,7 +294,7 @@ fn an_impact_with_friction_sticks_or_slips() {
         let impact = &run.impacts()[0];
         assert!(near(impact.impulses[0].1, normal, 1e-9), "{impact:?} for {normal}");
         let at = run.solution.t.iter().position(|t| t.total_cmp(&impact.t).is_eq()).unwrap();
-        let after = |name: &str| run.column(name).unwrap()[at];
+        let after = |name: &str| run.column_of_quantity(name).unwrap()[at];
         assert!(near(after("vx"), vx + along / m, 1e-9) && near(after("vy"), -v + normal / m, 1e-9), "{vx}");
         assert!(near(after("om"), om + (-c * normal + s * along) / i, 1e-9), "{}", after("om"));
         keeps_energy(&run, 1e-10);

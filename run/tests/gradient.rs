@@ -2,7 +2,7 @@
 
 use crate::sensitivity::{FALL, GROUND, SPRING, elliptic, how, near, scene_of, spring};
 use tripos::studies::sensitivity::gradient::Slope;
-use tripos::{At, Gradient, Integrator, Overrides, Scene, Solve};
+use tripos::{AccelerationSolution, DerivativeInstants, Gradient, Integrator, Overrides, Scene};
 use tripos_sim::Method;
 
 fn gradient(scene: &Scene, of: &str, how: &Overrides) -> Gradient {
@@ -12,7 +12,7 @@ fn gradient(scene: &Scene, of: &str, how: &Overrides) -> Gradient {
 }
 
 fn by(found: &Gradient, name: &str) -> f64 {
-    found.by(name).unwrap().value
+    found.slope_by(name).unwrap().value
 }
 
 /// Truth: x = x₀ cos ω t + v₀/ω sin ω t with ω = √(k/m), where v₀ = x₀ω is a formula that k and m enter. Its
@@ -36,11 +36,11 @@ fn a_spring_has_the_gradient_of_its_closed_form() {
             let dx = x0 * t * (c - s);
             for (name, truth) in [("k", dx * dk), ("m", dx * dm), ("c", 0.0), ("x", c), ("v", s / w)] {
                 near(by(&of_x, name), truth, tolerance, &format!("{what}, d(x)/d({name})"));
-                let slope = of_x.by(name).unwrap();
+                let slope = of_x.slope_by(name).unwrap();
                 let (off, error) = ((slope.value - truth).abs(), slope.error.expect("a second run comes to the end"));
                 assert!(off <= 30.0 * error + 1e-15, "{what}, {name}: {off:e} is said to be {error:e}");
             }
-            assert_eq!(of_x.by("k").unwrap().unit.as_deref(), Some("m*s^2/kg"));
+            assert_eq!(of_x.slope_by("k").unwrap().unit.as_deref(), Some("m*s^2/kg"));
             let is_other = of_x.run.notes.iter().any(|note| note.contains("the run is by dop853"));
             let is_swept = matches!(method, Method::Rk4 | Method::Ode45 | Method::Dopri5 | Method::Dop853);
             assert_eq!(is_other, !is_swept, "{what}: {:?}", of_x.run.notes);
@@ -67,7 +67,7 @@ fn an_event_at_the_end_moves_with_every_number() {
     let of_v = gradient(&scene, "v", &how(None));
     let of_y = gradient(&scene, "y", &how(None));
     assert!(of_t.is_total && of_t.run.solution.stop.code() == "event:ground");
-    assert_eq!(of_t.by("y").unwrap().unit.as_deref(), Some("s/m"));
+    assert_eq!(of_t.slope_by("y").unwrap().unit.as_deref(), Some("s/m"));
     for (name, in_t, in_v) in [
         ("g", -t / (2.0 * g), -(h / (2.0 * g)).sqrt()),
         ("y", t / (2.0 * h), -(g / (2.0 * h)).sqrt()),
@@ -117,7 +117,7 @@ fn ten_seconds_of_the_disk_are_swept_to_eight_digits() {
     for (name, truths) in [("q2", [-8.785_134_948, 9.274_522_89]), ("u1", [34.774_362_43, -35.791_670_76])] {
         let found = gradient(&scene, name, &how(None));
         for (by, truth) in ["R", "q2'"].iter().zip(truths) {
-            let slope = found.by(by).unwrap();
+            let slope = found.slope_by(by).unwrap();
             println!("d({name})/d({by}) = {} ± {:?}, {} states", slope.value, slope.error, found.states);
             near(slope.value, truth, 1e-8, &format!("d({name})/d({by})"));
             assert!((slope.value - truth).abs() <= slope.error.unwrap(), "{slope:?} {truth}");
@@ -161,9 +161,12 @@ fn library_models_have_the_gradients_that_derivatives_forwards_are() {
             // that.
             let (slopes, without): (Vec<&Slope>, Vec<&Slope>) = found.slopes.iter().partition(|s| s.missing.is_none());
             assert!(slopes.len() >= 4, "{folder}");
-            assert!(without.iter().all(|slope| scene.sensitivities(&[&slope.by], At::End, &how).is_err()), "{folder}");
+            assert!(
+                without.iter().all(|slope| scene.sensitivities(&[&slope.by], DerivativeInstants::End, &how).is_err()),
+                "{folder}"
+            );
             let names: Vec<&str> = slopes.iter().map(|slope| slope.by.as_str()).collect();
-            let forwards = scene.sensitivities(&names, At::End, &how).unwrap();
+            let forwards = scene.sensitivities(&names, DerivativeInstants::End, &how).unwrap();
             let place = forwards.names.iter().position(|name| name == of).unwrap();
             let errors = forwards.errors.as_ref().expect("a second run comes to the end");
             let largest = forwards.end.iter().fold(1.0, |most: f64, list| most.max(list[place].abs()));
@@ -219,7 +222,7 @@ fn a_switch_that_moves_counts_in_the_gradient() {
     // The switch at the end of the span moves into it or out of it. Numbers that move it have no derivative; others do.
     let ends = scene_of(&model, &text.replace("[0, 3]", "[0, 1.25]"));
     let found = ends.gradient("x", &how(None)).unwrap();
-    let slope = found.by("c").unwrap();
+    let slope = found.slope_by("c").unwrap();
     assert!(slope.value.is_nan() && slope.missing.as_ref().is_some_and(|why| why.contains("out of it")), "{slope:?}");
     near(by(&found, "v"), 1.25, 1e-12, "by the speed");
     assert!(found.missing().is_none() && slope.error.is_none(), "the reason is known");
@@ -234,7 +237,7 @@ fn a_switch_that_moves_counts_in_the_gradient() {
 #[test]
 fn numbers_that_were_set_are_those_of_the_gradient() {
     let mut scene = spring("dop853", "");
-    scene.set("k", 2.0).unwrap();
+    scene.set_number("k", 2.0).unwrap();
     let found = gradient(&scene, "x", &how(None));
     near(by(&found, "x"), 3.0_f64.cos(), 1e-10, "ω is 1");
 }
@@ -250,11 +253,11 @@ fn what_has_no_gradient_is_refused() {
     let plain = Overrides::default();
     assert!(refused(&scene, "kinetic_enery", &plain).contains("did you mean `kinetic_energy`"));
     assert!(refused(&scene, "v", &how(Some("reduced"))).contains("full equations"));
-    let solve = Overrides { solve: Some(Solve::Numeric), ..plain.clone() };
+    let solve = Overrides { solve: Some(AccelerationSolution::Numeric), ..plain.clone() };
     assert!(refused(&scene, "v", &solve).contains("eliminated"));
     let method = Overrides { method: Some(Integrator::Quadrature), ..plain.clone() };
     assert!(refused(&scene, "v", &method).contains("stepping method"));
     assert!(refused(&spring("dop853", ""), "t", &plain).contains("terminal event"));
     let found = scene.gradient("v", &plain).unwrap();
-    assert!(found.by("mm").unwrap_err().to_string().contains("did you mean `m`"));
+    assert!(found.slope_by("mm").unwrap_err().to_string().contains("did you mean `m`"));
 }

@@ -88,7 +88,7 @@ pub fn end(run: &Run, name: &str) -> f64 {
 fn after(run: &Run, impact: usize, name: &str) -> f64 {
     let t = run.impacts()[impact].t;
     let at = run.solution.t.iter().position(|sampled| sampled.total_cmp(&t).is_eq()).unwrap();
-    run.column(name).unwrap()[at]
+    run.column_of_quantity(name).unwrap()[at]
 }
 
 pub fn near(a: f64, b: f64, tolerance: f64) -> bool {
@@ -144,7 +144,11 @@ fn bounces_that_accumulate_become_a_contact_that_is_held() {
     let lost: f64 = impacts.iter().map(|impact| impact.loss).sum();
     assert!(near(lost, 20.0, 1e-10) && run.energy_drift.unwrap() < 1e-10, "{lost}");
     assert!(run.notes.iter().any(|note| note.contains("bounces of `floor`")), "{:?}", run.notes);
-    assert!(run.digits.as_ref().unwrap().end().unwrap() > 6.0, "{:?}", run.digits.as_ref().map(tripos::Digits::end));
+    assert!(
+        run.digits.as_ref().unwrap().digits_at_end_least().unwrap() > 6.0,
+        "{:?}",
+        run.digits.as_ref().map(tripos::CorrectDigits::digits_at_end_least)
+    );
 }
 
 /// Goal: samples at requested instants belong to their own flight, by either law. Truth: parabolas between the bounces.
@@ -154,7 +158,7 @@ fn asked_instants_are_of_the_flights_that_they_are_in() {
         let text = format!("{FALL}law = \"{law}\"\n{FINE}samples = 25\n");
         let run = run(BALL, &text);
         assert_eq!(run.solution.t.len(), 25, "{law}");
-        for (t, z) in run.solution.t.iter().zip(run.column("z").unwrap()) {
+        for (t, z) in run.solution.t.iter().zip(run.column_of_quantity("z").unwrap()) {
             let (mut from, mut up) = (-0.2_f64.sqrt(), 20_f64.sqrt());
             while t - from > up / 5.0 {
                 from += up / 5.0;
@@ -485,8 +489,8 @@ fn what_knows_no_impacts_refuses_them() {
 #[test]
 fn a_restitution_is_set_like_any_parameter() {
     let mut scene = scene(BALL, FALL);
-    scene.set("e", 0.8).unwrap();
+    scene.set_number("e", 0.8).unwrap();
     let run = scene.simulate(&Overrides::default()).unwrap();
     assert!(near(after(&run, 0, "w"), 0.8 * 20_f64.sqrt(), 1e-12), "{}", after(&run, 0, "w"));
-    assert!(scene.set("e", 1.2).unwrap_err().to_string().contains("not from 0 to 1"));
+    assert!(scene.set_number("e", 1.2).unwrap_err().to_string().contains("not from 0 to 1"));
 }

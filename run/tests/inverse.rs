@@ -3,12 +3,12 @@
 //! Truth: closed forms; P. I. Corke, *Robotics, Vision and Control* (2011), section 9.1.
 
 use std::path::Path;
-use tripos::studies::identify::{identify, rows, values};
-use tripos::studies::inverse::{Forces, Inverse, moments};
+use tripos::studies::identification::{base_parameter_values, identify, regressor_rows};
+use tripos::studies::inverse::{InverseDynamics, RequiredForces, motion_samples};
 use tripos::{Error, Mechanism};
-use tripos_derive::algebra::value::evaluate::Numeric;
+use tripos_derive::algebra::value::tape::Numeric;
 use tripos_derive::diagnostic::Source;
-use tripos_derive::mechanics::Varied;
+use tripos_derive::mechanics::RegressorParameters;
 use tripos_derive::scene::{MotionSample, load_motion, load_samples};
 use tripos_traits::DoubleDouble;
 
@@ -22,13 +22,13 @@ fn parse(text: &str) -> Mechanism {
     Mechanism::new(model)
 }
 
-fn run(mut model: Mechanism, motion: &str, inputs: &[&str]) -> Result<Vec<(MotionSample, Forces)>, Error> {
+fn run(mut model: Mechanism, motion: &str, inputs: &[&str]) -> Result<Vec<(MotionSample, RequiredForces)>, Error> {
     let motion = load_motion(&Source::from_text("motion.toml", motion), &mut model).unwrap_or_else(|e| panic!("{e}"));
     let inputs: Vec<String> = inputs.iter().map(|name| (*name).to_owned()).collect();
-    let inverse = Inverse::new(&model, &inputs)?;
-    moments(&model, &motion)?
+    let inverse = InverseDynamics::new(&model, &inputs)?;
+    motion_samples(&model, &motion)?
         .into_iter()
-        .map(|moving| inverse.at(&motion.parameters, &moving).map(|forces| (moving, forces)))
+        .map(|moving| inverse.required_forces_at(&motion.parameters, &moving).map(|forces| (moving, forces)))
         .collect()
 }
 
@@ -248,8 +248,8 @@ fn a_free_body_has_ten_base_parameters() {
     let gravity = "[gravity]\nframe = \"N\"\nacceleration = [0, 0, \"-g\"]\n";
     for (kind, count) in [("free", 10), ("ball", 9)] {
         for sequence in ["euler", "321"] {
-            let found =
-                identify(&parse(&text(kind, sequence, gravity)), Varied::Bodies).unwrap_or_else(|e| panic!("{e}"));
+            let found = identify(&parse(&text(kind, sequence, gravity)), RegressorParameters::Bodies)
+                .unwrap_or_else(|e| panic!("{e}"));
             assert_eq!(found.base.len(), count, "{kind} {sequence}");
             assert!(found.base.iter().all(|base| base.with.is_empty()), "{kind} {sequence}");
         }
@@ -273,17 +273,20 @@ fn regressors_give_the_forces_of_the_model_in_32_digits() {
     for name in ["puma560", "pendulum", "driven_pendulum", "rolling_disc", "cart_with_spring", "gimbals"] {
         let model = read(name);
         let value = |p: &tripos_derive::model::Parameter| match &p.value {
-            Some(value) => DoubleDouble::of(value),
+            Some(value) => DoubleDouble::from_rational(value),
             None => DoubleDouble::from(if p.is_input { 0.0 } else { 0.7 }),
         };
         let p: Vec<DoubleDouble> = model.parameters.iter().map(value).collect();
-        let (inverse, states) = (Inverse::new(&model, &[]).unwrap(), states(&model));
-        for varied in [Varied::Bodies, Varied::Declared] {
+        let (inverse, states) = (InverseDynamics::new(&model, &[]).unwrap(), states(&model));
+        for varied in [RegressorParameters::Bodies, RegressorParameters::Declared] {
             let found = identify(&model, varied).unwrap();
-            let values: Vec<DoubleDouble> =
-                values(&model, &found, &p).unwrap().into_iter().map(|x| x.expect("closed forms")).collect();
-            for row in rows(&model, &found, &p, &states).unwrap() {
-                let wanted = inverse.at(&p, &states[row.state]).unwrap().along[row.speed];
+            let values: Vec<DoubleDouble> = base_parameter_values(&model, &found, &p)
+                .unwrap()
+                .into_iter()
+                .map(|x| x.expect("closed forms"))
+                .collect();
+            for row in regressor_rows(&model, &found, &p, &states).unwrap() {
+                let wanted = inverse.required_forces_at(&p, &states[row.state]).unwrap().along[row.speed];
                 let sum = row.factors.iter().zip(&values).fold(row.rest, |sum, (y, x)| sum + *y * *x);
                 let size =
                     row.factors.iter().zip(&values).fold(1.0, |most: f64, (y, x)| most.max((*y * *x).hi().abs()));

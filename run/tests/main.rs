@@ -85,7 +85,7 @@ fn scene() -> Scene {
 }
 
 fn end_of(run: &Run, name: &str) -> f64 {
-    *run.column(name).unwrap().last().unwrap()
+    *run.column_of_quantity(name).unwrap().last().unwrap()
 }
 
 /// Exact solution: x = 0.5 cos(ω t), ω = √(k/m).
@@ -124,24 +124,24 @@ fn equations_references_and_samples_are_a_call_away() {
 #[test]
 fn what_is_set_stays_set_and_what_cannot_be_is_an_error() {
     let mut scene = scene();
-    scene.set("k", 32.0).unwrap();
-    scene.set("x", 0.25).unwrap();
+    scene.set_number("k", 32.0).unwrap();
+    scene.set_number("x", 0.25).unwrap();
     let run = scene.simulate(&Overrides::default()).unwrap();
     assert!((end_of(&run, "x") - 0.25 * 40_f64.cos()).abs() < 1e-9, "both are set");
-    scene.set("k", 8.0).unwrap();
+    scene.set_number("k", 8.0).unwrap();
     let run = scene.simulate(&Overrides::default()).unwrap();
     assert!((end_of(&run, "x") - 0.25 * 20_f64.cos()).abs() < 1e-9, "the last value counts");
 
-    let refused = scene.set("kk", 1.0).unwrap_err();
+    let refused = scene.set_number("kk", 1.0).unwrap_err();
     assert!(refused.to_string().contains("did you mean `k`?"), "{refused}");
-    let refused = scene.set("m", -1.0).unwrap_err();
+    let refused = scene.set_number("m", -1.0).unwrap_err();
     assert!(matches!(refused, Error::Input(_)), "{refused}");
-    let refused = scene.set("x", f64::NAN).unwrap_err();
+    let refused = scene.set_number("x", f64::NAN).unwrap_err();
     assert!(refused.to_string().contains("`x` is NaN"), "{refused}");
     let run = scene.simulate(&Overrides::default()).unwrap();
     assert!((end_of(&run, "x") - 0.25 * 20_f64.cos()).abs() < 1e-9, "what was refused changes nothing");
 
-    let refused = run.column("y").unwrap_err();
+    let refused = run.column_of_quantity("y").unwrap_err();
     assert!(refused.to_string().contains("the run shows no `y`"), "{refused}");
     let refused = Error::from("euler".parse::<tripos::Integrator>().unwrap_err());
     assert!(matches!(refused, Error::Request { .. }), "{refused}");
@@ -152,8 +152,8 @@ fn what_is_set_stays_set_and_what_cannot_be_is_an_error() {
 fn a_follower_ends_a_run_and_gets_what_there_is() {
     use std::ops::ControlFlow;
     let stops = |t: f64| if t >= 2.0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
-    let follow = tripos::follow::Follow::new(tripos_sim::Poll::new(stops), || false);
-    let run = scene().followed(follow).simulate(&Overrides::default()).unwrap();
+    let follow = tripos::observer::Observer::new(tripos_sim::Poll::new(stops), || false);
+    let run = scene().with_observer(follow).simulate(&Overrides::default()).unwrap();
     assert!(run.solution.stop == tripos_sim::Stop::Interrupted && run.solution.t_end < 3.0, "{}", run.ending);
 }
 

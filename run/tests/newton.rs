@@ -54,7 +54,7 @@ impl Sampled {
     }
 
     fn column(&self, name: &str) -> [f64; 3] {
-        let column = self.run.column(name).unwrap_or_else(|_| panic!("no {name}\n{}", self.model));
+        let column = self.run.column_of_quantity(name).unwrap_or_else(|_| panic!("no {name}\n{}", self.model));
         [column[0], column[column.len() / 2], *column.last().unwrap()]
     }
 

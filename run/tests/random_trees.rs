@@ -71,5 +71,5 @@ fn ends<'a>(letter: &'a str, values: &'a [f64]) -> impl Iterator<Item = (String,
 }
 
 fn end(run: &Run, name: &str) -> f64 {
-    *run.column(name).unwrap().last().unwrap()
+    *run.column_of_quantity(name).unwrap().last().unwrap()
 }

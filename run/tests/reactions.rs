@@ -59,5 +59,5 @@ fn ends(model: &str, scene: &str, by: Option<&str>, components: &[String]) -> Ve
     let run = scene
         .simulate(&Overrides { by: by.map(Into::into), ..Overrides::default() })
         .unwrap_or_else(|error| panic!("{error}"));
-    components.iter().map(|name| *run.column(name).unwrap().last().unwrap()).collect()
+    components.iter().map(|name| *run.column_of_quantity(name).unwrap().last().unwrap()).collect()
 }

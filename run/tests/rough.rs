@@ -160,8 +160,8 @@ fn a_disk_that_bounces_ends_up_rolling() {
 #[test]
 fn a_coefficient_is_set_like_any_parameter() {
     let mut scene = scene(BLOCK, &on_plane("alpha = 0.3", 0.0, 0.0, 1.0));
-    scene.set("mu", 0.2).unwrap();
+    scene.set_number("mu", 0.2).unwrap();
     let run = scene.simulate(&Overrides::default()).unwrap();
     assert!(near(end(&run, "x"), 5.0 * (0.3_f64.sin() - 0.2 * 0.3_f64.cos()), 1e-10), "{:?}", run.end);
-    assert!(scene.set("mu", -0.2).unwrap_err().to_string().contains("below 0"));
+    assert!(scene.set_number("mu", -0.2).unwrap_err().to_string().contains("below 0"));
 }

@@ -5,7 +5,7 @@
 //! Systems*, 3rd edition (1997), § 2.3).
 
 use std::cell::Cell;
-use tripos::{Held, Integrator, Mechanism, Overrides, Sample, SampledRun, Scene};
+use tripos::{ControllerSample, HeldSignal, Integrator, Mechanism, Overrides, SampledRun, Scene};
 use tripos_derive::Formulation;
 use tripos_derive::diagnostic::Source;
 
@@ -71,7 +71,7 @@ fn exact() -> Vec<[f64; 2]> {
 }
 
 fn controlled(scene: &Scene, how: &Overrides) -> SampledRun {
-    let controller = || |sample: &Sample<'_>| vec![feedback([sample.state[0], sample.value("v").unwrap()])];
+    let controller = || |sample: &ControllerSample<'_>| vec![feedback([sample.state[0], sample.value("v").unwrap()])];
     scene.simulate_sampled(&["F"], &instants(), controller, how).unwrap_or_else(|e| panic!("{how:?}: {e}"))
 }
 
@@ -146,7 +146,7 @@ fn the_second_run_decides_by_itself() {
     let controller = || {
         made.set(made.get() + 1);
         let which = f64::from(made.get());
-        move |_: &Sample<'_>| vec![which]
+        move |_: &ControllerSample<'_>| vec![which]
     };
     let run = scene("").simulate_sampled(&["F"], &[0.0], controller, &Overrides::default()).unwrap();
     assert_eq!(made.get(), 2);
@@ -159,7 +159,7 @@ fn the_second_run_decides_by_itself() {
 fn recorded_signals_are_held_and_the_scene_has_its_value_before_them() {
     let (instants, values) = ([0.7, 1.1, 2.9], [2.0, -1.0, 4.0]);
     let run = scene("")
-        .simulate_held(&[Held { input: "F", instants: &instants, values: &values }], &Overrides::default())
+        .simulate_held(&[HeldSignal { input: "F", instants: &instants, values: &values }], &Overrides::default())
         .unwrap();
     let mut y = turned([0.1, 0.3], 0.5, 0.7);
     for (h, force) in [(0.4, 2.0), (1.8, -1.0), (0.1, 4.0)] {
@@ -168,7 +168,7 @@ fn recorded_signals_are_held_and_the_scene_has_its_value_before_them() {
     assert!((run.end[0] - y[0]).abs() < 1e-10 && (run.end[1] - y[1]).abs() < 1e-10, "{:?} {y:?}", run.end);
     // The instants are the very start, and the end, after which nothing follows.
     let run = scene("")
-        .simulate_held(&[Held { input: "F", instants: &[0.0, 3.0], values: &[8.0, 9.0] }], &Overrides::default());
+        .simulate_held(&[HeldSignal { input: "F", instants: &[0.0, 3.0], values: &[8.0, 9.0] }], &Overrides::default());
     let run = run.unwrap();
     assert!((run.end[0] - turned([0.1, 0.3], 8.0, 3.0)[0]).abs() < 1e-10);
     assert_eq!(run.decisions.len(), 1);
@@ -192,7 +192,8 @@ fn asked_instants_are_shown_once_and_events_are_met() {
 fn what_makes_no_sense_is_refused() {
     let scene = scene("");
     let error = |inputs: &[&str], instants: &[f64], value: f64| {
-        let run = scene.simulate_sampled(inputs, instants, || |_: &Sample<'_>| vec![value], &Overrides::default());
+        let run =
+            scene.simulate_sampled(inputs, instants, || |_: &ControllerSample<'_>| vec![value], &Overrides::default());
         run.map(|_| ()).unwrap_err().first_line()
     };
     assert_eq!(error(&["f"], &[0.0], 0.0), "the model has no input `f`");
@@ -207,14 +208,14 @@ fn what_makes_no_sense_is_refused() {
     assert_eq!(error(&["F"], &[3.5], 0.0), "the instant 3.5 s is outside the run, from 0 s to 3 s");
     assert_eq!(error(&["F"], &[f64::NAN], 0.0), "the instant NaN s is outside the run, from 0 s to 3 s");
     assert_eq!(error(&["F"], &[0.5], f64::INFINITY), "the value of `F` at t = 0.5 s is inf");
-    let none = scene.simulate_sampled(&["F"], &[0.5], || |_: &Sample<'_>| Vec::new(), &Overrides::default());
+    let none = scene.simulate_sampled(&["F"], &[0.5], || |_: &ControllerSample<'_>| Vec::new(), &Overrides::default());
     assert_eq!(none.unwrap_err().first_line(), "the controller gave 0 values at t = 0.5 s");
-    let short = scene.simulate_held(&[Held { input: "F", instants: &[0.5], values: &[] }], &Overrides::default());
+    let short = scene.simulate_held(&[HeldSignal { input: "F", instants: &[0.5], values: &[] }], &Overrides::default());
     assert_eq!(short.unwrap_err().first_line(), "`F` has 1 instants and 0 values");
     let back = Overrides { until: Some(-1.0), ..Overrides::default() };
-    let back = scene.simulate_sampled(&["F"], &[-0.5], || |_: &Sample<'_>| vec![0.0], &back);
+    let back = scene.simulate_sampled(&["F"], &[-0.5], || |_: &ControllerSample<'_>| vec![0.0], &back);
     assert!(back.unwrap_err().first_line().starts_with("inputs need a run forwards in time"));
     let quadrature = Overrides { method: Some(Integrator::Quadrature), ..Overrides::default() };
-    let quadrature = scene.simulate_sampled(&["F"], &[0.5], || |_: &Sample<'_>| vec![0.0], &quadrature);
+    let quadrature = scene.simulate_sampled(&["F"], &[0.5], || |_: &ControllerSample<'_>| vec![0.0], &quadrature);
     assert!(quadrature.unwrap_err().first_line().contains("quadrature and projection are not possible"));
 }

@@ -1,10 +1,12 @@
 //! Derivatives of runs against closed forms and against differences in 32 digits.
 
-use tripos::code::{Ready, code};
-use tripos::{At, Integrator, Mechanism, Overrides, Problem, Scene, Sensitivities, Solve};
+use tripos::code::{CodePreparation, runnable_code};
+use tripos::{
+    AccelerationSolution, DerivativeInstants, Integrator, Mechanism, Overrides, Problem, Scene, Sensitivities,
+};
 use tripos_derive::Formulation;
 use tripos_derive::diagnostic::Source;
-use tripos_sim::{Eliminated, Method, Options, Output, integrate};
+use tripos_sim::{EliminatedDynamics, Method, Options, OutputOption, integrate};
 use tripos_traits::{DoubleDouble, Real, Scalar};
 
 /// A mass on a spring, started with the speed that it has where the spring is at rest.
@@ -116,9 +118,16 @@ fn a_spring_has_the_derivatives_of_its_closed_form() {
             _ => 1e-9,
         };
         for by in ["kane", "lagrange"] {
-            let found = spring(method.name(), more).sensitivities(&["k", "x", "c"], At::End, &how(Some(by))).unwrap();
+            let found = spring(method.name(), more)
+                .sensitivities(&["k", "x", "c"], DerivativeInstants::End, &how(Some(by)))
+                .unwrap();
             let check = |name: &str, by: &str, truth: f64| {
-                near(found.of(name, by).unwrap(), truth, tolerance, &format!("{}, d({name})/d({by})", method.name()));
+                near(
+                    found.derivative_of(name, by).unwrap(),
+                    truth,
+                    tolerance,
+                    &format!("{}, d({name})/d({by})", method.name()),
+                );
             };
             let dw = w / (2.0 * k);
             // Derivative dx/dk = x₀ t (cos ω t − sin ω t) dω/dk.
@@ -134,7 +143,7 @@ fn a_spring_has_the_derivatives_of_its_closed_form() {
             check("x", "c", 0.0);
             assert!(found.run.notes.iter().any(|note| note.contains("depends on `c`")), "{:?}", found.run.notes);
             let errors = found.errors.as_ref().expect("a second run comes to the end");
-            let off = (found.of("x", "k").unwrap() - dx).abs();
+            let off = (found.derivative_of("x", "k").unwrap() - dx).abs();
             assert!(off <= 20.0 * errors[0][0], "{}: {off:e} is said to be {:e}", method.name(), errors[0][0]);
             assert_eq!(found.units[0][0].as_deref(), Some("m*s^2/kg"), "{:?}", found.units);
         }
@@ -146,7 +155,7 @@ fn a_spring_has_the_derivatives_of_its_closed_form() {
 #[test]
 fn an_impact_has_the_total_derivatives_of_its_instant_and_speed() {
     let (h, g, m) = (3.0_f64, 9.81_f64, 2.0_f64);
-    let found = scene_of(FALL, GROUND).sensitivities(&["g", "y", "F"], At::End, &how(None)).unwrap();
+    let found = scene_of(FALL, GROUND).sensitivities(&["g", "y", "F"], DerivativeInstants::End, &how(None)).unwrap();
     let t = (2.0 * h / g).sqrt();
     assert_eq!(found.run.solution.stop.code(), "event:ground");
     for (at, (of_t, of_v)) in [
@@ -183,7 +192,8 @@ fn the_period_of_a_pendulum_has_the_derivatives_of_its_closed_form() {
     let model = include_str!("../../models/pendulum/model.toml");
     let text = include_str!("../../models/pendulum/scenes/swing.toml");
     let text = text.replace("rtol = 1e-9", "method = \"dop853\"\nrtol = 1e-12").replace("atol = 1e-11", "atol = 1e-13");
-    let found = scene_of(model, &text).sensitivities(&["l", "theta", "m"], At::End, &how(None)).unwrap();
+    let found =
+        scene_of(model, &text).sensitivities(&["l", "theta", "m"], DerivativeInstants::End, &how(None)).unwrap();
     let (l, g, k) = (1.0_f64, 9.81_f64, 1.0_f64.sin());
     let (whole, second) = elliptic(k);
     let by_k = second / (k * (1.0 - k * k)) - whole / k;
@@ -200,13 +210,14 @@ fn the_period_of_a_pendulum_has_the_derivatives_of_its_closed_form() {
 /// Shown values of a scene at its end in 32 digits, by Kane's equations and DOP853.
 fn end(scene: &Scene, tolerance: f64) -> Vec<DoubleDouble> {
     let by = Formulation::Kane.into();
-    let code = code(scene.mechanism(), &by, None, Ready::Solved).unwrap();
+    let code = runnable_code(scene.mechanism(), &by, None, CodePreparation::Solved).unwrap();
     let problem = Problem::new(scene.mechanism(), scene.description(), &by, &code, None).unwrap();
     let (p, y0) = problem.extended_start().unwrap();
-    let options = Options { method: Method::Dop853, output: Output::Ends, ..Options::tolerances(tolerance, tolerance) };
-    let rhs = Eliminated::new(code.extended(), &p).unwrap();
+    let options =
+        Options { method: Method::Dop853, output: OutputOption::Ends, ..Options::tolerances(tolerance, tolerance) };
+    let rhs = EliminatedDynamics::new(code.extended(), &p).unwrap();
     let span = scene.description().span;
-    let solution = integrate(rhs, span, &y0, &problem.options(&options), &mut []).unwrap();
+    let solution = integrate(rhs, span, &y0, &problem.run_options(&options), &mut []).unwrap();
     assert!(!solution.stop.is_failure(), "{solution}");
     problem.extended_state(&p, span.1, &solution.y_end)
 }
@@ -216,7 +227,7 @@ fn differences(scene: &Scene, name: &str, value: f64, step: f64, tolerance: f64)
     let at = |place: f64| {
         let mut scene = scene.clone();
         // The decimal number itself is set, not the double nearest to the sum.
-        scene.set(name, format!("{:.12e}", value + place * step).parse().unwrap()).unwrap();
+        scene.set_number(name, format!("{:.12e}", value + place * step).parse().unwrap()).unwrap();
         end(&scene, tolerance)
     };
     let list: Vec<_> = [(-2.0, 1), (-1.0, -8), (1.0, 8), (2.0, -1)].map(|(place, weight)| (at(place), weight)).into();
@@ -233,8 +244,8 @@ fn differences(scene: &Scene, name: &str, value: f64, step: f64, tolerance: f64)
 /// runs.
 fn against_differences(scene: &Scene, numbers: &[(&str, f64)], step: f64, by: Option<&str>) -> f64 {
     let names: Vec<&str> = numbers.iter().map(|(name, _)| *name).collect();
-    let found: Sensitivities = scene.sensitivities(&names, At::End, &how(by)).unwrap();
-    assert!(found.missing().is_none() && found.run.failure().is_none(), "{:?}", found.run.objections());
+    let found: Sensitivities = scene.sensitivities(&names, DerivativeInstants::End, &how(by)).unwrap();
+    assert!(found.missing_derivative().is_none() && found.run.failure().is_none(), "{:?}", found.run.objections());
     let stated = found.errors.as_ref().expect("a second run comes to the end");
     let mut worst = 0.0_f64;
     for ((own, stated), number) in found.end.iter().zip(stated).zip(numbers) {
@@ -262,10 +273,10 @@ fn ten_seconds_of_the_disk_are_differentiated_as_well_as_is_stated() {
     let scene = scene_of(model, &text);
     let numbers = [("R", 1.0), ("q2'", -0.1)];
     against_differences(&scene, &numbers, 1e-5, None);
-    let found = scene.sensitivities(&["R", "q2'"], At::End, &how(None)).unwrap();
+    let found = scene.sensitivities(&["R", "q2'"], DerivativeInstants::End, &how(None)).unwrap();
     for (name, truths) in [("q2", [-8.785_134_948, 9.274_522_89]), ("u1", [34.774_362_43, -35.791_670_76])] {
         for (by, truth) in ["R", "q2'"].iter().zip(truths) {
-            near(found.of(name, by).unwrap(), truth, 1e-9, &format!("d({name})/d({by})"));
+            near(found.derivative_of(name, by).unwrap(), truth, 1e-9, &format!("d({name})/d({by})"));
         }
     }
 }
@@ -318,14 +329,14 @@ fn a_run_with_derivatives_is_the_run_without_and_each_is_what_it_is_alone() {
     for method in ["ode45", "dop853", "taylor"] {
         let how = Overrides { method: Some(method.parse().unwrap()), by: Some("kane".into()), ..Overrides::default() };
         let names = ["a", "b", "c", "d", "ma", "q1"];
-        let all = scene.sensitivities(&names, At::Samples, &how).unwrap();
+        let all = scene.sensitivities(&names, DerivativeInstants::Samples, &how).unwrap();
         let plain = scene.simulate(&how).unwrap();
         assert_eq!(all.run.states, plain.states, "{method}");
         assert_eq!(all.run.solution.t, plain.solution.t, "{method}");
         let last = all.samples.iter().map(|list| list.last().unwrap().clone()).collect::<Vec<_>>();
         assert_eq!(last, all.end, "{method}: the last sample is the end");
         for (at, name) in names.iter().enumerate() {
-            let alone = scene.sensitivities(&[name], At::End, &how).unwrap();
+            let alone = scene.sensitivities(&[name], DerivativeInstants::End, &how).unwrap();
             for (one, many) in alone.end[0].iter().zip(&all.end[at]) {
                 near(*one, *many, 1e-13, name);
             }
@@ -337,7 +348,7 @@ fn a_run_with_derivatives_is_the_run_without_and_each_is_what_it_is_alone() {
 #[test]
 fn what_cannot_be_differentiated_is_refused() {
     let scene = scene_of(FALL, GROUND);
-    let refused = |names: &[&str], how: &Overrides| match scene.sensitivities(names, At::End, how) {
+    let refused = |names: &[&str], how: &Overrides| match scene.sensitivities(names, DerivativeInstants::End, how) {
         Err(error) => error.to_string(),
         Ok(_) => panic!("{names:?} is differentiated by"),
     };
@@ -347,7 +358,7 @@ fn what_cannot_be_differentiated_is_refused() {
     assert!(refused(&[], &plain).contains("nothing to differentiate by"));
     let by = |by: &str| Overrides { by: Some(by.into()), ..Overrides::default() };
     assert!(refused(&["g"], &by("reduced")).contains("full equations"));
-    let solve = Overrides { solve: Some(Solve::Numeric), ..Overrides::default() };
+    let solve = Overrides { solve: Some(AccelerationSolution::Numeric), ..Overrides::default() };
     assert!(refused(&["g"], &solve).contains("eliminated"));
     let method = Overrides { method: Some(Integrator::Quadrature), ..Overrides::default() };
     assert!(refused(&["g"], &method).contains("stepping method"));

@@ -1,7 +1,7 @@
 //! Threads share equations.
 
 use tripos::Mechanism;
-use tripos::code::{Code, Ready, code};
+use tripos::code::{Code, CodePreparation, runnable_code};
 use tripos_derive::Formulation;
 use tripos_derive::diagnostic::Source;
 
@@ -14,7 +14,7 @@ const MODEL: &str = include_str!("../../models/disk/model.toml");
 fn interpreted_equations_are_shared_by_threads() {
     let model = tripos_derive::model::load(&Source::from_text("model.toml", MODEL)).unwrap_or_else(|e| panic!("{e}"));
     let mechanism = Mechanism::new(model);
-    let equations = code(&mechanism, &Formulation::Kane.into(), None, Ready::Solved).unwrap();
+    let equations = runnable_code(&mechanism, &Formulation::Kane.into(), None, CodePreparation::Solved).unwrap();
     assert!(!equations.is_compiled());
     let rates = |equations: &Code, at: u32| {
         let x = 0.1 + f64::from(at) / 5000.0;

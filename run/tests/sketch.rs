@@ -1,7 +1,7 @@
 //! Sketches, against closed forms and against properties of every sketch.
 
 use std::path::{Path, PathBuf};
-use tripos::pictures::sketch::{Label, Mark, Paint, Part, Role, SheetPoint, Sketch, Word};
+use tripos::pictures::sketch::{Label, LabelWord, Mark, MarkRole, PaintKind, PathPart, SheetPoint, Sketch};
 use tripos::{Mechanism, Scene};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::model::{TIME, load};
@@ -34,13 +34,13 @@ fn scenes(model: &Path) -> Vec<Scene> {
 }
 
 /// Marks with this role and this paint.
-fn of(sketch: &Sketch, role: Role, paint: Paint) -> Vec<&Mark> {
+fn of(sketch: &Sketch, role: MarkRole, paint: PaintKind) -> Vec<&Mark> {
     sketch.marks.iter().filter(|mark| mark.role == role && mark.paint == paint).collect()
 }
 
 /// The middle of a closed path.
 fn middle(mark: &Mark) -> SheetPoint {
-    let spots = mark.path.spots(0.2);
+    let spots = mark.path.points_along_path(0.2);
     [0, 1].map(|i| {
         let all = spots.iter().map(|spot| spot[i]);
         0.5 * (all.clone().fold(f64::MAX, f64::min) + all.fold(f64::MIN, f64::max))
@@ -49,16 +49,16 @@ fn middle(mark: &Mark) -> SheetPoint {
 
 fn end(mark: &Mark) -> SheetPoint {
     match mark.path.parts.last().unwrap() {
-        Part::Line(to) | Part::Curve([.., to]) => *to,
+        PathPart::Line(to) | PathPart::Curve([.., to]) => *to,
     }
 }
 
-fn label<'a>(sketch: &'a Sketch, word: &Word) -> &'a Label {
+fn label<'a>(sketch: &'a Sketch, word: &LabelWord) -> &'a Label {
     sketch.labels.iter().find(|label| label.words.contains(word)).unwrap_or_else(|| panic!("no {word:?}"))
 }
 
-fn basis(frame: &str, axis: usize) -> Word {
-    Word::Basis(frame.to_owned(), axis)
+fn basis(frame: &str, axis: usize) -> LabelWord {
+    LabelWord::Basis(frame.to_owned(), axis)
 }
 
 /// Goal: marks are where geometry puts them. Method: a pendulum at θ. The bob is in the direction (sin θ, cos θ) to the
@@ -68,15 +68,16 @@ fn basis(frame: &str, axis: usize) -> Word {
 fn a_pendulum_hangs_at_its_angle_and_the_arc_leads_to_it() {
     for theta in [0.7_f64, -1.1, 2.4] {
         let sketch = at_state("pendulum", &format!("[state]\ntheta = {theta}\nomega = 0\n"));
-        let pin = middle(of(&sketch, Role::Joint, Paint::Solid)[0]);
-        let bob = middle(of(&sketch, Role::Mass, Paint::Solid)[0]);
+        let pin = middle(of(&sketch, MarkRole::Joint, PaintKind::Solid)[0]);
+        let bob = middle(of(&sketch, MarkRole::Mass, PaintKind::Solid)[0]);
         let way = [bob[0] - pin[0], bob[1] - pin[1]];
         assert!((way[0].atan2(way[1]) - theta).abs() < 1e-3, "{theta}: {way:?}");
-        let arc = of(&sketch, Role::Coordinate, Paint::Line)[0];
+        let arc = of(&sketch, MarkRole::Coordinate, PaintKind::Line)[0];
         let of_arc = |spot: SheetPoint| (spot[0] - pin[0]).atan2(spot[1] - pin[1]);
         assert!(of_arc(arc.path.from).abs() < 1e-3 && (of_arc(end(arc)) - theta).abs() < 1e-3, "{theta}");
         // All spots of the arc are on a circle about the pin.
-        let radii: Vec<f64> = arc.path.spots(1.0).iter().map(|at| (at[0] - pin[0]).hypot(at[1] - pin[1])).collect();
+        let radii: Vec<f64> =
+            arc.path.points_along_path(1.0).iter().map(|at| (at[0] - pin[0]).hypot(at[1] - pin[1])).collect();
         assert!(radii.iter().all(|r| (r - radii[0]).abs() < 0.05), "{radii:?}");
         assert!(sketch.changed.is_empty());
     }
@@ -87,7 +88,7 @@ fn a_pendulum_hangs_at_its_angle_and_the_arc_leads_to_it() {
 #[test]
 fn lengths_are_measured_by_lines_as_long_as_they_are() {
     let sketch = at_state("elastic_pendulum", "[state]\nx = 0.6\ny = -0.8\nu = 0\nv = 0\n");
-    let lines = of(&sketch, Role::Coordinate, Paint::Line);
+    let lines = of(&sketch, MarkRole::Coordinate, PaintKind::Line);
     let long: Vec<SheetPoint> = lines.iter().map(|line| [0, 1].map(|i| end(line)[i] - line.path.from[i])).collect();
     assert_eq!(long.len(), 2);
     assert!(long[0][1].abs() < 1e-9 && long[1][0].abs() < 1e-9 && long[0][0] > 0.0 && long[1][1] > 0.0, "{long:?}");
@@ -99,7 +100,7 @@ fn axes(name: &str) -> [SheetPoint; 3] {
     let folder = Path::new("../models").join(name);
     let scene = &scenes(&folder)[0];
     let sketch = Sketch::of_scene(scene.mechanism(), scene.description()).unwrap();
-    let origin = label(&sketch, &Word::Name("O".to_owned())).at;
+    let origin = label(&sketch, &LabelWord::Name("O".to_owned())).at;
     let from = |label: &Label| [label.at[0] - origin[0], label.at[1] - origin[1]];
     [0, 1, 2].map(|axis| {
         let words = [basis(&scene.mechanism().frames[0].name, axis)];
@@ -129,7 +130,7 @@ fn check(name: &str, mechanism: &Mechanism, sketch: &Sketch) {
     };
     assert!(sketch.size.iter().all(|x| (60.0..1200.0).contains(x)), "{name}: {:?}", sketch.size);
     for mark in &sketch.marks {
-        let spots = mark.path.spots(5.0);
+        let spots = mark.path.points_along_path(5.0);
         assert!(spots.iter().all(|spot| inside(*spot, [0.0; 2])), "{name}: {mark:?}");
     }
     for (at, label) in sketch.labels.iter().enumerate() {
@@ -140,7 +141,7 @@ fn check(name: &str, mechanism: &Mechanism, sketch: &Sketch) {
             assert!(is_apart, "{name}: {label:?} is on {other:?}");
         }
     }
-    let says = |what: &str| sketch.labels.iter().any(|label| label.words.contains(&Word::Name(what.to_owned())));
+    let says = |what: &str| sketch.labels.iter().any(|label| label.words.contains(&LabelWord::Name(what.to_owned())));
     for coordinate in mechanism.coordinates.iter().filter(|c| c.name != TIME) {
         assert!(says(&coordinate.name), "{name}: no {}", coordinate.name);
         assert!(sketch.about.contains(&coordinate.name) && sketch.drawn.contains(&format!("{} = ", coordinate.name)));
@@ -155,7 +156,7 @@ fn check(name: &str, mechanism: &Mechanism, sketch: &Sketch) {
             "{name}: {inertial}{axis}"
         );
     }
-    let has_gravity = says("g") && sketch.marks.iter().any(|mark| mark.role == Role::Gravity);
+    let has_gravity = says("g") && sketch.marks.iter().any(|mark| mark.role == MarkRole::Gravity);
     assert!(mechanism.gravity.is_none() || has_gravity || sketch.about.contains("away from who looks"), "{name}");
 }
 

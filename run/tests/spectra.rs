@@ -7,7 +7,7 @@ mod neutral_motions;
 
 use crate::random_trees::times;
 use nalgebra::DMatrix;
-use tripos::studies::steady::{Mode, Wide, modes};
+use tripos::studies::steady::{Mode, WideMatrix, eigenvalue_modes};
 use tripos_traits::{DoubleDouble, Scalar};
 
 /// Random numbers that are the same on every machine.
@@ -88,9 +88,9 @@ pub fn mixed(random: &mut Random, form: DMatrix<i64>) -> DMatrix<i64> {
     a
 }
 
-fn wide(a: &DMatrix<i64>) -> Wide {
+fn wide(a: &DMatrix<i64>) -> WideMatrix {
     let half = DoubleDouble::from_f64(0.5);
-    Wide { rows: a.row_iter().map(|row| row.iter().map(|x| DoubleDouble::int(*x) * half).collect()).collect() }
+    WideMatrix { rows: a.row_iter().map(|row| row.iter().map(|x| DoubleDouble::int(*x) * half).collect()).collect() }
 }
 
 fn draw(random: &mut Random) -> Vec<Block> {
@@ -110,11 +110,11 @@ fn draw(random: &mut Random) -> Vec<Block> {
 
 /// Power of t with which the exponential of a matrix grows, from its size at two late times. It is found by squaring,
 /// in 32 digits, since doubles would separate blocks of four rows by 1e-4.
-pub fn grown(a: &Wide) -> f64 {
+pub fn grown(a: &WideMatrix) -> f64 {
     // The series gives exp(A/2^k), which is then squared until the highest power is the largest term.
     let n = a.rows.len();
-    let times = |a: &Wide, b: &Wide| Wide::zeros(n, n).plus(1.0, a, b);
-    let mut term = Wide::zeros(n, n);
+    let times = |a: &WideMatrix, b: &WideMatrix| WideMatrix::zeros(n, n).plus_product(1.0, a, b);
+    let mut term = WideMatrix::zeros(n, n);
     term.rows.iter_mut().enumerate().for_each(|(at, row)| row[at] = DoubleDouble::int(1));
     let mut exponential = term.clone();
     for k in 1..20 {
@@ -124,7 +124,7 @@ pub fn grown(a: &Wide) -> f64 {
         let sum = exponential.rows.iter_mut().flatten().zip(term.rows.iter().flatten());
         sum.for_each(|(sum, x)| *sum = *sum + *x);
     }
-    let doubled = |from: &Wide, count: u32| (0..count).fold(from.clone(), |e, _| times(&e, &e));
+    let doubled = |from: &WideMatrix, count: u32| (0..count).fold(from.clone(), |e, _| times(&e, &e));
     let step = doubled(&exponential, 10);
     // Largest sizes from t = 256 to 268, and from 1024 to 1036.
     let at = |doublings: u32| {
@@ -158,7 +158,7 @@ fn planted_jordan_blocks_are_found() {
         if a.iter().any(|x| x.abs() > 100_000) {
             continue;
         }
-        let found = modes(&wide(&a), 0.0).unwrap_or_else(|e| panic!("{e}"));
+        let found = eigenvalue_modes(&wide(&a), 0.0).unwrap_or_else(|e| panic!("{e}"));
         let what = format!("turn {turn}: {blocks:?}\n{a}\n{found:?}");
         assert_eq!(found.len(), a.nrows(), "{what}");
         for block in &blocks {
@@ -191,7 +191,11 @@ fn planted_jordan_blocks_are_found() {
 fn what_digits_do_not_tell_is_undecided() {
     let pair = |square: f64| {
         let [zero, one] = [0.0, 1.0].map(DoubleDouble::from_f64);
-        modes(&Wide { rows: vec![vec![zero, one], vec![DoubleDouble::from_f64(-square), zero]] }, 1e-20).unwrap()
+        eigenvalue_modes(
+            &WideMatrix { rows: vec![vec![zero, one], vec![DoubleDouble::from_f64(-square), zero]] },
+            1e-20,
+        )
+        .unwrap()
     };
     let told = |list: &[Mode]| (list[0].multiplicity, list[0].power, list[0].is_undecided);
     assert_eq!(told(&pair(0.0)), (2, 1, false));
@@ -200,7 +204,7 @@ fn what_digits_do_not_tell_is_undecided() {
     assert!(pair(1e-15)[0].is_undecided, "{:?}", pair(1e-15));
     let damped = |re: f64| {
         let [re, one] = [re, 1.0].map(DoubleDouble::from_f64);
-        modes(&Wide { rows: vec![vec![re, one], vec![-one, re]] }, 1e-20).unwrap()
+        eigenvalue_modes(&WideMatrix { rows: vec![vec![re, one], vec![-one, re]] }, 1e-20).unwrap()
     };
     assert!(damped(-1e-12).iter().all(|m| !m.is_neutral() && !m.is_undecided && m.value[0] < 0.0));
     assert!(damped(-1e-15).iter().all(|m| m.is_undecided));
@@ -208,9 +212,9 @@ fn what_digits_do_not_tell_is_undecided() {
 }
 
 /// Matrix of y'' = −K y, y first.
-fn swinging(k: &[&[DoubleDouble]]) -> Wide {
+fn swinging(k: &[&[DoubleDouble]]) -> WideMatrix {
     let n = k.len();
-    let mut a = Wide::zeros(2 * n, 2 * n);
+    let mut a = WideMatrix::zeros(2 * n, 2 * n);
     for (row, of_row) in k.iter().enumerate() {
         a.rows[row][n + row] = DoubleDouble::int(1);
         of_row.iter().enumerate().for_each(|(column, x)| a.rows[n + row][column] = -*x);
@@ -227,14 +231,15 @@ fn frequencies_near_a_jordan_block_are_told_apart() {
     for exponent in 3..20 {
         let d = 10.0_f64.powi(-exponent);
         let near = one + DoubleDouble::from_f64(d);
-        let bounded = modes(&swinging(&[&[one, one], &[zero, near]]), 0.0).unwrap();
+        let bounded = eigenvalue_modes(&swinging(&[&[one, one], &[zero, near]]), 0.0).unwrap();
         let what = format!("1e-{exponent}: {bounded:?}");
         assert!(
             bounded.iter().all(|m| m.is_neutral() && !m.is_undecided && (m.multiplicity, m.power) == (1, 0)),
             "{what}"
         );
         assert!(bounded.iter().all(|m| (m.value[1].abs() - 1.0).abs() <= d), "{what}");
-        let grows = modes(&swinging(&[&[one, one, zero], &[zero, one, zero], &[zero, zero, near]]), 0.0).unwrap();
+        let grows =
+            eigenvalue_modes(&swinging(&[&[one, one, zero], &[zero, one, zero], &[zero, zero, near]]), 0.0).unwrap();
         let what = format!("1e-{exponent}: {grows:?}");
         assert_eq!(growth(&grows), (false, Some(1)), "{what}");
         assert!(grows.iter().all(|m| !m.is_undecided && m.condition < 10.0), "{what}");
@@ -275,7 +280,7 @@ fn mixtures_near_a_jordan_block_are_never_called_bounded() {
                 }
             }
         }
-        let found = modes(&Wide { rows: a }, 0.0).unwrap();
+        let found = eigenvalue_modes(&WideMatrix { rows: a }, 0.0).unwrap();
         let what = format!("turn {turn}, {d:e}: {found:?}");
         assert_eq!(found.len(), 6, "{what}");
         let wide = |value: f64| (value - 1.0).abs() < 1e-6 + d;

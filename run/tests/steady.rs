@@ -6,39 +6,41 @@
 use std::path::Path;
 use tripos::Mechanism;
 use tripos::studies::steady::{
-    About, Course, CrossingKind, Entry, Stability, Wanted, equilibria, follow, in_letters, linearise,
+    Continuation, CrossingKind, LinearisationOptions, Stability, SteadyLinearSystem, SymbolicEntry,
+    continue_steady_motion, find_equilibria, linearise, symbolic_linear_system,
 };
 use tripos_derive::diagnostic::Source;
-use tripos_derive::scene::{Asked, load_asked};
+use tripos_derive::scene::{StateWithUnknowns, load_state_with_unknowns};
 
 fn read(model: &str) -> Mechanism {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models").join(model).join("model.toml");
     Mechanism::read(&path).unwrap_or_else(|e| panic!("{e}"))
 }
 
-fn loaded(model: &mut Mechanism, state: &str, given: &[(&str, f64)]) -> Asked {
+fn loaded(model: &mut Mechanism, state: &str, given: &[(&str, f64)]) -> StateWithUnknowns {
     let given: Vec<(String, f64)> = given.iter().map(|(name, x)| ((*name).to_owned(), *x)).collect();
-    load_asked(&Source::from_text("state.toml", state), model, &given).unwrap_or_else(|e| panic!("{e}"))
+    load_state_with_unknowns(&Source::from_text("state.toml", state), model, &given).unwrap_or_else(|e| panic!("{e}"))
 }
 
-fn about(model: &str, state: &str, given: &[(&str, f64)]) -> About {
+fn about(model: &str, state: &str, given: &[(&str, f64)]) -> SteadyLinearSystem {
     let mut model = read(model);
     let asked = loaded(&mut model, state, given);
-    linearise(&model, &asked, &Wanted::default()).unwrap_or_else(|e| panic!("{e}"))
+    linearise(&model, &asked, &LinearisationOptions::default()).unwrap_or_else(|e| panic!("{e}"))
 }
 
-fn over(model: &str, state: &str, name: &str, values: &[f64]) -> Course {
+fn over(model: &str, state: &str, name: &str, values: &[f64]) -> Continuation {
     let mut model = read(model);
     let of = model.clone();
-    follow(&of, &mut |value| Ok(loaded(&mut model, state, &[(name, value)])), values).unwrap_or_else(|e| panic!("{e}"))
+    continue_steady_motion(&of, &mut |value| Ok(loaded(&mut model, state, &[(name, value)])), values)
+        .unwrap_or_else(|e| panic!("{e}"))
 }
 
-fn values(found: &About) -> Vec<[f64; 2]> {
+fn values(found: &SteadyLinearSystem) -> Vec<[f64; 2]> {
     found.modes.iter().map(|mode| mode.value).collect()
 }
 
 /// Checks that each of these is among the eigenvalues.
-fn are_among(found: &About, wanted: &[[f64; 2]], tolerance: f64) {
+fn are_among(found: &SteadyLinearSystem, wanted: &[[f64; 2]], tolerance: f64) {
     let all = values(found);
     for [re, im] in wanted {
         let off = all.iter().map(|[a, b]| (a - re).hypot(b - im)).fold(f64::INFINITY, f64::min);
@@ -113,7 +115,7 @@ fn eigenvalues_do_not_depend_on_the_choice_of_speeds() {
     let source = Source::from_text("model.toml", &model);
     let mut model = Mechanism::new(tripos_derive::model::load(&source).unwrap_or_else(|e| panic!("{e}")));
     let state = loaded(&mut model, &BICYCLE.replace("-v/rR", "-v/rF"), &[]);
-    let found = linearise(&model, &state, &Wanted::default()).unwrap_or_else(|e| panic!("{e}"));
+    let found = linearise(&model, &state, &LinearisationOptions::default()).unwrap_or_else(|e| panic!("{e}"));
     let complex = [-0.775_341_882_195_841_9, 4.464_867_713_788_225];
     are_among(&found, &[complex, [-0.322_866_429_004_087_1, 0.0], [-14.078_389_692_798_247, 0.0]], 1e-14);
 }
@@ -124,18 +126,18 @@ fn eigenvalues_do_not_depend_on_the_choice_of_speeds() {
 fn the_bicycle_is_linearised_with_its_speed_as_a_letter() {
     let mut model = read("whipple_bicycle");
     let state = loaded(&mut model, BICYCLE, &[]);
-    let found = linearise(&model, &state, &Wanted::default()).unwrap_or_else(|e| panic!("{e}"));
-    let letters = in_letters(&model, &state, &found, &["v".to_owned()]).unwrap_or_else(|e| panic!("{e}"));
+    let found = linearise(&model, &state, &LinearisationOptions::default()).unwrap_or_else(|e| panic!("{e}"));
+    let letters = symbolic_linear_system(&model, &state, &found, &["v".to_owned()]).unwrap_or_else(|e| panic!("{e}"));
     let numeric = about("whipple_bicycle", BICYCLE, &[("v", 7.0)]).system.a.doubles();
     for (row, of) in letters.matrices[0].iter().zip(&numeric) {
         for (entry, expected) in row.iter().zip(of) {
-            let Entry::Polynomial(c) = entry else { panic!("{entry:?}") };
+            let SymbolicEntry::Polynomial(c) = entry else { panic!("{entry:?}") };
             let value = c.iter().rev().fold(0.0, |sum, c| 7.0 * sum + c);
             assert!((value - expected).abs() < 1e-13 * expected.abs().max(1.0), "{entry:?} {expected}");
         }
     }
     let powers = |row: usize, column: usize| {
-        let Entry::Polynomial(c) = &letters.matrices[0][row][column] else { panic!("a formula") };
+        let SymbolicEntry::Polynomial(c) = &letters.matrices[0][row][column] else { panic!("a formula") };
         c.iter().enumerate().filter(|(_, c)| c.abs() > 0.0).map(|(power, _)| power).collect::<Vec<_>>()
     };
     assert_eq!((powers(2, 0), powers(2, 1), powers(3, 2), powers(3, 3)), (vec![0], vec![0, 2], vec![1], vec![1]));
@@ -188,7 +190,7 @@ fn a_pendulum_hangs_or_stands() {
     let speeds: Vec<String> = model.speeds.iter().map(|s| s.name.clone()).collect();
     let text = format!("[state]\n{} = 0\n[guess]\n{} = 0.3\n", speeds[0], names[0]);
     let state = loaded(&mut model, &text, &[]);
-    let found = equilibria(&model, &state, 12).unwrap_or_else(|e| panic!("{e}"));
+    let found = find_equilibria(&model, &state, 12).unwrap_or_else(|e| panic!("{e}"));
     let told: Vec<(f64, Stability)> = found
         .iter()
         .map(|f| (f.steady.x[0].hi().cos(), f.about.as_ref().unwrap_or_else(|e| panic!("{e}")).stability))
@@ -204,9 +206,10 @@ fn what_is_not_balanced_is_said() {
     let mut model = read("pendulum");
     let (q, u) = (model.coordinates[0].name.clone(), model.speeds[0].name.clone());
     let state = loaded(&mut model, &format!("[state]\n{q} = 0.5\n{u} = 0\n"), &[]);
-    let error = linearise(&model, &state, &Wanted::default()).err().map(|e| e.to_string()).unwrap_or_default();
+    let error =
+        linearise(&model, &state, &LinearisationOptions::default()).err().map(|e| e.to_string()).unwrap_or_default();
     assert!(error.contains("not an equilibrium") && error.contains(&format!("{u}'")), "{error}");
-    let as_is = Wanted { as_is: true, ..Wanted::default() };
+    let as_is = LinearisationOptions { as_is: true, ..LinearisationOptions::default() };
     assert!(linearise(&model, &state, &as_is).is_ok());
 }
 
@@ -268,7 +271,7 @@ fn a_cart_with_a_pendulum_is_controlled_by_its_force() {
     let names = model.coordinates.iter().map(|c| &c.name).chain(model.speeds.iter().map(|s| &s.name));
     let zeros: Vec<String> = names.map(|name| format!("{name} = 0")).collect();
     let state = loaded(&mut model, &format!("[state]\n{}\n", zeros.join("\n")), &[("F", 0.0)]);
-    let wanted = Wanted { inputs: vec!["F".to_owned()], ..Wanted::default() };
+    let wanted = LinearisationOptions { inputs: vec!["F".to_owned()], ..LinearisationOptions::default() };
     let found = linearise(&model, &state, &wanted).unwrap_or_else(|e| panic!("{e}"));
     let n = found.system.kept.len();
     assert_eq!((found.controllable, found.system.b.rows.len()), (n, n), "{:?}", found.system.kept);
@@ -281,14 +284,14 @@ fn a_cart_with_a_pendulum_is_controlled_by_its_force() {
 fn what_closes_loops_follows_inputs() {
     let mut model = read("cartesian_pendulum");
     let state = loaded(&mut model, "outputs = [\"y\"]\n[state]\nx = 0\ny = \"-l\"\nv = 0\n", &[]);
-    let wanted = Wanted { inputs: vec!["l".to_owned()], ..Wanted::default() };
+    let wanted = LinearisationOptions { inputs: vec!["l".to_owned()], ..LinearisationOptions::default() };
     let found = linearise(&model, &state, &wanted).unwrap_or_else(|e| panic!("{e}"));
-    let [b, d] = [&found.system.b, &found.system.d].map(tripos::studies::steady::Wide::doubles);
+    let [b, d] = [&found.system.b, &found.system.d].map(tripos::studies::steady::WideMatrix::doubles);
     assert_eq!((b, d), (vec![vec![0.0], vec![0.0]], vec![vec![-1.0]]));
     are_among(&found, &[[0.0, 9.81_f64.sqrt()]], 1e-14);
-    let letters = in_letters(&model, &state, &found, &["g".to_owned()]).unwrap_or_else(|e| panic!("{e}"));
-    let Entry::Polynomial(d) = &letters.matrices[3][0][0] else { panic!("{:?}", letters.matrices[3]) };
-    assert_eq!((d.as_slice(), letters.matrices[1].iter().flatten().all(Entry::is_zero)), (&[-1.0][..], true));
+    let letters = symbolic_linear_system(&model, &state, &found, &["g".to_owned()]).unwrap_or_else(|e| panic!("{e}"));
+    let SymbolicEntry::Polynomial(d) = &letters.matrices[3][0][0] else { panic!("{:?}", letters.matrices[3]) };
+    assert_eq!((d.as_slice(), letters.matrices[1].iter().flatten().all(SymbolicEntry::is_zero)), (&[-1.0][..], true));
 }
 
 /// Goal: rest is found where loops close without a list of the unknowns, and a start of a scene serves as a guess.
@@ -298,7 +301,7 @@ fn a_linkage_that_swings_is_found_at_rest() {
     let mut model = read("four_bar");
     let scene = include_str!("../../models/four_bar/scenes/crossed.toml");
     let state = loaded(&mut model, scene, &[]);
-    let found = equilibria(&model, &state, 8).unwrap_or_else(|e| panic!("{e}"));
+    let found = find_equilibria(&model, &state, 8).unwrap_or_else(|e| panic!("{e}"));
     let told: Vec<Stability> = found.iter().filter_map(|f| f.about.as_ref().ok()).map(|a| a.stability).collect();
     assert!(told.contains(&Stability::Energy), "{told:?}");
     assert!(found.iter().all(|f| f.steady.residual < 1e-20 && f.steady.is_rest()));

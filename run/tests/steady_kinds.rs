@@ -4,34 +4,35 @@
 
 use tripos::Mechanism;
 use tripos::studies::steady::{
-    About, ClosedForm, Entry, FoundMotion, Stability, Wanted, conditions, equilibria, in_letters, linearise,
+    ClosedForm, FoundMotion, LinearisationOptions, Stability, SteadyLinearSystem, SymbolicEntry, conditions,
+    find_equilibria, linearise, symbolic_linear_system,
 };
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::derive_all;
 use tripos_derive::prove::{IntegralKind, prove};
-use tripos_derive::scene::{Asked, load_asked};
+use tripos_derive::scene::{StateWithUnknowns, load_state_with_unknowns};
 
 pub fn model(text: &str) -> Mechanism {
     let source = Source::from_text("model.toml", text);
     Mechanism::new(tripos_derive::model::load(&source).unwrap_or_else(|e| panic!("{e}\n{text}")))
 }
 
-pub fn loaded(model: &mut Mechanism, state: &str) -> Asked {
-    load_asked(&Source::from_text("state.toml", state), model, &[]).unwrap_or_else(|e| panic!("{e}"))
+pub fn loaded(model: &mut Mechanism, state: &str) -> StateWithUnknowns {
+    load_state_with_unknowns(&Source::from_text("state.toml", state), model, &[]).unwrap_or_else(|e| panic!("{e}"))
 }
 
-fn about(text: &str, state: &str, inputs: &[&str]) -> Result<About, tripos::Error> {
+fn about(text: &str, state: &str, inputs: &[&str]) -> Result<SteadyLinearSystem, tripos::Error> {
     let inputs: Vec<String> = inputs.iter().map(|name| (*name).to_owned()).collect();
     let mut model = model(text);
-    model.model = model.model.with_varied(&inputs).unwrap_or_else(|e| panic!("{e}"));
+    model.model = model.model.with_varied_inputs(&inputs).unwrap_or_else(|e| panic!("{e}"));
     let asked = loaded(&mut model, state);
-    linearise(&model, &asked, &Wanted { inputs, ..Wanted::default() })
+    linearise(&model, &asked, &LinearisationOptions { inputs, ..LinearisationOptions::default() })
 }
 
 pub fn rests(text: &str, state: &str, starts: u64) -> Vec<FoundMotion> {
     let mut model = model(text);
     let asked = loaded(&mut model, state);
-    equilibria(&model, &asked, starts).unwrap_or_else(|e| panic!("{e}"))
+    find_equilibria(&model, &asked, starts).unwrap_or_else(|e| panic!("{e}"))
 }
 
 pub fn closed(text: &str) -> ClosedForm {
@@ -111,7 +112,7 @@ fn jacobis_integral_stands_for_the_energy_of_what_is_driven() {
         let proof = prove(&mechanism, &mut derivations);
         let arena = &derivations.kinematics.arena;
         let list = proof.integrals.iter();
-        list.map(|i| (i.kinds.clone(), tripos_derive::algebra::text::print::text(arena, i.expression)))
+        list.map(|i| (i.kinds.clone(), tripos_derive::algebra::text::print::print_text(arena, i.expression)))
             .collect::<Vec<_>>()
     };
     let driven = of("w*t");
@@ -121,8 +122,8 @@ fn jacobis_integral_stands_for_the_energy_of_what_is_driven() {
     let e =
         tripos_derive::algebra::text::parse::parse_free(&mut arena, formula).unwrap_or_else(|_| panic!("{formula}"));
     let symbols: Vec<_> = ["m", "R", "w", "g", "th", "u"].map(|name| arena.symbol(name)).to_vec();
-    let tape = tripos_derive::algebra::value::evaluate::Tape::new(&arena, &symbols, &[e])
-        .unwrap_or_else(|_| panic!("{formula}"));
+    let tape =
+        tripos_derive::algebra::value::tape::Tape::new(&arena, &symbols, &[e]).unwrap_or_else(|_| panic!("{formula}"));
     for (th, u) in [(0.3_f64, 1.7_f64), (-2.0, 0.4), (1.1, -3.0)] {
         let (m, r, w, g) = (0.05, 0.05, 16.0, 9.81);
         let truth = m * r * r * (u * u - (w * th.sin()).powi(2)) / 2.0 - m * g * r * th.cos();
@@ -174,8 +175,13 @@ const UP: &str = "[state]\nx = 0\nv = 0\nq = 0\nu = 0\n";
 fn a_mass_stays_a_letter_beside_an_input() {
     let mut model = model(&cart("0"));
     let asked = loaded(&mut model, UP);
-    let found = linearise(&model, &asked, &Wanted { inputs: vec!["F".to_owned()], ..Wanted::default() }).unwrap();
-    let letters = in_letters(&model, &asked, &found, &["M".to_owned()]).unwrap_or_else(|e| panic!("{e}"));
+    let found = linearise(
+        &model,
+        &asked,
+        &LinearisationOptions { inputs: vec!["F".to_owned()], ..LinearisationOptions::default() },
+    )
+    .unwrap();
+    let letters = symbolic_linear_system(&model, &asked, &found, &["M".to_owned()]).unwrap_or_else(|e| panic!("{e}"));
     let kept: Vec<&str> = found.system.kept.iter().map(|at| found.all[*at].as_str()).collect();
     let row = |name: &str| kept.iter().position(|k| *k == name).unwrap();
     let entry = |matrix: usize, of: &str, by: usize| letters.matrices[matrix][row(of)][by].text("M");
@@ -183,7 +189,7 @@ fn a_mass_stays_a_letter_beside_an_input() {
         let mut arena = tripos_derive::algebra::Arena::new();
         let e = tripos_derive::algebra::text::parse::parse_free(&mut arena, text).unwrap_or_else(|_| panic!("{text}"));
         let symbol = arena.symbol("M");
-        tripos_derive::algebra::value::evaluate::Tape::new(&arena, &[symbol], &[e]).unwrap().evaluate(&[mass])[0]
+        tripos_derive::algebra::value::tape::Tape::new(&arena, &[symbol], &[e]).unwrap().evaluate(&[mass])[0]
     };
     let (m, l, g) = (0.2, 0.5, 9.81);
     for mass in [0.3, 1.0, 2.5, 40.0] {
@@ -204,7 +210,7 @@ fn a_mass_stays_a_letter_beside_an_input() {
         let signs = [value(&entry(0, "u", row("q")), mass) > 0.0, value(&entry(1, "v", 0), mass) > 0.0];
         assert_eq!(signs, [true, true]);
     }
-    assert!(!matches!(letters.matrices[0][row("u")][row("q")], Entry::Polynomial(_)));
+    assert!(!matches!(letters.matrices[0][row("u")][row("q")], SymbolicEntry::Polynomial(_)));
 }
 
 /// Goal: an input whose default is a formula is treated like other inputs. Method: B of the cart equals that of a
@@ -214,11 +220,11 @@ fn an_input_that_is_a_formula_has_its_column() {
     let number = about(&cart("0"), UP, &["F"]).unwrap();
     for (formula, stiff) in [("(M - 5*m)*g", 0.0), ("-k*x", -3.0)] {
         let found = about(&cart(formula), UP, &["F"]).unwrap_or_else(|e| panic!("{formula}: {e}"));
-        let place = |found: &About, name: &str| {
+        let place = |found: &SteadyLinearSystem, name: &str| {
             found.system.kept.iter().position(|at| found.all[*at] == name).unwrap_or_else(|| panic!("{name}"))
         };
         for speed in ["v", "u"] {
-            let of = |found: &About| found.system.b.doubles()[place(found, speed)][0];
+            let of = |found: &SteadyLinearSystem| found.system.b.doubles()[place(found, speed)][0];
             assert!((of(&found) - of(&number)).abs() < 1e-14 && of(&found).abs() > 0.5, "{formula}: {speed}");
             if stiff != 0.0 {
                 let slope = found.system.a.doubles()[place(&found, speed)][place(&found, "x")];

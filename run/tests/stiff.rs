@@ -33,7 +33,7 @@ fn a_stiff_governor_is_solved_to_eight_digits() {
         assert!(implicit.is_trusted() && advice(&implicit).is_none(), "{by:?}: {:?}", implicit.objections());
         assert!(implicit.solution.steps < 3_000, "{by:?}: {}", implicit.ending);
         for name in ["s", "right_angle", "left_angle", "spin", "v"] {
-            let last = |run: &Run| *run.column(name).unwrap().last().unwrap();
+            let last = |run: &Run| *run.column_of_quantity(name).unwrap().last().unwrap();
             let apart = (last(&implicit) - last(&explicit)).abs();
             assert!(apart < 1e-8, "{by:?} {name}: {apart:e}");
         }
@@ -52,7 +52,7 @@ fn what_is_said_of_the_implicit_method_is_what_it_takes() {
         assert!(said.contains(&format!("radau5 takes {} at the same", implicit.solution.steps)), "{said}");
         assert!(advice(&implicit).is_none() && explicit.warnings.is_empty(), "{:?}", explicit.warnings);
     }
-    scene.set("C", 0.0).unwrap_or_else(|e| panic!("{e}"));
+    scene.set_number("C", 0.0).unwrap_or_else(|e| panic!("{e}"));
     let ringing = run(&scene, "dop853", 1e-6);
     assert!(ringing.solution.steps > 2_000 && advice(&ringing).is_none(), "{} {:?}", ringing.ending, ringing.notes);
 }

@@ -8,7 +8,7 @@ use tripos_derive::diagnostic::Source;
 fn what_touches_at_the_start_hits_rests_or_is_refused() {
     let at = |z: f64, w: f64| FALL.replace("z = 1\nw = 0", &format!("z = {z:?}\nw = {w:?}"));
     let hits = run(BALL, &at(0.0, -3.0));
-    assert!(near(hits.column("w").unwrap()[0], 1.5, 1e-15) && near(hits.impacts()[0].loss, 6.75, 1e-14));
+    assert!(near(hits.column_of_quantity("w").unwrap()[0], 1.5, 1e-15) && near(hits.impacts()[0].loss, 6.75, 1e-14));
     assert!(hits.impacts()[0].t.abs() < 1e-15, "{:?}", hits.impacts());
     let rests = run(BALL, &at(0.0, 0.0));
     assert!(rests.impacts().is_empty() && end(&rests, "z").abs() < 1e-15);
@@ -55,7 +55,7 @@ fn what_falls_on_one_another_comes_to_rest_so() {
         let scene = Scene::parse(Mechanism::new(model), &text).unwrap_or_else(|e| panic!("{e}"));
         let run = scene.simulate(&Overrides::default()).unwrap_or_else(|e| panic!("{e}"));
         assert!(run.failure().is_none(), "{e}: {:?}", run.objections());
-        let end = |name: &str| *run.column(name).unwrap().last().unwrap();
+        let end = |name: &str| *run.column_of_quantity(name).unwrap().last().unwrap();
         assert!(end("z1").abs() < 1e-9 && end("z2").abs() < 1e-9, "{e}: {} {}", end("z1"), end("z2"));
         let lost: f64 = run.solution.impacts.iter().map(|impact| impact.loss).sum();
         assert!((lost - 25.0).abs() < 1e-6, "{e}: {lost}");

@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 use std::path::Path;
-use tripos::pictures::view::{ArrowKind, Form, Motion, Pose, Triple, View};
+use tripos::pictures::view::{ForceSource, Motion, Pose, SolidForm, Triple, View};
 use tripos::{Mechanism, Overrides, Scene};
 use tripos_derive::model::load;
 
@@ -37,13 +37,13 @@ fn the_bob_of_a_pendulum_is_on_its_circle() {
     let mut description = scene.description().clone();
     description.integration.samples = Some(motion.t.len());
     let run = tripos::simulate(scene.mechanism(), &description, Some(&"kane".into())).unwrap();
-    let (bob, theta) = (point(&scene, "P"), run.column("theta").unwrap());
+    let (bob, theta) = (point(&scene, "P"), run.column_of_quantity("theta").unwrap());
     assert!(motion.t.len() > 1000 && theta.len() == motion.t.len());
     for (pose, theta) in motion.poses.iter().zip(theta) {
         assert!(apart(pose.points[bob], [theta.sin(), -theta.cos(), 0.0]) < 1e-12);
     }
     let origin = point(&scene, "O");
-    assert!(view.solids.iter().any(|solid| matches!(solid.form, Form::Rod { ends, .. } if ends == [origin, bob])));
+    assert!(view.solids.iter().any(|solid| matches!(solid.form, SolidForm::Rod { ends, .. } if ends == [origin, bob])));
     assert_eq!((view.traced, view.plane, view.up), (vec![bob], Some([0.0, 0.0, 1.0]), [0.0, 1.0, 0.0]));
 }
 
@@ -54,7 +54,7 @@ fn a_body_on_an_axle_has_one_rod_to_it() {
     let scene = scene("furuta/scenes/swing.toml");
     let (_, view) = seen(&scene);
     let rods = view.solids.iter().filter(|solid| solid.label == "pendulum").filter_map(|solid| match solid.form {
-        Form::Rod { ends, .. } => Some(ends),
+        SolidForm::Rod { ends, .. } => Some(ends),
         _ => None,
     });
     let mut rods: Vec<[usize; 2]> = rods.collect();
@@ -74,7 +74,7 @@ fn a_rolling_disc_is_a_disc_whose_lowest_point_is_on_the_ground() {
     let (motion, view) = seen(&scene);
     let (contact, centre, r) = (point(&scene, "C"), point(&scene, "D"), value(&scene, "r"));
     let solid = view.solids.iter().find(|solid| solid.label == "disc").unwrap();
-    let Form::Cylinder { at, radius, length } = &solid.form else { panic!("{solid:?}") };
+    let SolidForm::Cylinder { at, radius, length } = &solid.form else { panic!("{solid:?}") };
     assert!((radius - r).abs() < 1e-9 && *length < 0.2 * r && at.position.iter().all(|x| x.abs() < 1e-12), "{solid:?}");
     assert!(view.traced.contains(&contact));
     for pose in &motion.poses {
@@ -85,7 +85,7 @@ fn a_rolling_disc_is_a_disc_whose_lowest_point_is_on_the_ground() {
         assert!((apart(pose.points[contact], pose.points[centre]) - r).abs() < 1e-12);
     }
     let ground = view.solids.iter().find_map(|solid| match &solid.form {
-        Form::Ground { at } => Some(at.position),
+        SolidForm::Ground { at } => Some(at.position),
         _ => None,
     });
     assert!(ground.is_some_and(|place| place[2].abs() < 1e-9), "{ground:?}");
@@ -108,7 +108,7 @@ fn the_pins_of_loops_coincide_at_all_samples() {
     assert!(worst < 1e-9, "{worst}");
     // Uniform bars have their length from the model.
     for (label, length) in [("crank", "a"), ("coupler", "b"), ("rocker", "c")] {
-        let is_bar = |form: &Form| matches!(form, Form::Cylinder { length: long, .. } if (long - value(&four_bar, length)).abs() < 1e-9);
+        let is_bar = |form: &SolidForm| matches!(form, SolidForm::Cylinder { length: long, .. } if (long - value(&four_bar, length)).abs() < 1e-9);
         assert!(
             view.solids.iter().any(|solid| solid.label == label && is_bar(&solid.form)),
             "{label}: {:?}",
@@ -123,7 +123,7 @@ fn the_pins_of_loops_coincide_at_all_samples() {
 fn what_is_left_out_of_a_motion_lies_on_the_way() {
     let scene = scene("pendulum/scenes/over.toml");
     let (motion, view) = seen(&scene);
-    let (thin, looser) = motion.thinned(view.size, 100_000);
+    let (thin, looser) = motion.thin_motion(view.size, 100_000);
     assert!(thin.t.len() * 4 < motion.t.len() && looser < 1.5, "{} of {}", thin.t.len(), motion.t.len());
     assert!(thin.t.first() == motion.t.first() && thin.t.last() == motion.t.last());
     let bob = point(&scene, "P");
@@ -141,7 +141,7 @@ fn what_is_left_out_of_a_motion_lies_on_the_way() {
         let between = [0, 1, 2].map(|i| a[i] + share * (b[i] - a[i]));
         assert!(apart(between, forces[1]) < 2.02e-2 * motion.forces.usual, "t = {t}");
     }
-    let (few, looser) = motion.thinned(view.size, 20);
+    let (few, looser) = motion.thin_motion(view.size, 20);
     assert!(few.t.len() <= 21 && looser > 1.0 && few.t.last() == motion.t.last(), "{}", few.t.len());
 }
 
@@ -156,11 +156,11 @@ fn turning_is_true_where_even_turns_between_pictures_are() {
     // The wheel turns by 350 rad, which is 111 half turns.
     let slow = spun(50.0);
     for (most, is_true) in [(100_000, true), (150, true), (90, false), (20, false)] {
-        let (thin, _) = slow.thinned(1.0, most);
-        assert_eq!(slow.turns_truly(&thin), is_true, "{most}: {} pictures", thin.t.len());
+        let (thin, _) = slow.thin_motion(1.0, most);
+        assert_eq!(slow.has_true_rotations(&thin), is_true, "{most}: {} pictures", thin.t.len());
     }
     let fast = spun(2000.0);
-    assert!(!fast.turns_truly(&fast), "2.3 rad from one instant to the next");
+    assert!(!fast.has_true_rotations(&fast), "2.3 rad from one instant to the next");
 }
 
 /// Goal: the change of forces at left-out instants cannot be noticed either. Method: a force that swings while nothing
@@ -173,7 +173,7 @@ fn forces_between_the_instants_that_stay_are_on_the_way() {
     let start =
         "span = [0, 1]\nparameters = { m = 1e12, c = 3, l = 0.5, f = 20 }\nstart = { q = 0, x = 1, w = 0, v = 0 }\n";
     let (_, motion) = motion_of(&model, start);
-    let (thin, _) = motion.thinned(1.0, 100_000);
+    let (thin, _) = motion.thin_motion(1.0, 100_000);
     assert!(thin.t.len() * 4 < motion.t.len() && thin.t.len() > 20, "{} of {}", thin.t.len(), motion.t.len());
     for (t, forces) in motion.t.iter().zip(&motion.forces.values) {
         let at = thin.t.partition_point(|kept| kept <= t).clamp(1, thin.t.len() - 1);
@@ -222,7 +222,7 @@ fn motion_of(model: &str, scene: &str) -> (Scene, Motion) {
     (scene, motion)
 }
 
-fn arrows_of(motion: &Motion) -> Vec<(ArrowKind, &str, usize, bool)> {
+fn arrows_of(motion: &Motion) -> Vec<(ForceSource, &str, usize, bool)> {
     motion.forces.list.iter().map(|a| (a.kind, a.name.as_str(), a.point, a.is_opposite)).collect()
 }
 
@@ -235,7 +235,7 @@ fn arrows_are_the_weight_and_the_pull_of_the_spring() {
     let bob = point(&scene, "P");
     assert_eq!(
         arrows_of(&motion),
-        [(ArrowKind::Weight, "bob", bob, false), (ArrowKind::Applied, "rubber", bob, false)]
+        [(ForceSource::Weight, "bob", bob, false), (ForceSource::Applied, "rubber", bob, false)]
     );
     let [m, k, l, g] = ["m", "k", "l", "g"].map(|name| value(&scene, name));
     assert!(motion.poses.len() > 1000 && motion.forces.values.len() == motion.poses.len());
@@ -285,7 +285,7 @@ fn arrows_turn_with_their_frame_and_have_opposites() {
     let start = "span = [0, 0.5]\nparameters = { m = 2, c = 3, l = 0.5 }\nstart = { q = 0.7, x = 1, w = 4, v = 0.3 }\n";
     let (scene, motion) = motion_of(PULLED, start);
     let (first, second) = (point(&scene, "P"), point(&scene, "S"));
-    let forces = [(ArrowKind::Applied, "drag", first, false), (ArrowKind::Applied, "drag", second, true)];
+    let forces = [(ForceSource::Applied, "drag", first, false), (ForceSource::Applied, "drag", second, true)];
     assert_eq!(arrows_of(&motion)[..2], forces, "no gravity, no weights");
     let drag = -3.0 * 0.5 * 2.0;
     let at_start = &motion.forces.values[0];
@@ -314,7 +314,7 @@ fn arrows_on_a_body_add_up_to_its_mass_times_acceleration() {
         let motion = Motion::of_scene(scene.mechanism(), &description, None).unwrap();
         let [body] = scene.mechanism().bodies.as_slice() else { panic!("{path}: more than one body") };
         let arrows = arrows_of(&motion);
-        assert!(arrows.iter().any(|(kind, ..)| *kind == ArrowKind::Reaction), "{path}: {arrows:?}");
+        assert!(arrows.iter().any(|(kind, ..)| *kind == ForceSource::Reaction), "{path}: {arrows:?}");
         let mass = value(&scene, mass);
         let h = motion.t[1] - motion.t[0];
         let mut most = 0.0_f64;
@@ -343,7 +343,7 @@ fn reactions_of_scenes_with_impacts_are_said_to_be_missing() {
         "span = [0, 0.2]\nparameters = {{ m = 1, l = 1, g = 9.81 }}\nstart = {{ theta = 0, omega = 1 }}\n{MEETS}"
     );
     let (_, motion) = motion_of(&text, &start);
-    assert_eq!(arrows_of(&motion), [(ArrowKind::Weight, "bob", point(&scene, "P"), false)]);
+    assert_eq!(arrows_of(&motion), [(ForceSource::Weight, "bob", point(&scene, "P"), false)]);
     assert_eq!(motion.forces.without.as_deref(), Some("the forces of closed contacts are not part of the equations"));
 }
 
@@ -383,7 +383,7 @@ fn stated_shapes_are_drawn_at_the_parameters_of_the_scene() {
     let scene = Scene::parse(mechanism, text).unwrap_or_else(|e| panic!("{e}"));
     let (motion, view) = seen(&scene);
     let [solid] = view.solids.as_slice() else { panic!("{:?}", view.solids) };
-    let Form::Cylinder { at, radius, .. } = &solid.form else { panic!("{solid:?}") };
+    let SolidForm::Cylinder { at, radius, .. } = &solid.form else { panic!("{solid:?}") };
     assert!(view.is_stated && (radius - 0.4).abs() < 1e-15 && solid.label == "wheel" && solid.body == Some(0));
     assert!(apart(at.position, [0.0, 0.2, 0.0]) < 1e-15);
     let end = motion.poses.last().unwrap();
@@ -391,7 +391,7 @@ fn stated_shapes_are_drawn_at_the_parameters_of_the_scene() {
 
     // A length that is zero at the parameters of a scene is refused.
     let mut flat = scene.clone();
-    flat.set("w", 0.0).unwrap();
+    flat.set_number("w", 0.0).unwrap();
     let motion = Motion::of_scene(flat.mechanism(), flat.description(), None).unwrap();
     let refused = View::new(flat.mechanism(), flat.description(), &[&motion]).unwrap_err();
     assert!(

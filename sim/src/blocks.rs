@@ -27,7 +27,7 @@ impl<S: Real> Blocks<S> {
     }
 
     /// Returns the n components of the vector, without padding.
-    pub(crate) fn components(&self) -> &[S] {
+    pub(crate) fn components_of_blocks(&self) -> &[S] {
         &self.blocks.as_flattened()[..self.n]
     }
 
@@ -40,9 +40,9 @@ impl<S: Real> Blocks<S> {
 /// Test that many numbers are finite, at the cost of two operations for each. It holds sums of x − x,
 /// which are 0 for finite numbers.
 #[derive(Clone, Copy)]
-pub(crate) struct Finite(Block<f64>);
+pub(crate) struct FiniteTest(Block<f64>);
 
-impl Finite {
+impl FiniteTest {
     /// Creates a test for finite numbers that has examined no number yet.
     pub(crate) const fn new() -> Self {
         Self([0.0; LANES])
@@ -50,7 +50,7 @@ impl Finite {
 
     /// Examines the numbers of a block; the result of all blocks is read with `all`.
     #[inline]
-    pub(crate) fn note<S: Real>(&mut self, block: &Block<S>) {
+    pub(crate) fn examine_block<S: Real>(&mut self, block: &Block<S>) {
         // x − x is 0, or not a number if x is infinite or not a number.
         let rest = block.map(|x| x.to_f64() - x.to_f64());
         for (sum, rest) in self.0.iter_mut().zip(rest) {
@@ -60,7 +60,7 @@ impl Finite {
 
     /// True if every number examined so far is finite.
     #[inline]
-    pub(crate) fn all(self) -> bool {
+    pub(crate) fn is_finite(self) -> bool {
         !self.0.into_iter().sum::<f64>().is_nan()
     }
 }
@@ -72,12 +72,12 @@ mod tests {
     #[test]
     fn one_number_that_is_not_finite_is_enough() {
         for odd in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-            let mut finite = Finite::new();
-            finite.note(&[f64::MAX, -f64::MAX]);
-            assert!(finite.all());
-            finite.note(&[1e-320, odd]);
-            finite.note(&[1.0; LANES]);
-            assert!(!finite.all(), "{odd}");
+            let mut finite = FiniteTest::new();
+            finite.examine_block(&[f64::MAX, -f64::MAX]);
+            assert!(finite.is_finite());
+            finite.examine_block(&[1e-320, odd]);
+            finite.examine_block(&[1.0; LANES]);
+            assert!(!finite.is_finite(), "{odd}");
         }
     }
 
@@ -86,7 +86,7 @@ mod tests {
         for n in 0..10 {
             let mut vector = Blocks::<f32>::zeros(n);
             vector.components_mut().fill(1.0);
-            assert_eq!(vector.components(), vec![1.0; n]);
+            assert_eq!(vector.components_of_blocks(), vec![1.0; n]);
             assert_eq!(vector.blocks.as_flattened().iter().sum::<f32>(), n as f32);
         }
     }

@@ -19,10 +19,10 @@
 use tripos_traits::Real;
 
 use crate::constraints::correction::{Correction, LeastVectorSolver};
+use crate::error_test::ErrorTest;
 use crate::linear::metric::{DEPENDENT, dot};
 use crate::methods::options::Options;
-use crate::rhs::RightHandSide;
-use crate::tolerance::ErrorTest;
+use crate::right_hand_side::RightHandSide;
 
 /// Largest number of Newton iterations for a correction that has not become as small as rounding.
 const ITERATIONS: u32 = 3;
@@ -90,7 +90,7 @@ impl ProjectionReport {
 }
 
 /// Set onto which the states of a run are moved: level sets of invariants, or constraints.
-pub(crate) enum Onto<'p, 'a, S> {
+pub(crate) enum ProjectionTarget<'p, 'a, S> {
     /// Invariants, which are kept at their values at the start of the run.
     Invariants(&'p mut Invariants<'a, S>),
     /// Constraints of the equations, which are kept at zero. The number says how many there are.
@@ -101,7 +101,7 @@ pub(crate) enum Onto<'p, 'a, S> {
 /// report so far.
 pub(crate) struct Projector<'p, 'a, S> {
     /// Invariants or constraints onto which states are moved.
-    onto: Onto<'p, 'a, S>,
+    onto: ProjectionTarget<'p, 'a, S>,
     /// Error test whose weights define the norm of a correction; `None` if the tolerances are invalid, and
     /// all weights are 1.
     weights: Option<ErrorTest>,
@@ -141,7 +141,7 @@ pub(crate) struct Projector<'p, 'a, S> {
 
 /// Class of the size of a correction of the state, in ascending order.
 #[derive(PartialEq, PartialOrd)]
-enum Moved {
+enum CorrectionSize {
     /// The correction is no larger than the rounding errors with which the constraints are computed.
     Constraint,
     /// The correction is no larger than the rounding of the largest component of the state.
@@ -151,7 +151,7 @@ enum Moved {
 }
 
 /// Reason why the state cannot be moved onto the invariants or constraints.
-enum Hindrance {
+enum ProjectionFailure {
     /// The gradients are dependent, zero or not finite.
     Singular,
     /// Newton's method did not reach the invariants or constraints.
@@ -161,22 +161,27 @@ enum Hindrance {
 impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
     /// Creates a projection onto invariants at their values at the start (t0, y0), or onto constraints.
     pub(crate) fn new<R: RightHandSide<S>>(
-        onto: Onto<'p, 'a, S>,
+        onto: ProjectionTarget<'p, 'a, S>,
         rhs: &mut R,
         options: &Options,
         t0: f64,
         y0: &[S],
     ) -> Self {
         let count = match &onto {
-            Onto::Invariants(invariants) => invariants.count,
-            Onto::Constraints(count) => *count,
+            ProjectionTarget::Invariants(invariants) => invariants.count,
+            ProjectionTarget::Constraints(count) => *count,
         };
         let (m, n) = (count, y0.len());
         let zeros = |n: usize| vec![S::from_f64(0.0); n];
         // A run with fixed steps may have senseless tolerances: all components then count alike.
-        let weights = ErrorTest::new::<S>(crate::methods::method::norm(options.method), options.rtol, &options.atol, n)
-            .ok()
-            .map(|(test, _)| test);
+        let weights = ErrorTest::new::<S>(
+            crate::methods::method_rules::method_norm(options.method),
+            options.rtol,
+            &options.atol,
+            n,
+        )
+        .ok()
+        .map(|(test, _)| test);
         let mut projector = Self {
             onto,
             weights,
@@ -201,8 +206,8 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
                 ..ProjectionReport::default()
             },
         };
-        if matches!(projector.onto, Onto::Invariants(_)) {
-            projector.measure(rhs, t0);
+        if matches!(projector.onto, ProjectionTarget::Invariants(_)) {
+            projector.measure_drift(rhs, t0);
             projector.wanted.clone_from(&projector.values);
         }
         projector
@@ -212,14 +217,14 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
     /// `None` if the state lies on them up to rounding, or if it cannot be moved; the report counts the
     /// latter.
     pub(crate) fn project<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, y: &[S]) -> Option<&[S]> {
-        match self.place(rhs, t, y) {
+        match self.project_copy(rhs, t, y) {
             Ok(true) => {
-                self.account(y);
+                self.report_correction(y);
                 return Some(&self.y);
             }
             Ok(false) => (),
-            Err(Hindrance::Singular) => self.report.singular += 1,
-            Err(Hindrance::NotConverged) => self.report.not_converged += 1,
+            Err(ProjectionFailure::Singular) => self.report.singular += 1,
+            Err(ProjectionFailure::NotConverged) => self.report.not_converged += 1,
         }
         None
     }
@@ -227,27 +232,28 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
     /// Returns the state of a sample as it is shown. In a run with constraints it is moved onto them if
     /// possible. In a run with invariants it is not moved, so that their drift is visible.
     pub(crate) fn sample<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, y: Vec<S>) -> Vec<S> {
-        let is_placed = matches!(self.onto, Onto::Constraints(_)) && matches!(self.place(rhs, t, &y), Ok(true));
+        let is_placed =
+            matches!(self.onto, ProjectionTarget::Constraints(_)) && matches!(self.project_copy(rhs, t, &y), Ok(true));
         if is_placed { self.y.clone() } else { y }
     }
 
     /// Moves a copy of the state `y` onto the invariants or constraints, into `self.y`. `Ok(false)` if it
     /// was there up to rounding.
-    fn place<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, y: &[S]) -> Result<bool, Hindrance> {
+    fn project_copy<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, y: &[S]) -> Result<bool, ProjectionFailure> {
         self.y.copy_from_slice(y);
-        if self.values.is_empty() || self.measure(rhs, t) {
+        if self.values.is_empty() || self.measure_drift(rhs, t) {
             return Ok(false);
         }
         self.before.clone_from(&self.drift);
         self.iterate(rhs, t)?;
-        self.straighten(rhs, t)?;
+        self.project_slopes(rhs, t)?;
         Ok(true)
     }
 
     /// Corrects the derivatives that the numbers of the moved state carry, if its scalar has any.
     /// Afterwards the constraints have derivative zero along each of them, and the change is the smallest
     /// possible.
-    fn straighten<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64) -> Result<(), Hindrance> {
+    fn project_slopes<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64) -> Result<(), ProjectionFailure> {
         for along in 0..S::SLOPES {
             self.open.clear();
             self.open.extend(self.values.iter().zip(&self.wanted).map(|(x, to)| (*x - *to).slope(along)));
@@ -261,8 +267,8 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
 
     /// Derivatives of the weighted sum `weights` · y of the last moved state by the drift of each
     /// constraint. Entry k is `weights` times the correction for a drift of 1 in constraint k alone. This
-    /// is the transpose of [`Self::straighten`]. Not a number if no correction exists.
-    pub(crate) fn shares<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, weights: &[f64]) -> Vec<f64> {
+    /// is the transpose of [`Self::project_slopes`]. Not a number if no correction exists.
+    pub(crate) fn project_weights<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, weights: &[f64]) -> Vec<f64> {
         let count = self.values.len();
         let mut share = |k: usize| {
             self.open.clear();
@@ -281,12 +287,14 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
     /// Constraints are rounded as they are computed, not as their arguments are. The sine of an angle of a
     /// thousand turns is as exact as that of a small angle, and the other coordinates can satisfy the
     /// constraint.
-    fn measure<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64) -> bool {
+    fn measure_drift<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64) -> bool {
         match &mut self.onto {
-            Onto::Invariants(invariants) => (invariants.function)(t, &self.y, &mut self.values, &mut self.gradients),
-            Onto::Constraints(_) => rhs.constraints(t, &self.y, &mut self.values, &mut self.gradients),
+            ProjectionTarget::Invariants(invariants) => {
+                (invariants.function)(t, &self.y, &mut self.values, &mut self.gradients);
+            }
+            ProjectionTarget::Constraints(_) => rhs.constraints(t, &self.y, &mut self.values, &mut self.gradients),
         }
-        let reach = self.reach();
+        let reach = self.largest_size_for_rounding();
         self.is_near = true;
         let mut rounding = true;
         for (k, row) in self.gradients.chunks_exact(self.y.len().max(1)).enumerate() {
@@ -304,83 +312,84 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
 
     /// Upper bound of the size of a component of the state that counts for rounding errors: 1 for
     /// constraints, infinite for invariants.
-    fn reach(&self) -> f64 {
-        if matches!(self.onto, Onto::Constraints(_)) { 1.0 } else { f64::INFINITY }
+    fn largest_size_for_rounding(&self) -> f64 {
+        if matches!(self.onto, ProjectionTarget::Constraints(_)) { 1.0 } else { f64::INFINITY }
     }
 
     /// Moves `self.y` by Newton's method until the drift is rounding. Error if there is no correction, or
     /// if too much drift is left.
-    fn iterate<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64) -> Result<(), Hindrance> {
+    fn iterate<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64) -> Result<(), ProjectionFailure> {
         let mut is_settled = false;
         for iteration in 0..SETTLING {
             if iteration >= ITERATIONS && !is_settled {
                 break;
             }
             let moved = self.step(rhs, t)?;
-            if self.measure(rhs, t) || moved <= Moved::Constraint {
+            if self.measure_drift(rhs, t) || moved <= CorrectionSize::Constraint {
                 return Ok(());
             }
-            is_settled |= moved <= Moved::State;
+            is_settled |= moved <= CorrectionSize::State;
         }
         let near = self.drift.iter().zip(&self.before).all(|(now, before)| now.abs() <= LEFT * before.abs());
-        if near || is_settled || self.is_near { Ok(()) } else { Err(Hindrance::NotConverged) }
+        if near || is_settled || self.is_near { Ok(()) } else { Err(ProjectionFailure::NotConverged) }
     }
 
     /// Computes the smallest correction that removes the deviations `open` of the invariants or
     /// constraints, to first order. Error if the gradients are singular.
-    fn correct<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64) -> Result<(), Hindrance> {
+    fn correct<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64) -> Result<(), ProjectionFailure> {
         let n = self.y.len();
         self.slopes.clear();
         self.slopes.extend(self.gradients.iter().map(|g| g.to_f64()));
         if !self.slopes.iter().chain(&self.open).all(|x| x.is_finite()) {
-            return Err(Hindrance::Singular);
+            return Err(ProjectionFailure::Singular);
         }
-        if !matches!(self.onto, Onto::Constraints(_)) || !rhs.inertia(t, &self.y, &mut self.inertia) {
+        if !matches!(self.onto, ProjectionTarget::Constraints(_)) || !rhs.inertia(t, &self.y, &mut self.inertia) {
             return self.correct_in_weights();
         }
         if !self.in_rates.set(&self.inertia, &self.slopes, n / 2, self.clock) {
-            return Err(Hindrance::Singular);
+            return Err(ProjectionFailure::Singular);
         }
-        self.correction.copy_from_slice(self.in_rates.of(&self.open, n / 2));
+        self.correction.copy_from_slice(self.in_rates.correction_of_drift(&self.open, n / 2));
         Ok(())
     }
 
     /// Takes a step of Newton's method from `self.y`, and returns the class of size of its correction.
-    fn step<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64) -> Result<Moved, Hindrance> {
+    fn step<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64) -> Result<CorrectionSize, ProjectionFailure> {
         self.open.clone_from(&self.drift);
         self.correct(rhs, t)?;
         let largest = |reach: f64| self.y.iter().fold(0.0, |most: f64, y| most.max(y.to_f64().abs().min(reach)));
-        let rounding = [self.reach(), f64::INFINITY].map(|reach| ROUNDING * S::EPSILON * largest(reach));
+        let rounding =
+            [self.largest_size_for_rounding(), f64::INFINITY].map(|reach| ROUNDING * S::EPSILON * largest(reach));
         let most = self.correction.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
         for (y, correction) in self.y.iter_mut().zip(&self.correction) {
             *y = *y - S::from_f64(*correction);
         }
         Ok(match rounding {
-            [constraint, _] if most <= constraint => Moved::Constraint,
-            [_, state] if most <= state => Moved::State,
-            _ => Moved::Further,
+            [constraint, _] if most <= constraint => CorrectionSize::Constraint,
+            [_, state] if most <= state => CorrectionSize::State,
+            _ => CorrectionSize::Further,
         })
     }
 
     /// Computes the correction W² Gᵀ (G W² Gᵀ)⁻¹ `open`, with gradients G and the weights W of the
     /// tolerances. Error if gradients of invariants are dependent.
-    fn correct_in_weights(&mut self) -> Result<(), Hindrance> {
-        let (reach, y, weights) = (self.reach(), &self.y, &self.weights);
+    fn correct_in_weights(&mut self) -> Result<(), ProjectionFailure> {
+        let (reach, y, weights) = (self.largest_size_for_rounding(), &self.y, &self.weights);
         let size = |y: &S| y.to_f64().abs().min(reach);
         let weight = |(i, y)| weights.as_ref().map_or(1.0, |test| test.weight(i, size(y)));
         let LeastVectorSolver { metric, conditions } = &mut self.in_weights;
         metric.set_weights(y.iter().enumerate().map(weight));
         conditions.set(metric, &self.slopes, DEPENDENT);
-        let may_depend = matches!(self.onto, Onto::Constraints(_));
+        let may_depend = matches!(self.onto, ProjectionTarget::Constraints(_));
         if !may_depend && !conditions.is_independent() {
-            return Err(Hindrance::Singular);
+            return Err(ProjectionFailure::Singular);
         }
-        self.in_weights.write(&self.open, &mut self.correction);
+        self.in_weights.least_vector(&self.open, &mut self.correction);
         Ok(())
     }
 
     /// Adds the correction from the state `y` to `self.y` to the report.
-    fn account(&mut self, y: &[S]) {
+    fn report_correction(&mut self, y: &[S]) {
         self.report.corrections += 1;
         for ((moved, new), old) in self.report.moved.iter_mut().zip(&self.y).zip(y) {
             *moved += (*new - *old).to_f64().abs();

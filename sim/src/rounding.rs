@@ -1,13 +1,13 @@
 //! Spacing of floating-point numbers on the time axis, which bounds step sizes from below.
 
 /// Distance from |t| to the next larger `f64` (unit in the last place), as MATLAB's `eps(t)`.
-pub(crate) fn ulp(t: f64) -> f64 {
+pub(crate) fn rounding_unit(t: f64) -> f64 {
     t.abs().next_up() - t.abs()
 }
 
 /// Smallest step size that a run tries at time `t`, s: 16 units in the last place of t.
 pub(crate) fn smallest_step(t: f64) -> f64 {
-    16.0 * ulp(t)
+    16.0 * rounding_unit(t)
 }
 
 #[cfg(test)]
@@ -16,8 +16,8 @@ mod tests {
 
     #[test]
     fn ulp_is_the_spacing_of_numbers() {
-        assert_eq!(ulp(1.0), f64::EPSILON);
-        assert_eq!(ulp(-3.0), 2.0 * f64::EPSILON);
-        assert_eq!(ulp(0.0), f64::from_bits(1));
+        assert_eq!(rounding_unit(1.0), f64::EPSILON);
+        assert_eq!(rounding_unit(-3.0), 2.0 * f64::EPSILON);
+        assert_eq!(rounding_unit(0.0), f64::from_bits(1));
     }
 }

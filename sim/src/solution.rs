@@ -180,7 +180,7 @@ impl<S: Clone> Solution<S> {
     /// Creates the solution of a run that ended at its start (t, y), before the first step, for the reason
     /// `stop`.
     #[must_use]
-    pub fn unbegun(t: f64, y: &[S], stop: Stop) -> Self {
+    pub fn ended_at_start(t: f64, y: &[S], stop: Stop) -> Self {
         Self {
             t: vec![t],
             y: vec![y.to_vec()],
@@ -230,7 +230,7 @@ impl<S> Solution<S> {
 impl<S: Real> Solution<S> {
     /// Returns a copy of the solution whose states are rounded to `f64`.
     #[must_use]
-    pub fn rounded(&self) -> Solution {
+    pub fn solution_in_doubles(&self) -> Solution {
         let doubles = |y: &Vec<S>| y.iter().map(|y| y.to_f64()).collect::<Vec<f64>>();
         Solution {
             t: self.t.clone(),
@@ -265,7 +265,7 @@ mod tests {
     use super::*;
 
     fn stopped(stop: Stop) -> Solution {
-        Solution { steps: 412, rejected: 19, ..Solution::unbegun(3.181, &[], stop) }
+        Solution { steps: 412, rejected: 19, ..Solution::ended_at_start(3.181, &[], stop) }
     }
 
     #[test]

@@ -4,12 +4,12 @@
 use tripos_traits::{Real, Scalar};
 
 use crate::error::Failure;
-use crate::rhs::RightHandSide;
-use crate::tolerance::ErrorTest;
+use crate::error_test::ErrorTest;
+use crate::right_hand_side::RightHandSide;
 
 /// Reason why an attempted step has no result. The driver then tries a smaller step.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Trouble {
+pub(crate) enum StepFailure {
     /// A component of the state or its derivative became infinite or not a number.
     NotFinite {
         /// Index in the state, from 0, of the component that is infinite or not a number.
@@ -26,43 +26,43 @@ pub(crate) enum Trouble {
 
 /// Checks that all entries of a state or derivative are finite. The error has the index of the first
 /// entry that is not.
-pub(crate) fn check_finite<S: Real>(values: &[S]) -> Result<(), Trouble> {
+pub(crate) fn check_finite<S: Real>(values: &[S]) -> Result<(), StepFailure> {
     match values.iter().position(|x| !x.to_f64().is_finite()) {
-        Some(component) => Err(Trouble::NotFinite { component }),
+        Some(component) => Err(StepFailure::NotFinite { component }),
         None => Ok(()),
     }
 }
 
 /// Writes f(t, y) to `out`. Error if f has no value there, or if an entry is not finite.
 #[inline]
-pub(crate) fn evaluate<S, R>(rhs: &mut R, t: f64, y: &[S], out: &mut [S]) -> Result<(), Trouble>
+pub(crate) fn evaluate<S, R>(rhs: &mut R, t: f64, y: &[S], out: &mut [S]) -> Result<(), StepFailure>
 where
     S: Real,
     R: RightHandSide<S>,
 {
-    rhs.rhs(t, y, out).map_err(Trouble::Failed)?;
+    rhs.rhs(t, y, out).map_err(StepFailure::Failed)?;
     check_finite(out)
 }
 
 /// True if two numbers are exactly equal; 0 equals −0.
 #[expect(clippy::float_cmp, reason = "asks for identity, not for nearness")]
-pub(crate) fn same(a: f64, b: f64) -> bool {
+pub(crate) fn exactly_equal(a: f64, b: f64) -> bool {
     a == b
 }
 
 /// Size and end time of a step that is being tried.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Trial {
+pub(crate) struct TrialStep {
     /// Signed size of the step, s, as the step control chose it; negative in a run backward in time.
     pub(crate) h: f64,
     /// Time at the end of the step, s: t + h after rounding, or exactly the end of the run.
     pub(crate) t_new: f64,
 }
 
-impl Trial {
+impl TrialStep {
     /// Signed distance from time `t` to the end of the step, s, computed in the scalar `S`. A scalar wider
     /// than `f64` holds it without rounding.
-    pub(crate) fn exact<S: Real>(self, t: f64) -> S {
+    pub(crate) fn exact_step_length<S: Real>(self, t: f64) -> S {
         S::from_f64(self.t_new) - S::from_f64(t)
     }
 }
@@ -79,11 +79,11 @@ pub(crate) trait DenseStep {
     fn degree(&self) -> Option<usize>;
     /// Writes the coefficients of the dense output in powers of the fraction of the step, (degree + 1) × n
     /// numbers. Row k has those of power k, an entry for each of the n components.
-    fn powers(&self, out: &mut [f64]);
+    fn dense_output_powers(&self, out: &mut [f64]);
     /// Time at the fraction `theta` of the step, s.
     fn time_at(&self, theta: f64) -> f64 {
         let (start, end) = self.times();
-        if same(theta, 1.0) { end } else { start + theta * (end - start) }
+        if exactly_equal(theta, 1.0) { end } else { start + theta * (end - start) }
     }
 }
 
@@ -96,10 +96,10 @@ pub(crate) trait Interpolant {
     /// States at the start and at the end of the step.
     fn ends(&self) -> (&[Self::Real], &[Self::Real]);
     /// Computes the state at the fraction `theta` of the step. Calls `put(i, value)` for each component i.
-    fn inside(&self, theta: Self::Real, put: impl FnMut(usize, Self::Real));
+    fn dense_output(&self, theta: Self::Real, put: impl FnMut(usize, Self::Real));
     /// Degree of the dense output as a polynomial in the fraction of the step; `None` if it is no
     /// polynomial.
-    fn order_inside(&self) -> Option<usize>;
+    fn degree_of_dense_output(&self) -> Option<usize>;
     /// Computes the coefficients of the dense output in powers of the fraction of the step. Calls `put(i,
     /// k, value)` for each component i and each power k up to the degree. The polynomial equals
     /// [`Interpolant::inside`] up to rounding.
@@ -108,9 +108,9 @@ pub(crate) trait Interpolant {
     /// Returns the state at the fraction `theta` of the step. `t` is the time there, s.
     fn sample(&self, theta: f64, t: f64) -> Vec<Self::Real> {
         let (y, y_new) = self.ends();
-        let mut out = if same(theta, 1.0) { y_new.to_vec() } else { y.to_vec() };
-        if !same(theta, 0.0) && !same(theta, 1.0) {
-            self.inside(self.fraction(theta, t), |i, value| out[i] = value);
+        let mut out = if exactly_equal(theta, 1.0) { y_new.to_vec() } else { y.to_vec() };
+        if !exactly_equal(theta, 0.0) && !exactly_equal(theta, 1.0) {
+            self.dense_output(self.fraction(theta, t), |i, value| out[i] = value);
         }
         out
     }
@@ -140,20 +140,20 @@ impl<I: Interpolant> DenseStep for I {
                 *o = value.to_f64();
             }
         };
-        if same(theta, 0.0) {
+        if exactly_equal(theta, 0.0) {
             round(y);
-        } else if same(theta, 1.0) {
+        } else if exactly_equal(theta, 1.0) {
             round(y_new);
         } else {
-            self.inside(I::Real::from_f64(theta), |i, value| out[i] = value.to_f64());
+            self.dense_output(I::Real::from_f64(theta), |i, value| out[i] = value.to_f64());
         }
     }
 
     fn degree(&self) -> Option<usize> {
-        self.order_inside()
+        self.degree_of_dense_output()
     }
 
-    fn powers(&self, out: &mut [f64]) {
+    fn dense_output_powers(&self, out: &mut [f64]) {
         let components = self.ends().0.len();
         self.coefficients(|i, k, value| out[k * components + i] = value.to_f64());
     }
@@ -164,7 +164,7 @@ impl<I: Interpolant> DenseStep for I {
 pub(crate) trait Stepper: Interpolant {
     /// Sets the method to the state `y` at time `t`, s, and evaluates the derivative there. Error if the
     /// derivative has no finite value.
-    fn start<R>(&mut self, rhs: &mut R, t: f64, y: &[Self::Real]) -> Result<(), Trouble>
+    fn start<R>(&mut self, rhs: &mut R, t: f64, y: &[Self::Real]) -> Result<(), StepFailure>
     where
         R: RightHandSide<Self::Real>;
     /// Size of the next step, s, for a method that finds it before the step is tried, as Taylor's does.
@@ -176,7 +176,7 @@ pub(crate) trait Stepper: Interpolant {
     /// Tries a step from the current state, and returns its error in the norm of `test`; 0 if there is no
     /// test. The derivative at the step's end is known if the step passes the test. Error if the step has
     /// no result.
-    fn attempt<R>(&mut self, rhs: &mut R, trial: Trial, test: Option<&ErrorTest>) -> Result<f64, Trouble>
+    fn attempt<R>(&mut self, rhs: &mut R, trial: TrialStep, test: Option<&ErrorTest>) -> Result<f64, StepFailure>
     where
         R: RightHandSide<Self::Real>;
     /// Evaluates the stages that only the dense output of the last tried step needs. False if f has no
@@ -189,11 +189,11 @@ pub(crate) trait Stepper: Interpolant {
         true
     }
     /// Announces, before the start, that the driver may move the state after each step. Each accepted step
-    /// is then followed by [`Stepper::restart`] or [`Stepper::stay`].
+    /// is then followed by [`Stepper::continue_from_moved_state`] or [`Stepper::stay`].
     fn expect_moves(&mut self) {}
     /// Continues from the current state after an accepted step. The driver was allowed to move the state,
     /// but did not. Error if the derivative there has no finite value.
-    fn stay<R>(&mut self, rhs: &mut R) -> Result<(), Trouble>
+    fn continue_unmoved<R>(&mut self, rhs: &mut R) -> Result<(), StepFailure>
     where
         R: RightHandSide<Self::Real>,
     {
@@ -202,7 +202,7 @@ pub(crate) trait Stepper: Interpolant {
     }
     /// Continues from the state `y` at the current time, in place of the state that the last step reached.
     /// Error if the derivative there has no finite value.
-    fn restart<R>(&mut self, rhs: &mut R, y: &[Self::Real]) -> Result<(), Trouble>
+    fn continue_from_moved_state<R>(&mut self, rhs: &mut R, y: &[Self::Real]) -> Result<(), StepFailure>
     where
         R: RightHandSide<Self::Real>,
     {
@@ -211,12 +211,12 @@ pub(crate) trait Stepper: Interpolant {
     }
     /// Factor, at most 1, by which the next step must be smaller than the error of the last tried step
     /// allows. It is below 1 if the equations of an implicit step were hard to solve.
-    fn margin(&self) -> f64 {
+    fn next_step_margin(&self) -> f64 {
         1.0
     }
     /// Index of the component with the largest weighted error in the last tried step; `None` if all errors
     /// are 0.
-    fn worst(&self, test: &ErrorTest) -> Option<usize>;
+    fn component_of_largest_error(&self, test: &ErrorTest) -> Option<usize>;
     /// Makes the last tried step part of the solution: its end becomes the current state.
     fn accept(&mut self);
     /// Derivative y' at the start of the run, before the first step.

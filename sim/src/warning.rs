@@ -61,16 +61,16 @@ impl Warning {
     /// Returns the text of the warning. `names` names the components of the state, in order; a component
     /// without a name is shown by its index.
     #[must_use]
-    pub fn described(&self, names: &[String]) -> String {
+    pub fn warning_text(&self, names: &[String]) -> String {
         let who = |at: usize| names.get(at).map_or_else(|| format!("component {at}"), |name| format!("`{name}`"));
         let mut out = String::new();
-        self.say(&mut out, &who).expect("memory takes everything");
+        self.write_warning(&mut out, &who).expect("memory takes everything");
         out
     }
 
     /// Writes the text of the warning to `f`. `who` gives the name of a component of the state from its
     /// index.
-    fn say(&self, f: &mut impl fmt::Write, who: &dyn Fn(usize) -> String) -> fmt::Result {
+    fn write_warning(&self, f: &mut impl fmt::Write, who: &dyn Fn(usize) -> String) -> fmt::Result {
         match self {
             Self::RtolRaised { from, to } => {
                 write!(f, "relative tolerance {from:e} is below rounding; raised to {to:e}")
@@ -106,6 +106,6 @@ impl Warning {
 
 impl fmt::Display for Warning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.say(f, &|at| format!("component {at}"))
+        self.write_warning(f, &|at| format!("component {at}"))
     }
 }

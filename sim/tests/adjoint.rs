@@ -2,8 +2,11 @@
 
 use crate::lent::integrate;
 use proptest::prelude::*;
-use tripos_sim::adjoint::{Adjoint, Course, Gradient, Moved, Unswept, has_adjoint, segments};
-use tripos_sim::{Corner, Failure, Lent, Method, Options, Output, Pulled, RightHandSide, Transposed};
+use tripos_sim::adjoint::{Adjoint, AdjointError, Gradient, MovingJump, RecordedSteps, adjoint_segments, has_adjoint};
+use tripos_sim::{
+    Corner, Failure, LentRightHandSide, Method, Options, OutputOption, ProductSums, RightHandSide,
+    TransposedRightHandSide,
+};
 use tripos_traits::{Real, Scalar, Tangent};
 
 /// Equations y′ = f(p, t, y), with their constraint functions and the slopes of these.
@@ -92,7 +95,7 @@ impl At<f64> {
         &self,
         y: &[f64],
         weights: &[f64],
-        (by_state, by_parameters): Pulled<'_>,
+        (by_state, by_parameters): ProductSums<'_>,
         of: impl Fn(&[Tangent<1>], &[Tangent<1>], &mut [Tangent<1>]),
     ) {
         let n = y.len();
@@ -111,15 +114,27 @@ impl At<f64> {
     }
 }
 
-impl Transposed for At<f64> {
+impl TransposedRightHandSide for At<f64> {
     fn parameter_count(&self) -> usize {
         self.p.len()
     }
-    fn pull(&mut self, t: f64, y: &[f64], weights: &[f64], to: Pulled<'_>) -> Result<(), Failure> {
+    fn add_transposed_product(
+        &mut self,
+        t: f64,
+        y: &[f64],
+        weights: &[f64],
+        to: ProductSums<'_>,
+    ) -> Result<(), Failure> {
         self.columns(y, weights, to, |p, y, out| self.problem.rates(p, t, y, out));
         Ok(())
     }
-    fn pull_constraints(&mut self, _t: f64, y: &[f64], weights: &[f64], to: Pulled<'_>) -> Result<(), Failure> {
+    fn add_transposed_constraint_product(
+        &mut self,
+        _t: f64,
+        y: &[f64],
+        weights: &[f64],
+        to: ProductSums<'_>,
+    ) -> Result<(), Failure> {
         let of = |p: &[Tangent<1>], y: &[Tangent<1>], out: &mut [Tangent<1>]| {
             self.problem.constraints(p, y, out, &mut [Tangent::from_f64(0.0); 8]);
         };
@@ -133,12 +148,18 @@ const SPAN: (f64, f64) = (0.0, 2.0);
 fn options(problem: Problem, p: &[f64], method: Method, tolerance: f64) -> Options {
     let corners = match problem {
         Problem::Driven(_) => {
-            vec![Corner { moves: [1.0, 0.0, 0.0, 0.0], ..Corner::jump(p[2]) }, Corner::bend(BEND)]
+            vec![Corner { moves: [1.0, 0.0, 0.0, 0.0], ..Corner::jump(p[2]) }, Corner::kink(BEND)]
         }
         _ => Vec::new(),
     };
     let step = (method == Method::Rk4).then_some(0.01);
-    Options { method, step, corners, output: Output::Steps { refine: 1 }, ..Options::tolerances(tolerance, tolerance) }
+    Options {
+        method,
+        step,
+        corners,
+        output: OutputOption::Steps { refine: 1 },
+        ..Options::tolerances(tolerance, tolerance)
+    }
 }
 
 /// Motion of a problem with parameters `p` from the state `y0` at the start.
@@ -158,16 +179,16 @@ fn backwards(
 ) -> (Gradient, usize) {
     let Motion { problem, p, y0 } = motion;
     let mut rhs = At { problem, p: p.to_vec() };
-    let run = integrate(Lent(&mut rhs), SPAN, y0, options, &mut []).unwrap();
+    let run = integrate(LentRightHandSide(&mut rhs), SPAN, y0, options, &mut []).unwrap();
     assert!(!run.stop.is_failure(), "{run}");
     let moved = options.corners.iter().filter(|corner| corner.jumps);
-    let moved: Vec<Moved> = moved.map(|corner| Moved { at: corner.at, by: vec![0.0, 0.0, 1.0] }).collect();
+    let moved: Vec<MovingJump> = moved.map(|corner| MovingJump { at: corner.at, by: vec![0.0, 0.0, 1.0] }).collect();
     let ends = &run.t[1..];
-    let course = Course { span: SPAN, y0, ends, options, moved: &moved };
+    let course = RecordedSteps { span: SPAN, y0, ends, options, moved: &moved };
     let adjoint = Adjoint::new(course, &mut rhs, &parts(ends.len())).unwrap();
     let apart = adjoint.end.iter().zip(&run.y_end).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
     assert!(apart < 1e-12, "the steps are those of the run: {apart:e}");
-    (adjoint.pull(&mut rhs, weights).unwrap(), ends.len())
+    (adjoint.gradient(&mut rhs, weights).unwrap(), ends.len())
 }
 
 /// Gradient by runs that carry a slope forwards, one for each component of the start and each parameter.
@@ -191,7 +212,7 @@ fn forwards(motion: Motion<'_>, options: &Options, weights: &[f64]) -> Vec<f64> 
 /// The largest difference of the two by the size of the gradient.
 fn apart(motion: Motion<'_>, options: &Options) -> f64 {
     let weights = [1.0, -0.4, 0.7, 0.2];
-    let (found, steps) = backwards(motion, options, &weights, segments);
+    let (found, steps) = backwards(motion, options, &weights, adjoint_segments);
     assert!(found.states as f64 <= (2.0 * steps as f64).sqrt() + 2.0, "{} states for {steps} steps", found.states);
     let truth = forwards(motion, options, &weights);
     let size = truth.iter().fold(1.0, |most: f64, x| most.max(x.abs()));
@@ -260,11 +281,17 @@ fn an_oscillator_has_the_gradient_of_its_closed_form() {
             Ok(())
         }
     }
-    impl Transposed for Spring {
+    impl TransposedRightHandSide for Spring {
         fn parameter_count(&self) -> usize {
             1
         }
-        fn pull(&mut self, _t: f64, y: &[f64], w: &[f64], to: Pulled<'_>) -> Result<(), Failure> {
+        fn add_transposed_product(
+            &mut self,
+            _t: f64,
+            y: &[f64],
+            w: &[f64],
+            to: ProductSums<'_>,
+        ) -> Result<(), Failure> {
             to.0[0] -= self.0 * self.0 * w[1];
             to.0[1] += w[0];
             to.1[0] -= 2.0 * self.0 * y[0] * w[1];
@@ -275,14 +302,14 @@ fn an_oscillator_has_the_gradient_of_its_closed_form() {
     for t in [3.0, -3.0] {
         let options = Options {
             method: Method::Dop853,
-            output: Output::Steps { refine: 1 },
+            output: OutputOption::Steps { refine: 1 },
             ..Options::tolerances(1e-13, 1e-13)
         };
-        let run = integrate(Lent(&mut Spring(w)), (0.0, t), &y0, &options, &mut []).unwrap();
+        let run = integrate(LentRightHandSide(&mut Spring(w)), (0.0, t), &y0, &options, &mut []).unwrap();
         let ends = &run.t[1..];
-        let course = Course { span: (0.0, t), y0: &y0, ends, options: &options, moved: &[] };
-        let adjoint = Adjoint::new(course, &mut Spring(w), &segments(ends.len())).unwrap();
-        let found = adjoint.pull(&mut Spring(w), &[1.0, 0.0]).unwrap();
+        let course = RecordedSteps { span: (0.0, t), y0: &y0, ends, options: &options, moved: &[] };
+        let adjoint = Adjoint::new(course, &mut Spring(w), &adjoint_segments(ends.len())).unwrap();
+        let found = adjoint.gradient(&mut Spring(w), &[1.0, 0.0]).unwrap();
         let (s, c) = (w * t).sin_cos();
         // y = y₀ cos ωt + y′₀/ω sin ωt
         let by_w = -y0[0] * t * s + y0[1] * (t * c / w - s / (w * w));
@@ -304,7 +331,7 @@ fn how_many_states_are_kept_changes_no_bit() {
         let by = |parts: &dyn Fn(usize) -> Vec<usize>| {
             backwards(Motion { problem, p: &p, y0: &y0 }, &options, &[0.2, 1.0, -1.0, 0.6], parts)
         };
-        let (few, steps) = by(&segments);
+        let (few, steps) = by(&adjoint_segments);
         let (all, _) = by(&|steps| vec![1; steps]);
         let (one, _) = by(&|steps| vec![steps]);
         let (odd, _) = by(&|steps| vec![7, 0, 3, steps - 10]);
@@ -319,7 +346,7 @@ fn how_many_states_are_kept_changes_no_bit() {
 #[test]
 fn segments_add_up_and_get_shorter_by_one() {
     for steps in 0..2000 {
-        let list = segments(steps);
+        let list = adjoint_segments(steps);
         assert_eq!(list.iter().sum::<usize>(), steps);
         assert!(list.windows(2).all(|pair| pair[1] < pair[0]));
         let most = list.iter().enumerate().map(|(at, length)| at + length).max().unwrap_or(0);
@@ -333,11 +360,11 @@ fn what_cannot_be_swept_is_refused() {
     let mut rhs = At { problem: Problem::Circle, p: p.to_vec() };
     let refused = |method: Method, segments: &[usize], rhs: &mut At<f64>| {
         let options = Options { method, ..Options::tolerances(1e-6, 1e-6) };
-        let course = Course { span: SPAN, y0: &y0, ends: &[1.0, 2.0], options: &options, moved: &[] };
+        let course = RecordedSteps { span: SPAN, y0: &y0, ends: &[1.0, 2.0], options: &options, moved: &[] };
         Adjoint::new(course, rhs, segments).map(|_| ())
     };
-    assert_eq!(refused(Method::Radau5, &[2], &mut rhs), Err(Unswept::Method(Method::Radau5)));
-    assert_eq!(refused(Method::Dop853, &[3], &mut rhs), Err(Unswept::Segments));
+    assert_eq!(refused(Method::Radau5, &[2], &mut rhs), Err(AdjointError::Method(Method::Radau5)));
+    assert_eq!(refused(Method::Dop853, &[3], &mut rhs), Err(AdjointError::Segments));
     assert_eq!(refused(Method::Dop853, &[1, 1], &mut rhs), Ok(()));
     assert!(Method::ALL.iter().all(|method| has_adjoint(*method) == METHODS.contains(method)));
 }

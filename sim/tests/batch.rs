@@ -4,7 +4,7 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use tripos_sim::batch::{self, Equations, Outcome, Plan, Trajectory};
+use tripos_sim::batch::{self, BatchOutcome, BatchPlan, Equations, Trajectory};
 use tripos_sim::{Failure, Method, SimError, Solution, Stop};
 use tripos_traits::{InLanes, Lanes, Lengths, Rates, Scalar};
 
@@ -43,22 +43,22 @@ equations!(Drain, 0, 1, 0, |_p, q, _v| ([-S::int(1) - q[0].sqrt()], []));
 // A rotation by an angle t with the rate p.
 equations!(Rotation, 1, 2, 0, |p, q, _v| ([-(p[0] * q[1]), p[0] * q[0]], []));
 
-fn plan(span: f64, tolerance: f64) -> Plan {
+fn plan(span: f64, tolerance: f64) -> BatchPlan {
     let (method, rtol, atol) = (Method::Dop853, tolerance, tolerance.into());
-    Plan { method, order: None, span: (0.0, span), rtol, atol, max_step: None, step_limit: 100_000 }
+    BatchPlan { method, order: None, span: (0.0, span), rtol, atol, max_step: None, step_limit: 100_000 }
 }
 
 /// All trajectories in so many lanes, unwatched.
 fn lanes<const N: usize>(
     rates: &(dyn Rates<Lanes<N>> + Sync),
-    plan: &Plan,
+    plan: &BatchPlan,
     list: &[Trajectory<'_>],
-) -> Result<Vec<Outcome>, SimError> {
-    batch::integrate_in(Equations { rates, series: None }, plan, list, None)
+) -> Result<Vec<BatchOutcome>, SimError> {
+    batch::integrate_in_lanes(Equations { rates, series: None }, plan, list, None)
 }
 
 /// The trajectory by itself, in plain doubles.
-fn alone<E: Rates<f64>>(equations: &E, plan: &Plan, parameters: &[f64], start: &[f64]) -> Solution {
+fn alone<E: Rates<f64>>(equations: &E, plan: &BatchPlan, parameters: &[f64], start: &[f64]) -> Solution {
     let n = equations.lengths().coordinates;
     let rhs = |_t: f64, y: &[f64], f: &mut [f64]| -> Result<(), Failure> {
         let ((q, v), (q_dot, v_dot)) = (y.split_at(n), f.split_at_mut(n));
@@ -150,7 +150,11 @@ fn an_outcome_does_not_depend_on_the_company() {
     let eight = lanes::<8>(&Pendulum, &plan, &list).unwrap();
     assert_eq!(eight, lanes::<4>(&Pendulum, &plan, &list).unwrap(), "four lanes");
     assert_eq!(eight, lanes::<1>(&Pendulum, &plan, &list).unwrap(), "one lane");
-    assert_eq!(eight, batch::integrate(InLanes::of_rates(&Pendulum), &plan, &list).unwrap(), "as many as are best");
+    assert_eq!(
+        eight,
+        batch::integrate_batch(InLanes::of_rates(&Pendulum), &plan, &list).unwrap(),
+        "as many as are best"
+    );
     for (trajectory, outcome) in list.iter().zip(&eight) {
         let one = lanes::<8>(&Pendulum, &plan, &[*trajectory]).unwrap();
         assert_eq!(&one[0], outcome, "a batch of one");
@@ -168,7 +172,7 @@ fn an_outcome_does_not_depend_on_the_company() {
 fn all_cores_give_the_outcomes_of_one_and_say_how_far_they_are() {
     let (starts, plan) = (oscillators(50), plan(8.0, 1e-6));
     let list = trajectories(&starts);
-    let expected = batch::integrate(InLanes::of_rates(&VanDerPol), &plan, &list).unwrap();
+    let expected = batch::integrate_batch(InLanes::of_rates(&VanDerPol), &plan, &list).unwrap();
     for threads in [1, 2, 3, 7] {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         let (calls, largest) = (AtomicUsize::new(0), AtomicUsize::new(0));
@@ -204,7 +208,7 @@ fn a_lane_that_meets_a_pole_ends_alone() {
     }
     let without: Starts = starts.into_iter().filter(|(_, y0)| y0[0] < 1.0).collect();
     let expected = lanes::<8>(&Pole, &plan, &trajectories(&without)).unwrap();
-    let others: Vec<Outcome> = outcomes.into_iter().filter(|o| o.stop == Stop::End).collect();
+    let others: Vec<BatchOutcome> = outcomes.into_iter().filter(|o| o.stop == Stop::End).collect();
     assert_eq!(others, expected);
 }
 
@@ -225,7 +229,7 @@ fn where_the_equations_have_no_value_the_lane_ends_with_the_component() {
 fn a_start_without_a_derivative_ends_at_once() {
     let starts: Starts = vec![(vec![], vec![4.0]), (vec![], vec![-1.0]), (vec![], vec![0.25])];
     let outcomes = lanes::<4>(&Drain, &plan(0.01, 1e-6), &trajectories(&starts)).unwrap();
-    let expected = Outcome {
+    let expected = BatchOutcome {
         t_end: 0.0,
         y_end: vec![-1.0],
         stop: Stop::NotFinite { component: 0 },
@@ -257,7 +261,7 @@ fn any_number_of_bad_starts_stops_no_other() {
 fn the_limit_of_steps_is_each_trajectory_s_own() {
     let starts = pendulums(11);
     for limit in [0, 1, 9] {
-        let plan = Plan { step_limit: limit, ..plan(20.0, 1e-9) };
+        let plan = BatchPlan { step_limit: limit, ..plan(20.0, 1e-9) };
         for ((parameters, start), outcome) in
             starts.iter().zip(lanes::<8>(&Pendulum, &plan, &trajectories(&starts)).unwrap())
         {
@@ -286,8 +290,8 @@ fn a_rotation_ends_where_it_should() {
 #[test]
 fn questions_without_sense_are_refused_with_their_place() {
     let good = (vec![9.81], vec![0.5, 0.0]);
-    let refused = |plan: &Plan, starts: Starts| {
-        batch::integrate(InLanes::of_rates(&Pendulum), plan, &trajectories(&starts)).unwrap_err().to_string()
+    let refused = |plan: &BatchPlan, starts: Starts| {
+        batch::integrate_batch(InLanes::of_rates(&Pendulum), plan, &trajectories(&starts)).unwrap_err().to_string()
     };
     let with = |odd: (Vec<f64>, Vec<f64>)| refused(&plan(1.0, 1e-6), vec![good.clone(), good.clone(), odd]);
     assert_eq!(with((vec![], vec![0.5, 0.0])), "trajectory 2: parameters: expected 1 numbers, found 0");
@@ -295,9 +299,10 @@ fn questions_without_sense_are_refused_with_their_place() {
     assert_eq!(with((vec![f64::NAN], vec![0.5, 0.0])), "trajectory 2: parameter 0 is not a finite number");
     let odd_start = (vec![9.81], vec![0.5, f64::INFINITY]);
     assert_eq!(with(odd_start), "trajectory 2: component 1 of the initial state is not a finite number");
-    let plan_of = |span, rtol| Plan { span, rtol, ..plan(1.0, 1e-6) };
+    let plan_of = |span, rtol| BatchPlan { span, rtol, ..plan(1.0, 1e-6) };
     assert!(refused(&plan_of((2.0, 2.0), 1e-6), vec![good.clone()]).contains("starts and ends at the same time"));
     assert!(refused(&plan_of((0.0, 2.0), -1.0), vec![good.clone()]).contains("must be finite and not negative"));
-    let none: Result<Vec<Outcome>, SimError> = batch::integrate(InLanes::of_rates(&Pendulum), &plan(1.0, 1e-6), &[]);
+    let none: Result<Vec<BatchOutcome>, SimError> =
+        batch::integrate_batch(InLanes::of_rates(&Pendulum), &plan(1.0, 1e-6), &[]);
     assert_eq!(none, Ok(vec![]));
 }

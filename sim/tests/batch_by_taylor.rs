@@ -3,7 +3,7 @@
 #![allow(clippy::float_cmp, reason = "equal bits are asked for")]
 
 use crate::lent::integrate;
-use tripos_sim::batch::{self, Equations, Outcome, Plan, Trajectory, Watched};
+use tripos_sim::batch::{self, BatchOutcome, BatchPlan, Equations, Trajectory, WatchedTrajectory};
 use tripos_sim::{Direction, Effect, Event, Failure, Method, RightHandSide, SimError, Solution};
 use tripos_traits::{InLanes, Lanes, Lengths, Rates, Scalar, Series};
 
@@ -122,9 +122,9 @@ impl<E: Rates<f64> + Series<f64>> RightHandSide for Alone<'_, E> {
     }
 }
 
-fn plan(method: Method, span: f64, tolerance: f64) -> Plan {
+fn plan(method: Method, span: f64, tolerance: f64) -> BatchPlan {
     let (rtol, atol) = (tolerance, tolerance.into());
-    Plan { method, order: None, span: (0.0, span), rtol, atol, max_step: None, step_limit: 100_000 }
+    BatchPlan { method, order: None, span: (0.0, span), rtol, atol, max_step: None, step_limit: 100_000 }
 }
 
 type Starts = Vec<(Vec<f64>, Vec<f64>)>;
@@ -142,11 +142,11 @@ fn poles(n: usize) -> Starts {
     (0..n).map(|i| (vec![], vec![[0.9, 1e300, 2.0, 1e-3][i % 4] / (1.0 + i as f64)])).collect()
 }
 
-fn lanes<const N: usize, E>(equations: &E, plan: &Plan, list: &[Trajectory<'_>]) -> Vec<Outcome>
+fn lanes<const N: usize, E>(equations: &E, plan: &BatchPlan, list: &[Trajectory<'_>]) -> Vec<BatchOutcome>
 where
     E: Rates<Lanes<N>> + Series<Lanes<N>> + Sync,
 {
-    batch::integrate_in(Equations { rates: equations, series: Some(equations) }, plan, list, None).unwrap()
+    batch::integrate_in_lanes(Equations { rates: equations, series: Some(equations) }, plan, list, None).unwrap()
 }
 
 /// Goal: one method, whether in lanes or not. Method: the counts and ends of `integrate`. Tolerance: 1e-3 of the runs'
@@ -199,7 +199,7 @@ fn an_outcome_by_taylor_does_not_depend_on_the_company() {
     assert_eq!(four, lanes::<8, _>(&Pendulum, &plan, &list), "eight lanes");
     assert_eq!(four, lanes::<1, _>(&Pendulum, &plan, &list), "one lane");
     let in_lanes = InLanes::of_rates(&Pendulum).with_series(&Pendulum);
-    assert_eq!(four, batch::integrate(in_lanes, &plan, &list).unwrap(), "as many as there are");
+    assert_eq!(four, batch::integrate_batch(in_lanes, &plan, &list).unwrap(), "as many as there are");
     let order: Vec<usize> = (0..61).map(|i| i * 37 % 61).collect();
     let shuffled: Vec<Trajectory<'_>> = order.iter().map(|i| list[*i]).collect();
     for (i, outcome) in order.iter().zip(lanes::<4, _>(&Pendulum, &plan, &shuffled)) {
@@ -211,7 +211,8 @@ fn an_outcome_by_taylor_does_not_depend_on_the_company() {
 fn methods_that_are_not_had_in_lanes_are_refused() {
     let starts = pendulums(2);
     for method in [Method::Taylor, Method::Gauss6, Method::Ode45] {
-        let refused = batch::integrate(InLanes::of_rates(&Pendulum), &plan(method, 1.0, 1e-6), &trajectories(&starts));
+        let refused =
+            batch::integrate_batch(InLanes::of_rates(&Pendulum), &plan(method, 1.0, 1e-6), &trajectories(&starts));
         assert!(matches!(refused, Err(SimError::NoLanes { .. })), "{method:?}: {refused:?}");
     }
 }
@@ -224,7 +225,7 @@ fn events<'a>(limit: f64) -> Vec<Event<'a>> {
     vec![top, bottom, up]
 }
 
-fn watched_alone(plan: &Plan, limit: f64, parameters: &[f64], start: &[f64]) -> Solution {
+fn watched_alone(plan: &BatchPlan, limit: f64, parameters: &[f64], start: &[f64]) -> Solution {
     let rhs = Alone { equations: &Pendulum, parameters, divisor: None };
     integrate(rhs, plan.span, start, &plan.options(), &mut events(limit)).unwrap()
 }
@@ -241,10 +242,10 @@ fn what_watches_a_lane_sees_a_run_alone() {
         let limit = |i: usize| if i.is_multiple_of(5) { 3.0 } else { 100.0 };
         let watching = |i: usize| {
             let rhs = Alone { equations: &Pendulum, parameters: &starts[i].0, divisor: None };
-            Watched { equations: Box::new(rhs), events: events(limit(i)) }
+            WatchedTrajectory { equations: Box::new(rhs), events: events(limit(i)) }
         };
         let equations = Equations::<4> { rates: &Pendulum, series: Some(&Pendulum) };
-        let outcomes = batch::integrate_in(equations, &plan, &trajectories(&starts), Some(&watching)).unwrap();
+        let outcomes = batch::integrate_in_lanes(equations, &plan, &trajectories(&starts), Some(&watching)).unwrap();
         for (i, (start, outcome)) in starts.iter().zip(&outcomes).enumerate() {
             let run = watched_alone(&plan, limit(i), &start.0, &start.1);
             assert_eq!((&outcome.stop, outcome.steps), (&run.stop, run.steps), "{method:?} {start:?}");
@@ -269,11 +270,11 @@ fn what_watches_a_lane_sees_a_run_alone() {
 #[test]
 fn a_lane_whose_divisor_changes_its_sign_ends_there() {
     let start = |i: usize| (vec![], vec![[-1.0, 0.8][i % 2], -1.21 + 0.05 * i as f64]);
-    let (starts, plan): (Starts, Plan) = ((0..34).map(start).collect(), plan(Method::Dop853, 10.0, 1e-6));
+    let (starts, plan): (Starts, BatchPlan) = ((0..34).map(start).collect(), plan(Method::Dop853, 10.0, 1e-6));
     let alone = || Alone { equations: &Point, parameters: &[], divisor: Some(|y| y[0]) };
-    let watching = |_: usize| Watched { equations: Box::new(alone()), events: Vec::new() };
+    let watching = |_: usize| WatchedTrajectory { equations: Box::new(alone()), events: Vec::new() };
     let equations = Equations::<4> { rates: &Point, series: None };
-    let outcomes = batch::integrate_in(equations, &plan, &trajectories(&starts), Some(&watching)).unwrap();
+    let outcomes = batch::integrate_in_lanes(equations, &plan, &trajectories(&starts), Some(&watching)).unwrap();
     let mut stops = [0, 0];
     for ((_, start), outcome) in starts.iter().zip(outcomes) {
         let run = integrate(alone(), plan.span, start, &plan.options(), &mut []).unwrap();
@@ -291,12 +292,12 @@ fn watching_changes_no_bit() {
     let starts = pendulums(13);
     for method in [Method::Dop853, Method::Taylor] {
         let plan = plan(method, 4.0, 1e-8);
-        let watching = |i: usize| Watched {
+        let watching = |i: usize| WatchedTrajectory {
             equations: Box::new(Alone { equations: &Pendulum, parameters: &starts[i].0, divisor: None }),
             events: vec![Event::terminal("never", Direction::Either, |_t, y: &[f64]| 100.0 + y[0])],
         };
         let equations = Equations::<4> { rates: &Pendulum, series: Some(&Pendulum) };
-        let watched = batch::integrate_in(equations, &plan, &trajectories(&starts), Some(&watching)).unwrap();
+        let watched = batch::integrate_in_lanes(equations, &plan, &trajectories(&starts), Some(&watching)).unwrap();
         for (watched, plain) in watched.iter().zip(lanes::<4, _>(&Pendulum, &plan, &trajectories(&starts))) {
             assert_eq!((watched.t_end, &watched.y_end, watched.steps), (plain.t_end, &plain.y_end, plain.steps));
         }

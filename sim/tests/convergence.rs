@@ -7,7 +7,7 @@ use crate::wide;
 
 use crate::lent::integrate;
 use trees::{Number, Tree, dot, trees};
-use tripos_sim::{DORMAND_PRINCE_853, Failure, Method, Options, Output, RightHandSide, Row, WithJacobian};
+use tripos_sim::{DORMAND_PRINCE_853, Failure, Method, Options, OutputOption, RightHandSide, Row, WithJacobian};
 use tripos_traits::{Real, Scalar};
 use wide::Wide;
 
@@ -53,7 +53,7 @@ fn exact(t: f64) -> [f64; 2] {
 
 /// Error of the position at `at` after equal steps over `span`.
 fn error(method: Method, span: f64, step: f64, at: f64) -> f64 {
-    let options = Options { method, step: Some(step), output: Output::At(vec![at]), ..Options::default() };
+    let options = Options { method, step: Some(step), output: OutputOption::At(vec![at]), ..Options::default() };
     let solution = integrate(equations(), (0.0, span), &start::<f64>(), &options, &mut []).unwrap();
     let exact = exact(at);
     (0..2).map(|i| (solution.y[0][i] - exact[i]).abs()).fold(0.0, f64::max)
@@ -86,7 +86,7 @@ fn every_method_converges_at_its_order() {
 #[test]
 fn every_dense_output_has_its_order() {
     let run = |method, span, step, at: f64| {
-        let options = Options { method, step: Some(step), output: Output::At(vec![at]), ..Options::default() };
+        let options = Options { method, step: Some(step), output: OutputOption::At(vec![at]), ..Options::default() };
         integrate(equations(), (0.0, span), &start::<Wide>(), &options, &mut []).unwrap().y.remove(0)
     };
     for method in Method::WITHOUT_SERIES {
@@ -106,7 +106,7 @@ fn dense_outputs_join_smoothly() {
     for method in Method::WITHOUT_SERIES {
         let (h, d) = (0.1, 1e-6);
         let times = vec![0.0, d * h, (1.0 - d) * h, h];
-        let options = Options { method, step: Some(h), output: Output::At(times), ..Options::default() };
+        let options = Options { method, step: Some(h), output: OutputOption::At(times), ..Options::default() };
         let y = integrate(equations(), (0.0, h), &start::<f64>(), &options, &mut []).unwrap().y;
         for (near, end) in [(&y[1], &y[0]), (&y[2], &y[3])] {
             let mut slope = [0.0; 4];
@@ -128,8 +128,12 @@ fn dense_outputs_join_smoothly() {
 #[test]
 fn a_wider_scalar_is_not_limited_by_the_rounding_of_f64() {
     let period = std::f64::consts::TAU;
-    let options =
-        Options { method: Method::Dop853, step: Some(period / 8192.0), output: Output::Ends, ..Options::default() };
+    let options = Options {
+        method: Method::Dop853,
+        step: Some(period / 8192.0),
+        output: OutputOption::Ends,
+        ..Options::default()
+    };
     let y0 = start::<Wide>();
     let solution = integrate(equations(), (0.0, period), &y0, &options, &mut []).unwrap();
     // The period is 2π, of which TAU lacks 2.45e-16: that much of the velocity is missing.

@@ -3,7 +3,7 @@
 //! Truth: polynomials between corners, which every method here integrates exactly.
 
 use crate::lent::integrate;
-use tripos_sim::{Corner, Method, Options, Output, SimError};
+use tripos_sim::{Corner, Method, Options, OutputOption, SimError};
 use tripos_traits::{DoubleDouble, Real, Scalar, Tangent};
 
 /// y' = |t − 1| + 3 sign(t − 2.5), of which this is the integral from 0.
@@ -17,7 +17,7 @@ fn run(method: Method, span: (f64, f64), corners: &[f64]) -> tripos_sim::Solutio
         dydt[0] = (t - 1.0).abs() + 3.0 * (t - 2.5).signum();
         Ok(())
     };
-    let output = Output::Steps { refine: 3 };
+    let output = OutputOption::Steps { refine: 3 };
     let options = Options {
         method,
         corners: corners.iter().map(|at| Corner::jump(*at)).collect(),
@@ -78,7 +78,7 @@ fn bends_cost_nothing() {
         bend(1.0) + bend(1.3)
     };
     for method in [Method::Ode45, Method::Dopri5, Method::Dop853] {
-        let bend = |at| Corner::bend(at);
+        let bend = |at| Corner::kink(at);
         let [told, not] = [vec![bend(1.0), bend(1.3)], Vec::new()].map(|corners| {
             let options = Options { method, corners, ..Options::tolerances(1e-10, 1e-10) };
             integrate(slope, (0.0, 20.0), &[0.0], &options, &mut []).unwrap()
@@ -90,7 +90,7 @@ fn bends_cost_nothing() {
 
 #[test]
 fn corners_that_are_no_instants() {
-    let options = Options { corners: vec![Corner::bend(f64::NAN)], ..Options::default() };
+    let options = Options { corners: vec![Corner::kink(f64::NAN)], ..Options::default() };
     let slope = |_: f64, _: &[f64], dydt: &mut [f64]| {
         dydt[0] = 0.0;
         Ok(())
@@ -118,7 +118,7 @@ fn slopes_jump_where_jumps_move_and_bend_where_bends_do() {
         Corner { at: 1.25, jumps: false, moves: [0.0, 1.0, 0.0, 0.0] },
     ];
     for method in [Method::Ode45, Method::Dopri5, Method::Dop853] {
-        for output in [Output::Steps { refine: 2 }, Output::At(vec![0.5, 1.25, 2.0, 2.5, 3.5])] {
+        for output in [OutputOption::Steps { refine: 2 }, OutputOption::At(vec![0.5, 1.25, 2.0, 2.5, 3.5])] {
             let options =
                 Options { method, corners: corners.clone(), clock: Some(1), output, ..Options::tolerances(1e-9, 1e-9) };
             let run = integrate(slope, (0.0, 4.0), &[Tangent::from_f64(0.0); 2], &options, &mut []).unwrap();

@@ -8,7 +8,7 @@
 
 use crate::lent::integrate;
 use tripos_sim::Kind::{AtStart, Falling, Rising, Touch};
-use tripos_sim::{Direction, Event, Kind, Options, Output, Solution, Stop};
+use tripos_sim::{Direction, Event, Kind, Options, OutputOption, Solution, Stop};
 
 /// A polynomial given by its zeros.
 fn product(zeros: &[f64], t: f64) -> f64 {
@@ -43,7 +43,7 @@ fn watch(zeros: &[f64], scale: f64, steps: Steps, event: Event<'_>) -> Solution 
         rtol: 1e3,
         max_step: Some(step),
         initial_step: Some(step),
-        output: Output::Steps { refine: 1 },
+        output: OutputOption::Steps { refine: 1 },
         ..Options::default()
     };
     let y0 = [scale * product(zeros, 0.0)];

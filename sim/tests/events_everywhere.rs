@@ -2,7 +2,7 @@
 #![allow(clippy::float_cmp, reason = "exact answers are compared exactly")]
 
 use crate::lent::integrate;
-use tripos_sim::{Direction, Event, Failure, Kind, Method, Options, Output};
+use tripos_sim::{Direction, Event, Failure, Kind, Method, Options, OutputOption};
 
 #[allow(clippy::unnecessary_wraps, reason = "the signature of a right-hand side")]
 fn oscillator(_t: f64, y: &[f64], dydt: &mut [f64]) -> Result<(), Failure> {
@@ -89,7 +89,7 @@ fn every_zero_of_random_cubics_is_found_once_and_in_order() {
             rtol: 1e3,
             max_step: Some(step),
             initial_step: Some(step),
-            output: Output::Ends,
+            output: OutputOption::Ends,
             ..Options::default()
         };
         let mut events = [Event::recorded("zero", Direction::Either, value)];

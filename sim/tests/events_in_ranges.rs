@@ -6,7 +6,8 @@
 
 use tripos_sim::Kind::{AtStart, Falling, Pole, Rising, Touch, Undecided};
 use tripos_sim::{
-    Direction, Effect, Event, Failure, Kind, Method, Options, Output, RightHandSide, Solution, Stop, Warning, integrate,
+    Direction, Effect, Event, Failure, Kind, Method, Options, OutputOption, RightHandSide, Solution, Stop, Warning,
+    integrate,
 };
 use tripos_traits::Scalar;
 
@@ -55,7 +56,7 @@ struct Steps {
 /// The clock from 0 to `span` in equal steps.
 fn run(event: Event<'_>, steps: Steps, method: Method) -> Solution {
     let Steps { span, step, way } = steps;
-    let options = Options { method, step: Some(step), output: Output::Ends, ..Options::default() };
+    let options = Options { method, step: Some(step), output: OutputOption::Ends, ..Options::default() };
     integrate(Clock { way }, (0.0, way * span), &[0.0, 0.0], &options, &mut [event]).unwrap()
 }
 

@@ -2,7 +2,7 @@
 #![allow(clippy::float_cmp, reason = "exact answers are compared exactly")]
 
 use crate::lent::integrate;
-use tripos_sim::{Failure, Lent, Method, Options, Output, SimError, Stop, WithJacobian};
+use tripos_sim::{Failure, LentRightHandSide, Method, Options, OutputOption, SimError, Stop, WithJacobian};
 
 #[allow(clippy::unnecessary_wraps, reason = "the signature of a right-hand side")]
 fn oscillator(_t: f64, y: &[f64], dydt: &mut [f64]) -> Result<(), Failure> {
@@ -21,7 +21,7 @@ fn with_jacobian() -> impl tripos_sim::RightHandSide<f64> {
 }
 
 fn fixed(method: Method, step: f64) -> Options {
-    Options { method, step: Some(step), output: Output::Steps { refine: 1 }, ..Options::default() }
+    Options { method, step: Some(step), output: OutputOption::Steps { refine: 1 }, ..Options::default() }
 }
 
 #[test]
@@ -104,7 +104,7 @@ fn a_right_hand_side_may_be_lent_and_used_again() {
         Ok(())
     };
     for _ in 0..2 {
-        integrate(Lent(&mut rhs), (0.0, 1.0), &[0.0], &fixed(Method::Rk4, 0.5), &mut []).unwrap();
+        integrate(LentRightHandSide(&mut rhs), (0.0, 1.0), &[0.0], &fixed(Method::Rk4, 0.5), &mut []).unwrap();
     }
     assert_eq!(calls, 18); // each run: the start, then 4 a step
 }

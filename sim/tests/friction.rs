@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
-use tripos_sim::{ClosedContacts, Mode, Undecided};
+use tripos_sim::{ClosedContacts, ContactMode, UndecidedContacts};
 
 /// One contact with friction, of this compliance.
 fn one(g: [f64; 3], mu: f64) -> ClosedContacts {
@@ -10,8 +10,12 @@ fn one(g: [f64; 3], mu: f64) -> ClosedContacts {
     ClosedContacts { compliance, rows: vec![vec![0, 1]], friction: vec![Some(mu)] }
 }
 
-fn modes(closed: &ClosedContacts, c: [f64; 2], slips: Option<f64>) -> Result<(Mode, [f64; 2]), Undecided> {
-    let found = closed.ways(&DVector::from_column_slice(&c), &[slips])?;
+fn modes(
+    closed: &ClosedContacts,
+    c: [f64; 2],
+    slips: Option<f64>,
+) -> Result<(ContactMode, [f64; 2]), UndecidedContacts> {
+    let found = closed.contact_modes(&DVector::from_column_slice(&c), &[slips])?;
     Ok((found[0].modes[0], [found[0].forces[0], found[0].forces[1]]))
 }
 
@@ -21,15 +25,18 @@ fn modes(closed: &ClosedContacts, c: [f64; 2], slips: Option<f64>) -> Result<(Mo
 fn a_mass_on_a_plane_sticks_slips_and_opens() {
     let mass = one([0.5, 0.0, 0.5], 0.3);
     let g = 10.0;
-    assert_eq!(modes(&mass, [-g, 2.0], None).unwrap(), (Mode::Sticks, [20.0, -4.0]));
+    assert_eq!(modes(&mass, [-g, 2.0], None).unwrap(), (ContactMode::Sticks, [20.0, -4.0]));
     let (mode, [normal, along]) = modes(&mass, [-g, -4.0], None).unwrap();
-    assert!(mode == Mode::Slips(-1.0) && (normal - 20.0).abs() < 1e-13 && (along - 6.0).abs() < 1e-13);
+    assert!(mode == ContactMode::Slips(-1.0) && (normal - 20.0).abs() < 1e-13 && (along - 6.0).abs() < 1e-13);
     let (mode, [_, along]) = modes(&mass, [-g, 4.0], Some(-1.0)).unwrap();
-    assert!(mode == Mode::Slips(-1.0) && (along - 6.0).abs() < 1e-13);
-    assert_eq!(modes(&mass, [1.0, 4.0], Some(1.0)).unwrap().0, Mode::Opens);
+    assert!(mode == ContactMode::Slips(-1.0) && (along - 6.0).abs() < 1e-13);
+    assert_eq!(modes(&mass, [1.0, 4.0], Some(1.0)).unwrap().0, ContactMode::Opens);
     // At the limit both agree and move alike; the firmest is told first.
-    let found = mass.ways(&DVector::from_vec(vec![-g, 3.0]), &[None]).unwrap();
-    assert_eq!(found.iter().map(|found| found.modes[0]).collect::<Vec<_>>(), [Mode::Sticks, Mode::Slips(1.0)]);
+    let found = mass.contact_modes(&DVector::from_vec(vec![-g, 3.0]), &[None]).unwrap();
+    assert_eq!(
+        found.iter().map(|found| found.modes[0]).collect::<Vec<_>>(),
+        [ContactMode::Sticks, ContactMode::Slips(1.0)]
+    );
 }
 
 /// Goal: Painlevé's cases are told apart. Truth: the rod slides forwards with G_nn − μ G_nt = 1 − 2·0.8 < 0. With c_n <
@@ -37,11 +44,14 @@ fn a_mass_on_a_plane_sticks_slips_and_opens() {
 #[test]
 fn sliding_without_a_force_and_with_two_is_undecided() {
     let rod = one([1.0, 0.8, 1.0], 2.0);
-    assert_eq!(modes(&rod, [-1.0, 0.0], Some(1.0)), Err(Undecided::Nothing));
-    let several = Undecided::Several([vec![Mode::Opens], vec![Mode::Slips(1.0)]]);
+    assert_eq!(modes(&rod, [-1.0, 0.0], Some(1.0)), Err(UndecidedContacts::Nothing));
+    let several = UndecidedContacts::Several([vec![ContactMode::Opens], vec![ContactMode::Slips(1.0)]]);
     assert_eq!(modes(&rod, [1.0, 0.0], Some(1.0)), Err(several));
-    assert!(rod.determinant(&[Mode::Slips(1.0)]) < 0.0 && rod.determinant(&[Mode::Slips(-1.0)]) > 0.0);
-    assert_eq!(modes(&rod, [-1.0, 0.0], Some(-1.0)).unwrap().0, Mode::Slips(-1.0));
+    assert!(
+        rod.contact_force_determinant(&[ContactMode::Slips(1.0)]) < 0.0
+            && rod.contact_force_determinant(&[ContactMode::Slips(-1.0)]) > 0.0
+    );
+    assert_eq!(modes(&rod, [-1.0, 0.0], Some(-1.0)).unwrap().0, ContactMode::Slips(-1.0));
 }
 
 /// Goal: units of rows change nothing. Method: the rows of one contact in other units, with the coefficient of friction
@@ -72,12 +82,12 @@ fn contacts_that_share_a_slip_share_what_friction_bears() {
     let block = ClosedContacts { compliance, rows: vec![vec![0, 1], vec![2, 3]], friction: vec![Some(0.5); 2] };
     let pulled = |pull: f64| {
         let c = DVector::from_vec(vec![-2.0, pull, -6.0, pull]);
-        block.ways(&c, &[None, None]).unwrap().swap_remove(0)
+        block.contact_modes(&c, &[None, None]).unwrap().swap_remove(0)
     };
     let holds = pulled(1.9);
-    assert_eq!(holds.modes, [Mode::Sticks, Mode::Sticks]);
+    assert_eq!(holds.modes, [ContactMode::Sticks, ContactMode::Sticks]);
     assert!((holds.forces[1] + 1.9 / 4.0).abs() < 1e-12 && (holds.forces[3] + 5.7 / 4.0).abs() < 1e-12, "{holds:?}");
-    assert_eq!(pulled(2.1).modes, [Mode::Slips(1.0), Mode::Slips(1.0)]);
+    assert_eq!(pulled(2.1).modes, [ContactMode::Slips(1.0), ContactMode::Slips(1.0)]);
 }
 
 /// Goal: impacts of a ball with spin. Truth: with G = diag(1/m, 1/m + R²/I) it sticks if |vt|/(1/m + R²/I) ≤ μ (1 + e)
@@ -90,7 +100,7 @@ fn a_ball_with_spin_sticks_or_slips_by_both_laws() {
         let before = DVector::from_vec(vec![-4.0, vt]);
         let normal = (1.0 + e) * m * 4.0;
         let along = -(vt / tangential).clamp(-mu * normal, mu * normal);
-        for impulses in [ball.newton(&before, &[e]).unwrap(), ball.poisson(&before, &[e]).unwrap()] {
+        for impulses in [ball.newton_impact(&before, &[e]).unwrap(), ball.poisson_impact(&before, &[e]).unwrap()] {
             assert!((impulses[0] - normal).abs() < 1e-12 && (impulses[1] - along).abs() < 1e-12, "{impulses}");
         }
     }
@@ -106,28 +116,33 @@ fn poissons_expansion_has_its_own_friction() {
     let det = g[0] * g[2] - g[1] * g[1];
     let compression = [-(g[2] * v[0] - g[1] * v[1]) / det, -(g[0] * v[1] - g[1] * v[0]) / det];
     let back = e * compression[0];
-    let impulses = rod.poisson(&DVector::from_column_slice(&v), &[e]).unwrap();
+    let impulses = rod.poisson_impact(&DVector::from_column_slice(&v), &[e]).unwrap();
     assert!((impulses[0] - compression[0] - back).abs() < 1e-13, "{impulses}");
     assert!((impulses[1] - compression[1] + g[1] * back / g[2]).abs() < 1e-13, "{impulses}");
 }
 
 /// Forces of two contacts in these modes by elimination, if they agree with the laws by a margin. `None` if they miss a
 /// law by a margin; an error if that is too close to call.
-fn tried(g: &DMatrix<f64>, c: &DVector<f64>, mu: [f64; 2], modes: [Mode; 2]) -> Result<Option<DVector<f64>>, ()> {
+fn tried(
+    g: &DMatrix<f64>,
+    c: &DVector<f64>,
+    mu: [f64; 2],
+    modes: [ContactMode; 2],
+) -> Result<Option<DVector<f64>>, ()> {
     const CLOSE: f64 = 1e-6;
     let (mut a, mut b) = (DMatrix::<f64>::identity(4, 4), DVector::zeros(4));
     for (at, mode) in modes.into_iter().enumerate() {
         let (n, t) = (2 * at, 2 * at + 1);
-        if mode != Mode::Opens {
+        if mode != ContactMode::Opens {
             a.set_row(n, &g.row(n));
             b[n] = -c[n];
         }
         match mode {
-            Mode::Sticks => {
+            ContactMode::Sticks => {
                 a.set_row(t, &g.row(t));
                 b[t] = -c[t];
             }
-            Mode::Slips(way) => a[(t, n)] = mu[at] * way,
+            ContactMode::Slips(way) => a[(t, n)] = mu[at] * way,
             _ => {}
         }
     }
@@ -141,10 +156,10 @@ fn tried(g: &DMatrix<f64>, c: &DVector<f64>, mu: [f64; 2], modes: [Mode; 2]) -> 
     for (at, mode) in modes.into_iter().enumerate() {
         let (n, t) = (2 * at, 2 * at + 1);
         match mode {
-            Mode::Opens => margins.push(after[n]),
-            Mode::Sticks => margins.extend([forces[n], mu[at] * forces[n] - forces[t].abs()]),
-            Mode::Slips(way) => margins.extend([forces[n], way * after[t]]),
-            Mode::Pushes => return Err(()),
+            ContactMode::Opens => margins.push(after[n]),
+            ContactMode::Sticks => margins.extend([forces[n], mu[at] * forces[n] - forces[t].abs()]),
+            ContactMode::Slips(way) => margins.extend([forces[n], way * after[t]]),
+            ContactMode::Pushes => return Err(()),
         }
     }
     let least = margins.iter().copied().fold(f64::INFINITY, f64::min);
@@ -164,7 +179,7 @@ proptest! {
         let g = &of_u * of_u.transpose();
         let c = &of_u * DVector::from_column_slice(&u);
         prop_assume!(g.determinant() > 1e-4 && c.amax() > 1e-2);
-        let all = [Mode::Opens, Mode::Sticks, Mode::Slips(1.0), Mode::Slips(-1.0)];
+        let all = [ContactMode::Opens, ContactMode::Sticks, ContactMode::Slips(1.0), ContactMode::Slips(-1.0)];
         let mut found = Vec::new();
         for modes in all.iter().flat_map(|a| all.iter().map(|b| [*a, *b])) {
             match tried(&g, &c, mu, modes) {
@@ -174,7 +189,7 @@ proptest! {
             }
         }
         let closed = ClosedContacts { compliance: g.clone(), rows: vec![vec![0, 1], vec![2, 3]], friction: mu.map(Some).to_vec() };
-        match closed.ways(&c, &[None, None]) {
+        match closed.contact_modes(&c, &[None, None]) {
             Ok(ways) => {
                 prop_assert!(found.len() == 1 && ways.len() == 1, "{found:?} {ways:?}");
                 prop_assert_eq!(&ways[0].modes[..], &found[0].0[..]);
@@ -183,10 +198,10 @@ proptest! {
                 // As impulses on velocities c they take energy: ½ Λ (2 c + G Λ).
                 let gained = 0.5 * forces.dot(&(2.0 * &c + &g * forces));
                 prop_assert!(gained <= 1e-9, "{gained}");
-                prop_assert_eq!(closed.push(&c).unwrap(), forces.clone());
+                prop_assert_eq!(closed.contact_impulses(&c).unwrap(), forces.clone());
             }
-            Err(Undecided::Nothing) => prop_assert!(found.is_empty(), "{found:?}"),
-            Err(Undecided::Several(pair)) => {
+            Err(UndecidedContacts::Nothing) => prop_assert!(found.is_empty(), "{found:?}"),
+            Err(UndecidedContacts::Several(pair)) => {
                 prop_assert!(found.len() > 1, "{found:?}");
                 for modes in pair {
                     prop_assert!(found.iter().any(|(own, _)| own[..] == modes[..]), "{modes:?} {found:?}");

@@ -2,7 +2,7 @@
 #![allow(clippy::unnecessary_wraps, reason = "the signature of a right-hand side")]
 
 use crate::lent::integrate;
-use tripos_sim::{Failure, Method, Options, Output, RightHandSide, Solution, Stop, WithJacobian};
+use tripos_sim::{Failure, Method, Options, OutputOption, RightHandSide, Solution, Stop, WithJacobian};
 
 const TAU: f64 = std::f64::consts::TAU;
 
@@ -36,7 +36,12 @@ fn momentum(y: &[f64]) -> f64 {
 }
 
 fn fixed(step: f64) -> Options {
-    Options { method: Method::Gauss6, step: Some(step), output: Output::Steps { refine: 1 }, ..Options::default() }
+    Options {
+        method: Method::Gauss6,
+        step: Some(step),
+        output: OutputOption::Steps { refine: 1 },
+        ..Options::default()
+    }
 }
 
 /// Largest distance of an invariant from its start over part of the samples.
@@ -87,7 +92,7 @@ fn adaptive_steps_follow_the_tolerance() {
     for digits in 4..=12 {
         let tolerance = 10_f64.powi(-digits);
         let options =
-            Options { method: Method::Gauss6, output: Output::Ends, ..Options::tolerances(tolerance, tolerance) };
+            Options { method: Method::Gauss6, output: OutputOption::Ends, ..Options::tolerances(tolerance, tolerance) };
         let solution = integrate(kepler(), (0.0, 3.0 * TAU), &START, &options, &mut []).unwrap();
         let error = solution.y_end.iter().zip(START).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
         assert!(error < 200.0 * tolerance && error > tolerance, "{tolerance:e}: {error:e}");
@@ -137,7 +142,7 @@ fn an_adaptive_step_that_newton_cannot_solve_is_shortened() {
         method: Method::Gauss6,
         rtol: 1e-6,
         initial_step: Some(0.1),
-        output: Output::Ends,
+        output: OutputOption::Ends,
         ..Options::default()
     };
     let solution = integrate(wrong_jacobian(), (0.0, 0.01), &[1.0], &options, &mut []).unwrap();

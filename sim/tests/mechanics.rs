@@ -214,7 +214,7 @@ fn a_double_pendulum_swings_in_its_slow_mode() {
 #[test]
 fn a_singular_matrix_is_named() {
     let mut dynamics =
-        Dynamics::new(&SmallSystem(DoublePendulum), &[0.0, 1.0, 9.81]).unwrap().labelled("double pendulum, kane");
+        Dynamics::new(&SmallSystem(DoublePendulum), &[0.0, 1.0, 9.81]).unwrap().with_label("double pendulum, kane");
     let failure = dynamics.unknowns(&[0.1, 0.2], &[0.0, 0.0]).unwrap_err();
     assert_eq!(failure.code, "singular");
     assert_eq!(failure.message, "double pendulum, kane: mass matrix of order 2 is singular");

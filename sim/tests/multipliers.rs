@@ -3,7 +3,7 @@
 use crate::counted::allocations;
 use crate::lent::{integrate, integrate_projected};
 use tripos_sim::projection::Invariants;
-use tripos_sim::{Failure, Method, Multipliers, Options, Output, RightHandSide, Solution};
+use tripos_sim::{Failure, Method, Multipliers, Options, OutputOption, RightHandSide, Solution};
 use tripos_traits::{Lengths, System};
 
 const G: f64 = 9.81;
@@ -104,7 +104,7 @@ fn accelerations_are_those_of_the_nearest_state_on_the_constraints() {
 fn a_choice_of_speeds_stands_by_what_the_constraints_leave_of_it() {
     let mut of = pendulum();
     for angle in [0.0, 0.4, 1.5, 2.0] {
-        let standing = of.standing(&exact(angle, 1.0).0).unwrap();
+        let standing = of.distances_from_singularity(&exact(angle, 1.0).0).unwrap();
         assert!((standing.speeds - f64::cos(angle).abs()).abs() < 1e-14, "{angle}: {standing:?}");
         // One of the two rows follows from the other, everywhere.
         assert!(standing.constraints < 1e-8, "{standing:?}");
@@ -112,7 +112,7 @@ fn a_choice_of_speeds_stands_by_what_the_constraints_leave_of_it() {
 }
 
 fn run(span: f64) -> Solution {
-    let options = Options { method: Method::Dop853, output: Output::Ends, ..Options::tolerances(1e-9, 1e-9) };
+    let options = Options { method: Method::Dop853, output: OutputOption::Ends, ..Options::tolerances(1e-9, 1e-9) };
     integrate(pendulum(), (0.0, span), &exact(1.0, 0.0).0, &options, &mut []).unwrap()
 }
 
@@ -127,8 +127,8 @@ fn a_run_on_constraints_asks_for_memory_at_its_start_alone() {
     let mut of = pendulum();
     let y = exact(1.0, 1.0).0.map(|x| x + 1e-4);
     rates(&mut of, y);
-    of.standing(&y);
-    assert_eq!(allocations(|| (rates(&mut of, y), of.standing(&y))).0, 0);
+    of.distances_from_singularity(&y);
+    assert_eq!(allocations(|| (rates(&mut of, y), of.distances_from_singularity(&y))).0, 0);
 }
 
 /// A run on an invariant requests memory at its start alone.
@@ -144,7 +144,7 @@ fn a_run_on_an_invariant_asks_for_memory_at_its_start_alone() {
             gradients.copy_from_slice(y);
         };
         let mut invariants = Invariants { count: 1, function: Box::new(function) };
-        let options = Options { method: Method::Ode45, output: Output::Ends, ..Options::tolerances(1e-8, 1e-8) };
+        let options = Options { method: Method::Ode45, output: OutputOption::Ends, ..Options::tolerances(1e-8, 1e-8) };
         integrate_projected(oscillator, (0.0, span), &[1.0, 0.0], &options, &mut [], &mut invariants).unwrap()
     };
     let ((few, short), (many, long)) = (allocations(|| run(2.0)), allocations(|| run(20.0)));

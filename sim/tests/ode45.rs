@@ -2,7 +2,7 @@
 #![allow(clippy::float_cmp, reason = "exact answers are compared exactly")]
 
 use crate::lent::integrate;
-use tripos_sim::{AbsoluteTolerance, Failure, Options, Output, SimError, Solution, Stop, Warning};
+use tripos_sim::{AbsoluteTolerance, Failure, Options, OutputOption, SimError, Solution, Stop, Warning};
 
 /// The tolerances of MATLAB where nothing is said.
 fn matlab() -> Options {
@@ -52,7 +52,7 @@ fn counts_of_a_linear_equation_are_those_of_matlab() {
 /// rtol^(1/5))), and the last one ends exactly at the end.
 #[test]
 fn the_first_step_follows_from_the_slope_and_the_last_ends_exactly() {
-    let options = Options { output: Output::Steps { refine: 1 }, ..matlab() };
+    let options = Options { output: OutputOption::Steps { refine: 1 }, ..matlab() };
     let solution = run(van_der_pol, (0.0, 20.0), &[2.0, 0.0], &options);
     let expected = 0.8 * 1e-3_f64.powf(0.2) / (2.0 / 1e-3); // f0 = (0, -2), threshold 1e-3
     assert!((solution.t[1] / expected - 1.0).abs() < 1e-14, "{}", solution.t[1]);
@@ -64,7 +64,7 @@ fn the_first_step_follows_from_the_slope_and_the_last_ends_exactly() {
 #[test]
 fn no_step_is_longer_than_a_tenth_of_the_span_or_as_told() {
     let longest = |max_step| {
-        let output = Output::Steps { refine: 1 };
+        let output = OutputOption::Steps { refine: 1 };
         let options = Options { max_step, rtol: 0.1, output, ..matlab() };
         let t = run(oscillator, (0.0, 2.0), &[1.0, 0.0], &options).t;
         t.windows(2).map(|w| w[1] - w[0]).fold(0.0, f64::max)
@@ -80,7 +80,7 @@ fn step_ends(span: f64, initial: f64, max_step: f64, gap: std::ops::Range<f64>) 
         dydt[0] = if gap.contains(&t) { f64::NAN } else { 1.0 };
         Ok(())
     };
-    let output = Output::Steps { refine: 1 };
+    let output = OutputOption::Steps { refine: 1 };
     let options = Options { initial_step: Some(initial), max_step: Some(max_step), output, ..matlab() };
     run(rhs, (0.0, span), &[1.0], &options).t
 }
@@ -103,10 +103,10 @@ fn steps_without_error_grow_five_times_and_without_value_halve() {
 #[test]
 fn output_does_not_change_the_steps() {
     let outputs = [
-        Output::Steps { refine: 4 },
-        Output::Steps { refine: 1 },
-        Output::At(vec![0.0, 0.001, 7.0, 7.0, 20.0]),
-        Output::Ends,
+        OutputOption::Steps { refine: 4 },
+        OutputOption::Steps { refine: 1 },
+        OutputOption::At(vec![0.0, 0.001, 7.0, 7.0, 20.0]),
+        OutputOption::Ends,
     ];
     let solutions = outputs.map(|output| run(van_der_pol, (0.0, 20.0), &[2.0, 0.0], &Options { output, ..matlab() }));
     for s in &solutions {
@@ -133,7 +133,7 @@ fn refinement_divides_every_step_evenly() {
 
 #[test]
 fn forth_and_back_returns_to_the_start() {
-    let options = Options { output: Output::Ends, ..Options::tolerances(1e-10, 1e-12) };
+    let options = Options { output: OutputOption::Ends, ..Options::tolerances(1e-10, 1e-12) };
     let forth = run(van_der_pol, (1.0, 4.0), &[2.0, 0.0], &options);
     let back = run(van_der_pol, (4.0, 1.0), &forth.y_end, &options);
     assert_eq!(back.t, [4.0, 1.0]);
@@ -177,11 +177,11 @@ fn questions_without_sense_are_refused() {
     let each = Options { atol: vec![1.0; 3].into(), ..matlab() };
     assert!(matches!(ask((0.0, 1.0), &[1.0, 0.0], &each), SimError::Length { found: 3, .. }));
     for times in [vec![2.0], vec![-0.1], vec![0.5, 0.4], vec![f64::NAN]] {
-        let at = Options { output: Output::At(times), ..matlab() };
+        let at = Options { output: OutputOption::At(times), ..matlab() };
         assert!(matches!(ask((0.0, 1.0), &[1.0, 0.0], &at), SimError::OutputTime { .. }));
     }
     for options in [
-        Options { output: Output::Steps { refine: 0 }, ..matlab() },
+        Options { output: OutputOption::Steps { refine: 0 }, ..matlab() },
         Options { max_step: Some(0.0), ..matlab() },
         Options { initial_step: Some(f64::NAN), ..matlab() },
     ] {

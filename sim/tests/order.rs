@@ -4,7 +4,7 @@ use crate::trees;
 
 use crate::lent::integrate;
 use trees::{Number, dot, trees};
-use tripos_sim::{DORMAND_PRINCE_54, Fraction, Options, Output, Solution, Tableau};
+use tripos_sim::{DORMAND_PRINCE_54, Fraction, Options, OutputOption, Solution, Tableau};
 
 /// An exact fraction in lowest terms. Overflow panics, so that a test cannot pass by wrapping
 /// round.
@@ -123,14 +123,14 @@ fn dense_output_joins_smoothly() {
 }
 
 /// Options that take every step with the same size, whatever its error.
-fn fixed(step: f64, output: Output) -> Options {
+fn fixed(step: f64, output: OutputOption) -> Options {
     Options { max_step: Some(step), initial_step: Some(step), output, ..Options::tolerances(1e9, 1e9) }
 }
 
 const ECCENTRICITY: f64 = 0.5;
 
 /// Kepler's problem from the pericentre, one revolution a 2π; position and velocity.
-fn kepler(span: f64, step: f64, output: Output) -> Solution {
+fn kepler(span: f64, step: f64, output: OutputOption) -> Solution {
     let start = kepler_start();
     let rhs = |_t: f64, y: &[f64], dydt: &mut [f64]| {
         let r3 = (y[0] * y[0] + y[1] * y[1]).powf(1.5);
@@ -167,7 +167,7 @@ fn observed_order(error: impl Fn(f64) -> f64, step: f64) -> f64 {
 #[test]
 fn dormand_prince_converges_at_order_five_on_kepler() {
     use std::f64::consts::TAU;
-    let error = |h: f64| distance(&kepler(TAU, h, Output::Ends).y_end, &kepler_start());
+    let error = |h: f64| distance(&kepler(TAU, h, OutputOption::Ends).y_end, &kepler_start());
     let order = observed_order(error, TAU / 400.0);
     assert!((order - 5.0).abs() < 0.3, "{order}");
 }
@@ -176,7 +176,7 @@ fn dormand_prince_converges_at_order_five_on_kepler() {
 #[test]
 fn one_step_errs_at_order_six_and_its_dense_output_at_order_five() {
     let inside = |theta: f64, h: f64| {
-        let solution = kepler(h, h, Output::At(vec![theta * h]));
+        let solution = kepler(h, h, OutputOption::At(vec![theta * h]));
         distance(&solution.y[0][..2], &kepler_position(theta * h))
     };
     let end = observed_order(|h| inside(1.0, h), 0.025);
@@ -193,7 +193,7 @@ fn polynomials_of_degree_four_are_exact_inside_a_step() {
         Ok(())
     };
     let times: Vec<f64> = (0..=10).map(|i| 0.1 * f64::from(i)).collect();
-    let options = fixed(1.0, Output::At(times.clone()));
+    let options = fixed(1.0, OutputOption::At(times.clone()));
     let solution = integrate(rhs, (0.0, 1.0), &[0.0], &options, &mut []).unwrap();
     assert_eq!((solution.steps, solution.y.len()), (1, 11));
     for (t, y) in times.iter().zip(&solution.y) {

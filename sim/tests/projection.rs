@@ -3,7 +3,7 @@
 
 use crate::lent::{integrate, integrate_projected};
 use tripos_sim::projection::{Invariants, ProjectionReport};
-use tripos_sim::{Direction, Event, Failure, Method, Options, Output, RightHandSide, Solution};
+use tripos_sim::{Direction, Event, Failure, Method, Options, OutputOption, RightHandSide, Solution};
 use tripos_traits::{DoubleDouble, Real};
 
 fn pendulum(_t: f64, y: &[f64], dydt: &mut [f64]) -> Result<(), Failure> {
@@ -29,7 +29,7 @@ fn invariants(factor: f64) -> Invariants<'static> {
 const START: [f64; 2] = [2.5, 0.0];
 
 fn options(method: Method, rtol: f64) -> Options {
-    Options { method, output: Output::Ends, ..Options::tolerances(rtol, rtol) }
+    Options { method, output: OutputOption::Ends, ..Options::tolerances(rtol, rtol) }
 }
 
 fn projected(options: &Options, span: f64, factor: f64) -> (Solution, ProjectionReport) {

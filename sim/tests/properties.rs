@@ -3,8 +3,8 @@
 
 use proptest::prelude::*;
 use tripos_sim::{
-    AbsoluteTolerance, Direction, Event, Failure, Method, Options, Output, RightHandSide, Solution, Stop, WithJacobian,
-    integrate,
+    AbsoluteTolerance, Direction, Event, Failure, Method, Options, OutputOption, RightHandSide, Solution, Stop,
+    WithJacobian, integrate,
 };
 
 /// y' = A y of order 3.
@@ -28,7 +28,7 @@ fn options(method: Method, tolerance: f64) -> Options {
         method,
         step: (method == Method::Rk4).then_some(1e-3),
         step_limit: 20_000,
-        output: Output::Steps { refine: 3 },
+        output: OutputOption::Steps { refine: 3 },
         ..Options::tolerances(tolerance, tolerance)
     }
 }
@@ -180,14 +180,14 @@ fn every_adaptive_method_heeds_the_tolerance_of_each_component() {
 fn watching_changes_no_step_of_any_method() {
     let a = [0.0, 1.0, 0.0, -4.0, 0.0, 0.0, 0.0, 1.0, -1.0];
     for method in Method::WITHOUT_SERIES {
-        let run = |output: Output, events: &mut [Event<'_>]| {
+        let run = |output: OutputOption, events: &mut [Event<'_>]| {
             let options = Options { output, ..options(method, 1e-7) };
             integrate(linear(a), (0.0, 5.0), &[1.0, 0.0, 1.0], &options, events).unwrap()
         };
-        let bare = run(Output::Ends, &mut []);
+        let bare = run(OutputOption::Ends, &mut []);
         let event = Event::recorded("zero", Direction::Either, |_t, y: &[f64]| y[0]);
-        let watched = run(Output::At(vec![0.1, 0.2, 4.9]), &mut [event]);
-        let fine = run(Output::Steps { refine: 5 }, &mut []);
+        let watched = run(OutputOption::At(vec![0.1, 0.2, 4.9]), &mut [event]);
+        let fine = run(OutputOption::Steps { refine: 5 }, &mut []);
         for other in [&watched, &fine] {
             assert_eq!((bare.steps, bare.rejected, &bare.y_end), (other.steps, other.rejected, &other.y_end));
         }

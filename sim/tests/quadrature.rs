@@ -4,8 +4,8 @@ use crate::one_degree;
 
 use one_degree::{OneSpeed, kepler, pendulum, repeating_pendulum, top};
 use tripos_sim::exact::{HeavyTop, Pendulum, SphericalPendulum, Top, TopStart};
-use tripos_sim::quadrature::{NoQuadrature, OneDegree, solve};
-use tripos_sim::{Direction, Event, Kind, Options, Output, Stop};
+use tripos_sim::quadrature::{MotionByQuadrature, NoQuadrature, run_by_quadrature};
+use tripos_sim::{Direction, Event, Kind, Options, OutputOption, Stop};
 use tripos_traits::{DoubleDouble as Dd, Real, Scalar};
 
 const G: f64 = 9.81;
@@ -37,7 +37,7 @@ fn the_pendulum_swings_and_turns_over_as_by_elliptic_functions() {
         [(3.0, 0.0), (-0.3, 2.0), (0.0, 6.2), (0.0, 6.4), (1.0, -20.0), (1e-3, 0.0), (-3.1, 0.01), (3.1, -4.0)]
     {
         let exact = Pendulum::new(dd(G), dd(q), dd(v));
-        let mut motion = OneDegree::new(&system, &[], &[q], v).unwrap();
+        let mut motion = MotionByQuadrature::new(&system, &[], &[q], v).unwrap();
         motion.cover(-100.0, 100.0).unwrap();
         assert_eq!(motion.period().is_some(), !exact.turns_over());
         if let Some(period) = motion.period() {
@@ -68,7 +68,7 @@ fn rotations_are_one_turn_again_and_again() {
             // ½ v² = 2 g (1 + excess) less what it takes to get from the bottom to q.
             let v = sign * (4.0 * G * (f64::cos(0.5 * q).powi(2) + excess)).sqrt();
             let exact = Pendulum::new(dd(G), dd(q), dd(v));
-            let motion = OneDegree::new(&system, &[], &[q], v).unwrap();
+            let motion = MotionByQuadrature::new(&system, &[], &[q], v).unwrap();
             let period = motion.period().expect("it goes round");
             let left =
                 (dd(0.5) * dd(v) * dd(v) - dd(2.0 * G) * dd(0.5 * q).sin_cos().1 * dd(0.5 * q).sin_cos().1).to_f64();
@@ -102,12 +102,12 @@ fn a_steady_precession_rests_in_its_nutation() {
     let rate = (spin - (spin * spin - 4.0 * weight * nutation.cos()).sqrt()) / (2.0 * nutation.cos());
     let about_vertical = rate * nutation.sin().powi(2) + about_axis * nutation.cos();
     let system = top([about_vertical, about_axis], weight, spin);
-    let motion = OneDegree::new(&system, &[], &[nutation, 0.0, 0.0], 0.0).unwrap();
+    let motion = MotionByQuadrature::new(&system, &[], &[nutation, 0.0, 0.0], 0.0).unwrap();
     let state = motion.state(50.0).unwrap();
     assert_eq!((state[0], state[3]), (nutation, 0.0));
     assert!((state[1] - 50.0 * rate).abs() < 1e-11, "{state:?} {rate}");
     let system = pendulum(G);
-    let upright = OneDegree::new(&system, &[], &[std::f64::consts::PI], 1e-18);
+    let upright = MotionByQuadrature::new(&system, &[], &[std::f64::consts::PI], 1e-18);
     assert!(matches!(upright, Err(NoQuadrature::Asymptotic { .. })), "{upright:?}");
 }
 
@@ -128,8 +128,8 @@ fn narrow_barriers_of_motions_that_repeat_turn_them() {
         let rates = |_: f64, _: f64, _: &mut [f64]| ();
         let system = OneSpeed { coordinates: 1, rates, potential, slope, period: Some(PI) };
         for (start, v) in (0..40).flat_map(|k| [0.2, 0.9, -1.3, 1.6].map(|v| (0.4 + 0.06 * f64::from(k), v))) {
-            let motion =
-                OneDegree::new(&system, &[], &[start], v).unwrap_or_else(|why| panic!("{n} {start} {v}: {why}"));
+            let motion = MotionByQuadrature::new(&system, &[], &[start], v)
+                .unwrap_or_else(|why| panic!("{n} {start} {v}: {why}"));
             let energy = 0.5 * v * v + potential(start);
             let (period, turns) = (motion.period().unwrap(), motion.turning_points());
             let speed = (2.0 * energy).sqrt();
@@ -161,7 +161,7 @@ fn quadratures_go_on_from_turn_to_turn() {
         period: Some(std::f64::consts::TAU),
     };
     for (q, v) in [(0.3, 7.0), (1.0, -8.0), (-4.0, 6.5)] {
-        let motion = OneDegree::new(&system, &[], &[q, 5.0], v).unwrap();
+        let motion = MotionByQuadrature::new(&system, &[], &[q, 5.0], v).unwrap();
         for t in instants(300.0).chain(instants(-300.0)) {
             let state = motion.state(t).unwrap();
             let wanted = 5.0 + t - 0.5 * (state[2] - v) / G + (state[0] - q);
@@ -179,7 +179,7 @@ fn a_top_nutates_precesses_and_spins_as_it_should() {
         let about_axis = axial / transverse * spin;
         let about_vertical = precession_rate * f64::sin(nutation).powi(2) + about_axis * f64::cos(nutation);
         let system = top([about_vertical, about_axis], mass * G * arm / transverse, spin);
-        let motion = OneDegree::new(&system, &[], &[nutation, 0.0, 0.0], nutation_rate).unwrap();
+        let motion = MotionByQuadrature::new(&system, &[], &[nutation, 0.0, 0.0], nutation_rate).unwrap();
         let [mass, arm, gravity, transverse, axial] = [mass, arm, G, transverse, axial].map(dd);
         // What the equations hold are the momenta, rounded: the exact motion has these.
         let (sin, cos) = dd(nutation).sin_cos();
@@ -214,7 +214,7 @@ fn a_spherical_pendulum_passes_close_to_the_vertical() {
     {
         let momentum = azimuth_rate * f64::sin(angle).powi(2);
         let system = top([momentum, 0.0], G, 0.0);
-        let motion = OneDegree::new(&system, &[], &[angle, 0.0, 0.0], angle_rate).unwrap();
+        let motion = MotionByQuadrature::new(&system, &[], &[angle, 0.0, 0.0], angle_rate).unwrap();
         let sin = dd(angle).sin_cos().0;
         let exact = SphericalPendulum::new(dd(G), dd(angle), dd(angle_rate), dd(momentum) / (sin * sin));
         // At each passage the coordinate is rounded beside the distance to the lowest point, at π.
@@ -245,7 +245,7 @@ fn an_oscillator_keeps_its_phase_for_a_hundred_thousand_periods() {
         slope: |a: f64, b: f64| 0.5 * (a + b),
     };
     for (q, v) in [(1.0, 0.0), (0.6, -0.8), (0.0, 1.0), (-1.0, 0.0), (1.0, 1e-9)] {
-        let motion = OneDegree::new(&system, &[], &[q, 5.0, 0.0], v).unwrap();
+        let motion = MotionByQuadrature::new(&system, &[], &[q, 5.0, 0.0], v).unwrap();
         for t in instants(10.0).chain(instants(-10.0)).chain(instants(6e5)) {
             let state = motion.state(t).unwrap();
             let (sin, cos) = dd(t).sin_cos();
@@ -314,7 +314,7 @@ fn a_nearly_radial_orbit_keeps_its_angle() {
         let l = f64::sqrt(2.0 * pericentre * (1.0 - pericentre));
         let system = kepler(1.0, l);
         let (r, v) = (0.4, -(2.0 / 0.4 - 2.0 - l * l / 0.16_f64).sqrt());
-        let motion = OneDegree::new(&system, &[], &[r, 0.0, r], v).unwrap();
+        let motion = MotionByQuadrature::new(&system, &[], &[r, 0.0, r], v).unwrap();
         let exact = Orbit::new(1.0, l, r, v);
         let period = motion.period().unwrap();
         near(period, exact.period(), 8.0 * f64::EPSILON * period, "period");
@@ -335,7 +335,7 @@ fn a_nearly_radial_orbit_keeps_its_angle() {
 fn a_motion_with_one_turning_point_comes_and_goes() {
     let system = kepler(0.0, 2.0);
     // At r = 5 inwards, with r′ = −4: energy 8 + 4/50.
-    let mut motion = OneDegree::new(&system, &[], &[5.0, 0.0, 0.0], -4.0).unwrap();
+    let mut motion = MotionByQuadrature::new(&system, &[], &[5.0, 0.0, 0.0], -4.0).unwrap();
     assert_eq!(motion.state(1e60), Err(NoQuadrature::Uncovered { t: 1e60 }));
     motion.cover(-50.0, 50.0).unwrap();
     let speed_squared = 16.0 + 4.0 / 25.0;
@@ -356,7 +356,7 @@ fn a_motion_with_one_turning_point_comes_and_goes() {
         slope: |_: f64, _: f64| G,
     };
     for v in [0.0, 3.0, -3.0] {
-        let mut motion = OneDegree::new(&thrown, &[], &[1.0], v).unwrap();
+        let mut motion = MotionByQuadrature::new(&thrown, &[], &[1.0], v).unwrap();
         motion.cover(-3.0, 3.0).unwrap();
         for t in instants(3.0).chain(instants(-3.0)) {
             let state = motion.state(t).unwrap();
@@ -375,12 +375,12 @@ fn a_free_particle_and_one_at_rest_need_no_search() {
         potential: |_: f64| 0.0,
         slope: |_: f64, _: f64| 0.0,
     };
-    let mut motion = OneDegree::new(&free, &[], &[1.0, 0.0], -2.0).unwrap();
+    let mut motion = MotionByQuadrature::new(&free, &[], &[1.0, 0.0], -2.0).unwrap();
     motion.cover(0.0, 10.0).unwrap();
     assert!((motion.state(10.0).unwrap()[0] + 19.0).abs() < 19.0 * 4.0 * f64::EPSILON);
     assert!((motion.state(10.0).unwrap()[1] - 180.0).abs() < 180.0 * 8.0 * f64::EPSILON);
     let hanging = pendulum(G);
-    let rest = OneDegree::new(&hanging, &[], &[0.0], 0.0).unwrap();
+    let rest = MotionByQuadrature::new(&hanging, &[], &[0.0], 0.0).unwrap();
     assert_eq!(rest.state(7.0).unwrap(), [0.0, 0.0]);
 }
 
@@ -388,9 +388,9 @@ fn a_free_particle_and_one_at_rest_need_no_search() {
 #[test]
 fn what_climbs_for_ever_is_refused_at_once() {
     let system = pendulum(1.0);
-    let climbing = OneDegree::new(&system, &[], &[0.0], 2.0);
+    let climbing = MotionByQuadrature::new(&system, &[], &[0.0], 2.0);
     assert!(matches!(climbing, Err(NoQuadrature::Asymptotic { .. })), "{climbing:?}");
-    let standing = OneDegree::new(&system, &[], &[std::f64::consts::PI], 0.0);
+    let standing = MotionByQuadrature::new(&system, &[], &[std::f64::consts::PI], 0.0);
     assert!(matches!(standing, Err(NoQuadrature::Asymptotic { .. })), "{standing:?}");
 }
 
@@ -404,10 +404,10 @@ fn other_equations_are_refused() {
         potential: |_: f64| 0.0,
         slope: |_: f64, _: f64| f64::NAN,
     };
-    assert_eq!(OneDegree::new(&coupled, &[], &[1.0, 0.0], 1.0).unwrap_err(), NoQuadrature::Irregular);
+    assert_eq!(MotionByQuadrature::new(&coupled, &[], &[1.0, 0.0], 1.0).unwrap_err(), NoQuadrature::Irregular);
     let system = pendulum(G);
-    assert!(matches!(OneDegree::new(&system, &[], &[1.0, 0.0], 1.0), Err(NoQuadrature::Question(_))));
-    assert!(matches!(OneDegree::new(&system, &[], &[f64::NAN], 1.0), Err(NoQuadrature::Question(_))));
+    assert!(matches!(MotionByQuadrature::new(&system, &[], &[1.0, 0.0], 1.0), Err(NoQuadrature::Question(_))));
+    assert!(matches!(MotionByQuadrature::new(&system, &[], &[f64::NAN], 1.0), Err(NoQuadrature::Question(_))));
     let jagged = OneSpeed {
         period: None,
         coordinates: 2,
@@ -415,13 +415,13 @@ fn other_equations_are_refused() {
         potential: |q: f64| 0.5 * q * q,
         slope: |a: f64, b: f64| 0.5 * (a + b),
     };
-    let unresolved = OneDegree::new(&jagged, &[], &[1.0, 0.0], 0.0);
+    let unresolved = MotionByQuadrature::new(&jagged, &[], &[1.0, 0.0], 0.0);
     assert!(matches!(unresolved, Err(NoQuadrature::Unresolved { .. })), "{unresolved:?}");
 }
 
-fn run(span: (f64, f64), output: Output, events: &mut [Event<'_>]) -> tripos_sim::Solution {
+fn run(span: (f64, f64), output: OutputOption, events: &mut [Event<'_>]) -> tripos_sim::Solution {
     let options = Options { output, ..Options::default() };
-    solve(&pendulum(G), &[], span, &[3.0, 0.0], &options, events).unwrap()
+    run_by_quadrature(&pendulum(G), &[], span, &[3.0, 0.0], &options, events).unwrap()
 }
 
 /// Forward and backward: the passages of the lowest point, with the exact times from the period.
@@ -430,7 +430,7 @@ fn events_are_found_at_their_instants() {
     let period = Pendulum::new(dd(G), dd(3.0), dd(0.0)).period().to_f64();
     for sign in [1.0, -1.0] {
         let lowest = Event::recorded("lowest", Direction::Either, |_, y: &[f64]| y[0]);
-        let solution = run((5.0, 5.0 + sign * 3.1 * period), Output::Ends, &mut [lowest]);
+        let solution = run((5.0, 5.0 + sign * 3.1 * period), OutputOption::Ends, &mut [lowest]);
         assert_eq!((solution.stop, solution.events.len()), (Stop::End, 6));
         for (k, event) in solution.events.iter().enumerate() {
             let t = 5.0 + sign * period * (0.25 + 0.5 * k as f64);
@@ -447,11 +447,11 @@ fn terminal_events_and_domains_end_a_run() {
     let passing = Event::terminal("passing", Direction::Rising, |_, y: &[f64]| y[0]);
     let above = Event::domain("above", |_, y: &[f64]| y[0] + 2.9);
     let times: Vec<f64> = (0..20).map(|i| 0.5 * f64::from(i)).collect();
-    let solution = run((0.0, 20.0), Output::At(times.clone()), &mut [passing]);
+    let solution = run((0.0, 20.0), OutputOption::At(times.clone()), &mut [passing]);
     assert_eq!(solution.stop.code(), "event:passing");
     assert!((solution.t_end - 0.75 * period).abs() < 1e-14 && solution.y_end[0].abs() < 1e-13);
     assert_eq!(solution.t, times.iter().copied().filter(|t| *t <= solution.t_end).collect::<Vec<_>>());
-    let solution = run((0.0, 20.0), Output::Ends, &mut [above]);
+    let solution = run((0.0, 20.0), OutputOption::Ends, &mut [above]);
     assert_eq!(solution.stop.code(), "domain:above");
     assert!((solution.y_end[0] + 2.9).abs() < 1e-13);
 }
@@ -460,18 +460,18 @@ fn terminal_events_and_domains_end_a_run() {
 #[test]
 fn output_is_that_of_the_motion() {
     let system = pendulum(G);
-    let motion = OneDegree::new(&system, &[], &[3.0], 0.0).unwrap();
+    let motion = MotionByQuadrature::new(&system, &[], &[3.0], 0.0).unwrap();
     let times: Vec<f64> = (0..=50).map(|i| 0.4 * f64::from(i)).collect();
-    let plain = run((0.0, 20.0), Output::At(times.clone()), &mut []);
+    let plain = run((0.0, 20.0), OutputOption::At(times.clone()), &mut []);
     let never = Event::recorded("never", Direction::Either, |_, y: &[f64]| y[0] + 10.0);
-    let watched = run((0.0, 20.0), Output::At(times.clone()), &mut [never]);
+    let watched = run((0.0, 20.0), OutputOption::At(times.clone()), &mut [never]);
     for solution in [&plain, &watched] {
         assert_eq!(solution.t, times);
         for (t, y) in solution.t.iter().zip(&solution.y) {
             assert_eq!(*y, motion.state(*t).unwrap());
         }
     }
-    let steps = run((20.0, 0.0), Output::Steps { refine: 4 }, &mut []);
+    let steps = run((20.0, 0.0), OutputOption::Steps { refine: 4 }, &mut []);
     assert!(steps.t.windows(2).all(|t| t[1] < t[0]) && steps.t.last() == Some(&0.0));
     assert_eq!(steps.t.len() as u64, 1 + 4 * steps.steps);
 }

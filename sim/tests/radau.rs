@@ -3,8 +3,8 @@
 
 use crate::stiff::Stiff;
 use tripos_sim::{
-    AbsoluteTolerance, Direction, Event, Failure, Lent, Method, Options, Output, RightHandSide, Solution, Stop,
-    WithJacobian, integrate,
+    AbsoluteTolerance, Direction, Event, Failure, LentRightHandSide, Method, Options, OutputOption, RightHandSide,
+    Solution, Stop, WithJacobian, integrate,
 };
 use tripos_traits::{DoubleDouble, Real, Scalar};
 
@@ -22,11 +22,11 @@ fn turning(a: f64, b: f64) -> impl RightHandSide<f64> {
 }
 
 fn fixed(step: f64) -> Options {
-    Options { method: Method::Radau5, step: Some(step), output: Output::Ends, ..Options::default() }
+    Options { method: Method::Radau5, step: Some(step), output: OutputOption::Ends, ..Options::default() }
 }
 
 fn adaptive(rtol: f64, atol: impl Into<AbsoluteTolerance>) -> Options {
-    Options { method: Method::Radau5, output: Output::Ends, ..Options::tolerances(rtol, atol) }
+    Options { method: Method::Radau5, output: OutputOption::Ends, ..Options::tolerances(rtol, atol) }
 }
 
 /// A run whose right-hand side is known by its table alone: each type of one would compile all methods anew.
@@ -37,7 +37,7 @@ fn ran(
     options: &Options,
     events: &mut [Event<'_>],
 ) -> Solution {
-    integrate(Lent(&mut rhs as &mut dyn RightHandSide<f64>), (0.0, span), y0, options, events).unwrap()
+    integrate(LentRightHandSide(&mut rhs as &mut dyn RightHandSide<f64>), (0.0, span), y0, options, events).unwrap()
 }
 
 /// One step of length 1: R(λ), as (re, im).

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use std::sync::{Arc, Mutex};
 
 use crate::lent::integrate;
-use tripos_sim::{Failure, Method, Options, Output, Poll, Stop};
+use tripos_sim::{Failure, Method, Options, OutputOption, Poll, Stop};
 
 /// y' = y², y(0) = 1 is 1 / (1 − t): the run must end just before t = 1, with a reason.
 #[test]
@@ -80,7 +80,7 @@ fn a_start_without_a_derivative_is_a_run_of_no_steps() {
         dydt[0] = f64::INFINITY;
         Ok(())
     };
-    for output in [Output::Steps { refine: 4 }, Output::Ends, Output::At(vec![0.0, 1.0])] {
+    for output in [OutputOption::Steps { refine: 4 }, OutputOption::Ends, OutputOption::At(vec![0.0, 1.0])] {
         let options = Options { output, ..Options::default() };
         let solution = integrate(rhs, (0.0, 1.0), &[3.0], &options, &mut []).unwrap();
         assert_eq!(solution.stop, Stop::NotFinite { component: 0 });
@@ -112,7 +112,7 @@ fn a_state_that_overflows_is_not_finite() {
         dydt[0] = y[0];
         Ok(())
     };
-    let options = Options { output: Output::Ends, ..Options::default() };
+    let options = Options { output: OutputOption::Ends, ..Options::default() };
     let solution = integrate(rhs, (0.0, 100.0), &[1e300], &options, &mut []).unwrap();
     assert!(solution.stop.is_failure(), "{solution}");
     assert!(solution.y_end[0].is_finite());
@@ -127,7 +127,7 @@ fn keeping_only_the_ends_keeps_two_points_of_many_steps() {
         dydt[1] = -y[0];
         Ok(())
     };
-    let options = Options { output: Output::Ends, ..Options::tolerances(1e-12, 1e-12) };
+    let options = Options { output: OutputOption::Ends, ..Options::tolerances(1e-12, 1e-12) };
     let solution = integrate(rhs, (0.0, 100.0), &[1.0, 0.0], &options, &mut []).unwrap();
     assert!(solution.steps > 5_000, "{solution}");
     assert_eq!((solution.t, solution.y.len()), (vec![0.0, 100.0], 2));

@@ -2,7 +2,7 @@
 #![allow(clippy::float_cmp, reason = "exact answers are compared exactly")]
 
 use crate::lent::integrate;
-use tripos_sim::{Direction, Event, Failure, Method, Options, Output, RightHandSide, SimError, Stop};
+use tripos_sim::{Direction, Event, Failure, Method, Options, OutputOption, RightHandSide, SimError, Stop};
 use tripos_traits::{DoubleDouble, Real, Scalar};
 
 /// y' = y², whose solution through 1 at 0 is 1/(1 − t).
@@ -42,7 +42,7 @@ impl<S: Real> RightHandSide<S> for Oscillator {
 }
 
 fn adaptive(tolerance: f64) -> Options {
-    Options { method: Method::Taylor, output: Output::Ends, ..Options::tolerances(tolerance, tolerance) }
+    Options { method: Method::Taylor, output: OutputOption::Ends, ..Options::tolerances(tolerance, tolerance) }
 }
 
 fn fixed(order: usize, step: f64) -> Options {
@@ -92,7 +92,7 @@ fn a_wider_scalar_reaches_its_own_accuracy() {
 #[test]
 fn the_solution_inside_a_step_is_as_exact_as_at_its_end() {
     let times: Vec<f64> = (0..=100).map(|i| 0.1 * f64::from(i)).collect();
-    let options = Options { output: Output::At(times.clone()), ..adaptive(1e-10) };
+    let options = Options { output: OutputOption::At(times.clone()), ..adaptive(1e-10) };
     let solution = integrate(Oscillator, (0.0, 10.0), &[1.0, 0.0], &options, &mut []).unwrap();
     assert!(solution.steps < 20);
     for (t, y) in times.iter().zip(&solution.y) {

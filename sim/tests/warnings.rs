@@ -1,12 +1,12 @@
 //! Warnings: a run that chases rounding or kinks says so, and one that does not is silent.
 
 use crate::lent::integrate;
-use tripos_sim::{Method, Options, Output, Solution, Warning};
+use tripos_sim::{Method, Options, OutputOption, Solution, Warning};
 
 const ADAPTIVE: [Method; 3] = [Method::Ode45, Method::Dopri5, Method::Dop853];
 
 fn options(method: Method, rtol: f64, atol: f64) -> Options {
-    Options { method, output: Output::Ends, step_limit: 20_000, ..Options::tolerances(rtol, atol) }
+    Options { method, output: OutputOption::Ends, step_limit: 20_000, ..Options::tolerances(rtol, atol) }
 }
 
 /// A circle of this radius.
@@ -97,7 +97,7 @@ fn jumps_in_the_equations_are_told() {
 /// The stage at a tenth of the step is one that only the dense output of DOP853 has.
 #[test]
 fn a_gap_that_only_the_dense_output_meets_changes_no_step_and_is_told() {
-    let run = |output: Output| {
+    let run = |output: OutputOption| {
         let rhs = |t: f64, y: &[f64], dydt: &mut [f64]| {
             dydt[0] = if (t - 0.1).abs() < 1e-3 { f64::NAN } else { y[0] };
             Ok(())
@@ -105,7 +105,7 @@ fn a_gap_that_only_the_dense_output_meets_changes_no_step_and_is_told() {
         let options = Options { method: Method::Dop853, step: Some(1.0), output, ..Options::default() };
         integrate(rhs, (0.0, 1.0), &[1.0], &options, &mut []).unwrap()
     };
-    let (ends, inside) = (run(Output::Ends), run(Output::At(vec![0.5, 1.0])));
+    let (ends, inside) = (run(OutputOption::Ends), run(OutputOption::At(vec![0.5, 1.0])));
     assert_eq!((ends.y_end, ends.warnings), (inside.y_end.clone(), vec![]));
     assert_eq!(inside.warnings, [Warning::CoarseInside { t: 0.0 }]);
     // Hermite's cubic errs by the fourth derivative over 384.

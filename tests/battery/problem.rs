@@ -78,7 +78,8 @@ impl Problem {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("models").join(format!("{name}.toml"));
         let source = Source::read(&path).unwrap();
         let model = Mechanism::read(&tripos_derive::scene::model_path(&source).unwrap()).unwrap();
-        let mut mechanism = if random.chance(70) { model.with(tripos_models::MODELS) } else { model };
+        let mut mechanism =
+            if random.chance(70) { model.with_compiled_equations(tripos_models::MODELS) } else { model };
         let mut scene = load(&source, &mut mechanism).unwrap();
         if random.chance(60) {
             move_start(random, &mut scene, *edge);

@@ -1,11 +1,13 @@
 //! The motion in 32 digits.
 
 use super::problem::Problem;
-use tripos::code::{Ready, code};
+use tripos::code::{CodePreparation, runnable_code};
 use tripos_derive::Formulation;
 use tripos_derive::mechanics::EquationsOrigin;
-use tripos_derive::scene::Solve;
-use tripos_sim::{Eliminated, Lent, Method, Options, Output, RightHandSide, Stop, integrate};
+use tripos_derive::scene::AccelerationSolution;
+use tripos_sim::{
+    EliminatedDynamics, LentRightHandSide, Method, Options, OutputOption, RightHandSide, Stop, integrate,
+};
 use tripos_traits::{DoubleDouble, Real};
 
 /// The tolerances of the run that is kept, and of the one that it is checked by.
@@ -47,17 +49,19 @@ impl Truth {
 
 fn run(problem: &Problem, tolerance: f64, times: &[f64]) -> Option<Vec<Vec<f64>>> {
     let by = EquationsOrigin::from(Formulation::Kane);
-    let code = code(&problem.mechanism, &by, None, Ready::Solved).ok()?;
-    let ready = tripos::Problem::new(&problem.mechanism, &problem.scene, &by, &code, Some(Solve::Eliminated)).ok()?;
+    let code = runnable_code(&problem.mechanism, &by, None, CodePreparation::Solved).ok()?;
+    let ready =
+        tripos::Problem::new(&problem.mechanism, &problem.scene, &by, &code, Some(AccelerationSolution::Eliminated))
+            .ok()?;
     let (p, start) = ready.extended_start().ok()?;
-    let mut rhs = Eliminated::<DoubleDouble>::new(code.extended(), &p)?;
+    let mut rhs = EliminatedDynamics::<DoubleDouble>::new(code.extended(), &p)?;
     let options = Options {
         method: Method::Taylor,
-        output: Output::At(times.to_vec()),
+        output: OutputOption::At(times.to_vec()),
         step_limit: STEPS,
         ..Options::tolerances(tolerance, tolerance)
     };
-    let rhs = Lent(&mut rhs as &mut dyn RightHandSide<DoubleDouble>);
+    let rhs = LentRightHandSide(&mut rhs as &mut dyn RightHandSide<DoubleDouble>);
     let solution = integrate(rhs, problem.scene.span, &start, &options, &mut []).ok()?;
     let state = |(t, y): (&f64, &Vec<DoubleDouble>)| -> Vec<f64> {
         ready.extended_state(&p, *t, y).iter().map(|x| x.to_f64()).collect()

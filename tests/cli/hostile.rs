@@ -4,10 +4,10 @@ use crate::support::{cargo, make_crate, tripos_in};
 use serde_json::Value;
 use std::fmt::Write;
 use tripos_codegen::Extras;
-use tripos_codegen::rust::{Named, scene_file, scene_list};
+use tripos_codegen::rust::{SceneHeaderData, scene_file, scene_list};
 use tripos_derive::Model;
 use tripos_derive::diagnostic::Source;
-use tripos_derive::plain::is_forbidden;
+use tripos_derive::plain_text::is_forbidden;
 use tripos_derive::reduce::reduce;
 
 /// Text that is code, markup or an escape somewhere else, and has a right to stand in a file.
@@ -103,7 +103,7 @@ fn generated_code_of_hostile_texts_compiles_and_runs_nothing_of_theirs() {
         let stated = Source::from_text("scene.toml", &scene([other(1), other(2), other(3), other(4)]));
         let loaded = tripos_derive::scene::load(&stated, &mut read).unwrap_or_else(|e| panic!("{e}"));
         let reduction = reduce(&read, &loaded).unwrap();
-        let named = Named { name: &stem, title: other(1), origin: "Generated from a scene." };
+        let named = SceneHeaderData { name: &stem, title: other(1), origin: "Generated from a scene." };
         let file = scene_file(&read, &reduction, &named, Extras::ALL, &[]).unwrap();
         let scenes = sources.join(&name).join("scenes");
         std::fs::create_dir_all(scenes.join("code")).unwrap();

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use tripos::{Overrides, Scene};
 use tripos_codegen::js::RUNNERS;
-use tripos_codegen::js::emit::emit_model;
+use tripos_codegen::js::emit::emit_javascript_modules;
 use tripos_codegen::plan::module_name;
 use tripos_derive::{Formulation, Model};
 use tripos_models::MODELS;
@@ -123,7 +123,7 @@ fn modules_give_what_compiled_equations_give() {
         let text = Model::read(&root().join("models").join(model.name).join("model.toml")).unwrap();
         let out = folder.path().join(model.name);
         std::fs::create_dir(&out).unwrap();
-        for (file, text) in emit_model(&text, &[]).unwrap().files {
+        for (file, text) in emit_javascript_modules(&text, &[]).unwrap().files {
             std::fs::write(out.join(file), text).unwrap();
         }
         for formulation in Formulation::ALL.map(Formulation::name) {
@@ -230,7 +230,7 @@ fn a_run_of_the_disk_is_that_of_rust() {
     assert_eq!(emit(&root().join("models/disk"), folder.path(), &["--formulation", "kane"]).0, 0);
     let scenes = ["report", "lean", "flat-fall"];
     let runs = scenes.map(|name| {
-        let scene = Scene::read(root().join(format!("models/disk/scenes/{name}.toml"))).unwrap().with(MODELS);
+        let scene = Scene::read(root().join(format!("models/disk/scenes/{name}.toml"))).unwrap().with_compiled_equations(MODELS);
         let until = if name == "report" { Some(1.0) } else { None };
         let by = Some("kane".into());
         let method = Some(tripos::Method::Dop853.into());

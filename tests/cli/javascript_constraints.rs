@@ -5,7 +5,7 @@ use crate::support::root;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use tripos::{Overrides, Scene};
-use tripos_codegen::js::emit::emit_model;
+use tripos_codegen::js::emit::emit_javascript_modules;
 use tripos_derive::{Formulation, Model};
 use tripos_models::MODELS;
 
@@ -29,7 +29,7 @@ fn linkages(folder: &Path) -> Vec<Linkage> {
         let scenes = std::fs::read_dir(place.join("scenes")).unwrap();
         let mut paths: Vec<PathBuf> = scenes.map(|entry| entry.unwrap().path()).collect();
         paths.sort();
-        let scene = paths.iter().find_map(|path| Scene::read(path).ok()).unwrap().with(MODELS);
+        let scene = paths.iter().find_map(|path| Scene::read(path).ok()).unwrap().with_compiled_equations(MODELS);
         let modules = emitted(&text, &folder.join(model.name));
         list.push(Linkage { name: model.name, model: text, scene, modules });
     }
@@ -38,7 +38,7 @@ fn linkages(folder: &Path) -> Vec<Linkage> {
 
 fn emitted(model: &Model, folder: &Path) -> PathBuf {
     std::fs::create_dir(folder).unwrap();
-    for (file, text) in emit_model(model, &[Formulation::Kane, Formulation::Lagrange]).unwrap().files {
+    for (file, text) in emit_javascript_modules(model, &[Formulation::Kane, Formulation::Lagrange]).unwrap().files {
         std::fs::write(folder.join(file), text).unwrap();
     }
     folder.to_owned()

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::process::{Command, Stdio};
 use tripos_derive::algebra::meaning::compare::Comparer;
-use tripos_derive::algebra::text::notation::{Notation, Spell, Symbol, Unknown, read_symbol, translate};
+use tripos_derive::algebra::text::notation::{LatexSymbol, Notation, SymbolNames, Unknown, read_symbol, translate};
 use tripos_derive::algebra::text::parse::parse_primed;
 use tripos_derive::algebra::text::print::latex_name;
 use tripos_derive::algebra::{Arena, Expr};
@@ -176,21 +176,21 @@ impl Names {
             parts.filter(|word| word.starts_with(|c: char| c.is_ascii_alphabetic())).collect::<Vec<_>>()
         };
         let all = formulas.iter().flat_map(|text| words(text));
-        Self(all.filter_map(|name| Some((read_symbol(&latex_name(&name))?.still(), name))).collect())
+        Self(all.filter_map(|name| Some((read_symbol(&latex_name(&name))?.without_dots(), name))).collect())
     }
 }
 
-impl Spell for Names {
-    fn knows(&self, symbol: &Symbol) -> bool {
-        self.0.contains_key(&symbol.still())
+impl SymbolNames for Names {
+    fn knows(&self, symbol: &LatexSymbol) -> bool {
+        self.0.contains_key(&symbol.without_dots())
     }
 
-    fn latex(&mut self, symbol: &Symbol, _: &str) -> Result<String, Unknown> {
-        let name = self.0.get(&symbol.still()).ok_or_else(|| (format!("no {symbol}"), None))?;
+    fn name_of_latex_symbol(&mut self, symbol: &LatexSymbol, _: &str) -> Result<String, Unknown> {
+        let name = self.0.get(&symbol.without_dots()).ok_or_else(|| (format!("no {symbol}"), None))?;
         Ok(format!("{name}{}", "'".repeat(symbol.dots)))
     }
 
-    fn variable(&mut self, name: &str) -> Result<String, Unknown> {
+    fn name_of_variable(&mut self, name: &str) -> Result<String, Unknown> {
         Ok(name.to_owned())
     }
 }

@@ -12,7 +12,7 @@ use serde_json::Value;
 use std::collections::BTreeMap;
 use std::path::Path;
 use tripos_derive::algebra::text::parse::parse_primed;
-use tripos_derive::algebra::value::evaluate::Tape;
+use tripos_derive::algebra::value::tape::Tape;
 use tripos_derive::algebra::{Arena, Expr, Rational};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::{derive, derive_all};
@@ -188,7 +188,7 @@ impl Printed {
 /// The formulas of a formulation hold what the derived terms are worth.
 fn held_against_equations(model: &Model, printed: &Printed, state: &Values) -> Values {
     let name = printed.value["formulation"].as_str().unwrap();
-    let derivation = derive(model, Formulation::named(name).unwrap()).unwrap();
+    let derivation = derive(model, Formulation::from_name(name).unwrap()).unwrap();
     let (arena, e) = (&derivation.arena, &derivation.equations);
     let names = printed.document.names(state);
     let same = |what: &str, printed: &[f64], terms: &[Expr]| {

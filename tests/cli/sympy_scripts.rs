@@ -10,7 +10,7 @@ use std::path::Path;
 use std::process::Command;
 use tripos_derive::algebra::term::steps::Definition;
 use tripos_derive::algebra::text::parse::parse_primed;
-use tripos_derive::algebra::value::evaluate::Tape;
+use tripos_derive::algebra::value::tape::Tape;
 use tripos_derive::algebra::{Arena, Expr};
 
 fn derived(model: &str, format: &str) -> String {

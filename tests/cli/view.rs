@@ -257,7 +257,7 @@ fn a_browser_plays_scrubs_and_turns_the_view() {
     // The page's own run ends where a run of the command at 1e-13 does, to what steps of 1e-10 add up to.
     let line = said.lines().find_map(|line| line.strip_prefix("state: ")).unwrap();
     let state: Vec<f64> = serde_json::from_str(line).unwrap();
-    let scene = tripos::Scene::read(root().join(scene)).unwrap().with(tripos_models::MODELS);
+    let scene = tripos::Scene::read(root().join(scene)).unwrap().with_compiled_equations(tripos_models::MODELS);
     let how = tripos::Overrides {
         by: Some("kane".into()),
         method: Some(tripos::Method::Dop853.into()),

@@ -12,7 +12,7 @@ use tripos_codegen::languages::casadi::CasADi;
 use tripos_codegen::languages::matlab::Matlab;
 use tripos_codegen::languages::python::Python;
 use tripos_codegen::languages::{Dialect, Selection, emit_model};
-use tripos_codegen::plan::Regression;
+use tripos_codegen::plan::RegressorFunctions;
 use tripos_derive::{Formulation, Model};
 use tripos_models::MODELS;
 use tripos_traits::{DoubleDouble, Real, System};
@@ -124,7 +124,7 @@ impl Moved {
 /// Writes the regressor of a model in a dialect; returns its names of functions.
 fn write(model: &Model, dialect: &dyn Dialect, folder: &Path) -> Vec<String> {
     let formulations = &[Formulation::Kane];
-    let mut functions: Vec<String> = Regression::FUNCTIONS.map(str::to_owned).to_vec();
+    let mut functions: Vec<String> = RegressorFunctions::FUNCTIONS.map(str::to_owned).to_vec();
     let emitted = emit_model(model, dialect, Selection { formulations, functions: &functions, scene: None });
     let emitted = emitted.or_else(|_| {
         functions.truncate(3);

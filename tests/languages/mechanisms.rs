@@ -11,7 +11,7 @@ use tripos_codegen::languages::c::C;
 use tripos_codegen::languages::casadi::CasADi;
 use tripos_codegen::languages::python::Python;
 use tripos_codegen::languages::{Dialect, Selection, emit_model};
-use tripos_codegen::plan::Regression;
+use tripos_codegen::plan::RegressorFunctions;
 use tripos_derive::Model;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::model::load;
@@ -34,7 +34,7 @@ fn write(model: &Model, folder: &Path) -> usize {
             |functions: &[String]| emit_model(model, dialect, Selection { formulations: &[], functions, scene: None });
         let mut emitted = emit(&[]).unwrap_or_else(|error| panic!("{error}\n{}", model.source.text));
         if is_tree {
-            let all = emitted.functions.iter().chain(&Regression::FUNCTIONS).map(|name| (*name).to_owned());
+            let all = emitted.functions.iter().chain(&RegressorFunctions::FUNCTIONS).map(|name| (*name).to_owned());
             // Base parameters without formulas have no functions.
             emitted = emit(&all.collect::<Vec<_>>()).unwrap_or(emitted);
         }

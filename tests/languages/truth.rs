@@ -5,7 +5,7 @@ use crate::sympy;
 use std::rc::Rc;
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::value::evaluate::{Numeric, Tape};
+use tripos_derive::algebra::value::tape::{Numeric, Tape};
 use tripos_traits::{CompiledSystem, DoubleDouble, Real, Scalar, System};
 
 type Dd = DoubleDouble;

@@ -8,7 +8,7 @@ use super::tree::text;
 use super::{Placed, multipliers};
 use std::fmt::Write;
 use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::text::print::text as print_text;
+use tripos_derive::algebra::text::print::print_text;
 use tripos_derive::diff::Judgement;
 
 /// Has SymPy prove that each of these mutants is a right equation, and lists them.

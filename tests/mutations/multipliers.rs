@@ -2,7 +2,7 @@
 
 use super::printed::Printed;
 use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::solve::linear::solve;
+use tripos_derive::algebra::solve::linear::solve_linear;
 use tripos_derive::algebra::text::parse::parse_primed;
 use tripos_derive::mechanics::Kinematics;
 
@@ -16,6 +16,6 @@ pub fn find(printed: &mut Printed, system: usize, row: &[String]) -> Option<Vec<
     let n = rows.len();
     let transposed: Vec<Vec<Expr>> = (0..n).map(|column| rows.iter().map(|row| row[column]).collect()).collect();
     let right: Vec<Vec<Expr>> = entries[..n].iter().map(|e| vec![*e]).collect();
-    let (solution, _) = solve(arena, simplifier, &transposed, &right).ok()?;
+    let (solution, _) = solve_linear(arena, simplifier, &transposed, &right).ok()?;
     Some(solution.into_iter().map(|values| values[0]).collect())
 }

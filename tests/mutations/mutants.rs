@@ -4,7 +4,7 @@ use super::printed::{Printed, System};
 use super::tree::{call, edits, name, number, power, product, quotient, sum, text};
 use crate::support::Random;
 use rustc_hash::FxHashSet;
-use tripos_derive::algebra::text::view::View;
+use tripos_derive::algebra::text::display_tree::DisplayTree;
 
 /// Kind of change to a formula.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -98,7 +98,7 @@ fn of_row(kind: Kind, printed: &Printed, random: &mut Random) -> Option<Mutant> 
 }
 
 /// Everything that one change of a kind can make of a formula.
-fn spoiled(kind: Kind, tree: &View, families: &[Vec<String>]) -> Vec<View> {
+fn spoiled(kind: Kind, tree: &DisplayTree, families: &[Vec<String>]) -> Vec<DisplayTree> {
     let mut list = edits(tree, &|node| match kind {
         Kind::Sign => signs(node),
         Kind::Coefficient => coefficients(node),
@@ -108,10 +108,10 @@ fn spoiled(kind: Kind, tree: &View, families: &[Vec<String>]) -> Vec<View> {
         Kind::Power => powers(node),
     });
     match kind {
-        Kind::Sign if !matches!(tree, View::Sum(_)) && *tree != number(0) => {
-            list.push(View::Sum(vec![(true, tree.clone())]));
+        Kind::Sign if !matches!(tree, DisplayTree::Sum(_)) && *tree != number(0) => {
+            list.push(DisplayTree::Sum(vec![(true, tree.clone())]));
         }
-        Kind::Coefficient if !matches!(tree, View::Sum(_) | View::Number(_)) => {
+        Kind::Coefficient if !matches!(tree, DisplayTree::Sum(_) | DisplayTree::Number(_)) => {
             list.push(product([number(2), tree.clone()]));
         }
         Kind::Index => list.extend(exchanges(tree, families)),
@@ -120,27 +120,27 @@ fn spoiled(kind: Kind, tree: &View, families: &[Vec<String>]) -> Vec<View> {
     list
 }
 
-fn signs(node: &View) -> Vec<View> {
-    let View::Sum(terms) = node else { return Vec::new() };
+fn signs(node: &DisplayTree) -> Vec<DisplayTree> {
+    let DisplayTree::Sum(terms) = node else { return Vec::new() };
     let flipped = |at: usize| {
         let mut terms = terms.clone();
         terms[at].0 = !terms[at].0;
-        View::Sum(terms)
+        DisplayTree::Sum(terms)
     };
     (0..terms.len()).map(flipped).collect()
 }
 
-fn coefficients(node: &View) -> Vec<View> {
+fn coefficients(node: &DisplayTree) -> Vec<DisplayTree> {
     match node {
-        View::Number(text) => {
+        DisplayTree::Number(text) => {
             let n: u32 = text.parse().expect("coefficients of mechanics are small");
             [n + 1, 2 * n + 3, n.saturating_sub(1)].into_iter().filter(|m| *m > 0 && *m != n).map(number).collect()
         }
-        View::Sum(terms) => {
+        DisplayTree::Sum(terms) => {
             let scaled = |at: usize| {
                 let mut terms = terms.clone();
                 terms[at].1 = product([number(2), terms[at].1.clone()]);
-                View::Sum(terms)
+                DisplayTree::Sum(terms)
             };
             (0..terms.len()).map(scaled).collect()
         }
@@ -148,33 +148,33 @@ fn coefficients(node: &View) -> Vec<View> {
     }
 }
 
-fn waves(node: &View) -> Vec<View> {
+fn waves(node: &DisplayTree) -> Vec<DisplayTree> {
     match node {
-        View::Call("sin", x) => vec![call("cos", (**x).clone())],
-        View::Call("cos", x) => vec![call("sin", (**x).clone())],
-        View::Call("tan", _) => vec![quotient(number(1), node.clone())],
+        DisplayTree::Call("sin", x) => vec![call("cos", (**x).clone())],
+        DisplayTree::Call("cos", x) => vec![call("sin", (**x).clone())],
+        DisplayTree::Call("tan", _) => vec![quotient(number(1), node.clone())],
         _ => Vec::new(),
     }
 }
 
-fn terms(node: &View) -> Vec<View> {
-    let View::Sum(terms) = node else { return Vec::new() };
+fn terms(node: &DisplayTree) -> Vec<DisplayTree> {
+    let DisplayTree::Sum(terms) = node else { return Vec::new() };
     let without = |at: usize| {
         let mut terms = terms.clone();
         terms.remove(at);
-        View::Sum(terms)
+        DisplayTree::Sum(terms)
     };
     if terms.len() < 2 { Vec::new() } else { (0..terms.len()).map(without).collect() }
 }
 
-fn indices(node: &View, families: &[Vec<String>]) -> Vec<View> {
-    let View::Name(own) = node else { return Vec::new() };
+fn indices(node: &DisplayTree, families: &[Vec<String>]) -> Vec<DisplayTree> {
+    let DisplayTree::Name(own) = node else { return Vec::new() };
     let family = families.iter().find(|family| family.contains(own));
     family.into_iter().flatten().filter(|other| *other != own).map(|other| name(other)).collect()
 }
 
 /// Two symbols of one kind change places everywhere.
-fn exchanges(tree: &View, families: &[Vec<String>]) -> Vec<View> {
+fn exchanges(tree: &DisplayTree, families: &[Vec<String>]) -> Vec<DisplayTree> {
     let mut list = Vec::new();
     for family in families {
         for (at, a) in family.iter().enumerate() {
@@ -185,26 +185,26 @@ fn exchanges(tree: &View, families: &[Vec<String>]) -> Vec<View> {
     list
 }
 
-fn exchanged(tree: &View, a: &str, b: &str) -> View {
-    let inner = |tree: &View| Box::new(exchanged(tree, a, b));
+fn exchanged(tree: &DisplayTree, a: &str, b: &str) -> DisplayTree {
+    let inner = |tree: &DisplayTree| Box::new(exchanged(tree, a, b));
     match tree {
-        View::Name(own) if own == a => name(b),
-        View::Name(own) if own == b => name(a),
-        View::Sum(terms) => View::Sum(terms.iter().map(|(sign, term)| (*sign, *inner(term))).collect()),
-        View::Product(factors) => product(factors.iter().map(|factor| *inner(factor))),
-        View::Fraction(above, below) => View::Fraction(inner(above), inner(below)),
-        View::Power(base, n) => View::Power(inner(base), *n),
-        View::Call(function, argument) => View::Call(function, inner(argument)),
-        View::Root(argument) => View::Root(inner(argument)),
+        DisplayTree::Name(own) if own == a => name(b),
+        DisplayTree::Name(own) if own == b => name(a),
+        DisplayTree::Sum(terms) => DisplayTree::Sum(terms.iter().map(|(sign, term)| (*sign, *inner(term))).collect()),
+        DisplayTree::Product(factors) => product(factors.iter().map(|factor| *inner(factor))),
+        DisplayTree::Fraction(above, below) => DisplayTree::Fraction(inner(above), inner(below)),
+        DisplayTree::Power(base, n) => DisplayTree::Power(inner(base), *n),
+        DisplayTree::Call(function, argument) => DisplayTree::Call(function, inner(argument)),
+        DisplayTree::Root(argument) => DisplayTree::Root(inner(argument)),
         other => other.clone(),
     }
 }
 
-fn powers(node: &View) -> Vec<View> {
+fn powers(node: &DisplayTree) -> Vec<DisplayTree> {
     match node {
-        View::Power(base, n) => vec![power((**base).clone(), n + 1), power((**base).clone(), n - 1)],
-        View::Name(_) | View::Call(..) => vec![power(node.clone(), 2)],
-        View::Sum(terms) if terms.len() > 1 => vec![power(sum([node.clone()]), 2)],
+        DisplayTree::Power(base, n) => vec![power((**base).clone(), n + 1), power((**base).clone(), n - 1)],
+        DisplayTree::Name(_) | DisplayTree::Call(..) => vec![power(node.clone(), 2)],
+        DisplayTree::Sum(terms) if terms.len() > 1 => vec![power(sum([node.clone()]), 2)],
         _ => Vec::new(),
     }
 }

@@ -3,9 +3,9 @@
 use super::tree::tree;
 use std::path::Path;
 use tripos_derive::algebra::solve::linear::LinearForm;
-use tripos_derive::algebra::text::view::View;
+use tripos_derive::algebra::text::display_tree::DisplayTree;
 use tripos_derive::algebra::{Arena, Expr};
-use tripos_derive::mechanics::{Derivations, Quantities, Quantity, balances, derive_all};
+use tripos_derive::mechanics::{Derivations, Quantities, Quantity, derive_all, newton_euler_balances};
 use tripos_derive::model::Unit;
 use tripos_derive::{Formulation, Model};
 
@@ -15,7 +15,7 @@ pub struct System {
     /// The frame of the components: for Newton–Euler.
     pub frame: Option<String>,
     pub unknowns: Vec<String>,
-    pub rows: Vec<Vec<View>>,
+    pub rows: Vec<Vec<DisplayTree>>,
     /// The same rows as terms of the arena of [`Printed::derivations`].
     pub terms: Vec<Vec<Expr>>,
 }
@@ -25,7 +25,7 @@ pub struct Printed {
     pub model: Model,
     pub derivations: Derivations,
     /// Named quantities that are more than a number, each value once.
-    pub equations: Vec<(String, View)>,
+    pub equations: Vec<(String, DisplayTree)>,
     pub systems: Vec<System>,
     /// Names of one kind: coordinates, speeds, parameters of one unit, …
     pub families: Vec<Vec<String>>,
@@ -57,7 +57,7 @@ impl Printed {
 }
 
 /// Quantities of every kind that docs/publication.md lists.
-fn equations(model: &Model, derivations: &mut Derivations) -> Vec<(String, View)> {
+fn equations(model: &Model, derivations: &mut Derivations) -> Vec<(String, DisplayTree)> {
     let mut quantities = Quantities::new(model, derivations);
     let mut found: Vec<(Expr, String)> = Vec::new();
     for name in names(model) {
@@ -140,7 +140,7 @@ fn balance_rows(model: &Model, derivations: &mut Derivations, frame: usize, unkn
     let velocities = kinematics.in_speeds(model);
     let mut form = LinearForm::new(unknowns);
     let mut rows = Vec::new();
-    for balance in balances(model, kinematics, &velocities, Some(frame)) {
+    for balance in newton_euler_balances(model, kinematics, &velocities, Some(frame)) {
         let arena = &mut kinematics.arena;
         let (mut row, rest) = form.coefficients(arena, balance.residual).expect("balances are linear");
         row.push(arena.neg(rest));

@@ -4,10 +4,10 @@ use super::printed::{System, read};
 use rustc_hash::FxHashMap;
 use std::fmt::Write;
 use tripos_derive::diagnostic::Source;
-use tripos_derive::diff::{Difference, Finding, diff};
+use tripos_derive::diff::{Difference, Finding, judge_publication};
 use tripos_derive::mechanics::derive_all;
 use tripos_derive::prove::prove;
-use tripos_derive::publication::load;
+use tripos_derive::publication::load_publication;
 
 /// A report file under construction.
 #[derive(Default)]
@@ -44,10 +44,11 @@ impl Report {
     /// Judges the report, read from its text, on a model of this workspace.
     pub fn judged(&self, model: &str) -> Judged {
         let mut model = read(model);
-        let report = load(&Source::from_text("report.toml", &self.text), &mut model).unwrap_or_else(|e| panic!("{e}"));
+        let report = load_publication(&Source::from_text("report.toml", &self.text), &mut model)
+            .unwrap_or_else(|e| panic!("{e}"));
         let mut derivations = derive_all(&model).unwrap_or_else(|e| panic!("{}", model.diagnose(&e)));
         let proof = prove(&model, &mut derivations);
-        let difference = diff(&model, &mut derivations, &report, &proof);
+        let difference = judge_publication(&model, &mut derivations, &report, &proof);
         let findings = difference.findings.iter().map(|f| (f.id.clone(), f.clone())).collect();
         Judged { difference, findings }
     }

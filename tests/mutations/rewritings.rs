@@ -3,12 +3,12 @@
 use super::printed::{Printed, System};
 use super::tree::{call, edits_within, minus, name, number, power, product, quotient, sum, text};
 use crate::support::Random;
-use tripos_derive::algebra::text::view::View;
+use tripos_derive::algebra::text::display_tree::DisplayTree;
 
 /// An identity: what a node may be replaced by. `a`, `b` are symbols and `y` an angle to write it with.
 struct Rule {
     name: &'static str,
-    rewrite: fn(node: &View, a: &View, b: &View, y: &View) -> Option<View>,
+    rewrite: fn(node: &DisplayTree, a: &DisplayTree, b: &DisplayTree, y: &DisplayTree) -> Option<DisplayTree>,
 }
 
 const RULES: [Rule; 19] = [
@@ -64,12 +64,12 @@ pub fn of_equations(printed: &Printed, wanted: usize, random: &mut Random) -> Ve
 /// A tree after some rules, used at nodes that may be entered, and the names of those that found a place; nothing if
 /// the first found none.
 fn rewritten(
-    tree: &View,
+    tree: &DisplayTree,
     rules: &[&Rule],
-    enter: fn(&View) -> bool,
+    enter: fn(&DisplayTree) -> bool,
     printed: &Printed,
     random: &mut Random,
-) -> Option<(Vec<&'static str>, View)> {
+) -> Option<(Vec<&'static str>, DisplayTree)> {
     let (mut used, mut tree) = (Vec::new(), tree.clone());
     for (at, rule) in rules.iter().enumerate() {
         let [a, b] = [0, 0].map(|_: usize| name(&random.one_of(&printed.model.parameters).expect("some").name));
@@ -130,13 +130,13 @@ pub fn of_rows(printed: &Printed, system: &System, random: &mut Random) -> Vec<R
 }
 
 /// A number, a parameter, cos y, 1 + sin² y or one over it.
-fn factor(printed: &Printed, random: &mut Random) -> View {
+fn factor(printed: &Printed, random: &mut Random) -> DisplayTree {
     let y = name(random.one_of(&printed.angles).expect("every model here turns"));
     let a = name(&random.one_of(&printed.model.parameters).expect("some").name);
     let one_and_square = sum([number(1), power(call("sin", y.clone()), 2)]);
     match random.below(6) {
         0 => number(3),
-        1 => View::Sum(vec![(true, quotient(number(2), number(7)))]),
+        1 => DisplayTree::Sum(vec![(true, quotient(number(2), number(7)))]),
         2 => a,
         3 => call("cos", y),
         4 => one_and_square,
@@ -144,80 +144,80 @@ fn factor(printed: &Printed, random: &mut Random) -> View {
     }
 }
 
-fn double(x: &View) -> View {
+fn double(x: &DisplayTree) -> DisplayTree {
     product([number(2), x.clone()])
 }
 
-fn share(x: &View, n: u32) -> View {
+fn share(x: &DisplayTree, n: u32) -> DisplayTree {
     quotient(x.clone(), number(n))
 }
 
-fn square_of(function: &'static str, x: &View) -> View {
+fn square_of(function: &'static str, x: &DisplayTree) -> DisplayTree {
     power(call(function, x.clone()), 2)
 }
 
 /// f(x)^n, n ≥ 2, with f(x)² replaced.
-fn square(function: &str, node: &View, by: impl Fn(&View) -> View) -> Option<View> {
-    let View::Power(base, n) = node else { return None };
-    let View::Call(f, x) = &**base else { return None };
+fn square(function: &str, node: &DisplayTree, by: impl Fn(&DisplayTree) -> DisplayTree) -> Option<DisplayTree> {
+    let DisplayTree::Power(base, n) = node else { return None };
+    let DisplayTree::Call(f, x) = &**base else { return None };
     (*f == function).then(|| product([by(x), power((**base).clone(), n - 2)]))
 }
 
-fn minus_square(function: &'static str, x: &View) -> View {
+fn minus_square(function: &'static str, x: &DisplayTree) -> DisplayTree {
     minus(number(1), square_of(function, x))
 }
 
-fn half_turn(subtracted: bool, x: &View) -> View {
-    quotient(View::Sum(vec![(false, number(1)), (subtracted, call("cos", double(x)))]), number(2))
+fn half_turn(subtracted: bool, x: &DisplayTree) -> DisplayTree {
+    quotient(DisplayTree::Sum(vec![(false, number(1)), (subtracted, call("cos", double(x)))]), number(2))
 }
 
-fn over_tangents(x: &View) -> View {
+fn over_tangents(x: &DisplayTree) -> DisplayTree {
     quotient(number(1), sum([number(1), square_of("tan", x)]))
 }
 
 /// a/cos(x)^n, n ≥ 2.
-fn below_a_square(node: &View) -> Option<View> {
-    let View::Fraction(above, below) = node else { return None };
-    let View::Power(base, n) = &**below else { return None };
-    let View::Call("cos", x) = &**base else { return None };
+fn below_a_square(node: &DisplayTree) -> Option<DisplayTree> {
+    let DisplayTree::Fraction(above, below) = node else { return None };
+    let DisplayTree::Power(base, n) = &**below else { return None };
+    let DisplayTree::Call("cos", x) = &**base else { return None };
     let square = sum([number(1), square_of("tan", x)]);
     Some(product([(**above).clone(), square, quotient(number(1), power((**base).clone(), n - 2))]))
 }
 
-fn wave(function: &str, node: &View, by: fn(&View) -> View) -> Option<View> {
-    let View::Call(f, x) = node else { return None };
+fn wave(function: &str, node: &DisplayTree, by: fn(&DisplayTree) -> DisplayTree) -> Option<DisplayTree> {
+    let DisplayTree::Call(f, x) = node else { return None };
     (*f == function).then(|| by(x))
 }
 
-fn tangent(x: &View) -> View {
+fn tangent(x: &DisplayTree) -> DisplayTree {
     quotient(call("sin", x.clone()), call("cos", x.clone()))
 }
 
-fn tangent_of_half(x: &View) -> View {
+fn tangent_of_half(x: &DisplayTree) -> DisplayTree {
     quotient(call("sin", double(x)), sum([number(1), call("cos", double(x))]))
 }
 
-fn sine_of_halves(x: &View) -> View {
+fn sine_of_halves(x: &DisplayTree) -> DisplayTree {
     product([number(2), call("sin", share(x, 2)), call("cos", share(x, 2))])
 }
 
-fn cosine_of_half(x: &View) -> View {
+fn cosine_of_half(x: &DisplayTree) -> DisplayTree {
     minus(number(1), product([number(2), square_of("sin", &share(x, 2))]))
 }
 
-fn sine_of_double(x: &View) -> View {
+fn sine_of_double(x: &DisplayTree) -> DisplayTree {
     quotient(call("sin", double(x)), product([number(2), call("cos", x.clone())]))
 }
 
-fn sine_of_thirds(x: &View) -> View {
+fn sine_of_thirds(x: &DisplayTree) -> DisplayTree {
     let sine = call("sin", share(x, 3));
     minus(product([number(3), sine.clone()]), product([number(4), power(sine, 3)]))
 }
 
 /// sin or cos of (x ∓ y) ± y.
-fn turned(node: &View, y: &View) -> Option<View> {
-    let View::Call(f, x) = node else { return None };
-    let (sine, cosine) = (|x: &View| call("sin", x.clone()), |x: &View| call("cos", x.clone()));
+fn turned(node: &DisplayTree, y: &DisplayTree) -> Option<DisplayTree> {
+    let DisplayTree::Call(f, x) = node else { return None };
+    let (sine, cosine) = (|x: &DisplayTree| call("sin", x.clone()), |x: &DisplayTree| call("cos", x.clone()));
     let rest = minus((**x).clone(), y.clone());
     match *f {
         "sin" => Some(sum([product([sine(&rest), cosine(y)]), product([cosine(&rest), sine(y)])])),
@@ -227,12 +227,12 @@ fn turned(node: &View, y: &View) -> Option<View> {
 }
 
 /// sin or cos of a sum, by its first term and the rest.
-fn parted(node: &View) -> Option<View> {
-    let View::Call(f, x) = node else { return None };
-    let View::Sum(terms) = &**x else { return None };
+fn parted(node: &DisplayTree) -> Option<DisplayTree> {
+    let DisplayTree::Call(f, x) = node else { return None };
+    let DisplayTree::Sum(terms) = &**x else { return None };
     let (first, rest) = terms.split_first().filter(|(_, rest)| !rest.is_empty())?;
-    let (a, b) = (View::Sum(vec![first.clone()]), View::Sum(rest.to_vec()));
-    let of = |f: &'static str, x: &View| call(f, x.clone());
+    let (a, b) = (DisplayTree::Sum(vec![first.clone()]), DisplayTree::Sum(rest.to_vec()));
+    let of = |f: &'static str, x: &DisplayTree| call(f, x.clone());
     match *f {
         "sin" => Some(sum([product([of("sin", &a), of("cos", &b)]), product([of("cos", &a), of("sin", &b)])])),
         "cos" => Some(minus(product([of("cos", &a), of("cos", &b)]), product([of("sin", &a), of("sin", &b)]))),
@@ -241,43 +241,43 @@ fn parted(node: &View) -> Option<View> {
 }
 
 /// a (b + c) = a b + a c, and (b + c)² likewise.
-fn expanded(node: &View) -> Option<View> {
+fn expanded(node: &DisplayTree) -> Option<DisplayTree> {
     let (factors, terms) = match node {
-        View::Product(factors) => {
-            let at = factors.iter().position(|factor| matches!(factor, View::Sum(_)))?;
+        DisplayTree::Product(factors) => {
+            let at = factors.iter().position(|factor| matches!(factor, DisplayTree::Sum(_)))?;
             let mut others = factors.clone();
-            let View::Sum(terms) = others.remove(at) else { return None };
+            let DisplayTree::Sum(terms) = others.remove(at) else { return None };
             (others, terms)
         }
-        View::Power(base, n) => {
-            let View::Sum(terms) = &**base else { return None };
+        DisplayTree::Power(base, n) => {
+            let DisplayTree::Sum(terms) = &**base else { return None };
             (vec![power((**base).clone(), n - 1)], terms.clone())
         }
         _ => return None,
     };
-    let term = |term: View| product(factors.iter().cloned().chain([term]));
-    Some(View::Sum(terms.into_iter().map(|(sign, inner)| (sign, term(inner))).collect()))
+    let term = |term: DisplayTree| product(factors.iter().cloned().chain([term]));
+    Some(DisplayTree::Sum(terms.into_iter().map(|(sign, inner)| (sign, term(inner))).collect()))
 }
 
 /// b + c = a (b/a + c/a).
-fn taken_out(node: &View, a: &View) -> Option<View> {
-    let View::Sum(terms) = node else { return None };
+fn taken_out(node: &DisplayTree, a: &DisplayTree) -> Option<DisplayTree> {
+    let DisplayTree::Sum(terms) = node else { return None };
     let shares = terms.iter().map(|(sign, term)| (*sign, quotient(term.clone(), a.clone()))).collect();
-    Some(product([a.clone(), View::Sum(shares)]))
+    Some(product([a.clone(), DisplayTree::Sum(shares)]))
 }
 
 /// b + c = (b d + c d)/d with d = a (3 + cos y).
-fn over_common(node: &View, a: &View, y: &View) -> Option<View> {
-    let View::Sum(terms) = node else { return None };
+fn over_common(node: &DisplayTree, a: &DisplayTree, y: &DisplayTree) -> Option<DisplayTree> {
+    let DisplayTree::Sum(terms) = node else { return None };
     let d = product([a.clone(), sum([number(3), call("cos", y.clone())])]);
     let raised = terms.iter().map(|(sign, term)| (*sign, product([term.clone(), d.clone()]))).collect();
-    Some(quotient(View::Sum(raised), d))
+    Some(quotient(DisplayTree::Sum(raised), d))
 }
 
 /// x + a (b + sin y) − a b − a sin y.
-fn plus_nothing(node: &View, a: &View, b: &View, y: &View) -> View {
+fn plus_nothing(node: &DisplayTree, a: &DisplayTree, b: &DisplayTree, y: &DisplayTree) -> DisplayTree {
     let sine = call("sin", y.clone());
-    View::Sum(vec![
+    DisplayTree::Sum(vec![
         (false, node.clone()),
         (false, product([a.clone(), sum([b.clone(), sine.clone()])])),
         (true, product([a.clone(), b.clone()])),
@@ -285,6 +285,6 @@ fn plus_nothing(node: &View, a: &View, b: &View, y: &View) -> View {
     ])
 }
 
-fn times_one(node: &View, y: &View) -> View {
+fn times_one(node: &DisplayTree, y: &DisplayTree) -> DisplayTree {
     product([node.clone(), sum([number(1), square_of("tan", y)]), square_of("cos", y)])
 }

@@ -9,7 +9,7 @@ pub mod stability;
 
 pub use random::Random;
 use rustc_hash::FxHashMap;
-use tripos_derive::algebra::value::evaluate::Numeric;
+use tripos_derive::algebra::value::tape::Numeric;
 use tripos_derive::algebra::{Arena, Expr, Function, Node};
 use tripos_sim::Dynamics;
 use tripos_traits::{CompiledSystem, System};

@@ -1,10 +1,10 @@
 //! Runs of reduced systems, interpreted, and where they put what a scene wants to see.
 
 use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::value::evaluate::Tape;
-use tripos_derive::reduce::{Quantity, Reduction};
+use tripos_derive::algebra::value::tape::Tape;
+use tripos_derive::reduce::{ReducedQuantity, Reduction};
 use tripos_derive::scene::Scene;
-use tripos_sim::{Failure, Method, Options, Output, integrate};
+use tripos_sim::{Failure, Method, Options, OutputOption, integrate};
 
 /// A reduced system with the numbers of a scene.
 pub struct Reduced {
@@ -21,7 +21,7 @@ pub struct Reduced {
 impl Reduced {
     /// From the start of the scene.
     pub fn new(reduction: &Reduction, scene: &Scene, whole: &tripos_derive::Model) -> Self {
-        let (arena, e) = (reduction.terms(), &reduction.derivation.equations);
+        let (arena, e) = (reduction.arena(), &reduction.derivation.equations);
         let stated = [whole.p(), whole.q(), whole.u()].concat();
         let numbers = [scene.parameters.clone(), scene.q.clone(), scene.u.clone()].concat();
         let at_start = |of_start: Expr| Tape::new(arena, &stated, &[of_start]).unwrap().evaluate(&numbers)[0];
@@ -31,14 +31,14 @@ impl Reduced {
             constant.or_else(own).unwrap_or_else(|| panic!("no value of {name}"))
         };
         let parameters = reduction.model.parameters.iter().map(|p| parameter(&p.name)).collect();
-        let all: Vec<&Quantity> = reduction.states.iter().chain(&reduction.quadratures).collect();
+        let all: Vec<&ReducedQuantity> = reduction.states.iter().chain(&reduction.quadratures).collect();
         let variables = [e.coordinates.clone(), e.variables.clone()].concat();
         let start = variables.iter().map(|v| at_start(all.iter().find(|q| q.symbol == *v).unwrap().of_start)).collect();
         // In a moving frame no formula gives the start.
         let (parameters, start) = match &reduction.frame {
             None => (parameters, start),
             Some(_) => {
-                let own = tripos::Reduced::with(reduction.clone(), whole, scene).unwrap().scene;
+                let own = tripos::ReducedScene::from_reduction(reduction.clone(), whole, scene).unwrap().scene;
                 (own.parameters, [own.q, own.u].concat())
             }
         };
@@ -61,7 +61,7 @@ impl Reduced {
             Ok::<(), Failure>(())
         };
         let tolerances = Options::tolerances(tolerance, tolerance);
-        let options = Options { method: Method::Dop853, output: Output::Ends, ..tolerances };
+        let options = Options { method: Method::Dop853, output: OutputOption::Ends, ..tolerances };
         // A system without states is known at all times.
         let y = if self.start.is_empty() {
             Vec::new()

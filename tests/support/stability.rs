@@ -1,8 +1,8 @@
 //! Runs of compiled equations from stated starts, in doubles and in twice their precision.
 
 use super::compiled;
-use tripos_sim::work_precision::error;
-use tripos_sim::{Dynamics, Eliminated, Event, Method, Options, Output, Solution, integrate};
+use tripos_sim::work_precision::work_precision_error;
+use tripos_sim::{Dynamics, EliminatedDynamics, Event, Method, Options, OutputOption, Solution, integrate};
 use tripos_traits::{CompiledSystem, DoubleDouble, Real, Scalar};
 
 /// A number to 32 digits from its decimals.
@@ -71,14 +71,14 @@ impl Equations {
 
     /// (q, u) at the end of a run in twice the precision of a double.
     pub fn reference(&self, start: &Start, t: f64, tolerance: f64) -> Vec<DoubleDouble> {
-        let rhs = Eliminated::new(self.system.extended, &start.p).unwrap();
+        let rhs = EliminatedDynamics::new(self.system.extended, &start.p).unwrap();
         let solution = integrate(rhs, (0.0, t), &self.state(start), &options(Method::Dop853, tolerance), &mut []);
         self.seen(&start.p, &solution.unwrap().y_end)
     }
 
     /// A run in doubles, with accelerations eliminated.
     pub fn run(&self, start: &Start, t: f64, options: &Options, events: &mut [Event<'_>]) -> Solution {
-        let rhs = Eliminated::new(self.system.double, &rounded(&start.p)).unwrap();
+        let rhs = EliminatedDynamics::new(self.system.double, &rounded(&start.p)).unwrap();
         integrate(rhs, (0.0, t), &rounded(&self.state(start)), options, events).unwrap()
     }
 
@@ -94,13 +94,13 @@ impl Equations {
             return f64::NAN;
         }
         let y: Vec<DoubleDouble> = solution.y_end.iter().map(|x| DoubleDouble::from_f64(*x)).collect();
-        error(&self.seen(&start.p, &y), reference)
+        work_precision_error(&self.seen(&start.p, &y), reference)
     }
 }
 
 /// Adaptive, the same relative and absolute tolerance, only the ends kept.
 pub fn options(method: Method, tolerance: f64) -> Options {
-    Options { method, step_limit: 5_000_000, output: Output::Ends, ..Options::tolerances(tolerance, tolerance) }
+    Options { method, step_limit: 5_000_000, output: OutputOption::Ends, ..Options::tolerances(tolerance, tolerance) }
 }
 
 /// Equal steps.

@@ -11,7 +11,7 @@ use std::fs::File;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
-use tripos_derive::reference::environment_name;
+use tripos_derive::reference::reference_environment_name;
 
 /// The workspace.
 pub fn root() -> PathBuf {
@@ -58,7 +58,7 @@ pub fn python_with(requirements: &Path, import: &str) -> PathBuf {
 
 fn environment(requirements: &Path, import: &str) -> Result<PathBuf, String> {
     let text = std::fs::read_to_string(requirements).map_err(|e| format!("{}: {e}", requirements.display()))?;
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(environment_name(&text));
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(reference_environment_name(&text));
     let python = folder.join(if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" });
     // Tests of other programs wait here until it is whole.
     let lock = File::create(folder.with_extension("lock")).map_err(|e| e.to_string())?;

@@ -12,11 +12,11 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use tripos_codegen::Extras;
-use tripos_codegen::emit::emit;
+use tripos_codegen::emit::emit_rust_module;
 use tripos_codegen::plan::{FormulationPlan, Jacobian, Language, Planner, Sharing, derivative};
-use tripos_derive::algebra::value::evaluate::Tape;
+use tripos_derive::algebra::value::tape::Tape;
 use tripos_derive::diagnostic::Source;
-use tripos_derive::mechanics::{Derivation, Solved};
+use tripos_derive::mechanics::{Derivation, SolvedAccelerations};
 use tripos_derive::{Formulation, Model, derive, scene};
 
 /// Request and result of the last `derive`.
@@ -63,7 +63,7 @@ impl Problem {
     fn counts(&self, system: System) -> Option<Vec<f64>> {
         let Derivation { mut arena, equations } = derive(&self.model, self.derivation.equations.formulation).ok()?;
         // As they are emitted: with what grows as steps.
-        let equations = equations.written(&mut arena);
+        let equations = equations.with_definitions(&mut arena);
         let planner = Planner::new(&self.model, &arena, &equations, &Language::NONE, Sharing::Shared);
         let plan = FormulationPlan::new(&planner, None, Jacobian::LeftOut, None);
         let shared =
@@ -93,8 +93,8 @@ impl Problem {
         let (_, problem) = Self::new(folder, formulation, 1)?;
         let (seconds, cost) = timed(repeats, || {
             let Derivation { mut arena, equations } = derive(&problem.model, formulation).ok()?;
-            let equations = equations.written(&mut arena);
-            let solved = Solved::new(&mut arena, &equations).ok()?;
+            let equations = equations.with_definitions(&mut arena);
+            let solved = SolvedAccelerations::new(&mut arena, &equations).ok()?;
             let planner = Planner::new(&problem.model, &arena, &equations, &Language::NONE, Sharing::Shared);
             // With the rates of the coordinates, which are the speeds.
             Some(derivative(&planner, &solved.accelerations.steps).cost)
@@ -198,7 +198,12 @@ fn answer(
         }
         (["start", name], _) => Problem::start(&folder.join(name), formulation)?,
         (["code", repeats], Some((path, _))) => {
-            vec![timed(repeats.parse().ok()?, || emit(&path.join("model.toml"), "module", &[], Extras::ALL).ok())?.0]
+            vec![
+                timed(repeats.parse().ok()?, || {
+                    emit_rust_module(&path.join("model.toml"), "module", &[], Extras::ALL).ok()
+                })?
+                .0,
+            ]
         }
         (["count"], Some((_, problem))) => problem.counts(System::Apart)?,
         (["together"], Some((_, problem))) => problem.counts(System::AtOnce)?,

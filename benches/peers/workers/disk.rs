@@ -10,7 +10,7 @@ use std::process::ExitCode;
 use tripos_derive::Model;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::scene::{self, InitialMotion, Scene};
-use tripos_sim::{Failure, Method, Options, Output, RightHandSide};
+use tripos_sim::{Failure, Method, Options, OutputOption, RightHandSide};
 use tripos_traits::{DoubleDouble, Real, System};
 
 /// Coordinates; as many rates follow them in a state.
@@ -94,7 +94,7 @@ impl<E: System<f64>> RightHandSide for Known<E> {
 
 /// Ends only, at rtol = atol = `tolerance`.
 pub fn options(method: Method, tolerance: f64) -> Options {
-    Options { method, output: Output::Ends, ..Options::tolerances(tolerance, tolerance) }
+    Options { method, output: OutputOption::Ends, ..Options::tolerances(tolerance, tolerance) }
 }
 
 /// Each so that reading it gives the same number.

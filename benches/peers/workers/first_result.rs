@@ -5,7 +5,7 @@
 #[allow(non_snake_case)]
 mod disk;
 
-use tripos_sim::{Eliminated, Lent, Method, Options, Output, Stop, integrate};
+use tripos_sim::{EliminatedDynamics, LentRightHandSide, Method, Options, OutputOption, Stop, integrate};
 
 fn main() {
     let numbers: Vec<f64> = std::env::args().skip(1).map(|word| word.parse().expect("a number")).collect();
@@ -13,11 +13,11 @@ fn main() {
     let (tolerance, start) = rest.split_last().expect("a tolerance");
     let options = Options {
         method: Method::Dop853,
-        output: Output::Ends,
+        output: OutputOption::Ends,
         ..Options::tolerances(*tolerance, *tolerance)
     };
-    let mut rhs = Eliminated::new(&disk::lagrange::Lagrange, parameters).expect("solved for");
-    let run = integrate(Lent(&mut rhs), (0.0, 10.0), start, &options, &mut []).expect("a run");
+    let mut rhs = EliminatedDynamics::new(&disk::lagrange::Lagrange, parameters).expect("solved for");
+    let run = integrate(LentRightHandSide(&mut rhs), (0.0, 10.0), start, &options, &mut []).expect("a run");
     assert_eq!(run.stop, Stop::End);
     println!("{}", run.y_end.iter().map(f64::to_string).collect::<Vec<_>>().join(" "));
 }

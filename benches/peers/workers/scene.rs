@@ -22,7 +22,7 @@ use start::Beginning;
 use tripos_models::disk::kane;
 use tripos_models::disk::scenes::{lean, report_10s};
 use tripos_sim::projection::Invariants;
-use tripos_sim::{Lent, Method, Solution, Stop, integrate, integrate_projected, quadrature};
+use tripos_sim::{LentRightHandSide, Method, Solution, Stop, integrate, integrate_projected, quadrature};
 use tripos_traits::{CompiledScene, DoubleDouble, System};
 
 /// The methods that step.
@@ -70,16 +70,20 @@ impl<E: System<f64> + Copy> Worker<E> {
         self.rhs.parameters.clone_from(&parameters);
         let with = |method| options(method, tolerance);
         let solution = match self.how {
-            Integration::Steps(method) => integrate(Lent(&mut self.rhs), span, &y0, &with(method), &mut []).ok()?,
+            Integration::Steps(method) => {
+                integrate(LentRightHandSide(&mut self.rhs), span, &y0, &with(method), &mut []).ok()?
+            }
             Integration::Projected(method) => {
                 let energy = |_: f64, y: &[f64], values: &mut [f64], gradient: &mut [f64]| {
                     values[0] = equations.energy_gradient(&parameters, &y[..n], &y[n..], gradient);
                 };
                 let mut energy = Invariants { count: 1, function: Box::new(energy) };
-                integrate_projected(Lent(&mut self.rhs), span, &y0, &with(method), &mut [], &mut energy).ok()?
+                integrate_projected(LentRightHandSide(&mut self.rhs), span, &y0, &with(method), &mut [], &mut energy)
+                    .ok()?
             }
             Integration::Quadrature => {
-                quadrature::solve(&equations, &parameters, span, &y0, &with(Method::Dop853), &mut []).ok()?
+                quadrature::run_by_quadrature(&equations, &parameters, span, &y0, &with(Method::Dop853), &mut [])
+                    .ok()?
             }
         };
         let mut outputs = vec![0.0; equations.output_count()];

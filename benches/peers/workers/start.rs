@@ -7,7 +7,7 @@
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::term::steps::Definition;
-use tripos_derive::algebra::value::evaluate::Tape;
+use tripos_derive::algebra::value::tape::Tape;
 use tripos_derive::reduce::{Reduction, reduce};
 use tripos_derive::scene::Scene;
 use tripos_traits::{DoubleDouble, Real};
@@ -26,7 +26,7 @@ impl Beginning {
     /// What is wrong, in words, if the scene cannot be reduced, or the module was generated from something else.
     pub fn new(model: &Model, scene: &Scene, key: &str, names: &[&str]) -> Result<Self, String> {
         let reduction = reduce(model, scene).map_err(|error| format!("{}", model.diagnose(&error)))?;
-        if reduction.key() != key {
+        if reduction.reduction_hash() != key {
             return Err("the generated module is of another scene: run `tripos regenerate`".to_owned());
         }
         let missing = |what: &str| format!("the scene does not say what `{what}` is at the start");
@@ -41,7 +41,7 @@ impl Beginning {
         // The start is p, q and q′, and the speeds are formulas in these.
         let inputs = [model.p(), model.q(), model.q_dot()].concat();
         let speeds = model.speeds.iter().map(|speed| Definition { symbol: speed.symbol, value: speed.definition });
-        let values = Tape::stepwise(reduction.terms(), &inputs, &speeds.collect::<Vec<_>>(), &wanted);
+        let values = Tape::stepwise(reduction.arena(), &inputs, &speeds.collect::<Vec<_>>(), &wanted);
         let values = values.map_err(|unknown| format!("the start does not state `{}`", unknown.0))?.to();
         Ok(Self { values, parameters: names.len() })
     }

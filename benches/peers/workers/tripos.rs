@@ -14,8 +14,8 @@ use std::time::Instant;
 
 use disk::{Known, N, SPAN, numbers, numbers_of, of_batch, options, read, read_starts, serve};
 use tripos_models::disk::{kane, lagrange};
-use tripos_sim::batch::{self, Plan, Trajectory};
-use tripos_sim::{Eliminated, Lent, Method, Options, RightHandSide, Solution, Stop, integrate};
+use tripos_sim::batch::{self, BatchPlan, Trajectory};
+use tripos_sim::{EliminatedDynamics, LentRightHandSide, Method, Options, RightHandSide, Solution, Stop, integrate};
 use tripos_traits::{Derivative, DoubleDouble, InLanes, Real, System};
 
 /// The methods that runs can be made by, in the order of the rows of the results.
@@ -59,7 +59,8 @@ fn question<S: Real>() -> Result<(Vec<S>, Vec<S>), String> {
 
 /// From the start to the end of the span at rtol = atol = `tolerance`.
 fn run<S: Real, R: RightHandSide<S>>(rhs: &mut R, y0: &[S], method: Method, tolerance: f64) -> Solution<S> {
-    integrate(Lent(rhs), (0.0, SPAN), y0, &options(method, tolerance), &mut []).expect("the question makes sense")
+    integrate(LentRightHandSide(rhs), (0.0, SPAN), y0, &options(method, tolerance), &mut [])
+        .expect("the question makes sense")
 }
 
 /// One run from each of these starts, q and q̇ in turn: the steps tried in all, and the ends.
@@ -86,9 +87,9 @@ fn side_by_side(
     let trajectories: Vec<Trajectory<'_>> = starts.iter().map(|start| Trajectory { parameters, start }).collect();
     let step_limit = Options::default().step_limit;
     let (rtol, atol) = (tolerance, tolerance.into());
-    let plan = Plan { method, order: None, span: (0.0, SPAN), rtol, atol, max_step: None, step_limit };
+    let plan = BatchPlan { method, order: None, span: (0.0, SPAN), rtol, atol, max_step: None, step_limit };
     let in_lanes = InLanes::of(&Derivative(lagrange::Lagrange)).with_series(&Derivative(lagrange::Lagrange));
-    let outcomes = batch::integrate(in_lanes, &plan, &trajectories).expect("the question makes sense");
+    let outcomes = batch::integrate_batch(in_lanes, &plan, &trajectories).expect("the question makes sense");
     let steps = outcomes.iter().map(|outcome| outcome.steps + outcome.rejected).sum();
     (steps, outcomes.iter().map(|outcome| equations.rates(&outcome.y_end)).collect())
 }
@@ -102,7 +103,7 @@ fn reference(method: Method, tolerance: f64, of_file: Option<(usize, &str)>) -> 
         start = starts.get(2 * N * k..2 * N * (k + 1))?.iter().map(|x| DoubleDouble::from(*x)).collect();
     }
     let equations = Equations { system: &lagrange::Lagrange, parameters };
-    let mut rhs = Eliminated::new(equations.system, &equations.parameters)?;
+    let mut rhs = EliminatedDynamics::new(equations.system, &equations.parameters)?;
     let solution = run(&mut rhs, &equations.state(&start), method, tolerance);
     let end = equations.rates(&solution.y_end).iter().map(|y| y.to_f64()).collect();
     (solution.stop == Stop::End).then_some(end)
@@ -206,7 +207,7 @@ fn main() -> ExitCode {
             answers(Worker { rhs, equations, method, lanes: false })
         }
         ("eliminated-lagrange" | "eliminated-kane", Some(method)) => {
-            let rhs = Eliminated::new(system, &values).expect("these equations were solved for");
+            let rhs = EliminatedDynamics::new(system, &values).expect("these equations were solved for");
             answers(Worker { rhs, equations, method, lanes: false })
         }
         _ => {

@@ -3,43 +3,43 @@
 
 use super::sentences::{is_derived, is_whole};
 use crate::failure::Failure;
-use crate::plot::styles::{BY_QUADRATURE, FRONT, METHODS, MOST_PRINTED, NUMERIC, PRINTED, style};
+use crate::plot::styles::{BY_QUADRATURE, FRONT, METHODS, MOST_PRINTED, NUMERIC, PRINTED, equations_style};
 use crate::plot::{Figure, Panel, PlotError, Scale, Series, draw, draw_heat};
-use tripos::studies::case::MethodAtTolerance;
-use tripos::studies::chart::Measurement;
+use tripos::studies::chart_case::MethodAtTolerance;
+use tripos::studies::work_precision_chart::Measurement;
 use tripos_derive::mechanics::EquationsOrigin;
-use tripos_derive::scene::Solve;
+use tripos_derive::scene::AccelerationSolution;
 use tripos_sim::Method;
-use tripos_sim::work_precision::pareto;
+use tripos_sim::work_precision::pareto_front;
 
 /// Draws the speed chart as one `<svg>` element, with a panel each for methods, formulations and solves.
 ///
 /// # Errors
 /// [`Failure::Output`] if the figure cannot be drawn.
-pub fn chart(list: &[Measurement], uncertainty: f64) -> Result<String, Failure> {
-    draw(&panels(list, uncertainty), 3).map_err(|error| failed(&error))
+pub fn draw_speed_chart(list: &[Measurement], uncertainty: f64) -> Result<String, Failure> {
+    draw(&chart_panels(list, uncertainty), 3).map_err(|error| figure_failure(&error))
 }
 
 /// Draws any figure, panels or a heat map, as one `<svg>` element.
 ///
 /// # Errors
 /// [`Failure::Output`] if the figure cannot be drawn.
-pub fn drawn(figure: &Figure) -> Result<String, Failure> {
+pub fn draw_figure_svg(figure: &Figure) -> Result<String, Failure> {
     let svg = match figure {
         Figure::Panels(panels, columns) => draw(panels, *columns),
         Figure::HeatMap(map) => draw_heat(map),
     };
-    svg.map_err(|error| failed(&error))
+    svg.map_err(|error| figure_failure(&error))
 }
 
 /// Returns the failure for a figure that could not be drawn.
-pub fn failed(error: &PlotError) -> Failure {
+pub fn figure_failure(error: &PlotError) -> Failure {
     Failure::Output("the figure".to_owned(), std::io::Error::other(error.to_string()))
 }
 
 /// Returns the panels of the speed chart: methods, formulations, solves. `uncertainty` is the
 /// relative error of the reference solution.
-pub fn panels(list: &[Measurement], uncertainty: f64) -> Vec<Panel> {
+pub fn chart_panels(list: &[Measurement], uncertainty: f64) -> Vec<Panel> {
     // The formulation that is listed first, and the best method, represent the others.
     let Some(Measurement { by: first, solve: natural, .. }) = list.first() else { return Vec::new() };
     let best = Method::Dop853;
@@ -56,16 +56,16 @@ pub fn panels(list: &[Measurement], uncertainty: f64) -> Vec<Panel> {
     let solve = |m: &Measurement| {
         let shown = is_best(m) && is_whole(m) && is_derived(m);
         let (name, style) = match m.solve {
-            Solve::Numeric => (m.solve.name().to_owned(), NUMERIC),
-            Solve::Eliminated => (m.by.name(), own_style(list, &m.by)),
+            AccelerationSolution::Numeric => (m.solve.name().to_owned(), NUMERIC),
+            AccelerationSolution::Eliminated => (m.by.name(), own_style(list, &m.by)),
         };
         shown.then_some((name, style))
     };
     let (first, natural, best) = (first.name(), natural.name(), best.name());
     vec![
-        panel(list, &format!("Which method: {first}, {natural}"), &method, uncertainty),
-        panel(list, &format!("Which formulation: {best}, {natural}"), &formulation, uncertainty),
-        panel(list, &format!("Which solve: {best}"), &solve, uncertainty),
+        chart_panel(list, &format!("Which method: {first}, {natural}"), &method, uncertainty),
+        chart_panel(list, &format!("Which formulation: {best}, {natural}"), &formulation, uncertainty),
+        chart_panel(list, &format!("Which solve: {best}"), &solve, uncertainty),
     ]
 }
 
@@ -78,16 +78,16 @@ fn own_style(list: &[Measurement], by: &EquationsOrigin) -> usize {
             printed.push(&m.by);
         }
     }
-    printed.iter().position(|other| *other == by).map_or_else(|| style(by), |at| PRINTED + at % MOST_PRINTED)
+    printed.iter().position(|other| *other == by).map_or_else(|| equations_style(by), |at| PRINTED + at % MOST_PRINTED)
 }
 
 /// Function from a measurement to its curve: name in the legend and style number. `None` if the
 /// panel does not show the measurement.
-type Group<'a> = &'a dyn Fn(&Measurement) -> Option<(String, usize)>;
+type CurveOfMeasurement<'a> = &'a dyn Fn(&Measurement) -> Option<(String, usize)>;
 
 /// Returns a panel of the speed chart: the curves that `group` forms, with the Pareto front and a
 /// note.
-fn panel(list: &[Measurement], title: &str, group: Group<'_>, uncertainty: f64) -> Panel {
+fn chart_panel(list: &[Measurement], title: &str, group: CurveOfMeasurement<'_>, uncertainty: f64) -> Panel {
     let shown: Vec<((String, usize), &Measurement)> = list.iter().filter_map(|m| Some((group(m)?, m))).collect();
     // Curves of one name and style may be of several sets of equations.
     let mut curves: Vec<(&(String, usize), &EquationsOrigin)> = Vec::new();
@@ -96,8 +96,8 @@ fn panel(list: &[Measurement], title: &str, group: Group<'_>, uncertainty: f64) 
             curves.push((name, &m.by));
         }
     }
-    let points: Vec<(f64, f64)> = shown.iter().map(|(_, m)| place(m)).collect();
-    let front: Vec<(f64, f64)> = pareto(&points).into_iter().map(|at| points[at]).collect();
+    let points: Vec<(f64, f64)> = shown.iter().map(|(_, m)| chart_point(m)).collect();
+    let front: Vec<(f64, f64)> = pareto_front(&points).into_iter().map(|at| points[at]).collect();
     // The points of the front are measurements too, so markers are at these points and not along
     // the line.
     let spread = front.iter().map(|(x, _)| (*x, *x)).collect();
@@ -108,7 +108,7 @@ fn panel(list: &[Measurement], title: &str, group: Group<'_>, uncertainty: f64) 
         series.push(Series {
             label: name.0.clone(),
             style: name.1,
-            points: own.iter().map(|m| place(m)).collect(),
+            points: own.iter().map(|m| chart_point(m)).collect(),
             spread: own.iter().map(|m| (m.seconds.least, m.seconds.most)).collect(),
             band: Vec::new(),
         });
@@ -127,6 +127,6 @@ fn panel(list: &[Measurement], title: &str, group: Group<'_>, uncertainty: f64) 
 
 /// Returns the place of a measurement in the chart: (median run time in s, error). The error is not
 /// a number for a run that ended early.
-fn place(m: &Measurement) -> (f64, f64) {
+fn chart_point(m: &Measurement) -> (f64, f64) {
     (m.seconds.median, m.error.unwrap_or(f64::NAN))
 }

@@ -1,10 +1,10 @@
 //! Sentences about a speed chart. Every number in a sentence is one of its measurements.
 
-use tripos::studies::chart::Measurement;
+use tripos::studies::work_precision_chart::Measurement;
 use tripos_derive::mechanics::EquationsOrigin;
-use tripos_derive::scene::Solve;
+use tripos_derive::scene::AccelerationSolution;
 use tripos_sim::Method;
-use tripos_sim::work_precision::cheapest;
+use tripos_sim::work_precision::fastest_within_error;
 
 /// Accuracies for which a method is recommended: largest relative errors at the end of a run.
 pub const TARGETS: [f64; 3] = [1e-3, 1e-6, 1e-9];
@@ -15,18 +15,18 @@ pub const TARGETS: [f64; 3] = [1e-3, 1e-6, 1e-9];
 pub fn fastest(list: &[Measurement], target: f64, of: impl Fn(&Measurement) -> bool) -> Option<&Measurement> {
     let some: Vec<&Measurement> = list.iter().filter(|m| of(m) && is_derived(m)).collect();
     let points: Vec<(f64, f64)> = some.iter().map(|m| (m.seconds.median, m.error.unwrap_or(f64::NAN))).collect();
-    cheapest(&points, target).map(|at| some[at])
+    fastest_within_error(&points, target).map(|at| some[at])
 }
 
 /// Returns the accuracy at which kinds of runs are compared: the middle target, or the first if no
 /// run reaches the middle target. `None` if no run reaches either.
-fn compared_at(list: &[Measurement]) -> Option<f64> {
+fn comparison_accuracy(list: &[Measurement]) -> Option<f64> {
     [TARGETS[1], TARGETS[0]].into_iter().find(|target| fastest(list, *target, |_| true).is_some())
 }
 
 /// Returns the run time, s, at which a curve crosses an accuracy; `None` if it does not cross. The
 /// time is interpolated on logarithmic axes, since tolerances are far apart.
-fn crossing(curve: &[&Measurement], target: f64) -> Option<f64> {
+fn time_at_accuracy(curve: &[&Measurement], target: f64) -> Option<f64> {
     let points: Vec<(f64, f64)> =
         curve.iter().filter_map(|m| Some((m.error?.max(f64::MIN_POSITIVE).ln(), m.seconds.median.ln()))).collect();
     let target = target.ln();
@@ -38,7 +38,7 @@ fn crossing(curve: &[&Measurement], target: f64) -> Option<f64> {
 
 /// Returns, for each kind of run, the shortest time, s, in which it reaches an accuracy, with the
 /// best choice of everything else. `None` for a kind that does not reach it.
-fn each<'a, Kind: PartialEq>(
+fn times_by_kind<'a, Kind: PartialEq>(
     list: &'a [Measurement],
     target: f64,
     kinds: impl IntoIterator<Item = Kind>,
@@ -54,13 +54,13 @@ fn each<'a, Kind: PartialEq>(
     }
     let time = |kind: &Kind| {
         let own = curves.iter().filter(|curve| of(curve[0]).as_ref() == Some(kind));
-        own.filter_map(|curve| crossing(curve, target)).reduce(f64::min)
+        own.filter_map(|curve| time_at_accuracy(curve, target)).reduce(f64::min)
     };
     kinds.into_iter().map(|kind| (time(&kind), kind)).map(|(time, kind)| (kind, time)).collect()
 }
 
 /// Lists kinds of runs with their times, such as `kane in 1.00 ms, lagrange not at all`.
-fn listed<Kind>(times: &[(Kind, Option<f64>)], name: impl Fn(&Kind) -> String) -> String {
+fn list_times<Kind>(times: &[(Kind, Option<f64>)], name: impl Fn(&Kind) -> String) -> String {
     let one = |(kind, time): &(Kind, Option<f64>)| match time {
         Some(time) => format!("{} in {}", name(kind), seconds(*time)),
         None => format!("{} not at all", name(kind)),
@@ -70,7 +70,7 @@ fn listed<Kind>(times: &[(Kind, Option<f64>)], name: impl Fn(&Kind) -> String) -
 
 /// Returns the ratio of the longest to the shortest time, among the kinds that have a time. `None`
 /// for fewer than two times.
-fn factor<Kind>(times: &[(Kind, Option<f64>)]) -> Option<f64> {
+fn slowest_to_fastest_ratio<Kind>(times: &[(Kind, Option<f64>)]) -> Option<f64> {
     let arrived: Vec<f64> = times.iter().filter_map(|(_, time)| *time).collect();
     let (least, most) = (arrived.iter().copied().reduce(f64::min)?, arrived.iter().copied().reduce(f64::max)?);
     (arrived.len() > 1).then_some(most / least)
@@ -101,28 +101,28 @@ pub fn is_whole(m: &Measurement) -> bool {
 /// Returns the time, s, that each set of equations needs to the accuracy `target`, with the best
 /// method and solve.
 /// `None` for equations that do not reach it.
-fn by_equations(list: &[Measurement], target: f64) -> Vec<(&EquationsOrigin, Option<f64>)> {
-    each(list, target, equations(list), |m| Some(&m.by))
+fn time_by_equations(list: &[Measurement], target: f64) -> Vec<(&EquationsOrigin, Option<f64>)> {
+    times_by_kind(list, target, equations(list), |m| Some(&m.by))
 }
 
 /// Returns the time, s, that each method needs to the accuracy `target` by the equations of the
 /// whole model.
 /// `None` for a method that does not reach it.
-fn by_method(list: &[Measurement], target: f64) -> Vec<(Method, Option<f64>)> {
-    each(list, target, Method::ALL, |m| m.way.method().filter(|_| is_whole(m)))
+fn time_by_method(list: &[Measurement], target: f64) -> Vec<(Method, Option<f64>)> {
+    times_by_kind(list, target, Method::ALL, |m| m.way.method().filter(|_| is_whole(m)))
 }
 
 /// Returns the time, s, that the equations of the whole model need to the accuracy `target`, for
 /// each way of solving for accelerations.
 /// `None` if no run with that way reaches it.
-fn by_solve(list: &[Measurement], target: f64) -> Vec<(Solve, Option<f64>)> {
-    each(list, target, Solve::ALL, |m| is_whole(m).then_some(m.solve))
+fn time_by_solve(list: &[Measurement], target: f64) -> Vec<(AccelerationSolution, Option<f64>)> {
+    times_by_kind(list, target, AccelerationSolution::ALL, |m| is_whole(m).then_some(m.solve))
 }
 
 /// Returns a sentence that compares a scene's reduced equations with the fastest whole equations.
 /// `None` unless both reach the accuracy `target`.
-fn gain(list: &[Measurement], target: f64) -> Option<String> {
-    let times = each(list, target, [false, true], |m| Some(is_whole(m)));
+fn reduction_gain_sentence(list: &[Measurement], target: f64) -> Option<String> {
+    let times = times_by_kind(list, target, [false, true], |m| Some(is_whole(m)));
     let [(_, Some(own)), (_, Some(whole))] = times.as_slice() else { return None };
     let (times, faster) = if own <= whole { (whole / own, "faster") } else { (own / whole, "slower") };
     Some(format!(
@@ -133,31 +133,31 @@ fn gain(list: &[Measurement], target: f64) -> Option<String> {
 }
 
 /// Returns the caption of the speed chart. `until` is the time at the end of the runs, s.
-pub fn caption(list: &[Measurement], until: f64) -> String {
+pub fn chart_caption(list: &[Measurement], until: f64) -> String {
     let seen = format!(
         "Each point is a run at one tolerance: its time, the middle one of several, and its error at t = {until} s; lower \
          and further left is better. What no other point of a panel beats in both is its Pareto front."
     );
-    let Some(target) = compared_at(list) else { return seen };
+    let Some(target) = comparison_accuracy(list) else { return seen };
     let own = list.iter().any(|m| !is_whole(m));
     let whole = if own { " by the equations of the whole model" } else { "" };
     let formulations = if own {
-        let times = listed(&by_equations(list, target), |by| by.name());
+        let times = list_times(&time_by_equations(list, target), |by| by.name());
         format!("; by formulation, with the best of everything else: {times}")
     } else {
         String::new()
     };
     format!(
         "{seen} Read off the curves, an error of {target:e} takes{whole}, by method: {}; by how accelerations are found: {}{formulations}.",
-        listed(&by_method(list, target), |method| method.name().to_owned()),
-        listed(&by_solve(list, target), |solve| solve.name().to_owned())
+        list_times(&time_by_method(list, target), |method| method.name().to_owned()),
+        list_times(&time_by_solve(list, target), |solve| solve.name().to_owned())
     )
 }
 
 /// Returns a recommendation of equations, method and solve for the scene, as one paragraph.
-pub fn lead(list: &[Measurement]) -> String {
+pub fn chart_recommendation(list: &[Measurement]) -> String {
     let best: Vec<&Measurement> = TARGETS.iter().filter_map(|t| fastest(list, *t, |_| true)).collect();
-    let Some(target) = compared_at(list) else {
+    let Some(target) = comparison_accuracy(list) else {
         return format!("No measured run of this scene reaches an error of {:e}.", TARGETS[0]);
     };
     let common = |of: &dyn Fn(&Measurement) -> &'static str| {
@@ -188,9 +188,9 @@ pub fn lead(list: &[Measurement]) -> String {
         (None, None) => "On this scene solve and method depend on the accuracy, as listed below.".to_owned(),
     };
     let factors = [
-        ("methods", factor(&by_method(list, target))),
-        ("solves", factor(&by_solve(list, target))),
-        ("formulations", factor(&by_equations(list, target))),
+        ("methods", slowest_to_fastest_ratio(&time_by_method(list, target))),
+        ("solves", slowest_to_fastest_ratio(&time_by_solve(list, target))),
+        ("formulations", slowest_to_fastest_ratio(&time_by_equations(list, target))),
     ];
     let factors: Vec<String> =
         factors.iter().filter_map(|(what, factor)| Some(format!("{what} {:.1}", (*factor)?))).collect();
@@ -200,7 +200,7 @@ pub fn lead(list: &[Measurement]) -> String {
             factors.join(", ")
         )
     });
-    [Some(use_), gain(list, target), compared].into_iter().flatten().collect::<Vec<_>>().join(" ")
+    [Some(use_), reduction_gain_sentence(list, target), compared].into_iter().flatten().collect::<Vec<_>>().join(" ")
 }
 
 /// Returns a time as text with a readable unit, such as `1.25 ms`; `s` is in seconds.
@@ -215,19 +215,25 @@ pub fn seconds(s: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tripos::studies::case::MethodAtTolerance;
+    use tripos::studies::chart_case::MethodAtTolerance;
     use tripos_derive::Formulation;
     use tripos_sim::Stop;
-    use tripos_sim::work_precision::Spread;
+    use tripos_sim::work_precision::TimeStatistics;
 
     const KANE: EquationsOrigin = EquationsOrigin::Derived(Formulation::Kane);
 
-    fn run(by: EquationsOrigin, solve: Solve, method: Method, time: f64, error: Option<f64>) -> Measurement {
+    fn run(
+        by: EquationsOrigin,
+        solve: AccelerationSolution,
+        method: Method,
+        time: f64,
+        error: Option<f64>,
+    ) -> Measurement {
         Measurement {
             by,
             solve,
             way: MethodAtTolerance::Steps(method, 1e-9),
-            seconds: Spread { least: time, median: time, most: time, runs: 1 },
+            seconds: TimeStatistics { least: time, median: time, most: time, runs: 1 },
             error,
             steps: 1,
             evaluations: 1,
@@ -240,26 +246,26 @@ mod tests {
     #[test]
     fn words_are_those_of_the_measurements() {
         let list = [
-            run(KANE, Solve::Eliminated, Method::Dop853, 1e-4, Some(1e-4)),
-            run(KANE, Solve::Eliminated, Method::Dop853, 1e-2, Some(1e-8)),
-            run(Formulation::Lagrange.into(), Solve::Eliminated, Method::Dop853, 2e-3, Some(1e-10)),
-            run(KANE, Solve::Numeric, Method::Dop853, 3e-3, Some(1e-10)),
-            run(KANE, Solve::Eliminated, Method::Ode45, 8e-3, Some(1e-9)),
-            run(KANE, Solve::Eliminated, Method::Rk4, 1e-3, Some(1e-2)),
-            run(KANE, Solve::Eliminated, Method::Gauss6, 1e-3, None),
+            run(KANE, AccelerationSolution::Eliminated, Method::Dop853, 1e-4, Some(1e-4)),
+            run(KANE, AccelerationSolution::Eliminated, Method::Dop853, 1e-2, Some(1e-8)),
+            run(Formulation::Lagrange.into(), AccelerationSolution::Eliminated, Method::Dop853, 2e-3, Some(1e-10)),
+            run(KANE, AccelerationSolution::Numeric, Method::Dop853, 3e-3, Some(1e-10)),
+            run(KANE, AccelerationSolution::Eliminated, Method::Ode45, 8e-3, Some(1e-9)),
+            run(KANE, AccelerationSolution::Eliminated, Method::Rk4, 1e-3, Some(1e-2)),
+            run(KANE, AccelerationSolution::Eliminated, Method::Gauss6, 1e-3, None),
             run(
                 EquationsOrigin::Printed { id: "x".to_owned(), formulation: Formulation::Kane },
-                Solve::Numeric,
+                AccelerationSolution::Numeric,
                 Method::Dop853,
                 1e-6,
                 Some(0.0),
             ),
         ];
-        let caption = caption(&list, 10.0);
+        let caption = chart_caption(&list, 10.0);
         assert!(caption.contains("at t = 10 s") && caption.contains("an error of 1e-6 takes"), "{caption}");
         assert!(caption.contains("rk4 not at all, ode45 in 8.00 ms"), "{caption}");
         assert!(caption.contains("eliminated in 1.00 ms, numeric in 3.00 ms."), "{caption}");
-        let lead = lead(&list);
+        let lead = chart_recommendation(&list);
         assert!(lead.starts_with("Use dop853 with eliminated accelerations"), "{lead}");
         assert!(lead.ends_with("methods 8.0, solves 3.0, formulations 2.0."), "{lead}");
     }
@@ -268,12 +274,12 @@ mod tests {
     #[test]
     fn a_scenes_own_equations_are_named_where_they_win() {
         let mut list = vec![
-            run(KANE, Solve::Eliminated, Method::Dop853, 1e-3, Some(1e-10)),
-            run(KANE, Solve::Numeric, Method::Dop853, 3e-3, Some(1e-10)),
-            run(KANE, Solve::Eliminated, Method::Ode45, 8e-3, Some(1e-10)),
-            run(EquationsOrigin::Reduced, Solve::Eliminated, Method::Dop853, 1e-4, Some(1e-10)),
+            run(KANE, AccelerationSolution::Eliminated, Method::Dop853, 1e-3, Some(1e-10)),
+            run(KANE, AccelerationSolution::Numeric, Method::Dop853, 3e-3, Some(1e-10)),
+            run(KANE, AccelerationSolution::Eliminated, Method::Ode45, 8e-3, Some(1e-10)),
+            run(EquationsOrigin::Reduced, AccelerationSolution::Eliminated, Method::Dop853, 1e-4, Some(1e-10)),
         ];
-        let said = lead(&list);
+        let said = chart_recommendation(&list);
         assert!(said.starts_with("Use the scene's reduced equations by dop853: on this scene"), "{said}");
         assert!(
             said.contains(
@@ -283,11 +289,11 @@ mod tests {
         );
         assert!(said.ends_with("methods 8.0, solves 3.0, formulations 10.0."), "{said}");
         assert!(
-            caption(&list, 1.0)
+            chart_caption(&list, 1.0)
                 .ends_with("by formulation, with the best of everything else: kane in 1.00 ms, reduced in 100 µs.")
         );
         list[3].seconds.median = 2e-3;
-        let said = lead(&list);
+        let said = chart_recommendation(&list);
         assert!(
             said.starts_with("Use dop853 with eliminated accelerations:") && said.contains("2.0 times slower"),
             "{said}"
@@ -296,7 +302,9 @@ mod tests {
 
     #[test]
     fn where_nothing_arrives_it_is_said() {
-        let list = [run(KANE, Solve::Eliminated, Method::Dop853, 1e-3, None)];
-        assert!(lead(&list).starts_with("No measured run") && caption(&list, 1.0).ends_with("front."));
+        let list = [run(KANE, AccelerationSolution::Eliminated, Method::Dop853, 1e-3, None)];
+        assert!(
+            chart_recommendation(&list).starts_with("No measured run") && chart_caption(&list, 1.0).ends_with("front.")
+        );
     }
 }

@@ -1,47 +1,47 @@
 //! Command `tripos chart`: measures speed against accuracy for every formulation, solve and method.
 
 use crate::chart::{figure, files};
-use crate::failure::{Failure, Output, print_either, say, warn};
-use crate::follow::{self, Shows};
-use crate::output::{folder, keep_inputs, text};
-use crate::scene_file::VariedScene;
+use crate::failure::{Failure, Output, print_result, print_to_stderr, warn};
+use crate::interruption::{self, ProgressBarReporter};
+use crate::output::{make_folder, refuse_overwriting_inputs, write_text_file};
+use crate::scene_file::SceneWithSetValues;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::json;
 use std::path::{Path, PathBuf};
-use tripos::studies::case::Printed;
-use tripos::studies::chart::{Plan, session};
-use tripos_derive::plain::path_in_line;
+use tripos::studies::chart_case::PrintedEquationsChoice;
+use tripos::studies::work_precision_chart::{ChartPlan, session};
+use tripos_derive::plain_text::path_in_line;
 
 /// Measures the speed of a scene with all formulations, solves and methods, and writes tables and a
 /// chart to the folder `out`. Returns the exit status. An interruption keeps partial tables and
 /// gives an error.
 pub fn chart(
-    VariedScene { model, scene, .. }: &VariedScene,
-    plan: &Plan,
-    printed: Printed,
+    SceneWithSetValues { model, scene, .. }: &SceneWithSetValues,
+    plan: &ChartPlan,
+    printed: PrintedEquationsChoice,
     out: &Path,
     output: Output,
 ) -> Result<u8, Failure> {
     let names = ["work_precision.csv", "times.csv", "drifts.csv", "work_precision.svg"].map(|name| out.join(name));
-    keep_inputs(model, Some(scene), names.iter().map(PathBuf::as_path))?;
-    folder(out)?;
-    follow::listen();
+    refuse_overwriting_inputs(model, Some(scene), names.iter().map(PathBuf::as_path))?;
+    make_folder(out)?;
+    interruption::listen_for_interruption();
     let bar = progress();
-    let session = session::chart(model, scene, printed, plan, &Shows(&bar))?;
+    let session = session::chart_scene(model, scene, printed, plan, &ProgressBarReporter(&bar))?;
     bar.finish_and_clear();
     if let Some(cut) = &session.cut {
-        say(cut);
+        print_to_stderr(cut);
     }
     for what in &session.left_out {
         warn(&format!("not charted: {what}"));
     }
-    if follow::is_interrupted() && session.list.is_empty() {
+    if interruption::is_interrupted() && session.list.is_empty() {
         return Err(Failure::Interrupted(String::new()));
     }
-    files::write(out, &session.list, &session.watch.integrals)?;
-    let svg = figure::chart(&session.list, session.reference.uncertainty)?;
-    text(&out.join("work_precision.svg"), &svg)?;
-    let (compared, advice) = (session.compared.clone().unwrap_or_default(), files::advice(&session.list));
+    files::write_chart_tables(out, &session.list, &session.watch.integrals)?;
+    let svg = figure::draw_speed_chart(&session.list, session.reference.uncertainty)?;
+    write_text_file(&out.join("work_precision.svg"), &svg)?;
+    let (compared, advice) = (session.compared.clone().unwrap_or_default(), files::chart_advice_table(&session.list));
     let value = json!({
         "model": model.title, "until": session.until, "reference": session.reference.how,
         "uncertainty": session.reference.uncertainty, "compared": session.compared, "advice": advice,
@@ -56,8 +56,8 @@ pub fn chart(
         advice,
         out.join("work_precision.svg").display()
     );
-    print_either(output, &lines, &value)?;
-    if follow::is_interrupted() {
+    print_result(output, &lines, &value)?;
+    if interruption::is_interrupted() {
         let (count, place) = (session.list.len(), out.display());
         return Err(Failure::Interrupted(format!(
             "the tables in {place} are partial, {count} runs measured until then"

@@ -1,14 +1,16 @@
 //! Command `tripos check`: states facts about a model before its equations are used.
 
 use crate::failure::{Failure, Output, print, print_json};
-use crate::phrases::{NAMED, shortened};
+use crate::phrases::{NAMED_TERMS_HEADING, shorten_formula};
 use crate::workspace::{read_model, short_name};
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use std::path::Path;
 use tripos::Mechanism;
-use tripos_derive::check::{Check, Checked, ConstraintKind, Effect, LoadEffect, RankLoss, check as check_model};
-use tripos_derive::model::Branch;
+use tripos_derive::check::{
+    CheckedConstraint, ConstraintKind, EnergyEffect, LoadEffect, ModelCheck, RankLoss, check as check_model,
+};
+use tripos_derive::model::AssemblyBranch;
 
 /// Runs `tripos check`: prints the freedoms, constraints and singularities of a model. Returns the exit status.
 ///
@@ -18,15 +20,15 @@ pub fn check(model: &Path, output: Output) -> Result<u8, Failure> {
     let model = read_model(model)?;
     let found = check_model(&model).map_err(|error| model.diagnose(&error))?;
     if output == Output::Json {
-        print_json(&json_of(&model, &found))?;
+        print_json(&check_json(&model, &found))?;
     } else {
-        print(&text_of(&model, &found))?;
+        print(&check_text(&model, &found))?;
     }
     Ok(0)
 }
 
 /// Returns the word for a kind of constraint: `configuration` or `motion`.
-fn word(kind: ConstraintKind) -> &'static str {
+fn constraint_kind_word(kind: ConstraintKind) -> &'static str {
     match kind {
         ConstraintKind::Configuration => "configuration",
         ConstraintKind::Motion => "motion",
@@ -34,10 +36,10 @@ fn word(kind: ConstraintKind) -> &'static str {
 }
 
 /// Returns the result of a check as JSON.
-fn json_of(model: &Mechanism, found: &Check) -> Value {
-    let constraint = |c: &Checked| {
+fn check_json(model: &Mechanism, found: &ModelCheck) -> Value {
+    let constraint = |c: &CheckedConstraint| {
         json!({
-            "name": c.name, "kind": word(c.kind), "integrable": c.integrable, "integral": c.integral, "redundant": c.redundant,
+            "name": c.name, "kind": constraint_kind_word(c.kind), "integrable": c.integrable, "integral": c.integral, "redundant": c.redundant,
         })
     };
     json!({
@@ -50,9 +52,9 @@ fn json_of(model: &Mechanism, found: &Check) -> Value {
         "mobility_count": found.mobility_count,
         "branch": found.branch.as_ref().map(|branch| branch_of(model, branch)),
         "singular_where": found.singular_where,
-        "singular_poses": found.rank_loss.as_ref().map(poses_of),
+        "singular_poses": found.rank_loss.as_ref().map(singular_poses_json),
         "indeterminate": found.indeterminate,
-        "loads": found.loads.iter().map(load_of).collect::<Vec<_>>(),
+        "loads": found.loads.iter().map(load_effect_json).collect::<Vec<_>>(),
         "notes": found.notes,
         "names": found.names.iter().map(|(name, value)| (name.clone(), json!(value))).collect::<Map<_, _>>(),
     })
@@ -60,7 +62,7 @@ fn json_of(model: &Mechanism, found: &Check) -> Value {
 
 /// Returns an assembly branch as JSON: a pose on it, the number of its independent constraints, and
 /// the bounds of that decision.
-fn branch_of(model: &Mechanism, branch: &Branch) -> Value {
+fn branch_of(model: &Mechanism, branch: &AssemblyBranch) -> Value {
     let names = model.coordinates.iter().map(|c| c.name.clone());
     let pose: Map<String, Value> = names.zip(branch.pose.iter().map(|x| json!(x))).collect();
     json!({
@@ -70,30 +72,30 @@ fn branch_of(model: &Mechanism, branch: &Branch) -> Value {
         "poses": branch.poses,
         "constraints": branch.constraints,
         "rank": branch.rank,
-        "larger": branch.larger.as_ref().map(|(freedoms, pose)| json!({ "name": through(model, pose), "freedoms": freedoms })),
+        "larger": branch.larger.as_ref().map(|(freedoms, pose)| json!({ "name": pose_text(model, pose), "freedoms": freedoms })),
         "bound": { "independent_above": branch.independent, "dependent_below": branch.dependent },
     })
 }
 
 /// Returns the name of an assembly branch, by a pose on it.
-fn branch_name(model: &Mechanism, branch: &Branch) -> String {
-    through(model, &branch.pose)
+fn branch_name(model: &Mechanism, branch: &AssemblyBranch) -> String {
+    pose_text(model, &branch.pose)
 }
 
 /// Returns the words `through q1 = …` for a pose, with four decimals.
-fn through(model: &Mechanism, pose: &[f64]) -> String {
+fn pose_text(model: &Mechanism, pose: &[f64]) -> String {
     let coordinates = model.coordinates.iter().zip(pose);
-    let at: Vec<String> = coordinates.map(|(c, x)| format!("{} = {}", c.name, tidy(*x))).collect();
+    let at: Vec<String> = coordinates.map(|(c, x)| format!("{} = {}", c.name, round_to_four_decimals(*x))).collect();
     format!("through {}", at.join(", "))
 }
 
 /// Rounds a number to four decimals, without the sign of a zero.
-fn tidy(x: f64) -> f64 {
+fn round_to_four_decimals(x: f64) -> f64 {
     (x * 1e4).round() / 1e4 + 0.0
 }
 
 /// Returns the poses in which the constraints lose rank as JSON.
-fn poses_of(loss: &RankLoss) -> Value {
+fn singular_poses_json(loss: &RankLoss) -> Value {
     let pose =
         loss.pose.as_ref().map(|pose| pose.iter().map(|(name, x)| (name.clone(), json!(x))).collect::<Map<_, _>>());
     json!({
@@ -109,12 +111,12 @@ fn poses_of(loss: &RankLoss) -> Value {
 }
 
 /// Returns the effect of a load on the energy as JSON.
-fn load_of(load: &LoadEffect) -> Value {
+fn load_effect_json(load: &LoadEffect) -> Value {
     let energy = match load.effect {
-        Effect::Keeps => "keeps",
-        Effect::Dissipates => "dissipates",
-        Effect::Creates => "creates",
-        Effect::Undecided => "undecided",
+        EnergyEffect::Keeps => "keeps",
+        EnergyEffect::Dissipates => "dissipates",
+        EnergyEffect::Creates => "creates",
+        EnergyEffect::Undecided => "undecided",
     };
     json!({ "name": load.load, "energy": energy, "why": load.why })
 }
@@ -122,7 +124,7 @@ fn load_of(load: &LoadEffect) -> Value {
 /// Returns the lines about singular poses of the mechanism, in which its constraints lose rank: a
 /// proof that there are none, or a pose.
 fn singular_text(loss: &RankLoss) -> String {
-    let taken: Vec<String> = loss.taken.iter().map(|e| shortened(e)).collect();
+    let taken: Vec<String> = loss.taken.iter().map(|e| shorten_formula(e)).collect();
     let taken = match taken.as_slice() {
         [] => String::new(),
         [one] => format!(", as long as {one} is not 0"),
@@ -136,14 +138,15 @@ fn singular_text(loss: &RankLoss) -> String {
     }
     let mut out = String::new();
     if let Some(formulas) = &loss.where_all_zero {
-        let formulas: Vec<String> = formulas.iter().map(|e| shortened(e)).collect();
+        let formulas: Vec<String> = formulas.iter().map(|e| shorten_formula(e)).collect();
         let all = if formulas.len() == 1 { "this is 0" } else { "all of these are 0" };
         let is = if loss.pose.is_some() { "is singular, whatever its speeds," } else { "can be singular only" };
         let _ = write!(out, "\nThe mechanism itself {is} where {all}{taken}: {}", formulas.join(", "));
     }
     match (&loss.pose, loss.rank_there) {
         (Some(pose), Some(rank)) => {
-            let pose: Vec<String> = pose.iter().map(|(name, x)| format!("{name} = {}", tidy(*x))).collect();
+            let pose: Vec<String> =
+                pose.iter().map(|(name, x)| format!("{name} = {}", round_to_four_decimals(*x))).collect();
             let _ = writeln!(
                 out,
                 "\nA singular pose of the mechanism, at the default values: {} (rank {rank} instead of {})",
@@ -169,9 +172,9 @@ fn loads_text(loads: &[LoadEffect]) -> String {
     let mut out = String::new();
     for load in loads {
         let what = match load.effect {
-            Effect::Creates => "can create energy",
-            Effect::Undecided => "may create energy: undecided",
-            Effect::Keeps | Effect::Dissipates => continue,
+            EnergyEffect::Creates => "can create energy",
+            EnergyEffect::Undecided => "may create energy: undecided",
+            EnergyEffect::Keeps | EnergyEffect::Dissipates => continue,
         };
         let _ = writeln!(out, "load {}: {what}: {}", load.load, load.why);
     }
@@ -179,8 +182,8 @@ fn loads_text(loads: &[LoadEffect]) -> String {
 }
 
 /// Returns the result of a check as text.
-fn text_of(model: &Mechanism, found: &Check) -> String {
-    let mut out = format!("{}\n{}\n\n", model.title, model.count());
+fn check_text(model: &Mechanism, found: &ModelCheck) -> String {
+    let mut out = format!("{}\n{}\n\n", model.title, model.counts_in_words());
     let freedom = found.configuration_freedom.map_or_else(|| "not decided".to_owned(), |n| format!("{n}-dimensional"));
     let _ = writeln!(out, "degrees of freedom in velocity: {}", found.degrees_of_freedom);
     let _ = writeln!(out, "reachable configurations: {freedom}");
@@ -200,7 +203,7 @@ fn text_of(model: &Mechanism, found: &Check) -> String {
             let _ = writeln!(
                 out,
                 "another branch of poses, {}, has {freedoms} freedoms; the results do not cover this branch",
-                through(model, pose)
+                pose_text(model, pose)
             );
         }
     }
@@ -214,17 +217,17 @@ fn text_of(model: &Mechanism, found: &Check) -> String {
             (_, Some(false)) => "not integrable: it restricts velocities alone".to_owned(),
             (_, Some(true)) => match (&constraint.integral, constraint.kind) {
                 (None, _) => "integrable".to_owned(),
-                (Some(e), ConstraintKind::Configuration) => format!("{} is 0", shortened(e)),
-                (Some(e), ConstraintKind::Motion) => format!("integrable: {} is constant", shortened(e)),
+                (Some(e), ConstraintKind::Configuration) => format!("{} is 0", shorten_formula(e)),
+                (Some(e), ConstraintKind::Motion) => format!("integrable: {} is constant", shorten_formula(e)),
             },
         };
-        let _ = writeln!(out, "  {} ({}): {what}", constraint.name, word(constraint.kind));
+        let _ = writeln!(out, "  {} ({}): {what}", constraint.name, constraint_kind_word(constraint.kind));
     }
     if !found.singular_where.is_empty() {
         let _ = writeln!(
             out,
             "\nThe chosen speeds do not determine the motion where one of these is 0: {}",
-            found.singular_where.iter().map(|e| shortened(e)).collect::<Vec<_>>().join(", ")
+            found.singular_where.iter().map(|e| shorten_formula(e)).collect::<Vec<_>>().join(", ")
         );
     }
     out += &found.rank_loss.as_ref().map_or_else(String::new, singular_text);
@@ -236,7 +239,7 @@ fn text_of(model: &Mechanism, found: &Check) -> String {
         let _ = writeln!(out, "note: {note}");
     }
     if !found.names.is_empty() {
-        let _ = writeln!(out, "\n{NAMED}, each line by those before it");
+        let _ = writeln!(out, "\n{NAMED_TERMS_HEADING}, each line by those before it");
     }
     for (name, value) in &found.names {
         let _ = writeln!(out, "  {name} = {value}");

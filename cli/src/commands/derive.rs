@@ -1,7 +1,7 @@
 //! Command `tripos derive`: prints equations of motion for people and for programs.
 
-mod document;
-mod formulas;
+mod derivation_document;
+mod document_formulas;
 mod json;
 pub mod latex;
 mod layout;
@@ -10,10 +10,10 @@ mod sympy;
 mod typst;
 
 use crate::arguments::{self, Format};
-use crate::failure::{Failure, print, print_json, say};
-use crate::phrases::NAMED;
+use crate::failure::{Failure, print, print_json, print_to_stderr};
+use crate::phrases::NAMED_TERMS_HEADING;
 use crate::workspace::{read_model, short_name};
-use document::Document;
+use derivation_document::Document;
 use rustc_hash::FxHashSet;
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -23,16 +23,16 @@ use tripos::code::formulation;
 use tripos_derive::Formulation;
 use tripos_derive::algebra::form::simplify::Simplifier;
 use tripos_derive::algebra::solve::elimination::Elimination;
-use tripos_derive::algebra::text::print::{mathml, text};
+use tripos_derive::algebra::text::print::{mathml, print_text};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{
-    DerivationInSteps, Form, MovingPlace, accelerations, derive_all, derive_in_steps, moving_places,
+    DerivationInSteps, EquationForm, MovingPlace, accelerations, derive_all, derive_in_steps, moving_places,
 };
 use tripos_derive::prove::{first_integrals, write_integral_names};
 
 /// Derived formulation with its accelerations in closed form. `solved` is `None` if the
 /// accelerations are not determined.
-struct Derived {
+struct SolvedFormulation {
     derivation: DerivationInSteps,
     solved: Option<Elimination>,
 }
@@ -47,30 +47,31 @@ pub fn derive(
     by: Option<&str>,
     form: Option<arguments::Form>,
     format: Format,
-    part: latex::Part,
+    part: latex::LatexExtent,
 ) -> Result<u8, Failure> {
-    if part == latex::Part::Fragment && format != Format::Latex {
+    if part == latex::LatexExtent::Fragment && format != Format::Latex {
         return Err(Failure::request("only LaTeX has fragments", "add --format latex, or leave out --fragment"));
     }
     let model = read_model(model)?;
     let form = form.map(|form| match form {
-        arguments::Form::Closed => Form::Closed,
-        arguments::Form::Steps => Form::Steps,
+        arguments::Form::Closed => EquationForm::Closed,
+        arguments::Form::Steps => EquationForm::Steps,
     });
     let derived = derivations(&model, by, form)?;
     let moving = moving_places(&model).map_err(|error| model.diagnose(&error))?;
-    let document = || document(&model, &moving, &derived);
+    let document = || derivation_document(&model, &moving, &derived);
     let out = match format {
-        Format::Text => as_text(&model, &moving, &derived),
-        Format::Latex => latex::latex(&document()?, part),
+        Format::Text => derivation_text(&model, &moving, &derived),
+        Format::Latex => latex::latex_document(&document()?, part),
         Format::Markdown => markdown::markdown(&document()?),
         Format::Typst => typst::typst(&document()?),
         Format::Sympy => sympy::sympy(&model, &derived)?,
-        Format::Mathml => as_mathml(&derived),
+        Format::Mathml => derivation_mathml(&derived),
         Format::Json => {
-            let list: Vec<Value> = derived.iter().map(|d| json::formulation(&model, d)).collect();
+            let list: Vec<Value> = derived.iter().map(|d| json::formulation_json(&model, d)).collect();
             let (name, title) = (short_name(&model), &model.title);
-            let value = json!({ "model": name, "title": title, "count": model.count(), "formulations": list });
+            let value =
+                json!({ "model": name, "title": title, "count": model.counts_in_words(), "formulations": list });
             print_json(&value)?;
             return Ok(0);
         }
@@ -81,23 +82,27 @@ pub fn derive(
 
 /// Derives the formulation named `by`, or all standard ones that the model supports. Unsupported
 /// formulations are named on standard error.
-fn derivations(model: &Mechanism, by: Option<&str>, form: Option<Form>) -> Result<Vec<Derived>, Failure> {
+fn derivations(
+    model: &Mechanism,
+    by: Option<&str>,
+    form: Option<EquationForm>,
+) -> Result<Vec<SolvedFormulation>, Failure> {
     if let Some(name) = by {
         let derivation = derive_in_steps(model, formulation(name)?, form).map_err(|error| model.diagnose(&error))?;
-        return Ok(vec![Derived::new(derivation)]);
+        return Ok(vec![SolvedFormulation::new(derivation)]);
     }
     let mut list = Vec::new();
     for f in Formulation::STANDARD {
         match derive_in_steps(model, f, form) {
-            Ok(derivation) => list.push(Derived::new(derivation)),
-            Err(error) if error.is_unsupported() => say(&format!("not shown: {error}")),
+            Ok(derivation) => list.push(SolvedFormulation::new(derivation)),
+            Err(error) if error.is_unsupported() => print_to_stderr(&format!("not shown: {error}")),
             Err(error) => return Err(model.diagnose(&error).into()),
         }
     }
     Ok(list)
 }
 
-impl Derived {
+impl SolvedFormulation {
     /// Solves derived equations for the accelerations. Terms that the equations already name are
     /// left out of the elimination steps.
     fn new(mut derivation: DerivationInSteps) -> Self {
@@ -112,44 +117,49 @@ impl Derived {
 }
 
 /// Returns the derivation as plain text.
-fn as_text(model: &Mechanism, moving: &[MovingPlace], derived: &[Derived]) -> String {
-    let mut out = format!("{}\n{}\n", model.title, model.count());
+fn derivation_text(model: &Mechanism, moving: &[MovingPlace], derived: &[SolvedFormulation]) -> String {
+    let mut out = format!("{}\n{}\n", model.title, model.counts_in_words());
     for place in moving {
         let _ = writeln!(out, "{}", place.text(model));
     }
-    for Derived { derivation, solved } in derived {
+    for SolvedFormulation { derivation, solved } in derived {
         let DerivationInSteps { arena, equations: e, steps } = derivation;
         let _ = writeln!(out, "\n{}\n{}", e.formulation.title(), "=".repeat(e.formulation.title().chars().count()));
         if !e.definitions.is_empty() {
-            let _ = writeln!(out, "\n{NAMED}, each line by those before it");
+            let _ = writeln!(out, "\n{NAMED_TERMS_HEADING}, each line by those before it");
             for step in &e.definitions {
                 let name = arena.symbol_name(step.symbol).unwrap_or_default();
-                let _ = writeln!(out, "  {name} = {}", text(arena, step.value));
+                let _ = writeln!(out, "  {name} = {}", print_text(arena, step.value));
             }
         }
         for step in steps {
             let _ = writeln!(out, "\n{}", step.stage.title(model));
             for (name, value) in &step.lines {
-                let _ = writeln!(out, "  {} = {}", name.text(model), text(arena, *value));
+                let _ = writeln!(out, "  {} = {}", name.text(model), print_text(arena, *value));
             }
         }
         let _ = writeln!(out, "\nEquations of motion, one row for each of {}", e.row_names(model).join(", "));
         for (row, right) in e.matrix.iter().zip(&e.forcing) {
-            let _ = writeln!(out, "  {} = {}", row_text(arena, row, &e.unknowns), text(arena, *right));
+            let _ = writeln!(out, "  {} = {}", row_text(arena, row, &e.unknowns), print_text(arena, *right));
         }
         if let Some(solved) = solved {
             let _ = writeln!(out, "\nSolved for the accelerations, each line by those before it");
             for step in &solved.steps {
                 let name = arena.symbol_name(step.symbol).unwrap_or_default();
-                let _ = writeln!(out, "  {name} = {}", text(arena, step.value));
+                let _ = writeln!(out, "  {name} = {}", print_text(arena, step.value));
             }
         }
-        let _ = writeln!(out, "\nT = {}\nV = {}", text(arena, e.kinetic_energy), text(arena, e.potential_energy));
+        let _ = writeln!(
+            out,
+            "\nT = {}\nV = {}",
+            print_text(arena, e.kinetic_energy),
+            print_text(arena, e.potential_energy)
+        );
         if e.power != Expr::ZERO {
-            let _ = writeln!(out, "d(T + V)/dt = {}", text(arena, e.power));
+            let _ = writeln!(out, "d(T + V)/dt = {}", print_text(arena, e.power));
         }
         if !e.divisors.is_empty() {
-            let list: Vec<String> = e.divisors.iter().map(|d| format!("{} = 0", text(arena, *d))).collect();
+            let list: Vec<String> = e.divisors.iter().map(|d| format!("{} = 0", print_text(arena, *d))).collect();
             let _ = writeln!(out, "The kinematic equations are singular where {}.", list.join(", "));
         }
     }
@@ -161,7 +171,7 @@ fn row_text(arena: &Arena, row: &[Expr], unknowns: &[Expr]) -> String {
     let mut terms = Vec::new();
     for (entry, unknown) in row.iter().zip(unknowns) {
         let name = arena.symbol_name(*unknown).unwrap_or_default();
-        match text(arena, *entry).as_str() {
+        match print_text(arena, *entry).as_str() {
             "0" => {}
             "1" => terms.push(name.to_owned()),
             "-1" => terms.push(format!("-{name}")),
@@ -178,9 +188,13 @@ const MOST_PROVED: usize = 8;
 
 /// Returns a document with all derived formulations, and with the first integrals of small models.
 /// `Err` if the model cannot be derived by all formulations.
-fn document(model: &Mechanism, moving: &[MovingPlace], derived: &[Derived]) -> Result<Document, Failure> {
+fn derivation_document(
+    model: &Mechanism,
+    moving: &[MovingPlace],
+    derived: &[SolvedFormulation],
+) -> Result<Document, Failure> {
     let mut document = Document::new(model, moving);
-    for Derived { derivation, solved } in derived {
+    for SolvedFormulation { derivation, solved } in derived {
         document.formulation(model, derivation, solved.as_ref());
     }
     if model.coordinates.len() <= MOST_PROVED {
@@ -194,7 +208,7 @@ fn document(model: &Mechanism, moving: &[MovingPlace], derived: &[Derived]) -> R
 }
 
 /// Returns the definitions and the equations of motion as MathML.
-fn as_mathml(derived: &[Derived]) -> String {
+fn derivation_mathml(derived: &[SolvedFormulation]) -> String {
     let mut out = String::new();
     for DerivationInSteps { arena, equations: e, .. } in derived.iter().map(|derived| &derived.derivation) {
         for step in &e.definitions {

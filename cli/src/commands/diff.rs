@@ -2,27 +2,27 @@
 
 pub mod coordinates;
 mod models;
-mod roots;
+mod root_mistakes;
 
 pub use models::changed_equations;
 
-use crate::commands::prove::{witness, word};
-use crate::failure::{Failure, Output, print, print_either, print_json, say, status};
+use crate::commands::prove::{verdict_word, witness};
+use crate::failure::{Failure, Output, print, print_json, print_result, print_to_stderr, status};
 use crate::glossary::{names_json, names_text};
-use crate::judgement::Judged;
-use crate::phrases::{entries, shortened};
+use crate::judgement::JudgedPublication;
+use crate::phrases::{entry_count_words, shorten_formula};
 use crate::workspace::{model_file, read_model, short_name};
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use tripos::Mechanism;
 use tripos_derive::algebra::meaning::compare::Witness;
-use tripos_derive::algebra::text::print::{text, whole_text};
+use tripos_derive::algebra::text::print::{print_text, print_whole_text};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::diff::{Consequences, Difference, Finding, Judgement};
 use tripos_derive::model::is_model;
-use tripos_derive::plain::path_in_line;
+use tripos_derive::plain_text::path_in_line;
 
 /// Result of a comparison of a model with one other file, as text and as JSON.
 pub struct Comparison {
@@ -48,7 +48,7 @@ pub fn diff(model: &Path, others: &[PathBuf], compare: Compare, output: Output) 
     let model = read_model(model)?;
     if let [other] = others {
         let comparison = compare(&model, other)?;
-        print_either(output, &comparison.text, &comparison.json)?;
+        print_result(output, &comparison.text, &comparison.json)?;
         return Ok(if comparison.is_clean { 0 } else { status::NO });
     }
     let (mut code, mut list) = (0, Vec::new());
@@ -63,7 +63,7 @@ pub fn diff(model: &Path, others: &[PathBuf], compare: Compare, output: Output) 
             Err(failure) => {
                 code = code.max(failure.status());
                 if output == Output::Text {
-                    say(&failure.to_string());
+                    print_to_stderr(&failure.to_string());
                 }
                 (format!("{heading}not compared: {}\n", failure.first_line()), failure.json())
             }
@@ -89,12 +89,12 @@ fn with_file(mut value: Value, file: &str) -> Value {
 ///
 /// # Errors
 /// `Failure` if a file cannot be read, or a model cannot be derived.
-pub fn compared(model: &Mechanism, other: &Path) -> Result<Comparison, Failure> {
+pub fn compare_with_file(model: &Mechanism, other: &Path) -> Result<Comparison, Failure> {
     let source = Source::read(&model_file(other))?;
     if is_model(&source) {
         return models::diff(model, &tripos_derive::model::load(&source)?);
     }
-    Ok(verdicts(Judged::new(model, &source)?, None))
+    Ok(verdicts(JudgedPublication::new(model, &source)?, None))
 }
 
 /// Report on the search for the coordinates of a publication, as text and as JSON.
@@ -105,8 +105,8 @@ struct CoordinateReport {
 
 /// Returns the verdicts on a publication as a comparison. A report on its coordinates comes first,
 /// if there is one.
-fn verdicts(judged: Judged, coordinates: Option<CoordinateReport>) -> Comparison {
-    let Judged { model, publication, mut derivations, proof, difference } = judged;
+fn verdicts(judged: JudgedPublication, coordinates: Option<CoordinateReport>) -> Comparison {
+    let JudgedPublication { model, publication, mut derivations, proof, difference } = judged;
     difference.write_names(&proof, &mut derivations);
     let arena = &derivations.kinematics.arena;
     let mut json = json_of(&model, arena, &difference);
@@ -121,7 +121,7 @@ fn verdicts(judged: Judged, coordinates: Option<CoordinateReport>) -> Comparison
 /// Returns the verdicts on all entries of a publication, their consequences and the root mistakes
 /// as JSON.
 pub fn json_of(model: &Mechanism, arena: &Arena, difference: &Difference) -> Value {
-    let shown = |e: Option<Expr>| e.map(|e| whole_text(arena, e));
+    let shown = |e: Option<Expr>| e.map(|e| print_whole_text(arena, e));
     let equations: Vec<Value> = difference
         .findings
         .iter()
@@ -132,7 +132,7 @@ pub fn json_of(model: &Mechanism, arena: &Arena, difference: &Difference) -> Val
                 "id": f.id,
                 "section": f.section,
                 "verdict": f.judgement.word(),
-                "holds": holds(f),
+                "holds": domain_of_validity(f),
                 "up_to": f.up_to,
                 "factor": shown(f.factor),
                 "printed": f.printed,
@@ -154,24 +154,24 @@ pub fn json_of(model: &Mechanism, arena: &Arena, difference: &Difference) -> Val
             consequences.push(json!({
                 "system": system.system,
                 "integral": rate.integral.name(model, arena),
-                "rate": whole_text(arena, rate.rate),
+                "rate": print_whole_text(arena, rate.rate),
                 "conserved": rate.verdict.is_equal(),
             }));
         }
         systems.push(json!({
             "system": system.system,
-            "accelerations": word(&system.accelerations),
+            "accelerations": verdict_word(&system.accelerations),
             "determinant": system.determinant.as_ref().map(|(printed, derived, verdict)| json!({
-                "printed": whole_text(arena, *printed),
-                "derived": whole_text(arena, *derived),
-                "verdict": word(verdict),
+                "printed": print_whole_text(arena, *printed),
+                "derived": print_whole_text(arena, *derived),
+                "verdict": verdict_word(verdict),
             })),
         }));
     }
     let agreements: Vec<Value> = difference
         .agreements
         .iter()
-        .map(|a| json!({ "left": a.left, "right": a.right, "verdict": word(&a.verdict) }))
+        .map(|a| json!({ "left": a.left, "right": a.right, "verdict": verdict_word(&a.verdict) }))
         .collect();
     json!({
         "model": short_name(model),
@@ -179,15 +179,15 @@ pub fn json_of(model: &Mechanism, arena: &Arena, difference: &Difference) -> Val
         "consequences": consequences,
         "systems": systems,
         "agreements": agreements,
-        "roots": roots::json_of(difference),
-        "names": names_json(arena, &difference.shown()),
+        "roots": root_mistakes::json_of(difference),
+        "names": names_json(arena, &difference.shown_formulas()),
         "summary": summary(difference),
     })
 }
 
 /// Returns the domain in which a right entry holds: `everywhere`, on the constraints, or in the
 /// domain of the model. `None` for an entry that is not right.
-fn holds(finding: &Finding) -> Option<&'static str> {
+fn domain_of_validity(finding: &Finding) -> Option<&'static str> {
     let is_right = matches!(finding.judgement, Judgement::Equal | Judgement::Scaled);
     is_right.then(|| finding.holds.words().unwrap_or("everywhere"))
 }
@@ -206,20 +206,20 @@ fn summary(difference: &Difference) -> Value {
 fn text_of(model: &Mechanism, title: &str, arena: &Arena, difference: &Difference) -> String {
     let mut out = format!("{title}\nagainst {}\n", model.title);
     let mut section = "";
-    out += &roots::list(difference);
+    out += &root_mistakes::root_mistake_list(difference);
     for (at, finding) in difference.findings.iter().enumerate() {
         if finding.section != section {
             section = &finding.section;
             let _ = writeln!(out, "\nSection {section}");
         }
-        describe(&mut out, arena, finding);
-        if let Some(words) = roots::source(difference, at) {
+        write_finding(&mut out, arena, finding);
+        if let Some(words) = root_mistakes::cause_of_entry(difference, at) {
             let _ = writeln!(out, "    root        {words}");
         }
     }
     for system in &difference.consequences {
         let _ = writeln!(out, "\nWhat {} makes of the motion", system.system);
-        let verdict = match word(&system.accelerations) {
+        let verdict = match verdict_word(&system.accelerations) {
             "equal" => "are the derived ones",
             "different" => "are not the derived ones",
             _ => "could not be compared",
@@ -227,9 +227,9 @@ fn text_of(model: &Mechanism, title: &str, arena: &Arena, difference: &Differenc
         let _ = writeln!(out, "  accelerations {verdict}");
         if let Some((printed, expected, verdict)) = &system.determinant {
             let relation = if verdict.is_equal() { "as derived" } else { "DIFFERENT" };
-            let _ = writeln!(out, "  determinant {relation}: {}", shortened(&text(arena, *printed)));
+            let _ = writeln!(out, "  determinant {relation}: {}", shorten_formula(&print_text(arena, *printed)));
             if !verdict.is_equal() {
-                let _ = writeln!(out, "    derived: {}", shortened(&text(arena, *expected)));
+                let _ = writeln!(out, "    derived: {}", shorten_formula(&print_text(arena, *expected)));
             }
         }
         for rate in &system.rates {
@@ -237,7 +237,8 @@ fn text_of(model: &Mechanism, title: &str, arena: &Arena, difference: &Differenc
             if rate.verdict.is_equal() {
                 let _ = writeln!(out, "  conserves {integral}");
             } else {
-                let _ = writeln!(out, "  BREAKS {integral}\n    d/dt = {}", shortened(&text(arena, rate.rate)));
+                let _ =
+                    writeln!(out, "  BREAKS {integral}\n    d/dt = {}", shorten_formula(&print_text(arena, rate.rate)));
             }
         }
     }
@@ -245,19 +246,19 @@ fn text_of(model: &Mechanism, title: &str, arena: &Arena, difference: &Differenc
         out.push_str("\nDo the printed systems give the same motion?\n");
     }
     for a in &difference.agreements {
-        let answer = match word(&a.verdict) {
+        let answer = match verdict_word(&a.verdict) {
             "equal" => "yes",
             "different" => "no",
             _ => "undecided",
         };
         let _ = writeln!(out, "  {} and {}: {answer}", a.left, a.right);
     }
-    out += &names_text(arena, &printed(difference));
+    out += &names_text(arena, &formulas_in_report(difference));
     let count = |word| difference.count(word);
     let _ = writeln!(
         out,
         "\n{}: {} equal, {} scaled, {} different, {} undecided, {} stated",
-        entries(difference.findings.len()),
+        entry_count_words(difference.findings.len()),
         count("equal"),
         count("scaled"),
         count("different"),
@@ -268,32 +269,32 @@ fn text_of(model: &Mechanism, title: &str, arena: &Arena, difference: &Differenc
 }
 
 /// Lists the formulas that the text report shows, so that the names in them can be defined.
-fn printed(difference: &Difference) -> Vec<Expr> {
+fn formulas_in_report(difference: &Difference) -> Vec<Expr> {
     let findings = difference.findings.iter().flat_map(|f| match f.judgement {
         Judgement::Scaled => f.factor.into_iter().collect(),
-        Judgement::Different => f.shown().collect(),
+        Judgement::Different => f.shown_formulas().collect(),
         _ => Vec::new(),
     });
-    findings.chain(difference.consequences.iter().flat_map(Consequences::shown)).collect()
+    findings.chain(difference.consequences.iter().flat_map(Consequences::shown_formulas)).collect()
 }
 
 /// Returns words for the permitted difference of an entry and for the domain in which it holds.
 /// Empty if it holds exactly and everywhere.
-fn place(finding: &Finding) -> String {
+fn validity_text(finding: &Finding) -> String {
     let words: Vec<&str> = finding.up_to.into_iter().chain(finding.holds.words()).collect();
     if words.is_empty() { String::new() } else { format!("  {}", words.join(", ")) }
 }
 
 /// Writes the verdict on an entry. A wrong entry also gets its printed form, its derived form, a
 /// witness and remarks.
-fn describe(out: &mut String, arena: &Arena, f: &Finding) {
+fn write_finding(out: &mut String, arena: &Arena, f: &Finding) {
     match &f.judgement {
         Judgement::Equal | Judgement::Stated => {
-            let _ = writeln!(out, "  {:9} {}{}", f.judgement.word(), f.id, place(f));
+            let _ = writeln!(out, "  {:9} {}{}", f.judgement.word(), f.id, validity_text(f));
         }
         Judgement::Scaled => {
-            let by = f.factor.map_or_else(|| f.remarks.join("; "), |factor| text(arena, factor));
-            let _ = writeln!(out, "  scaled    {}  by {by}{}", f.id, place(f));
+            let by = f.factor.map_or_else(|| f.remarks.join("; "), |factor| print_text(arena, factor));
+            let _ = writeln!(out, "  scaled    {}  by {by}{}", f.id, validity_text(f));
         }
         Judgement::Undecided(why) => {
             let _ = writeln!(out, "  UNDECIDED {}: {why}", f.id);
@@ -301,13 +302,13 @@ fn describe(out: &mut String, arena: &Arena, f: &Finding) {
         Judgement::Different => {
             let _ = writeln!(out, "  DIFFERENT {}\n    printed     {}", f.id, f.printed);
             if let Some(derived) = f.derived {
-                let _ = writeln!(out, "    derived     {}", text(arena, derived));
+                let _ = writeln!(out, "    derived     {}", print_text(arena, derived));
             }
             if let Some(difference) = f.difference {
-                let _ = writeln!(out, "    difference  {}", text(arena, difference));
+                let _ = writeln!(out, "    difference  {}", print_text(arena, difference));
             }
             if let Some(factor) = f.factor {
-                let _ = writeln!(out, "    factor      {}", text(arena, factor));
+                let _ = writeln!(out, "    factor      {}", print_text(arena, factor));
             }
             if let Some(w) = &f.witness {
                 let at: Vec<String> = w.at.iter().map(|(name, x)| format!("{name} = {x}")).collect();

@@ -1,23 +1,23 @@
 //! Command `tripos emit`: writes generated code of any model file, for use in another program.
 
-use crate::failure::{Failure, Output, print_either, say, warn};
+use crate::failure::{Failure, Output, print_result, print_to_stderr, warn};
 use crate::scene_file::read_scene;
 use crate::workspace::model_file;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use tripos::code::formulation;
 use tripos_codegen::Extras;
-use tripos_codegen::emit::{Emission, PlaceError, Placed, emit as emission, place};
+use tripos_codegen::emit::{Emission, EmissionError, EmittedFileChange, emit_rust_module as emission, write_emission};
 use tripos_codegen::js::RUNNERS;
-use tripos_codegen::js::emit::{EXTENSION, emit_model};
+use tripos_codegen::js::emit::{EXTENSION, emit_javascript_modules};
 use tripos_codegen::languages::c::C;
 use tripos_codegen::languages::casadi::CasADi;
 use tripos_codegen::languages::matlab::Matlab;
 use tripos_codegen::languages::python::Python;
 use tripos_codegen::languages::{self, Dialect, Selection};
-use tripos_codegen::plan::{Hidden, ModulePlan};
-use tripos_derive::diagnostic::{Source, nearest};
-use tripos_derive::plain::path_in_line;
+use tripos_codegen::plan::{MissingOutputReason, ModulePlan};
+use tripos_derive::diagnostic::{Source, nearest_name_advice};
+use tripos_derive::plain_text::path_in_line;
 use tripos_derive::scene::{Scene, is_scene};
 use tripos_derive::{Formulation, Model};
 
@@ -25,7 +25,7 @@ use tripos_derive::{Formulation, Model};
 const LANGUAGES: [&str; 6] = ["rust", "js", "c", "python", "matlab", "casadi"];
 
 /// Arguments of `tripos emit`: the model, the language and the choice of equations and functions.
-pub struct Emit {
+pub struct EmitRequest {
     /// Path of the model file, or of a scene file.
     pub model: PathBuf,
     /// Folder into which the files are written.
@@ -46,10 +46,11 @@ pub struct Emit {
 /// # Errors
 /// `Failure` if the request is refused, the model has errors, or a file is in the way or cannot
 /// be written.
-pub fn emit(request: &Emit, output: Output) -> Result<u8, Failure> {
-    let Emit { model, out, language, with, .. } = request;
+pub fn emit(request: &EmitRequest, output: Output) -> Result<u8, Failure> {
+    let EmitRequest { model, out, language, with, .. } = request;
     let formulations = request.formulations.iter().map(|name| formulation(name)).collect::<Result<Vec<_>, _>>()?;
-    let extras = Extras::named(with.iter().map(String::as_str)).map_err(|(what, help)| Failure::request(what, help))?;
+    let extras = Extras::extras_from_names(with.iter().map(String::as_str))
+        .map_err(|(what, help)| Failure::request(what, help))?;
     if language != "rust" && extras != Extras::default() {
         let what = "functions beside the equations are written in Rust alone".to_owned();
         return Err(Failure::request(what, "leave `--with` out, or give `--language rust`".to_owned()));
@@ -72,39 +73,47 @@ pub fn emit(request: &Emit, output: Output) -> Result<u8, Failure> {
         return Err(Failure::request(what, help.to_owned()));
     }
     let (emission, then) = match (dialect, language.as_str()) {
-        (Some(dialect), _) => other(request, dialect, &formulations)?,
-        (None, "rust") => rust(model, out, &formulations, extras)?,
-        (None, "js") => javascript(model, &formulations)?,
+        (Some(dialect), _) => emit_in_dialect(request, dialect, &formulations)?,
+        (None, "rust") => emit_rust(model, out, &formulations, extras)?,
+        (None, "js") => emit_javascript(model, &formulations)?,
         (None, name) => {
             let what = format!("equations are not written in `{name}`");
-            return Err(Failure::request(what, nearest(name, LANGUAGES)));
+            return Err(Failure::request(what, nearest_name_advice(name, LANGUAGES)));
         }
     };
     for (_, error) in &emission.left_out {
-        say(&format!("not emitted: {error}"));
+        print_to_stderr(&format!("not emitted: {error}"));
     }
-    let placed = place(&emission, out).map_err(|error| match error {
-        PlaceError::Foreign(_) | PlaceError::OtherModel(..) => {
+    let placed = write_emission(&emission, out).map_err(|error| match error {
+        EmissionError::Foreign(_) | EmissionError::OtherModel(..) => {
             Failure::request(error.to_string(), "give another folder, or move the file away".to_owned())
         }
-        PlaceError::Write(error) => error.into(),
-        PlaceError::Io(path, error) => Failure::Output(path_in_line(&path), error),
+        EmissionError::Write(error) => error.into(),
+        EmissionError::Io(path, error) => Failure::Output(path_in_line(&path), error),
     })?;
     let lines: Vec<String> = placed.iter().map(|file| format!("{file}\n")).collect();
     let left_out: Vec<Value> =
         emission.left_out.iter().map(|(f, why)| json!({ "formulation": f.name(), "why": why.to_string() })).collect();
-    let files: Vec<Value> =
-        placed.iter().map(Placed::word_and_file).map(|(word, file)| json!({ "file": file, "change": word })).collect();
+    let files: Vec<Value> = placed
+        .iter()
+        .map(EmittedFileChange::word_and_file)
+        .map(|(word, file)| json!({ "file": file, "change": word }))
+        .collect();
     let value = json!({ "folder": path_in_line(out), "files": files, "left_out": left_out, "use": then });
-    print_either(output, &lines.concat(), &value)?;
-    say(&then);
+    print_result(output, &lines.concat(), &value)?;
+    print_to_stderr(&then);
     Ok(0)
 }
 
 /// Generates the Rust module of a model. The second result is a sentence on its use.
 /// `Err` if the folder has no name, or the model has errors.
-fn rust(model: &Path, out: &Path, formulations: &[Formulation], extras: Extras) -> Result<(Emission, String), Failure> {
-    let module = module(out)?;
+fn emit_rust(
+    model: &Path,
+    out: &Path,
+    formulations: &[Formulation],
+    extras: Extras,
+) -> Result<(Emission, String), Failure> {
+    let module = rust_module_name(out)?;
     let emission = emission(&model_file(model), &module, formulations, extras)?;
     let then = format!(
         "declare it as `pub mod {module};` in a crate that depends on tripos-traits, or include its mod.rs in a module"
@@ -114,8 +123,8 @@ fn rust(model: &Path, out: &Path, formulations: &[Formulation], extras: Extras) 
 
 /// Generates the JavaScript modules of a model. The second result is a sentence on their use.
 /// `Err` if the model has errors.
-fn javascript(model: &Path, formulations: &[Formulation]) -> Result<(Emission, String), Failure> {
-    let emission = emit_model(&Model::read(&model_file(model))?, formulations)?;
+fn emit_javascript(model: &Path, formulations: &[Formulation]) -> Result<(Emission, String), Failure> {
+    let emission = emit_javascript_modules(&Model::read(&model_file(model))?, formulations)?;
     let runners = RUNNERS.map(|(name, _)| format!("{name}.{EXTENSION}"));
     let first = emission.files.keys().find(|file| !runners.contains(*file));
     let first = first.map_or("kane.mjs", String::as_str);
@@ -126,20 +135,24 @@ fn javascript(model: &Path, formulations: &[Formulation]) -> Result<(Emission, S
 /// Generates the modules of a model in C, Python, MATLAB or for CasADi. The second result is a
 /// sentence on their use.
 /// `Err` if a requested function is unknown, or the model or the scene has errors.
-fn other(request: &Emit, dialect: &dyn Dialect, formulations: &[Formulation]) -> Result<(Emission, String), Failure> {
+fn emit_in_dialect(
+    request: &EmitRequest,
+    dialect: &dyn Dialect,
+    formulations: &[Formulation],
+) -> Result<(Emission, String), Failure> {
     let known =
         || ModulePlan::FUNCTIONS.into_iter().chain(dialect.composites().iter().map(|composite| composite.name()));
     if let Some(name) = request.functions.iter().find(|name| !known().any(|known| known == *name)) {
         let what = format!("there is no function `{name}`");
-        return Err(Failure::request(what, nearest(name, known())));
+        return Err(Failure::request(what, nearest_name_advice(name, known())));
     }
-    let (model, scene) = given(&request.model)?;
+    let (model, scene) = read_model_or_scene(&request.model)?;
     let selection = Selection { formulations, functions: &request.functions, scene: scene.as_ref() };
     let emitted = languages::emit_model(&model, dialect, selection)?;
     for (name, equations, why) in &emitted.hidden {
         let why = match why {
-            Hidden::Reaction => "the function needs a reaction, which has no closed form here",
-            Hidden::Acceleration => "the function needs an acceleration, which has no closed form here",
+            MissingOutputReason::Reaction => "the function needs a reaction, which has no closed form here",
+            MissingOutputReason::Acceleration => "the function needs an acceleration, which has no closed form here",
         };
         warn(&format!("`{name}` is left out of the functions of {equations}: {why}"));
     }
@@ -159,7 +172,7 @@ fn other(request: &Emit, dialect: &dyn Dialect, formulations: &[Formulation]) ->
 /// Reads the model file that an argument names, or the scene file with its model. The scene is
 /// `None` for a model file.
 /// `Err` if the file has errors.
-fn given(argument: &Path) -> Result<(Model, Option<Scene>), Failure> {
+fn read_model_or_scene(argument: &Path) -> Result<(Model, Option<Scene>), Failure> {
     let path = model_file(argument);
     if Source::read(&path).is_ok_and(|source| is_scene(&source)) {
         let (mechanism, scene) = read_scene(&path)?;
@@ -172,7 +185,7 @@ fn given(argument: &Path) -> Result<(Model, Option<Scene>), Failure> {
 ///
 /// # Errors
 /// `Failure` if the folder has no name that can be read.
-fn module(out: &Path) -> Result<String, Failure> {
+fn rust_module_name(out: &Path) -> Result<String, Failure> {
     // `.` and `..` have no name of their own.
     let named =
         if out.file_name().is_some() { out.to_owned() } else { out.canonicalize().unwrap_or_else(|_| PathBuf::new()) };

@@ -2,11 +2,11 @@
 //! their stability.
 
 mod closed_form;
-mod figure;
+mod equilibria_figure;
 mod followed_motion;
 mod range;
 
-use super::linearise::{kind_of, modes_of, modes_text, moves_of, state_of};
+use super::linearise::{modes_of, modes_text, motion_directions_json, motion_kind_words, state_json};
 use crate::failure::{Failure, Output, print, print_json};
 use crate::workspace::{read_model, short_name};
 use range::Range;
@@ -14,10 +14,12 @@ use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;
 use tripos::Error;
-use tripos::studies::steady::{About, BranchesAt, ClosedForm, FoundMotion, conditions, equilibria as of_model};
+use tripos::studies::steady::{
+    BranchesAt, ClosedForm, FoundMotion, SteadyLinearSystem, conditions, find_equilibria as of_model,
+};
 use tripos_derive::diagnostic::Source;
-use tripos_derive::plain::significant;
-use tripos_derive::scene::load_asked;
+use tripos_derive::plain_text::with_significant_digits;
+use tripos_derive::scene::load_state_with_unknowns;
 
 /// Starting points of the search for equilibria and steady motions.
 pub struct StartingPoints<'a> {
@@ -54,16 +56,16 @@ pub fn equilibria(
         return Ok(0);
     };
     let source = Source::read(file)?;
-    let asked = load_asked(&source, &mut model, &[])?;
+    let asked = load_state_with_unknowns(&source, &mut model, &[])?;
     if let Some(out) = out {
-        figure::check(out, &model, file)?;
+        equilibria_figure::check_figure_path(out, &model, file)?;
     }
     let ranges: Result<Vec<Range>, Error> = over.iter().map(|over| Range::new(&model, &asked, over)).collect();
     match ranges?.as_slice() {
         [] => {}
-        [one] => return followed_motion::along(&mut model, &source, one, out, output),
+        [one] => return followed_motion::follow_along_number(&mut model, &source, one, out, output),
         [first, second] if first.name != second.name => {
-            return followed_motion::over_two(&mut model, &source, [first, second], out, output);
+            return followed_motion::map_over_two_numbers(&mut model, &source, [first, second], out, output);
         }
         _ => {
             let what = "a map is over two different numbers".to_owned();
@@ -119,14 +121,14 @@ fn json_of(found: &FoundMotion) -> Value {
 
 /// Returns a linearised equilibrium or steady motion as JSON: state, stability, eigenvalues and
 /// modes.
-fn point_of(about: &About) -> Value {
+fn point_of(about: &SteadyLinearSystem) -> Value {
     json!({
-        "at": state_of(about),
+        "at": state_json(about),
         "rest": about.moves.is_empty(),
-        "moves": moves_of(about),
+        "moves": motion_directions_json(about),
         "residual": about.steady.residual,
         "stability": about.stability.name(),
-        "power_of_t": about.stability.power(),
+        "power_of_t": about.stability.growth_power(),
         "family": about.family,
         "eigenvalues": about.modes.iter().map(|mode| mode.value).collect::<Vec<_>>(),
         "modes": modes_of(about),
@@ -143,7 +145,12 @@ fn text_of(found: &FoundMotion) -> String {
             return format!("balanced at {}, and not linearised: {}\n", x.join(", "), why.first_line());
         }
     };
-    let _ = writeln!(out, "{}, largest residual {}", kind_of(about), significant(about.steady.residual, 2));
+    let _ = writeln!(
+        out,
+        "{}, largest residual {}",
+        motion_kind_words(about),
+        with_significant_digits(about.steady.residual, 2)
+    );
     for (name, x) in about.states() {
         let _ = writeln!(out, "  {name} = {x:?}");
     }

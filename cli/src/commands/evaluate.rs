@@ -6,18 +6,20 @@ use crate::workspace::{read_model, short_name};
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use std::path::Path;
-use tripos::code::{Ready, by as equations, code_of, derivation, tape};
+use tripos::code::{
+    CodePreparation, compile_tape, derive_or_read_equations, find_equations as equations, interpreted_code,
+};
 use tripos::{EquationsName, Error, Mechanism, near_divisors};
 use tripos_derive::algebra::Expr;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::{Derivation, EquationsOrigin, Kinematics, rates_to_speeds};
 use tripos_derive::model::Reaction;
-use tripos_derive::plain::significant;
+use tripos_derive::plain_text::with_significant_digits;
 use tripos_derive::scene::{State, load_state};
 use tripos_sim::Dynamics;
 
 /// Equations of motion of a formulation evaluated at one state, in SI units.
-struct Values {
+struct EvaluatedEquations {
     /// Names of the unknowns of the linear system.
     unknowns: Vec<String>,
     /// Mass matrix, row by row: a row and a column for each unknown.
@@ -49,9 +51,9 @@ pub fn evaluate(model: &Path, by: &EquationsName, at: &Path, output: Output) -> 
     let mut model = read_model(model)?;
     let by = equations(&model, by)?;
     let state = load_state(&Source::read(at)?, &mut model)?;
-    let derivation = derivation(&model, &by)?;
+    let derivation = derive_or_read_equations(&model, &by)?;
     state.hints(&model).iter().for_each(|hint| warn(hint));
-    let values = values(&model, &by, &derivation, &state)?;
+    let values = evaluate_equations(&model, &by, &derivation, &state)?;
     if output == Output::Json {
         let object = |list: &[(String, f64)]| {
             list.iter().map(|(name, value)| (name.clone(), json!(value))).collect::<Map<String, Value>>()
@@ -82,8 +84,13 @@ pub fn evaluate(model: &Path, by: &EquationsName, at: &Path, output: Output) -> 
 /// # Errors
 /// `Failure` if the matrix is singular to rounding, or if an acceleration or energy is not
 /// finite.
-fn values(model: &Mechanism, by: &EquationsOrigin, derivation: &Derivation, state: &State) -> Result<Values, Failure> {
-    let code = code_of(model, by, derivation, Ready::AsDerived)?;
+fn evaluate_equations(
+    model: &Mechanism,
+    by: &EquationsOrigin,
+    derivation: &Derivation,
+    state: &State,
+) -> Result<EvaluatedEquations, Failure> {
+    let code = interpreted_code(model, by, derivation, CodePreparation::AsDerived)?;
     let system = code.system();
     let State { parameters: p, q, u } = state;
     let mut v = vec![0.0; system.lengths().variables];
@@ -105,15 +112,15 @@ fn values(model: &Mechanism, by: &EquationsOrigin, derivation: &Derivation, stat
         let what = "the matrix is singular to rounding";
         return Err(stopped(format!(
             "{what}: equilibrated rcond {}{}",
-            significant(rcond, 2),
+            with_significant_digits(rcond, 2),
             near_divisors(model, &state.parameters, &state.q)?
         )));
     }
-    if rcond < LOSSY {
+    if rcond < LARGEST_LOSSY_RCOND {
         let lost = (-rcond.log10()).floor();
         warn(&format!(
             "equilibrated rcond is {}: about {lost} of 16 digits of the accelerations are lost",
-            significant(rcond, 2)
+            with_significant_digits(rcond, 2)
         ));
     }
     let (v_dot, others) = x.split_at(system.lengths().variables);
@@ -127,14 +134,14 @@ fn values(model: &Mechanism, by: &EquationsOrigin, derivation: &Derivation, stat
     if energies.iter().any(|e| !e.is_finite()) {
         return Err(stopped("an energy or its rate is not a finite number".to_owned()));
     }
-    let carries_reactions = derivation.equations.formulation.carries_reactions();
+    let carries_reactions = derivation.equations.formulation.has_reactions();
     warn_outside_domain(model, state, if carries_reactions { others } else { &[] })?;
     let unknowns = &derivation.equations.unknowns;
     let unknowns: Vec<String> =
         unknowns.iter().filter_map(|e| derivation.arena.symbol_name(*e)).map(str::to_owned).collect();
     let others: Vec<(String, f64)> = unknowns[v_dot.len()..].iter().cloned().zip(others.iter().copied()).collect();
     let (reactions, multipliers) = if carries_reactions { (others, Vec::new()) } else { (Vec::new(), others) };
-    Ok(Values {
+    Ok(EvaluatedEquations {
         unknowns,
         multipliers,
         mass_matrix: matrix.chunks(n.max(1)).map(<[f64]>::to_vec).collect(),
@@ -153,13 +160,14 @@ fn values(model: &Mechanism, by: &EquationsOrigin, derivation: &Derivation, stat
 fn gravity_potential(model: &Mechanism, state: &State) -> Result<f64, Failure> {
     let mut kinematics = Kinematics::new(model).map_err(|error| model.diagnose(&error))?;
     let gravity = kinematics.gravity_potential(model).map_err(|error| model.diagnose(&error))?;
-    let tape = tape(&kinematics.arena, &[model.p(), model.q()].concat(), &[gravity], "the potential of gravity")?;
+    let tape =
+        compile_tape(&kinematics.arena, &[model.p(), model.q()].concat(), &[gravity], "the potential of gravity")?;
     Ok(tape.evaluate(&[state.parameters.as_slice(), &state.q].concat())[0])
 }
 
 /// Reciprocal condition number below which a warning states that more than half of the digits are
 /// lost.
-const LOSSY: f64 = 1e-8;
+const LARGEST_LOSSY_RCOND: f64 = 1e-8;
 
 /// Warns of conditions of the model's domain that do not hold at a state. Conditions on reactions
 /// are checked only if `reactions` are given.
@@ -176,7 +184,7 @@ fn warn_outside_domain(model: &Mechanism, state: &State, reactions: &[f64]) -> R
         if model.reactions.iter().any(unknown) {
             continue;
         }
-        let tape = tape(&arena, &inputs, &[positive], &format!("`{}`", condition.name))?;
+        let tape = compile_tape(&arena, &inputs, &[positive], &format!("`{}`", condition.name))?;
         if tape.evaluate(&values)[0] <= 0.0 {
             warn(&format!(
                 "this state is outside the model's domain: `{}` ({}) does not hold",
@@ -188,7 +196,7 @@ fn warn_outside_domain(model: &Mechanism, state: &State, reactions: &[f64]) -> R
 }
 
 /// Returns the evaluated equations of motion as text.
-fn as_text(model: &Mechanism, title: &str, values: &Values) -> String {
+fn as_text(model: &Mechanism, title: &str, values: &EvaluatedEquations) -> String {
     let mut out = format!("{}: {title}, by interpretation\n\n", model.title);
     let row = |numbers: &[f64]| numbers.iter().map(|x| format!("{x:>15.8e}")).collect::<Vec<_>>().join(" ");
     let _ = writeln!(out, "unknowns: {}\nmatrix | right-hand side", values.unknowns.join(", "));

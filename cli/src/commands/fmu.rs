@@ -1,15 +1,15 @@
 //! Command `tripos fmu`: writes a scene as a functional mock-up unit (FMU).
 
-use crate::failure::{Failure, Output, print_either, say, warn};
+use crate::failure::{Failure, Output, print_result, print_to_stderr, warn};
 use crate::scene_file::read_scene_with;
 use serde_json::json;
 use std::ffi::OsString;
 use std::io::{Cursor, Write};
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use tripos_codegen::files;
 use tripos_codegen::fmu::{Fmu, Version};
-use tripos_derive::plain::path_in_line;
+use tripos_codegen::whole_file_writer;
+use tripos_derive::plain_text::path_in_line;
 use zip::write::SimpleFileOptions;
 use zip::{DateTime, ZipWriter};
 
@@ -51,9 +51,9 @@ pub fn fmu(request: &UnitRequest, output: Output) -> Result<u8, Failure> {
     for name in &unit.left_out {
         warn(&format!("`{name}` is left out: it needs a reaction, which the equations of a unit do not have"));
     }
-    let binary = if request.only_sources { None } else { Some(compiled(&unit)?) };
-    let bytes = archive(&unit, version, binary.as_deref()).map_err(|error| archive_failed(&request.out, error))?;
-    files::write(&request.out, &bytes)?;
+    let binary = if request.only_sources { None } else { Some(compile_fmu(&unit)?) };
+    let bytes = fmu_archive(&unit, version, binary.as_deref()).map_err(|error| archive_failure(&request.out, error))?;
+    whole_file_writer::write(&request.out, &bytes)?;
     let platform = binary.as_ref().map(|_| platform(version));
     let value = json!({
         "file": path_in_line(&request.out),
@@ -64,15 +64,15 @@ pub fn fmu(request: &UnitRequest, output: Output) -> Result<u8, Failure> {
         "left_out": unit.left_out,
     });
     let words = format!("written    {}\n", path_in_line(&request.out));
-    print_either(output, &words, &value)?;
+    print_result(output, &words, &value)?;
     if !unit.has_slopes {
-        say("the unit has no directional derivatives, because they would be too long");
+        print_to_stderr("the unit has no directional derivatives, because they would be too long");
     }
     Ok(0)
 }
 
 /// Returns the failure for an archive that could not be written to `out`.
-fn archive_failed(out: &Path, error: zip::result::ZipError) -> Failure {
+fn archive_failure(out: &Path, error: zip::result::ZipError) -> Failure {
     Failure::Output(path_in_line(out), std::io::Error::other(error))
 }
 
@@ -95,7 +95,7 @@ fn platform(version: Version) -> String {
 ///
 /// # Errors
 /// [`Failure`] if the compiler cannot be run or refuses the sources.
-fn compiled(unit: &Fmu) -> Result<Vec<u8>, Failure> {
+fn compile_fmu(unit: &Fmu) -> Result<Vec<u8>, Failure> {
     let failed = |error: std::io::Error| Failure::Output("sources of the unit".to_owned(), error);
     let folder = tempfile::tempdir().map_err(failed)?;
     for (name, text) in &unit.sources {
@@ -131,7 +131,7 @@ fn is_source(name: &str) -> bool {
 /// Returns the bytes of the unit's ZIP archive: description, sources and binary. Equal units have
 /// equal bytes.
 /// `Err` if the archive cannot be made.
-fn archive(unit: &Fmu, version: Version, binary: Option<&[u8]>) -> zip::result::ZipResult<Vec<u8>> {
+fn fmu_archive(unit: &Fmu, version: Version, binary: Option<&[u8]>) -> zip::result::ZipResult<Vec<u8>> {
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
     let options = SimpleFileOptions::default().last_modified_time(DateTime::default());
     let mut add = |name: String, bytes: &[u8]| {

@@ -2,7 +2,7 @@
 
 use crate::arguments::{Grade as Request, MarksFormat};
 use crate::failure::{Failure, print, print_json, status};
-use crate::judgement::Judged;
+use crate::judgement::JudgedPublication;
 use crate::output;
 use crate::page::markup::html::escape;
 use crate::workspace::{read_model, short_name};
@@ -12,14 +12,14 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use tripos::Mechanism;
 use tripos_derive::diagnostic::Source;
-use tripos_derive::diff::grade::{Grade, Level, Mark, Outcome, Rubric, grade as graded};
-use tripos_derive::plain::path_in_line;
+use tripos_derive::diff::grade::{FeedbackLevel, Grade, Mark, Outcome, Rubric, grade as graded};
+use tripos_derive::plain_text::path_in_line;
 
 /// Largest size of a submission that is read, in bytes.
 const LARGEST: u64 = 1_000_000;
 
 /// Submission with its marks, or with the reason why it has none.
-struct Graded {
+struct GradedSubmission {
     /// Name of the submission's file, without its extension.
     name: String,
     /// Marks of the submission; `Err` is the reason why there are none.
@@ -37,15 +37,15 @@ pub fn grade(request: &Request) -> Result<u8, Failure> {
         Some(path) => Rubric::load(&Source::read(path)?)?,
         None => Rubric::default(),
     };
-    let level = level(request, &rubric)?;
+    let level = feedback_level(request, &rubric)?;
     let files = files(&request.submissions)?;
-    let list: Vec<Graded> = files.iter().map(|file| submission(&model, &rubric, file)).collect();
+    let list: Vec<GradedSubmission> = files.iter().map(|file| submission(&model, &rubric, file)).collect();
     let format = if request.json { MarksFormat::Json } else { request.format };
     match format {
         MarksFormat::Text => print(&text_of(&list, level))?,
         MarksFormat::Json => print_json(&json!({
             "model": short_name(&model),
-            "level": Level::ALL.iter().find(|(own, _)| *own == level).map(|(_, name)| name),
+            "level": FeedbackLevel::ALL.iter().find(|(own, _)| *own == level).map(|(_, name)| name),
             "submissions": list.iter().map(|one| json_of(one, level)).collect::<Vec<_>>(),
         }))?,
         MarksFormat::Gradescope => {
@@ -57,9 +57,9 @@ pub fn grade(request: &Request) -> Result<u8, Failure> {
         }
     }
     if let Some(out) = &request.out {
-        output::text(out, &page(&model, &list))?;
+        output::write_text_file(out, &grades_page(&model, &list))?;
     }
-    let is_right = |one: &Graded| one.grade.as_ref().is_ok_and(|grade| grade.marks.iter().all(is_right));
+    let is_right = |one: &GradedSubmission| one.grade.as_ref().is_ok_and(|grade| grade.marks.iter().all(is_right));
     Ok(if list.iter().all(is_right) { 0 } else { status::NO })
 }
 
@@ -71,11 +71,14 @@ fn is_right(mark: &Mark) -> bool {
 /// Returns the level of detail of the feedback: that of the command line, otherwise that of the
 /// rubric.
 /// `Err` if the command line names no known level.
-fn level(request: &Request, rubric: &Rubric) -> Result<Level, Failure> {
+fn feedback_level(request: &Request, rubric: &Rubric) -> Result<FeedbackLevel, Failure> {
     let Some(name) = &request.level else { return Ok(rubric.level.unwrap_or_default()) };
-    Level::named(name).ok_or_else(|| {
+    FeedbackLevel::feedback_level_by_name(name).ok_or_else(|| {
         let help = "give `hint`, `place` or `term`";
-        Failure::request(format!("there is no level `{}`", tripos_derive::diagnostic::shown(name)), help)
+        Failure::request(
+            format!("there is no level `{}`", tripos_derive::diagnostic::shortened_for_message(name)),
+            help,
+        )
     })
 }
 
@@ -111,21 +114,21 @@ fn files(given: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
 }
 
 /// Judges one submission; a failure becomes the reason why it has no marks.
-fn submission(model: &Mechanism, rubric: &Rubric, file: &Path) -> Graded {
+fn submission(model: &Mechanism, rubric: &Rubric, file: &Path) -> GradedSubmission {
     let name = file.file_stem().map_or_else(|| path_in_line(file), |stem| stem.to_string_lossy().into_owned());
-    Graded { name, grade: marks(model, rubric, file).map_err(|failure| failure.to_string()) }
+    GradedSubmission { name, grade: grade_submission(model, rubric, file).map_err(|failure| failure.to_string()) }
 }
 
 /// Judges one submission file and returns its marks.
 ///
 /// # Errors
 /// `Failure` if the file is too large, cannot be read, or is no publication of the model.
-fn marks(model: &Mechanism, rubric: &Rubric, file: &Path) -> Result<Grade, Failure> {
+fn grade_submission(model: &Mechanism, rubric: &Rubric, file: &Path) -> Result<Grade, Failure> {
     if std::fs::metadata(file).is_ok_and(|about| about.len() > LARGEST) {
         let what = format!("{} has more than {LARGEST} bytes", path_in_line(file));
         return Err(Failure::request(what, "a submission is a text of some pages"));
     }
-    Ok(graded(&Judged::new(model, &Source::read(file)?)?.difference, rubric))
+    Ok(graded(&JudgedPublication::new(model, &Source::read(file)?)?.difference, rubric))
 }
 
 /// Returns points as text with at most two decimals, without zeros at the end.
@@ -135,7 +138,7 @@ fn points(x: f64) -> String {
 }
 
 /// Returns a word for the outcome of an entry, and feedback on it at the level of detail `level`.
-fn words(mark: &Mark, level: Level) -> (&'static str, String) {
+fn mark_words(mark: &Mark, level: FeedbackLevel) -> (&'static str, String) {
     match &mark.outcome {
         Outcome::Right => ("right", String::new()),
         Outcome::Mistake(feedback) => ("WRONG", feedback.words(level)),
@@ -146,7 +149,7 @@ fn words(mark: &Mark, level: Level) -> (&'static str, String) {
 }
 
 /// Returns the marks of all submissions as text, and a list of who made which mistake.
-fn text_of(list: &[Graded], level: Level) -> String {
+fn text_of(list: &[GradedSubmission], level: FeedbackLevel) -> String {
     let mut out = String::new();
     for one in list {
         match &one.grade {
@@ -156,7 +159,7 @@ fn text_of(list: &[Graded], level: Level) -> String {
             Ok(grade) => {
                 let _ = writeln!(out, "{}: {} of {} points", one.name, points(grade.points), points(grade.of));
                 for mark in &grade.marks {
-                    let (outcome, feedback) = words(mark, level);
+                    let (outcome, feedback) = mark_words(mark, level);
                     let feedback = if feedback.is_empty() { feedback } else { format!(": {feedback}") };
                     let _ = writeln!(out, "  {outcome:8} {}{feedback}", mark.id);
                 }
@@ -166,7 +169,7 @@ fn text_of(list: &[Graded], level: Level) -> String {
     }
     if list.len() > 1 {
         out += "Who made which mistake\n";
-        for ((id, term), names) in mistakes(list) {
+        for ((id, term), names) in submissions_by_mistake(list) {
             let _ = writeln!(out, "  {id}: {term}\n    {}", names.join(", "));
         }
     }
@@ -175,7 +178,7 @@ fn text_of(list: &[Graded], level: Level) -> String {
 
 /// Groups the submissions by their mistakes. The key is the id of the wrong entry and the words for
 /// the mistake.
-fn mistakes(list: &[Graded]) -> BTreeMap<(&str, &str), Vec<&str>> {
+fn submissions_by_mistake(list: &[GradedSubmission]) -> BTreeMap<(&str, &str), Vec<&str>> {
     let mut found: BTreeMap<(&str, &str), Vec<&str>> = BTreeMap::new();
     for one in list {
         for mark in one.grade.iter().flat_map(|grade| &grade.marks) {
@@ -188,7 +191,7 @@ fn mistakes(list: &[Graded]) -> BTreeMap<(&str, &str), Vec<&str>> {
 }
 
 /// Returns the marks of a submission as JSON.
-fn json_of(one: &Graded, level: Level) -> Value {
+fn json_of(one: &GradedSubmission, level: FeedbackLevel) -> Value {
     let grade = match &one.grade {
         Ok(grade) => grade,
         Err(why) => return json!({ "name": one.name, "error": why }),
@@ -197,7 +200,7 @@ fn json_of(one: &Graded, level: Level) -> Value {
         .marks
         .iter()
         .map(|mark| {
-            let (outcome, feedback) = words(mark, level);
+            let (outcome, feedback) = mark_words(mark, level);
             let term = match &mark.outcome {
                 Outcome::Mistake(feedback) => Some(feedback.term.as_str()),
                 _ => None,
@@ -213,7 +216,7 @@ fn json_of(one: &Graded, level: Level) -> Value {
 
 /// Returns the marks of a submission in the form of Gradescope's `results.json`, one test for each
 /// entry. A student sees only the feedback.
-fn gradescope(one: &Graded, level: Level) -> Value {
+fn gradescope(one: &GradedSubmission, level: FeedbackLevel) -> Value {
     let grade = match &one.grade {
         Ok(grade) => grade,
         Err(why) => return json!({ "score": 0, "output": why, "output_format": "text" }),
@@ -222,7 +225,7 @@ fn gradescope(one: &Graded, level: Level) -> Value {
         .marks
         .iter()
         .map(|mark| {
-            let (outcome, feedback) = words(mark, level);
+            let (outcome, feedback) = mark_words(mark, level);
             let status = if mark.points < mark.of { "failed" } else { "passed" };
             json!({
                 "name": mark.id, "score": mark.points, "max_score": mark.of, "status": status,
@@ -234,7 +237,7 @@ fn gradescope(one: &Graded, level: Level) -> Value {
 }
 
 /// Returns an HTML page about all submissions: marks, and who made which mistake.
-fn page(model: &Mechanism, list: &[Graded]) -> String {
+fn grades_page(model: &Mechanism, list: &[GradedSubmission]) -> String {
     let title = format!(
         "{}: {} {}",
         escape(&model.title),
@@ -249,7 +252,7 @@ fn page(model: &Mechanism, list: &[Graded]) -> String {
          td.n{{text-align:right;white-space:nowrap}}code{{font-size:.95em;overflow-wrap:anywhere}}</style>\n</head>\n<body>\n<h1>{title}</h1>\n"
     );
     out += "<h2>Who made which mistake</h2>\n<table>\n<tr><th>Entry</th><th>Mistake</th><th>Submissions</th></tr>\n";
-    for ((id, term), names) in mistakes(list) {
+    for ((id, term), names) in submissions_by_mistake(list) {
         let names: Vec<String> = names.into_iter().map(escape).collect();
         let _ = writeln!(
             out,
@@ -266,7 +269,7 @@ fn page(model: &Mechanism, list: &[Graded]) -> String {
             Err(why) => ("not read".to_owned(), escape(why)),
             Ok(grade) => {
                 let wrong = grade.marks.iter().filter(|mark| !is_right(mark)).map(|mark| {
-                    let (outcome, feedback) = words(mark, Level::Term);
+                    let (outcome, feedback) = mark_words(mark, FeedbackLevel::Term);
                     format!("{} {}: <code>{}</code>", outcome.to_lowercase(), escape(&mark.id), escape(&feedback))
                 });
                 let list = wrong.collect::<Vec<_>>().join("<br>");

@@ -8,12 +8,12 @@ use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;
 use tripos::Mechanism;
-use tripos::studies::identify::{Row, identify as of_model, rows, values};
-use tripos::studies::inverse::moments;
-use tripos_derive::algebra::text::print::text;
-use tripos_derive::algebra::value::evaluate::Numeric;
-use tripos_derive::identify::{Base, Complete, Factor, Identification};
-use tripos_derive::mechanics::{ColumnParameter, Varied};
+use tripos::studies::identification::{RegressorRow, base_parameter_values, identify as of_model, regressor_rows};
+use tripos::studies::inverse::motion_samples;
+use tripos_derive::algebra::text::print::print_text;
+use tripos_derive::algebra::value::tape::Numeric;
+use tripos_derive::identify::{BaseParameter, BaseParameterFactor, Completeness, Identification};
+use tripos_derive::mechanics::{ColumnParameter, RegressorParameters};
 use tripos_derive::scene::MotionSample;
 use tripos_traits::DoubleDouble;
 
@@ -23,16 +23,16 @@ use tripos_traits::DoubleDouble;
 ///
 /// # Errors
 /// `Failure` if a file has errors, or the model cannot be derived.
-pub fn identify(model: &Path, varied: Varied, at: Option<&Path>, shape: Shape) -> Result<u8, Failure> {
+pub fn identify(model: &Path, varied: RegressorParameters, at: Option<&Path>, shape: Shape) -> Result<u8, Failure> {
     let mut model = read_model(model)?;
     let motion = at.map(|at| read_motion(at, &mut model)).transpose()?;
     let found = of_model(&model, varied)?;
     let parameters = motion.as_ref().map(|motion| motion.parameters.clone()).or_else(|| defaults(&model));
-    let known = parameters.as_ref().map(|p| values(&model, &found, p)).transpose()?;
+    let known = parameters.as_ref().map(|p| base_parameter_values(&model, &found, p)).transpose()?;
     let regressor = match &motion {
         Some(motion) => {
-            let states = moments(&model, motion)?;
-            let rows = rows(&model, &found, &motion.parameters, &states)?;
+            let states = motion_samples(&model, motion)?;
+            let rows = regressor_rows(&model, &found, &motion.parameters, &states)?;
             Some((states, rows))
         }
         None => None,
@@ -48,41 +48,41 @@ pub fn identify(model: &Path, varied: Varied, at: Option<&Path>, shape: Shape) -
         (Shape::Csv, Some((states, rows))) => print(&csv_of(&model, &found, states, rows))?,
         _ => print(&text_of(&model, &found, known.as_deref()))?,
     }
-    Ok(u8::from(found.complete == Complete::No))
+    Ok(u8::from(found.complete == Completeness::No))
 }
 
 /// Returns the parameter values of the model file, in the order of the model, with inputs 0. `None`
 /// if a parameter has no value.
 fn defaults(model: &Mechanism) -> Option<Vec<DoubleDouble>> {
     let value = |p: &tripos_derive::model::Parameter| match &p.value {
-        Some(value) => Some(DoubleDouble::of(value)),
+        Some(value) => Some(DoubleDouble::from_rational(value)),
         None => p.is_input.then(|| 0.0.into()),
     };
     model.parameters.iter().map(value).collect()
 }
 
 /// Returns the name of the parameter of a regressor column.
-fn name(found: &Identification, column: usize) -> &str {
+fn parameter_name_of_column(found: &Identification, column: usize) -> &str {
     &found.regressor.columns[column].name
 }
 
 /// Returns a factor of a combination as text, in parentheses if it is a sum.
-fn factor_text(found: &Identification, factor: &Factor) -> String {
+fn factor_text(found: &Identification, factor: &BaseParameterFactor) -> String {
     match factor {
-        Factor::Exact(e) => {
-            let text = text(&found.regressor.arena, *e);
+        BaseParameterFactor::Exact(e) => {
+            let text = print_text(&found.regressor.arena, *e);
             if text.contains(' ') { format!("({text})") } else { text }
         }
-        Factor::Number(x) => format!("{x:?}"),
-        Factor::Unknown => "?".to_owned(),
+        BaseParameterFactor::Number(x) => format!("{x:?}"),
+        BaseParameterFactor::Unknown => "?".to_owned(),
     }
 }
 
 /// Returns a base parameter as text: a sum of parameters with factors.
-fn combination(found: &Identification, base: &Base) -> String {
-    let mut out = name(found, base.column).to_owned();
+fn combination(found: &Identification, base: &BaseParameter) -> String {
+    let mut out = parameter_name_of_column(found, base.column).to_owned();
     for (column, factor) in &base.with {
-        let (name, factor) = (name(found, *column), factor_text(found, factor));
+        let (name, factor) = (parameter_name_of_column(found, *column), factor_text(found, factor));
         let _ = match (factor.as_str(), factor.strip_prefix('-')) {
             ("1", _) => write!(out, " + {name}"),
             ("-1", _) => write!(out, " - {name}"),
@@ -97,7 +97,7 @@ fn combination(found: &Identification, base: &Base) -> String {
 fn json_of(
     model: &Mechanism,
     found: &Identification,
-    varied: Varied,
+    varied: RegressorParameters,
     values: Option<&[Option<DoubleDouble>]>,
 ) -> Value {
     let regressor = &found.regressor;
@@ -106,50 +106,52 @@ fn json_of(
             ColumnParameter::Body(body, _) => json!({ "body": model.bodies[body].name }),
             ColumnParameter::Parameter(at) => json!({ "about": model.parameters[at].about }),
         };
-        json!({ "name": column.name, "unit": column.unit.to_string(), "of": of, "stated": text(&regressor.arena, column.stated) })
+        json!({ "name": column.name, "unit": column.unit.to_string(), "of": of, "stated": print_text(&regressor.arena, column.stated) })
     });
-    let factor = |(column, factor): &(usize, Factor)| match factor {
-        Factor::Number(x) => json!([name(found, *column), x]),
-        other => json!([name(found, *column), factor_text(found, other)]),
+    let factor = |(column, factor): &(usize, BaseParameterFactor)| match factor {
+        BaseParameterFactor::Number(x) => json!([parameter_name_of_column(found, *column), x]),
+        other => json!([parameter_name_of_column(found, *column), factor_text(found, other)]),
     };
-    let base = |(at, base): (usize, &Base)| {
+    let base = |(at, base): (usize, &BaseParameter)| {
         json!({
-            "name": name(found, base.column),
+            "name": parameter_name_of_column(found, base.column),
             "with": base.with.iter().map(factor).collect::<Vec<_>>(),
             "combination": combination(found, base),
             "value": values.and_then(|values| values[at]).map(DoubleDouble::hi),
         })
     };
-    let names = |list: &mut dyn Iterator<Item = usize>| list.map(|at| name(found, at).to_owned()).collect::<Vec<_>>();
+    let names = |list: &mut dyn Iterator<Item = usize>| {
+        list.map(|at| parameter_name_of_column(found, at).to_owned()).collect::<Vec<_>>()
+    };
     let frames = regressor.anchors.iter().map(|anchor| {
         let (point, frame) = (&model.points[anchor.point].name, &model.frames[anchor.frame].name);
         json!({ "body": model.bodies[anchor.body].name, "point": point, "frame": frame })
     });
     let (word, bound) = match found.complete {
         // The proof is about the formulas, before closed poses grouped them by numbers.
-        Complete::Proved(_) if found.before_grouping().is_some() => {
+        Completeness::Proved(_) if found.before_grouping().is_some() => {
             ("proved before it was grouped in closed poses", None)
         }
-        Complete::Proved(bound) => ("proved", Some(bound)),
-        Complete::AtPoints => ("at random points", None),
-        Complete::Undecided => ("undecided", None),
-        Complete::No => ("no", None),
+        Completeness::Proved(bound) => ("proved", Some(bound)),
+        Completeness::AtPoints => ("at random points", None),
+        Completeness::Undecided => ("undecided", None),
+        Completeness::No => ("no", None),
     };
     json!({
         "model": short_name(model),
-        "bodies": if varied == Varied::Bodies { "general" } else { "declared" },
+        "bodies": if varied == RegressorParameters::Bodies { "general" } else { "declared" },
         "about": frames.collect::<Vec<_>>(),
         "parameters": columns.collect::<Vec<_>>(),
         "count": found.is_minimal().then_some(found.base.len()),
         "base": found.base.iter().enumerate().map(base).collect::<Vec<_>>(),
-        "alone": names(&mut found.alone()),
+        "alone": names(&mut found.single_base_parameters()),
         "without_effect": names(&mut found.without_effect.iter().copied()),
         "grouped_by_loops": found.grouped.iter().map(|group| combination(found, group)).collect::<Vec<_>>(),
         "minimal": found.is_minimal().then(|| json!({ "rank": found.base.len(), "states": found.states })),
         "complete": { "is": word, "false_below_2_to_minus": bound },
         "on_loops": found.on_loops.map(|seen| {
             json!({
-                "poses": seen.poses, "independent": finite(seen.independent), "dependent": seen.dependent,
+                "poses": seen.poses, "independent": finite_or_none(seen.independent), "dependent": seen.dependent,
                 "clear": seen.is_clear,
             })
         }),
@@ -157,12 +159,12 @@ fn json_of(
 }
 
 /// Returns a finite number, and `None` for infinity and NaN, which JSON does not have.
-fn finite(x: f64) -> Option<f64> {
+fn finite_or_none(x: f64) -> Option<f64> {
     x.is_finite().then_some(x)
 }
 
 /// Returns a row of the regressor as JSON.
-fn json_of_row(model: &Mechanism, states: &[MotionSample], row: &Row) -> Value {
+fn json_of_row(model: &Mechanism, states: &[MotionSample], row: &RegressorRow) -> Value {
     json!({
         "t": states[row.state].t, "state": row.state, "speed": model.speeds[row.speed].name,
         "factors": row.factors.iter().map(|x| x.hi()).collect::<Vec<_>>(), "rest": row.rest.hi(),
@@ -171,8 +173,8 @@ fn json_of_row(model: &Mechanism, states: &[MotionSample], row: &Row) -> Value {
 
 /// Returns the regressor as CSV. The columns are the time t in s if known, the state, the speed,
 /// each base parameter, and the known rest.
-fn csv_of(model: &Mechanism, found: &Identification, states: &[MotionSample], rows: &[Row]) -> String {
-    let names: Vec<&str> = found.base.iter().map(|base| name(found, base.column)).collect();
+fn csv_of(model: &Mechanism, found: &Identification, states: &[MotionSample], rows: &[RegressorRow]) -> String {
+    let names: Vec<&str> = found.base.iter().map(|base| parameter_name_of_column(found, base.column)).collect();
     let heads: Vec<&str> = ["t", "state", "speed"].into_iter().chain(names).chain(["rest"]).collect();
     table(
         &heads,
@@ -205,26 +207,31 @@ fn text_of(model: &Mechanism, found: &Identification, values: Option<&[Option<Do
         let _ = writeln!(out, "  {}{value}{gap}{unit}", combination(found, base));
     }
     for group in &found.grouped {
-        let _ = writeln!(out, "where {} stands for {}", name(found, group.column), combination(found, group));
+        let _ = writeln!(
+            out,
+            "where {} stands for {}",
+            parameter_name_of_column(found, group.column),
+            combination(found, group)
+        );
     }
     if !found.without_effect.is_empty() {
-        let names: Vec<&str> = found.without_effect.iter().map(|at| name(found, *at)).collect();
+        let names: Vec<&str> = found.without_effect.iter().map(|at| parameter_name_of_column(found, *at)).collect();
         let _ = writeln!(out, "\nof no effect: {}", names.join(", "));
     }
-    let _ = writeln!(out, "\n{}", words(found));
+    let _ = writeln!(out, "\n{}", certainty_sentences(found));
     out
 }
 
 /// Returns sentences about the certainty of the result: that no base parameter is redundant, and
 /// that none is missing.
-fn words(found: &Identification) -> String {
+fn certainty_sentences(found: &Identification) -> String {
     let minimal = format!(
         "no fewer do: the regressor has rank {} at {} random states modulo a prime",
         found.base.len(),
         found.states
     );
     let complete = match found.complete {
-        Complete::Proved(bound) => {
+        Completeness::Proved(bound) => {
             let zero = format!("is zero by exact algebra (wrong with a probability below 2^-{bound:.0})");
             if let Some(count) = found.before_grouping() {
                 format!("no more are needed: with the {count} base parameters before closed poses grouped them, M u' - f less what they give {zero}; factors that are numbers hold in the sampled poses")
@@ -232,9 +239,9 @@ fn words(found: &Identification) -> String {
                 format!("no more are needed: M u' - f less what they give {zero}")
             }
         }
-        Complete::AtPoints => "no more are needed at random states and parameters modulo a prime; factors marked ? have no short closed form".to_owned(),
-        Complete::Undecided => "whether more are needed is not decided: there are functions in it that algebra knows nothing of".to_owned(),
-        Complete::No => "the base parameters do not reproduce M u' - f: please report this model".to_owned(),
+        Completeness::AtPoints => "no more are needed at random states and parameters modulo a prime; factors marked ? have no short closed form".to_owned(),
+        Completeness::Undecided => "whether more are needed is not decided: there are functions in it that algebra knows nothing of".to_owned(),
+        Completeness::No => "the base parameters do not reproduce M u' - f: please report this model".to_owned(),
     };
     if found.is_minimal() && found.on_loops.is_none() {
         return format!("{minimal}\n{complete}");

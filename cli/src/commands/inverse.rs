@@ -7,10 +7,10 @@ use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use std::path::Path;
 use tripos::Mechanism;
-use tripos::studies::inverse::{Forces, Inverse, moments};
-use tripos_derive::algebra::value::evaluate::Numeric;
+use tripos::studies::inverse::{InverseDynamics, RequiredForces, motion_samples};
+use tripos_derive::algebra::value::tape::Numeric;
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source};
-use tripos_derive::plain::{significant, within};
+use tripos_derive::plain_text::{with_reliable_digits, with_significant_digits};
 use tripos_derive::scene::{Motion, MotionForm, MotionSample, load_motion, load_samples};
 use tripos_traits::DoubleDouble;
 
@@ -39,7 +39,7 @@ impl Shape {
 
 /// Gap of a loop, in the unit of its constraint, above which a warning states that the loop is
 /// open.
-const OPEN: f64 = 1e-6;
+const LARGEST_LOOP_GAP: f64 = 1e-6;
 
 /// Reads a motion from a file. A TOML file is read by [`load_motion`]. A file that ends in `.csv`
 /// is a table of samples, for the default parameter values of the model.
@@ -54,7 +54,7 @@ pub fn read_motion(path: &Path, model: &mut Mechanism) -> Result<Motion, Failure
     let mut parameters = Vec::new();
     for parameter in &model.parameters {
         parameters.push(match &parameter.value {
-            Some(value) => DoubleDouble::of(value),
+            Some(value) => DoubleDouble::from_rational(value),
             None if parameter.is_input => 0.0.into(),
             None => {
                 let message = format!("the parameter `{}` has no value", parameter.name);
@@ -85,17 +85,17 @@ pub fn table(heads: &[&str], rows: impl Iterator<Item = Vec<String>>) -> String 
 pub fn inverse(model: &Path, motion: &Path, inputs: &[String], shape: Shape) -> Result<u8, Failure> {
     let mut model = read_model(model)?;
     let motion = read_motion(motion, &mut model)?;
-    let inverse = Inverse::new(&model, inputs)?;
-    let mut list: Vec<(MotionSample, Forces)> = Vec::new();
-    for moving in moments(&model, &motion)? {
-        let forces = inverse.at(&motion.parameters, &moving)?;
+    let inverse = InverseDynamics::new(&model, inputs)?;
+    let mut list: Vec<(MotionSample, RequiredForces)> = Vec::new();
+    for moving in motion_samples(&model, &motion)? {
+        let forces = inverse.required_forces_at(&motion.parameters, &moving)?;
         list.push((moving, forces));
     }
     let open = list.iter().fold(0.0, |most: f64, (_, forces)| most.max(forces.open));
-    if open > OPEN {
+    if open > LARGEST_LOOP_GAP {
         warn(&format!(
             "a loop is open by up to {} in this motion: the forces are not those of a closed mechanism",
-            significant(open, 2)
+            with_significant_digits(open, 2)
         ));
     }
     match shape {
@@ -108,12 +108,12 @@ pub fn inverse(model: &Path, motion: &Path, inputs: &[String], shape: Shape) -> 
 }
 
 /// Returns named numbers as a JSON object.
-fn object(names: &[String], values: &[f64]) -> Map<String, Value> {
+fn named_numbers_json(names: &[String], values: &[f64]) -> Map<String, Value> {
     names.iter().cloned().zip(values.iter().map(|x| json!(x))).collect()
 }
 
 /// Returns the needed generalized forces along each speed, rounded to doubles.
-fn along(forces: &Forces) -> Vec<f64> {
+fn force_values(forces: &RequiredForces) -> Vec<f64> {
     forces.along.iter().map(|x| x.hi()).collect()
 }
 
@@ -126,15 +126,15 @@ fn state_of(model: &Mechanism, moving: &MotionSample) -> Vec<(String, f64)> {
 }
 
 /// Returns the result as JSON, with all instants.
-fn json_of(model: &Mechanism, inverse: &Inverse, list: &[(MotionSample, Forces)]) -> Value {
-    let one = |(moving, forces): &(MotionSample, Forces)| {
+fn json_of(model: &Mechanism, inverse: &InverseDynamics, list: &[(MotionSample, RequiredForces)]) -> Value {
+    let one = |(moving, forces): &(MotionSample, RequiredForces)| {
         let (names, values): (Vec<String>, Vec<f64>) = state_of(model, moving).into_iter().unzip();
         json!({
             "t": moving.t,
-            "at": object(&names, &values),
-            "forces": object(&inverse.speeds, &along(forces)),
-            "inputs": forces.inputs.as_ref().map(|inputs| object(&inverse.inputs, inputs)),
-            "left": object(&inverse.speeds, &forces.left),
+            "at": named_numbers_json(&names, &values),
+            "forces": named_numbers_json(&inverse.speeds, &force_values(forces)),
+            "inputs": forces.inputs.as_ref().map(|inputs| named_numbers_json(&inverse.inputs, inputs)),
+            "left": named_numbers_json(&inverse.speeds, &forces.left),
             "reached": forces.reached,
             "loops_open": forces.open,
         })
@@ -149,7 +149,7 @@ fn json_of(model: &Mechanism, inverse: &Inverse, list: &[(MotionSample, Forces)]
 
 /// Returns the result as CSV, a row for each instant. The columns are t if known, the state,
 /// `force(u)` along each speed u, and the inputs. Inputs are empty if none give the forces.
-fn csv_of(model: &Mechanism, inverse: &Inverse, list: &[(MotionSample, Forces)]) -> String {
+fn csv_of(model: &Mechanism, inverse: &InverseDynamics, list: &[(MotionSample, RequiredForces)]) -> String {
     let has_instants = list.iter().all(|(moving, _)| moving.t.is_some()) && model.time().is_none();
     let names = list.first().map_or(Vec::new(), |(moving, _)| state_of(model, moving));
     let names_of_forces = inverse.speeds.iter().map(|speed| format!("force({speed})"));
@@ -161,7 +161,7 @@ fn csv_of(model: &Mechanism, inverse: &Inverse, list: &[(MotionSample, Forces)])
         .chain(inverse.inputs.iter().cloned())
         .collect();
     let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
-    let row = |(moving, forces): &(MotionSample, Forces)| {
+    let row = |(moving, forces): &(MotionSample, RequiredForces)| {
         let number = |x: &f64| format!("{x:?}");
         let inputs: Vec<String> = match &forces.inputs {
             Some(inputs) => inputs.iter().map(number).collect(),
@@ -169,13 +169,13 @@ fn csv_of(model: &Mechanism, inverse: &Inverse, list: &[(MotionSample, Forces)])
         };
         let t = moving.t.filter(|_| has_instants).map(|t| number(&t));
         let state = state_of(model, moving).into_iter().map(|(_, x)| number(&x));
-        t.into_iter().chain(state).chain(along(forces).iter().map(number)).chain(inputs).collect()
+        t.into_iter().chain(state).chain(force_values(forces).iter().map(number)).chain(inputs).collect()
     };
     table(&heads, list.iter().map(row))
 }
 
 /// Returns the result as text: all numbers for one instant, otherwise the largest values.
-fn text_of(model: &Mechanism, inverse: &Inverse, list: &[(MotionSample, Forces)]) -> String {
+fn text_of(model: &Mechanism, inverse: &InverseDynamics, list: &[(MotionSample, RequiredForces)]) -> String {
     let mut out = format!("{}: what its motion needs\n", model.title);
     match list {
         [(_, forces)] => {
@@ -185,9 +185,9 @@ fn text_of(model: &Mechanism, inverse: &Inverse, list: &[(MotionSample, Forces)]
                     let _ = writeln!(out, "  {name}: {x:?}");
                 });
             };
-            lines(&inverse.speeds, &along(forces));
+            lines(&inverse.speeds, &force_values(forces));
             if let Some(inputs) = &forces.inputs {
-                let _ = writeln!(out, "\ninputs{}", least(inverse, forces));
+                let _ = writeln!(out, "\ninputs{}", surplus_inputs_remark(inverse, forces));
                 let mut lines = |names: &[String], values: &[f64]| {
                     names.iter().zip(values).for_each(|(name, x)| {
                         let _ = writeln!(out, "  {name} = {x:?}");
@@ -201,10 +201,10 @@ fn text_of(model: &Mechanism, inverse: &Inverse, list: &[(MotionSample, Forces)]
             let last = list.last().and_then(|(moving, _)| moving.t);
             let span = first.zip(last).map_or_else(String::new, |(a, b)| format!(", t from {a} s to {b} s"));
             let _ = writeln!(out, "\n{} instants{span}; --csv and --json print them all\n", list.len());
-            let mut peaks = |name: &str, value: &dyn Fn(&Forces) -> Option<f64>| {
+            let mut peaks = |name: &str, value: &dyn Fn(&RequiredForces) -> Option<f64>| {
                 let values = list.iter().filter_map(|(moving, forces)| Some((moving.t, value(forces)?)));
                 if let Some((t, x)) = values.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())) {
-                    let when = t.map_or_else(String::new, |t| format!(" at t = {} s", within(t, None)));
+                    let when = t.map_or_else(String::new, |t| format!(" at t = {} s", with_reliable_digits(t, None)));
                     let _ = writeln!(out, "  {name}: most {x:?}{when}");
                 }
             };
@@ -216,29 +216,30 @@ fn text_of(model: &Mechanism, inverse: &Inverse, list: &[(MotionSample, Forces)]
             }
         }
     }
-    let _ = write!(out, "{}", refusal(inverse, list));
+    let _ = write!(out, "{}", unreachable_motion_sentence(inverse, list));
     out
 }
 
 /// Returns the remark that there are more inputs than needed. Empty if there are not.
-fn least(inverse: &Inverse, forces: &Forces) -> String {
+fn surplus_inputs_remark(inverse: &InverseDynamics, forces: &RequiredForces) -> String {
     let more = inverse.inputs.len() - forces.reached;
     if more == 0 { String::new() } else { format!(", the least of those that give the same ({more} may be chosen)") }
 }
 
 /// Returns a sentence on why the inputs do not give the motion. Empty if they do.
-fn refusal(inverse: &Inverse, list: &[(MotionSample, Forces)]) -> String {
+fn unreachable_motion_sentence(inverse: &InverseDynamics, list: &[(MotionSample, RequiredForces)]) -> String {
     if inverse.inputs.is_empty() {
         return "\nthe model has no inputs; --input NAME asks for parameters that loads are linear in\n".to_owned();
     }
-    let missed: Vec<&(MotionSample, Forces)> = list.iter().filter(|(_, forces)| forces.inputs.is_none()).collect();
+    let missed: Vec<&(MotionSample, RequiredForces)> =
+        list.iter().filter(|(_, forces)| forces.inputs.is_none()).collect();
     let worst = missed.iter().flat_map(|(moving, forces)| {
         inverse.speeds.iter().zip(&forces.left).map(|(speed, left)| (moving.t, speed, *left, forces.reached))
     });
     let Some((t, speed, left, reached)) = worst.max_by(|a, b| a.2.abs().total_cmp(&b.2.abs())) else {
         return String::new();
     };
-    let when = t.map_or_else(String::new, |t| format!(" at t = {} s", within(t, None)));
+    let when = t.map_or_else(String::new, |t| format!(" at t = {} s", with_reliable_digits(t, None)));
     format!(
         "\nno inputs give this motion{when}: they reach {reached} of {} dimensions, and leave {left:?} along {speed} at best\n",
         inverse.speeds.len()

@@ -9,16 +9,17 @@ use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use std::path::Path;
 use tripos::studies::steady::{
-    About, Entry, Letters, Mode, Transfer, Wanted, Wide, in_letters, linearise as linearise_model,
+    LinearisationOptions, Mode, SteadyLinearSystem, SymbolicEntry, SymbolicLinearForm, TransferFunction, WideMatrix,
+    linearise as linearise_model, symbolic_linear_system,
 };
 use tripos::{Error, Mechanism};
 use tripos_derive::diagnostic::Source;
-use tripos_derive::plain::significant;
-use tripos_derive::scene::{load_asked, load_output};
+use tripos_derive::plain_text::with_significant_digits;
+use tripos_derive::scene::{load_output, load_state_with_unknowns};
 
 /// Format in which a linear system is printed.
 #[derive(Clone, Copy)]
-pub enum Written {
+pub enum LinearSystemFormat {
     /// The linear system is printed as JSON for programs.
     Json,
     /// Text or matrices in the given notation.
@@ -34,14 +35,14 @@ pub enum Written {
 pub fn linearise(
     model: &Path,
     about: &Path,
-    wanted: &Wanted,
+    wanted: &LinearisationOptions,
     outputs: &[String],
     letters: &[String],
-    written: Written,
+    written: LinearSystemFormat,
 ) -> Result<u8, Failure> {
     let mut model = read_model(model)?;
-    model.model = model.model.with_varied(&wanted.inputs)?;
-    let mut asked = load_asked(&Source::read(about)?, &mut model, &[])?;
+    model.model = model.model.with_varied_inputs(&wanted.inputs)?;
+    let mut asked = load_state_with_unknowns(&Source::read(about)?, &mut model, &[])?;
     for text in outputs {
         let output = load_output(text, &mut model)?;
         if asked.outputs.iter().any(|known| known.name == output.name) {
@@ -54,34 +55,37 @@ pub fn linearise(
         asked.outputs.push(output);
     }
     let found = linearise_model(&model, &asked, wanted)?;
-    let letters = if letters.is_empty() { None } else { Some(in_letters(&model, &asked, &found, letters)?) };
+    let letters =
+        if letters.is_empty() { None } else { Some(symbolic_linear_system(&model, &asked, &found, letters)?) };
     match written {
-        Written::Json => {
+        LinearSystemFormat::Json => {
             let mut value = json_of(&model, &found);
             if let Some(letters) = &letters {
                 value["symbolic"] = json_of_letters(letters);
             }
             print_json(&value)?;
         }
-        Written::Notation(Notation::Text) => {
+        LinearSystemFormat::Notation(Notation::Text) => {
             let letters = letters.as_ref().map_or_else(String::new, |letters| text_of_letters(&found, letters));
             print(&format!("{}{letters}", text_of(&model, &found)))?;
         }
-        Written::Notation(notation) => print(&notations::written(&model, &found, letters.as_ref(), notation))?,
+        LinearSystemFormat::Notation(notation) => {
+            print(&notations::written(&model, &found, letters.as_ref(), notation))?;
+        }
     }
     Ok(0)
 }
 
 /// Returns the values of all states of a linearised motion as JSON, by name.
-pub fn state_of(found: &About) -> Map<String, Value> {
+pub fn state_json(found: &SteadyLinearSystem) -> Map<String, Value> {
     found.states().map(|(name, x)| (name.to_owned(), json!(x))).collect()
 }
 
 /// Returns the modes of a linear system as JSON, each with its eigenvalue and the states that take
 /// part in it.
-pub fn modes_of(found: &About) -> Vec<Value> {
+pub fn modes_of(found: &SteadyLinearSystem) -> Vec<Value> {
     let shares = |mode: &Mode| -> Map<String, Value> {
-        taking_part(found, mode).into_iter().map(|(n, s)| (n, json!(s))).collect()
+        states_in_mode(found, mode).into_iter().map(|(n, s)| (n, json!(s))).collect()
     };
     let mode = |mode: &Mode| {
         json!({
@@ -100,7 +104,7 @@ fn damping(mode: &Mode) -> Option<f64> {
 }
 
 /// Returns the states with a share of more than 0.01 in a mode, with their shares, largest first.
-fn taking_part(found: &About, mode: &Mode) -> Vec<(String, f64)> {
+fn states_in_mode(found: &SteadyLinearSystem, mode: &Mode) -> Vec<(String, f64)> {
     let names = found.system.kept.iter().map(|at| found.all[*at].clone());
     let mut list: Vec<(String, f64)> =
         names.zip(mode.shares.iter().copied()).filter(|(_, share)| *share > 0.01).collect();
@@ -109,16 +113,16 @@ fn taking_part(found: &About, mode: &Mode) -> Vec<(String, f64)> {
 }
 
 /// Returns the names of the states with the indices `places`.
-fn names(found: &About, places: &[usize]) -> Vec<String> {
+fn names(found: &SteadyLinearSystem, places: &[usize]) -> Vec<String> {
     places.iter().map(|at| found.all[*at].clone()).collect()
 }
 
 /// Returns the linear system with its modes as JSON.
-fn json_of(model: &Mechanism, found: &About) -> Value {
+fn json_of(model: &Mechanism, found: &SteadyLinearSystem) -> Value {
     let system = &found.system;
-    let [a, b, c, d] = [&system.a, &system.b, &system.c, &system.d].map(Wide::doubles);
+    let [a, b, c, d] = [&system.a, &system.b, &system.c, &system.d].map(WideMatrix::doubles);
     let eigenvalues: Vec<[f64; 2]> = found.modes.iter().map(|mode| mode.value).collect();
-    let transfer = |t: &Transfer| {
+    let transfer = |t: &TransferFunction| {
         json!({
             "input": found.inputs[t.input], "output": found.outputs[t.output],
             "numerator": t.numerator, "denominator": t.denominator,
@@ -136,23 +140,23 @@ fn json_of(model: &Mechanism, found: &About) -> Value {
         "eigenvalues": eigenvalues,
         "residual": found.steady.residual,
         "stability": found.stability.name(),
-        "power_of_t": found.stability.power(),
+        "power_of_t": found.stability.growth_power(),
         "family": found.family,
         "modes": modes_of(found),
         "controllable": found.controllable,
         "observable": found.observable,
         "transfer_functions": found.transfers.iter().map(transfer).collect::<Vec<_>>(),
-        "at": state_of(found),
-        "moves": moves_of(found),
+        "at": state_json(found),
+        "moves": motion_directions_json(found),
         "closed_by_loops": names(found, &system.closed),
         "shifted_by_symmetries": names(found, &system.shifted),
     })
 }
 
 /// Returns the matrices with symbolic parameters as JSON.
-fn json_of_letters(letters: &Letters) -> Value {
+fn json_of_letters(letters: &SymbolicLinearForm) -> Value {
     let letter = letters.names.first().map_or("", String::as_str);
-    let rows = |matrix: &Vec<Vec<Entry>>| -> Vec<Vec<String>> {
+    let rows = |matrix: &Vec<Vec<SymbolicEntry>>| -> Vec<Vec<String>> {
         matrix.iter().map(|row| row.iter().map(|entry| entry.text(letter)).collect()).collect()
     };
     let [a, b, c, d] = [0, 1, 2, 3].map(|at| rows(&letters.matrices[at]));
@@ -161,7 +165,7 @@ fn json_of_letters(letters: &Letters) -> Value {
 
 /// Returns the entries of the matrices A, B, C and D with symbolic parameters as text, one per
 /// line, except those that are 0.
-fn text_of_letters(found: &About, letters: &Letters) -> String {
+fn text_of_letters(found: &SteadyLinearSystem, letters: &SymbolicLinearForm) -> String {
     let letter = letters.names.first().map_or("", String::as_str);
     let mut out = format!("\nfor every {}, by exact algebra; all other entries are 0\n", letters.names.join(", "));
     let states = names(found, &found.system.kept);
@@ -181,12 +185,12 @@ fn text_of_letters(found: &About, letters: &Letters) -> String {
 }
 
 /// Returns the coordinates along which a steady motion goes, with their rates, as JSON.
-pub fn moves_of(found: &About) -> Vec<Value> {
+pub fn motion_directions_json(found: &SteadyLinearSystem) -> Vec<Value> {
     found.moves.iter().map(|(along, rate)| json!({ "along": along, "rate": rate })).collect()
 }
 
 /// Returns words for the kind of the state: at rest, or a steady motion along coordinates.
-pub fn kind_of(found: &About) -> String {
+pub fn motion_kind_words(found: &SteadyLinearSystem) -> String {
     if found.moves.is_empty() {
         return if found.time.is_some() { "at rest beside what is driven" } else { "at rest" }.to_owned();
     }
@@ -195,14 +199,14 @@ pub fn kind_of(found: &About) -> String {
 }
 
 /// Returns an eigenvalue, or a complex pair, as text with `decimals` decimals.
-pub fn value_text(mode: &Mode, decimals: usize) -> String {
-    let [re, im] = mode.value.map(|x| decimal(x, decimals));
+pub fn eigenvalue_text(mode: &Mode, decimals: usize) -> String {
+    let [re, im] = mode.value.map(|x| decimal_text(x, decimals));
     if mode.value[1] > 0.0 { format!("{re} ± {im}i") } else { re }
 }
 
 /// Returns a number as text with `decimals` decimals. A number below 0.001 gets a power of ten,
 /// since decimals would not show it.
-pub fn decimal(x: f64, decimals: usize) -> String {
+pub fn decimal_text(x: f64, decimals: usize) -> String {
     // The sum with 0 removes the sign of a negative zero.
     let x = x + 0.0;
     let is_small = x.abs() > 0.0 && x.abs() < 1e-3;
@@ -211,23 +215,23 @@ pub fn decimal(x: f64, decimals: usize) -> String {
 
 /// Returns the eigenvalues as text, a line each with the states that take part, and then the
 /// stability.
-pub fn modes_text(found: &About) -> String {
+pub fn modes_text(found: &SteadyLinearSystem) -> String {
     let mut out = String::new();
     for mode in found.modes.iter().filter(|mode| mode.value[1] >= 0.0) {
-        let value = value_text(mode, 12);
-        let parts: Vec<String> = taking_part(found, mode)
+        let value = eigenvalue_text(mode, 12);
+        let parts: Vec<String> = states_in_mode(found, mode)
             .iter()
             .take(4)
             .map(|(name, share)| format!("{name} {:.0} %", 100.0 * share))
             .collect();
         let doubt = if mode.condition > 1e6 {
-            format!(", condition {}", significant(mode.condition, 1))
+            format!(", condition {}", with_significant_digits(mode.condition, 1))
         } else {
             String::new()
         };
         let _ = writeln!(out, "  {value:<34} {}{doubt}", parts.join(", "));
     }
-    let _ = writeln!(out, "{}", found.stability.words());
+    let _ = writeln!(out, "{}", found.stability.stability_sentence());
     if !found.family.is_empty() {
         let many = if found.family.len() == 1 { "one neutral eigenvalue" } else { "neutral eigenvalues" };
         let _ = writeln!(out, "{many}: there are such motions beside it, told apart by {}", found.family.join(", "));
@@ -236,13 +240,13 @@ pub fn modes_text(found: &About) -> String {
 }
 
 /// Returns the linear system with its modes as text.
-fn text_of(model: &Mechanism, found: &About) -> String {
+fn text_of(model: &Mechanism, found: &SteadyLinearSystem) -> String {
     let system = &found.system;
-    let mut out = format!("{}: near {}\n", model.title, kind_of(found));
+    let mut out = format!("{}: near {}\n", model.title, motion_kind_words(found));
     let _ = writeln!(
         out,
         "largest residual of the equations of steady motion: {}\n",
-        significant(found.steady.residual, 2)
+        with_significant_digits(found.steady.residual, 2)
     );
     for (name, x) in found.states() {
         let _ = writeln!(out, "  {name} = {x:?}");
@@ -267,7 +271,7 @@ fn text_of(model: &Mechanism, found: &About) -> String {
         }
         let _ = writeln!(out, "\n{title}");
         for row in rows {
-            let row: Vec<String> = row.iter().map(|x| format!("{:>16}", decimal(*x, 9))).collect();
+            let row: Vec<String> = row.iter().map(|x| format!("{:>16}", decimal_text(*x, 9))).collect();
             let _ = writeln!(out, "{}", row.join(" "));
         }
     }
@@ -280,7 +284,7 @@ fn text_of(model: &Mechanism, found: &About) -> String {
         let _ = writeln!(out, "the outputs show {} of {n} dimensions", found.observable);
     }
     for transfer in &found.transfers {
-        let polynomial = |list: &[f64]| list.iter().map(|c| decimal(*c, 9)).collect::<Vec<_>>().join(", ");
+        let polynomial = |list: &[f64]| list.iter().map(|c| decimal_text(*c, 9)).collect::<Vec<_>>().join(", ");
         let _ = writeln!(
             out,
             "{} / {} = [{}] / [{}] by falling powers of s",

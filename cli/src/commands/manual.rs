@@ -3,12 +3,12 @@
 
 use crate::arguments::Arguments;
 use crate::failure::{Failure, print};
-use crate::output::{folder, text};
+use crate::output::{make_folder, write_text_file};
 use clap::CommandFactory;
 use clap_complete::Shell;
 use clap_mangen::Man;
 use std::path::Path;
-use tripos_derive::plain::path_in_line;
+use tripos_derive::plain_text::path_in_line;
 
 /// Prints the script with a shell's completions to standard output. Returns the exit status.
 ///
@@ -34,12 +34,12 @@ pub fn man(out: Option<&Path>) -> Result<u8, Failure> {
         print(&page(&Man::new(command))?)?;
         return Ok(0);
     };
-    folder(out)?;
+    make_folder(out)?;
     let commands: Vec<clap::Command> = command.get_subcommands().cloned().collect();
     for command in std::iter::once(command).chain(commands) {
         let man = Man::new(command);
         let place = out.join(man.get_filename());
-        text(&place, &page(&man)?)?;
+        write_text_file(&place, &page(&man)?)?;
         print(&format!("page     {}\n", path_in_line(&place)))?;
     }
     Ok(0)

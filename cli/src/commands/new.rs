@@ -3,10 +3,10 @@
 use crate::failure::{Failure, print};
 use crate::workspace::{model_file, workspace_around};
 use std::path::{Path, PathBuf};
-use tripos_codegen::files;
+use tripos_codegen::whole_file_writer;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::model::is_model;
-use tripos_derive::plain::{one_line, path_in_line};
+use tripos_derive::plain_text::{one_line, path_in_line};
 
 /// Text of the commented model file for a new folder.
 const MODEL: &str = include_str!("new/model.toml");
@@ -38,7 +38,7 @@ pub fn new(folder: &Path, like: Option<&Path>) -> Result<u8, Failure> {
         return Err(Failure::request(what, "give the name of a folder that does not exist, or is empty".to_owned()));
     };
     let made = match like {
-        Some(like) => copied(like)?,
+        Some(like) => read_model_to_copy(like)?,
         None => Folder {
             model: MODEL.replace("TITLE", &title.replace(['\\', '"'], "_")),
             scenes: vec![("first.toml".into(), SCENE.to_owned())],
@@ -50,7 +50,7 @@ pub fn new(folder: &Path, like: Option<&Path>) -> Result<u8, Failure> {
     for (path, text) in [(model.clone(), &made.model)].into_iter().chain(scenes) {
         let parent = path.parent().unwrap_or(folder);
         std::fs::create_dir_all(parent).map_err(|error| Failure::Output(path_in_line(parent), error))?;
-        files::write(&path, text)?;
+        whole_file_writer::write(&path, text)?;
         print(&format!("new      {}\n", path_in_line(&path)))?;
     }
     let model = path_in_line(&model);
@@ -66,7 +66,7 @@ pub fn new(folder: &Path, like: Option<&Path>) -> Result<u8, Failure> {
 ///
 /// # Errors
 /// [`Failure`] if there is no such model, or a file cannot be read.
-fn copied(like: &Path) -> Result<Folder, Failure> {
+fn read_model_to_copy(like: &Path) -> Result<Folder, Failure> {
     let named = || {
         let root = workspace_around(&std::env::current_dir().ok()?)?;
         Some(root.join("models").join(like).join("model.toml")).filter(|path| path.is_file())

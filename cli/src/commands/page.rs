@@ -2,7 +2,7 @@
 //! HTML page.
 
 mod motion_figure;
-mod own;
+mod reduced_run;
 mod rows;
 mod run_figures;
 mod sketch;
@@ -11,34 +11,34 @@ mod study_figures;
 
 use crate::arguments::Page as Request;
 use crate::commands::chart::progress;
-use crate::failure::{Failure, print_json, say, status, warn};
-use crate::figures::{self, Curve};
-use crate::follow;
-use crate::output::{folder, keep_inputs, text};
+use crate::failure::{Failure, print_json, print_to_stderr, status, warn};
+use crate::interruption;
+use crate::output::{make_folder, refuse_overwriting_inputs, write_text_file};
 use crate::page::{self, Page, RunRow, SceneSection, Standing};
 use crate::plot::{Panel, styles};
-use crate::scene_file::with_values;
-use crate::workspace::{current_folder, edited, model_file, read_model, workspace_around};
+use crate::run_panels::{self, RunCurves};
+use crate::scene_file::set_scene_values;
+use crate::workspace::{current_folder, edited_model_warning, model_file, read_model, workspace_around};
 use indicatif::ProgressBar;
-use motion_figure::moving;
-use own::{Own, shown};
-use rows::{UNWATCHED, facts, impacts, own_row, row, title};
-use run_figures::{Drawn, after, drawing, folder_of};
+use motion_figure::page_motion_figure;
+use reduced_run::{ReducedRun, output_values_along_run};
+use rows::{EMPTY_COURSE, impacts_words, reduced_run_row, row, scene_facts, title};
+use run_figures::{RunFigureWriter, caption_with_sentence, folder_of, run_figure};
 use serde_json::json;
-use sketch::sketched;
+use sketch::page_sketch;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use study_figures::Measured;
-use tripos::code::{Code, Ready, code, formulation};
-use tripos::studies::study::{Printed, Study};
-use tripos::trust::comparison::Compared;
-use tripos::{Course, Error, Mechanism, Run, Watch, run_code};
-use tripos_codegen::scene_files::{is_same, scene_files};
+use study_figures::StudyFigures;
+use tripos::code::{Code, CodePreparation, formulation, runnable_code};
+use tripos::studies::model_analysis::{ModelAnalysis, PrintedSystem};
+use tripos::trust::compared_quantities::ComparedQuantities;
+use tripos::{Error, InvariantValues, Mechanism, Run, WatchedInvariants, run_code};
+use tripos_codegen::scene_files::{is_same_file, scene_files};
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source};
 use tripos_derive::mechanics::EquationsOrigin;
 use tripos_derive::mechanics::{DerivationInSteps, derive_in_steps};
-use tripos_derive::plain::path_in_line;
-use tripos_derive::scene::{FigureKind, Integrator, Scene, Solve, load, model_path};
+use tripos_derive::plain_text::path_in_line;
+use tripos_derive::scene::{AccelerationSolution, FigureKind, Integrator, Scene, load, model_path};
 use tripos_derive::{Formulation, Model};
 use tripos_sim::Method;
 
@@ -55,50 +55,50 @@ const MOST_PRINTED_STEPS: u64 = 10_000;
 pub fn page(request: &Request) -> Result<u8, Failure> {
     let out = request.out.as_path();
     let also = request.also.iter().map(|name| formulation(name)).collect::<Result<Vec<_>, _>>()?;
-    let argument = request.model.as_deref().map_or_else(usual_model, |given| Ok(given.to_owned()))?;
+    let argument = request.model.as_deref().map_or_else(default_page_model, |given| Ok(given.to_owned()))?;
     let mut model = read_model(&argument)?;
     // The page shows names of the model file next to formulas, so formulas use exactly these
     // names.
-    model.arena.print_plainly();
-    if let Some(note) = edited(&model) {
+    model.arena.clear_printed_names();
+    if let Some(note) = edited_model_warning(&model) {
         warn(&note);
     }
     let (scenes, mut broken) = scenes(&model_file(&argument), &mut model)?;
-    let scenes = varied(scenes, &mut model, &request.set.set)?;
+    let scenes = scenes_with_set_values(scenes, &mut model, &request.set.set)?;
     let page = out.join("index.html");
-    keep_inputs(&model, None, [page.as_path()])?;
+    refuse_overwriting_inputs(&model, None, [page.as_path()])?;
     for scene in &scenes {
-        keep_inputs(&model, Some(scene), [page.as_path()])?;
+        refuse_overwriting_inputs(&model, Some(scene), [page.as_path()])?;
     }
-    follow::listen();
+    interruption::listen_for_interruption();
     let bar = progress();
     let figures: usize = scenes.iter().map(|scene| scene.figures.len()).sum();
     let formulations: Vec<Formulation> = Formulation::STANDARD.into_iter().chain(also.iter().copied()).collect();
     bar.set_length((formulations.len() * (1 + scenes.len()) + figures) as u64 + 3);
     let derivations = derivations(&model, &formulations, &bar)?;
     bar.set_message("proving");
-    let (study, broken_publication) = Study::new(&model, &also)?;
+    let (study, broken_publication) = ModelAnalysis::new(&model, &also)?;
     broken.extend(broken_publication);
     bar.inc(1);
-    let work = Work::new(&model, &study, &derivations)?;
+    let work = PageRuns::new(&model, &study, &derivations)?;
     let done = work.scenes(&scenes, out, &bar)?;
     let (there, all) = (done.sections.len(), scenes.len());
     let unfinished = (there < all).then(|| format!("the page was interrupted after {there} of {all} scenes"));
     bar.set_message("looking at the motion");
-    let moving = moving(&model, &scenes, &done.sections);
+    let moving = page_motion_figure(&model, &scenes, &done.sections);
     bar.inc(1);
-    let html = page::render(&Page {
+    let html = page::render_page(&Page {
         model: &model,
         derivations,
         study: &study,
         scenes: done.sections,
-        sketch: sketched(&model, scenes.first()),
+        sketch: page_sketch(&model, scenes.first()),
         moving,
         unfinished: unfinished.clone(),
         file: argument.display().to_string(),
     });
-    folder(out)?;
-    text(&page, &html)?;
+    make_folder(out)?;
+    write_text_file(&page, &html)?;
     bar.finish_and_clear();
     for line in &done.doubts {
         warn(line);
@@ -109,7 +109,7 @@ pub fn page(request: &Request) -> Result<u8, Failure> {
         });
         print_json(&value)?;
     } else {
-        say(&page.display().to_string());
+        print_to_stderr(&page.display().to_string());
     }
     if let Some(unfinished) = unfinished {
         return Err(Failure::Interrupted(format!("the page is partial: {unfinished}")));
@@ -125,7 +125,7 @@ pub fn page(request: &Request) -> Result<u8, Failure> {
 ///
 /// # Errors
 /// `Failure` if the current folder is in no workspace.
-fn usual_model() -> Result<PathBuf, Failure> {
+fn default_page_model() -> Result<PathBuf, Failure> {
     let here = current_folder()?;
     let root = workspace_around(&here).ok_or_else(|| {
         let what = format!("no model is given, and `{}` is in no workspace that has one", path_in_line(&here));
@@ -142,7 +142,7 @@ fn scenes(model_file: &Path, model: &mut Model) -> Result<(Vec<Scene>, Vec<Diagn
     let (mut scenes, mut broken) = (Vec::new(), Vec::new());
     for file in scene_files(model_file) {
         let scene = Source::read(&file).and_then(|source| {
-            if !is_same(&model_path(&source)?, model_file) {
+            if !is_same_file(&model_path(&source)?, model_file) {
                 let message = format!("this scene is of another model than {}", path_in_line(model_file));
                 let help = "move it to the scenes of its own model, or leave its `model` out";
                 return Err(Diagnostics::new(source, vec![Diagnostic::of_file(message, help)]));
@@ -162,13 +162,13 @@ fn scenes(model_file: &Path, model: &mut Model) -> Result<(Vec<Scene>, Vec<Diagn
 
 /// Changes the scenes by the values of the option `--set`, and prints the changed values once.
 /// `Err` for an unknown name or a value that a scene cannot have.
-fn varied(scenes: Vec<Scene>, model: &mut Mechanism, set: &[String]) -> Result<Vec<Scene>, Failure> {
+fn scenes_with_set_values(scenes: Vec<Scene>, model: &mut Mechanism, set: &[String]) -> Result<Vec<Scene>, Failure> {
     let mut list = Vec::new();
     for scene in scenes {
-        let (scene, values) = with_values(scene, model, set)?;
+        let (scene, values) = set_scene_values(scene, model, set)?;
         if list.is_empty() {
             for (name, value) in values {
-                say(&format!("note: {name} = {value}, not the value of the scenes"));
+                print_to_stderr(&format!("note: {name} = {value}, not the value of the scenes"));
             }
         }
         list.push(scene);
@@ -196,27 +196,27 @@ fn derivations(model: &Mechanism, formulations: &[Formulation], bar: &ProgressBa
 }
 
 /// Equations of a model prepared for runs, and the quantities that are watched along runs.
-struct Work<'a> {
+struct PageRuns<'a> {
     /// Model of the mechanism on the page.
     model: &'a Mechanism,
     /// Derivations, proofs and publication of the model.
-    study: &'a Study,
+    study: &'a ModelAnalysis,
     /// Quantities watched along runs, such as first integrals and determinants.
-    watch: Watch,
+    watch: WatchedInvariants,
     /// Code of each derived set of equations.
     derived: Vec<(EquationsOrigin, Code)>,
     /// Code of each printed set of equations.
-    printed: Vec<Printed>,
+    printed: Vec<PrintedSystem>,
 }
 
 /// Runs of one scene by all sets of equations.
-struct Runs {
+struct SceneRuns {
     /// Runs by derived equations, each with its watched quantities.
-    derived: Vec<(Run, Course)>,
+    derived: Vec<(Run, InvariantValues)>,
     /// Run by the scene's reduced equations; `Err` is the reason why there is none.
-    own: Result<Own, String>,
+    own: Result<ReducedRun, String>,
     /// Runs by printed equations, each with its watched quantities.
-    printed: Vec<(Run, Course)>,
+    printed: Vec<(Run, InvariantValues)>,
     /// Trustworthiness of each run, in the order derived, reduced, printed.
     standings: Vec<Standing>,
     /// Names of printed systems that could not be run, each with the reason.
@@ -225,7 +225,7 @@ struct Runs {
 
 /// Results of the scenes that were finished, as sections of the page.
 #[derive(Default)]
-struct Done {
+struct FinishedScenes {
     /// Section of the page for each finished scene.
     sections: Vec<SceneSection>,
     /// Doubts about the runs of the finished scenes, one per line.
@@ -234,28 +234,28 @@ struct Done {
     stopped: bool,
 }
 
-impl<'a> Work<'a> {
+impl<'a> PageRuns<'a> {
     /// Prepares the derived equations of a model for runs, and collects the printed equations.
     /// `Err` if derived equations cannot be prepared for runs.
-    fn new(model: &'a Mechanism, study: &'a Study, derivations: &Derivations) -> Result<Self, Failure> {
+    fn new(model: &'a Mechanism, study: &'a ModelAnalysis, derivations: &Derivations) -> Result<Self, Failure> {
         let mut derived = Vec::new();
         for (f, _) in derivations.iter().filter(|(_, result)| result.is_ok()) {
             let by = EquationsOrigin::from(*f);
-            let code = code(model, &by, None, Ready::Solved)?;
+            let code = runnable_code(model, &by, None, CodePreparation::Solved)?;
             derived.push((by, code));
         }
-        let watch = Watch::new(model, &study.derivations.kinematics.arena, &study.proof.integrals)?;
-        Ok(Self { model, study, watch, derived, printed: study.printed(model) })
+        let watch = WatchedInvariants::new(model, &study.derivations.kinematics.arena, &study.proof.integrals)?;
+        Ok(Self { model, study, watch, derived, printed: study.printed_systems(model) })
     }
 
     /// Runs every scene and draws its figures. After an interruption, the unfinished scenes are
     /// left out.
     /// `Err` if a scene cannot be run by derived equations, or a file cannot be written.
-    fn scenes(&self, scenes: &[Scene], out: &Path, bar: &ProgressBar) -> Result<Done, Failure> {
-        let mut done = Done::default();
+    fn scenes(&self, scenes: &[Scene], out: &Path, bar: &ProgressBar) -> Result<FinishedScenes, Failure> {
+        let mut done = FinishedScenes::default();
         for scene in scenes {
             let runs = self.runs(scene, bar);
-            if follow::is_interrupted() {
+            if interruption::is_interrupted() {
                 // Runs that were interrupted are not shown, nor written to tables.
                 break;
             }
@@ -268,7 +268,7 @@ impl<'a> Work<'a> {
                 doubts.extend(run.objections().into_iter().map(|objection| format!("{place}: {objection}")));
             }
             let section = self.section(scene, runs, out, bar);
-            if follow::is_interrupted() {
+            if interruption::is_interrupted() {
                 break;
             }
             let section = section?;
@@ -284,11 +284,11 @@ impl<'a> Work<'a> {
     /// Runs a scene by all sets of equations. A failure of printed equations is recorded for the
     /// page and does not stop the command.
     /// `Err` if derived equations cannot run the scene.
-    fn runs(&self, scene: &Scene, bar: &ProgressBar) -> Result<Runs, Failure> {
+    fn runs(&self, scene: &Scene, bar: &ProgressBar) -> Result<SceneRuns, Failure> {
         let message = |by: &EquationsOrigin| format!("running {} by {}", path_in_line(&scene.source.path), by.name());
-        let own = Own::new(self.model, scene, &self.watch).map_err(|failure| failure.first_line());
+        let own = ReducedRun::new(self.model, scene, &self.watch).map_err(|failure| failure.first_line());
         let mut runs =
-            Runs { derived: Vec::new(), own, printed: Vec::new(), standings: Vec::new(), not_run: Vec::new() };
+            SceneRuns { derived: Vec::new(), own, printed: Vec::new(), standings: Vec::new(), not_run: Vec::new() };
         // Quadrature and projection exist only for a scene's reduced equations.
         let mut stepped = scene.clone();
         stepped.integration.project = None;
@@ -299,7 +299,7 @@ impl<'a> Work<'a> {
             bar.set_message(message(by));
             let own = match scene.integration.distance {
                 None => None,
-                distance => Some(tripos::code::code(self.model, by, distance, Ready::Solved)?),
+                distance => Some(tripos::code::runnable_code(self.model, by, distance, CodePreparation::Solved)?),
             };
             let code = own.as_ref().unwrap_or(code);
             let run = run_code(self.model, &stepped, by, code, Some(&self.watch))?;
@@ -309,7 +309,7 @@ impl<'a> Work<'a> {
         }
         let mut limited = stepped.clone();
         limited.integration.step_limit = scene.integration.step_limit.min(MOST_PRINTED_STEPS);
-        limited.integration.solve = Some(Solve::Numeric);
+        limited.integration.solve = Some(AccelerationSolution::Numeric);
         limited.integration.distance = None;
         for (by, code) in &self.printed {
             bar.set_message(message(by));
@@ -328,27 +328,28 @@ impl<'a> Work<'a> {
         }
         let (derived, own) = (runs.derived.iter().map(|(run, _)| run), runs.own.iter().map(|own| &own.run));
         let all = derived.chain(own).chain(runs.printed.iter().map(|(run, _)| run));
-        runs.standings = all.map(|run| standings::of(self.study, scene, run)).collect();
+        runs.standings = all.map(|run| standings::run_standing(self.study, scene, run)).collect();
         Ok(runs)
     }
 
     /// Returns the curves to draw, with a note on the printed equations. Of systems that provably
     /// give the same motion only the first is drawn.
     /// The note is `None` if every printed system has a curve.
-    fn drawn<'r>(&self, runs: &'r Runs) -> (Vec<Curve<'r>>, Option<String>) {
-        let mut curves = curves(runs, |own| own.course.is_some());
+    fn curves_to_draw<'r>(&self, runs: &'r SceneRuns) -> (Vec<RunCurves<'r>>, Option<String>) {
+        let mut curves = derived_run_curves(runs, |own| own.course.is_some());
         let Some(published) = &self.study.published else { return (curves, None) };
         let (mut alike, mut left_out, mut drawn) = (Vec::new(), Vec::new(), [0; 2]);
         let before = runs.standings.len() - runs.printed.len();
         for ((run, course), standing) in runs.printed.iter().zip(&runs.standings[before..]) {
             let Some(id) = run.by.printed_id() else { continue };
             let wrong = *standing == Standing::Wrong;
-            let (kind, first) = (if wrong { styles::WRONG } else { styles::PRINTED }, published.first_alike(id));
+            let (kind, first) =
+                (if wrong { styles::WRONG } else { styles::PRINTED }, published.first_equivalent_system(id));
             let count = &mut drawn[usize::from(wrong)];
             if first != id {
                 alike.push(format!("{id} moves as {first}"));
             } else if *count < styles::MOST_PRINTED && curves.len() < styles::MOST_CURVES {
-                curves.push(Curve::new(run, course, kind + *count, standing));
+                curves.push(RunCurves::new(run, course, kind + *count, standing));
                 *count += 1;
             } else {
                 left_out.push(id.to_owned());
@@ -370,72 +371,83 @@ impl<'a> Work<'a> {
     /// Returns the panels of the figure of states: every state, or the outputs that the scene
     /// lists.
     /// `Err` if the outputs of the scene cannot be compared.
-    fn states(&self, scene: &Scene, runs: &Runs) -> Result<Vec<Panel>, Failure> {
-        let curves = figures::merged(curves(runs, |_| true));
+    fn states(&self, scene: &Scene, runs: &SceneRuns) -> Result<Vec<Panel>, Failure> {
+        let curves = run_panels::merge_equal_curves(derived_run_curves(runs, |_| true));
         if !scene.states_outputs {
-            return Ok(figures::states(self.model, &curves));
+            return Ok(run_panels::state_panels(self.model, &curves));
         }
-        let compared = Compared::new(self.model, scene)?;
+        let compared = ComparedQuantities::new(self.model, scene)?;
         let values: Vec<_> = curves
             .into_iter()
             .map(|curve| {
-                let values = shown(&compared, curve.run);
+                let values = output_values_along_run(&compared, curve.run);
                 (curve, values)
             })
             .collect();
-        Ok(figures::outputs(self.model, scene, &values))
+        Ok(run_panels::outputs(self.model, scene, &values))
     }
 
     /// Writes the section of the page for a scene: draws all its figures and fills the table of
     /// runs.
     /// `Err` if a figure cannot be drawn or a file cannot be written.
-    fn section(&self, scene: &Scene, runs: Runs, out: &Path, bar: &ProgressBar) -> Result<SceneSection, Failure> {
+    fn section(&self, scene: &Scene, runs: SceneRuns, out: &Path, bar: &ProgressBar) -> Result<SceneSection, Failure> {
         let folder = folder_of(self.model, scene);
-        let mut measured = Measured::new(self.model, scene, out, folder.clone());
-        let mut drawn = Drawn { out, folder, names: BTreeMap::new() };
+        let mut measured = StudyFigures::new(self.model, scene, out, folder.clone());
+        let mut drawn = RunFigureWriter { out, folder, names: BTreeMap::new() };
         let mut shown = Vec::new();
         for figure in &scene.figures {
             let (kind, caption) = (figure.kind, figure.caption.as_str());
             bar.set_message(format!("{} of {}", kind.name(), path_in_line(&scene.source.path)));
             shown.extend(match kind {
                 FigureKind::Energy => {
-                    let curves = figures::merged(curves(&runs, |own| !own.run.energies.is_empty()));
-                    let caption = after(caption, &figures::sentences(&curves));
-                    Some(drawn.figure(kind.name(), &caption, &[figures::energy(&curves)], 1)?)
+                    let curves =
+                        run_panels::merge_equal_curves(derived_run_curves(&runs, |own| !own.run.energies.is_empty()));
+                    let caption = caption_with_sentence(caption, &run_panels::run_figure_sentences(&curves));
+                    Some(drawn.figure(kind.name(), &caption, &[run_panels::energy_panel(&curves)], 1)?)
                 }
                 FigureKind::States => {
-                    let caption = after(caption, &figures::sentences(&figures::merged(curves(&runs, |_| true))));
+                    let caption = caption_with_sentence(
+                        caption,
+                        &run_panels::run_figure_sentences(&run_panels::merge_equal_curves(derived_run_curves(
+                            &runs,
+                            |_| true,
+                        ))),
+                    );
                     Some(drawn.figure(kind.name(), &caption, &self.states(scene, &runs)?, 2)?)
                 }
                 _ => measured.figure(kind, caption)?,
             });
             bar.inc(1);
         }
-        let (curves, note) = self.drawn(&runs);
+        let (curves, note) = self.curves_to_draw(&runs);
         let note = note.map(|note| format!(" {note}")).unwrap_or_default();
         let mut integrals = None;
         // Impacts change the quantities that motions conserve.
         if !curves.is_empty() && !self.watch.integrals.is_empty() && scene.impacts.is_empty() {
-            let curves = figures::merged(curves.clone());
-            let panels = figures::integrals(&self.watch, &curves);
+            let curves = run_panels::merge_equal_curves(curves.clone());
+            let panels = run_panels::integrals(&self.watch, &curves);
             let caption = "First integrals: how far each is from its value at the start, on logarithmic scales. What lies \
                            at the lower edge does not change; what lies at the upper edge is beyond it.";
-            let said = figures::sentences(&curves);
-            integrals = Some(drawing(&format!("{caption} {said}{note}"), &panels, panels.len().min(2))?);
+            let said = run_panels::run_figure_sentences(&curves);
+            integrals = Some(run_figure(&format!("{caption} {said}{note}"), &panels, panels.len().min(2))?);
         }
         let mut nearness = None;
         if !curves.is_empty() {
             let caption = "How near the matrix A of the accelerations comes to a singular one, and the kinematic equations \
                            to a division by zero, on logarithmic scales.";
-            let said = figures::sentences(&curves);
-            nearness = Some(drawing(&format!("{caption} {said}{note}"), &figures::nearness(&self.watch, &curves), 2)?);
+            let said = run_panels::run_figure_sentences(&curves);
+            nearness = Some(run_figure(
+                &format!("{caption} {said}{note}"),
+                &run_panels::singularity_panels(&self.watch, &curves),
+                2,
+            )?);
         }
-        let mut facts = facts(self.model, scene);
-        facts.extend(runs.derived.first().and_then(|(run, _)| impacts(run)));
+        let mut facts = scene_facts(self.model, scene);
+        facts.extend(runs.derived.first().and_then(|(run, _)| impacts_words(run)));
         let mut standings = runs.standings.iter().cloned();
         let mut next = || standings.next().unwrap_or(Standing::Right);
         let mut rows: Vec<RunRow> = runs.derived.iter().map(|(run, course)| row(scene, run, course, next())).collect();
-        rows.extend(runs.own.iter().map(|own| own_row(scene, own, next())));
+        rows.extend(runs.own.iter().map(|own| reduced_run_row(scene, own, next())));
         rows.extend(runs.printed.iter().map(|(run, course)| row(scene, run, course, next())));
         Ok(SceneSection {
             file: path_in_line(&scene.source.path),
@@ -456,9 +468,11 @@ impl<'a> Work<'a> {
 
 /// Returns the curves of the runs by derived equations. The reduced equations are included if
 /// `shows` accepts them.
-fn curves(runs: &Runs, shows: impl Fn(&Own) -> bool) -> Vec<Curve<'_>> {
-    let own = runs.own.iter().filter(|own| shows(own)).map(|own| (&own.run, own.course.as_ref().unwrap_or(&UNWATCHED)));
+fn derived_run_curves(runs: &SceneRuns, shows: impl Fn(&ReducedRun) -> bool) -> Vec<RunCurves<'_>> {
+    let own =
+        runs.own.iter().filter(|own| shows(own)).map(|own| (&own.run, own.course.as_ref().unwrap_or(&EMPTY_COURSE)));
     let derived = runs.derived.iter().map(|(run, course)| (run, course));
     let all = derived.chain(own).zip(&runs.standings);
-    all.map(|((run, course), standing)| Curve::new(run, course, styles::style(&run.by), standing)).collect()
+    all.map(|((run, course), standing)| RunCurves::new(run, course, styles::equations_style(&run.by), standing))
+        .collect()
 }

@@ -1,18 +1,18 @@
 //! Command `tripos plot`: draws quantities of runs as a figure, with its data in a CSV file.
 
 use crate::arguments::Plot;
-use crate::failure::{Failure, Output, print_either, say, status, warn};
-use crate::follow;
-use crate::output::{keep_inputs, table};
-use crate::picture::{self, Kind};
-use crate::plot::{Panel, Scale, Series, draw, pretty};
-use crate::scene_file::{VariedScene, read_scene_with};
+use crate::failure::{Failure, Output, print_result, print_to_stderr, status, warn};
+use crate::interruption;
+use crate::output::{refuse_overwriting_inputs, write_csv_file};
+use crate::picture::{self, PictureFormat};
+use crate::plot::{Panel, Scale, Series, draw, formula_to_symbols};
+use crate::scene_file::{SceneWithSetValues, read_scene_with};
 use serde_json::json;
 use std::path::{Path, PathBuf};
-use tripos::code::by_or_first;
-use tripos::{EquationsName, Error, Mechanism, Overrides, Run, Watch, simulate};
+use tripos::code::find_equations_or_first;
+use tripos::{EquationsName, Error, Mechanism, Overrides, Run, WatchedInvariants, simulate};
 use tripos_derive::model::TIME;
-use tripos_derive::plain::path_in_line;
+use tripos_derive::plain_text::path_in_line;
 use tripos_derive::scene::{ENERGIES, Scene, load_output};
 use tripos_sim::Stop;
 
@@ -22,7 +22,7 @@ const INTEGRALS: &str = "integrals";
 const ONE_COLUMN: usize = 3;
 
 /// Quantities that a figure shows, and the quantity on its horizontal axis.
-struct Wanted {
+struct PlotQuantities {
     /// Names of the quantities of each panel.
     panels: Vec<Vec<String>>,
     /// True if all first integrals are shown too, each in its own panel.
@@ -32,7 +32,7 @@ struct Wanted {
 }
 
 /// Run of a scene whose quantities are drawn, with the label of its curves.
-struct Curve {
+struct PlottedRun {
     /// Label of the run's curves in the legend.
     label: String,
     /// Run with the values of the wanted quantities.
@@ -42,11 +42,11 @@ struct Curve {
     /// Scene that was run, with the wanted quantities as outputs.
     scene: Scene,
     /// Changes of the first integrals along the run; empty if they are not shown.
-    integrals: Vec<IntegralCourse>,
+    integrals: Vec<IntegralChange>,
 }
 
 /// Change of a first integral along a run, since the start.
-struct IntegralCourse {
+struct IntegralChange {
     /// Name of the first integral, such as the energy.
     name: String,
     /// Unit of the first integral, as text.
@@ -62,16 +62,16 @@ struct IntegralCourse {
 /// [`Failure`] if a scene cannot be read or run, a quantity is unknown, or a file cannot be
 /// written.
 pub fn plot(request: &Plot) -> Result<u8, Failure> {
-    let wanted = Wanted::new(request);
-    let (out, kind) = place(request)?;
-    let dpi = picture::checked_dpi(request.dpi)?;
-    let ways = ways(request)?;
-    follow::listen();
+    let wanted = PlotQuantities::new(request);
+    let (out, kind) = figure_path(request)?;
+    let dpi = picture::check_dpi(request.dpi)?;
+    let ways = run_variants(request)?;
+    interruption::listen_for_interruption();
     let mut curves = Vec::new();
     for path in &request.scenes {
         for (words, way) in &ways {
-            let curve = Curve::new(path, way, words, &wanted, request)?;
-            keep_inputs(&curve.model, Some(&curve.scene), [out.as_path(), &data_place(&out)])?;
+            let curve = PlottedRun::new(path, way, words, &wanted, request)?;
+            refuse_overwriting_inputs(&curve.model, Some(&curve.scene), [out.as_path(), &figure_data_path(&out)])?;
             curves.push(curve);
         }
     }
@@ -80,10 +80,10 @@ pub fn plot(request: &Plot) -> Result<u8, Failure> {
     let mut lines = Vec::new();
     if let Some(kind) = kind {
         let svg = draw(&panels, columns).map_err(|error| Failure::from(Error::Stopped(error.to_string())))?;
-        picture::write(&out, kind, &svg, dpi)?;
+        picture::write_picture(&out, kind, &svg, dpi)?;
         lines.push(format!("figure   {}\n", path_in_line(&out)));
     }
-    let data = data_place(&out);
+    let data = figure_data_path(&out);
     write_data(&data, &panels)?;
     lines.push(format!("data     {}\n", path_in_line(&data)));
     let runs = curves.iter().map(|curve| {
@@ -94,9 +94,9 @@ pub fn plot(request: &Plot) -> Result<u8, Failure> {
     });
     let value = json!({
         "figure": kind.is_some().then(|| path_in_line(&out)), "data": path_in_line(&data), "runs": runs.collect::<Vec<_>>(),
-        "panels": panels.iter().map(|panel| pretty(&panel.title)).collect::<Vec<_>>(),
+        "panels": panels.iter().map(|panel| formula_to_symbols(&panel.title)).collect::<Vec<_>>(),
     });
-    print_either(Output::of_flag(request.json), &lines.concat(), &value)?;
+    print_result(Output::of_flag(request.json), &lines.concat(), &value)?;
     let interrupted = curves.iter().any(|curve| curve.run.solution.stop == Stop::Interrupted);
     Ok(match interrupted {
         true => status::INTERRUPTED,
@@ -105,9 +105,9 @@ pub fn plot(request: &Plot) -> Result<u8, Failure> {
     })
 }
 
-impl Wanted {
+impl PlotQuantities {
     fn new(request: &Plot) -> Self {
-        let names = |text: &String| parts(text).into_iter().map(str::to_owned).collect::<Vec<String>>();
+        let names = |text: &String| split_at_commas(text).into_iter().map(str::to_owned).collect::<Vec<String>>();
         let (all, others): (Vec<_>, Vec<_>) = request.what.iter().map(names).partition(|list| list[..] == [INTEGRALS]);
         let against = request.against.clone().unwrap_or_else(|| TIME.to_owned());
         Self { panels: others, integrals: !all.is_empty(), against }
@@ -127,7 +127,7 @@ impl Wanted {
 }
 
 /// Splits a text at its commas, except at commas inside parentheses or brackets.
-fn parts(text: &str) -> Vec<&str> {
+fn split_at_commas(text: &str) -> Vec<&str> {
     let (mut list, mut depth, mut from) = (Vec::new(), 0_i32, 0);
     for (at, c) in text.char_indices() {
         match c {
@@ -149,16 +149,17 @@ fn parts(text: &str) -> Vec<&str> {
 ///
 /// # Errors
 /// [`Failure`] if the extension names no format.
-fn place(request: &Plot) -> Result<(PathBuf, Option<Kind>), Failure> {
+fn figure_path(request: &Plot) -> Result<(PathBuf, Option<PictureFormat>), Failure> {
     let named = || request.scenes.first().and_then(|scene| scene.file_stem()).map(PathBuf::from).unwrap_or_default();
     let out = request.out.clone().unwrap_or_else(|| named().with_extension("svg"));
     let is_data_alone = out.extension().is_some_and(|extension| extension == "csv");
-    let kind = if is_data_alone { None } else { Some(picture::kind(&out, ", or in .csv for the data alone")?) };
+    let kind =
+        if is_data_alone { None } else { Some(picture::picture_format(&out, ", or in .csv for the data alone")?) };
     Ok((out, kind))
 }
 
 /// Returns the path of the CSV file with the figure's data.
-fn data_place(out: &Path) -> PathBuf {
+fn figure_data_path(out: &Path) -> PathBuf {
     out.with_extension("csv")
 }
 
@@ -167,12 +168,12 @@ fn data_place(out: &Path) -> PathBuf {
 ///
 /// # Errors
 /// [`Failure`] if an option is not understood.
-fn ways(request: &Plot) -> Result<Vec<(String, Overrides)>, Failure> {
+fn run_variants(request: &Plot) -> Result<Vec<(String, Overrides)>, Failure> {
     let base = request.how.overrides()?;
     let mut list = vec![(String::new(), base.clone())];
     for also in &request.also {
         let mut way = base.clone();
-        for part in parts(also) {
+        for part in split_at_commas(also) {
             let wrong = || {
                 let what = format!("`{part}` is no way to run a scene");
                 Failure::request(
@@ -197,13 +198,19 @@ fn ways(request: &Plot) -> Result<Vec<(String, Overrides)>, Failure> {
     Ok(list)
 }
 
-impl Curve {
+impl PlottedRun {
     /// Reads a scene, runs it in one way, and keeps the wanted quantities. `words` name the way.
     ///
     /// # Errors
     /// [`Failure`] if the scene cannot be read or run, or a quantity is unknown.
-    fn new(path: &Path, way: &Overrides, words: &str, wanted: &Wanted, request: &Plot) -> Result<Self, Failure> {
-        let VariedScene { mut model, mut scene, .. } = read_scene_with(path, &request.set.set)?;
+    fn new(
+        path: &Path,
+        way: &Overrides,
+        words: &str,
+        wanted: &PlotQuantities,
+        request: &Plot,
+    ) -> Result<Self, Failure> {
+        let SceneWithSetValues { mut model, mut scene, .. } = read_scene_with(path, &request.set.set)?;
         let quantities = wanted.quantities();
         if !quantities.is_empty() {
             let own = std::mem::take(&mut scene.outputs);
@@ -213,19 +220,19 @@ impl Curve {
             scene.outputs = outputs?;
             scene.states_outputs = true;
         }
-        way.change(&mut scene)?;
+        way.apply_to_scene(&mut scene)?;
         // First integrals need the values of all coordinates and speeds.
         let by = match &way.by {
-            None if wanted.integrals => Some(EquationsName::from(&by_or_first(&model, None)?)),
+            None if wanted.integrals => Some(EquationsName::from(&find_equations_or_first(&model, None)?)),
             by => by.clone(),
         };
-        follow::show(scene.span);
+        interruption::show_progress_bar(scene.span);
         let run = simulate(&model, &scene, by.as_ref())?;
-        follow::hide();
-        run.notes.iter().for_each(|note| say(&format!("note: {note}")));
+        interruption::hide_progress_bar();
+        run.notes.iter().for_each(|note| print_to_stderr(&format!("note: {note}")));
         run.warnings.iter().for_each(|warning| warn(warning));
         if let Some(failure) = run.failure() {
-            say(&failure);
+            print_to_stderr(&failure);
         }
         let integrals = if wanted.integrals { integrals(&model, &scene, &run)? } else { Vec::new() };
         let named = if scene.title.is_empty() { path_in_line(path) } else { scene.title.clone() };
@@ -243,7 +250,7 @@ impl Curve {
     /// # Errors
     /// `Error` if the run has no such quantity.
     fn values(&self, name: &str) -> Result<Vec<f64>, Error> {
-        if name == TIME { Ok(self.run.solution.t.clone()) } else { self.run.column(name) }
+        if name == TIME { Ok(self.run.solution.t.clone()) } else { self.run.column_of_quantity(name) }
     }
 
     /// Returns the axis label of a quantity: its name and unit.
@@ -262,16 +269,16 @@ impl Curve {
 
 /// Returns the changes of all first integrals of a model along a run.
 /// `Err` if the first integrals cannot be found.
-fn integrals(model: &Mechanism, scene: &Scene, run: &Run) -> Result<Vec<IntegralCourse>, Failure> {
-    let watch = Watch::of_model(model)?;
+fn integrals(model: &Mechanism, scene: &Scene, run: &Run) -> Result<Vec<IntegralChange>, Failure> {
+    let watch = WatchedInvariants::of_model(model)?;
     // States of the run hold coordinates and speeds first, then outputs.
     let count = model.coordinates.len() + model.speeds.len();
     let states: Vec<Vec<f64>> = run.states.iter().map(|state| state[..count].to_vec()).collect();
-    let (values, _) = watch.along(&scene.parameters, &states);
+    let (values, _) = watch.invariants_along_states(&scene.parameters, &states);
     let changes = watch.integrals.iter().zip(values).map(|(integral, values)| {
         let first = values.first().copied().unwrap_or(f64::NAN);
         let changes = values.iter().map(|value| (value - first).abs()).collect();
-        IntegralCourse { name: integral.name().to_owned(), unit: integral.unit.clone(), changes }
+        IntegralChange { name: integral.name().to_owned(), unit: integral.unit.clone(), changes }
     });
     Ok(changes.collect())
 }
@@ -279,7 +286,7 @@ fn integrals(model: &Mechanism, scene: &Scene, run: &Run) -> Result<Vec<Integral
 /// Returns the panels of the figure. Each panel has a curve for each run and each of its
 /// quantities.
 /// `Err` if a run lacks a quantity.
-fn panels(wanted: &Wanted, curves: &[Curve]) -> Result<Vec<Panel>, Failure> {
+fn panels(wanted: &PlotQuantities, curves: &[PlottedRun]) -> Result<Vec<Panel>, Failure> {
     let Some(first) = curves.first() else { return Ok(Vec::new()) };
     let shown: Vec<Vec<String>> = match (wanted.panels.is_empty(), wanted.integrals) {
         (true, false) => first.scene.outputs.iter().map(|output| vec![output.name.clone()]).collect(),
@@ -309,8 +316,8 @@ fn panels(wanted: &Wanted, curves: &[Curve]) -> Result<Vec<Panel>, Failure> {
             series,
         ));
     }
-    for (at, IntegralCourse { name, unit, .. }) in first.integrals.iter().enumerate() {
-        let of_curve = |(style, curve): (usize, &Curve)| {
+    for (at, IntegralChange { name, unit, .. }) in first.integrals.iter().enumerate() {
+        let of_curve = |(style, curve): (usize, &PlottedRun)| {
             let points = curve.run.solution.t.iter().copied().zip(curve.integrals[at].changes.iter().copied());
             let label = if curves.len() > 1 { &curve.label } else { name };
             Series::curve(label.clone(), style, points.skip(1).collect())
@@ -345,20 +352,26 @@ fn write_data(path: &Path, panels: &[Panel]) -> Result<(), Failure> {
     let rows = panels.iter().flat_map(|panel| {
         panel.series.iter().flat_map(move |series| {
             series.points.iter().map(move |(x, y)| {
-                vec![pretty(&panel.title), series.label.clone(), panel.x_label.clone(), x.to_string(), y.to_string()]
+                vec![
+                    formula_to_symbols(&panel.title),
+                    series.label.clone(),
+                    panel.x_label.clone(),
+                    x.to_string(),
+                    y.to_string(),
+                ]
             })
         })
     });
-    table(path, &["panel", "curve", "against", "x", "y"], rows)
+    write_csv_file(path, &["panel", "curve", "against", "x", "y"], rows)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::parts;
+    use super::split_at_commas;
 
     #[test]
     fn lists_are_parted_at_their_own_commas() {
-        assert_eq!(parts("q1, v(disk, P) @ A [1]"), ["q1", "v(disk, P) @ A [1]"]);
-        assert_eq!(parts("total_energy"), ["total_energy"]);
+        assert_eq!(split_at_commas("q1, v(disk, P) @ A [1]"), ["q1", "v(disk, P) @ A [1]"]);
+        assert_eq!(split_at_commas("total_energy"), ["total_energy"]);
     }
 }

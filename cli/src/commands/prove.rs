@@ -9,9 +9,9 @@ use std::fmt::Write;
 use std::path::Path;
 use tripos::Mechanism;
 use tripos::code::formulation;
-use tripos_derive::algebra::form::simplify::cost;
+use tripos_derive::algebra::form::simplify::operation_count;
 use tripos_derive::algebra::meaning::compare::{Engine, Verdict, Witness};
-use tripos_derive::algebra::text::print::{text, whole_text};
+use tripos_derive::algebra::text::print::{print_text, print_whole_text};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{LoadDivisor, derive_all};
 use tripos_derive::prove::{Proof, prove as prove_model};
@@ -44,7 +44,7 @@ pub fn prove(model: &Path, also: &[String], output: Output) -> Result<u8, Failur
 }
 
 /// Returns the word for a verdict in tables and in JSON: `equal`, `different` or `undecided`.
-pub fn word(verdict: &Verdict) -> &'static str {
+pub fn verdict_word(verdict: &Verdict) -> &'static str {
     match verdict {
         Verdict::Equal(_) => "equal",
         Verdict::Different(_) => "different",
@@ -53,7 +53,7 @@ pub fn word(verdict: &Verdict) -> &'static str {
 }
 
 /// Returns the method of proof that decided equality as JSON; null if the verdict is not "equal".
-pub fn engine(verdict: &Verdict) -> Value {
+pub fn proof_method_json(verdict: &Verdict) -> Value {
     match verdict {
         Verdict::Equal(Engine::NormalForm) => json!("normal-form"),
         Verdict::Equal(engine @ Engine::Modular { .. }) => json!(engine.to_string()),
@@ -76,8 +76,8 @@ pub fn json_of(model: &Mechanism, arena: &Arena, proof: &Proof) -> Value {
             let mut value = json!({
                 "left": pair.left.name(),
                 "right": pair.right.name(),
-                "verdict": word(&pair.verdict),
-                "engine": engine(&pair.verdict),
+                "verdict": verdict_word(&pair.verdict),
+                "engine": proof_method_json(&pair.verdict),
                 "map": pair.map.text(),
             });
             match &pair.verdict {
@@ -94,18 +94,19 @@ pub fn json_of(model: &Mechanism, arena: &Arena, proof: &Proof) -> Value {
         .map(|integral| {
             json!({
                 "name": integral.name(model, arena),
-                "expression": whole_text(arena, integral.expression),
-                "except_where": integral.divisors(arena).iter().map(|e| format!("{} = 0", whole_text(arena, *e))).collect::<Vec<_>>(),
-                "verdict": if integral.verdict.is_equal() { "proved" } else { word(&integral.verdict) },
-                "engine": engine(&integral.verdict),
+                "expression": print_whole_text(arena, integral.expression),
+                "except_where": integral.divisors(arena).iter().map(|e| format!("{} = 0", print_whole_text(arena, *e))).collect::<Vec<_>>(),
+                "verdict": if integral.verdict.is_equal() { "proved" } else { verdict_word(&integral.verdict) },
+                "engine": proof_method_json(&integral.verdict),
             })
         })
         .collect();
     let reactions: Vec<Value> =
-        proof.reactions.iter().map(|r| json!({ "name": r.name, "value": whole_text(arena, r.value) })).collect();
+        proof.reactions.iter().map(|r| json!({ "name": r.name, "value": print_whole_text(arena, r.value) })).collect();
     let missing: Vec<Value> =
         proof.missing.iter().map(|(f, why)| json!({ "formulation": f.name(), "why": why.to_string() })).collect();
-    let all: Vec<Expr> = shown(arena, proof).chain(proof.reactions.iter().map(|reaction| reaction.value)).collect();
+    let all: Vec<Expr> =
+        formulas_in_proof_report(arena, proof).chain(proof.reactions.iter().map(|reaction| reaction.value)).collect();
     json!({
         "model": short_name(model),
         "equivalent": proof.is_equivalent(),
@@ -116,15 +117,15 @@ pub fn json_of(model: &Mechanism, arena: &Arena, proof: &Proof) -> Value {
         "search": proof.search.text(arena),
         "names": names_json(arena, &all),
         "loads_divide_by": proof.loads.iter().map(|load| json!({
-            "load": load.load, "divisor": whole_text(arena, load.value), "meaning": load.meaning(),
+            "load": load.load, "divisor": print_whole_text(arena, load.value), "meaning": load.zero_divisor_meaning(),
         })).collect::<Vec<_>>(),
-        "singular_where": proof.singular_where.iter().map(|e| whole_text(arena, *e)).collect::<Vec<_>>(),
+        "singular_where": proof.singular_where.iter().map(|e| print_whole_text(arena, *e)).collect::<Vec<_>>(),
     })
 }
 
 /// Returns the results of all proofs about a model as text.
 fn text_of(model: &Mechanism, arena: &Arena, proof: &Proof) -> String {
-    let mut out = format!("{}\n{}\n\nEquivalence\n", model.title, model.count());
+    let mut out = format!("{}\n{}\n\nEquivalence\n", model.title, model.counts_in_words());
     for pair in &proof.pairs {
         let verdict = match &pair.verdict {
             Verdict::Equal(engine) => format!("proved ({engine})"),
@@ -141,9 +142,9 @@ fn text_of(model: &Mechanism, arena: &Arena, proof: &Proof) -> String {
     } else {
         let place = |e: &Expr| {
             let loads: Vec<String> =
-                proof.loads.iter().filter(|load| load.value == *e).map(LoadDivisor::meaning).collect();
+                proof.loads.iter().filter(|load| load.value == *e).map(LoadDivisor::zero_divisor_meaning).collect();
             let meaning = if loads.is_empty() { String::new() } else { format!(" ({})", loads.join(", ")) };
-            format!("{} = 0{meaning}", text(arena, *e))
+            format!("{} = 0{meaning}", print_text(arena, *e))
         };
         let list: Vec<String> = proof.singular_where.iter().map(place).collect();
         let _ = writeln!(out, "  valid except where {}", list.join(", "));
@@ -152,10 +153,10 @@ fn text_of(model: &Mechanism, arena: &Arena, proof: &Proof) -> String {
         out.push_str("\nReactions, from the equations that Kane's method leaves over\n");
     }
     for reaction in &proof.reactions {
-        if is_read(arena, reaction.value) {
-            let _ = writeln!(out, "  {} = {}", reaction.name, text(arena, reaction.value));
+        if is_short_reaction(arena, reaction.value) {
+            let _ = writeln!(out, "  {} = {}", reaction.name, print_text(arena, reaction.value));
         } else {
-            let operations = cost(arena, reaction.value);
+            let operations = operation_count(arena, reaction.value);
             let _ = writeln!(out, "  {}: {operations} operations, which `--json` has", reaction.name);
         }
     }
@@ -166,9 +167,14 @@ fn text_of(model: &Mechanism, arena: &Arena, proof: &Proof) -> String {
             Verdict::Different(_) => "NOT conserved".to_owned(),
             Verdict::Undecided(why) => format!("undecided: {why}"),
         };
-        let _ = writeln!(out, "  {}: {verdict}\n    {}", integral.name(model, arena), text(arena, integral.expression));
+        let _ = writeln!(
+            out,
+            "  {}: {verdict}\n    {}",
+            integral.name(model, arena),
+            print_text(arena, integral.expression)
+        );
         let divisors: Vec<String> =
-            integral.divisors(arena).iter().map(|e| format!("{} = 0", text(arena, *e))).collect();
+            integral.divisors(arena).iter().map(|e| format!("{} = 0", print_text(arena, *e))).collect();
         if !divisors.is_empty() {
             let _ = writeln!(out, "    except where {}", divisors.join(", "));
         }
@@ -178,17 +184,18 @@ fn text_of(model: &Mechanism, arena: &Arena, proof: &Proof) -> String {
     }
     let _ = writeln!(out, "  ({})", proof.search.text(arena));
     let reactions = proof.reactions.iter().map(|reaction| reaction.value);
-    let shown: Vec<Expr> = shown(arena, proof).chain(reactions.filter(|e| is_read(arena, *e))).collect();
+    let shown: Vec<Expr> =
+        formulas_in_proof_report(arena, proof).chain(reactions.filter(|e| is_short_reaction(arena, *e))).collect();
     out + &names_text(arena, &shown)
 }
 
 /// True if a reaction's formula is short enough to be shown in the text.
-fn is_read(arena: &Arena, e: Expr) -> bool {
-    text(arena, e).len() <= LONGEST
+fn is_short_reaction(arena: &Arena, e: Expr) -> bool {
+    print_text(arena, e).len() <= LONGEST
 }
 
 /// Returns the formulas that the report on a proof shows, except those of reactions.
-fn shown<'a>(arena: &'a Arena, proof: &'a Proof) -> impl Iterator<Item = Expr> + 'a {
-    let integrals = proof.integrals.iter().flat_map(|integral| integral.shown(arena));
+fn formulas_in_proof_report<'a>(arena: &'a Arena, proof: &'a Proof) -> impl Iterator<Item = Expr> + 'a {
+    let integrals = proof.integrals.iter().flat_map(|integral| integral.shown_formulas_of_integral(arena));
     integrals.chain(proof.search.power).chain(proof.singular_where.iter().copied())
 }

@@ -1,23 +1,23 @@
 //! Command `tripos regenerate`: the only writer of `generated/` and of the SymPy references in the
 //! models' folders.
 
-mod changes;
+mod equation_changes;
 mod python;
-mod reference;
+mod sympy_reference;
 
-use crate::failure::{Failure, Output, print, print_either, print_json, status};
+use crate::failure::{Failure, Output, print, print_json, print_result, status};
 use crate::workspace::workspace_here;
-use changes::{Equations, equations_of};
+use equation_changes::{EquationComparison, compare_with_committed_equations};
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use tripos::Error;
+use tripos_codegen::generated_workspace::{DERIVED_MODEL_COPY, Difference, Freshness, freshness, model_folders, write};
 use tripos_codegen::plan::module_name;
-use tripos_codegen::workspace::{DERIVED_FROM, Difference, Freshness, freshness, model_folders, write};
 use tripos_derive::Formulation;
-use tripos_derive::diagnostic::nearest;
-use tripos_derive::plain::path_in_line;
+use tripos_derive::diagnostic::nearest_name_advice;
+use tripos_derive::plain_text::path_in_line;
 
 /// Runs `tripos regenerate --check`: prints generated files and references that differ. Returns the
 /// exit status, 1 if there are any.
@@ -26,15 +26,15 @@ use tripos_derive::plain::path_in_line;
 /// `Failure` outside a workspace, for an unknown model, and for models with errors.
 pub fn check(models: &[PathBuf], output: Output) -> Result<u8, Failure> {
     let root = workspace_here()?;
-    let (found, committed, asked) = look(&root, models)?;
-    let text = summary(&root, &found, &committed, asked.len());
+    let (found, committed, asked) = compare_with_committed(&root, models)?;
+    let text = regeneration_summary(&root, &found, &committed, asked.len());
     if output == Output::Text {
         print(&text)?;
     }
-    let references = reference::check(&root, &sound(&found, asked));
+    let references = sympy_reference::check_references(&root, &models_without_errors(&found, asked));
     let lines: Vec<String> = references.iter().map(|line| format!("{line}\n")).collect();
-    print_either(output, &lines.concat(), &json_of(&found, &text, &references))?;
-    complain(&found)?;
+    print_result(output, &lines.concat(), &json_of(&found, &text, &references))?;
+    fail_for_broken_models(&found)?;
     Ok(if found.differences.is_empty() && references.is_empty() { 0 } else { status::NO })
 }
 
@@ -46,17 +46,17 @@ pub fn check(models: &[PathBuf], output: Output) -> Result<u8, Failure> {
 /// cannot be written.
 pub fn regenerate(models: &[PathBuf], output: Output) -> Result<u8, Failure> {
     let root = workspace_here()?;
-    let (found, committed, asked) = look(&root, models)?;
-    let text = summary(&root, &found, &committed, asked.len());
+    let (found, committed, asked) = compare_with_committed(&root, models)?;
+    let text = regeneration_summary(&root, &found, &committed, asked.len());
     write(&found, &committed)?;
     if output == Output::Text {
         print(&text)?;
     }
-    let (answer, references) = reference::renew(&root, &sound(&found, asked), output)?;
+    let (answer, references) = sympy_reference::renew_references(&root, &models_without_errors(&found, asked), output)?;
     if output == Output::Json {
         print_json(&json_of(&found, &text, &references))?;
     }
-    complain(&found)?;
+    fail_for_broken_models(&found)?;
     Ok(answer)
 }
 
@@ -68,7 +68,7 @@ fn json_of(found: &Freshness, summary: &str, references: &[String]) -> Value {
 }
 
 /// Returns those of the names `asked` whose models have no errors.
-fn sound(found: &Freshness, mut asked: Vec<String>) -> Vec<String> {
+fn models_without_errors(found: &Freshness, mut asked: Vec<String>) -> Vec<String> {
     asked.retain(|name| !found.generated.broken.iter().any(|(broken, _)| broken == name));
     asked
 }
@@ -78,7 +78,7 @@ fn sound(found: &Freshness, mut asked: Vec<String>) -> Vec<String> {
 ///
 /// # Errors
 /// `Failure` if a folder cannot be read, or a chosen model does not exist.
-fn look(root: &Path, models: &[PathBuf]) -> Result<(Freshness, PathBuf, Vec<String>), Failure> {
+fn compare_with_committed(root: &Path, models: &[PathBuf]) -> Result<(Freshness, PathBuf, Vec<String>), Failure> {
     let (folder, committed) = (root.join("models"), root.join("generated/src"));
     let unreadable = |error| {
         let what = format!("cannot read {}: {error}", path_in_line(&folder));
@@ -91,7 +91,7 @@ fn look(root: &Path, models: &[PathBuf]) -> Result<(Freshness, PathBuf, Vec<Stri
         let name = model.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
         if !all.contains(&name) {
             let what = format!("there is no model `{}` in {}", path_in_line(model), path_in_line(&folder));
-            return Err(Failure::request(what, nearest(&name, all.iter().map(String::as_str))));
+            return Err(Failure::request(what, nearest_name_advice(&name, all.iter().map(String::as_str))));
         }
         asked.push(name);
     }
@@ -101,7 +101,7 @@ fn look(root: &Path, models: &[PathBuf]) -> Result<(Freshness, PathBuf, Vec<Stri
 }
 
 /// Reports models with errors as an error of the whole command.
-fn complain(found: &Freshness) -> Result<(), Failure> {
+fn fail_for_broken_models(found: &Freshness) -> Result<(), Failure> {
     if found.generated.broken.is_empty() {
         return Ok(());
     }
@@ -110,7 +110,7 @@ fn complain(found: &Freshness) -> Result<(), Failure> {
 
 /// Returns the report on the differences: files, changes of equations, and the number of code
 /// files.
-fn summary(root: &Path, found: &Freshness, committed: &Path, asked: usize) -> String {
+fn regeneration_summary(root: &Path, found: &Freshness, committed: &Path, asked: usize) -> String {
     if found.differences.is_empty() {
         let models = if asked == 1 { "1 model".to_owned() } else { format!("{asked} models") };
         return format!("generated/ is fresh: {models}\n");
@@ -119,22 +119,24 @@ fn summary(root: &Path, found: &Freshness, committed: &Path, asked: usize) -> St
     let mut out = String::new();
     let mut with_same_equations = Vec::new();
     let models: BTreeSet<&str> = found.differences.iter().filter_map(changed_model).collect();
-    let known: BTreeMap<&str, Equations> =
-        models.into_iter().map(|model| (model, equations_of(&root.join("models"), committed, model))).collect();
+    let known: BTreeMap<&str, EquationComparison> = models
+        .into_iter()
+        .map(|model| (model, compare_with_committed_equations(&root.join("models"), committed, model)))
+        .collect();
     // Changed copies of edited models are not listed: the person who edited a model knows of the
     // edit.
-    let is_model = |file: &str| file.ends_with(&format!("/{DERIVED_FROM}"));
+    let is_model = |file: &str| file.ends_with(&format!("/{DERIVED_MODEL_COPY}"));
     for difference in read.into_iter().filter(|d| !matches!(d, Difference::Changed(file) if is_model(file))) {
-        match derived(difference).map(|model| &known[model]) {
-            Some(Equations::Same) => with_same_equations.push(difference.file()),
+        match changed_formulation_model(difference).map(|model| &known[model]) {
+            Some(EquationComparison::Same) => with_same_equations.push(difference.file()),
             _ => out.extend([difference.to_string(), "\n".to_owned()]),
         }
     }
     for (model, equations) in &known {
         match equations {
-            Equations::Same => {}
-            Equations::Changed(lines) => out.extend([model, ": ", lines]),
-            Equations::Unknown(why) => {
+            EquationComparison::Same => {}
+            EquationComparison::Changed(lines) => out.extend([model, ": ", lines]),
+            EquationComparison::Unknown(why) => {
                 let _ = writeln!(out, "{model}: what changed in the equations is not known: {why}");
             }
         }
@@ -154,12 +156,13 @@ fn summary(root: &Path, found: &Freshness, committed: &Path, asked: usize) -> St
 fn changed_model(difference: &Difference) -> Option<&str> {
     let Difference::Changed(file) = difference else { return None };
     let (model, file) = file.split_once('/')?;
-    (file == DERIVED_FROM || file.starts_with("code/") || derived(difference).is_some()).then_some(model)
+    (file == DERIVED_MODEL_COPY || file.starts_with("code/") || changed_formulation_model(difference).is_some())
+        .then_some(model)
 }
 
 /// Returns the name of the model whose formulation file for people changed in this difference.
 /// `None` for all other files.
-fn derived(difference: &Difference) -> Option<&str> {
+fn changed_formulation_model(difference: &Difference) -> Option<&str> {
     let Difference::Changed(file) = difference else { return None };
     let (model, file) = file.split_once('/')?;
     let is_formulation = |f: &Formulation| file == format!("{}.rs", module_name(f.name()));

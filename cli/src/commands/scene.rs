@@ -2,14 +2,14 @@
 //! it does not need.
 
 use crate::failure::{Failure, Output, print, print_json};
-use crate::scene_file::VariedScene;
+use crate::scene_file::SceneWithSetValues;
 use crate::workspace::short_name;
 use serde_json::{Value, json};
 use std::fmt::Write;
-use tripos::{Mechanism, Reduced};
-use tripos_codegen::plan::{Cost, Costs, costs};
-use tripos_derive::algebra::text::print::text;
-use tripos_derive::reduce::Quantity;
+use tripos::{Mechanism, ReducedScene};
+use tripos_codegen::plan::{Costs, OperationCount, costs};
+use tripos_derive::algebra::text::print::print_text;
+use tripos_derive::reduce::ReducedQuantity;
 use tripos_derive::scene::Scene;
 
 /// Runs `tripos scene`: prints the reduced equations of a scene, with the omitted parts and their
@@ -17,31 +17,31 @@ use tripos_derive::scene::Scene;
 ///
 /// # Errors
 /// `Failure` if the scene has no reduced equations, or the output cannot be printed.
-pub fn scene(VariedScene { model, scene, .. }: &VariedScene, output: Output) -> Result<u8, Failure> {
-    let reduced = Reduced::new(model, scene)?;
+pub fn scene(SceneWithSetValues { model, scene, .. }: &SceneWithSetValues, output: Output) -> Result<u8, Failure> {
+    let reduced = ReducedScene::new(model, scene)?;
     let costs = costs(model, &reduced.reduction).map_err(|error| model.diagnose(&error))?;
-    let no_gain = reduced.no_gain(model)?;
+    let no_gain = reduced.reason_against_reduction(model)?;
     if output == Output::Json {
-        let mut value = as_json(model, scene, &reduced, costs);
+        let mut value = reduced_equations_json(model, scene, &reduced, costs);
         value["runs_whole"] = json!(no_gain);
         print_json(&value)?;
     } else {
         let why = no_gain.map(|why| format!("\nrun by full equations, unless with --by reduced: {why}\n"));
-        print(&(as_text(model, scene, &reduced, costs) + &why.unwrap_or_default()))?;
+        print(&(reduced_equations_text(model, scene, &reduced, costs) + &why.unwrap_or_default()))?;
     }
     Ok(0)
 }
 
 /// Returns the report on the reduced equations as JSON.
-fn as_json(model: &Mechanism, scene: &Scene, reduced: &Reduced, costs: Costs) -> Value {
+fn reduced_equations_json(model: &Mechanism, scene: &Scene, reduced: &ReducedScene, costs: Costs) -> Value {
     let reduction = &reduced.reduction;
-    let arena = reduction.terms();
-    let names = |list: &[Quantity]| list.iter().map(|q| q.name.clone()).collect::<Vec<_>>();
-    let count = |of: fn(&Cost) -> usize| json!({ "full": of(&costs.full), "scene": of(&costs.scene) });
+    let arena = reduction.arena();
+    let names = |list: &[ReducedQuantity]| list.iter().map(|q| q.name.clone()).collect::<Vec<_>>();
+    let count = |of: fn(&OperationCount) -> usize| json!({ "full": of(&costs.full), "scene": of(&costs.scene) });
     let constants = reduced.constants().map(|(q, value)| {
-        json!({ "name": q.name, "value": value, "unit": q.unit.to_string(), "about": q.about.text(arena), "is": text(arena, q.of_start) })
+        json!({ "name": q.name, "value": value, "unit": q.unit.to_string(), "about": q.about.text(arena), "is": print_text(arena, q.of_start) })
     });
-    let outputs = reduction.outputs.iter().map(|o| json!({ "name": o.name, "value": text(arena, o.value) }));
+    let outputs = reduction.outputs.iter().map(|o| json!({ "name": o.name, "value": print_text(arena, o.value) }));
     let omitted = reduction
         .omitted
         .iter()
@@ -55,23 +55,23 @@ fn as_json(model: &Mechanism, scene: &Scene, reduced: &Reduced, costs: Costs) ->
         "constants": constants.collect::<Vec<_>>(),
         "frame": reduction.frame.as_ref().map(|frame| json!({
             "moved_by": frame.about,
-            "zero": frame.pins.iter().map(|pin| text(arena, *pin)).collect::<Vec<_>>(),
+            "zero": frame.pins.iter().map(|pin| print_text(arena, *pin)).collect::<Vec<_>>(),
         })),
-        "equations": equations(reduced),
+        "equations": reduced_equation_lines(reduced),
         "kept_by_domain": reduction.kept_by_domain,
         "operations": count(|c| c.operations),
         "divisions": count(|c| c.divisions),
         "sines_and_cosines": count(|c| c.sincos),
-        "singular_where": reduction.divisors.iter().map(|d| format!("{} = 0", text(arena, *d))).collect::<Vec<_>>(),
+        "singular_where": reduction.divisors.iter().map(|d| format!("{} = 0", print_text(arena, *d))).collect::<Vec<_>>(),
         "omitted": omitted.collect::<Vec<_>>(),
     })
 }
 
 /// Returns the definitions and equations of motion of the reduced system, one per line.
-fn equations(reduced: &Reduced) -> Vec<String> {
-    let arena = reduced.reduction.terms();
+fn reduced_equation_lines(reduced: &ReducedScene) -> Vec<String> {
+    let arena = reduced.reduction.arena();
     let e = &reduced.reduction.derivation.equations;
-    let text = |x| text(arena, x);
+    let text = |x| print_text(arena, x);
     let definitions = e.definitions.iter().map(|d| (text(d.symbol), text(d.value)));
     let rates = e.coordinates.iter().zip(&e.coordinate_rates).map(|(q, k)| (format!("{}'", text(*q)), text(*k)));
     let solved = (0..e.unknowns.len()).map(|i| {
@@ -89,9 +89,9 @@ fn equations(reduced: &Reduced) -> Vec<String> {
 }
 
 /// Returns the report on the reduced equations as text.
-fn as_text(model: &Mechanism, scene: &Scene, reduced: &Reduced, costs: Costs) -> String {
+fn reduced_equations_text(model: &Mechanism, scene: &Scene, reduced: &ReducedScene, costs: Costs) -> String {
     let reduction = &reduced.reduction;
-    let arena = reduction.terms();
+    let arena = reduction.arena();
     let mut out = format!("{}: {}\n", model.title, if scene.title.is_empty() { "a scene" } else { &scene.title });
     let whole = model.coordinates.len() + model.speeds.len();
     let _ = writeln!(out, "\nkept, of {whole} states");
@@ -104,7 +104,7 @@ fn as_text(model: &Mechanism, scene: &Scene, reduced: &Reduced, costs: Costs) ->
         let _ = writeln!(out, "  {:<11}{} = {value:?}: {}", "constant", q.name, q.about.text(arena));
     }
     if let Some(frame) = &reduction.frame {
-        let pins: Vec<String> = frame.pins.iter().map(|pin| format!("{} = 0", text(arena, *pin))).collect();
+        let pins: Vec<String> = frame.pins.iter().map(|pin| format!("{} = 0", print_text(arena, *pin))).collect();
         let _ = writeln!(out, "  {:<11}{}: moved by {}", "frame", pins.join(", "), frame.about.join(" and by "));
     }
     if !reduction.kept_by_domain.is_empty() {
@@ -112,13 +112,13 @@ fn as_text(model: &Mechanism, scene: &Scene, reduced: &Reduced, costs: Costs) ->
         let _ = writeln!(out, "  {:<11}none: the domain names what {words} would turn", "frame");
     }
     let _ = writeln!(out, "\nequations");
-    for line in equations(reduced) {
+    for line in reduced_equation_lines(reduced) {
         let _ = writeln!(out, "  {line}");
     }
     let timed = reduction.outputs.iter().any(|o| arena.mentions(o.value, reduction.time));
     let _ = writeln!(out, "\noutputs{}", if timed { ", t being the time since the start" } else { "" });
     for o in &reduction.outputs {
-        let _ = writeln!(out, "  {} = {}", o.name, text(arena, o.value));
+        let _ = writeln!(out, "  {} = {}", o.name, print_text(arena, o.value));
     }
     let Costs { full, scene } = costs;
     let _ = writeln!(
@@ -127,7 +127,7 @@ fn as_text(model: &Mechanism, scene: &Scene, reduced: &Reduced, costs: Costs) ->
         scene.operations, full.operations, scene.divisions, full.divisions, scene.sincos, full.sincos
     );
     if !reduction.divisors.is_empty() {
-        let places: Vec<String> = reduction.divisors.iter().map(|d| format!("{} = 0", text(arena, *d))).collect();
+        let places: Vec<String> = reduction.divisors.iter().map(|d| format!("{} = 0", print_text(arena, *d))).collect();
         let _ = writeln!(out, "singular where {}", places.join(" and where "));
     }
     let _ = writeln!(out, "\nleft out");

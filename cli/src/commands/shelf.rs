@@ -2,21 +2,21 @@
 
 mod motion;
 
-use crate::failure::{Failure, Output, print_either, status};
-use crate::judgement::Judged;
+use crate::failure::{Failure, Output, print_result, status};
+use crate::judgement::JudgedPublication;
 use crate::output;
 use crate::page::markup::html::escape;
-use crate::phrases::{entries, shortened};
+use crate::phrases::{entry_count_words, shorten_formula};
 use crate::workspace::{current_folder, read_model, workspace_around};
 use motion::{Motion, motions};
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use tripos_derive::diagnostic::Source;
-use tripos_derive::plain::path_in_line;
+use tripos_derive::plain_text::path_in_line;
 
 /// Publication of the shelf with its verdict, or with the reason why it has none.
-struct Volume {
+struct ShelvedPublication {
     /// Name of the publication's folder.
     name: String,
     /// Verdict on the publication; `Err` is the reason why it could not be judged.
@@ -45,9 +45,9 @@ struct Verdict {
 
 impl Verdict {
     /// Collects the verdict from the judged entries of a publication.
-    fn new(judged: &Judged, motions: Vec<Motion>) -> Self {
-        let Judged { model, publication, derivations, difference, .. } = judged;
-        let mistake = |root: &tripos_derive::diff::Root| {
+    fn new(judged: &JudgedPublication, motions: Vec<Motion>) -> Self {
+        let JudgedPublication { model, publication, derivations, difference, .. } = judged;
+        let mistake = |root: &tripos_derive::diff::RootMistake| {
             (difference.findings[root.finding].id.clone(), root.mistake.clone(), root.entries())
         };
         let broken = difference.consequences.iter().flat_map(|system| {
@@ -89,13 +89,14 @@ impl Verdict {
 /// # Errors
 /// `Failure` if there is no publication, a folder cannot be read, or a file cannot be written.
 pub fn shelf(folder: Option<&Path>, out: Option<&Path>, output: Output) -> Result<u8, Failure> {
-    let folder = folder.map_or_else(own_shelf, |folder| Ok(folder.to_owned()))?;
-    let volumes: Vec<Volume> = folders(&folder)?.iter().map(|folder| volume(folder)).collect();
-    print_either(output, &text_of(&volumes), &json_of(&volumes))?;
+    let folder = folder.map_or_else(workspace_publications, |folder| Ok(folder.to_owned()))?;
+    let volumes: Vec<ShelvedPublication> =
+        publication_folders(&folder)?.iter().map(|folder| judge_publication(folder)).collect();
+    print_result(output, &text_of(&volumes), &json_of(&volumes))?;
     if let Some(out) = out {
-        output::text(out, &page(&volumes))?;
+        output::write_text_file(out, &page(&volumes))?;
     }
-    let is_judged = |volume: &Volume| volume.verdict.as_ref().is_ok_and(|verdict| verdict.undecided == 0);
+    let is_judged = |volume: &ShelvedPublication| volume.verdict.as_ref().is_ok_and(|verdict| verdict.undecided == 0);
     Ok(if volumes.iter().all(is_judged) { 0 } else { status::NO })
 }
 
@@ -103,7 +104,7 @@ pub fn shelf(folder: Option<&Path>, out: Option<&Path>, output: Output) -> Resul
 ///
 /// # Errors
 /// `Failure` if there is no such folder.
-fn own_shelf() -> Result<PathBuf, Failure> {
+fn workspace_publications() -> Result<PathBuf, Failure> {
     let here = current_folder()?;
     let found = workspace_around(&here).map(|root| root.join("publications")).filter(|folder| folder.is_dir());
     found.ok_or_else(|| {
@@ -115,7 +116,7 @@ fn own_shelf() -> Result<PathBuf, Failure> {
 ///
 /// # Errors
 /// `Failure` if the folder cannot be read or contains no publication.
-fn folders(shelf: &Path) -> Result<Vec<PathBuf>, Failure> {
+fn publication_folders(shelf: &Path) -> Result<Vec<PathBuf>, Failure> {
     let failed =
         |error| Failure::request(format!("{}: {error}", path_in_line(shelf)), "give a folder that can be read");
     let mut list = Vec::new();
@@ -134,20 +135,20 @@ fn folders(shelf: &Path) -> Result<Vec<PathBuf>, Failure> {
 }
 
 /// Judges the publication in a folder; a failure becomes the reason why it has no verdict.
-fn volume(folder: &Path) -> Volume {
+fn judge_publication(folder: &Path) -> ShelvedPublication {
     let name = folder.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let judged = || -> Result<Verdict, Failure> {
         let model = read_model(folder)?;
-        let judged = Judged::new(&model, &Source::read(&folder.join("publication.toml"))?)?;
+        let judged = JudgedPublication::new(&model, &Source::read(&folder.join("publication.toml"))?)?;
         Ok(Verdict::new(&judged, motions(folder, &judged)?))
     };
-    Volume { name, verdict: judged().map_err(|failure| failure.to_string()) }
+    ShelvedPublication { name, verdict: judged().map_err(|failure| failure.to_string()) }
 }
 
 /// Returns the verdicts on all publications as text.
-fn text_of(volumes: &[Volume]) -> String {
+fn text_of(volumes: &[ShelvedPublication]) -> String {
     let mut out = String::new();
-    for Volume { name, verdict } in volumes {
+    for ShelvedPublication { name, verdict } in volumes {
         let verdict = match verdict {
             Ok(verdict) => verdict,
             Err(why) => {
@@ -155,10 +156,12 @@ fn text_of(volumes: &[Volume]) -> String {
                 continue;
             }
         };
-        let _ = writeln!(out, "{name}: {} ({})\n  {}", verdict.words(), entries(verdict.judged), verdict.title);
+        let _ =
+            writeln!(out, "{name}: {} ({})\n  {}", verdict.words(), entry_count_words(verdict.judged), verdict.title);
         for (id, mistake, count) in &verdict.mistakes {
-            let more = if *count > 1 { format!(", and {} more by it", entries(count - 1)) } else { String::new() };
-            let _ = writeln!(out, "  {id}{more}: {}", shortened(mistake));
+            let more =
+                if *count > 1 { format!(", and {} more by it", entry_count_words(count - 1)) } else { String::new() };
+            let _ = writeln!(out, "  {id}{more}: {}", shorten_formula(mistake));
         }
         for (system, integral) in &verdict.broken {
             let _ = writeln!(out, "  {system} breaks {integral}");
@@ -174,8 +177,8 @@ fn text_of(volumes: &[Volume]) -> String {
 }
 
 /// Returns the verdicts on all publications as JSON.
-fn json_of(volumes: &[Volume]) -> Value {
-    let one = |Volume { name, verdict }: &Volume| match verdict {
+fn json_of(volumes: &[ShelvedPublication]) -> Value {
+    let one = |ShelvedPublication { name, verdict }: &ShelvedPublication| match verdict {
         Err(why) => json!({ "name": name, "error": why }),
         Ok(v) => json!({
             "name": name,
@@ -195,7 +198,7 @@ fn json_of(volumes: &[Volume]) -> Value {
 }
 
 /// Returns an HTML page with one article for each publication.
-fn page(volumes: &[Volume]) -> String {
+fn page(volumes: &[ShelvedPublication]) -> String {
     let mut out = "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
                    <meta name=\"viewport\" content=\"width=device-width\">\n\
                    <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\">\n\
@@ -206,7 +209,7 @@ fn page(volumes: &[Volume]) -> String {
                    @media(prefers-color-scheme:dark){.right{color:#7ccf7c}.wrong{color:#ff9b8f}}</style>\n</head>\n<body>\n\
                    <h1>Judged publications</h1>\n"
         .to_owned();
-    for Volume { name, verdict } in volumes {
+    for ShelvedPublication { name, verdict } in volumes {
         let verdict = match verdict {
             Ok(verdict) => verdict,
             Err(why) => {

@@ -1,24 +1,25 @@
 //! Command `tripos simulate`: runs a scene once.
 
-mod by_all;
-mod derivatives;
+mod gradient;
+mod sensitivity;
 
 use crate::arguments::Simulate;
-use crate::failure::{Failure, print, print_json, say, status, warn};
-use crate::follow;
-use crate::output::{csv_name, keep_inputs, table};
-use crate::scene_file::{VariedScene, read_scene_with};
+use crate::failure::{Failure, print, print_json, print_to_stderr, status, warn};
+use crate::interruption;
+use crate::output::{csv_name, refuse_overwriting_inputs, write_csv_file};
+use crate::scene_file::{SceneWithSetValues, read_scene_with};
 use crate::workspace::short_name;
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use std::path::Path;
-use tripos::code::Form;
+use tripos::code::CodeForm;
 use tripos::{
-    At, Digits, Drift, Mechanism, Run, Sensitivities, method_words, sensitivities, simulate as simulate_scene,
+    CorrectDigits, DerivativeInstants, Drift, Mechanism, Run, Sensitivities, method_words, sensitivities,
+    simulate as simulate_scene,
 };
-use tripos_codegen::files::Existing;
+use tripos_codegen::whole_file_writer::ExistingFilePolicy;
 use tripos_derive::model::TIME;
-use tripos_derive::plain::{path_in_line, significant, within};
+use tripos_derive::plain_text::{path_in_line, with_reliable_digits, with_significant_digits};
 use tripos_derive::scene::Scene;
 use tripos_sim::projection::ProjectionReport;
 use tripos_sim::{EventRecord, ImpactRecord, Stop};
@@ -26,38 +27,38 @@ use tripos_sim::{EventRecord, ImpactRecord, Stop};
 /// Runs `tripos simulate`: runs a scene and prints its end, errors and events. Returns the exit
 /// status.
 pub fn simulate(request: &Simulate) -> Result<u8, Failure> {
-    let VariedScene { model, mut scene, set } = read_scene_with(&request.scene, &request.set.set)?;
+    let SceneWithSetValues { model, mut scene, set } = read_scene_with(&request.scene, &request.set.set)?;
     let how = request.how.overrides()?;
-    how.change(&mut scene)?;
+    how.apply_to_scene(&mut scene)?;
     if let Some(of) = &request.gradient {
-        return by_all::simulate(request, &model, &scene, &set, of, how.by.as_ref());
+        return gradient::simulate_gradient(request, &model, &scene, &set, of, how.by.as_ref());
     }
     if let Some(path) = &request.csv {
-        let existing = if request.overwrite { Existing::Replaced } else { Existing::Kept };
+        let existing = if request.overwrite { ExistingFilePolicy::Replaced } else { ExistingFilePolicy::Kept };
         check_csv(path, existing, &model, &scene)?;
     }
-    follow::listen();
-    follow::show(scene.span);
+    interruption::listen_for_interruption();
+    interruption::show_progress_bar(scene.span);
     let (plain, with);
     let by = how.by.as_ref();
     let (run, slopes): (&Run, Option<&Sensitivities>) = if request.sensitivity.is_empty() {
         plain = simulate_scene(&model, &scene, by)?;
         (&plain, None)
     } else {
-        let at = if request.csv.is_some() { At::Samples } else { At::End };
+        let at = if request.csv.is_some() { DerivativeInstants::Samples } else { DerivativeInstants::End };
         with = sensitivities(&model, &scene, &set, &request.sensitivity, at, by)?;
         (&with.run, Some(&with))
     };
-    follow::hide();
-    let status = shown_failure(request, run, slopes.and_then(Sensitivities::missing));
+    interruption::hide_progress_bar();
+    let status = report_run(request, run, slopes.and_then(Sensitivities::missing_derivative));
     if request.json {
         let mut whole = as_json(&model, &scene, run);
         if let Some(slopes) = slopes {
-            derivatives::add_to(&mut whole, slopes);
+            sensitivity::add_sensitivity_json(&mut whole, slopes);
         }
         print_json(&whole)?;
     } else {
-        print(&(as_text(&model, &scene, run) + &slopes.map_or_else(String::new, derivatives::in_words)))?;
+        print(&(as_text(&model, &scene, run) + &slopes.map_or_else(String::new, sensitivity::sensitivity_text)))?;
     }
     // The file is written last, so that the answer is printed even if writing fails.
     if let Some(path) = &request.csv {
@@ -68,12 +69,12 @@ pub fn simulate(request: &Simulate) -> Result<u8, Failure> {
 
 /// Prints notes and warnings of a run, and the reason why it did not give all wanted results.
 /// Returns the exit status.
-fn shown_failure(request: &Simulate, run: &Run, missing: Option<String>) -> u8 {
-    run.notes.iter().for_each(|note| say(&format!("note: {note}")));
+fn report_run(request: &Simulate, run: &Run, missing: Option<String>) -> u8 {
+    run.notes.iter().for_each(|note| print_to_stderr(&format!("note: {note}")));
     run.warnings.iter().for_each(|warning| warn(warning));
     let failure = run.failure().or(missing);
     if let Some(failure) = failure.as_ref().filter(|_| request.json || !run.solution.stop.is_failure()) {
-        say(failure);
+        print_to_stderr(failure);
     }
     match &run.solution.stop {
         Stop::Interrupted => status::INTERRUPTED,
@@ -85,13 +86,13 @@ fn shown_failure(request: &Simulate, run: &Run, missing: Option<String>) -> u8 {
 /// Returns the result of a run as JSON.
 fn as_json(model: &Mechanism, scene: &Scene, run: &Run) -> Value {
     let named_values = |list: &[f64]| -> Map<String, Value> {
-        shown(run).map(|at| (run.names[at].clone(), json!(list[at]))).collect()
+        shown_value_indices(run).map(|at| (run.names[at].clone(), json!(list[at]))).collect()
     };
     let state = named_values(&run.end);
     let solution = &run.solution;
     let mut drift = Map::new();
     drift.insert("energy".to_owned(), json!(run.energy_drift));
-    drift.extend(momenta(run).map(|drift| (drift.integral.to_string(), json!(drift.change))));
+    drift.extend(drifts_except_energy(run).map(|drift| (drift.integral.to_string(), json!(drift.change))));
     let named = |list: Option<&[f64]>| -> Value { list.map_or(Value::Null, |list| Value::Object(named_values(list))) };
     let digits = run.digits.as_ref();
     let event = |(at, e): (usize, &EventRecord)| {
@@ -105,14 +106,14 @@ fn as_json(model: &Mechanism, scene: &Scene, run: &Run) -> Value {
         "formulation": run.by.name(),
         "method": scene.integration.method.name(),
         "solve": run.solve.name(),
-        "compiled": run.code == Form::Compiled,
+        "compiled": run.code == CodeForm::Compiled,
         "t": solution.t_end,
         "state": state,
-        "digits": digits.and_then(Digits::end),
-        "digits_of": named(digits.and_then(Digits::at_end)),
-        "uncertainty": named(digits.and_then(Digits::errors_at_end)),
-        "fewest_digits": fewest(run),
-        "assessed_to": digits.and_then(Digits::assessed),
+        "digits": digits.and_then(CorrectDigits::digits_at_end_least),
+        "digits_of": named(digits.and_then(CorrectDigits::digits_at_end)),
+        "uncertainty": named(digits.and_then(CorrectDigits::errors_at_end)),
+        "fewest_digits": fewest_digits_json(run),
+        "assessed_to": digits.and_then(CorrectDigits::last_assessed_instant),
         "assessed_by": digits.map(|digits| &digits.by),
         "steps": solution.steps,
         "rejected": solution.rejected,
@@ -121,9 +122,9 @@ fn as_json(model: &Mechanism, scene: &Scene, run: &Run) -> Value {
         "failure": run.failure(),
         "drift": drift,
         "work": run.solution.work_end,
-        "impacts": impacts(scene, run),
+        "impacts": impacts_json(scene, run),
         "residual": run.residuals.iter().map(|r| (r.name.clone(), json!(r.largest))).collect::<Map<_, _>>(),
-        "projection": projection(run),
+        "projection": projection_json(run),
         "events": events,
         "notes": run.notes,
         "warnings": run.warnings,
@@ -131,7 +132,7 @@ fn as_json(model: &Mechanism, scene: &Scene, run: &Run) -> Value {
 }
 
 /// Returns the impacts of a run as JSON: times in s, impulses, and energy losses in J.
-fn impacts(scene: &Scene, run: &Run) -> Vec<Value> {
+fn impacts_json(scene: &Scene, run: &Run) -> Vec<Value> {
     let named = |at: &usize| scene.impacts[*at].name.clone();
     let one = |impact: &ImpactRecord| {
         let impulses = impact.impulses.iter().map(|(at, impulse)| (named(at), json!(impulse)));
@@ -164,13 +165,13 @@ fn impacts_in_words(run: &Run) -> String {
 
 /// Returns the indices of the run's values that are shown: all except the time, which is shown
 /// separately.
-fn shown(run: &Run) -> impl Iterator<Item = usize> {
+fn shown_value_indices(run: &Run) -> impl Iterator<Item = usize> {
     (0..run.names.len()).filter(|at| run.names[*at] != TIME)
 }
 
 /// Returns the smallest number of correct digits along a run as JSON, with the quantity and the
 /// time. Null if digits were not assessed.
-fn fewest(run: &Run) -> Value {
+fn fewest_digits_json(run: &Run) -> Value {
     let found = run.digits.as_ref().and_then(|digits| Some((digits, digits.fewest_of_all()?)));
     found.map_or(
         Value::Null,
@@ -184,23 +185,24 @@ fn digits_in_words(run: &Run) -> String {
     let Some((digits, fewest)) = run.digits.as_ref().and_then(|digits| Some((digits, digits.fewest_of_all()?))) else {
         return String::new();
     };
-    let at_end = digits.end().map_or_else(String::new, |end| format!("{end:.1} digits are right at the end, "));
+    let at_end =
+        digits.digits_at_end_least().map_or_else(String::new, |end| format!("{end:.1} digits are right at the end, "));
     let (least, t, name) = (fewest.digits, digits.t[fewest.instant], &run.names[fewest.value]);
     format!(
         "{at_end}{least:.1} at least on the way (`{name}` at t = {} s), by comparison with {}\n",
-        significant(t, 4),
+        with_significant_digits(t, 4),
         digits.by
     )
 }
 
 /// Returns the drifts of all first integrals except the energy, whose drift is shown separately.
-fn momenta(run: &Run) -> impl Iterator<Item = &Drift> {
+fn drifts_except_energy(run: &Run) -> impl Iterator<Item = &Drift> {
     run.drifts.iter().filter(|drift| !drift.integral.kind.is_energy())
 }
 
 /// Returns a report on the corrections by projection in a run as JSON, so that projection hides no
 /// drift. Null without projection.
-fn projection(run: &Run) -> Value {
+fn projection_json(run: &Run) -> Value {
     match &run.solution.projection {
         None => Value::Null,
         Some(report) => {
@@ -226,8 +228,8 @@ fn projection_in_words(run: &Run, report: &ProjectionReport) -> String {
         return format!(
             "projected onto the energy after {} steps: {} J of drift removed in all, {} J at most at once; {left} steps left as they were\n",
             report.corrections,
-            significant(report.removed.first().copied().unwrap_or_default(), 3),
-            significant(report.largest.first().copied().unwrap_or_default(), 3),
+            with_significant_digits(report.removed.first().copied().unwrap_or_default(), 3),
+            with_significant_digits(report.largest.first().copied().unwrap_or_default(), 3),
         );
     };
     let largest = report.largest.iter().fold(0.0, |most: f64, drift| most.max(drift.abs()));
@@ -235,10 +237,10 @@ fn projection_in_words(run: &Run, report: &ProjectionReport) -> String {
         "kept on {} constraint{}: largest residual {} ({}); moved back after {} steps, by {} at most; {left} steps left as they were\n",
         run.residuals.len(),
         if run.residuals.len() == 1 { "" } else { "s" },
-        significant(worst.largest.abs(), 3),
+        with_significant_digits(worst.largest.abs(), 3),
         worst.name,
         report.corrections,
-        significant(largest, 3)
+        with_significant_digits(largest, 3)
     )
 }
 
@@ -255,15 +257,15 @@ fn as_text(model: &Mechanism, scene: &Scene, run: &Run) -> String {
     let _ = writeln!(out, "{}", run.ending);
     for (at, event) in run.solution.events.iter().enumerate() {
         let error = run.digits.as_ref().and_then(|digits| digits.events[at]);
-        let t = within(event.t, error);
-        let error = error.map_or_else(String::new, |error| format!(" ± {} s", significant(error, 1)));
+        let t = with_reliable_digits(event.t, error);
+        let error = error.map_or_else(String::new, |error| format!(" ± {} s", with_significant_digits(error, 1)));
         let _ = writeln!(out, "  {} at t = {t} s{error} ({:?})", event.name, event.kind);
     }
-    let _ = writeln!(out, "\nstate at t = {} s", within(run.solution.t_end, None));
-    let errors = run.digits.as_ref().and_then(Digits::errors_at_end);
-    for at in shown(run) {
+    let _ = writeln!(out, "\nstate at t = {} s", with_reliable_digits(run.solution.t_end, None));
+    let errors = run.digits.as_ref().and_then(CorrectDigits::errors_at_end);
+    for at in shown_value_indices(run) {
         let (name, x) = (&run.names[at], run.end[at]);
-        let error = errors.map_or_else(String::new, |errors| format!(" ± {}", significant(errors[at], 1)));
+        let error = errors.map_or_else(String::new, |errors| format!(" ± {}", with_significant_digits(errors[at], 1)));
         let _ = writeln!(out, "  {name} = {x}{error}");
     }
     out += &digits_in_words(run);
@@ -271,23 +273,25 @@ fn as_text(model: &Mechanism, scene: &Scene, run: &Run) -> String {
     out += &impacts_in_words(run);
     if let Some(drift) = run.energy_drift {
         if run.solution.work.is_empty() {
-            let _ = writeln!(out, "largest change of total energy: {} J", significant(drift, 3));
+            let _ = writeln!(out, "largest change of total energy: {} J", with_significant_digits(drift, 3));
         } else {
             let work = run.solution.work_end;
             let of_impacts = if scene.impacts.is_empty() { "" } else { " and of impacts" };
             let _ = writeln!(
                 out,
                 "work of drag and other loads without a potential{of_impacts}: {} J",
-                significant(work, 6)
+                with_significant_digits(work, 6)
             );
-            let _ = writeln!(out, "largest change of total energy less this work: {} J", significant(drift, 3));
+            let _ =
+                writeln!(out, "largest change of total energy less this work: {} J", with_significant_digits(drift, 3));
         }
     }
     if let Some(report) = &run.solution.projection {
         out += &projection_in_words(run, report);
     }
-    for drift in momenta(run) {
-        let _ = writeln!(out, "largest change of {}: {}", drift.integral.name(), significant(drift.change, 3));
+    for drift in drifts_except_energy(run) {
+        let _ =
+            writeln!(out, "largest change of {}: {}", drift.integral.name(), with_significant_digits(drift.change, 3));
     }
     out
 }
@@ -301,32 +305,37 @@ fn write_csv(path: &Path, run: &Run, slopes: Option<&Sensitivities>) -> Result<(
     let energies = energies.chain(["work"].into_iter().filter(|_| !run.solution.work.is_empty()));
     let header: Vec<String> = ["t"]
         .into_iter()
-        .chain(shown(run).map(|at| run.names[at].as_str()))
+        .chain(shown_value_indices(run).map(|at| run.names[at].as_str()))
         .chain(energies)
         .map(str::to_owned)
-        .chain(slopes.into_iter().flat_map(derivatives::header))
+        .chain(slopes.into_iter().flat_map(sensitivity::sensitivity_header))
         .collect();
     let rows = run.solution.t.iter().zip(&run.states).enumerate().map(|(at, (t, state))| {
         let energies = run.energies.get(at).into_iter().flat_map(|(kinetic, potential)| [*kinetic, *potential]);
         let energies = energies.chain(run.solution.work.get(at).copied());
-        let energies = energies.chain(slopes.into_iter().flat_map(move |slopes| derivatives::row(slopes, at)));
-        [*t].into_iter().chain(shown(run).map(|at| state[at])).chain(energies).map(|x| x.to_string()).collect()
+        let energies =
+            energies.chain(slopes.into_iter().flat_map(move |slopes| sensitivity::sensitivity_row(slopes, at)));
+        [*t].into_iter()
+            .chain(shown_value_indices(run).map(|at| state[at]))
+            .chain(energies)
+            .map(|x| x.to_string())
+            .collect()
     });
-    table(path, &header, rows)
+    write_csv_file(path, &header, rows)
 }
 
 /// Refuses a path for the samples before the run: an input file, an existing file that is no CSV
 /// file, or a folder that does not exist.
 /// `Err` is the refusal.
-fn check_csv(path: &Path, existing: Existing, model: &Mechanism, scene: &Scene) -> Result<(), Failure> {
-    keep_inputs(model, Some(scene), [path])?;
+fn check_csv(path: &Path, existing: ExistingFilePolicy, model: &Mechanism, scene: &Scene) -> Result<(), Failure> {
+    refuse_overwriting_inputs(model, Some(scene), [path])?;
     csv_name(path)?;
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
     if let Some(Err(error)) = folder.map(std::fs::metadata) {
         return Err(Failure::Output(path_in_line(path), error));
     }
     let is_table = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv"));
-    if path.is_file() && !is_table && existing == Existing::Kept && !path.starts_with("/dev") {
+    if path.is_file() && !is_table && existing == ExistingFilePolicy::Kept && !path.starts_with("/dev") {
         let what = format!("the file `{}` exists, and its name does not end in `.csv`", path_in_line(path));
         return Err(Failure::request(what, "give another --csv, or --overwrite to replace it".to_owned()));
     }

@@ -1,10 +1,10 @@
 //! Command `tripos sketch`: draws a mechanism as textbooks do, as a picture or in LaTeX.
 
-use crate::failure::{Failure, Output, print_either};
-use crate::output::{keep_inputs, text};
+use crate::failure::{Failure, Output, print_result};
+use crate::output::{refuse_overwriting_inputs, write_text_file};
 use crate::picture;
 use crate::scene_file::read_scene;
-use crate::sketch::{document, picture as tikz};
+use crate::sketch::{sketch_svg_file, tikz_picture as tikz};
 use crate::workspace::{model_file, read_model};
 use serde_json::json;
 use std::path::Path;
@@ -13,14 +13,14 @@ use tripos::pictures::sketch::Sketch;
 use tripos_codegen::scene_files::scene_files;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::model::is_model;
-use tripos_derive::plain::path_in_line;
-use tripos_derive::scene::{Scene, load_bound, load_state};
+use tripos_derive::plain_text::path_in_line;
+use tripos_derive::scene::{Scene, load_scene_with_inputs, load_state};
 
 /// File format of a sketch, chosen by the extension of its file name.
 #[derive(Clone, Copy)]
-enum Kind {
+enum SketchFormat {
     /// Picture in a format such as SVG, PNG or PDF.
-    Figure(picture::Kind),
+    Figure(picture::PictureFormat),
     /// LaTeX with TikZ.
     Latex,
 }
@@ -32,13 +32,13 @@ enum Kind {
 /// [`Failure`] if a file cannot be read or written, the extension of `out` names no format, or no
 /// body has a place.
 pub fn sketch(what: &Path, at: Option<&Path>, out: &Path, output: Output) -> Result<u8, Failure> {
-    let kind = kind(out)?;
-    let (mut mechanism, scene) = read(what)?;
-    keep_inputs(&mechanism, scene.as_ref(), [out])?;
+    let kind = sketch_format(out)?;
+    let (mut mechanism, scene) = read_sketched_scene(what)?;
+    refuse_overwriting_inputs(&mechanism, scene.as_ref(), [out])?;
     let sketch = match (at, &scene) {
         (Some(at), _) => {
             let state = load_state(&Source::read(at)?, &mut mechanism)?;
-            if tripos_codegen::files::would_change(out, at) {
+            if tripos_codegen::whole_file_writer::would_change(out, at) {
                 let what =
                     format!("the output `{}` would overwrite the input `{}`", path_in_line(out), path_in_line(at));
                 return Err(Failure::request(what, "give another file".to_owned()));
@@ -49,12 +49,12 @@ pub fn sketch(what: &Path, at: Option<&Path>, out: &Path, output: Output) -> Res
         (None, None) => Sketch::of_model(&mechanism)?,
     };
     match kind {
-        Kind::Figure(kind) => picture::write(out, kind, &document(&sketch), picture::DPI)?,
-        Kind::Latex => text(out, &tikz(&sketch))?,
+        SketchFormat::Figure(kind) => picture::write_picture(out, kind, &sketch_svg_file(&sketch), picture::DPI)?,
+        SketchFormat::Latex => write_text_file(out, &tikz(&sketch))?,
     }
     let lines = format!("{}\n{}\n{}\n", path_in_line(out), sketch.about, sketch.drawn);
     let value = json!({ "files": [path_in_line(out)], "about": sketch.about, "drawn": sketch.drawn });
-    print_either(output, &lines, &value)?;
+    print_result(output, &lines, &value)?;
     Ok(0)
 }
 
@@ -62,17 +62,17 @@ pub fn sketch(what: &Path, at: Option<&Path>, out: &Path, output: Output) -> Res
 ///
 /// # Errors
 /// [`Failure`] for an unknown extension.
-fn kind(out: &Path) -> Result<Kind, Failure> {
+fn sketch_format(out: &Path) -> Result<SketchFormat, Failure> {
     if out.extension().is_some_and(|end| end == "tex") {
-        return Ok(Kind::Latex);
+        return Ok(SketchFormat::Latex);
     }
-    picture::kind(out, ", or in .tex for LaTeX").map(Kind::Figure)
+    picture::picture_format(out, ", or in .tex for LaTeX").map(SketchFormat::Figure)
 }
 
 /// Reads the model, and the scene whose start is drawn: the given scene, otherwise the first of the
 /// model. `None` if the model has no scene.
 /// `Err` if a file has errors.
-fn read(what: &Path) -> Result<(Mechanism, Option<Scene>), Failure> {
+fn read_sketched_scene(what: &Path) -> Result<(Mechanism, Option<Scene>), Failure> {
     let is_scene = !what.is_dir() && what.exists() && !is_model(&Source::read(what)?);
     if is_scene {
         let (mechanism, scene) = read_scene(what)?;
@@ -80,6 +80,6 @@ fn read(what: &Path) -> Result<(Mechanism, Option<Scene>), Failure> {
     }
     let mut mechanism = read_model(what)?;
     let Some(first) = scene_files(&model_file(what)).into_iter().next() else { return Ok((mechanism, None)) };
-    let scene = load_bound(&Source::read(&first)?, &mut mechanism)?;
+    let scene = load_scene_with_inputs(&Source::read(&first)?, &mut mechanism)?;
     Ok((mechanism, Some(scene)))
 }

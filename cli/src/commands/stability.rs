@@ -2,16 +2,16 @@
 //! places and growth of errors.
 
 use crate::commands::chart::progress;
-use crate::failure::{Failure, Output, print_either};
-use crate::follow::{self, Shows};
-use crate::output::{folder, keep_inputs};
-use crate::scene_file::VariedScene;
-use crate::stability::{statements, write};
+use crate::failure::{Failure, Output, print_result};
+use crate::interruption::{self, ProgressBarReporter};
+use crate::output::{make_folder, refuse_overwriting_inputs};
+use crate::scene_file::SceneWithSetValues;
+use crate::stability::{stability_conclusions, write_stability_results};
 use serde_json::json;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
-use tripos::studies::stability::{Study, Topic, all};
-use tripos_derive::plain::path_in_line;
+use tripos::studies::stability::{StudyInputs, Topic, run_all_studies};
+use tripos_derive::plain_text::path_in_line;
 
 /// Runs `tripos stability`: makes every study that applies to the scene, and writes numbers and
 /// figures to the folder `out`. Returns the exit status.
@@ -19,25 +19,25 @@ use tripos_derive::plain::path_in_line;
 /// # Errors
 /// `Failure` if a study fails, a file cannot be written, or the user interrupts.
 pub fn stability(
-    VariedScene { model, scene, .. }: &VariedScene,
+    SceneWithSetValues { model, scene, .. }: &SceneWithSetValues,
     quick: bool,
     out: &Path,
     output: Output,
 ) -> Result<u8, Failure> {
     let files = ["stability.csv", "passages.csv"].map(|name| out.join(name));
-    keep_inputs(model, Some(scene), files.iter().map(PathBuf::as_path))?;
-    folder(out)?;
-    follow::listen();
+    refuse_overwriting_inputs(model, Some(scene), files.iter().map(PathBuf::as_path))?;
+    make_folder(out)?;
+    interruption::listen_for_interruption();
     let bar = progress();
-    let findings = all(&Study { model, scene, quick, progress: &Shows(&bar) })?;
+    let findings = run_all_studies(&StudyInputs { model, scene, quick, progress: &ProgressBarReporter(&bar) })?;
     bar.finish_and_clear();
     if findings.unfinished.is_some() && findings.rows.is_empty() {
         return Err(Failure::Interrupted(String::new()));
     }
-    write(&findings, out)?;
+    write_stability_results(&findings, out)?;
     let scene_title = if scene.title.is_empty() { String::new() } else { format!(", {}", scene.title) };
     let mut text = format!("{}{scene_title}\n\n", model.title);
-    let statements = statements(model, &findings);
+    let statements = stability_conclusions(model, &findings);
     for statement in &statements {
         let _ = writeln!(text, "- {statement}");
     }
@@ -52,7 +52,7 @@ pub fn stability(
         "model": model.title, "scene": scene.title, "statements": statements, "numbers": findings.rows.len(),
         "unfinished": findings.unfinished.map(Topic::name), "files": files,
     });
-    print_either(output, &text, &value)?;
+    print_result(output, &text, &value)?;
     if let Some(topic) = findings.unfinished {
         let what = format!("{} is partial: the study of {} was not finished", out.display(), topic.name());
         return Err(Failure::Interrupted(what));

@@ -1,11 +1,11 @@
 //! Command `tripos sweep`: runs a scene from many starts or with many parameter values.
 
 use crate::arguments::Sweep as Request;
-use crate::failure::{Failure, print_json, say, status, warn};
-use crate::follow;
-use crate::output::{Rows, csv_name, keep_inputs};
+use crate::failure::{Failure, print_json, print_to_stderr, status, warn};
+use crate::interruption;
+use crate::output::{GrowingTable, csv_name, refuse_overwriting_inputs};
 use crate::scene_file::read_scene;
-use crate::sweep::{Alien, Columns, KeptRows, Record, Tally, refused, remove};
+use crate::sweep::{Columns, KeptRows, Record, Tally, UnfinishedTableMismatch, other_sweep_failure, remove_record};
 use crate::workspace::short_name;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::json;
@@ -13,10 +13,10 @@ use std::num::NonZero;
 use std::ops::Range;
 use std::time::{Duration, Instant};
 use tripos::Error;
-use tripos::code::by_or_first;
+use tripos::code::find_equations_or_first;
 use tripos::method_words;
-use tripos::studies::sweep::{Row, Shard, Sweep, in_order};
-use tripos_codegen::files::Existing;
+use tripos::studies::sweep::{Shard, Sweep, SweepRow, work_in_order};
+use tripos_codegen::whole_file_writer::ExistingFilePolicy;
 use tripos_derive::scene::Grid;
 
 /// Largest number of threads that is accepted. A larger number is probably a typing error.
@@ -30,33 +30,33 @@ const MOST_THREADS: usize = 4096;
 /// interrupts.
 pub fn sweep(request: &Request) -> Result<u8, Failure> {
     let (mut model, mut scene) = read_scene(&request.scene)?;
-    keep_inputs(&model, Some(&scene), [request.out.as_path()])?;
+    refuse_overwriting_inputs(&model, Some(&scene), [request.out.as_path()])?;
     csv_name(&request.out)?;
     let grid = Grid::read(&request.over, "--over", &scene, &mut model).map_err(Error::Inputs)?;
     grid.hints(&model).iter().for_each(|hint| warn(hint));
     let shard = Shard::read(&request.shard)?;
-    let threads = threads(request.threads)?;
+    let threads = thread_count(request.threads)?;
     let how_else = request.how.overrides()?;
-    how_else.change(&mut scene)?;
-    let by = by_or_first(&model, how_else.by.as_ref())?;
+    how_else.apply_to_scene(&mut scene)?;
+    let by = find_equations_or_first(&model, how_else.by.as_ref())?;
     let mut sweep = Sweep::new(&model, &scene, &grid, &by, &how_else)?;
     sweep.tells_digits = request.digits;
     for warning in &sweep.warnings {
         warn(warning);
     }
-    if let Some(name) = Columns::new(&sweep).twice() {
+    if let Some(name) = Columns::new(&sweep).duplicate_column_name() {
         let what = format!("two columns of the table would be called `{name}`");
         return Err(Failure::request(what, "give the scene's output another name".to_owned()));
     }
-    let points = shard.points(grid.count());
-    let (mut table, kept) = table(request, &sweep, &points)?;
-    follow::listen();
+    let points = shard.shard_points(grid.count());
+    let (mut table, kept) = open_sweep_table(request, &sweep, &points)?;
+    interruption::listen_for_interruption();
     let (count, kept_rows) = (points.end - points.start, kept.rows);
     let begun = Instant::now();
-    let tally = run(&sweep, points.clone(), threads, &mut table, kept)?;
-    let part = table.place().to_owned();
+    let tally = run_sweep_points(&sweep, points.clone(), threads, &mut table, kept)?;
+    let part = table.unfinished_table_path().to_owned();
     table.finish()?;
-    remove(&part);
+    remove_record(&part);
     let seconds = begun.elapsed();
     if request.json {
         let summary = json!({
@@ -69,14 +69,14 @@ pub fn sweep(request: &Request) -> Result<u8, Failure> {
             "points": grid.count(),
             "shard": { "part": shard.part, "of": shard.of, "first": points.start, "rows": count, "kept": kept_rows },
             "stops": tally.json(),
-            "failed": tally.failed(),
+            "failed": tally.rows_without_result(),
             "threads": threads,
             "seconds": seconds.as_secs_f64(),
             "out": request.out.display().to_string(),
         });
         print_json(&summary)?;
     } else {
-        say(&format!(
+        print_to_stderr(&format!(
             "{}, {}, {} code, accelerations {}, {}",
             model.title,
             by.title(),
@@ -84,18 +84,18 @@ pub fn sweep(request: &Request) -> Result<u8, Failure> {
             sweep.solve.name(),
             method_words(&scene)
         ));
-        say(&format!(
+        print_to_stderr(&format!(
             "{}\n{}{}",
-            extent(shard, &points, kept_rows, &grid, &Effort { threads, seconds }),
+            sweep_extent_words(shard, &points, kept_rows, &grid, &SweepTime { threads, seconds }),
             tally.text(),
             request.out.display()
         ));
     }
-    Ok(if tally.failed() > 0 { status::STOPPED } else { 0 })
+    Ok(if tally.rows_without_result() > 0 { status::STOPPED } else { 0 })
 }
 
 /// Threads that ran a sweep, and the time that it took.
-struct Effort {
+struct SweepTime {
     /// Number of threads that ran the sweep.
     threads: usize,
     /// Elapsed time of the sweep.
@@ -104,8 +104,8 @@ struct Effort {
 
 /// Returns words for the extent of a sweep: the number of points, the part of the grid, and the
 /// time taken. `kept` is the number of rows from an earlier, unfinished sweep.
-fn extent(shard: Shard, points: &Range<u64>, kept: u64, grid: &Grid, effort: &Effort) -> String {
-    let Effort { threads, seconds } = effort;
+fn sweep_extent_words(shard: Shard, points: &Range<u64>, kept: u64, grid: &Grid, effort: &SweepTime) -> String {
+    let SweepTime { threads, seconds } = effort;
     let count = points.end - points.start - kept;
     let of = if shard.of == 1 {
         String::new()
@@ -126,27 +126,31 @@ fn extent(shard: Shard, points: &Range<u64>, kept: u64, grid: &Grid, effort: &Ef
 ///
 /// # Errors
 /// `Failure` if the file exists and must be kept, or if its rows are not of this sweep.
-fn table(request: &Request, sweep: &Sweep<'_>, points: &Range<u64>) -> Result<(Rows, KeptRows), Failure> {
-    let existing = if request.overwrite { Existing::Replaced } else { Existing::Kept };
+fn open_sweep_table(
+    request: &Request,
+    sweep: &Sweep<'_>,
+    points: &Range<u64>,
+) -> Result<(GrowingTable, KeptRows), Failure> {
+    let existing = if request.overwrite { ExistingFilePolicy::Replaced } else { ExistingFilePolicy::Kept };
     let (columns, record) = (Columns::new(sweep), Record::new(sweep, &request.over, &request.shard));
-    let left = if request.resume { Rows::resume(&request.out, existing)? } else { None };
+    let left = if request.resume { GrowingTable::resume(&request.out, existing)? } else { None };
     let (mut table, kept) = if let Some(mut table) = left {
-        let part = table.place().to_owned();
-        record.check(&part)?;
-        let kept = KeptRows::read(table.left(), &columns, points).map_err(|alien| match alien {
-            Alien::Other(why) => refused(&part, &why),
-            Alien::Unread(error) => Failure::Output(part.display().to_string(), error),
+        let part = table.unfinished_table_path().to_owned();
+        record.check_same_settings(&part)?;
+        let kept = KeptRows::read(table.unfinished_rows_reader(), &columns, points).map_err(|alien| match alien {
+            UnfinishedTableMismatch::Other(why) => other_sweep_failure(&part, &why),
+            UnfinishedTableMismatch::Unread(error) => Failure::Output(part.display().to_string(), error),
         })?;
-        table.keep(kept.bytes)?;
+        table.truncate_rows(kept.bytes)?;
         (table, kept)
     } else {
-        let table = Rows::create(&request.out, existing)?;
+        let table = GrowingTable::create(&request.out, existing)?;
         if request.resume {
-            say("all points of this sweep are already run");
+            print_to_stderr("all points of this sweep are already run");
         }
         // A device or a pipe keeps no rows for a resumed sweep, so no record is written.
-        if table.place() != request.out {
-            record.write(table.place())?;
+        if table.unfinished_table_path() != request.out {
+            record.write(table.unfinished_table_path())?;
         }
         (table, KeptRows::default())
     };
@@ -159,11 +163,11 @@ fn table(request: &Request, sweep: &Sweep<'_>, points: &Range<u64>) -> Result<(R
 /// Runs the points that have no row yet and adds their rows to the table. Returns the number of
 /// points with each outcome.
 /// `Err` if the table cannot be written, or the user interrupts.
-fn run(
+fn run_sweep_points(
     sweep: &Sweep<'_>,
     points: Range<u64>,
     threads: usize,
-    table: &mut Rows,
+    table: &mut GrowingTable,
     kept: KeptRows,
 ) -> Result<Tally, Failure> {
     let columns = Columns::new(sweep);
@@ -171,11 +175,11 @@ fn run(
     let points = points.start + kept.rows..points.end;
     let count = points.end - points.start;
     let threads = threads.min(usize::try_from(count).unwrap_or(usize::MAX)).max(1);
-    let workers = (0..threads).map(|_| sweep.worker()).collect::<Result<Vec<_>, tripos::Error>>()?;
-    let bar = progress(count);
+    let workers = (0..threads).map(|_| sweep.make_worker()).collect::<Result<Vec<_>, tripos::Error>>()?;
+    let bar = sweep_progress_bar(count);
     let done = || bar.inc(1);
     let (mut tally, mut done_rows) = (kept.tally, 0);
-    let outcome = in_order(
+    let outcome = work_in_order(
         points,
         workers,
         &sweep.stop,
@@ -184,14 +188,14 @@ fn run(
             let lines = columns.lines(&rows);
             (rows, lines)
         },
-        |(rows, lines): (Vec<Row>, Vec<u8>)| {
+        |(rows, lines): (Vec<SweepRow>, Vec<u8>)| {
             for row in &rows {
                 tally.add(row);
             }
             table.add(&lines)?;
             done_rows += rows.len() as u64;
-            if follow::is_interrupted() && done_rows < count {
-                let (place, there) = (table.place().display(), kept.rows + done_rows);
+            if interruption::is_interrupted() && done_rows < count {
+                let (place, there) = (table.unfinished_table_path().display(), kept.rows + done_rows);
                 let what = format!("the first {there} of {all} rows are in {place}; --resume goes on from there");
                 return Err(Failure::Interrupted(what));
             }
@@ -207,7 +211,7 @@ fn run(
 ///
 /// # Errors
 /// `Failure` if the given number is 0 or too large.
-fn threads(asked: Option<usize>) -> Result<usize, Failure> {
+fn thread_count(asked: Option<usize>) -> Result<usize, Failure> {
     match asked {
         None => Ok(std::thread::available_parallelism().map_or(1, NonZero::get).min(MOST_THREADS)),
         Some(n) if (1..=MOST_THREADS).contains(&n) => Ok(n),
@@ -219,7 +223,7 @@ fn threads(asked: Option<usize>) -> Result<usize, Failure> {
 }
 
 /// Returns a progress bar with a count of points and the time left.
-fn progress(points: u64) -> ProgressBar {
+fn sweep_progress_bar(points: u64) -> ProgressBar {
     let style = ProgressStyle::with_template("{bar:30} {pos}/{len} points, {eta} left");
     ProgressBar::new(points).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }

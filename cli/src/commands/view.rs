@@ -1,15 +1,15 @@
 //! Command `tripos view`: writes a scene's motion as a moving picture in one HTML file.
 
 use crate::arguments::View as Request;
-use crate::failure::{Failure, Output, print_either, status, warn};
-use crate::follow;
-use crate::output::{keep_inputs, text};
-use crate::scene_file::{VariedScene, read_scene_with};
-use crate::view::{Home, Live, Seen, document, turns_truly};
+use crate::failure::{Failure, Output, print_result, status, warn};
+use crate::interruption;
+use crate::output::{refuse_overwriting_inputs, write_text_file};
+use crate::scene_file::{SceneWithSetValues, read_scene_with};
+use crate::view::{LiveEquations, ViewContent, ViewPlace, document, turns_truly};
 use serde_json::json;
 use tripos::Mechanism;
 use tripos::pictures::view::{Motion, View};
-use tripos_derive::plain::path_in_line;
+use tripos_derive::plain_text::path_in_line;
 use tripos_derive::scene::Scene;
 
 /// Runs `tripos view`: runs the scene and the motions to compare with, and writes the HTML file.
@@ -19,16 +19,16 @@ use tripos_derive::scene::Scene;
 /// `Failure` if a scene has errors or cannot be run, the file cannot be written, or the user
 /// interrupts.
 pub fn view(request: &Request) -> Result<u8, Failure> {
-    let VariedScene { model: mechanism, mut scene, .. } = read_scene_with(&request.scene, &request.set.set)?;
+    let SceneWithSetValues { model: mechanism, mut scene, .. } = read_scene_with(&request.scene, &request.set.set)?;
     let how = request.how.overrides()?;
-    how.change(&mut scene)?;
-    keep_inputs(&mechanism, Some(&scene), [request.out.as_path()])?;
-    follow::listen();
+    how.apply_to_scene(&mut scene)?;
+    refuse_overwriting_inputs(&mechanism, Some(&scene), [request.out.as_path()])?;
+    interruption::listen_for_interruption();
     let mut motions = vec![Motion::of_scene(&mechanism, &scene, how.by.as_ref())?];
     for against in &request.against {
-        motions.push(compared(&mechanism, &scene, request, against)?);
+        motions.push(ghost_motion(&mechanism, &scene, request, against)?);
     }
-    if follow::is_interrupted() {
+    if interruption::is_interrupted() {
         return Err(Failure::Interrupted(String::new()));
     }
     let view = View::new(&mechanism, &scene, &motions.iter().collect::<Vec<_>>())?;
@@ -37,18 +37,18 @@ pub fn view(request: &Request) -> Result<u8, Failure> {
     }
     let stopped = motions.iter().any(|motion| motion.failed);
     let title = if scene.title.is_empty() { path_in_line(&scene.source.path) } else { scene.title.clone() };
-    let seen = Seen { mechanism: &mechanism, scene: &scene, view, motions, title };
-    if !turns_truly(&seen, Home::Alone) {
+    let seen = ViewContent { mechanism: &mechanism, scene: &scene, view, motions, title };
+    if !turns_truly(&seen, ViewPlace::Alone) {
         warn(
             "a body turns faster than the pictures of it follow: what is seen of its turning is not true; a shorter `--until` \
              leaves more pictures of it",
         );
     }
-    let live = Live::of(&seen, how.by.as_ref(), Home::Alone)?;
-    text(&request.out, &document(&seen, &live))?;
+    let live = LiveEquations::of(&seen, how.by.as_ref(), ViewPlace::Alone)?;
+    write_text_file(&request.out, &document(&seen, &live))?;
     let objections: Vec<&String> = seen.motions.iter().flat_map(|motion| &motion.objections).collect();
     let value = json!({ "files": [path_in_line(&request.out)], "stopped": stopped, "warnings": objections });
-    print_either(Output::of_flag(request.json), &format!("{}\n", request.out.display()), &value)?;
+    print_result(Output::of_flag(request.json), &format!("{}\n", request.out.display()), &value)?;
     Ok(if stopped { status::STOPPED } else { 0 })
 }
 
@@ -57,12 +57,12 @@ pub fn view(request: &Request) -> Result<u8, Failure> {
 ///
 /// # Errors
 /// `Failure` if the scene is of another model, or cannot be read or run.
-fn compared(mechanism: &Mechanism, scene: &Scene, request: &Request, against: &str) -> Result<Motion, Failure> {
+fn ghost_motion(mechanism: &Mechanism, scene: &Scene, request: &Request, against: &str) -> Result<Motion, Failure> {
     let path = std::path::Path::new(against);
     if !path.is_file() {
         return Ok(Motion::of_scene(mechanism, scene, Some(&against.into()))?);
     }
-    let VariedScene { model: other, scene: mut own, .. } = read_scene_with(path, &request.set.set)?;
+    let SceneWithSetValues { model: other, scene: mut own, .. } = read_scene_with(path, &request.set.set)?;
     if other.source.text != mechanism.source.text {
         let what = format!(
             "the scene `{}` belongs to another model than the scene `{}`",
@@ -72,7 +72,7 @@ fn compared(mechanism: &Mechanism, scene: &Scene, request: &Request, against: &s
         return Err(Failure::request(what, "give a scene of the same model, or equations such as lagrange".to_owned()));
     }
     let how = request.how.overrides()?;
-    how.change(&mut own)?;
+    how.apply_to_scene(&mut own)?;
     let mut motion = Motion::of_scene(&other, &own, how.by.as_ref())?;
     motion.title = if own.title.is_empty() { path_in_line(path) } else { own.title };
     Ok(motion)

@@ -1,7 +1,7 @@
 //! Content of the page about a model, as data without HTML.
 
-use tripos::Reduced;
-use tripos::studies::study::Study;
+use tripos::ReducedScene;
+use tripos::studies::model_analysis::ModelAnalysis;
 use tripos_codegen::plan::Costs;
 use tripos_derive::mechanics::DerivationInSteps;
 use tripos_derive::{Formulation, Model};
@@ -13,13 +13,13 @@ pub struct Page<'a> {
     /// Equations of motion by each formulation; `Err` is the reason why there are none.
     pub derivations: Vec<(Formulation, Result<DerivationInSteps, String>)>,
     /// Proofs about the equations, and the verdict on the publication in the model's folder.
-    pub study: &'a Study,
+    pub study: &'a ModelAnalysis,
     /// Sections about the scenes that were run, in order.
     pub scenes: Vec<SceneSection>,
     /// Sketch of the mechanism; `Err` is the reason why there is none.
-    pub sketch: Result<Drawing, String>,
+    pub sketch: Result<SketchPicture, String>,
     /// Motion of one of the scenes, shown as a moving figure; `None` if there is none.
-    pub moving: Option<Moving>,
+    pub moving: Option<MotionFigure>,
     /// Reason why the page is partial; `None` if it is complete.
     pub unfinished: Option<String>,
     /// Path of the model, as a `tripos` command accepts it.
@@ -27,7 +27,7 @@ pub struct Page<'a> {
 }
 
 /// Sketch of the mechanism as textbooks draw it, with its caption.
-pub struct Drawing {
+pub struct SketchPicture {
     /// Picture as an `<svg>` element.
     pub svg: String,
     /// Caption that states the values of the coordinates in the sketch.
@@ -35,7 +35,7 @@ pub struct Drawing {
 }
 
 /// Motion of one scene for the page's moving figure.
-pub struct Moving {
+pub struct MotionFigure {
     /// Index of the scene whose motion the figure shows.
     pub scene: usize,
     /// Moving figure; `Err` is the reason why there is none.
@@ -63,9 +63,9 @@ pub struct SceneSection {
     /// Description of the scene, from its file.
     pub about: String,
     /// Given data of the scene with their headings: parameters, start, span, integration, domain.
-    pub facts: Vec<(&'static str, Fact)>,
+    pub facts: Vec<(&'static str, SceneFact)>,
     /// Reduced equations of the scene; `Err` is the reason why there are none.
-    pub needs: Result<Needs, String>,
+    pub needs: Result<ReducedEquationsContent, String>,
     /// Runs of the scene: one for each formulation, one by reduced equations, and one for each
     /// printed system.
     pub runs: Vec<RunRow>,
@@ -84,7 +84,7 @@ pub struct SceneSection {
 }
 
 /// Given datum of a scene: values or words.
-pub enum Fact {
+pub enum SceneFact {
     /// Names of numbers with their values, such as parameters.
     Values(Vec<(String, f64)>),
     /// Given datum in words, such as the integration method.
@@ -92,9 +92,9 @@ pub enum Fact {
 }
 
 /// Reduced equations of a scene, and their cost compared with the whole model.
-pub struct Needs {
+pub struct ReducedEquationsContent {
     /// Reduced equations of the scene: those states and equations that its outputs need.
-    pub reduced: Reduced,
+    pub reduced: ReducedScene,
     /// Numbers of operations in a call of the reduced equations and of the whole model's equations.
     pub costs: Costs,
 }
@@ -138,7 +138,7 @@ pub struct RunRow {
     /// every state.
     pub changes: Vec<f64>,
     /// Least distances of the run from singular configurations.
-    pub nearest: Nearest,
+    pub nearest: SingularityDistances,
 }
 
 /// Standing (trustworthiness) of a run: the verdict on its equations, and on its accuracy.
@@ -168,7 +168,7 @@ pub enum Standing {
 /// Smallest distances of a run from singular configurations. Most are pairs (value, time in s),
 /// `None` if no sample has a value.
 #[derive(Default)]
-pub struct Nearest {
+pub struct SingularityDistances {
     /// Smallest and largest determinant of the matrix A along the run, without times.
     /// `None` if no sample has a determinant.
     pub determinant: Option<(f64, f64)>,
@@ -200,11 +200,11 @@ pub struct Advice {
     pub lead: String,
     /// Rows of the table of advice: an accuracy, and the fastest run that reaches it; `None` if no
     /// run does.
-    pub rows: Vec<(f64, Option<Choice>)>,
+    pub rows: Vec<(f64, Option<RecommendedRun>)>,
 }
 
 /// Measured run that is recommended for an accuracy.
-pub struct Choice {
+pub struct RecommendedRun {
     /// Name of the equations that are recommended, such as `kane`.
     pub equations: String,
     /// Way of solving for the accelerations: `eliminated` or `numeric`.

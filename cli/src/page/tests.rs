@@ -4,10 +4,10 @@ use super::markup::math;
 use crate::page::*;
 use crate::plot::{Panel, Scale, Series, draw};
 use std::path::Path;
-use tripos::Reduced;
-use tripos::studies::study::Study;
+use tripos::ReducedScene;
+use tripos::studies::model_analysis::ModelAnalysis;
 use tripos_derive::diagnostic::Source;
-use tripos_derive::mechanics::{Energy, LineName, QuantityKind, VectorName, derive_in_steps};
+use tripos_derive::mechanics::{EnergyQuantity, LineName, QuantityKind, VectorName, derive_in_steps};
 use tripos_derive::{Formulation, Model};
 
 const PENDULUM: &str = r#"
@@ -75,7 +75,7 @@ fn scene() -> SceneSection {
         standing,
         warnings: vec!["M is <badly> conditioned".to_owned()],
         changes: vec![if printed.is_some() { 0.25 } else { 3e-9 }],
-        nearest: Nearest {
+        nearest: SingularityDistances {
             determinant: Some((8.0, 8.0)),
             relative: Some((1.0, 0.0)),
             condition: Some((1.25e-7, 0.5)),
@@ -99,7 +99,7 @@ fn scene() -> SceneSection {
         remark: Some("<errors> differ".to_owned()),
         data: data.clone(),
     };
-    let choice = Choice {
+    let choice = RecommendedRun {
         equations: "kane & <sons>".to_owned(),
         solve: "eliminated",
         method: "dop853",
@@ -112,7 +112,7 @@ fn scene() -> SceneSection {
         title: "Fall <1>".to_owned(),
         about: "a & b".to_owned(),
         needs: needs(),
-        facts: vec![("Start", Fact::Values(vec![("q1".to_owned(), -0.5), ("u1".to_owned(), 0.0)]))],
+        facts: vec![("Start", SceneFact::Values(vec![("q1".to_owned(), -0.5), ("u1".to_owned(), 0.0)]))],
         runs: vec![
             run("Kane's method", None, Standing::Right),
             run("Lagrange's equations", None, Standing::Stopped),
@@ -131,13 +131,13 @@ fn scene() -> SceneSection {
 }
 
 /// The pendulum's swing, of which only the angle is asked for.
-fn needs() -> Result<Needs, String> {
+fn needs() -> Result<ReducedEquationsContent, String> {
     let mut model = tripos_derive::model::load(&Source::from_text("no/such/place/model.toml", PENDULUM)).unwrap();
     let text = "span = [0, 1]\noutputs = [\"q1\"]\n[start]\nq1 = 0.5\nu1 = 0\n";
     let scene = tripos_derive::scene::load(&Source::from_text("scene.toml", text), &mut model).unwrap();
-    let reduced = Reduced::new(&model, &scene).map_err(|failure| failure.to_string())?;
+    let reduced = ReducedScene::new(&model, &scene).map_err(|failure| failure.to_string())?;
     let costs = tripos_codegen::plan::costs(&model, &reduced.reduction).unwrap();
-    Ok(Needs { reduced, costs })
+    Ok(ReducedEquationsContent { reduced, costs })
 }
 
 /// The page of the pendulum.
@@ -148,10 +148,10 @@ pub fn page() -> String {
 fn page_of(model: &Model) -> String {
     let derivations =
         Formulation::STANDARD.map(|f| (f, derive_in_steps(model, f, None).map_err(|error| error.to_string()))).to_vec();
-    let (study, broken) = Study::new(model, &[]).unwrap();
+    let (study, broken) = ModelAnalysis::new(model, &[]).unwrap();
     assert!(broken.is_none(), "{}", broken.unwrap());
     let file = "<x>".to_owned();
-    render(&Page {
+    render_page(&Page {
         model,
         derivations,
         study: &study,
@@ -164,19 +164,19 @@ fn page_of(model: &Model) -> String {
 }
 
 /// A picture, in place of the sketch.
-fn drawing() -> Drawing {
-    Drawing { svg: "<svg class=\"sketch\"></svg>".to_owned(), caption: "Drawn at <rest>.".to_owned() }
+fn drawing() -> SketchPicture {
+    SketchPicture { svg: "<svg class=\"sketch\"></svg>".to_owned(), caption: "Drawn at <rest>.".to_owned() }
 }
 
 /// A figure that moves, in place of the viewer.
-fn moving() -> Moving {
+fn moving() -> MotionFigure {
     let viewer = Viewer {
         figure: "<figure class=\"view\"></figure>\n".to_owned(),
         style: ".view { color: red; }\n",
         script: "<script>\nplay();\n</script>\n".to_owned(),
         doubt: Some("it turns <fast>".to_owned()),
     };
-    Moving { scene: 0, viewer: Ok(viewer) }
+    MotionFigure { scene: 0, viewer: Ok(viewer) }
 }
 
 /// A publication of the pendulum: an error, a factor, a system whose gravity is wrong, a system that mentions the state
@@ -318,9 +318,9 @@ fn a_scene_shows_what_it_needs_or_why_not() {
         needs.contains("<summary>What is left out, and why (") && needs.contains("the scene fixes it at"),
         "{needs}"
     );
-    let (study, _) = Study::new(&model, &[]).unwrap();
+    let (study, _) = ModelAnalysis::new(&model, &[]).unwrap();
     let scenes = vec![SceneSection { needs: Err("u1 is <odd>".to_owned()), ..scene() }];
-    let page = render(&Page {
+    let page = render_page(&Page {
         model: &model,
         derivations: Vec::new(),
         study: &study,
@@ -341,8 +341,8 @@ fn a_run_without_integrals_is_left_out_of_their_table() {
     section.runs[1].changes.clear();
     section.runs[1].energy_drift = None;
     let model = tripos_derive::model::load(&Source::from_text("no/such/place/model.toml", PENDULUM)).unwrap();
-    let (study, _) = Study::new(&model, &[]).unwrap();
-    let page = render(&Page {
+    let (study, _) = ModelAnalysis::new(&model, &[]).unwrap();
+    let page = render_page(&Page {
         model: &model,
         derivations: Vec::new(),
         study: &study,
@@ -366,7 +366,7 @@ fn names_of_steps_are_typeset() {
         component(VectorName::AngularVelocity, 1),
         component(VectorName::Velocity, 1),
         QuantityKind::Partial { vector: VectorName::Velocity, of: 1, frame: 0, axis: 0, speed: 0 },
-        QuantityKind::Energy(Energy::Kinetic),
+        QuantityKind::Energy(EnergyQuantity::Kinetic),
         QuantityKind::Rate(0),
     ];
     let forces = [LineName::ActiveForce(0), LineName::GeneralizedForce(0), LineName::Symbol("S")];

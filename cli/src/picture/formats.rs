@@ -17,7 +17,7 @@ const FAMILY: &str = "DejaVu Sans";
 /// # Errors
 /// [`Failure`] if the figure has too many pixels.
 pub fn png(svg: &str, dpi: u32) -> Result<Vec<u8>, Failure> {
-    png_of(&tree(svg)?, dpi)
+    png_of(&parse_svg(svg)?, dpi)
 }
 
 /// Returns the bytes of a PDF of a figure: one page, with its fonts.
@@ -25,19 +25,19 @@ pub fn png(svg: &str, dpi: u32) -> Result<Vec<u8>, Failure> {
 /// # Errors
 /// [`Failure`] if the SVG cannot be read again, which no figure of this program causes.
 pub fn pdf(svg: &str) -> Result<Vec<u8>, Failure> {
-    pdf_of(&tree(svg)?)
+    pdf_of(&parse_svg(svg)?)
 }
 
 /// Parses the SVG of a figure, with its text laid out in the fonts of this program.
 /// `Err` if the SVG is invalid, which no figure of this program causes.
-fn tree(svg: &str) -> Result<Tree, Failure> {
+fn parse_svg(svg: &str) -> Result<Tree, Failure> {
     let mut options = Options { font_family: FAMILY.to_owned(), ..Options::default() };
     let fonts = options.fontdb_mut();
     for font in FONTS {
         fonts.load_font_data(font.to_vec());
     }
     fonts.set_sans_serif_family(FAMILY);
-    Tree::from_str(svg, &options).map_err(|error| failed(&error))
+    Tree::from_str(svg, &options).map_err(|error| conversion_failure(&error))
 }
 
 /// Renders a parsed figure on white as a PNG.
@@ -55,7 +55,7 @@ fn png_of(tree: &Tree, dpi: u32) -> Result<Vec<u8>, Failure> {
     }
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "sizes above 0 and below 2e8")]
     let pixels = Pixmap::new((width as u32).max(1), (height as u32).max(1));
-    let mut pixels = pixels.ok_or_else(|| failed(&"no picture of this size"))?;
+    let mut pixels = pixels.ok_or_else(|| conversion_failure(&"no picture of this size"))?;
     pixels.fill(Color::WHITE);
     resvg::render(tree, Transform::from_scale(scale, scale), &mut pixels.as_mut());
     // The picture is painted on white, and is opaque: its transparency is dropped.
@@ -73,7 +73,7 @@ fn png_of(tree: &Tree, dpi: u32) -> Result<Vec<u8>, Failure> {
         writer.write_image_data(&rgb)?;
         writer.finish()
     });
-    written.map_err(|error| failed(&error))?;
+    written.map_err(|error| conversion_failure(&error))?;
     Ok(out)
 }
 
@@ -81,24 +81,24 @@ fn png_of(tree: &Tree, dpi: u32) -> Result<Vec<u8>, Failure> {
 /// `Err` if the conversion fails, which no input causes.
 fn pdf_of(tree: &Tree) -> Result<Vec<u8>, Failure> {
     let page = svg2pdf::PageOptions { dpi: CSS };
-    svg2pdf::to_pdf(tree, svg2pdf::ConversionOptions::default(), page).map_err(|error| failed(&error))
+    svg2pdf::to_pdf(tree, svg2pdf::ConversionOptions::default(), page).map_err(|error| conversion_failure(&error))
 }
 
 /// Returns the failure for a figure that could not be converted, which no input causes.
-fn failed(error: &dyn std::fmt::Display) -> Failure {
+fn conversion_failure(error: &dyn std::fmt::Display) -> Failure {
     Error::Stopped(format!("the figure cannot be written as this kind of file: {error}")).into()
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{png_of, tree};
+    use super::{parse_svg, png_of};
 
     fn drawn(text: &str, style: &str) -> Vec<u8> {
         let svg = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"40\" height=\"30\" font-family=\"sans-serif\">\
              <text x=\"5\" y=\"20\" font-size=\"14\" {style}>{text}</text></svg>"
         );
-        png_of(&tree(&svg).unwrap(), 96).unwrap()
+        png_of(&parse_svg(&svg).unwrap(), 96).unwrap()
     }
 
     /// Goal: every character of a label is drawn. Method: each character of the labels draws something, no two draw the

@@ -3,7 +3,7 @@
 //! Invariant: no tick shows a rounding error. A tick is a whole number times a power of ten,
 //! printed with the digits of that power.
 
-use super::{Scale, pretty};
+use super::{Scale, formula_to_symbols};
 
 /// Axis of a panel. It shows values less `offset`, or their decimal logarithms, from `low` to
 /// `high`.
@@ -32,13 +32,13 @@ impl Axis {
         let range = max - min;
         // Differences of a few rounding errors are drawn as a flat curve.
         let flat = range <= 8.0 * f64::EPSILON * size || range < 1e-290;
-        let offset = if !flat && range < 1e-4 * size { round_near(f64::midpoint(min, max), range) } else { 0.0 };
+        let offset = if !flat && range < 1e-4 * size { short_offset(f64::midpoint(min, max), range) } else { 0.0 };
         let around = if size < 1e-290 { 1.0 } else { 0.1 * size };
         let pad = if flat { around } else { margin * range };
         let (low, high) = (min - offset - pad, max - offset + pad);
         let scale = Scale::Linear;
         let mut axis = Self { scale, offset, low, high, ticks: Vec::new(), label: String::new() };
-        let power = axis.tick(count);
+        let power = axis.set_ticks(count);
         axis.label = scaled_label(label, offset, power);
         axis
     }
@@ -49,16 +49,17 @@ impl Axis {
         let (min, max) = values.fold((f64::INFINITY, 0.0_f64), |(a, b), v| (a.min(v), b.max(v)));
         let (min, max) = if min <= max { (min, max) } else { (1.0, 1.0) };
         // A value that is a power of ten up to rounding lies on that power.
-        let (first, last) = (whole((min.log10() + 1e-9).floor()), whole((max.log10() - 1e-9).ceil()));
+        let (first, last) =
+            (truncate_to_integer((min.log10() + 1e-9).floor()), truncate_to_integer((max.log10() - 1e-9).ceil()));
         let first = first.min(last - 1);
-        let every = whole((f64::from(last - first) / count).ceil()).max(1);
+        let every = truncate_to_integer((f64::from(last - first) / count).ceil()).max(1);
         let margin = 0.04 * f64::from(last - first);
         let (low, high) = (f64::from(first) - margin, f64::from(last) + margin);
         let tick = |power: i32| {
             let text = if (-3..=3).contains(&power) {
                 10_f64.powi(power).to_string()
             } else {
-                format!("10{}", raised(&power.to_string()))
+                format!("10{}", superscript_digits(&power.to_string()))
             };
             ((f64::from(power) - low) / (high - low), text)
         };
@@ -69,9 +70,9 @@ impl Axis {
 
     /// Sets the ticks of a linear axis at multiples of 1, 2 or 5 times a power of ten. Returns the
     /// power of ten that the label states instead of the ticks.
-    fn tick(&mut self, count: f64) -> i32 {
+    fn set_ticks(&mut self, count: f64) -> i32 {
         let rough = (self.high - self.low) / count;
-        let decade = whole(rough.log10().floor());
+        let decade = truncate_to_integer(rough.log10().floor());
         let digit = rough / 10_f64.powi(decade);
         let (digit, decade) = match digit {
             d if d < 1.5 => (1.0, decade),
@@ -80,11 +81,11 @@ impl Axis {
             _ => (1.0, decade + 1),
         };
         let size = self.low.abs().max(self.high.abs());
-        let power = if (1e-2..1e5).contains(&size) { 0 } else { 3 * whole((size.log10() / 3.0).floor()) };
+        let power = if (1e-2..1e5).contains(&size) { 0 } else { 3 * truncate_to_integer((size.log10() / 3.0).floor()) };
         let step = digit * 10_f64.powi(decade);
         let decimals = usize::try_from(power - decade).unwrap_or(0);
-        let first = whole((self.low / step - 1e-9).ceil());
-        for i in first..=whole((self.high / step + 1e-9).floor()) {
+        let first = truncate_to_integer((self.low / step - 1e-9).ceil());
+        for i in first..=truncate_to_integer((self.high / step + 1e-9).floor()) {
             let text = format!("{:.decimals$}", f64::from(i) * digit * 10_f64.powi(decade - power));
             let at = (f64::from(i) * step - self.low) / (self.high - self.low);
             self.ticks.push((at, text.replace('-', "−")));
@@ -93,7 +94,7 @@ impl Axis {
     }
 
     /// Returns the position of a value on the axis, from 0 at its lower end to 1 at its upper end.
-    pub fn place(&self, value: f64) -> f64 {
+    pub fn position_on_axis(&self, value: f64) -> f64 {
         let value = match self.scale {
             Scale::Linear => value - self.offset,
             Scale::Logarithmic => value.log10(),
@@ -104,7 +105,7 @@ impl Axis {
 
 /// Returns the number with the fewest digits within two ranges of `middle`, short to read as an
 /// offset.
-fn round_near(middle: f64, range: f64) -> f64 {
+fn short_offset(middle: f64, range: f64) -> f64 {
     let rounded = (0..17).filter_map(|digits| format!("{middle:.digits$e}").parse::<f64>().ok());
     rounded.into_iter().find(|x| (x - middle).abs() <= 2.0 * range).unwrap_or(middle)
 }
@@ -113,23 +114,23 @@ fn round_near(middle: f64, range: f64) -> f64 {
 /// J]`.
 fn scaled_label(label: &str, offset: f64, power: i32) -> String {
     let (stem, unit) = match label.trim_end().strip_suffix(']').and_then(|text| text.rsplit_once('[')) {
-        Some((stem, unit)) => (pretty(stem), pretty(unit)),
-        None => (pretty(label), String::new()),
+        Some((stem, unit)) => (formula_to_symbols(stem), formula_to_symbols(unit)),
+        None => (formula_to_symbols(label), String::new()),
     };
     let sign = if offset < 0.0 { '+' } else { '−' };
     let stem = match offset {
         0.0 => stem,
-        _ => format!("{stem} {sign} {} {unit}", pretty(&offset.abs().to_string())).trim_end().to_owned(),
+        _ => format!("{stem} {sign} {} {unit}", formula_to_symbols(&offset.abs().to_string())).trim_end().to_owned(),
     };
     match (power, unit.is_empty()) {
         (0, true) => stem,
         (0, false) => format!("{stem} [{unit}]"),
-        _ => format!("{stem} [{}]", format!("10{} {unit}", raised(&power.to_string())).trim_end()),
+        _ => format!("{stem} [{}]", format!("10{} {unit}", superscript_digits(&power.to_string())).trim_end()),
     }
 }
 
 /// Returns a whole number in superscript digits.
-fn raised(number: &str) -> String {
+fn superscript_digits(number: &str) -> String {
     let raise = |c| match c {
         '-' => '⁻',
         '1' => '¹',
@@ -144,7 +145,7 @@ fn raised(number: &str) -> String {
 /// Returns a number rounded towards zero, as a 32-bit integer. Numbers out of range give the
 /// nearest integer.
 #[expect(clippy::cast_possible_truncation, reason = "saturates, and every place in a figure is small")]
-pub fn whole(x: f64) -> i32 {
+pub fn truncate_to_integer(x: f64) -> i32 {
     x as i32
 }
 
@@ -180,7 +181,7 @@ mod tests {
         let ticks: Vec<&str> = axis.ticks.iter().map(|(_, text)| text.as_str()).collect();
         assert_eq!(ticks, ["1000", "1", "0.001", "10⁻⁶", "10⁻⁹"]);
         for (value, at) in [(1e3, 0), (1.0, 1), (1e-6, 3)] {
-            assert!((axis.place(value) - axis.ticks[at].0).abs() < 1e-12, "{value}");
+            assert!((axis.position_on_axis(value) - axis.ticks[at].0).abs() < 1e-12, "{value}");
         }
         assert_eq!(axis.label, "|E| [J]");
         let narrow = Axis::logarithmic([0.2, 1.0].into_iter(), "x", 4.0);
@@ -189,9 +190,9 @@ mod tests {
 
     #[test]
     fn names_are_written_as_by_hand() {
-        assert_eq!(pretty("q1' [m/s^2]"), "q̇₁ [m/s²]");
-        assert_eq!(pretty("T + V"), "T + V");
-        assert_eq!(pretty("p_q4 = ∂L/∂q4'  [kg*m/s]"), "p_q4 = ∂L/∂q̇₄ [kg·m/s]");
-        assert_eq!(pretty("|cos(q2)| 1e-12 ode45 t₀"), "|cos(q₂)| 1e-12 ode45 t₀");
+        assert_eq!(formula_to_symbols("q1' [m/s^2]"), "q̇₁ [m/s²]");
+        assert_eq!(formula_to_symbols("T + V"), "T + V");
+        assert_eq!(formula_to_symbols("p_q4 = ∂L/∂q4'  [kg*m/s]"), "p_q4 = ∂L/∂q̇₄ [kg·m/s]");
+        assert_eq!(formula_to_symbols("|cos(q2)| 1e-12 ode45 t₀"), "|cos(q₂)| 1e-12 ode45 t₀");
     }
 }

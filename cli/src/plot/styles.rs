@@ -8,7 +8,7 @@ use tripos_sim::Method;
 /// Returns the style number of a set of equations. Each standard formulation has its own, and so
 /// have reduced equations. Formulations on request share one, and printed systems begin at
 /// `PRINTED`.
-pub fn style(by: &EquationsOrigin) -> usize {
+pub fn equations_style(by: &EquationsOrigin) -> usize {
     match by.formulation() {
         Some(formulation) => Formulation::STANDARD.iter().position(|f| *f == formulation).unwrap_or(ON_REQUEST),
         None if by.is_reduced() => Formulation::STANDARD.len(),

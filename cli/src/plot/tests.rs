@@ -18,7 +18,7 @@ fn panel(curves: &[Vec<(f64, f64)>]) -> Panel {
 /// One marker, one meaning: no two looks share their outline, nor colour and width, by which dashes are told.
 #[test]
 fn every_look_is_another() {
-    let looks: Vec<_> = (0..look::LOOKS.len()).map(look::look).collect();
+    let looks: Vec<_> = (0..curve_look::LOOKS.len()).map(curve_look::look).collect();
     for (at, a) in looks.iter().enumerate() {
         for b in &looks[at + 1..] {
             assert!(!a.is_like(b), "{at}");

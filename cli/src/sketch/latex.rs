@@ -1,10 +1,10 @@
 //! Sketch of a mechanism in `TikZ`, for another LaTeX document to `\input`.
 
-use super::look::of;
-use super::rounded;
-use crate::latex::{basis, escape};
+use super::look::look_of_role;
+use super::rounded_sheet_coordinate;
+use crate::latex::{escape_latex, latex_unit_vector};
 use std::fmt::Write;
-use tripos::pictures::sketch::{Label, Mark, Paint, Part, Path, Role, SheetPoint, Sketch, Word};
+use tripos::pictures::sketch::{Label, LabelWord, Mark, MarkRole, PaintKind, Path, PathPart, SheetPoint, Sketch};
 use tripos_derive::algebra::text::print::latex_name;
 
 /// Number of TeX points per pixel. With it, letters of 10 points have the size for which the places
@@ -13,33 +13,38 @@ const SCALE: f64 = 0.7;
 
 /// Returns the sketch in `TikZ`, with its description as a comment. It needs only the package
 /// `tikz`.
-pub fn picture(sketch: &Sketch) -> String {
+pub fn tikz_picture(sketch: &Sketch) -> String {
     let mut out = String::from("% Needs \\usepackage{tikz} in the preamble.\n");
     for line in [&sketch.title, &sketch.about, &sketch.drawn] {
-        let _ = writeln!(out, "% {}", escape(line));
+        let _ = writeln!(out, "% {}", escape_latex(line));
     }
     let _ = write!(out, "\\begin{{tikzpicture}}[x={SCALE}pt,y=-{SCALE}pt,line join=round,line cap=round,inner sep=0pt");
-    for look in Role::ALL.map(of) {
+    for look in MarkRole::ALL.map(look_of_role) {
         let dashes = look.dashes.map_or_else(String::new, |(on, off)| {
-            format!(",dash pattern=on {}pt off {}pt", rounded(on * SCALE), rounded(off * SCALE))
+            format!(
+                ",dash pattern=on {}pt off {}pt",
+                rounded_sheet_coordinate(on * SCALE),
+                rounded_sheet_coordinate(off * SCALE)
+            )
         });
         let _ = write!(
             out,
             ",\n  {}/.style={{draw={},line width={}pt{dashes}}}",
             look.name,
             colour(look.ink),
-            rounded(look.wide * SCALE)
+            rounded_sheet_coordinate(look.wide * SCALE)
         );
     }
     out += "]\n";
-    let [width, height] = sketch.size.map(rounded);
+    let [width, height] = sketch.size.map(rounded_sheet_coordinate);
     let _ = writeln!(out, "\\useasboundingbox (0,0) rectangle ({width},{height});");
     for mark in &sketch.marks {
-        let _ = writeln!(out, "\\path[{}{}] {};", of(mark.role).name, fill(mark), data(&mark.path));
+        let _ = writeln!(out, "\\path[{}{}] {};", look_of_role(mark.role).name, tikz_fill(mark), tikz_path(&mark.path));
     }
     for label in &sketch.labels {
-        let at = spot(label.at);
-        let _ = writeln!(out, "\\node[text={}] at {at} {{{}}};", colour(of(label.role).ink), words(label));
+        let at = tikz_point(label.at);
+        let _ =
+            writeln!(out, "\\node[text={}] at {at} {{{}}};", colour(look_of_role(label.role).ink), tikz_label(label));
     }
     out + "\\end{tikzpicture}\n"
 }
@@ -50,39 +55,41 @@ fn colour([r, g, b]: [u8; 3]) -> String {
 }
 
 /// Returns the `TikZ` options that fill a mark; empty for a line.
-fn fill(mark: &Mark) -> String {
-    let look = of(mark.role);
+fn tikz_fill(mark: &Mark) -> String {
+    let look = look_of_role(mark.role);
     match mark.paint {
-        Paint::Line => String::new(),
-        Paint::Filled => format!(",fill={},line width=0.3pt", colour(look.ink)),
-        Paint::Solid => format!(",fill={}", colour(look.shade)),
+        PaintKind::Line => String::new(),
+        PaintKind::Filled => format!(",fill={},line width=0.3pt", colour(look.ink)),
+        PaintKind::Solid => format!(",fill={}", colour(look.shade)),
     }
 }
 
 /// Returns a point of the sheet as coordinates in `TikZ`.
-fn spot(at: SheetPoint) -> String {
-    format!("({},{})", rounded(at[0]), rounded(at[1]))
+fn tikz_point(at: SheetPoint) -> String {
+    format!("({},{})", rounded_sheet_coordinate(at[0]), rounded_sheet_coordinate(at[1]))
 }
 
 /// Returns the path of a mark in the syntax of `TikZ`.
-fn data(path: &Path) -> String {
-    let mut out = spot(path.from);
+fn tikz_path(path: &Path) -> String {
+    let mut out = tikz_point(path.from);
     for part in &path.parts {
         let _ = match part {
-            Part::Line(to) => write!(out, " -- {}", spot(*to)),
-            Part::Curve([a, b, to]) => write!(out, " .. controls {} and {} .. {}", spot(*a), spot(*b), spot(*to)),
+            PathPart::Line(to) => write!(out, " -- {}", tikz_point(*to)),
+            PathPart::Curve([a, b, to]) => {
+                write!(out, " .. controls {} and {} .. {}", tikz_point(*a), tikz_point(*b), tikz_point(*to))
+            }
         };
     }
     out + if path.is_closed { " -- cycle" } else { "" }
 }
 
 /// Returns the words of a label in LaTeX.
-fn words(label: &Label) -> String {
-    let word = |word: &Word| match word {
-        Word::Name(name) => format!("${}$", latex_name(name)),
-        Word::Basis(frame, axis) => format!("${}$", basis(frame, *axis)),
-        Word::Minus => "$-$".to_owned(),
-        Word::Plain(text) => escape(text),
+fn tikz_label(label: &Label) -> String {
+    let word = |word: &LabelWord| match word {
+        LabelWord::Name(name) => format!("${}$", latex_name(name)),
+        LabelWord::Basis(frame, axis) => format!("${}$", latex_unit_vector(frame, *axis)),
+        LabelWord::Minus => "$-$".to_owned(),
+        LabelWord::Plain(text) => escape_latex(text),
     };
     label.words.iter().map(word).collect()
 }

@@ -1,29 +1,29 @@
 //! Sentences on the stability studies of a scene near a singular place. Every number in a sentence
 //! is a finding of these studies.
 
-use crate::plot::pretty;
-use tripos::studies::stability::{Findings, Looked, Passed, Variable};
+use crate::plot::formula_to_symbols;
+use tripos::studies::stability::{ConditioningFinding, Findings, PassageRun, PassageVariable};
 use tripos_derive::algebra::solve::elimination::divisors;
-use tripos_derive::algebra::text::print::text;
+use tripos_derive::algebra::text::print::print_text;
 use tripos_derive::mechanics::EquationsOrigin;
-use tripos_derive::scene::Solve;
+use tripos_derive::scene::AccelerationSolution;
 use tripos_derive::{Formulation, Model};
 use tripos_sim::Method;
 
 /// Ratio of two errors above which the larger counts as a further loss of digits, and not only as
 /// different rounding.
-const CLEARLY: f64 = 3.0;
+const CLEAR_ERROR_RATIO: f64 = 3.0;
 /// Largest value of a passage's least divisor for which the singular place affects rounding.
-const NEAR: f64 = 0.05;
+const LARGEST_NEAR_DIVISOR: f64 = 0.05;
 
 /// Returns the first divisor of the kinematic equations as text; empty without a divisor.
 fn first_divisor(model: &Model) -> String {
     let first = model.kinematic_equations.divisors.first();
-    first.map(|d| pretty(&text(&model.arena, *d))).unwrap_or_default()
+    first.map(|d| formula_to_symbols(&print_text(&model.arena, *d))).unwrap_or_default()
 }
 
 /// Lists texts as a sentence does: `a, b and c`.
-fn joined(list: &[String]) -> String {
+fn list_names(list: &[String]) -> String {
     match list {
         [] => String::new(),
         [one] => one.clone(),
@@ -32,7 +32,7 @@ fn joined(list: &[String]) -> String {
 }
 
 /// Returns an error as text with one digit, or `no end` for a run that did not reach its end.
-fn size(error: Option<f64>) -> String {
+fn error_text(error: Option<f64>) -> String {
     error.map_or_else(|| "no end".to_owned(), |e| format!("{e:.0e}"))
 }
 
@@ -44,22 +44,22 @@ pub fn passages(model: &Model, findings: &Findings) -> String {
          instead of the coordinate.",
         first_divisor(model)
     );
-    [Some(seen), solves(&findings.passages)].into_iter().flatten().collect::<Vec<_>>().join(" ")
+    [Some(seen), nearest_passages_sentence(&findings.passages)].into_iter().flatten().collect::<Vec<_>>().join(" ")
 }
 
 /// Returns the passages that `of` accepts among the runs by DOP853, from the farthest to the
 /// nearest.
-fn errors(list: &[Passed], of: impl Fn(&Passed) -> bool) -> Vec<&Passed> {
-    let mut runs: Vec<&Passed> = list.iter().filter(|p| p.method == Method::Dop853.name() && of(p)).collect();
+fn passages_by_dop853(list: &[PassageRun], of: impl Fn(&PassageRun) -> bool) -> Vec<&PassageRun> {
+    let mut runs: Vec<&PassageRun> = list.iter().filter(|p| p.method == Method::Dop853.name() && of(p)).collect();
     runs.sort_by(|a, b| b.least.total_cmp(&a.least));
     runs
 }
 
 /// Returns a sentence on the nearest passages that runs in the distance survive, for each solve and
 /// set of equations, with their errors. `None` if there is none.
-fn solves(list: &[Passed]) -> Option<String> {
+fn nearest_passages_sentence(list: &[PassageRun]) -> Option<String> {
     let mut parts = Vec::new();
-    for solve in Solve::ALL {
+    for solve in AccelerationSolution::ALL {
         let mut all: Vec<&EquationsOrigin> = Vec::new();
         for p in list.iter().filter(|p| p.solve == solve.name()) {
             if !all.contains(&&p.by) {
@@ -67,69 +67,77 @@ fn solves(list: &[Passed]) -> Option<String> {
             }
         }
         for by in all {
-            let of = |p: &Passed| p.solve == solve.name() && p.by == *by && p.variable == Variable::Distance;
-            let runs = errors(list, of);
+            let of = |p: &PassageRun| p.solve == solve.name() && p.by == *by && p.variable == PassageVariable::Distance;
+            let runs = passages_by_dop853(list, of);
             let last = runs.iter().rev().find(|p| p.error.is_some())?;
-            parts.push(format!("{} {} {:.0e} ({})", by.name(), solve.name(), last.least, size(last.error)));
+            parts.push(format!("{} {} {:.0e} ({})", by.name(), solve.name(), last.least, error_text(last.error)));
         }
     }
-    (!parts.is_empty())
-        .then(|| format!("The narrowest that dop853 passes in the distance, and its error then: {}.", joined(&parts)))
+    (!parts.is_empty()).then(|| {
+        format!("The narrowest that dop853 passes in the distance, and its error then: {}.", list_names(&parts))
+    })
 }
 
 /// Returns a sentence on the errors of a scene's reduced equations after passing the singular
 /// place, for each method. `None` if they were not run.
-pub fn own(list: &[Passed]) -> Option<String> {
-    let own: Vec<&Passed> = list.iter().filter(|p| p.by.is_reduced()).collect();
+pub fn reduced_passages_sentence(list: &[PassageRun]) -> Option<String> {
+    let own: Vec<&PassageRun> = list.iter().filter(|p| p.by.is_reduced()).collect();
     let mut methods: Vec<&str> = own.iter().map(|p| p.method).collect();
     methods.dedup();
     let parts: Vec<String> = methods
         .into_iter()
         .map(|method| {
             let runs = || own.iter().filter(|p| p.method == method);
-            let passages: Vec<String> = runs().map(|p| size(p.error)).collect();
+            let passages: Vec<String> = runs().map(|p| error_text(p.error)).collect();
             let steps = runs().map(|p| p.steps).max().unwrap_or(0);
-            format!("by {method} with errors of {}, in at most {steps} steps", joined(&passages))
+            format!("by {method} with errors of {}, in at most {steps} steps", list_names(&passages))
         })
         .collect();
     let places: Vec<String> =
         own.iter().filter(|p| p.method == own[0].method).map(|p| format!("{:.0e}", p.least)).collect();
     (!parts.is_empty())
-        .then(|| format!("The scene's reduced equations pass at {} {}.", joined(&places), parts.join("; ")))
+        .then(|| format!("The scene's reduced equations pass at {} {}.", list_names(&places), parts.join("; ")))
 }
 
 /// Returns a sentence for the case that Lagrange's equations, integrated in the coordinate, keep
 /// digits that formulations in generalized speeds lose. It states the errors of both. `None` if the
 /// findings do not show this.
-pub fn coordinate(model: &Model, list: &[Passed]) -> Option<String> {
-    let of = |formulation: Formulation, variable: Variable| {
+pub fn lagrange_coordinate_sentence(model: &Model, list: &[PassageRun]) -> Option<String> {
+    let of = |formulation: Formulation, variable: PassageVariable| {
         let by = EquationsOrigin::from(formulation);
-        errors(list, |p| p.by == by && p.variable == variable && p.solve == Solve::Eliminated.name())
+        passages_by_dop853(list, |p| {
+            p.by == by && p.variable == variable && p.solve == AccelerationSolution::Eliminated.name()
+        })
     };
     let lagrange = Formulation::Lagrange;
-    let keeps = of(lagrange, Variable::Coordinate);
-    let loses = |runs: &[&Passed]| {
-        let near: Vec<(&&Passed, &&Passed)> =
-            keeps.iter().zip(runs).filter(|(a, _)| a.error.is_some() && a.least < NEAR).collect();
-        let lost = |(a, b): &(&&Passed, &&Passed)| b.error.is_none_or(|e| a.error.is_some_and(|a| e >= CLEARLY * a));
+    let keeps = of(lagrange, PassageVariable::Coordinate);
+    let loses = |runs: &[&PassageRun]| {
+        let near: Vec<(&&PassageRun, &&PassageRun)> =
+            keeps.iter().zip(runs).filter(|(a, _)| a.error.is_some() && a.least < LARGEST_NEAR_DIVISOR).collect();
+        let lost = |(a, b): &(&&PassageRun, &&PassageRun)| {
+            b.error.is_none_or(|e| a.error.is_some_and(|a| e >= CLEAR_ERROR_RATIO * a))
+        };
         near.len() > 1 && near.iter().all(lost)
     };
-    let losers: Vec<Formulation> =
-        Formulation::ALL.into_iter().filter(|f| !f.is_in_rates() && loses(&of(*f, Variable::Coordinate))).collect();
+    let losers: Vec<Formulation> = Formulation::ALL
+        .into_iter()
+        .filter(|f| !f.is_in_rates() && loses(&of(*f, PassageVariable::Coordinate)))
+        .collect();
     let first = *losers.first()?;
     let places: Vec<String> = keeps.iter().map(|p| format!("{:.0e}", p.least)).collect();
-    let row = |f: Formulation, variable| joined(&of(f, variable).iter().map(|p| size(p.error)).collect::<Vec<_>>());
-    let names = joined(&losers.iter().map(|f| f.name().to_owned()).collect::<Vec<_>>());
-    let rate = rate(model).map_or_else(String::new, |rate| format!(", as {rate}"));
+    let row =
+        |f: Formulation, variable| list_names(&of(f, variable).iter().map(|p| error_text(p.error)).collect::<Vec<_>>());
+    let names = list_names(&losers.iter().map(|f| f.name().to_owned()).collect::<Vec<_>>());
+    let rate = singular_rate_equation(model).map_or_else(String::new, |rate| format!(", as {rate}"));
     Some(format!(
         "With eliminated accelerations and dop853 in the coordinate itself, the equations by {lagrange} keep digits that those by \
          {names} lose: at |{}| = {} the errors are {} by {lagrange}, {} by {first}. The equations by {lagrange} integrate q\u{307} \
          itself; the speeds of those by {names} give it only by a division{rate}. In the distance the errors by {first} are {}.",
         first_divisor(model),
-        joined(&places),
-        row(lagrange, Variable::Coordinate),
-        row(first, Variable::Coordinate),
-        row(first, Variable::Distance),
+        list_names(&places),
+        row(lagrange, PassageVariable::Coordinate),
+        row(first, PassageVariable::Coordinate),
+        row(first, PassageVariable::Distance),
         lagrange = lagrange.name(),
         first = first.name(),
     ))
@@ -137,12 +145,12 @@ pub fn coordinate(model: &Model, list: &[Passed]) -> Option<String> {
 
 /// Returns the equation of the first coordinate rate that contains the vanishing divisor. `None` if
 /// there is none.
-fn rate(model: &Model) -> Option<String> {
+fn singular_rate_equation(model: &Model) -> Option<String> {
     let equations = &model.kinematic_equations;
     let divisor = *equations.divisors.first()?;
     let mut rates = model.coordinates.iter().zip(&equations.rates);
     let (coordinate, rate) = rates.find(|(_, rate)| divisors(&model.arena, &[**rate]).contains(&divisor))?;
-    Some(pretty(&format!("{}' = {}", coordinate.name, text(&model.arena, *rate))))
+    Some(formula_to_symbols(&format!("{}' = {}", coordinate.name, print_text(&model.arena, *rate))))
 }
 
 /// Returns the caption of the figure of errors and condition numbers along a passage.
@@ -162,17 +170,28 @@ pub fn conditioning(model: &Model, findings: &Findings) -> String {
     // The sentences are about two places: halfway along the passage, and the nearest place.
     let middle = places.get(places.len() / 2).copied();
     let last = places.last().copied().filter(|_| places.len() / 2 + 1 < places.len());
-    list.extend([middle, last].into_iter().flatten().filter_map(|place| at(&findings.looked, place, &divisor)));
+    list.extend(
+        [middle, last]
+            .into_iter()
+            .flatten()
+            .filter_map(|place| conditioning_at_divisor_sentence(&findings.looked, place, &divisor)),
+    );
     list.join(" ")
 }
 
 /// Returns a sentence on the errors and condition numbers at the value `place` of the divisor.
 /// `None` without findings there.
-fn at(list: &[Looked], place: f64, divisor: &str) -> Option<String> {
-    let here = |solve: Solve| list.iter().filter(move |l| l.divisor.total_cmp(&place).is_eq() && l.solve == solve);
-    let eliminated = here(Solve::Eliminated).map(|l| l.error).reduce(f64::max)?;
-    let named = |of: fn(&Looked) -> f64| {
-        joined(&here(Solve::Numeric).map(|l| format!("{:.0e} ({})", of(l), l.by.name())).collect::<Vec<_>>())
+fn conditioning_at_divisor_sentence(list: &[ConditioningFinding], place: f64, divisor: &str) -> Option<String> {
+    let here = |solve: AccelerationSolution| {
+        list.iter().filter(move |l| l.divisor.total_cmp(&place).is_eq() && l.solve == solve)
+    };
+    let eliminated = here(AccelerationSolution::Eliminated).map(|l| l.error).reduce(f64::max)?;
+    let named = |of: fn(&ConditioningFinding) -> f64| {
+        list_names(
+            &here(AccelerationSolution::Numeric)
+                .map(|l| format!("{:.0e} ({})", of(l), l.by.name()))
+                .collect::<Vec<_>>(),
+        )
     };
     let (errors, conditions) = (named(|l| l.error), named(|l| l.equilibrated));
     Some(format!(

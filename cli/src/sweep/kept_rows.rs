@@ -22,7 +22,7 @@ pub struct KeptRows {
 }
 
 /// Reason why a sweep cannot continue an unfinished table.
-pub enum Alien {
+pub enum UnfinishedTableMismatch {
     /// The table has content that this sweep would not write. Holds the reason in words.
     Other(String),
     /// The table cannot be read. Holds the system's error.
@@ -34,31 +34,34 @@ impl KeptRows {
     /// sweep.
     ///
     /// # Errors
-    /// [`Alien`] if the table is not of this sweep, or cannot be read.
-    pub fn read(left: impl Read, columns: &Columns, points: &Range<u64>) -> Result<Self, Alien> {
+    /// [`UnfinishedTableMismatch`] if the table is not of this sweep, or cannot be read.
+    pub fn read(left: impl Read, columns: &Columns, points: &Range<u64>) -> Result<Self, UnfinishedTableMismatch> {
         let mut kept = Self::default();
         let mut lines = BufReader::new(left);
         let mut line = Vec::new();
-        if !whole_line(&mut lines, &mut line).map_err(Alien::Unread)? {
+        if !next_csv_line(&mut lines, &mut line).map_err(UnfinishedTableMismatch::Unread)? {
             return Ok(kept);
         }
         if line != columns.header() {
-            return Err(Alien::Other("its columns are others".to_owned()));
+            return Err(UnfinishedTableMismatch::Other("its columns are others".to_owned()));
         }
         kept.bytes = line.len() as u64;
-        while whole_line(&mut lines, &mut line).map_err(Alien::Unread)? {
+        while next_csv_line(&mut lines, &mut line).map_err(UnfinishedTableMismatch::Unread)? {
             let point = points.start + kept.rows;
             let number = kept.rows + 1;
-            let other = || Alien::Other(format!("row {number} is not that of point {point}"));
+            let other = || UnfinishedTableMismatch::Other(format!("row {number} is not that of point {point}"));
             if point >= points.end {
-                return Err(Alien::Other(format!("the table has more rows than the sweep has points, {}", kept.rows)));
+                return Err(UnfinishedTableMismatch::Other(format!(
+                    "the table has more rows than the sweep has points, {}",
+                    kept.rows
+                )));
             }
-            let fields = fields(&line).filter(|fields| fields.len() == columns.count()).ok_or_else(other)?;
+            let fields = csv_fields(&line).filter(|fields| fields.len() == columns.count()).ok_or_else(other)?;
             if fields[0] != point.to_string() {
                 return Err(other());
             }
             let reason = fields.iter().next_back().filter(|reason| !reason.is_empty());
-            kept.tally.count(point, &fields[columns.place_of_stop()], reason);
+            kept.tally.count(point, &fields[columns.stop_column_index()], reason);
             kept.rows += 1;
             kept.bytes += line.len() as u64;
         }
@@ -69,7 +72,7 @@ impl KeptRows {
 /// Reads the next line of CSV, which may contain line ends between quotes. False if no whole line
 /// is left.
 /// `Err` if the table cannot be read.
-fn whole_line(lines: &mut impl BufRead, line: &mut Vec<u8>) -> io::Result<bool> {
+fn next_csv_line(lines: &mut impl BufRead, line: &mut Vec<u8>) -> io::Result<bool> {
     line.clear();
     loop {
         if lines.read_until(b'\n', line)? == 0 || !line.ends_with(b"\n") {
@@ -84,7 +87,7 @@ fn whole_line(lines: &mut impl BufRead, line: &mut Vec<u8>) -> io::Result<bool> 
 }
 
 /// Returns the fields of a line of CSV; `None` if it is no valid record.
-fn fields(line: &[u8]) -> Option<csv::StringRecord> {
+fn csv_fields(line: &[u8]) -> Option<csv::StringRecord> {
     let mut reader = csv::ReaderBuilder::new().has_headers(false).buffer_capacity(1 << 10).from_reader(line);
     let mut record = csv::StringRecord::new();
     reader.read_record(&mut record).ok()?.then_some(record)

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
-use tripos::studies::sweep::Row;
+use tripos::studies::sweep::SweepRow;
 
 /// Numbers of a sweep's rows by their outcomes.
 #[derive(Default)]
@@ -22,7 +22,7 @@ struct Count {
 
 impl Tally {
     /// Counts a row of the sweep by its stop code.
-    pub fn add(&mut self, row: &Row) {
+    pub fn add(&mut self, row: &SweepRow) {
         self.count(row.point, row.stop(), row.failure());
     }
 
@@ -37,7 +37,7 @@ impl Tally {
     }
 
     /// Returns the number of rows with a stop code for which a run has no result.
-    pub fn failed(&self) -> u64 {
+    pub fn rows_without_result(&self) -> u64 {
         self.stops.values().filter(|count| count.failure.is_some()).map(|count| count.rows).sum()
     }
 

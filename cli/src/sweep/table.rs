@@ -2,7 +2,7 @@
 //!
 //! Invariant: a number is written as the shortest text that reads back to the same double.
 
-use tripos::studies::sweep::{NO_START, Row, Sweep};
+use tripos::studies::sweep::{NO_START, Sweep, SweepRow};
 
 /// Columns of the table of a sweep.
 pub struct Columns {
@@ -24,7 +24,7 @@ impl Columns {
     /// change of each first integral, `digits` if wanted, and `reason`.
     pub fn new(sweep: &Sweep<'_>) -> Self {
         let states = sweep.names.clone();
-        let changes: Vec<String> = sweep.conserved().iter().map(|name| format!("change of {name}")).collect();
+        let changes: Vec<String> = sweep.conserved_names().iter().map(|name| format!("change of {name}")).collect();
         let fixed = |names: &[&str]| names.iter().map(|name| (*name).to_owned()).collect::<Vec<_>>();
         let swept: Vec<String> = sweep.grid.names().into_iter().map(|name| format!("over:{name}")).collect();
         // The columns before `stop` are the index, the varied values and `t_end`.
@@ -45,7 +45,7 @@ impl Columns {
 
     /// Returns a name that two columns share, since a scene may choose any name for an output.
     /// `None` if all names differ.
-    pub fn twice(&self) -> Option<&str> {
+    pub fn duplicate_column_name(&self) -> Option<&str> {
         let is_twice = |(at, name): &(usize, &String)| self.names[..*at].contains(name);
         self.names.iter().enumerate().find(is_twice).map(|(_, name)| name.as_str())
     }
@@ -56,7 +56,7 @@ impl Columns {
     }
 
     /// Returns the index of the column with the stop code.
-    pub fn place_of_stop(&self) -> usize {
+    pub fn stop_column_index(&self) -> usize {
         self.stop
     }
 
@@ -66,19 +66,19 @@ impl Columns {
     }
 
     /// Returns the lines of the table for these rows, as CSV.
-    pub fn lines(&self, rows: &[Row]) -> Vec<u8> {
+    pub fn lines(&self, rows: &[SweepRow]) -> Vec<u8> {
         lines(rows.iter().map(|row| self.fields(row)))
     }
 
     /// Returns the fields of a row, as texts.
-    fn fields(&self, row: &Row) -> Vec<String> {
-        let numbers = |list: &[f64]| list.iter().map(|x| shortest(*x)).collect::<Vec<String>>();
+    fn fields(&self, row: &SweepRow) -> Vec<String> {
+        let numbers = |list: &[f64]| list.iter().map(|x| shortest_number_text(*x)).collect::<Vec<String>>();
         let nothing = |count: usize| vec![String::new(); count];
         let mut fields = vec![row.point.to_string()];
         fields.extend(numbers(&row.values));
         match &row.outcome {
             Ok(ended) => {
-                fields.extend([shortest(ended.t_end), ended.stop.clone()]);
+                fields.extend([shortest_number_text(ended.t_end), ended.stop.clone()]);
                 fields.extend(numbers(&ended.shown));
                 fields.extend([ended.steps, ended.rejected, ended.evaluations].map(|n| n.to_string()));
                 fields.extend(numbers(&ended.changes));
@@ -106,7 +106,7 @@ fn lines(records: impl Iterator<Item = Vec<String>>) -> Vec<u8> {
 }
 
 /// Returns the shortest decimal text that reads back to the same double: `0.01`, `1e-3`, `NaN`.
-pub fn shortest(x: f64) -> String {
+pub fn shortest_number_text(x: f64) -> String {
     // For numbers of this size with a fraction, text with an exponent is never shorter.
     if x.is_finite() && x.abs() >= 0.01 && x.fract().abs() > 0.0 {
         return x.to_string();
@@ -117,7 +117,7 @@ pub fn shortest(x: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::shortest;
+    use super::shortest_number_text;
 
     #[test]
     fn numbers_are_short_and_read_back() {
@@ -138,13 +138,13 @@ mod tests {
             (f64::NAN, "NaN"),
             (f64::NEG_INFINITY, "-inf"),
         ] {
-            assert_eq!(shortest(x), text);
+            assert_eq!(shortest_number_text(x), text);
             let back: f64 = text.parse().unwrap();
             assert!(back.to_bits() == x.to_bits() || x.is_nan());
         }
         for k in 0..100_000_u64 {
             let x = f64::from_bits(k.wrapping_mul(0x9E37_79B9_7F4A_7C15));
-            let text = shortest(x);
+            let text = shortest_number_text(x);
             assert!(text.len() <= x.to_string().len().min(format!("{x:e}").len()), "{text}");
         }
     }

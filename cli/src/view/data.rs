@@ -4,9 +4,11 @@
 //! are written as differences from one instant to the next, so that the sums are exact and the file
 //! is short.
 
-use super::{Home, Live, Seen};
+use super::{LiveEquations, ViewContent, ViewPlace};
 use serde_json::{Map, Value, json};
-use tripos::pictures::view::{ArrowKind, Forces, Form, Motion, Place, Quaternion, Solid, Triple, quaternion};
+use tripos::pictures::view::{
+    ForceSource, Forces, Motion, Quaternion, Solid, SolidForm, SolidPlace, Triple, quaternion,
+};
 
 /// Steps of the data: of places, relative to the size of the mechanism, and of Euler parameters.
 const STEPS: (f64, f64) = (5e-5, 1e-4);
@@ -35,7 +37,7 @@ struct ShownParts {
 
 impl ShownParts {
     /// Collects the points and frames that the solids, traces, axes and forces of a view use.
-    fn of(seen: &Seen<'_>) -> Self {
+    fn of_view(seen: &ViewContent<'_>) -> Self {
         let view = &seen.view;
         let mut points: Vec<usize> = view.solids.iter().flat_map(|solid| solid.form.points()).collect();
         points.extend(view.traced.iter().chain(view.triads.iter().map(|(_, point)| point)));
@@ -45,7 +47,7 @@ impl ShownParts {
         }
         let first = seen.motions.first().map(|motion| &motion.forces);
         points.extend(first.iter().flat_map(|forces| forces.list.iter().map(|arrow| arrow.point)));
-        let places = view.solids.iter().filter_map(|solid| place(&solid.form));
+        let places = view.solids.iter().filter_map(|solid| place_of_form(&solid.form));
         let mut frames: Vec<usize> = places.map(|place| place.frame).collect();
         frames.extend(view.triads.iter().map(|(frame, _)| frame));
         for list in [&mut points, &mut frames] {
@@ -67,15 +69,18 @@ impl ShownParts {
 }
 
 /// Returns the frame and position of a solid's form; `None` for a form between two points.
-fn place(form: &Form) -> Option<&Place> {
+fn place_of_form(form: &SolidForm) -> Option<&SolidPlace> {
     match form {
-        Form::Sphere { at, .. } | Form::Cylinder { at, .. } | Form::Box { at, .. } | Form::Ground { at } => Some(at),
-        Form::Rod { .. } | Form::Spring { .. } => None,
+        SolidForm::Sphere { at, .. }
+        | SolidForm::Cylinder { at, .. }
+        | SolidForm::Box { at, .. }
+        | SolidForm::Ground { at } => Some(at),
+        SolidForm::Rod { .. } | SolidForm::Spring { .. } => None,
     }
 }
 
 /// Returns the largest number of frames of each motion whose data fit into this number of bytes.
-fn most(seen: &Seen<'_>, kept: &ShownParts, bytes: usize) -> usize {
+fn frames_within_bytes(seen: &ViewContent<'_>, kept: &ShownParts, bytes: usize) -> usize {
     let forces = seen.motions.first().map_or(0, |motion| motion.forces.list.len());
     let each = (3 * kept.points.len() + 4 * kept.frames.len() + 1) * seen.motions.len() + 3 * forces;
     (bytes / (each * NUMBER)).max(2)
@@ -83,27 +88,27 @@ fn most(seen: &Seen<'_>, kept: &ShownParts, bytes: usize) -> usize {
 
 /// True if the frames that fit into `bytes` bytes are close enough in time to show correctly how
 /// every body turns.
-pub fn turns_truly(seen: &Seen<'_>, bytes: usize) -> bool {
-    let most = most(seen, &ShownParts::of(seen), bytes);
-    seen.motions.iter().all(|m| m.turns_truly(&m.thinned(seen.view.size, most).0))
+pub fn turns_truly(seen: &ViewContent<'_>, bytes: usize) -> bool {
+    let most = frames_within_bytes(seen, &ShownParts::of_view(seen), bytes);
+    seen.motions.iter().all(|m| m.has_true_rotations(&m.thin_motion(seen.view.size, most).0))
 }
 
 /// Returns all data of a view for the viewer as JSON, with motions of about `bytes` bytes.
-pub fn figure_data(seen: &Seen<'_>, live: &Live, home: Home, bytes: usize) -> Value {
-    let kept = ShownParts::of(seen);
+pub fn figure_data(seen: &ViewContent<'_>, live: &LiveEquations, home: ViewPlace, bytes: usize) -> Value {
+    let kept = ShownParts::of_view(seen);
     let live = match live {
-        Live::Runs(running) => running.shown(&kept.points, &kept.frames),
-        Live::Rests(_) => Value::Null,
+        LiveEquations::Runs(running) => running.shown(&kept.points, &kept.frames),
+        LiveEquations::Rests(_) => Value::Null,
     };
     let (mechanism, view) = (seen.mechanism, &seen.view);
-    let most = most(seen, &kept, bytes);
-    let thinned: Vec<Motion> = seen.motions.iter().map(|m| m.thinned(view.size, most).0).collect();
+    let most = frames_within_bytes(seen, &kept, bytes);
+    let thinned: Vec<Motion> = seen.motions.iter().map(|m| m.thin_motion(view.size, most).0).collect();
     let motions: Vec<Value> = thinned.iter().map(|m| motion(m, &kept, view.size)).collect();
     let follow = mechanism.bodies.iter().map(|body| json!([body.name, kept.point(body.centre)]));
     let names = |list: &[usize]| list.iter().map(|at| mechanism.points[*at].name.clone()).collect::<Vec<_>>();
     json!({
         "scene": seen.title,
-        "alone": home == Home::Alone,
+        "alone": home == ViewPlace::Alone,
         "stated": view.is_stated,
         "inertial": mechanism.frames.first().map_or_else(String::new, |frame| frame.name.to_lowercase()),
         "up": view.up,
@@ -129,11 +134,11 @@ fn arrows(forces: &Forces, kept: &ShownParts) -> Value {
     let list = forces.list.iter().enumerate().map(|(at, arrow)| {
         let values: Vec<Triple> = forces.values.iter().map(|now| now[at]).collect();
         let kind = match arrow.kind {
-            ArrowKind::Weight => "weight",
-            ArrowKind::Applied => "applied",
-            ArrowKind::Reaction => "reaction",
+            ForceSource::Weight => "weight",
+            ForceSource::Applied => "applied",
+            ForceSource::Reaction => "reaction",
         };
-        json!({ "kind": kind, "name": arrow.name, "point": kept.point(arrow.point), "values": differences(&values, step) })
+        json!({ "kind": kind, "name": arrow.name, "point": kept.point(arrow.point), "values": stored_differences(&values, step) })
     });
     json!({ "usual": forces.usual, "cut": Forces::CUT, "step": step, "list": list.collect::<Vec<_>>() })
 }
@@ -145,36 +150,36 @@ fn solid(solid: &Solid, kept: &ShownParts) -> Value {
     put("label", json!(solid.label));
     put("body", json!(solid.body));
     put("reach", json!(short(solid.form.reach())));
-    if let Some(at) = place(&solid.form) {
+    if let Some(at) = place_of_form(&solid.form) {
         put("frame", json!(kept.frame(at.frame)));
         put("point", json!(kept.point(at.point)));
         put("position", json!(at.position.map(short)));
         put("turned", json!(at.turned.map(short)));
     }
     match &solid.form {
-        Form::Sphere { radius, .. } => {
+        SolidForm::Sphere { radius, .. } => {
             put("kind", json!("sphere"));
             put("radius", json!(short(*radius)));
         }
-        Form::Cylinder { radius, length, .. } => {
+        SolidForm::Cylinder { radius, length, .. } => {
             put("kind", json!("cylinder"));
             put("radius", json!(short(*radius)));
             put("length", json!(short(*length)));
         }
-        Form::Box { size, .. } => {
+        SolidForm::Box { size, .. } => {
             put("kind", json!("box"));
             put("size", json!(size.map(short)));
         }
-        Form::Rod { ends, radius } => {
+        SolidForm::Rod { ends, radius } => {
             put("kind", json!("rod"));
             put("ends", json!(ends.map(|end| kept.point(end))));
             put("radius", json!(short(*radius)));
         }
-        Form::Spring { ends } => {
+        SolidForm::Spring { ends } => {
             put("kind", json!("spring"));
             put("ends", json!(ends.map(|end| kept.point(end))));
         }
-        Form::Ground { .. } => {
+        SolidForm::Ground { .. } => {
             put("kind", json!("ground"));
         }
     }
@@ -194,7 +199,7 @@ fn motion(motion: &Motion, kept: &ShownParts, size: f64) -> Value {
     let dt = if span > 0.0 { TIME * span } else { TIME };
     let points = kept.points.iter().map(|point| {
         let places: Vec<Triple> = motion.poses.iter().map(|pose| pose.points[*point]).collect();
-        differences(&places, STEPS.0 * size)
+        stored_differences(&places, STEPS.0 * size)
     });
     let frames = kept.frames.iter().map(|frame| {
         let mut turns: Vec<Quaternion> = motion.poses.iter().map(|pose| quaternion(&pose.rotations[*frame])).collect();
@@ -206,7 +211,7 @@ fn motion(motion: &Motion, kept: &ShownParts, size: f64) -> Value {
                 turns[at] = turns[at].map(|x| -x);
             }
         }
-        differences(&turns, STEPS.1)
+        stored_differences(&turns, STEPS.1)
     });
     let t: Vec<[f64; 1]> = motion.t.iter().map(|t| [t - from]).collect();
     json!({
@@ -215,15 +220,15 @@ fn motion(motion: &Motion, kept: &ShownParts, size: f64) -> Value {
         "objections": motion.objections,
         "from": from,
         "dt": dt,
-        "t": stepped(&t, dt),
+        "t": differences_in_steps(&t, dt),
         "points": points.collect::<Vec<_>>(),
         "frames": frames.collect::<Vec<_>>(),
     })
 }
 
 /// Returns values as differences in whole steps. Values that never change are written only once.
-fn differences<const N: usize>(values: &[[f64; N]], step: f64) -> Vec<i64> {
-    let mut list = stepped(values, step);
+fn stored_differences<const N: usize>(values: &[[f64; N]], step: f64) -> Vec<i64> {
+    let mut list = differences_in_steps(values, step);
     if list.iter().skip(N).all(|change| *change == 0) {
         list.truncate(N);
     }
@@ -232,7 +237,7 @@ fn differences<const N: usize>(values: &[[f64; N]], step: f64) -> Vec<i64> {
 
 /// Returns values as differences in whole steps from one instant to the next.
 #[allow(clippy::cast_possible_truncation, reason = "some 1e5 steps, and a place beyond all of them stays at the edge")]
-fn stepped<const N: usize>(values: &[[f64; N]], step: f64) -> Vec<i64> {
+fn differences_in_steps<const N: usize>(values: &[[f64; N]], step: f64) -> Vec<i64> {
     let mut before = [0; N];
     let mut list = Vec::with_capacity(N * values.len());
     for value in values {
@@ -245,7 +250,7 @@ fn stepped<const N: usize>(values: &[[f64; N]], step: f64) -> Vec<i64> {
 
 #[cfg(test)]
 mod tests {
-    use super::{as_script, differences, stepped};
+    use super::{as_script, differences_in_steps, stored_differences};
     use serde_json::json;
 
     /// Goal: sums of differences are the places, to half a step. Method: a way there and back, added up.
@@ -253,13 +258,13 @@ mod tests {
     fn differences_add_up_to_what_was_written() {
         let places: Vec<[f64; 2]> = (0..500).map(|k| [(f64::from(k) * 0.1).sin(), 3.0 - f64::from(k)]).collect();
         let (step, mut sum) = (1e-3, [0_i64; 2]);
-        for (pair, place) in stepped(&places, step).chunks(2).zip(&places) {
+        for (pair, place) in differences_in_steps(&places, step).chunks(2).zip(&places) {
             for axis in 0..2 {
                 sum[axis] += pair[axis];
                 assert!((sum[axis] as f64 * step - place[axis]).abs() <= 0.5 * step * (1.0 + 1e-9));
             }
         }
-        assert_eq!(differences(&[[1.0, 2.0]; 9], 0.5), [2, 4]);
+        assert_eq!(stored_differences(&[[1.0, 2.0]; 9], 0.5), [2, 4]);
     }
 
     #[test]

@@ -5,16 +5,16 @@
 //! `modelDescription.xml`. The files `fmi2.c` and `fmi3.c` implement the interfaces for every model, with `fmu_core.h`;
 //! `fmu_model.h` describes one model.
 
-mod description;
-mod fmi2;
+mod fmi2_description;
+mod fmi3_description;
 mod functions;
 mod variables;
 
 use crate::languages::c::C;
-use crate::languages::{Composite, Dialect, Module};
+use crate::languages::{CompositeFunction, Dialect, Module};
 use crate::origin::Origin;
 use crate::plan::{Function, Planner, Sharing};
-use crate::syntax::{Comments, Writer};
+use crate::syntax::{CodeWriter, Comments};
 use functions::FmuFunctions;
 use std::fmt::Write;
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics};
@@ -51,7 +51,7 @@ impl Version {
 
     /// Returns the name and text of the C source that implements this version of FMI for every
     /// model.
-    const fn interface(self) -> (&'static str, &'static str) {
+    const fn fmi_c_source(self) -> (&'static str, &'static str) {
         match self {
             Self::Two => ("fmi2.c", include_str!("fmi2.c")),
             Self::Three => ("fmi3.c", include_str!("fmi3.c")),
@@ -94,14 +94,15 @@ impl Fmu {
         }
         let derivation = derive(model, Formulation::Kane).map_err(|why| model.diagnose(&why))?;
         let mut arena = derivation.arena;
-        let equations = derivation.equations.written(&mut arena);
+        let equations = derivation.equations.with_definitions(&mut arena);
         let functions = FmuFunctions::new(model, scene, &mut arena, &equations)
             .map_err(|why| model.diagnose(&DeriveError::Unsolved(why)))?;
         let planner = Planner::new(model, &arena, &equations, C.language(), Sharing::Shared);
         let plan = functions.plan(&planner);
-        let identifier = identifier(scene, model);
-        let composites: &[Composite] = if plan.has("constraints") { &[Composite::Project] } else { &[] };
-        let origin = Origin::emitted(&model.source.path, COMMAND).of_model();
+        let identifier = fmu_identifier(scene, model);
+        let composites: &[CompositeFunction] =
+            if plan.has("constraints") { &[CompositeFunction::Project] } else { &[] };
+        let origin = Origin::origin_of_model_file(&model.source.path, COMMAND).model_origin_sentence();
         let module = Module {
             model_word: &identifier,
             equations_word: Formulation::Kane.name(),
@@ -113,51 +114,56 @@ impl Fmu {
         let mut sources = C.files(&module);
         sources.extend(C.shared_files(&origin));
         let variables = Variables::new(model, scene, &functions, &plan);
-        sources.push(("fmu_model.h".to_owned(), configuration(&module, scene, &functions, &variables)));
-        let (name, text) = version.interface();
+        sources.push(("fmu_model.h".to_owned(), fmu_model_header(&module, scene, &functions, &variables)));
+        let (name, text) = version.fmi_c_source();
         sources.extend([("fmu_core.h", CORE), (name, text)].map(|(name, text)| (name.to_owned(), text.to_owned())));
         let description = match version {
-            Version::Two => fmi2::text(&identifier, &module, scene, &functions, &variables),
-            Version::Three => description::text(&identifier, &module, scene, &functions, &variables),
+            Version::Two => {
+                fmi2_description::fmi2_description_text(&identifier, &module, scene, &functions, &variables)
+            }
+            Version::Three => {
+                fmi3_description::fmi3_description_text(&identifier, &module, scene, &functions, &variables)
+            }
         };
-        let left_out = functions.left_out().into_iter().chain(plan.unchecked.clone()).collect();
-        let has_slopes = functions.has_slopes(&plan);
+        let left_out = functions.outputs_needing_reactions().into_iter().chain(plan.unchecked.clone()).collect();
+        let has_slopes = functions.has_directional_derivatives(&plan);
         Ok(Self { identifier, description, sources, left_out, has_slopes })
     }
 }
 
 /// Returns the name of the unit: words for its model and its scene, in lower case, joined by an
 /// underscore.
-fn identifier(scene: &Scene, model: &Model) -> String {
-    let origin = Origin::emitted(&model.source.path, COMMAND);
+fn fmu_identifier(scene: &Scene, model: &Model) -> String {
+    let origin = Origin::origin_of_model_file(&model.source.path, COMMAND);
     let of_scene = scene.source.path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
-    crate::languages::word(&format!("{}_{of_scene}", crate::languages::stem_of(&origin))).to_ascii_lowercase()
+    crate::languages::identifier_word(&format!("{}_{of_scene}", crate::languages::model_name_of_origin(&origin)))
+        .to_ascii_lowercase()
 }
 
 /// Returns the token that ties a model description to its binary: a hash of the texts of the model
 /// and the scene, in braces.
-fn token(module: &Module<'_>, scene: &Scene) -> String {
+fn fmu_instantiation_token(module: &Module<'_>, scene: &Scene) -> String {
     let text = format!("{}\n{}", module.model().source.text, scene.source.text);
     format!("{{{}}}", tripos_derive::model::text_hash(&text))
 }
 
 /// Returns the text of `fmu_model.h`, the C header that describes one model: numbers of variables,
 /// start values and events.
-fn configuration(module: &Module<'_>, scene: &Scene, functions: &FmuFunctions, variables: &Variables) -> String {
+fn fmu_model_header(module: &Module<'_>, scene: &Scene, functions: &FmuFunctions, variables: &Variables) -> String {
     let (plan, e) = (module.plan, module.equations());
     let stem = format!("{}_{}", module.model_word, module.equations_word);
-    let mut writer = Writer::new(&C, Comments::Written);
+    let mut writer = CodeWriter::new(&C, Comments::Written);
     writer.comment("Description of a mechanism for fmu_core.h.");
     writer.comment("");
     writer.origin(module.origin);
-    writer.gap();
-    writer.raw("#ifndef FMU_MODEL_H\n#define FMU_MODEL_H");
-    writer.gap();
-    writer.raw(&format!("#include \"{stem}.h\"\n\n#define F(name) {stem}_##name"));
-    writer.raw(&format!("#define TOKEN \"{}\"", token(module, scene)));
+    writer.write_empty_line();
+    writer.write_unbroken("#ifndef FMU_MODEL_H\n#define FMU_MODEL_H");
+    writer.write_empty_line();
+    writer.write_unbroken(&format!("#include \"{stem}.h\"\n\n#define F(name) {stem}_##name"));
+    writer.write_unbroken(&format!("#define TOKEN \"{}\"", fmu_instantiation_token(module, scene)));
     let (start, _) = scene.span;
-    writer.raw(&format!("#define START_TIME {start:?}\n#define TOLERANCE {:?}", scene.integration.rtol));
-    writer.raw(&format!("#define DRIFT {DRIFT}"));
+    writer.write_unbroken(&format!("#define START_TIME {start:?}\n#define TOLERANCE {:?}", scene.integration.rtol));
+    writer.write_unbroken(&format!("#define DRIFT {DRIFT}"));
     let count = |name: &str| plan.functions.iter().find(|f| f.name == name).map_or(0, |f: &Function| f.entries.len());
     let events = count("events");
     let counts = [
@@ -173,12 +179,12 @@ fn configuration(module: &Module<'_>, scene: &Scene, functions: &FmuFunctions, v
         ("HAS_DIVISORS", usize::from(plan.has("divisors"))),
         ("HAS_CONDITIONS", usize::from(plan.has("conditions"))),
         ("HAS_EVENTS", usize::from(events > 0)),
-        ("HAS_SLOPES", usize::from(functions.has_slopes(plan))),
+        ("HAS_SLOPES", usize::from(functions.has_directional_derivatives(plan))),
     ];
     for (name, value) in counts {
-        writer.raw(&format!("#define {name} {value}"));
+        writer.write_unbroken(&format!("#define {name} {value}"));
     }
-    writer.gap();
+    writer.write_empty_line();
     let list = |values: &[f64]| {
         let mut text = String::new();
         // A list has at least one entry, since C has no empty arrays.
@@ -200,7 +206,7 @@ fn configuration(module: &Module<'_>, scene: &Scene, functions: &FmuFunctions, v
     writer.comment("Directions of the crossings that count as events, 0 for both, and which events end a simulation.");
     writer.line(&format!("static const double event_direction[] = {{ {} }};", list(&ways)));
     writer.line(&format!("static const double event_is_terminal[] = {{ {} }};", list(&ends)));
-    writer.gap();
-    writer.raw("#endif");
+    writer.write_empty_line();
+    writer.write_unbroken("#endif");
     writer.out
 }

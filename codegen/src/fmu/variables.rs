@@ -91,7 +91,7 @@ impl Variables {
         for (row, (name, unit, ..)) in states.iter().enumerate() {
             let of_states = (0..nx).map(|at| Some((first_state + at, entry("jacobian", row * nx + at)?)));
             let of_inputs = inputs.iter().map(|at| Some((at + 1, entry("parameter_jacobian", row * np + at)?)));
-            let depends_on = nonzero(of_states.chain(of_inputs));
+            let depends_on = nonzero_dependencies(of_states.chain(of_inputs));
             let unit = unit.times(&Unit::new(0, 0, -1));
             let what = if row < nq { "rate" } else { "acceleration" };
 
@@ -101,7 +101,7 @@ impl Variables {
             let columns = nx + np;
             let of_states = (0..nx).map(|at| Some((first_state + at, entry("output_jacobian", row * columns + at)?)));
             let of_inputs = inputs.iter().map(|at| Some((at + 1, entry("output_jacobian", row * columns + nx + at)?)));
-            let depends_on = nonzero(of_states.chain(of_inputs));
+            let depends_on = nonzero_dependencies(of_states.chain(of_inputs));
             add(&output.name, Role::Output, None, None, "output of the scene", depends_on);
         }
         let events = functions.events().iter().map(|event| &event.name);
@@ -121,7 +121,7 @@ impl Variables {
 
 /// Returns the value references whose derivative is not identically zero. `None` if a derivative is
 /// missing from the plan.
-fn nonzero<'e>(mut slopes: impl Iterator<Item = Option<(usize, &'e Entry)>>) -> Option<Vec<usize>> {
+fn nonzero_dependencies<'e>(mut slopes: impl Iterator<Item = Option<(usize, &'e Entry)>>) -> Option<Vec<usize>> {
     slopes.try_fold(Vec::new(), |mut list, slope| {
         let (reference, entry) = slope?;
         if !matches!(entry, Entry::Zero) {

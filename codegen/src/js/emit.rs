@@ -1,9 +1,9 @@
 //! JavaScript modules for any model file, with the modules that integrate them.
 
-use super::{Module, RUNNERS, Written};
+use super::{Module, RUNNERS, WrittenEquations};
 use crate::emit::Emission;
 use crate::origin::{EMIT, Origin};
-use crate::plan::{MotionPlan, Watched, module_name};
+use crate::plan::{MotionPlan, WatchedQuantity, module_name};
 use crate::target::{self, Target};
 use std::collections::BTreeMap;
 use tripos_derive::algebra::Arena;
@@ -20,24 +20,24 @@ pub const EXTENSION: &str = "mjs";
 ///
 /// # Errors
 /// [`Diagnostics`] of the model file or the publication, or of a given formulation that the model does not support.
-pub fn emit_model(model: &Model, formulations: &[Formulation]) -> Result<Emission, Diagnostics> {
-    let mut modules = Modules::new(model)?;
-    let left_out = target::write(model, formulations, &mut modules)?;
+pub fn emit_javascript_modules(model: &Model, formulations: &[Formulation]) -> Result<Emission, Diagnostics> {
+    let mut modules = JavaScriptModules::new(model)?;
+    let left_out = target::write_equations_to_target(model, formulations, &mut modules)?;
     Ok(Emission { files: modules.files, left_out, command: EMIT, extensions: &[EXTENSION] })
 }
 
 /// JavaScript modules of a model while they are written, as a target.
-struct Modules {
+struct JavaScriptModules {
     /// Source file and command, as the header of each module states them.
     origin: Origin,
     /// Texts of the modules, by file name.
     files: BTreeMap<String, String>,
     /// Equations that give the reactions; `None` if no condition of the domain contains a reaction,
     /// or if the reactions cannot be derived.
-    balance: Option<Written>,
+    balance: Option<WrittenEquations>,
 }
 
-impl Target for Modules {
+impl Target for JavaScriptModules {
     fn files(&self) -> &BTreeMap<String, String> {
         &self.files
     }
@@ -46,32 +46,33 @@ impl Target for Modules {
         format!("{}.{EXTENSION}", module_name(equations))
     }
 
-    fn derived(&mut self, model: &Model, derivation: Derivation) -> Result<(), Diagnostics> {
-        let written = Written::solved(derivation).map_err(|why| model.diagnose(&why))?;
-        self.add(model, &written, &self.origin.of_model());
+    fn write_derived_equations(&mut self, model: &Model, derivation: Derivation) -> Result<(), Diagnostics> {
+        let written = WrittenEquations::solve_for_accelerations(derivation).map_err(|why| model.diagnose(&why))?;
+        self.add(model, &written, &self.origin.model_origin_sentence());
         Ok(())
     }
 
     fn printed(&mut self, model: &Model, arena: &Arena, equations: &Equations) {
-        let written = Written { arena: arena.clone(), equations: equations.clone(), solved: None };
-        self.add(model, &written, &self.origin.of_publication());
+        let written = WrittenEquations { arena: arena.clone(), equations: equations.clone(), solved: None };
+        self.add(model, &written, &self.origin.publication_origin_sentence());
     }
 }
 
-impl Modules {
+impl JavaScriptModules {
     /// Starts the files of a model with the runner modules, and derives the equations for reactions
     /// if conditions need them.
     /// `Err` if the model cannot be derived.
     fn new(model: &Model) -> Result<Self, Diagnostics> {
-        let origin = Origin::emitted(&model.source.path, EMIT);
-        let header = format!("// {}\n//\n", origin.of_shared_files());
+        let origin = Origin::origin_of_model_file(&model.source.path, EMIT);
+        let header = format!("// {}\n//\n", origin.shared_file_origin_sentence());
         let runners = RUNNERS.map(|(name, text)| (format!("{name}.{EXTENSION}"), header.clone() + text));
-        let balance = Written::balance(model, model.domain.iter().map(|condition| condition.positive))?;
+        let balance =
+            WrittenEquations::reaction_equations(model, model.domain.iter().map(|condition| condition.positive))?;
         Ok(Self { origin, files: runners.into(), balance })
     }
 
     /// Writes the module of one set of equations. `origin` is the header sentence.
-    fn add(&mut self, model: &Model, written: &Written, origin: &str) {
+    fn add(&mut self, model: &Model, written: &WrittenEquations, origin: &str) {
         let file = self.file_of(&written.equations.name(model));
         let text = self.module(model, written, origin);
         self.files.insert(file, text);
@@ -79,11 +80,11 @@ impl Modules {
 
     /// Returns the text of the module of one set of equations, with the conditions of the model's
     /// domain watched.
-    fn module(&self, model: &Model, written: &Written, origin: &str) -> String {
+    fn module(&self, model: &Model, written: &WrittenEquations, origin: &str) -> String {
         let (own, balance) = (written.planner(model), self.balance.as_ref().map(|balance| balance.planner(model)));
         let names: Vec<String> = model.domain.iter().map(|c| format!("{} ({})", c.name, c.text)).collect();
         let values = model.domain.iter().map(|condition| condition.positive);
-        let watched = names.iter().cloned().zip(values).map(|(name, value)| Watched { name, value });
+        let watched = names.iter().cloned().zip(values).map(|(name, value)| WatchedQuantity { name, value });
         let plan = MotionPlan::new(&own, written.solved.as_ref(), &watched.collect::<Vec<_>>(), balance.as_ref());
         Module { planner: &own, plan: &plan, watched: &names, beside: &[], origin }.text()
     }

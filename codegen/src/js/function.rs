@@ -2,20 +2,20 @@
 
 use super::syntax::JavaScript;
 use crate::plan::{Argument, Entry, Function, Parts, Returns};
-use crate::syntax::{Comments, Writer};
+use crate::syntax::{CodeWriter, Comments};
 
 /// Writer of planned functions as JavaScript text.
-pub struct Functions {
+pub struct JavaScriptFunctionWriter {
     /// Writer of the lines of the functions, with the text so far.
-    pub lines: Writer<'static>,
+    pub lines: CodeWriter<'static>,
 }
 
-impl Functions {
+impl JavaScriptFunctionWriter {
     /// Returns a writer of JavaScript functions, without any text yet. `comments` says if comments
     /// are written.
     #[must_use]
     pub fn new(comments: Comments) -> Self {
-        Self { lines: Writer::new(&JavaScript, comments) }
+        Self { lines: CodeWriter::new(&JavaScript, comments) }
     }
 
     /// Writes a planned function. If it is long, the functions of its parts come first.
@@ -23,7 +23,7 @@ impl Functions {
         if let Some(parts) = &planned.parts {
             self.parts(planned, parts);
         }
-        self.lines.gap();
+        self.lines.write_empty_line();
         self.lines.comment(&planned.about);
         self.lines.comment(&format!("{}.", planned.cost));
         let arguments: Vec<&str> = planned.arguments.iter().map(Argument::name).collect();
@@ -32,19 +32,19 @@ impl Functions {
         match &planned.parts {
             Some(parts) => {
                 self.lines.line(&format!("const values = new Array({}).fill(0);", parts.places));
-                let given = given(planned);
+                let given = part_function_arguments(planned);
                 for at in 1..=parts.list.len() {
                     self.lines.line(&format!("{}({}values);", part_name(planned, at), given));
                 }
-                self.lines.unpack(&parts.arguments);
-                self.lines.taken("values", &parts.results);
+                self.lines.declare_arguments(&parts.arguments);
+                self.lines.declare_array_entries("values", &parts.results);
             }
             None => {
-                self.lines.unpack(&planned.arguments);
+                self.lines.declare_arguments(&planned.arguments);
                 self.lines.program(planned, &planned.program, &[]);
             }
         }
-        self.lines.line(&format!("return {};", result(planned.returns, &planned.entries)));
+        self.lines.line(&format!("return {};", javascript_return_expression(planned.returns, &planned.entries)));
         self.lines.indent("");
         self.lines.line("}");
     }
@@ -53,11 +53,15 @@ impl Functions {
     /// in the array `values`.
     fn parts(&mut self, planned: &Function, parts: &Parts) {
         for (at, part) in parts.list.iter().enumerate() {
-            self.lines.gap();
-            self.lines.line(&format!("function {}({}values) {{", part_name(planned, at + 1), given(planned)));
+            self.lines.write_empty_line();
+            self.lines.line(&format!(
+                "function {}({}values) {{",
+                part_name(planned, at + 1),
+                part_function_arguments(planned)
+            ));
             self.lines.indent("  ");
-            self.lines.unpack(&part.arguments);
-            self.lines.taken("values", &part.reads);
+            self.lines.declare_arguments(&part.arguments);
+            self.lines.declare_array_entries("values", &part.reads);
             self.lines.program(planned, &part.program, &part.writes);
             for (place, name) in &part.writes {
                 self.lines.line(&format!("values[{place}] = {name};"));
@@ -76,13 +80,13 @@ fn part_name(planned: &Function, at: usize) -> String {
 
 /// Returns the arguments of a long function, each followed by a comma. The functions of its parts
 /// take the same arguments.
-fn given(planned: &Function) -> String {
+fn part_function_arguments(planned: &Function) -> String {
     planned.arguments.iter().flat_map(|argument| [argument.name(), ", "]).collect()
 }
 
 /// Returns the expression after `return`: a number, an array, a pair of arrays, or an array of
 /// rows.
-fn result(returns: Returns, entries: &[Entry]) -> String {
+fn javascript_return_expression(returns: Returns, entries: &[Entry]) -> String {
     let names: Vec<&str> = entries.iter().map(|e| if let Entry::Variable(name) = e { name } else { "0" }).collect();
     let array = |list: &[&str]| format!("[{}]", list.join(", "));
     let rows = |columns: usize| {

@@ -5,16 +5,16 @@
 
 pub mod emit;
 mod function;
+mod javascript_names;
+mod javascript_strings;
 mod module;
-mod names;
 mod syntax;
-mod text;
 mod written_equations;
 
+pub use javascript_names::{LANGUAGE, is_name};
+pub use javascript_strings::{javascript_string, without_module_syntax};
 pub use module::Module;
-pub use names::{LANGUAGE, is_name};
-pub use text::{in_page, string};
-pub use written_equations::Written;
+pub use written_equations::WrittenEquations;
 
 /// JavaScript sources that run the modules, each with its name: the integrator, the projection onto
 /// constraints, and runs that use both.

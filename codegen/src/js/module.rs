@@ -1,11 +1,11 @@
 //! Text of a JavaScript module for one set of equations: its names, its functions, and the data
 //! that runs need.
 
-use super::function::Functions;
+use super::function::JavaScriptFunctionWriter;
+use super::javascript_strings::{javascript_string, javascript_string_array, without_module_syntax};
 use super::syntax::JavaScript;
-use super::text::{in_page, string, strings};
 use crate::plan::{Function, MotionPlan, Planner};
-use crate::syntax::{Comments, Writer, constant};
+use crate::syntax::{CodeWriter, Comments, number_literal};
 use tripos_derive::Model;
 
 /// JavaScript source of a solver for linear systems. Modules contain it if accelerations are not
@@ -32,7 +32,7 @@ const FUNCTIONS: [&str; 6] =
     ["accelerations", "coordinate_rates", "derivative", "generalized_speeds", "motion_variables", "reactions"];
 
 /// Names of planned functions that no run in a page calls.
-const NOT_RUN: [&str; 1] = ["power"];
+const FUNCTIONS_WITHOUT_RUN: [&str; 1] = ["power"];
 
 /// Contents of a JavaScript module: a plan, the watched quantities and further functions.
 pub struct Module<'a> {
@@ -53,7 +53,7 @@ impl Module<'_> {
     /// Returns the text of the module with its header and comments.
     #[must_use]
     pub fn text(&self) -> String {
-        let mut functions = Functions::new(Comments::Written);
+        let mut functions = JavaScriptFunctionWriter::new(Comments::Written);
         self.header(&mut functions.lines);
         self.names(&mut functions.lines);
         self.functions(&mut functions);
@@ -63,15 +63,15 @@ impl Module<'_> {
     /// Returns a JavaScript expression for a page. Its value is an object with all exports of the
     /// module; it has no comments.
     #[must_use]
-    pub fn object(&self) -> String {
-        let mut functions = Functions::new(Comments::LeftOut);
+    pub fn javascript_module_object(&self) -> String {
+        let mut functions = JavaScriptFunctionWriter::new(Comments::LeftOut);
         self.names(&mut functions.lines);
         self.functions(&mut functions);
         let mut exports: Vec<&str> = NAMES.to_vec();
         exports.extend(FUNCTIONS.iter().filter(|name| !self.is_left_out(name, Comments::LeftOut)));
         let planned = self.plan.functions.iter().chain(self.beside).map(|function| function.name);
         exports.extend(planned.filter(|name| !FUNCTIONS.contains(name) && !self.is_left_out(name, Comments::LeftOut)));
-        format!("(() => {{\n{}return {{ {} }};\n}})()", in_page(&functions.lines.out), exports.join(", "))
+        format!("(() => {{\n{}return {{ {} }};\n}})()", without_module_syntax(&functions.lines.out), exports.join(", "))
     }
 
     fn model(&self) -> &Model {
@@ -80,7 +80,7 @@ impl Module<'_> {
 
     /// Writes the header: title, origin, facts about the equations, quantities that cannot be
     /// watched, and usage.
-    fn header(&self, writer: &mut Writer<'_>) {
+    fn header(&self, writer: &mut CodeWriter<'_>) {
         let (model, e) = (self.model(), self.planner.equations);
         writer.comment(&format!("{}: {}, {}.", model.title, e.title(model), e.formulation.equation(model)));
         writer.out.push_str("//\n");
@@ -96,55 +96,59 @@ impl Module<'_> {
             "Functions take parameters p, coordinates q and motion variables, arrays in the order of PARAMETERS, COORDINATES and VARIABLES; \
              `run` of run.mjs integrates them.",
         );
-        writer.gap();
+        writer.write_empty_line();
     }
 
     /// Writes the exported constants: names and default values of parameters, and names of
     /// coordinates, speeds, divisors, conditions and constraints.
-    fn names(&self, writer: &mut Writer<'_>) {
+    fn names(&self, writer: &mut CodeWriter<'_>) {
         let (model, e) = (self.model(), self.planner.equations);
-        writer.raw(&format!("export const TITLE = {};", string(&format!("{}, {}", model.title, e.title(model)))));
-        writer.gap();
+        writer.write_unbroken(&format!(
+            "export const TITLE = {};",
+            javascript_string(&format!("{}, {}", model.title, e.title(model)))
+        ));
+        writer.write_empty_line();
         for p in &model.parameters {
             let about = if p.about.is_empty() { "parameter" } else { &p.about };
             writer.comment(&format!("{}: {about}, {}", p.name, p.unit));
         }
-        let list = |names: &mut dyn Iterator<Item = &str>| strings(names);
+        let list = |names: &mut dyn Iterator<Item = &str>| javascript_string_array(names);
         let parameters = list(&mut model.parameters.iter().map(|p| p.name.as_str()));
-        writer.raw(&format!("export const PARAMETERS = {parameters};"));
+        writer.write_unbroken(&format!("export const PARAMETERS = {parameters};"));
         let values = model
             .parameters
             .iter()
-            .map(|p| p.value.as_ref().map_or_else(|| "null".to_owned(), |v| constant(&JavaScript, v)));
+            .map(|p| p.value.as_ref().map_or_else(|| "null".to_owned(), |v| number_literal(&JavaScript, v)));
         writer.comment("What the model file states of them.");
-        writer.raw(&format!("export const DEFAULTS = [{}];", values.collect::<Vec<_>>().join(", ")));
+        writer.write_unbroken(&format!("export const DEFAULTS = [{}];", values.collect::<Vec<_>>().join(", ")));
         for coordinate in model.coordinates.iter().filter(|c| !c.about.is_empty()) {
             writer.comment(&format!("{}: {}", coordinate.name, coordinate.about));
         }
         let coordinates = list(&mut model.coordinates.iter().map(|c| c.name.as_str()));
-        writer.raw(&format!("export const COORDINATES = {coordinates};"));
+        writer.write_unbroken(&format!("export const COORDINATES = {coordinates};"));
         let variables = list(&mut e.variables.iter().filter_map(|v| self.planner.arena.symbol_name(*v)));
-        writer.raw(&format!("export const VARIABLES = {variables};"));
+        writer.write_unbroken(&format!("export const VARIABLES = {variables};"));
         let speeds = list(&mut model.speeds.iter().map(|s| s.name.as_str()));
-        writer.raw(&format!("export const SPEEDS = {speeds};"));
+        writer.write_unbroken(&format!("export const SPEEDS = {speeds};"));
         writer.comment("What the equations divide by, and what must be positive for them to hold.");
         let divisors = list(&mut self.plan.divisors.iter().map(String::as_str));
-        writer.raw(&format!("export const DIVISORS = {divisors};"));
+        writer.write_unbroken(&format!("export const DIVISORS = {divisors};"));
         let conditions = list(&mut self.plan.conditions.iter().map(|at| self.watched[*at].as_str()));
-        writer.raw(&format!("export const CONDITIONS = {conditions};"));
+        writer.write_unbroken(&format!("export const CONDITIONS = {conditions};"));
         writer.comment(
             "What a run drifts from unless it is kept there; first, so many of them, the loops, which tie coordinates.",
         );
         let constraints = list(&mut self.plan.constraints.iter().map(String::as_str));
-        writer.raw(&format!("export const CONSTRAINTS = {constraints};"));
-        writer.raw(&format!("export const LOOPS = {};", model.loops.len()));
+        writer.write_unbroken(&format!("export const CONSTRAINTS = {constraints};"));
+        writer.write_unbroken(&format!("export const LOOPS = {};", model.loops.len()));
     }
 
     /// True if a page does not need the function `name`: another function computes its values, or
     /// no run calls it. Always false for modules with comments.
     fn is_left_out(&self, name: &str, comments: Comments) -> bool {
         let together = ["accelerations", "coordinate_rates"];
-        comments == Comments::LeftOut && (together.contains(&name) && self.has("derivative") || NOT_RUN.contains(&name))
+        comments == Comments::LeftOut
+            && (together.contains(&name) && self.has("derivative") || FUNCTIONS_WITHOUT_RUN.contains(&name))
     }
 
     /// True if the plan contains a function with this name.
@@ -154,10 +158,10 @@ impl Module<'_> {
 
     /// Writes the planned functions, then the required functions that are not planned, as calls of
     /// planned functions.
-    fn functions(&self, functions: &mut Functions) {
+    fn functions(&self, functions: &mut JavaScriptFunctionWriter) {
         let comments = functions.lines.comments();
         if !self.plan.is_solved || !self.plan.balance.is_empty() {
-            functions.lines.gap();
+            functions.lines.write_empty_line();
             functions.lines.out.push_str(SOLVE);
         }
         let planned = self.plan.functions.iter().filter(|planned| !self.is_left_out(planned.name, comments));
@@ -168,7 +172,7 @@ impl Module<'_> {
         let own = if self.planner.equations.formulation.is_in_rates() { "q_dot" } else { "u" };
         let mut made = |name: &str, arguments: &str, about: &str, value: &str| {
             if !self.has(name) && !self.is_left_out(name, comments) {
-                writer.gap();
+                writer.write_empty_line();
                 writer.comment(about);
                 writer.line(&format!("export function {name}(p, q, {arguments}) {{"));
                 writer.line(&format!("  return {value};"));

@@ -1,7 +1,7 @@
 //! Syntax of JavaScript expressions and statements, in double precision.
 
-use crate::syntax::{Syntax, assigned};
-use tripos_derive::plain::{one_line, visible};
+use crate::syntax::{Syntax, assignments};
+use tripos_derive::plain_text::{one_line, with_visible_characters};
 
 /// JavaScript as a language for formulas. A product and a sum are never fused into one operation.
 pub struct JavaScript;
@@ -11,8 +11,8 @@ impl Syntax for JavaScript {
         "//"
     }
 
-    fn harmless(&self, text: &str) -> String {
-        visible(&one_line(text)).replace('<', "< ").replace("<  ", "< ").replace("-->", "-- >")
+    fn escape_comment(&self, text: &str) -> String {
+        with_visible_characters(&one_line(text)).replace('<', "< ").replace("<  ", "< ").replace("-->", "-- >")
     }
 
     fn not_a_number(&self) -> &'static str {
@@ -33,7 +33,7 @@ impl Syntax for JavaScript {
     }
 
     fn declare(&self, out: &mut String, indent: &str, list: &[(String, String)]) {
-        self.statement(out, indent, &format!("const {};", assigned(list, ", ")));
+        self.statement(out, indent, &format!("const {};", assignments(list, ", ")));
     }
 }
 
@@ -42,13 +42,13 @@ mod tests {
     use super::*;
     use crate::syntax::formula;
     use tripos_derive::algebra::Arena;
+    use tripos_derive::algebra::text::display_tree::{SharedNames, display_tree};
     use tripos_derive::algebra::text::parse::parse_primed;
-    use tripos_derive::algebra::text::view::{Shared, view};
 
     fn written(text: &str) -> String {
         let mut arena = Arena::default();
         let e = parse_primed(&mut arena, text, 0, &mut |arena, name| Ok(arena.symbol(name))).unwrap();
-        formula(&JavaScript, &view(&arena, e, &Shared::default(), usize::MAX))
+        formula(&JavaScript, &display_tree(&arena, e, &SharedNames::default(), usize::MAX))
     }
 
     /// Goal: the written expression has the value of the formula, by the precedence of the language. Method: forms in

@@ -11,7 +11,7 @@ use tripos_derive::mechanics::{Derivation, DeriveError, Unsolved, accelerations}
 use tripos_derive::{Equations, Formulation, Model, derive};
 
 /// Equations of a model with all data from which their functions are planned.
-pub struct Written {
+pub struct WrittenEquations {
     /// Arena with the terms of the equations and of the elimination.
     pub arena: Arena,
     /// Equations with their terms in the form in which they are printed.
@@ -21,14 +21,14 @@ pub struct Written {
     pub solved: Option<Elimination>,
 }
 
-impl Written {
+impl WrittenEquations {
     /// Takes derived equations and solves them for the accelerations. If the accelerations are not
     /// determined, the linear system is left for a numeric solve.
     ///
     /// # Errors
     /// [`DeriveError::Unsolved`] if the accelerations were found but are not proved.
-    pub fn solved(derivation: Derivation) -> Result<Self, DeriveError> {
-        let mut written = Self::unsolved(derivation);
+    pub fn solve_for_accelerations(derivation: Derivation) -> Result<Self, DeriveError> {
+        let mut written = Self::keep_linear_system(derivation);
         let solved = accelerations(&mut written.arena, &mut Simplifier::default(), &written.equations);
         written.solved = match solved {
             Ok(solved) => Some(solved),
@@ -40,8 +40,8 @@ impl Written {
 
     /// Takes derived equations whose linear system is left for a numeric solve.
     #[must_use]
-    pub fn unsolved(Derivation { mut arena, equations }: Derivation) -> Self {
-        let equations = equations.written(&mut arena);
+    pub fn keep_linear_system(Derivation { mut arena, equations }: Derivation) -> Self {
+        let equations = equations.with_definitions(&mut arena);
         Self { arena, equations, solved: None }
     }
 
@@ -50,13 +50,16 @@ impl Written {
     ///
     /// # Errors
     /// [`Diagnostics`] if the derivation fails for another reason.
-    pub fn balance(model: &Model, mut terms: impl Iterator<Item = Expr>) -> Result<Option<Self>, Diagnostics> {
+    pub fn reaction_equations(
+        model: &Model,
+        mut terms: impl Iterator<Item = Expr>,
+    ) -> Result<Option<Self>, Diagnostics> {
         let asks = |e| model.reactions.iter().any(|reaction| model.arena.mentions(e, reaction.symbol));
         if !terms.any(asks) {
             return Ok(None);
         }
         match derive(model, Formulation::NewtonEuler) {
-            Ok(derivation) => Ok(Some(Self::unsolved(derivation))),
+            Ok(derivation) => Ok(Some(Self::keep_linear_system(derivation))),
             Err(error) if error.is_unsupported() => Ok(None),
             Err(error) => Err(model.diagnose(&error)),
         }

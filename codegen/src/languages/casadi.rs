@@ -1,12 +1,15 @@
 //! CasADi as a target: one Python module of symbolic functions for each set of equations, and one
 //! module of helpers.
 
-use super::module::table;
+use super::module_contents::result_matrix_size;
 use super::python::names::LANGUAGE;
-use super::python::text::{array_of_entries, declare, docstring, float, harmless, names_and_values, value};
-use super::{Composite, Dialect, Module};
+use super::python::text::{
+    array_of_entries, docstring, escape_python_comment, names_and_values, python_number_literal,
+    write_python_declarations, write_python_expression,
+};
+use super::{CompositeFunction, Dialect, Module};
 use crate::plan::{Argument, Entry, Function, Language, Returns};
-use crate::syntax::{Comments, Syntax, Writer};
+use crate::syntax::{CodeWriter, Comments, Syntax};
 
 /// Text of the Python module of helpers, `tripos_casadi.py`.
 const SHARED: &str = include_str!("casadi/tripos_casadi.py");
@@ -22,12 +25,12 @@ impl Syntax for CasADi {
         "#"
     }
 
-    fn harmless(&self, text: &str) -> String {
-        harmless(text)
+    fn escape_comment(&self, text: &str) -> String {
+        escape_python_comment(text)
     }
 
-    fn whole(&self, digits: &str) -> String {
-        float(digits)
+    fn integer_literal(&self, digits: &str) -> String {
+        python_number_literal(digits)
     }
 
     fn not_a_number(&self) -> &'static str {
@@ -51,7 +54,7 @@ impl Syntax for CasADi {
     }
 
     fn declare(&self, out: &mut String, indent: &str, list: &[(String, String)]) {
-        declare(out, indent, list);
+        write_python_declarations(out, indent, list);
     }
 }
 
@@ -73,40 +76,40 @@ impl Dialect for CasADi {
     }
 
     fn files(&self, module: &Module<'_>) -> Vec<(String, String)> {
-        vec![(self.main_file(module.model_word, module.equations_word), module_text(module))]
+        vec![(self.main_file(module.model_word, module.equations_word), casadi_module_text(module))]
     }
 
     fn shared_files(&self, origin: &str) -> Vec<(String, String)> {
-        let mut writer = Writer::new(self, Comments::Written);
+        let mut writer = CodeWriter::new(self, Comments::Written);
         writer.origin(origin);
         vec![(format!("{HELPERS}.py"), writer.out + SHARED)]
     }
 
-    fn composites(&self) -> &'static [Composite] {
-        &[Composite::Unknowns, Composite::Reactions, Composite::Ode, Composite::Dae]
+    fn composites(&self) -> &'static [CompositeFunction] {
+        &[CompositeFunction::Unknowns, CompositeFunction::Reactions, CompositeFunction::Ode, CompositeFunction::Dae]
     }
 }
 
 /// Returns the text of the Python module for one set of equations: names, functions, and tables of
 /// arguments and lengths.
-fn module_text(module: &Module<'_>) -> String {
-    let mut writer = Writer::new(&CasADi, Comments::Written);
+fn casadi_module_text(module: &Module<'_>) -> String {
+    let mut writer = CodeWriter::new(&CasADi, Comments::Written);
     let usage = "Functions take parameters p, coordinates q and motion variables, in the order of PARAMETERS, COORDINATES and \
                  VARIABLES, as columns of SX, MX or DM, and return expressions. `function(name)` makes a casadi.Function of \
                  one of them.";
     module.header(&mut writer, &module.title(), usage);
-    writer.gap();
-    writer.raw(&docstring(&module.title()));
-    writer.raw(&format!("import casadi\n\nimport {HELPERS} as _helpers\n"));
+    writer.write_empty_line();
+    writer.write_unbroken(&docstring(&module.title()));
+    writer.write_unbroken(&format!("import casadi\n\nimport {HELPERS} as _helpers\n"));
     names_and_values(&mut writer, module, "casadi.nan");
     for planned in &module.plan.functions {
         function(&mut writer, planned);
     }
-    module.composites.iter().for_each(|composite| composed(&mut writer, module, *composite));
+    module.composites.iter().for_each(|composite| write_composite_casadi_function(&mut writer, module, *composite));
     let (e, v) = (module.equations(), module.variables_argument());
-    writer.raw("\n");
+    writer.write_unbroken("\n");
     writer.comment("Lengths of the arguments.");
-    writer.raw(&format!(
+    writer.write_unbroken(&format!(
         "LENGTHS = {{\"p\": {}, \"q\": {}, \"{v}\": {}, \"v_dot\": {}, \"x\": {}{}}}",
         module.model().parameters.len(),
         e.coordinates.len(),
@@ -116,18 +119,18 @@ fn module_text(module: &Module<'_>) -> String {
         if e.formulation.is_in_rates() { format!(", \"u\": {}", module.model().speeds.len()) } else { String::new() },
     ));
     writer.comment("Functions by name, with their arguments.");
-    writer.raw("FUNCTIONS = {");
+    writer.write_unbroken("FUNCTIONS = {");
     for planned in &module.plan.functions {
         let names: Vec<String> = planned.arguments.iter().map(|argument| format!("\"{}\"", argument.name())).collect();
-        writer.raw(&format!("    \"{0}\": ({0}, [{1}]),", planned.name, names.join(", ")));
+        writer.write_unbroken(&format!("    \"{0}\": ({0}, [{1}]),", planned.name, names.join(", ")));
     }
-    for composite in [Composite::Unknowns, Composite::Reactions] {
+    for composite in [CompositeFunction::Unknowns, CompositeFunction::Reactions] {
         if module.composites.contains(&composite) {
-            writer.raw(&format!("    \"{0}\": ({0}, [\"p\", \"q\", \"{v}\"]),", composite.name()));
+            writer.write_unbroken(&format!("    \"{0}\": ({0}, [\"p\", \"q\", \"{v}\"]),", composite.name()));
         }
     }
-    writer.raw("}\n\n");
-    writer.raw(
+    writer.write_unbroken("}\n\n");
+    writer.write_unbroken(
         "def function(name):\n    \"\"\"A casadi.Function of symbols with the names of the arguments.\"\"\"\n    \
          return _helpers.function(name, *FUNCTIONS[name], LENGTHS)",
     );
@@ -135,31 +138,31 @@ fn module_text(module: &Module<'_>) -> String {
 }
 
 /// Writes the Python definition of a planned function, with CasADi vectors and matrices as results.
-fn function(writer: &mut Writer<'_>, planned: &Function) {
+fn function(writer: &mut CodeWriter<'_>, planned: &Function) {
     let arguments: Vec<&str> = planned.arguments.iter().map(Argument::name).collect();
-    writer.raw("\n");
-    writer.raw(&format!("def {}({}):", planned.name, arguments.join(", ")));
+    writer.write_unbroken("\n");
+    writer.write_unbroken(&format!("def {}({}):", planned.name, arguments.join(", ")));
     writer.indent("    ");
-    writer.raw(&docstring(&format!("{}\n\n{}.", planned.about, planned.cost)));
-    writer.unpack(&planned.arguments);
+    writer.write_unbroken(&docstring(&format!("{}\n\n{}.", planned.about, planned.cost)));
+    writer.declare_arguments(&planned.arguments);
     writer.program(planned, &planned.program, &[]);
     let text = |entry: &Entry| match entry {
         Entry::Zero => "0".to_owned(),
         Entry::Variable(name) => name.clone(),
     };
     let entries: Vec<String> = planned.entries.iter().map(text).collect();
-    match (planned.returns, table(planned)) {
-        (Returns::Number, _) => value(&mut writer.out, "    ", "return ", &entries.concat()),
+    match (planned.returns, result_matrix_size(planned)) {
+        (Returns::Number, _) => write_python_expression(&mut writer.out, "    ", "return ", &entries.concat()),
         (Returns::System(side), _) => {
             let (matrix, right) = entries.split_at(side * side);
             array_of_entries(writer, &format!("first = _helpers.table({side}, {side}, ["), matrix, "])");
             array_of_entries(writer, "second = casadi.vertcat(", right, ")");
-            writer.raw("return first, second");
+            writer.write_unbroken("return first, second");
         }
         (Returns::Pair(first), _) => {
             array_of_entries(writer, "first = casadi.vertcat(", &entries[..first], ")");
             array_of_entries(writer, "second = casadi.vertcat(", &entries[first..], ")");
-            writer.raw("return first, second");
+            writer.write_unbroken("return first, second");
         }
         (_, Some([rows, columns])) => {
             array_of_entries(writer, &format!("return _helpers.table({rows}, {columns}, ["), &entries, "])");
@@ -170,20 +173,20 @@ fn function(writer: &mut Writer<'_>, planned: &Function) {
 }
 
 /// Writes a Python function that calls planned functions: a linear solve, `ode` or `dae`.
-fn composed(writer: &mut Writer<'_>, module: &Module<'_>, composite: Composite) {
+fn write_composite_casadi_function(writer: &mut CodeWriter<'_>, module: &Module<'_>, composite: CompositeFunction) {
     let v = module.variables_argument();
-    writer.raw("\n");
-    writer.raw(&match composite {
-        Composite::Unknowns => format!(
+    writer.write_unbroken("\n");
+    writer.write_unbroken(&match composite {
+        CompositeFunction::Unknowns => format!(
             "def unknowns(p, q, {v}):\n    \"\"\"The accelerations, then the reactions or multipliers: the solution of the linear \
              system.\"\"\"\n    return casadi.solve(mass_matrix(p, q, {v}), forcing(p, q, {v}))"
         ),
-        Composite::Reactions => format!(
+        CompositeFunction::Reactions => format!(
             "def reactions(p, q, {v}):\n    \"\"\"The reactions, in the order of UNKNOWNS after the accelerations.\"\"\"\n    \
              return casadi.solve(mass_matrix(p, q, {v}), forcing(p, q, {v}))[{}:]",
             module.equations().variables.len()
         ),
-        Composite::Ode => format!(
+        CompositeFunction::Ode => format!(
             "def ode():\n    \"\"\"The ordinary differential equation of x = (q, {v}) with parameters p, as casadi.integrator takes \
              it.\"\"\"\n    return _helpers.ode(derivative, LENGTHS, \"{v}\")"
         ),

@@ -4,7 +4,7 @@ use tripos_derive::Equations;
 
 /// Function that a language writes in addition to the planned functions, and that calls them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Composite {
+pub enum CompositeFunction {
     /// Solves the linear system in numbers for all unknowns: the accelerations, then the reactions
     /// or multipliers.
     Unknowns,
@@ -27,7 +27,7 @@ pub enum Composite {
     Dae,
 }
 
-impl Composite {
+impl CompositeFunction {
     /// Returns the name of the function in the generated module.
     #[must_use]
     pub const fn name(self) -> &'static str {
@@ -60,11 +60,11 @@ impl Composite {
     /// equations whose only unknowns are accelerations, and `Reactions` needs reactions among the
     /// unknowns.
     #[must_use]
-    pub fn suits(self, equations: &Equations) -> bool {
+    pub fn exists_for_equations(self, equations: &Equations) -> bool {
         let has_more = equations.unknowns.len() > equations.variables.len();
         match self {
             Self::StateMass | Self::StateForcing => !has_more,
-            Self::Reactions => has_more && equations.formulation.carries_reactions(),
+            Self::Reactions => has_more && equations.formulation.has_reactions(),
             Self::Unknowns | Self::Project | Self::StateDerivative | Self::Ode | Self::Dae => true,
         }
     }

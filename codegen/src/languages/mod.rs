@@ -7,18 +7,18 @@
 pub mod c;
 pub mod casadi;
 mod composite;
+mod language_target;
 pub mod matlab;
-mod module;
+mod module_contents;
 pub mod python;
 mod scene_run;
-mod target;
 
-pub use composite::Composite;
-pub use module::Module;
-pub(crate) use module::word;
+pub use composite::CompositeFunction;
+pub(crate) use language_target::model_name_of_origin;
+pub use language_target::{LanguageEmission, Selection, emit_model};
+pub use module_contents::Module;
+pub(crate) use module_contents::identifier_word;
 pub use scene_run::SceneRun;
-pub(crate) use target::stem_of;
-pub use target::{Emitted, Selection, emit_model};
 
 use crate::plan::Language;
 
@@ -54,5 +54,5 @@ pub trait Dialect {
 
     /// Lists the functions that modules can contain in addition to the planned functions, and that
     /// call these.
-    fn composites(&self) -> &'static [Composite];
+    fn composites(&self) -> &'static [CompositeFunction];
 }

@@ -4,7 +4,7 @@
 use crate::scene_files::scene_files;
 use tripos_derive::Model;
 use tripos_derive::diagnostic::Source;
-use tripos_derive::scene::{Scene, load_bound};
+use tripos_derive::scene::{Scene, load_scene_with_inputs};
 
 /// Start values and settings of a scene's run, for a simulation script.
 #[derive(Clone, Debug)]
@@ -28,18 +28,18 @@ impl SceneRun {
     /// `None` if there is no scene or it has errors. `None` also for a scene with impacts, with
     /// terminal events or with formulas for inputs, which no script can follow.
     #[must_use]
-    pub fn first(model: &Model) -> Option<Self> {
+    pub fn first_scene_run(model: &Model) -> Option<Self> {
         let place = scene_files(&model.source.path).into_iter().next()?;
         let mut bound = model.clone();
-        let scene = load_bound(&Source::read(&place).ok()?, &mut bound).ok()?;
-        Self::of(&scene, &bound)
+        let scene = load_scene_with_inputs(&Source::read(&place).ok()?, &mut bound).ok()?;
+        Self::plain_scene_run(&scene, &bound)
     }
 
     /// Returns the run of a scene; `bound` is the model with which the scene was read. `None` for a
     /// scene with impacts, with terminal events or with formulas for inputs, which no script can
     /// follow.
     #[must_use]
-    pub fn of(scene: &Scene, bound: &Model) -> Option<Self> {
+    pub fn plain_scene_run(scene: &Scene, bound: &Model) -> Option<Self> {
         let ends_early = scene.events.iter().any(|event| event.terminal);
         let is_plain = bound.bindings.is_empty() && scene.impacts.is_empty() && !ends_early;
         is_plain.then(|| Self {

@@ -1,13 +1,13 @@
 //! Cost of a planned function: its number of operations, counted over its program.
 
-use super::form::{constant_and_factors, led};
+use super::formula_form::{constant_and_factors, order_sum_for_fusion};
 use super::program::{Line, Program};
 use std::fmt;
-use tripos_derive::algebra::text::view::View;
+use tripos_derive::algebra::text::display_tree::DisplayTree;
 
 /// Number of operations in one call of a function. A fused multiply-add counts as two.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Cost {
+pub struct OperationCount {
     /// Number of additions, subtractions, multiplications, divisions and sign changes.
     pub operations: usize,
     /// Number of divisions; they are also counted in `operations`.
@@ -18,7 +18,7 @@ pub struct Cost {
     pub functions: usize,
 }
 
-impl Cost {
+impl OperationCount {
     /// Approximate cost of a division in additions. On current processors a division occupies its
     /// unit about four times as long.
     const DIVISION: usize = 4;
@@ -46,28 +46,33 @@ impl Cost {
     }
 
     /// Adds the operations of a formula to the count.
-    fn count(&mut self, view: &View) {
+    fn count(&mut self, view: &DisplayTree) {
         match view {
-            View::Number(_) | View::Name(_) | View::Word(_) | View::Shared(_) | View::Pi | View::Cut => {}
-            View::Sum(terms) => {
-                let opens_with_sign = terms[0].0 && led(terms)[0].0;
+            DisplayTree::Number(_)
+            | DisplayTree::Name(_)
+            | DisplayTree::Word(_)
+            | DisplayTree::Shared(_)
+            | DisplayTree::Pi
+            | DisplayTree::Cut => {}
+            DisplayTree::Sum(terms) => {
+                let opens_with_sign = terms[0].0 && order_sum_for_fusion(terms)[0].0;
                 self.operations += terms.len() - 1 + usize::from(opens_with_sign);
                 for (_, term) in terms {
                     self.count(term);
                 }
             }
-            View::Product(factors) => {
+            DisplayTree::Product(factors) => {
                 self.operations += factors.len().saturating_sub(1);
                 for factor in factors {
                     self.count(factor);
                 }
             }
-            View::Fraction(above, below) => self.count_fraction(above, below),
-            View::Power(base, n) => {
+            DisplayTree::Fraction(above, below) => self.count_fraction(above, below),
+            DisplayTree::Power(base, n) => {
                 self.operations += multiplications(base, *n);
                 self.count(base);
             }
-            View::Call(_, argument) | View::Root(argument) => {
+            DisplayTree::Call(_, argument) | DisplayTree::Root(argument) => {
                 self.functions += 1;
                 self.count(argument);
             }
@@ -76,7 +81,7 @@ impl Cost {
 
     /// Adds the operations of a fraction. The whole numbers in its numerator and denominator
     /// together are one constant.
-    fn count_fraction(&mut self, above: &View, below: &View) {
+    fn count_fraction(&mut self, above: &DisplayTree, below: &DisplayTree) {
         let (n, above) = constant_and_factors(above);
         let (d, below) = constant_and_factors(below);
         let has_constant = n != "1" || d != "1" || above.is_empty();
@@ -88,15 +93,15 @@ impl Cost {
 
 /// Returns the number of multiplications in the power `base`^n. It is n − 1 if the base is a name
 /// and n is 2 or 3, otherwise that of repeated squaring.
-fn multiplications(base: &View, n: i32) -> usize {
+fn multiplications(base: &DisplayTree, n: i32) -> usize {
     let n = n.unsigned_abs();
     match base {
-        View::Name(_) | View::Shared(_) if (2..=3).contains(&n) => n as usize - 1,
+        DisplayTree::Name(_) | DisplayTree::Shared(_) if (2..=3).contains(&n) => n as usize - 1,
         _ => (n.ilog2() + n.count_ones() - 1) as usize,
     }
 }
 
-impl fmt::Display for Cost {
+impl fmt::Display for OperationCount {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let plural = |n: usize, one: &str, many: &str| if n == 1 { format!("1 {one}") } else { format!("{n} {many}") };
         f.write_str(&plural(self.operations, "operation", "operations"))?;
@@ -114,14 +119,14 @@ impl fmt::Display for Cost {
 mod tests {
     use super::*;
     use tripos_derive::algebra::Arena;
+    use tripos_derive::algebra::text::display_tree::{SharedNames, display_tree};
     use tripos_derive::algebra::text::parse::parse_primed;
-    use tripos_derive::algebra::text::view::{Shared, view};
 
     fn cost(formula: &str) -> [usize; 3] {
         let mut arena = Arena::default();
         let e = parse_primed(&mut arena, formula, 0, &mut |arena, name| Ok(arena.symbol(name))).unwrap();
-        let mut cost = Cost::default();
-        cost.count(&view(&arena, e, &Shared::default(), usize::MAX));
+        let mut cost = OperationCount::default();
+        cost.count(&display_tree(&arena, e, &SharedNames::default(), usize::MAX));
         [cost.operations, cost.divisions, cost.functions]
     }
 

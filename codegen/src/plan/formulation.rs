@@ -1,16 +1,16 @@
 //! Plan of the functions of one formulation, and of the statements about them in its header.
 
-use super::function::{Arguments, Explanation, Function, Planner, Returns, Value};
-use super::names::spelled;
-use super::taylor::TaylorPlan;
+use super::function::{Arguments, Function, LineComments, Planner, Returns, Value};
+use super::names::name_without_primes;
+use super::taylor_plan::TaylorPlan;
 use crate::taylor::Recurrences;
 use std::ops::RangeInclusive;
 use tripos_derive::algebra::solve::elimination::Elimination;
 use tripos_derive::algebra::term::calculus::Substitution;
 use tripos_derive::algebra::term::steps::Definition;
-use tripos_derive::algebra::text::print::text;
+use tripos_derive::algebra::text::print::print_text;
 use tripos_derive::algebra::{Arena, Expr};
-use tripos_derive::mechanics::{Constrained, Divisors, EquationsOrigin, Solved, bare};
+use tripos_derive::mechanics::{Constrained, Divisors, EquationsOrigin, SolvedAccelerations, divisor_without_number};
 
 /// Largest number of elimination steps for which the function `derivative` is planned. It computes
 /// q̇ and v̇ together, with shared terms.
@@ -65,7 +65,7 @@ impl<'a> FormulationPlan<'a> {
     #[must_use]
     pub fn new(
         planner: &'a Planner<'a>,
-        solved: Option<&Solved>,
+        solved: Option<&SolvedAccelerations>,
         entries: Jacobian,
         recurrences: Option<&'a Recurrences>,
     ) -> Self {
@@ -75,7 +75,7 @@ impl<'a> FormulationPlan<'a> {
         equations.extend(solution);
         equations.extend(kinematics_and_energies(planner));
         if planner.equations.formulation.is_in_rates() {
-            equations.extend(conversions(planner));
+            equations.extend(plan_speed_conversions(planner));
         }
         let mut machine = solved.map_or_else(Vec::new, |solved| {
             let steps = &solved.accelerations.steps;
@@ -100,7 +100,7 @@ impl<'a> FormulationPlan<'a> {
             constraints: kept,
             taylor,
             solved_cost,
-            facts: facts(planner, solved.map(|solved| &solved.accelerations)),
+            facts: formulation_facts(planner, solved.map(|solved| &solved.accelerations)),
         }
     }
 }
@@ -110,7 +110,7 @@ impl<'a> FormulationPlan<'a> {
 pub(super) fn linear_system(planner: &Planner<'_>) -> (Vec<Function>, Option<Function>) {
     let e = planner.equations;
     let n = e.unknowns.len();
-    let place = |i: usize, j: usize| format!("{}{}", index(i, n), index(j, n));
+    let place = |i: usize, j: usize| format!("{}{}", entry_index_text(i, n), entry_index_text(j, n));
     let entries: Vec<Value> = (0..n * n)
         .map(|at| (at / n, at % n))
         .map(|(i, j)| (format!("m{}", place(i, j)), format!("M{}", place(i, j)), e.matrix[i][j]))
@@ -119,7 +119,7 @@ pub(super) fn linear_system(planner: &Planner<'_>) -> (Vec<Function>, Option<Fun
         .forcing
         .iter()
         .enumerate()
-        .map(|(i, value)| (format!("f{}", index(i, n)), format!("f{}", index(i, n)), *value))
+        .map(|(i, value)| (format!("f{}", entry_index_text(i, n)), format!("f{}", entry_index_text(i, n)), *value))
         .collect();
     let symmetry = if e.symmetric { "symmetric, rows" } else { "rows" };
     let product = e.formulation.equation(planner.model);
@@ -129,7 +129,7 @@ pub(super) fn linear_system(planner: &Planner<'_>) -> (Vec<Function>, Option<Fun
         format!("Right-hand side of the linear system; unknowns {}.", vector_text(planner.arena, &e.unknowns));
     let returns = Returns::Matrix { symmetric: e.symmetric };
     let planned = |name, about: &str, returns, values: &[Value]| {
-        planner.stepwise(name, about, Arguments::State, returns, &e.definitions, values)
+        planner.plan_function_in_steps(name, about, Arguments::State, returns, &e.definitions, values)
     };
     let apart = vec![
         planned("mass_matrix", &matrix_about, returns, &entries),
@@ -150,13 +150,13 @@ pub(super) fn accelerations(planner: &Planner<'_>, steps: &[Definition]) -> Func
     let unknowns = rates(planner);
     let about =
         format!("The accelerations {}, solved for when this code was generated.", vector_text(planner.arena, unknowns));
-    let values = named(names(planner.arena, unknowns).into_iter(), unknowns);
-    planner.stepwise("accelerations", &about, Arguments::State, Returns::Vector, steps, &values)
+    let values = named_values(names(planner.arena, unknowns).into_iter(), unknowns);
+    planner.plan_function_in_steps("accelerations", &about, Arguments::State, Returns::Vector, steps, &values)
 }
 
 /// Plans the function `jacobian`, which returns the square matrix ∂(q̇, v̇)/∂(q, v). `None` for
 /// large systems, whose code is differentiated as it runs.
-pub(super) fn jacobian(planner: &Planner<'_>, solved: &Solved) -> Option<Function> {
+pub(super) fn jacobian(planner: &Planner<'_>, solved: &SolvedAccelerations) -> Option<Function> {
     let e = planner.equations;
     if !solved.jacobian.direction.is_empty() {
         return None;
@@ -170,7 +170,7 @@ pub(super) fn jacobian(planner: &Planner<'_>, solved: &Solved) -> Option<Functio
         .collect();
     let about = format!("Jacobian of the derivative by the state; columns {}.", state.join(", "));
     let returns = Returns::Matrix { symmetric: false };
-    Some(planner.stepwise("jacobian", &about, Arguments::State, returns, &solved.jacobian.steps, &slopes))
+    Some(planner.plan_function_in_steps("jacobian", &about, Arguments::State, returns, &solved.jacobian.steps, &slopes))
 }
 
 /// Plans the function `parameter_jacobian`, which returns ∂(q̇, v̇)/∂p: a row for each rate, a
@@ -182,14 +182,18 @@ pub(super) fn parameter_jacobian(planner: &Planner<'_>, slopes: &tripos_derive::
     let values: Vec<Value> = rows.flat_map(|(rate, row)| slopes_of(&rate, &parameters, row)).collect();
     let about = format!("Slopes of the derivative along the parameters; columns {}.", parameters.join(", "));
     let returns = Returns::Table { columns: parameters.len() };
-    planner.stepwise("parameter_jacobian", &about, Arguments::State, returns, &slopes.steps, &values)
+    planner.plan_function_in_steps("parameter_jacobian", &about, Arguments::State, returns, &slopes.steps, &values)
 }
 
 /// Returns values to be computed for the derivatives of one rate by the quantities `along`, with
 /// their names.
 fn slopes_of(rate: &str, along: &[String], row: &[Expr]) -> Vec<Value> {
     let entry = |(by, value): (&String, &Expr)| {
-        (format!("{}_by_{}_value", spelled(rate), spelled(by)), format!("d({rate})/d({by})"), *value)
+        (
+            format!("{}_by_{}_value", name_without_primes(rate), name_without_primes(by)),
+            format!("d({rate})/d({by})"),
+            *value,
+        )
     };
     along.iter().zip(row).map(entry).collect()
 }
@@ -204,14 +208,21 @@ pub(super) fn residual(planner: &Planner<'_>) -> Function {
         .map(|i| {
             let products: Vec<Expr> = (0..n).map(|j| arena.mul(e.matrix[i][j], e.unknowns[j])).collect();
             let product = products.into_iter().fold(Expr::ZERO, |sum, term| arena.add(sum, term));
-            let name = format!("residual{}", index(i, n));
+            let name = format!("residual{}", entry_index_text(i, n));
             (name.clone(), name, arena.sub(product, e.forcing[i]))
         })
         .collect();
     let planner = Planner { arena: &arena, variables: planner.variables.clone(), ..*planner };
     let about =
         format!("Residual M x - f of the linear system, for any unknowns x = {}.", vector_text(&arena, &e.unknowns));
-    planner.stepwise("residual", &about, Arguments::StateAndUnknowns, Returns::Vector, &e.definitions, &values)
+    planner.plan_function_in_steps(
+        "residual",
+        &about,
+        Arguments::StateAndUnknowns,
+        Returns::Vector,
+        &e.definitions,
+        &values,
+    )
 }
 
 /// Plans the function `divisors`, which returns the divisors of q̇ and v̇ that may be zero. The
@@ -219,12 +230,13 @@ pub(super) fn residual(planner: &Planner<'_>) -> Function {
 pub(super) fn divisors(planner: &Planner<'_>, solved: Option<&Elimination>) -> (Option<Function>, Vec<String>) {
     let divisors = Divisors::of(planner.arena, planner.equations, solved);
     let names = divisors.names(planner.arena);
-    let name = |at: usize| format!("divisor{}", index(at, names.len()));
+    let name = |at: usize| format!("divisor{}", entry_index_text(at, names.len()));
     let named: Vec<Value> =
         divisors.values.iter().enumerate().map(|(at, value)| (name(at), name(at), *value)).collect();
     let about = "What the equations divide by: where one of these is zero, they have no value.";
-    let planned = (!named.is_empty())
-        .then(|| planner.stepwise("divisors", about, Arguments::State, Returns::Vector, &divisors.steps, &named));
+    let planned = (!named.is_empty()).then(|| {
+        planner.plan_function_in_steps("divisors", about, Arguments::State, Returns::Vector, &divisors.steps, &named)
+    });
     (planned, names)
 }
 
@@ -235,13 +247,13 @@ pub(super) fn constraints(planner: &Planner<'_>) -> Vec<Function> {
     if e.constraints.is_empty() {
         return Vec::new();
     }
-    let name = |at: usize| format!("residual{}", index(at, e.constraints.len()));
+    let name = |at: usize| format!("residual{}", entry_index_text(at, e.constraints.len()));
     let value = |(at, c): (usize, &Constrained)| (name(at), c.name.clone(), c.value);
     let values: Vec<Value> = e.constraints.iter().enumerate().map(value).collect();
     let state = names(planner.arena, &[e.coordinates.as_slice(), &e.variables].concat());
     let slopes_of = |(at, c): (usize, &Constrained)| {
         let slope = |(by, value): (&String, &Expr)| {
-            (format!("{}_by_{}", name(at), spelled(by)), format!("d({})/d({by})", c.name), *value)
+            (format!("{}_by_{}", name(at), name_without_primes(by)), format!("d({})/d({by})", c.name), *value)
         };
         state.iter().zip(&c.slopes).map(slope).collect::<Vec<_>>()
     };
@@ -249,7 +261,7 @@ pub(super) fn constraints(planner: &Planner<'_>) -> Vec<Function> {
     let about = "What is zero where the constraints hold, each in its own unit.";
     let about_slopes = format!("Slopes of the constraints, one after the other, along {}.", state.join(", "));
     let planned = |name, about, values: &[Value]| {
-        planner.stepwise(name, about, Arguments::State, Returns::Vector, &e.definitions, values)
+        planner.plan_function_in_steps(name, about, Arguments::State, Returns::Vector, &e.definitions, values)
     };
     vec![planned("constraints", about, &values), planned("constraint_slopes", &about_slopes, &slopes)]
 }
@@ -262,8 +274,9 @@ pub(super) fn redundant_constraints(planner: &Planner<'_>) -> Option<Function> {
     let values: Vec<Value> =
         closed.map(|(at, c)| (format!("redundant{}", at + 1), c.name.clone(), c.equation)).collect();
     let about = "What is zero wherever the loops are closed, unless numbers take a freedom from the mechanism.";
-    (!values.is_empty())
-        .then(|| planner.function("redundant_constraints", about, Arguments::Configuration, Returns::Vector, &values))
+    (!values.is_empty()).then(|| {
+        planner.plan_function("redundant_constraints", about, Arguments::Configuration, Returns::Vector, &values)
+    })
 }
 
 /// Returns the symbols of the accelerations v̇, one for each motion variable.
@@ -280,10 +293,10 @@ fn names(arena: &Arena, symbols: &[Expr]) -> Vec<String> {
 #[must_use]
 pub fn derivative(planner: &Planner<'_>, steps: &[Definition]) -> Function {
     let e = planner.equations;
-    let v_dot = named(names(planner.arena, rates(planner)).into_iter(), rates(planner));
-    let q_dot = named(planner.model.coordinates.iter().map(|c| format!("{}'", c.name)), &e.coordinate_rates);
+    let v_dot = named_values(names(planner.arena, rates(planner)).into_iter(), rates(planner));
+    let q_dot = named_values(planner.model.coordinates.iter().map(|c| format!("{}'", c.name)), &e.coordinate_rates);
     let both = [q_dot.clone(), v_dot].concat();
-    planner.stepwise(
+    planner.plan_function_in_steps(
         "derivative",
         "The derivative of the state: the rates of the coordinates, and the accelerations.",
         Arguments::State,
@@ -297,12 +310,12 @@ pub fn derivative(planner: &Planner<'_>, steps: &[Definition]) -> Function {
 /// `power` if loads without a potential do work.
 pub(super) fn kinematics_and_energies(planner: &Planner<'_>) -> Vec<Function> {
     let e = planner.equations;
-    let rates = named(planner.model.coordinates.iter().map(|c| format!("{}'", c.name)), &e.coordinate_rates);
+    let rates = named_values(planner.model.coordinates.iter().map(|c| format!("{}'", c.name)), &e.coordinate_rates);
     let about = "Kinematic equations: the time derivatives of the coordinates.";
     let kinetic = [("energy".to_owned(), "T".to_owned(), e.kinetic_energy)];
     let potential = [("energy".to_owned(), "V".to_owned(), e.potential_energy)];
     let function = |name, about, arguments, returns, values: &[Value]| {
-        planner.stepwise(name, about, arguments, returns, &e.definitions, values)
+        planner.plan_function_in_steps(name, about, arguments, returns, &e.definitions, values)
     };
     let about_potential = if e.by == EquationsOrigin::Reduced && !e.definitions.is_empty() {
         "Potential energy V, with the kinetic energy of what the momenta determine."
@@ -330,7 +343,7 @@ pub(super) fn kinematics_and_energies(planner: &Planner<'_>) -> Vec<Function> {
 pub(super) fn inverse_dynamics(planner: &Planner<'_>) -> Option<Function> {
     let e = planner.equations;
     let n = e.required.len();
-    let name = |i: usize| format!("tau{}", index(i, n));
+    let name = |i: usize| format!("tau{}", entry_index_text(i, n));
     let values: Vec<Value> = e.required.iter().enumerate().map(|(i, value)| (name(i), name(i), *value)).collect();
     let about = format!(
         "Inverse dynamics: the generalized forces along {} that must act beside the loads of the model for the accelerations to be {}.",
@@ -338,18 +351,20 @@ pub(super) fn inverse_dynamics(planner: &Planner<'_>) -> Option<Function> {
         vector_text(planner.arena, rates(planner))
     );
     let arguments = Arguments::StateAndRates;
-    (n > 0).then(|| planner.stepwise("inverse_dynamics", &about, arguments, Returns::Vector, &e.definitions, &values))
+    (n > 0).then(|| {
+        planner.plan_function_in_steps("inverse_dynamics", &about, arguments, Returns::Vector, &e.definitions, &values)
+    })
 }
 
 /// Plans the functions that convert between the rates q' and the generalized speeds u, for
 /// formulations whose motion variables are q'.
-pub(super) fn conversions(planner: &Planner<'_>) -> Vec<Function> {
+pub(super) fn plan_speed_conversions(planner: &Planner<'_>) -> Vec<Function> {
     let (e, model) = (planner.equations, planner.model);
-    let speeds = named(model.speeds.iter().map(|s| s.name.clone()), &e.generalized_speeds);
-    let rates = named(model.speeds.iter().map(|s| format!("{}'", s.name)), &e.generalized_speed_rates);
-    let variables = named(model.coordinates.iter().map(|c| format!("{}'", c.name)), &e.motion_variables);
+    let speeds = named_values(model.speeds.iter().map(|s| s.name.clone()), &e.generalized_speeds);
+    let rates = named_values(model.speeds.iter().map(|s| format!("{}'", s.name)), &e.generalized_speed_rates);
+    let variables = named_values(model.coordinates.iter().map(|c| format!("{}'", c.name)), &e.motion_variables);
     let function = |name, about, arguments, values: &[Value]| {
-        planner.stepwise(name, about, arguments, Returns::Vector, &e.definitions, values)
+        planner.plan_function_in_steps(name, about, arguments, Returns::Vector, &e.definitions, values)
     };
     vec![
         function("generalized_speeds", "The generalized speeds u, from q and q'.", Arguments::State, &speeds),
@@ -365,13 +380,16 @@ pub(super) fn conversions(planner: &Planner<'_>) -> Vec<Function> {
 
 /// Returns values to be computed, named after symbols. The value of `q1'` gets the variable
 /// `q1_dot_value`, which differs from an input `q1_dot`.
-fn named(symbols: impl Iterator<Item = String>, values: &[Expr]) -> Vec<Value> {
-    symbols.zip(values).map(|(symbol, value)| (format!("{}_value", spelled(&symbol)), symbol, *value)).collect()
+fn named_values(symbols: impl Iterator<Item = String>, values: &[Expr]) -> Vec<Value> {
+    symbols
+        .zip(values)
+        .map(|(symbol, value)| (format!("{}_value", name_without_primes(&symbol)), symbol, *value))
+        .collect()
 }
 
 /// Returns the index i + 1 as text, with a `_` before it if the number of entries `n` is ten or
 /// more.
-fn index(i: usize, n: usize) -> String {
+fn entry_index_text(i: usize, n: usize) -> String {
     if n < 10 { format!("{}", i + 1) } else { format!("_{}", i + 1) }
 }
 
@@ -394,7 +412,7 @@ fn has_given_motion(planner: &Planner<'_>) -> bool {
 
 /// Returns the header lines that state the unknowns, and the configurations in which the equations
 /// are singular.
-pub(super) fn facts(planner: &Planner<'_>, solved: Option<&Elimination>) -> Vec<String> {
+pub(super) fn formulation_facts(planner: &Planner<'_>, solved: Option<&Elimination>) -> Vec<String> {
     let e = planner.equations;
     let mut lines = vec![
         format!("Unknowns: {}.", vector_text(planner.arena, &e.unknowns)),
@@ -410,20 +428,21 @@ fn divisors_text(planner: &Planner<'_>, divisors: &[Expr]) -> String {
     if divisors.is_empty() {
         return "The accelerations divide by nothing.".to_owned();
     }
-    let distinct = distinct(planner.arena, divisors);
+    let distinct = distinct_divisors(planner.arena, divisors);
     // Long formulations divide by named terms, whose names would tell the reader nothing here.
-    if distinct.len() > MOST_LISTED || planner.explanation() == Explanation::Names {
+    if distinct.len() > MOST_LISTED || planner.explanation() == LineComments::Names {
         let count = distinct.len();
         return format!("The accelerations divide by {count} pivots, which are positive where the mass matrix is.");
     }
-    let list: Vec<String> = distinct.iter().map(|d| text(planner.arena, *d)).collect();
+    let list: Vec<String> = distinct.iter().map(|d| print_text(planner.arena, *d)).collect();
     format!("The accelerations divide by {}.", list.join(", by "))
 }
 
 /// Returns the header line that states the configurations in which a divisor is zero. It begins
 /// with `what`.
 pub(super) fn singular_text(arena: &Arena, what: &str, divisors: &[Expr]) -> String {
-    let places: Vec<String> = distinct(arena, divisors).iter().map(|d| format!("{} = 0", text(arena, *d))).collect();
+    let places: Vec<String> =
+        distinct_divisors(arena, divisors).iter().map(|d| format!("{} = 0", print_text(arena, *d))).collect();
     match places.as_slice() {
         [] => format!("{what} nowhere."),
         list => format!("{what} where {}.", list.join(" and where ")),
@@ -432,10 +451,10 @@ pub(super) fn singular_text(arena: &Arena, what: &str, divisors: &[Expr]) -> Str
 
 /// Returns divisors that vanish in different configurations: without numeric factors, and without
 /// repetition.
-fn distinct(arena: &Arena, divisors: &[Expr]) -> Vec<Expr> {
+fn distinct_divisors(arena: &Arena, divisors: &[Expr]) -> Vec<Expr> {
     let mut list: Vec<Expr> = Vec::new();
     for &divisor in divisors {
-        let bare = bare(arena, divisor);
+        let bare = divisor_without_number(arena, divisor);
         if !list.contains(&bare) {
             list.push(bare);
         }

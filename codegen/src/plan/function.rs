@@ -1,14 +1,14 @@
 //! Plan of one function: arguments, program, return value and cost.
 
 use super::arguments::{Argument, Entry};
-use super::cost::Cost;
-use super::names::{Language, Variables, type_name};
-use super::parts::Parts;
+use super::cost::OperationCount;
+use super::names::{Language, SymbolVariableNames, type_name};
 use super::program::{Output, Program, Statement, program};
+use super::program_parts::Parts;
 use rustc_hash::FxHashSet;
-use tripos_derive::algebra::form::sharing::{Reading, is_same, share};
+use tripos_derive::algebra::form::sharing::{SharingOptions, is_equivalent_after_sharing, share_common_parts};
 use tripos_derive::algebra::form::simplify::Simplifier;
-use tripos_derive::algebra::term::steps::{Definition, needed};
+use tripos_derive::algebra::term::steps::{Definition, needed_steps};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::{Equations, Model};
 
@@ -37,21 +37,21 @@ pub struct Function {
     /// Division of a long program into several functions; `None` if the program stays whole.
     pub parts: Option<Parts>,
     /// Number of operations in one call of the function.
-    pub cost: Cost,
+    pub cost: OperationCount,
     /// Choice of the comments on the lines of the program: formulas or none.
-    pub explanation: Explanation,
+    pub explanation: LineComments,
 }
 
 /// Choice of the comments on the lines of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Explanation {
+pub enum LineComments {
     /// Each line has its formula above it as a comment.
     Formulas,
     /// No line has a comment: most lines are named terms, whose names say enough.
     Names,
 }
 
-impl Explanation {
+impl LineComments {
     /// Returns the formula of a statement as a comment for the line above it; `None` if no comment
     /// is written.
     #[must_use]
@@ -136,7 +136,7 @@ impl Returns {
 
     /// Returns the index of the computed entry that gives the value of entry `at` of `count`. In a
     /// symmetric matrix it lies in the upper triangle; otherwise it is `at`.
-    fn source(self, at: usize, count: usize) -> usize {
+    fn entry_of_upper_triangle(self, at: usize, count: usize) -> usize {
         let side = count.isqrt();
         match self {
             Self::Matrix { symmetric: true } if at % side < at / side => (at % side) * side + at / side,
@@ -158,7 +158,7 @@ pub struct Planner<'a> {
     /// Set of equations whose functions are planned.
     pub equations: &'a Equations,
     /// Names of the variables for the symbols, as the target language permits them.
-    pub variables: Variables,
+    pub variables: SymbolVariableNames,
     /// Choice between sharing common operations of several outputs and computing formulas as they
     /// stand.
     pub sharing: Sharing,
@@ -186,7 +186,7 @@ impl<'a> Planner<'a> {
         language: &Language,
         sharing: Sharing,
     ) -> Self {
-        let mut variables = Variables::new(arena, language, &type_name(&equations.name(model)));
+        let mut variables = SymbolVariableNames::new(arena, language, &type_name(&equations.name(model)));
         let rates = model.coordinates.iter().map(|c| c.rate).chain(model.speeds.iter().map(|s| s.rate));
         let unknown = &equations.unknowns[..equations.variables.len()];
         variables.moving = equations.variables.iter().chain(unknown).copied().chain(rates).collect();
@@ -196,13 +196,13 @@ impl<'a> Planner<'a> {
     /// Returns the choice of comments for long programs: formulas, or none if the equations consist
     /// mostly of named terms.
     #[must_use]
-    pub fn explanation(&self) -> Explanation {
-        if self.equations.definitions.len() <= MOST_READ { Explanation::Formulas } else { Explanation::Names }
+    pub fn explanation(&self) -> LineComments {
+        if self.equations.definitions.len() <= MOST_READ { LineComments::Formulas } else { LineComments::Names }
     }
 
     /// Plans a function whose values need no intermediate steps. `about` describes the result.
     #[must_use]
-    pub fn function(
+    pub fn plan_function(
         &self,
         name: &'static str,
         about: &str,
@@ -210,14 +210,14 @@ impl<'a> Planner<'a> {
         returns: Returns,
         values: &[Value],
     ) -> Function {
-        self.stepwise(name, about, arguments, returns, &[], values)
+        self.plan_function_in_steps(name, about, arguments, returns, &[], values)
     }
 
     /// Plans a function that first computes named intermediate steps and then its values. Entries
     /// that are 0 and the lower triangle of a symmetric matrix are not computed. Unused steps are
     /// left out.
     #[must_use]
-    pub fn stepwise(
+    pub fn plan_function_in_steps(
         &self,
         name: &'static str,
         about: &str,
@@ -229,14 +229,15 @@ impl<'a> Planner<'a> {
         // A step whose value is 0 becomes 0 in the values.
         let is_zero = |e: Expr| steps.iter().any(|step| step.symbol == e && step.value == Expr::ZERO);
         let results: Vec<Expr> = values.iter().map(|(.., e)| if is_zero(*e) { Expr::ZERO } else { *e }).collect();
-        let steps = needed(self.arena, steps, &results);
-        let places: Vec<usize> = (0..values.len()).map(|at| returns.source(at, values.len())).collect();
+        let steps = needed_steps(self.arena, steps, &results);
+        let places: Vec<usize> =
+            (0..values.len()).map(|at| returns.entry_of_upper_triangle(at, values.len())).collect();
         let is_step = |e: Expr| steps.iter().any(|step| step.symbol == e);
         let is_output = |at: usize| places[at] == at && results[at] != Expr::ZERO && !is_step(results[at]);
         let outputs = values.iter().enumerate().filter(|(at, _)| is_output(*at)).map(|(_, (name, label, value))| {
             Output { name: name.clone(), label: label.clone(), value: *value, stated: *value }
         });
-        let program = self.cheapest(&steps, &outputs.collect::<Vec<_>>(), &results);
+        let program = self.cheapest_program(&steps, &outputs.collect::<Vec<_>>(), &results);
         let mut computed = program.outputs.iter().map(|output| &output.name);
         let entries: Vec<Entry> = results
             .iter()
@@ -251,38 +252,38 @@ impl<'a> Planner<'a> {
             .collect();
         let entries: Vec<Entry> = places.iter().map(|at| entries[*at].clone()).collect();
         let arguments = self.arguments(arguments, &program.inputs);
-        let cost = Cost::of(&program);
+        let cost = OperationCount::of(&program);
         let parts = Parts::of(&program, &arguments, &entries);
         let is_short = program.equations().count() <= MOST_LINES;
-        let explanation = if is_short { Explanation::Formulas } else { self.explanation() };
+        let explanation = if is_short { LineComments::Formulas } else { self.explanation() };
         Function { name, about: about.to_owned(), arguments, returns, program, entries, parts, cost, explanation }
     }
 
     /// Returns the cheapest program for the given outputs: as given, or with common sums and
     /// products shared by one reading of the terms. A rewritten program is used only if it is
     /// proved equal.
-    fn cheapest(&self, steps: &[Definition], outputs: &[Output], results: &[Expr]) -> Program {
+    fn cheapest_program(&self, steps: &[Definition], outputs: &[Output], results: &[Expr]) -> Program {
         let mut best = program(self.arena, &self.variables, steps, steps, outputs, results);
-        let mut least = Cost::of(&best).weight();
+        let mut least = OperationCount::of(&best).weight();
         if self.sharing == Sharing::AsStated {
             return best;
         }
         let values: Vec<Expr> = outputs.iter().map(|o| o.value).collect();
         // Named terms are short, and every reading of them is equal.
         let readings = match self.explanation() {
-            Explanation::Formulas => &Reading::ALL[..],
-            Explanation::Names => &Reading::SAMPLE[..1],
+            LineComments::Formulas => &SharingOptions::ALL[..],
+            LineComments::Names => &SharingOptions::COMMON_OPTIONS[..1],
         };
         for &reading in readings {
             let mut arena = self.arena.clone();
-            let shared = share(&mut arena, &mut Simplifier::default(), reading, steps, &values);
+            let shared = share_common_parts(&mut arena, &mut Simplifier::default(), reading, steps, &values);
             let Some(shared) = shared else { continue };
             let rewritten = outputs.iter().zip(&shared.values).map(|(o, value)| Output { value: *value, ..o.clone() });
             let rewritten: Vec<Output> = rewritten.collect();
             let candidate = program(&arena, &self.variables, &shared.steps, steps, &rewritten, results);
-            let weight = Cost::of(&candidate).weight();
+            let weight = OperationCount::of(&candidate).weight();
             // A cheaper program is used only if it is proved equal to the planned one.
-            if weight < least && is_same(&mut arena, steps, &values, &shared) {
+            if weight < least && is_equivalent_after_sharing(&mut arena, steps, &values, &shared) {
                 (best, least) = (candidate, weight);
             }
         }
@@ -340,7 +341,7 @@ impl Function {
     /// Returns the part of the function's cost that depends only on parameters, and so could be
     /// computed once for all states.
     #[must_use]
-    pub fn cost_of_parameters(&self) -> Cost {
+    pub fn cost_of_parameters(&self) -> OperationCount {
         let mut fixed: FxHashSet<&str> = FxHashSet::default();
         for argument in &self.arguments {
             if let Argument::Parameters { read } = argument {
@@ -354,6 +355,6 @@ impl Function {
                 lines.push(line.clone());
             }
         }
-        Cost::of(&Program { lines, ..Program::default() })
+        OperationCount::of(&Program { lines, ..Program::default() })
     }
 }

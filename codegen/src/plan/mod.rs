@@ -8,32 +8,34 @@
 
 mod arguments;
 mod cost;
-mod form;
+mod formula_form;
 mod formulation;
 mod function;
-mod module;
+mod module_plan;
 mod motion;
 mod names;
-mod parts;
 mod program;
+mod program_parts;
 mod regressor;
-mod scene;
 mod scene_outputs;
-mod taylor;
+mod scene_plan;
+mod taylor_plan;
 
 pub use arguments::{Argument, Entry};
-pub use cost::Cost;
-pub use form::{constant_and_factors, is_flat, is_plain_product, led};
+pub use cost::OperationCount;
+pub use formula_form::{constant_and_factors, is_plain_product, is_sum_free_formula, order_sum_for_fusion};
 pub use formulation::{FormulationPlan, Jacobian, derivative};
-pub use function::{Arguments, Explanation, Function, Planner, Returns, Sharing, Value};
-pub use module::{ModulePlan, Solution};
-pub use motion::{MotionPlan, Watched};
-pub use names::{Allocator, Language, Names, Variables, identifier, module_name, spelled, type_name};
-pub use parts::{Part, Parts};
+pub use function::{Arguments, Function, LineComments, Planner, Returns, Sharing, Value};
+pub use module_plan::{ModulePlan, Solution};
+pub use motion::{MotionPlan, WatchedQuantity};
+pub use names::{
+    Allocator, Language, SymbolVariableNames, TermNames, identifier, module_name, name_without_primes, type_name,
+};
 pub use program::{Line, Output, Program, Statement, program};
-pub use regressor::Regression;
-pub use scene::{Costs, SceneEquations, ScenePlan, Taylor, costs};
+pub use program_parts::{Part, Parts};
+pub use regressor::RegressorFunctions;
 #[cfg(feature = "languages")]
-pub(crate) use scene_outputs::numbered;
-pub use scene_outputs::{Hidden, Shown};
-pub use taylor::TaylorPlan;
+pub(crate) use scene_outputs::numbered_values;
+pub use scene_outputs::{MissingOutputReason, SceneOutputs};
+pub use scene_plan::{Costs, SceneEquations, ScenePlan, Taylor, costs};
+pub use taylor_plan::TaylorPlan;

@@ -2,8 +2,8 @@
 //! quantities.
 
 use super::formulation::{
-    accelerations, constraints, conversions, derivative, divisors, facts, kinematics_and_energies, linear_system,
-    redundant_constraints,
+    accelerations, constraints, derivative, divisors, formulation_facts, kinematics_and_energies, linear_system,
+    plan_speed_conversions, redundant_constraints,
 };
 use super::function::{Arguments, Function, Planner, Returns, Value};
 use tripos_derive::algebra::Expr;
@@ -18,7 +18,7 @@ const MOST_TOGETHER: usize = 400;
 /// Quantity that a run watches: a condition that must stay positive, or an event function that
 /// crosses zero.
 #[derive(Clone, Debug)]
-pub struct Watched {
+pub struct WatchedQuantity {
     /// Name of the quantity for messages to people.
     pub name: String,
     /// Term of the quantity's value. It may contain parameters, q, q̇, u and reactions.
@@ -65,7 +65,7 @@ impl MotionPlan {
     pub fn new(
         planner: &Planner<'_>,
         solved: Option<&Elimination>,
-        watched: &[Watched],
+        watched: &[WatchedQuantity],
         balance: Option<&Planner<'_>>,
     ) -> Self {
         let mut functions = match solved {
@@ -79,7 +79,7 @@ impl MotionPlan {
         );
         functions.extend(kinematics_and_energies(planner));
         if planner.equations.formulation.is_in_rates() {
-            functions.extend(conversions(planner));
+            functions.extend(plan_speed_conversions(planner));
         }
         let (watches, divisors) = divisors(planner, solved);
         functions.extend(watches);
@@ -88,7 +88,7 @@ impl MotionPlan {
         let needs = |at: &usize| needs_reaction(planner, watched[*at].value);
         let (of_reactions, of_state): (Vec<usize>, Vec<usize>) = (0..watched.len()).partition(needs);
         let balance = balance.filter(|balance| !of_reactions.is_empty() && gives_reactions(balance));
-        let balance = balance.map_or_else(Vec::new, balanced);
+        let balance = balance.map_or_else(Vec::new, plan_reaction_system);
         let (mut conditions, unwatched) =
             if balance.is_empty() { (of_state, of_reactions) } else { ((0..watched.len()).collect(), Vec::new()) };
         conditions.sort_unstable();
@@ -103,7 +103,7 @@ impl MotionPlan {
             constraints: planner.equations.constraints.iter().map(|c| c.name.clone()).collect(),
             conditions,
             unwatched,
-            facts: facts(planner, solved),
+            facts: formulation_facts(planner, solved),
         }
     }
 }
@@ -123,14 +123,14 @@ fn gives_reactions(planner: &Planner<'_>) -> bool {
 
 /// Plans the functions `balance_matrix` and `balance_forcing`, the linear system for accelerations
 /// and reactions.
-fn balanced(planner: &Planner<'_>) -> Vec<Function> {
+fn plan_reaction_system(planner: &Planner<'_>) -> Vec<Function> {
     let names = ["balance_matrix", "balance_forcing"];
     linear_system(planner).0.into_iter().zip(names).map(|(function, name)| Function { name, ..function }).collect()
 }
 
 /// Plans the function `conditions`, which returns the watched quantities with the indices `which`,
 /// in this order. `None` if there are none.
-fn conditions_of(planner: &Planner<'_>, watched: &[Watched], which: &[usize]) -> Option<Function> {
+fn conditions_of(planner: &Planner<'_>, watched: &[WatchedQuantity], which: &[usize]) -> Option<Function> {
     let steps = state_steps(planner);
     let values: Vec<Value> = which
         .iter()
@@ -138,8 +138,9 @@ fn conditions_of(planner: &Planner<'_>, watched: &[Watched], which: &[usize]) ->
         .map(|(at, place)| (format!("condition{}", at + 1), watched[*place].name.clone(), watched[*place].value))
         .collect();
     let about = "What is watched, in the order of `CONDITIONS`: the equations hold as long as these are positive.";
-    (!values.is_empty())
-        .then(|| planner.stepwise("conditions", about, Arguments::Balanced, Returns::Vector, &steps, &values))
+    (!values.is_empty()).then(|| {
+        planner.plan_function_in_steps("conditions", about, Arguments::Balanced, Returns::Vector, &steps, &values)
+    })
 }
 
 /// Returns definitions for the terms of the equations, followed by those of q̇ or u, whichever is

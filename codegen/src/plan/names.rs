@@ -5,7 +5,7 @@
 //! these names.
 
 use rustc_hash::{FxHashMap, FxHashSet};
-use tripos_derive::algebra::text::print::text;
+use tripos_derive::algebra::text::print::print_text;
 use tripos_derive::algebra::{Arena, Expr, Function, Node, Rational};
 
 /// Length in bytes of the longest variable name that spells out its term's formula.
@@ -87,7 +87,7 @@ impl Allocator {
 
 /// Names of the variables for the symbols in generated code: `q1'` has the variable `q1_dot`.
 #[derive(Clone)]
-pub struct Variables {
+pub struct SymbolVariableNames {
     /// Variable names in generated code, by symbol.
     pub of: FxHashMap<Expr, String>,
     /// Allocator that returned the variable names.
@@ -102,7 +102,7 @@ pub struct Variables {
     shared: FxHashMap<String, String>,
 }
 
-impl Variables {
+impl SymbolVariableNames {
     /// Names a variable for each symbol of an arena, in order of declaration. No variable is called
     /// `type_name`.
     #[must_use]
@@ -112,7 +112,7 @@ impl Variables {
         let mut of = FxHashMap::default();
         for name in arena.symbol_names() {
             let Some(symbol) = arena.find_symbol(name) else { continue };
-            of.insert(symbol, allocator.unique(&spelled(name)));
+            of.insert(symbol, allocator.unique(&name_without_primes(name)));
         }
         Self { of, allocator, moving: FxHashSet::default(), behind: FxHashMap::default(), shared: FxHashMap::default() }
     }
@@ -125,7 +125,7 @@ impl Variables {
 
     /// Returns a word for the variables on which a term depends: its motion variables and rates, or
     /// else its other symbols. If the list is long, the word is `motion` or `place`.
-    fn dependence(&self, arena: &Arena, e: Expr) -> String {
+    fn dependence_word(&self, arena: &Arena, e: Expr) -> String {
         let (mut symbols, mut stack, mut seen) = (Vec::new(), vec![e], FxHashSet::default());
         while let Some(e) = stack.pop() {
             if !seen.insert(e) {
@@ -148,7 +148,7 @@ impl Variables {
     /// Replaces the symbols of shared operations in a formula by their variable names. In formulas
     /// these symbols are spelled `#1`, `#2` and so on.
     #[must_use]
-    pub fn spell(&self, formula: &str) -> String {
+    pub fn write_shared_names(&self, formula: &str) -> String {
         let mut parts = formula.split('#');
         let mut spelled = parts.next().unwrap_or_default().to_owned();
         for part in parts {
@@ -163,7 +163,7 @@ impl Variables {
 
 /// Returns the name of a symbol without primes: `q1_dot` for `q1'`, `q1_ddot` for `q1''`.
 #[must_use]
-pub fn spelled(symbol: &str) -> String {
+pub fn name_without_primes(symbol: &str) -> String {
     let stem = symbol.trim_end_matches('\'');
     let dots = ["", "_dot", "_ddot"][(symbol.len() - stem.len()).min(2)];
     format!("{stem}{dots}")
@@ -196,14 +196,14 @@ pub fn identifier(formula: &str, longest: usize) -> Option<String> {
 }
 
 /// Variable names that one program gives to its intermediate terms.
-pub struct Names {
+pub struct TermNames {
     /// Allocator that knows all names in use.
     pub allocator: Allocator,
     /// Variables of the sine and the cosine, by angle.
     circular: FxHashMap<Expr, (String, String)>,
 }
 
-impl Names {
+impl TermNames {
     /// Prepares names for a new program. Names that the allocator has already returned are not used
     /// again.
     #[must_use]
@@ -213,7 +213,7 @@ impl Names {
 
     /// Returns the variables of an angle's sine and cosine: `s1`, `c1` for the symbol q1,
     /// `sin_theta`, `cos_theta` for others.
-    pub fn circular(&mut self, arena: &Arena, angle: Expr) -> (String, String) {
+    pub fn sine_and_cosine_names(&mut self, arena: &Arena, angle: Expr) -> (String, String) {
         if let Some(known) = self.circular.get(&angle) {
             return known.clone();
         }
@@ -221,9 +221,9 @@ impl Names {
         let digits = digits.filter(|d| !d.is_empty() && d.bytes().all(|b| b.is_ascii_digit()));
         let mut name = |long: &str, short: &str| match (digits, arena.symbol_name(angle)) {
             (Some(digits), _) => self.allocator.unique(&format!("{short}{digits}")),
-            (None, Some(symbol)) => self.allocator.unique(&format!("{long}_{}", spelled(symbol))),
+            (None, Some(symbol)) => self.allocator.unique(&format!("{long}_{}", name_without_primes(symbol))),
             (None, None) => {
-                let word = identifier(&text(arena, angle), 24).unwrap_or_else(|| "angle".to_owned());
+                let word = identifier(&print_text(arena, angle), 24).unwrap_or_else(|| "angle".to_owned());
                 self.allocator.unique(&format!("{long}_{word}"))
             }
         };
@@ -233,27 +233,33 @@ impl Names {
     }
 
     /// Returns a free name that describes a term, and marks it as used.
-    pub fn descriptive(&mut self, arena: &Arena, variables: &Variables, e: Expr, stem: &str) -> String {
-        let wanted = self.describe(arena, variables, e, stem);
+    pub fn take_descriptive_name(
+        &mut self,
+        arena: &Arena,
+        variables: &SymbolVariableNames,
+        e: Expr,
+        stem: &str,
+    ) -> String {
+        let wanted = self.descriptive_name(arena, variables, e, stem);
         self.allocator.unique(&wanted)
     }
 
     /// Returns a name that describes a term: its formula as a word if that is short, else `stem`
     /// and the variables on which the term depends. The name may be in use.
-    pub fn describe(&mut self, arena: &Arena, variables: &Variables, e: Expr, stem: &str) -> String {
-        let word = self.word(arena, variables, e).map(|word| word.to_lowercase());
+    pub fn descriptive_name(&mut self, arena: &Arena, variables: &SymbolVariableNames, e: Expr, stem: &str) -> String {
+        let word = self.name_of_formula(arena, variables, e).map(|word| word.to_lowercase());
         let word = word.filter(|word| word.len() <= LONGEST && word.starts_with(|c: char| c.is_ascii_alphabetic()));
-        word.unwrap_or_else(|| format!("{stem}_of_{}", variables.dependence(arena, e)))
+        word.unwrap_or_else(|| format!("{stem}_of_{}", variables.dependence_word(arena, e)))
     }
 
     /// Returns the formula of a term as a word, such as `u2_by_c2` or `r_s1_plus_x`. `None` if the
     /// formula is nested too deeply to be read as a word.
-    fn word(&mut self, arena: &Arena, variables: &Variables, e: Expr) -> Option<String> {
+    fn name_of_formula(&mut self, arena: &Arena, variables: &SymbolVariableNames, e: Expr) -> Option<String> {
         match arena.node(e) {
             Node::Sum(constant, terms) => {
-                let mut out = if constant.is_zero() { String::new() } else { scaled("", constant)? };
+                let mut out = if constant.is_zero() { String::new() } else { word_with_factor("", constant)? };
                 for (term, k) in terms {
-                    let word = scaled(&self.product(arena, variables, *term)?, k)?;
+                    let word = word_with_factor(&self.name_of_product(arena, variables, *term)?, k)?;
                     let joint = match (out.is_empty(), k.is_negative()) {
                         (true, false) => "",
                         (true, true) => "minus_",
@@ -264,13 +270,13 @@ impl Names {
                 }
                 Some(out)
             }
-            _ => self.product(arena, variables, e),
+            _ => self.name_of_product(arena, variables, e),
         }
     }
 
     /// Returns a product as a word, factor by factor, such as `m_r_sq`. `None` if a factor has no
     /// word.
-    fn product(&mut self, arena: &Arena, variables: &Variables, e: Expr) -> Option<String> {
+    fn name_of_product(&mut self, arena: &Arena, variables: &SymbolVariableNames, e: Expr) -> Option<String> {
         let factors = match arena.node(e) {
             Node::Product(factors) => factors.to_vec(),
             _ => vec![(e, 1)],
@@ -278,8 +284,11 @@ impl Names {
         let mut words = Vec::new();
         for (base, n) in factors {
             let sum = matches!(arena.node(base), Node::Sum(..));
-            let word =
-                if sum { self.sum_below(arena, variables, base, n)? } else { self.atom(arena, variables, base)? };
+            let word = if sum {
+                self.name_of_denominator(arena, variables, base, n)?
+            } else {
+                self.name_of_atom(arena, variables, base)?
+            };
             words.push(match n {
                 1 => word,
                 2 => format!("{word}_sq"),
@@ -294,19 +303,27 @@ impl Names {
 
     /// Returns a word for a sum in a denominator. `None` for a sum elsewhere, because the product
     /// would seem to end with the sum's first term.
-    fn sum_below(&mut self, arena: &Arena, variables: &Variables, e: Expr, n: i32) -> Option<String> {
+    fn name_of_denominator(
+        &mut self,
+        arena: &Arena,
+        variables: &SymbolVariableNames,
+        e: Expr,
+        n: i32,
+    ) -> Option<String> {
         let flat = |e: &Expr| arena.operands(*e).all(|part| !matches!(arena.node(part), Node::Sum(..)));
         let is_flat = flat(&e) && arena.operands(e).all(|part| flat(&part));
-        if n == -1 && is_flat { self.word(arena, variables, e) } else { None }
+        if n == -1 && is_flat { self.name_of_formula(arena, variables, e) } else { None }
     }
 
     /// Returns a word for a symbol, π, or a function of a symbol. `None` for other terms.
-    fn atom(&mut self, arena: &Arena, variables: &Variables, e: Expr) -> Option<String> {
+    fn name_of_atom(&mut self, arena: &Arena, variables: &SymbolVariableNames, e: Expr) -> Option<String> {
         match arena.node(e) {
             Node::Symbol(_) => variables.of.get(&e).cloned(),
-            Node::Apply(Function::Sin, angle) => Some(self.circular(arena, *angle).0),
-            Node::Apply(Function::Cos, angle) => Some(self.circular(arena, *angle).1),
-            Node::Apply(f, argument) => Some(format!("{}_{}", f.name(), self.atom(arena, variables, *argument)?)),
+            Node::Apply(Function::Sin, angle) => Some(self.sine_and_cosine_names(arena, *angle).0),
+            Node::Apply(Function::Cos, angle) => Some(self.sine_and_cosine_names(arena, *angle).1),
+            Node::Apply(f, argument) => {
+                Some(format!("{}_{}", f.name(), self.name_of_atom(arena, variables, *argument)?))
+            }
             Node::Pi => Some("pi".to_owned()),
             Node::Number(_) | Node::Sum(..) | Node::Product(_) | Node::Named(..) => None,
         }
@@ -315,7 +332,7 @@ impl Names {
 
 /// Returns a word with a rational factor: `x_doubled`, `x_by_4`, `x_times_3_by_2`. An empty word
 /// gives the number alone. The sign of the factor is ignored. `None` if the number is long.
-fn scaled(word: &str, k: &Rational) -> Option<String> {
+fn word_with_factor(word: &str, k: &Rational) -> Option<String> {
     let (n, d) = k.small()?;
     let (n, d) = (n.unsigned_abs(), d.unsigned_abs());
     if word.is_empty() {

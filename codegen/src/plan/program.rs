@@ -1,14 +1,14 @@
 //! Straight-line program of one function: sines and cosines, shared terms and outputs, each with a
 //! descriptive name.
 
-use super::form::is_flat;
-use super::names::{Names, Variables, identifier};
+use super::formula_form::is_sum_free_formula;
+use super::names::{SymbolVariableNames, TermNames, identifier};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::ops::Range;
 use tripos_derive::algebra::form::sharing::is_shared_symbol;
 use tripos_derive::algebra::term::steps::Definition;
-use tripos_derive::algebra::text::print::text;
-use tripos_derive::algebra::text::view::{View, view};
+use tripos_derive::algebra::text::display_tree::{DisplayTree, display_tree};
+use tripos_derive::algebra::text::print::print_text;
 use tripos_derive::algebra::{Arena, Expr, Function, Node};
 
 /// Largest number of nodes of a formula that is written. A larger formula is cut, because its code
@@ -21,7 +21,7 @@ pub struct Statement {
     /// Name of the variable that the statement sets.
     pub name: String,
     /// Value of the variable, with shared terms replaced by their names.
-    pub value: View,
+    pub value: DisplayTree,
     /// Formula of the value in the notation of model files; `None` if the value reads well by
     /// itself.
     pub comment: Option<String>,
@@ -37,7 +37,7 @@ pub enum Line {
         /// Name of the variable for the cosine.
         cosine: String,
         /// Formula of the angle, rad.
-        angle: View,
+        angle: DisplayTree,
     },
     /// Definition of a term that is used more than once.
     Let(Statement),
@@ -49,7 +49,7 @@ impl Line {
     /// Returns the formula that the line computes; for a sine and a cosine, the formula of their
     /// angle.
     #[must_use]
-    pub fn value(&self) -> &View {
+    pub fn value(&self) -> &DisplayTree {
         match self {
             Self::Circular { angle, .. } => angle,
             Self::Let(statement) | Self::Step(statement) => &statement.value,
@@ -91,15 +91,15 @@ impl Program {
 
     /// Removes lines and inputs that no later line, no output and no result reads. A line can be
     /// unread because a formula that contained its term was written without it.
-    fn drop_unread(&mut self, variables: &Variables, results: &[Expr]) {
+    fn drop_unread(&mut self, variables: &SymbolVariableNames, results: &[Expr]) {
         let of = |symbol: &Expr| variables.of.get(symbol).map(String::as_str);
         let mut read: FxHashSet<&str> = results.iter().filter_map(of).collect();
-        self.outputs.iter().for_each(|output| collect(&output.value, &mut read));
+        self.outputs.iter().for_each(|output| collect_variable_names(&output.value, &mut read));
         let mut is_read = vec![true; self.lines.len()];
         for (at, line) in self.lines.iter().enumerate().rev() {
             is_read[at] = line.names_set().iter().any(|name| read.contains(name));
             if is_read[at] {
-                collect(line.value(), &mut read);
+                collect_variable_names(line.value(), &mut read);
             }
         }
         self.inputs.retain(|symbol| of(symbol).is_none_or(|name| read.contains(name)));
@@ -113,7 +113,7 @@ impl Program {
     pub fn names_read(&self, range: Range<usize>) -> FxHashSet<&str> {
         let mut names = FxHashSet::default();
         let values = self.lines.iter().map(Line::value).chain(self.outputs.iter().map(|output| &output.value));
-        values.skip(range.start).take(range.len()).for_each(|value| collect(value, &mut names));
+        values.skip(range.start).take(range.len()).for_each(|value| collect_variable_names(value, &mut names));
         names
     }
 
@@ -127,19 +127,21 @@ impl Program {
 }
 
 /// Adds the names of the variables in a formula to the set `names`.
-fn collect<'v>(view: &'v View, names: &mut FxHashSet<&'v str>) {
+fn collect_variable_names<'v>(view: &'v DisplayTree, names: &mut FxHashSet<&'v str>) {
     match view {
-        View::Shared(name) => {
+        DisplayTree::Shared(name) => {
             names.insert(name);
         }
-        View::Sum(terms) => terms.iter().for_each(|(_, term)| collect(term, names)),
-        View::Product(factors) => factors.iter().for_each(|factor| collect(factor, names)),
-        View::Fraction(above, below) => {
-            collect(above, names);
-            collect(below, names);
+        DisplayTree::Sum(terms) => terms.iter().for_each(|(_, term)| collect_variable_names(term, names)),
+        DisplayTree::Product(factors) => factors.iter().for_each(|factor| collect_variable_names(factor, names)),
+        DisplayTree::Fraction(above, below) => {
+            collect_variable_names(above, names);
+            collect_variable_names(below, names);
         }
-        View::Power(inner, _) | View::Call(_, inner) | View::Root(inner) => collect(inner, names),
-        View::Number(_) | View::Name(_) | View::Word(_) | View::Pi | View::Cut => {}
+        DisplayTree::Power(inner, _) | DisplayTree::Call(_, inner) | DisplayTree::Root(inner) => {
+            collect_variable_names(inner, names);
+        }
+        DisplayTree::Number(_) | DisplayTree::Name(_) | DisplayTree::Word(_) | DisplayTree::Pi | DisplayTree::Cut => {}
     }
 }
 
@@ -165,7 +167,7 @@ pub struct Output {
 #[must_use]
 pub fn program(
     arena: &Arena,
-    variables: &Variables,
+    variables: &SymbolVariableNames,
     steps: &[Definition],
     stated: &[Definition],
     outputs: &[Output],
@@ -174,7 +176,7 @@ pub fn program(
     let values: Vec<Expr> = outputs.iter().map(|o| o.value).collect();
     let roots: Vec<Expr> = steps.iter().map(|step| step.value).chain(values.iter().copied()).collect();
     let parts = arena.reachable(&roots);
-    let mut names = Names::new(variables.allocator.clone());
+    let mut names = TermNames::new(variables.allocator.clone());
     let output_names: Vec<String> = outputs.iter().map(|o| names.allocator.unique(&o.name)).collect();
     let mut builder = Builder {
         arena,
@@ -189,19 +191,23 @@ pub fn program(
         tangents: Vec::new(),
     };
     for &step in steps {
-        builder.terms(&[step.value]);
+        builder.add_term_lines(&[step.value]);
         if is_shared_symbol(arena, step.symbol) {
-            builder.shared_step(step);
+            builder.add_shared_definition(step);
         } else {
-            builder.step(step, stated);
+            builder.add_elimination_step(step, stated);
         }
     }
-    builder.terms(&values);
-    let outputs: Vec<_> = outputs.iter().zip(output_names).map(|(output, name)| builder.output(output, name)).collect();
+    builder.add_term_lines(&values);
+    let outputs: Vec<_> =
+        outputs.iter().zip(output_names).map(|(output, name)| builder.output_statement(output, name)).collect();
     let computed: FxHashSet<Expr> = steps.iter().map(|step| step.symbol).collect();
     let is_input = |e: &Expr| matches!(arena.node(*e), Node::Symbol(_)) && !computed.contains(e);
-    let mut program =
-        Program { inputs: parts.into_iter().filter(is_input).collect(), lines: builder.ordered(), outputs };
+    let mut program = Program {
+        inputs: parts.into_iter().filter(is_input).collect(),
+        lines: builder.lines_in_reading_order(),
+        outputs,
+    };
     program.drop_unread(variables, results);
     program
 }
@@ -216,9 +222,9 @@ struct Builder<'a> {
     /// if the term has no better name.
     needs: FxHashMap<Expr, String>,
     /// Names of the program's intermediate terms.
-    names: Names,
+    names: TermNames,
     /// Variables of all symbols, including the symbols of steps.
-    variables: Variables,
+    variables: SymbolVariableNames,
     /// Names of the variables of all terms that have a variable.
     shared: FxHashMap<Expr, String>,
     /// Lines of the program built so far.
@@ -226,22 +232,22 @@ struct Builder<'a> {
     /// Terms whose lines are already in the program.
     done: FxHashSet<Expr>,
     /// Angles whose sine and cosine are computed, as formula and as term.
-    circular: Vec<(View, Expr)>,
+    circular: Vec<(DisplayTree, Expr)>,
     /// Tangents that are computed, each as its angle and the name of its variable.
-    tangents: Vec<(View, String)>,
+    tangents: Vec<(DisplayTree, String)>,
 }
 
 impl Builder<'_> {
     /// Adds lines for the sines, cosines and repeated terms that the terms `roots` contain.
-    fn terms(&mut self, roots: &[Expr]) {
+    fn add_term_lines(&mut self, roots: &[Expr]) {
         for e in self.arena.reachable(roots) {
             if !self.done.insert(e) {
                 continue;
             }
             match self.arena.node(e) {
-                Node::Apply(f @ (Function::Sin | Function::Cos), angle) => self.circle(e, *f, *angle),
+                Node::Apply(f @ (Function::Sin | Function::Cos), angle) => self.add_sine_and_cosine(e, *f, *angle),
                 Node::Sum(..) | Node::Product(_) | Node::Apply(..) if self.uses.get(&e).is_some_and(|n| *n > 1) => {
-                    self.share(e);
+                    self.add_shared_line(e);
                 }
                 _ => {}
             }
@@ -250,35 +256,35 @@ impl Builder<'_> {
 
     /// Adds a line for the sine and cosine of an angle, unless there is already such a line. `e` is
     /// the term of one of them.
-    fn circle(&mut self, e: Expr, f: Function, angle: Expr) {
-        let (sine, cosine) = self.names.circular(self.arena, angle);
+    fn add_sine_and_cosine(&mut self, e: Expr, f: Function, angle: Expr) {
+        let (sine, cosine) = self.names.sine_and_cosine_names(self.arena, angle);
         self.shared.insert(e, if f == Function::Sin { sine.clone() } else { cosine.clone() });
         if self.circular.iter().any(|(_, known)| *known == angle) {
             return;
         }
-        let view = self.operand(angle);
-        let view = self.resolve(view);
+        let view = self.term_in_formula(angle);
+        let view = self.replace_tangents_by_variables(view);
         self.circular.push((view.clone(), angle));
         self.lines.push(Line::Circular { sine, cosine, angle: view });
     }
 
     /// Adds a line for a term that is used more than once, with a descriptive name.
-    fn share(&mut self, e: Expr) {
+    fn add_shared_line(&mut self, e: Expr) {
         let name = self.descriptive(e);
-        let value = self.resolve(view(self.arena, e, &self.shared, BUDGET));
-        let comment = self.meaning(e, &value);
+        let value = self.replace_tangents_by_variables(display_tree(self.arena, e, &self.shared, BUDGET));
+        let comment = self.shared_term_comment(e, &value);
         self.shared.insert(e, name.clone());
         self.lines.push(Line::Let(Statement { name, value, comment }));
     }
 
     /// Adds a line for the symbol of a shared operation. If its value already has a variable, such
     /// as a tangent, the symbol gets this variable and no line.
-    fn shared_step(&mut self, step: Definition) {
-        let value = self.operand(step.value);
-        let value = self.resolve(value);
-        if let View::Shared(name) = &value {
+    fn add_shared_definition(&mut self, step: Definition) {
+        let value = self.term_in_formula(step.value);
+        let value = self.replace_tangents_by_variables(value);
+        if let DisplayTree::Shared(name) = &value {
             let name = name.clone();
-            self.name(step.symbol, &name);
+            self.record_variable(step.symbol, &name);
             return;
         }
         let held = self.arena.symbol_name(step.symbol).and_then(|name| identifier(name.trim_start_matches('#'), 24));
@@ -286,17 +292,17 @@ impl Builder<'_> {
             Some(word) => self.names.allocator.unique(&word),
             None => self.descriptive(step.value),
         };
-        let comment = self.meaning(step.value, &value);
+        let comment = self.shared_term_comment(step.value, &value);
         self.variables.behind.insert(step.symbol, step.value);
-        self.name(step.symbol, &name);
+        self.record_variable(step.symbol, &name);
         self.lines.push(Line::Let(Statement { name, value, comment }));
     }
 
     /// Adds a line for an elimination step. Its variable is named after its symbol.
-    fn step(&mut self, step: Definition, stated: &[Definition]) {
+    fn add_elimination_step(&mut self, step: Definition, stated: &[Definition]) {
         let name = self.variables.of[&step.symbol].clone();
-        let value = self.operand(step.value);
-        let value = self.resolve(value);
+        let value = self.term_in_formula(step.value);
+        let value = self.replace_tangents_by_variables(value);
         let symbol = self.arena.symbol_name(step.symbol).unwrap_or_default();
         let stated = stated.iter().find(|s| s.symbol == step.symbol).map_or(step.value, |s| s.value);
         let comment = Some(self.equation(symbol, stated));
@@ -304,9 +310,9 @@ impl Builder<'_> {
     }
 
     /// Returns the statement of an output with its equation as a comment.
-    fn output(&mut self, output: &Output, name: String) -> Statement {
-        let value = self.operand(output.value);
-        let value = self.resolve(value);
+    fn output_statement(&mut self, output: &Output, name: String) -> Statement {
+        let value = self.term_in_formula(output.value);
+        let value = self.replace_tangents_by_variables(value);
         Statement { name, value, comment: Some(self.equation(&output.label, output.stated)) }
     }
 
@@ -314,69 +320,69 @@ impl Builder<'_> {
     /// name.
     fn equation(&self, name: &str, value: Expr) -> String {
         let stays = self.arena.symbol_name(value) == Some(name);
-        if stays { name.to_owned() } else { format!("{name} = {}", text(self.arena, value)) }
+        if stays { name.to_owned() } else { format!("{name} = {}", print_text(self.arena, value)) }
     }
 
     /// Returns a free name that describes a term by its formula, or by the first step or output
     /// that needs it.
     fn descriptive(&mut self, e: Expr) -> String {
         let stem = self.needs.get(&e).map_or("shared", String::as_str);
-        self.names.descriptive(self.arena, &self.variables, e, stem)
+        self.names.take_descriptive_name(self.arena, &self.variables, e, stem)
     }
 
     /// Returns the formula of a shared term for a comment. `None` if its value contains no sum,
     /// because such a value reads well in any language.
-    fn meaning(&self, e: Expr, value: &View) -> Option<String> {
-        (!is_flat(value)).then(|| self.variables.spell(&text(self.arena, e)))
+    fn shared_term_comment(&self, e: Expr, value: &DisplayTree) -> Option<String> {
+        (!is_sum_free_formula(value)).then(|| self.variables.write_shared_names(&print_text(self.arena, e)))
     }
 
     /// Records the variable `name` for the symbol of a shared operation.
-    fn name(&mut self, symbol: Expr, name: &str) {
+    fn record_variable(&mut self, symbol: Expr, name: &str) {
         self.variables.insert(self.arena, symbol, name);
         self.shared.insert(symbol, name.to_owned());
     }
 
     /// Returns a term as it appears in a larger formula: as its variable if it has one, else as its
     /// formula.
-    fn operand(&self, e: Expr) -> View {
+    fn term_in_formula(&self, e: Expr) -> DisplayTree {
         match self.shared.get(&e) {
-            Some(name) => View::Shared(name.clone()),
-            None => view(self.arena, e, &self.shared, BUDGET),
+            Some(name) => DisplayTree::Shared(name.clone()),
+            None => display_tree(self.arena, e, &self.shared, BUDGET),
         }
     }
 
     /// Replaces every tangent in a formula by its variable. Adds the lines that compute these
     /// variables.
-    fn resolve(&mut self, mut value: View) -> View {
+    fn replace_tangents_by_variables(&mut self, mut value: DisplayTree) -> DisplayTree {
         replace_tangents(&mut value, &mut |angle| self.tangent(angle));
         value
     }
 
     /// Returns the variable of the tangent of an angle, computed as sine over cosine. Adds its line
     /// if there is none.
-    fn tangent(&mut self, angle: &View) -> View {
+    fn tangent(&mut self, angle: &DisplayTree) -> DisplayTree {
         if let Some((_, name)) = self.tangents.iter().find(|(a, _)| a == angle) {
-            return View::Shared(name.clone());
+            return DisplayTree::Shared(name.clone());
         }
         let found = self.circular.iter().find(|(a, _)| a == angle);
         let (_, e) = *found.expect("a tangent is a quotient of a sine and a cosine");
-        let (sine, cosine) = self.names.circular(self.arena, e);
+        let (sine, cosine) = self.names.sine_and_cosine_names(self.arena, e);
         let stem = match sine.strip_prefix("sin") {
             Some(rest) => format!("tan{rest}"),
             None => sine.replacen('s', "t", 1),
         };
         let name = self.names.allocator.unique(&stem);
-        let value = View::Fraction(Box::new(View::Shared(sine)), Box::new(View::Shared(cosine)));
+        let value = DisplayTree::Fraction(Box::new(DisplayTree::Shared(sine)), Box::new(DisplayTree::Shared(cosine)));
         self.lines.push(Line::Let(Statement { name: name.clone(), value, comment: None }));
         self.tangents.push((angle.clone(), name.clone()));
-        View::Shared(name)
+        DisplayTree::Shared(name)
     }
 
     /// Returns the lines of the program. Sines and cosines of input angles are moved to the front.
-    fn ordered(self) -> Vec<Line> {
+    fn lines_in_reading_order(self) -> Vec<Line> {
         let set: FxHashSet<String> = self.lines.iter().flat_map(Line::names_set).map(str::to_owned).collect();
         let needs_nothing = |line: &Line| match line {
-            Line::Circular { angle: View::Shared(name), .. } => !set.contains(name),
+            Line::Circular { angle: DisplayTree::Shared(name), .. } => !set.contains(name),
             Line::Circular { .. } | Line::Let(_) | Line::Step(_) => false,
         };
         let (mut first, rest): (Vec<Line>, Vec<Line>) = self.lines.into_iter().partition(needs_nothing);
@@ -397,7 +403,7 @@ fn use_counts(arena: &Arena, parts: &[Expr], roots: &[Expr]) -> FxHashMap<Expr, 
 /// Finds, for each term, the name of the first step or output that contains it.
 fn first_needs(
     arena: &Arena,
-    variables: &Variables,
+    variables: &SymbolVariableNames,
     steps: &[Definition],
     outputs: &[Output],
 ) -> FxHashMap<Expr, String> {
@@ -419,16 +425,23 @@ fn first_needs(
 }
 
 /// Replaces every tangent in a formula by the value of `name` for its angle.
-fn replace_tangents(view: &mut View, name: &mut impl FnMut(&View) -> View) {
+fn replace_tangents(view: &mut DisplayTree, name: &mut impl FnMut(&DisplayTree) -> DisplayTree) {
     match view {
-        View::Call("tan", angle) => *view = name(angle),
-        View::Call(_, inner) | View::Root(inner) | View::Power(inner, _) => replace_tangents(inner, name),
-        View::Sum(terms) => terms.iter_mut().for_each(|(_, term)| replace_tangents(term, name)),
-        View::Product(factors) => factors.iter_mut().for_each(|factor| replace_tangents(factor, name)),
-        View::Fraction(above, below) => {
+        DisplayTree::Call("tan", angle) => *view = name(angle),
+        DisplayTree::Call(_, inner) | DisplayTree::Root(inner) | DisplayTree::Power(inner, _) => {
+            replace_tangents(inner, name);
+        }
+        DisplayTree::Sum(terms) => terms.iter_mut().for_each(|(_, term)| replace_tangents(term, name)),
+        DisplayTree::Product(factors) => factors.iter_mut().for_each(|factor| replace_tangents(factor, name)),
+        DisplayTree::Fraction(above, below) => {
             replace_tangents(above, name);
             replace_tangents(below, name);
         }
-        View::Number(_) | View::Name(_) | View::Word(_) | View::Shared(_) | View::Pi | View::Cut => {}
+        DisplayTree::Number(_)
+        | DisplayTree::Name(_)
+        | DisplayTree::Word(_)
+        | DisplayTree::Shared(_)
+        | DisplayTree::Pi
+        | DisplayTree::Cut => {}
     }
 }

@@ -8,14 +8,14 @@
 use super::function::{Arguments, Function, Planner, Returns, Sharing, Value};
 use super::names::Language;
 use tripos_derive::algebra::form::simplify::Simplifier;
-use tripos_derive::algebra::text::definitions::written;
+use tripos_derive::algebra::text::definitions::define_named_terms;
 use tripos_derive::algebra::{Arena, Expr};
-use tripos_derive::identify::{Base, Complete, Factor, Identification};
-use tripos_derive::mechanics::{Column, DeriveError, Varied};
+use tripos_derive::identify::{BaseParameter, BaseParameterFactor, Completeness, Identification};
+use tripos_derive::mechanics::{Column, DeriveError, RegressorParameters};
 use tripos_derive::{Equations, Model};
 
 /// Regressor of a model's inverse dynamics, from which functions are planned.
-pub struct Regression {
+pub struct RegressorFunctions {
     /// Arena with the terms of the regressor.
     arena: Arena,
     /// Kane's equations for names and arguments. Their definitions are the intermediate terms of
@@ -27,18 +27,18 @@ pub struct Regression {
     /// Part of the generalized forces that contains no inertial parameter, one entry per speed.
     rest: Vec<Expr>,
     /// Base parameters with their formulas; `None` unless each has a proved formula.
-    base: Option<Vec<BaseParameter>>,
+    base: Option<Vec<RegressorParameter>>,
 }
 
 /// Base parameter, a combination of inertial parameters that motion determines, with its formula.
-struct BaseParameter {
+struct RegressorParameter {
     /// Index of the regressor column whose parameter gives the base parameter its name.
     column: usize,
     /// Formula of the base parameter in the parameters of the model.
     value: Expr,
 }
 
-impl Regression {
+impl RegressorFunctions {
     /// Names of the functions for identification. They are long, and written only on request.
     pub const FUNCTIONS: [&'static str; 5] =
         ["regressor", "regressor_rest", "inertial_parameters", "base_regressor", "base_parameters"];
@@ -48,15 +48,16 @@ impl Regression {
     /// # Errors
     /// [`DeriveError`] if the regressor of the model cannot be derived.
     pub fn new(model: &Model, equations: &Equations) -> Result<Self, DeriveError> {
-        let Identification { regressor, base, grouped, complete, .. } = Identification::new(model, Varied::Bodies)?;
+        let Identification { regressor, base, grouped, complete, .. } =
+            Identification::new(model, RegressorParameters::Bodies)?;
         let (mut arena, mut columns) = (regressor.arena, regressor.columns);
         // Closed poses group parameters by numbers of one model, which no formula gives.
-        let is_proved = matches!(complete, Complete::Proved(_)) && grouped.is_empty();
+        let is_proved = matches!(complete, Completeness::Proved(_)) && grouped.is_empty();
         let base = is_proved.then(|| base_parameters(&mut arena, &columns, &base)).flatten();
         let count = columns.iter().map(|column| column.forces.len()).sum::<usize>();
         let all = columns.iter().flat_map(|column| &column.forces).chain(&regressor.rest).copied();
         let all: Vec<Expr> = all.collect();
-        let (definitions, values) = written(&mut arena, &[], &all);
+        let (definitions, values) = define_named_terms(&mut arena, &[], &all);
         let (of_columns, rest) = values.split_at(count);
         let mut of_columns = of_columns.iter();
         for force in columns.iter_mut().flat_map(|column| &mut column.forces) {
@@ -83,27 +84,39 @@ impl Regression {
         let moving = Arguments::StateAndRates;
         let definitions = &self.equations.definitions;
         let mut list = vec![
-            self.table(&planner, "regressor", about, &all),
-            planner.stepwise("regressor_rest", about_rest, moving, Returns::Vector, definitions, &rest),
-            planner.function("inertial_parameters", about_parameters, Arguments::Parameters, Returns::Vector, &stated),
+            self.plan_regressor_matrix(&planner, "regressor", about, &all),
+            planner.plan_function_in_steps("regressor_rest", about_rest, moving, Returns::Vector, definitions, &rest),
+            planner.plan_function(
+                "inertial_parameters",
+                about_parameters,
+                Arguments::Parameters,
+                Returns::Vector,
+                &stated,
+            ),
         ];
         if let Some(base) = &self.base {
             let about = "Regressor of the base parameters, which motion can determine: the inverse dynamics is this times \
                          `base_parameters`, plus `regressor_rest`.";
             let kept: Vec<usize> = base.iter().map(|base| base.column).collect();
-            list.push(self.table(&planner, "base_regressor", about, &kept));
+            list.push(self.plan_regressor_matrix(&planner, "base_regressor", about, &kept));
             let about = "Base parameters by the parameters of the model.";
             let values = base.iter().enumerate();
-            let name = |base: &BaseParameter| self.columns[base.column].name.clone();
+            let name = |base: &RegressorParameter| self.columns[base.column].name.clone();
             let values: Vec<Value> = values.map(|(at, base)| entry("base", at, name(base), base.value)).collect();
-            list.push(planner.function("base_parameters", about, Arguments::Parameters, Returns::Vector, &values));
+            list.push(planner.plan_function("base_parameters", about, Arguments::Parameters, Returns::Vector, &values));
         }
         list
     }
 
     /// Plans a function that returns the given columns of the regressor as a matrix, with a row for
     /// each speed.
-    fn table(&self, planner: &Planner<'_>, name: &'static str, about: &str, columns: &[usize]) -> Function {
+    fn plan_regressor_matrix(
+        &self,
+        planner: &Planner<'_>,
+        name: &'static str,
+        about: &str,
+        columns: &[usize],
+    ) -> Function {
         let speeds = &planner.model.speeds;
         let values = speeds.iter().enumerate().flat_map(|(row, speed)| {
             columns.iter().enumerate().map(move |(at, column)| {
@@ -114,7 +127,14 @@ impl Regression {
         });
         let values: Vec<Value> = values.collect();
         let returns = Returns::Table { columns: columns.len() };
-        planner.stepwise(name, about, Arguments::StateAndRates, returns, &self.equations.definitions, &values)
+        planner.plan_function_in_steps(
+            name,
+            about,
+            Arguments::StateAndRates,
+            returns,
+            &self.equations.definitions,
+            &values,
+        )
     }
 
     /// Returns the names of all inertial parameters and of the base parameters, each list with its
@@ -129,17 +149,17 @@ impl Regression {
 
 /// Returns the formulas of the base parameters. `None` if a combination has a factor without a
 /// formula.
-fn base_parameters(arena: &mut Arena, columns: &[Column], base: &[Base]) -> Option<Vec<BaseParameter>> {
+fn base_parameters(arena: &mut Arena, columns: &[Column], base: &[BaseParameter]) -> Option<Vec<RegressorParameter>> {
     let mut simplifier = Simplifier::default();
     let mut list = Vec::new();
     for base in base {
         let mut value = columns[base.column].stated;
         for (column, factor) in &base.with {
-            let Factor::Exact(factor) = factor else { return None };
+            let BaseParameterFactor::Exact(factor) = factor else { return None };
             let part = arena.mul(*factor, columns[*column].stated);
             value = arena.add(value, part);
         }
-        list.push(BaseParameter { column: base.column, value: simplifier.simplify(arena, value) });
+        list.push(RegressorParameter { column: base.column, value: simplifier.simplify(arena, value) });
     }
     Some(list)
 }

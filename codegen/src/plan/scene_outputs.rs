@@ -4,14 +4,14 @@ use super::function::{Arguments, Function, Planner, Returns, Value};
 use super::motion::other_variables;
 use rustc_hash::FxHashSet;
 use tripos_derive::algebra::solve::elimination::Elimination;
-use tripos_derive::algebra::term::steps::{Definition, needed};
+use tripos_derive::algebra::term::steps::{Definition, needed_steps};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::scene::{ENERGIES, Scene, SceneEvent, SceneOutput};
 use tripos_derive::{Equations, Model};
 
 /// Reason why a scene's output or event has no function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Hidden {
+pub enum MissingOutputReason {
     /// The formula contains a reaction, which no closed form gives.
     Reaction,
     /// The formula contains an acceleration, and the accelerations were not solved for in closed form.
@@ -20,7 +20,7 @@ pub enum Hidden {
 
 /// Outputs and events of a scene, with the intermediate terms that compute them from the state.
 #[derive(Clone, Debug)]
-pub struct Shown {
+pub struct SceneOutputs {
     /// Definitions in the order of computation: accelerations, q̇ or u (whichever is not
     /// integrated), and energies.
     pub steps: Vec<Definition>,
@@ -29,10 +29,10 @@ pub struct Shown {
     /// Events of the scene whose functions the state determines.
     pub events: Vec<SceneEvent>,
     /// Names of the outputs and events without a function, each with the reason.
-    pub left_out: Vec<(String, Hidden)>,
+    pub left_out: Vec<(String, MissingOutputReason)>,
 }
 
-impl Shown {
+impl SceneOutputs {
     /// Selects the outputs and events that the state determines. `solved` gives the accelerations;
     /// `None` if they have no closed form.
     #[must_use]
@@ -43,17 +43,17 @@ impl Shown {
         equations: &Equations,
         solved: Option<&Elimination>,
     ) -> Self {
-        let steps = steps(model, arena, equations, solved);
+        let steps = output_definitions(model, arena, equations, solved);
         let rates: Vec<Expr> = equations.unknowns.iter().take(equations.variables.len()).copied().collect();
         let hidden = |value: Expr| {
             // The steps may lead to an acceleration that the formula itself does not contain.
-            let read = needed(arena, &steps, &[value]);
+            let read = needed_steps(arena, &steps, &[value]);
             let terms: Vec<Expr> = read.iter().map(|step| step.value).chain([value]).collect();
             let mentions = |symbol: Expr| terms.iter().any(|term| arena.mentions(*term, symbol));
             if model.reactions.iter().any(|reaction| mentions(reaction.symbol)) {
-                Some(Hidden::Reaction)
+                Some(MissingOutputReason::Reaction)
             } else if solved.is_none() && rates.iter().any(|rate| mentions(*rate)) {
-                Some(Hidden::Acceleration)
+                Some(MissingOutputReason::Acceleration)
             } else {
                 None
             }
@@ -72,10 +72,11 @@ impl Shown {
     /// Plans the functions `outputs` and `events`. A function without entries is left out.
     #[must_use]
     pub fn functions(&self, planner: &Planner<'_>) -> Vec<Function> {
-        let outputs = numbered("output", self.outputs.iter().map(|o| (o.name.clone(), o.value)));
-        let events = numbered("event", self.events.iter().map(|e| (e.name.clone(), e.function)));
+        let outputs = numbered_values("output", self.outputs.iter().map(|o| (o.name.clone(), o.value)));
+        let events = numbered_values("event", self.events.iter().map(|e| (e.name.clone(), e.function)));
         let own = |name: &'static str, about: &str, values: &[Value]| {
-            let plan = || planner.stepwise(name, about, Arguments::State, Returns::Vector, &self.steps, values);
+            let plan =
+                || planner.plan_function_in_steps(name, about, Arguments::State, Returns::Vector, &self.steps, values);
             (!values.is_empty()).then(plan)
         };
         let about_events = "Functions of the scene that are zero at its events.";
@@ -94,7 +95,12 @@ impl Shown {
 
 /// Returns definitions of the accelerations v̇, of q̇ or u (whichever is not integrated), of the
 /// rates of u, and of the energies.
-fn steps(model: &Model, arena: &mut Arena, equations: &Equations, solved: Option<&Elimination>) -> Vec<Definition> {
+fn output_definitions(
+    model: &Model,
+    arena: &mut Arena,
+    equations: &Equations,
+    solved: Option<&Elimination>,
+) -> Vec<Definition> {
     let mut steps = solved.map_or_else(Vec::new, |solved| solved.steps.clone());
     let known: FxHashSet<Expr> = steps.iter().map(|step| step.symbol).collect();
     steps.extend(equations.definitions.iter().filter(|step| !known.contains(&step.symbol)));
@@ -116,6 +122,6 @@ fn steps(model: &Model, arena: &mut Arena, equations: &Equations, solved: Option
 }
 
 /// Returns values to be computed whose variables are `stem` with the numbers 1, 2 and so on.
-pub fn numbered(stem: &str, list: impl Iterator<Item = (String, Expr)>) -> Vec<Value> {
+pub fn numbered_values(stem: &str, list: impl Iterator<Item = (String, Expr)>) -> Vec<Value> {
     list.enumerate().map(|(at, (name, value))| (format!("{stem}{}", at + 1), name, value)).collect()
 }

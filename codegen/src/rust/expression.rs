@@ -1,36 +1,36 @@
 //! Formulas as Rust expressions of the scalar type `S`.
 
-use crate::plan::{constant_and_factors, is_flat, is_plain_product, led};
+use crate::plan::{constant_and_factors, is_plain_product, is_sum_free_formula, order_sum_for_fusion};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 use tripos_derive::algebra::Rational;
-use tripos_derive::algebra::text::view::View;
+use tripos_derive::algebra::text::display_tree::DisplayTree;
 
 /// Returns the Rust expression for a formula, generic over the scalar type `S`.
-pub fn expression(view: &View) -> TokenStream {
+pub fn expression(view: &DisplayTree) -> TokenStream {
     match view {
-        View::Number(text) => number(text, "1"),
-        View::Name(name) | View::Word(name) | View::Shared(name) => ident(name),
-        View::Pi => quote!(S::pi()),
-        View::Sum(terms) => sum(terms).0,
-        View::Product(factors) => product(factors),
-        View::Fraction(above, below) => fraction(above, below),
-        View::Power(base, n) => power(base, *n),
-        View::Call(name, argument) => {
-            let argument = receiver(argument);
+        DisplayTree::Number(text) => number(text, "1"),
+        DisplayTree::Name(name) | DisplayTree::Word(name) | DisplayTree::Shared(name) => rust_identifier(name),
+        DisplayTree::Pi => quote!(S::pi()),
+        DisplayTree::Sum(terms) => sum(terms).0,
+        DisplayTree::Product(factors) => product(factors),
+        DisplayTree::Fraction(above, below) => fraction(above, below),
+        DisplayTree::Power(base, n) => power(base, *n),
+        DisplayTree::Call(name, argument) => {
+            let argument = method_receiver_expression(argument);
             let method = format_ident!("{}", if *name == "log" { "ln" } else { name });
             quote!(#argument.#method())
         }
-        View::Root(argument) => {
-            let argument = receiver(argument);
+        DisplayTree::Root(argument) => {
+            let argument = method_receiver_expression(argument);
             quote!(#argument.sqrt())
         }
-        View::Cut => quote!(compile_error!("formula too large")),
+        DisplayTree::Cut => quote!(compile_error!("formula too large")),
     }
 }
 
 /// Returns the Rust tokens of an identifier.
-pub fn ident(name: &str) -> TokenStream {
+pub fn rust_identifier(name: &str) -> TokenStream {
     let ident = format_ident!("{name}");
     quote!(#ident)
 }
@@ -65,7 +65,7 @@ fn number(numerator: &str, denominator: &str) -> TokenStream {
 /// compile error.
 fn long_number(numerator: &str, denominator: &str) -> TokenStream {
     let value = Rational::parse_decimal(numerator).zip(Rational::parse_decimal(denominator));
-    let value = value.and_then(|(n, d)| Some(n.mul(&d.recip()?)));
+    let value = value.and_then(|(n, d)| Some(n.mul(&d.reciprocal()?)));
     let Some(value) = value else { return quote!(compile_error!("not a number")) };
     let double = |x: f64| proc_macro2::Literal::f64_unsuffixed(x);
     let nearest = value.to_f64();
@@ -76,7 +76,7 @@ fn long_number(numerator: &str, denominator: &str) -> TokenStream {
     // The difference of the numbers of digits is the size in powers of ten, up to one.
     let size = digits(numerator) - digits(denominator);
     let ten = Rational::integer(10);
-    let power = ten.pow(size).map(|power| value.mul(&power.recip().unwrap_or(Rational::ONE)).to_f64());
+    let power = ten.pow(size).map(|power| value.mul(&power.reciprocal().unwrap_or(Rational::ONE)).to_f64());
     match power {
         Some(mantissa) if mantissa.is_finite() => {
             let (mantissa, size) = (double(mantissa), proc_macro2::Literal::i32_unsuffixed(size));
@@ -96,20 +96,20 @@ fn digits(text: &str) -> i32 {
 /// A product of names and numbers is fused with the terms before it by `mul_add`. A sum has at most
 /// one fused product, and none if it contains another sum: nested calls are hard to read and gain
 /// little.
-fn sum(terms: &[(bool, View)]) -> (TokenStream, bool) {
-    let order = led(terms);
+fn sum(terms: &[(bool, DisplayTree)]) -> (TokenStream, bool) {
+    let order = order_sum_for_fusion(terms);
     let (mut tokens, mut call) = (TokenStream::new(), false);
-    let mut fused = order.iter().any(|(_, term)| !is_flat(term));
+    let mut fused = order.iter().any(|(_, term)| !is_sum_free_formula(term));
     for (at, (negative, term)) in order.into_iter().enumerate() {
         if at > 0 && !fused && is_plain_product(term) {
-            let (left, right) = halves(term);
+            let (left, right) = mul_add_operands(term);
             let left = if *negative { quote!((- #left)) } else { left };
             tokens = quote!(#left.mul_add(#right, #tokens));
             (fused, call) = (true, true);
             continue;
         }
         call = false;
-        let loose = matches!(term, View::Sum(_));
+        let loose = matches!(term, DisplayTree::Sum(_));
         let term = expression(term);
         let term = if loose { quote!((#term)) } else { term };
         match (at, negative) {
@@ -122,43 +122,45 @@ fn sum(terms: &[(bool, View)]) -> (TokenStream, bool) {
 }
 
 /// Splits a product of names and numbers into the receiver and the first argument of `mul_add`.
-fn halves(term: &View) -> (TokenStream, TokenStream) {
+fn mul_add_operands(term: &DisplayTree) -> (TokenStream, TokenStream) {
     let factors = match term {
-        View::Product(factors) => factors.clone(),
-        View::Power(base, _) => vec![(**base).clone(); 2],
+        DisplayTree::Product(factors) => factors.clone(),
+        DisplayTree::Power(base, _) => vec![(**base).clone(); 2],
         other => vec![other.clone()],
     };
     // A number becomes the argument, not the receiver: `x.mul_add(S::int(4), y)`.
-    let number = factors.iter().position(|f| matches!(f, View::Number(_)));
+    let number = factors.iter().position(|f| matches!(f, DisplayTree::Number(_)));
     let right = number.unwrap_or(factors.len() - 1);
     let mut left = factors;
     let right = expression(&left.remove(right));
-    let left = if left.len() == 1 { left.remove(0) } else { View::Product(left) };
-    (receiver(&left), right)
+    let left = if left.len() == 1 { left.remove(0) } else { DisplayTree::Product(left) };
+    (method_receiver_expression(&left), right)
 }
 
 /// Returns a formula as a factor of a product, in parentheses if it needs them.
-fn factor(view: &View) -> TokenStream {
+fn factor(view: &DisplayTree) -> TokenStream {
     let (tokens, bound) = match view {
-        View::Sum(terms) => sum(terms),
-        View::Fraction(..) => (expression(view), false),
+        DisplayTree::Sum(terms) => sum(terms),
+        DisplayTree::Fraction(..) => (expression(view), false),
         _ => (expression(view), true),
     };
     if bound { tokens } else { quote!((#tokens)) }
 }
 
 /// Returns a formula as the receiver of a Rust method call, in parentheses if it needs them.
-pub fn receiver(view: &View) -> TokenStream {
+pub fn method_receiver_expression(view: &DisplayTree) -> TokenStream {
     let (tokens, bound) = match view {
-        View::Sum(terms) => sum(terms),
-        View::Name(_) | View::Shared(_) | View::Call(..) | View::Root(_) => (expression(view), true),
+        DisplayTree::Sum(terms) => sum(terms),
+        DisplayTree::Name(_) | DisplayTree::Shared(_) | DisplayTree::Call(..) | DisplayTree::Root(_) => {
+            (expression(view), true)
+        }
         _ => (expression(view), false),
     };
     if bound { tokens } else { quote!((#tokens)) }
 }
 
 /// Returns the Rust expression for a product of formulas.
-fn product(factors: &[View]) -> TokenStream {
+fn product(factors: &[DisplayTree]) -> TokenStream {
     join_products(&factors.iter().map(factor).collect::<Vec<_>>())
 }
 
@@ -176,7 +178,7 @@ fn join_products(factors: &[TokenStream]) -> TokenStream {
 
 /// Returns the Rust expression for a quotient. The whole numbers in numerator and denominator are
 /// merged into one exact constant.
-fn fraction(above: &View, below: &View) -> TokenStream {
+fn fraction(above: &DisplayTree, below: &DisplayTree) -> TokenStream {
     let (n, above) = constant_and_factors(above);
     let (d, below) = constant_and_factors(below);
     let mut factors: Vec<TokenStream> = Vec::new();
@@ -188,7 +190,7 @@ fn fraction(above: &View, below: &View) -> TokenStream {
     match below.as_slice() {
         [] => numerator,
         [one] => {
-            let product = matches!(one, View::Power(..));
+            let product = matches!(one, DisplayTree::Power(..));
             let one = factor(one);
             // A power may be written as a product, which binds no tighter than the division.
             if product { quote!(#numerator / (#one)) } else { quote!(#numerator / #one) }
@@ -203,9 +205,9 @@ fn fraction(above: &View, below: &View) -> TokenStream {
 
 /// Returns the Rust expression for a power. Squares and cubes of a variable become products; other
 /// powers use `powi`.
-fn power(base: &View, n: i32) -> TokenStream {
-    let plain = matches!(base, View::Name(_) | View::Shared(_));
-    let tokens = receiver(base);
+fn power(base: &DisplayTree, n: i32) -> TokenStream {
+    let plain = matches!(base, DisplayTree::Name(_) | DisplayTree::Shared(_));
+    let tokens = method_receiver_expression(base);
     if plain && (2..=3).contains(&n) {
         return join_products(&vec![tokens; n.unsigned_abs() as usize]);
     }

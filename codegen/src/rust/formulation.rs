@@ -1,11 +1,11 @@
 //! Rust files of one formulation of one model: a file of equations for people, and a file of code.
 
-use super::function::{Parameters, function};
-use super::slopes::{JACOBIAN_PRODUCT, Rates, jacobian_product};
-use super::system::{self, Part};
+use super::jacobian_product::{JACOBIAN_PRODUCT, Rates, jacobian_product};
+use super::rust_function::{Parameters, function};
+use super::rust_text::{escape_doc_comment, format, function_documentation, reexport, rust_file_header};
+use super::system_impl::{self, SystemMethods};
 use super::taylor::{self, TaylorText};
-use super::text::{format, header, prose, reexport, stated};
-use super::written_functions::Written;
+use super::written_functions::WrittenFunctions;
 use crate::plan::{FormulationPlan, module_name, type_name};
 use quote::{format_ident, quote};
 use tripos_derive::algebra::Expr;
@@ -24,7 +24,11 @@ pub struct FormulationFiles {
 /// Writes the files of a formulation. `origin` is the header sentence on the origin. A function
 /// that another formulation of the model already has is imported instead of written again.
 #[must_use]
-pub fn files(plan: &FormulationPlan<'_>, origin: &str, written: &mut Written) -> FormulationFiles {
+pub fn rust_formulation_files(
+    plan: &FormulationPlan<'_>,
+    origin: &str,
+    written: &mut WrittenFunctions,
+) -> FormulationFiles {
     let (model, equations) = (plan.planner.model, plan.planner.equations);
     let (parameters, module) = (Parameters::of(model), module_name(&equations.name(model)));
     let taylor = plan.taylor.as_ref().map(|plan| ("taylor", taylor::function(plan, &parameters)));
@@ -33,31 +37,31 @@ pub fn files(plan: &FormulationPlan<'_>, origin: &str, written: &mut Written) ->
     let sorted = written.sort(&module, planned.chain(taylor));
 
     let has = |name: &str| plan.machine.iter().any(|planned| planned.name == name);
-    let linear = Part::LinearSystem { together: has("linear_system") };
-    let mut parts = vec![linear, Part::WholeState(model.coordinates.len() + model.speeds.len())];
+    let linear = SystemMethods::LinearSystem { together: has("linear_system") };
+    let mut parts = vec![linear, SystemMethods::WholeState(model.coordinates.len() + model.speeds.len())];
     let is_solved = plan.solved_cost.is_some();
     let (product, together) = (is_solved && !has("jacobian"), has("derivative"));
-    parts.extend(is_solved.then_some(Part::Eliminated { product, together }));
-    parts.extend((plan.planner.equations.power != Expr::ZERO).then_some(Part::Power));
-    parts.extend(plan.taylor.as_ref().map(|plan| Part::Taylor(plan.width())));
-    parts.extend((!plan.divisors.is_empty()).then(|| Part::Divisors(plan.divisors.clone())));
-    parts.extend((!plan.constraints.is_empty()).then(|| Part::Constraints(plan.constraints.clone())));
+    parts.extend(is_solved.then_some(SystemMethods::Eliminated { product, together }));
+    parts.extend((plan.planner.equations.power != Expr::ZERO).then_some(SystemMethods::Power));
+    parts.extend(plan.taylor.as_ref().map(|plan| SystemMethods::Taylor(plan.width())));
+    parts.extend((!plan.divisors.is_empty()).then(|| SystemMethods::Divisors(plan.divisors.clone())));
+    parts.extend((!plan.constraints.is_empty()).then(|| SystemMethods::Constraints(plan.constraints.clone())));
     // The function `jacobian_product` is never shared: equal texts of it call different functions.
     let rates = if together { Rates::Together } else { Rates::Apart };
     let differentiated = product.then(|| jacobian_product(equations, rates));
     let (dual, by_columns) = (product.then(|| quote!(Dual,)), product.then(|| quote!(, by_columns)));
-    let system = system::system(model, equations, &parts);
+    let system = system_impl::system(model, equations, &parts);
     let text = if sorted.has("taylor") { TaylorText::Here } else { TaylorText::Elsewhere };
     let series = plan.taylor.as_ref().map(|plan| taylor::imports(plan, text));
     let (own, imports) = (&sorted.own, sorted.imports());
     let title = format!(
         "{}: {}, {}.",
-        prose(&model.title),
-        prose(&equations.title(model)),
+        escape_doc_comment(&model.title),
+        escape_doc_comment(&equations.title(model)),
         equations.formulation.equation(model)
     );
     let code = format(
-        &header(title.clone(), origin, &[]),
+        &rust_file_header(title.clone(), origin, &[]),
         quote! {
             use super::super::Parameters;
             #(#imports)*
@@ -71,7 +75,8 @@ pub fn files(plan: &FormulationPlan<'_>, origin: &str, written: &mut Written) ->
 
     let own = plan.equations.iter().filter(|planned| sorted.has(planned.name));
     let shown = own.map(|planned| {
-        let (docs, module, name) = (stated(planned), format_ident!("{module}"), format_ident!("{}", planned.name));
+        let (docs, module, name) =
+            (function_documentation(planned), format_ident!("{module}"), format_ident!("{}", planned.name));
         quote!(#docs #[doc(inline)] pub use super::code::#module::#name;)
     });
     // A function that is shared with another formulation is documented in that formulation's file.
@@ -83,6 +88,6 @@ pub fn files(plan: &FormulationPlan<'_>, origin: &str, written: &mut Written) ->
     let machine = plan.machine.iter().map(|planned| planned.name).chain(plan.taylor.as_ref().map(|_| "taylor"));
     let machine = machine.chain(product.then_some(JACOBIAN_PRODUCT));
     let rest = reexport(&quote!(super::code), &module, machine.chain([unit.as_str()]));
-    let equations = format(&header(title, origin, &plan.facts), quote!(#rest #(#shared)* #(#shown)*));
+    let equations = format(&rust_file_header(title, origin, &plan.facts), quote!(#rest #(#shared)* #(#shown)*));
     FormulationFiles { equations, code }
 }

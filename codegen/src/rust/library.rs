@@ -1,11 +1,11 @@
 //! Text of `lib.rs` in the generated package of a workspace.
 
-use super::text::format;
+use super::rust_text::format;
 use quote::{format_ident, quote};
 
 /// Returns the text of `lib.rs` for the modules of the models with these names.
 #[must_use]
-pub fn library(models: &[String]) -> String {
+pub fn generated_library_text(models: &[String]) -> String {
     let header = [
         "Equations of motion, compiled: one module a model, one file a formulation.",
         "",

@@ -3,22 +3,22 @@
 
 mod expression;
 mod formulation;
-mod function;
+mod jacobian_product;
 mod library;
 mod module;
 mod names;
+mod rust_function;
+mod rust_text;
 mod scene;
-mod slopes;
-mod system;
+mod system_impl;
 mod target;
 mod taylor;
-mod text;
 mod written_functions;
 
-pub use formulation::{FormulationFiles, files as formulation_files};
-pub use library::library;
-pub use module::{About, Entry, files as module_files};
+pub use formulation::{FormulationFiles, rust_formulation_files as formulation_files};
+pub use library::generated_library_text;
+pub use module::{ModuleEquations, ModuleHeaderData, rust_model_files as module_files};
 pub use names::{LANGUAGE, is_name};
-pub use scene::{Named, SceneFile, file as scene_file, list as scene_list};
-pub(crate) use target::{RustModule, unsolved};
-pub use written_functions::Written;
+pub use scene::{SceneFile, SceneHeaderData, rust_scene_file as scene_file, rust_scene_list as scene_list};
+pub(crate) use target::{RustModule, unsolved_equations_error};
+pub use written_functions::WrittenFunctions;

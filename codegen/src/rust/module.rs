@@ -2,8 +2,8 @@
 //! and list of formulations.
 
 use super::expression::constant;
-use super::function::fields;
-use super::text::{format, format_to_include, prose};
+use super::rust_function::fields;
+use super::rust_text::{escape_doc_comment, format, format_to_include};
 use crate::plan::{module_name, type_name};
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -14,7 +14,7 @@ use tripos_derive::Model;
 const MOST_IN_EIGHT: usize = 500;
 
 /// Set of equations that the Rust module of a model lists.
-pub struct Entry {
+pub struct ModuleEquations {
     /// Name of the equations, such as `kane` or `printed:ID`.
     pub name: String,
     /// Title of the set of equations for headings.
@@ -27,15 +27,16 @@ pub struct Entry {
     pub shown: bool,
 }
 
-impl Entry {
+impl ModuleEquations {
     /// Returns the declaration of the Rust module for these equations.
-    fn declaration(&self) -> TokenStream {
-        let (name, about) = (format_ident!("{}", module_name(&self.name)), format!(" {}.", prose(&self.title)));
+    fn rust_module_declaration(&self) -> TokenStream {
+        let (name, about) =
+            (format_ident!("{}", module_name(&self.name)), format!(" {}.", escape_doc_comment(&self.title)));
         quote!(#[doc = #about] #[rustfmt::skip] pub mod #name;)
     }
 
     /// Returns the expression of a `CompiledSystem`, by which a program runs these equations.
-    fn system(&self) -> TokenStream {
+    fn compiled_system_expression(&self) -> TokenStream {
         let (module, unit) = (format_ident!("{}", module_name(&self.name)), format_ident!("{}", type_name(&self.name)));
         let (name, system) = (&self.name, quote!(code::#module::#unit));
         let series = self.series.then(|| quote!(.with_series(&Derivative(#system))));
@@ -49,7 +50,7 @@ impl Entry {
 }
 
 /// Data about a model's Rust module for its header and its constant `MODEL`.
-pub struct About<'a> {
+pub struct ModuleHeaderData<'a> {
     /// Name of the model's Rust module.
     pub module: &'a str,
     /// Sentence of the header on the origin of the module.
@@ -64,22 +65,26 @@ pub struct About<'a> {
 /// Writes two files of a model: its `mod.rs`, and the `mod.rs` of the folder `code`. `equations`
 /// lists all sets of equations.
 #[must_use]
-pub fn files(model: &Model, about: &About<'_>, equations: &[Entry]) -> [String; 2] {
+pub fn rust_model_files(model: &Model, about: &ModuleHeaderData<'_>, equations: &[ModuleEquations]) -> [String; 2] {
     [module_file(model, about, equations), code_file(model, about, equations)]
 }
 
 /// Returns the text of a model's `mod.rs`.
-fn module_file(model: &Model, about: &About<'_>, equations: &[Entry]) -> String {
-    let header =
-        [format!("{}.", prose(&model.title)), String::new(), about.origin.to_owned(), format!("{}.", model.count())];
+fn module_file(model: &Model, about: &ModuleHeaderData<'_>, equations: &[ModuleEquations]) -> String {
+    let header = [
+        format!("{}.", escape_doc_comment(&model.title)),
+        String::new(),
+        about.origin.to_owned(),
+        format!("{}.", model.counts_in_words()),
+    ];
     let read = equations.iter().filter(|entry| entry.shown);
-    let modules = read.map(Entry::declaration);
-    let (structure, defaults) = (parameters(model), defaults(model));
-    let (parameter_type, parameters) = names(model.parameters.iter().map(|p| p.name.as_str()));
-    let (coordinate_type, coordinates) = names(model.coordinates.iter().map(|c| c.name.as_str()));
-    let (speed_type, speeds) = names(model.speeds.iter().map(|s| s.name.as_str()));
+    let modules = read.map(ModuleEquations::rust_module_declaration);
+    let (structure, defaults) = (rust_parameter_struct(model), rust_default_impl(model));
+    let (parameter_type, parameters) = rust_name_array(model.parameters.iter().map(|p| p.name.as_str()));
+    let (coordinate_type, coordinates) = rust_name_array(model.coordinates.iter().map(|c| c.name.as_str()));
+    let (speed_type, speeds) = rust_name_array(model.speeds.iter().map(|s| s.name.as_str()));
     let in_lanes = equations.iter().any(|entry| entry.solved.is_some()).then(|| quote!(Derivative, InLanes,));
-    let systems = equations.iter().map(Entry::system);
+    let systems = equations.iter().map(ModuleEquations::compiled_system_expression);
     let code = code_module();
     let scene_module = about.has_scenes.then(|| {
         quote! {
@@ -121,7 +126,7 @@ fn module_file(model: &Model, about: &About<'_>, equations: &[Entry]) -> String 
 }
 
 /// Returns the Rust type and value of a constant array of names.
-pub fn names<'n>(list: impl Iterator<Item = &'n str>) -> (TokenStream, TokenStream) {
+pub fn rust_name_array<'n>(list: impl Iterator<Item = &'n str>) -> (TokenStream, TokenStream) {
     let list: Vec<&str> = list.collect();
     let count = Literal::usize_unsuffixed(list.len());
     (quote!([&str; #count]), quote!([#(#list),*]))
@@ -139,15 +144,15 @@ pub fn code_module() -> TokenStream {
 }
 
 /// Returns the text of the `mod.rs` in the folder `code`.
-fn code_file(model: &Model, about: &About<'_>, equations: &[Entry]) -> String {
-    let title = format!("{}: the code of the equations.", prose(&model.title));
-    let modules = equations.iter().map(Entry::declaration);
+fn code_file(model: &Model, about: &ModuleHeaderData<'_>, equations: &[ModuleEquations]) -> String {
+    let title = format!("{}: the code of the equations.", escape_doc_comment(&model.title));
+    let modules = equations.iter().map(ModuleEquations::rust_module_declaration);
     format(&[title, String::new(), about.origin.to_owned()], quote!(#(#modules)*))
 }
 
 /// Returns the Rust implementation of `Default` with the parameter values of the model file. `None`
 /// unless every parameter has a value.
-fn defaults(model: &Model) -> Option<TokenStream> {
+fn rust_default_impl(model: &Model) -> Option<TokenStream> {
     let values: Option<Vec<_>> = model.parameters.iter().map(|p| p.value.as_ref().map(constant)).collect();
     let names = fields(model);
     let values = values?.into_iter().zip(&names).map(|(value, name)| {
@@ -167,13 +172,13 @@ fn defaults(model: &Model) -> Option<TokenStream> {
 
 /// Returns the Rust declaration of the struct `Parameters` of a model, with conversions from a
 /// slice and to an array.
-pub fn parameters(model: &Model) -> TokenStream {
+pub fn rust_parameter_struct(model: &Model) -> TokenStream {
     let count = model.parameters.len();
     let names = fields(model);
     let fields = model.parameters.iter().zip(&names).map(|(p, name)| {
         let name = format_ident!("{name}");
         let about = if p.about.is_empty() { "parameter" } else { &p.about };
-        let text = format!(" {}, {}", prose(about), p.unit);
+        let text = format!(" {}, {}", escape_doc_comment(about), p.unit);
         quote!(#[doc = #text] pub #name: S)
     });
     let from = names.iter().enumerate().map(|(at, name)| {

@@ -1,14 +1,14 @@
 //! Rust files of the reduced equations of one scene: a file of equations for people, and a file of
 //! code.
 
-use super::function::{Parameters, fields, function, function_at_points};
-use super::module::{code_module, names, parameters};
+use super::jacobian_product::{JACOBIAN_PRODUCT, Rates, jacobian_product};
+use super::module::{code_module, rust_name_array, rust_parameter_struct};
 use super::names::{LANGUAGE, is_name};
-use super::slopes::{JACOBIAN_PRODUCT, Rates, jacobian_product};
-use super::system::{self, Part};
+use super::rust_function::{Parameters, fields, function, function_at_points};
+use super::rust_text::{escape_doc_comment, format, function_documentation, reexport, rust_file_header};
+use super::system_impl::{self, SystemMethods};
 use super::taylor::{self, TaylorText};
-use super::text::{format, header, prose, reexport, stated};
-use crate::extras::Extras;
+use crate::optional_functions::Extras;
 use crate::plan::{Jacobian, SceneEquations, ScenePlan, Taylor, module_name};
 use quote::{format_ident, quote};
 use tripos_derive::Model;
@@ -28,7 +28,7 @@ pub struct SceneFile {
 }
 
 /// Name, title and origin of a scene for the header of its Rust file.
-pub struct Named<'a> {
+pub struct SceneHeaderData<'a> {
     /// Name of the scene's file, without its extension.
     pub name: &'a str,
     /// Title of the scene; empty if it has none.
@@ -42,18 +42,18 @@ pub struct Named<'a> {
 ///
 /// # Errors
 /// [`Unsolved`] if the accelerations are not determined in any configuration, or are not proved.
-pub fn file(
+pub fn rust_scene_file(
     whole: &Model,
     reduction: &Reduction,
-    named: &Named<'_>,
+    named: &SceneHeaderData<'_>,
     extras: Extras,
     before: &[SceneFile],
 ) -> Result<SceneFile, Unsolved> {
-    let (module, key) = (module_of(named.name, before), reduction.key());
+    let (module, key) = (scene_module_name(named.name, before), reduction.reduction_hash());
     let (text, code) = match before.iter().find(|file| file.key == key) {
-        Some(same) => (reference(reduction, named, &same.module), None),
+        Some(same) => (rust_scene_reference(reduction, named, &same.module), None),
         None => {
-            let (text, code) = equations_of(whole, reduction, named, extras, &module, &key)?;
+            let (text, code) = rust_scene_texts(whole, reduction, named, extras, &module, &key)?;
             (text, Some(code))
         }
     };
@@ -62,7 +62,7 @@ pub fn file(
 
 /// Returns a module name for a scene, such as `scene_10s` for `10s`, that no earlier scene in
 /// `before` has.
-fn module_of(name: &str, before: &[SceneFile]) -> String {
+fn scene_module_name(name: &str, before: &[SceneFile]) -> String {
     let stem = module_name(name);
     let stem = if is_name(&stem) { stem } else { format!("scene_{stem}") };
     let taken = |candidate: &String| candidate == "code" || before.iter().any(|file| file.module == *candidate);
@@ -72,7 +72,7 @@ fn module_of(name: &str, before: &[SceneFile]) -> String {
 
 /// Returns the text of a scene's file that only refers to the module `same` of a scene with equal
 /// equations.
-fn reference(reduction: &Reduction, named: &Named<'_>, same: &str) -> String {
+fn rust_scene_reference(reduction: &Reduction, named: &SceneHeaderData<'_>, same: &str) -> String {
     let header = vec![
         first_line(reduction, named),
         String::new(),
@@ -92,18 +92,18 @@ fn reference(reduction: &Reduction, named: &Named<'_>, same: &str) -> String {
 }
 
 /// Returns the first line of the header: titles of the model and the scene.
-fn first_line(reduction: &Reduction, named: &Named<'_>) -> String {
+fn first_line(reduction: &Reduction, named: &SceneHeaderData<'_>) -> String {
     let title = if named.title.is_empty() { named.name } else { named.title };
-    format!("{}: {}.", prose(&reduction.model.title), prose(title))
+    format!("{}: {}.", escape_doc_comment(&reduction.model.title), escape_doc_comment(title))
 }
 
 /// Returns the two texts of a scene that shares its equations with no earlier scene: equations for
 /// people, and code.
 /// `Err` if the accelerations are not determined, or are not proved.
-fn equations_of(
+fn rust_scene_texts(
     whole: &Model,
     reduction: &Reduction,
-    named: &Named<'_>,
+    named: &SceneHeaderData<'_>,
     extras: Extras,
     module: &str,
     key: &str,
@@ -117,50 +117,52 @@ fn equations_of(
 }
 
 /// Returns the text of a scene's file of equations for people.
-fn equations_file(plan: &ScenePlan<'_>, named: &Named<'_>, module: &str) -> String {
+fn equations_file(plan: &ScenePlan<'_>, named: &SceneHeaderData<'_>, module: &str) -> String {
     let shown = plan.from_start.iter().chain(&plan.equations).map(|planned| {
-        let (docs, module, name) = (stated(planned), format_ident!("{module}"), format_ident!("{}", planned.name));
+        let (docs, module, name) =
+            (function_documentation(planned), format_ident!("{module}"), format_ident!("{}", planned.name));
         quote!(#docs #[doc(inline)] pub use super::code::#module::#name;)
     });
     let machine = plan.machine.iter().map(|planned| planned.name).chain(plan.taylor.as_ref().map(|_| "taylor"));
-    let machine = machine.chain(is_long(plan).then_some(JACOBIAN_PRODUCT));
+    let machine = machine.chain(lacks_jacobian(plan).then_some(JACOBIAN_PRODUCT));
     let names = machine.chain(["OUTPUTS", "PARAMETERS", "Parameters", "Reduced", "SCENE"]);
     let rest = reexport(&quote!(super::code), module, names);
-    format(&header(first_line(plan.reduction, named), named.origin, &plan.facts), quote!(#rest #(#shown)*))
+    format(&rust_file_header(first_line(plan.reduction, named), named.origin, &plan.facts), quote!(#rest #(#shown)*))
 }
 
 /// True if the plan has no function `jacobian`, because it would be long. Then the Jacobian is
 /// computed by differentiating the code as it runs.
-fn is_long(plan: &ScenePlan<'_>) -> bool {
+fn lacks_jacobian(plan: &ScenePlan<'_>) -> bool {
     !plan.machine.iter().any(|planned| planned.name == "jacobian")
 }
 
 /// Returns the text of a scene's file of code.
-fn code_file(whole: &Model, plan: &ScenePlan<'_>, named: &Named<'_>, key: &str) -> String {
+fn code_file(whole: &Model, plan: &ScenePlan<'_>, named: &SceneHeaderData<'_>, key: &str) -> String {
     let (model, reduction) = (&plan.reduction.model, plan.reduction);
     let of_whole = Parameters { path: quote!(super::super::super::Parameters), fields: fields(whole) };
     let from_start = plan.from_start.iter().map(|planned| function(planned, &of_whole));
     let own = Parameters::of(model);
     let write = if reduction.slope.is_some() { function_at_points } else { function };
     let functions = plan.equations.iter().chain(&plan.machine).map(|planned| write(planned, &own));
-    let product = is_long(plan);
+    let product = lacks_jacobian(plan);
     let differentiated = product.then(|| jacobian_product(&reduction.derivation.equations, Rates::Together));
     let at_points = reduction.slope.as_ref().map(|_| quote!(AtPoints, Derivative,));
     let (dual, by_columns) = (product.then(|| quote!(Dual,)), product.then(|| quote!(, by_columns)));
-    let mut parts = vec![Part::Outputs(reduction.outputs.len()), Part::Eliminated { product, together: true }];
-    parts.extend(reduction.has_energy.then_some(Part::EnergyGradient));
-    parts.extend(reduction.slope.as_ref().map(|slope| Part::PotentialSlope(slope.turns.clone())));
-    parts.extend(plan.taylor.as_ref().map(|plan| Part::Taylor(plan.width())));
-    parts.extend((!plan.divisors.is_empty()).then(|| Part::Divisors(plan.divisors.clone())));
-    let system = system::system(model, &reduction.derivation.equations, &parts);
+    let mut parts =
+        vec![SystemMethods::Outputs(reduction.outputs.len()), SystemMethods::Eliminated { product, together: true }];
+    parts.extend(reduction.has_energy.then_some(SystemMethods::EnergyGradient));
+    parts.extend(reduction.slope.as_ref().map(|slope| SystemMethods::PotentialSlope(slope.turns.clone())));
+    parts.extend(plan.taylor.as_ref().map(|plan| SystemMethods::Taylor(plan.width())));
+    parts.extend((!plan.divisors.is_empty()).then(|| SystemMethods::Divisors(plan.divisors.clone())));
+    let system = system_impl::system(model, &reduction.derivation.equations, &parts);
     let series = plan.taylor.as_ref().map(|plan| taylor::imports(plan, TaylorText::Here));
     let taylor = plan.taylor.as_ref().map(|plan| taylor::function(plan, &own));
-    let structure = parameters(model);
-    let (parameter_type, parameter_names) = names(model.parameters.iter().map(|p| p.name.as_str()));
-    let (output_type, output_names) = names(reduction.outputs.iter().map(|o| o.name.as_str()));
+    let structure = rust_parameter_struct(model);
+    let (parameter_type, parameter_names) = rust_name_array(model.parameters.iter().map(|p| p.name.as_str()));
+    let (output_type, output_names) = rust_name_array(reduction.outputs.iter().map(|o| o.name.as_str()));
     let name = named.name;
     format(
-        &header(first_line(reduction, named), named.origin, &[]),
+        &rust_file_header(first_line(reduction, named), named.origin, &[]),
         quote! {
             #series
             use tripos_traits::{#at_points CompiledScene, CompiledSystem, #dual Lengths, Scalar, System #by_columns};
@@ -190,8 +192,8 @@ fn code_file(whole: &Model, plan: &ScenePlan<'_>, named: &Named<'_>, key: &str) 
 
 /// Writes the `mod.rs` that lists a model's scenes, and the `mod.rs` of their code.
 #[must_use]
-pub fn list(title: &str, origin: &str, files: &[SceneFile]) -> [String; 2] {
-    let header = |what: &str| vec![format!("{}: {what}.", prose(title)), String::new(), origin.to_owned()];
+pub fn rust_scene_list(title: &str, origin: &str, files: &[SceneFile]) -> [String; 2] {
+    let header = |what: &str| vec![format!("{}: {what}.", escape_doc_comment(title)), String::new(), origin.to_owned()];
     let modules: Vec<_> = files.iter().map(|file| format_ident!("{}", file.module)).collect();
     let code = files.iter().filter(|file| file.code.is_some()).map(|file| format_ident!("{}", file.module));
     let code_module = code_module();
@@ -219,7 +221,7 @@ mod tests {
     fn every_scene_has_a_module_of_its_own() {
         let mut files: Vec<SceneFile> = Vec::new();
         for name in ["report-10s", "report_10s", "10s", "loop", "mod", "my run", "-"] {
-            let module = module_of(name, &files);
+            let module = scene_module_name(name, &files);
             assert!(syn::parse_str::<syn::Ident>(&module).is_ok(), "{name} gives {module}");
             files.push(SceneFile { module, key: String::new(), text: String::new(), code: None });
         }

@@ -1,8 +1,8 @@
 //! Rust module of one model as a target: files of equations for people, code in `code/`, and a list
 //! of the sets of equations.
 
-use super::{Entry, FormulationFiles, LANGUAGE, Written, formulation_files};
-use crate::extras::Extras;
+use super::{FormulationFiles, LANGUAGE, ModuleEquations, WrittenFunctions, formulation_files};
+use crate::optional_functions::Extras;
 use crate::origin::Origin;
 use crate::plan::{FormulationPlan, Jacobian, Planner, Sharing, module_name};
 use crate::target::Target;
@@ -10,7 +10,7 @@ use crate::taylor::recurrences_of;
 use std::collections::BTreeMap;
 use tripos_derive::algebra::Arena;
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source};
-use tripos_derive::mechanics::{Derivation, Solved, Unsolved, distances, in_distance};
+use tripos_derive::mechanics::{Derivation, SolvedAccelerations, Unsolved, equations_in_distance, singular_distances};
 use tripos_derive::{Equations, Model};
 
 /// Largest number of convolutions at one order for which Taylor recurrences are written. With more,
@@ -36,9 +36,9 @@ pub(crate) struct RustModule<'a> {
     /// Texts of the files, by path.
     files: BTreeMap<String, String>,
     /// Sets of equations in the order in which they were written.
-    entries: Vec<Entry>,
+    entries: Vec<ModuleEquations>,
     /// Functions that are already written. Later sets of equations import them.
-    written: Written,
+    written: WrittenFunctions,
     /// Equations in the distance from singular surfaces, to be written last, so that they import
     /// the functions of other equations. They serve only runs.
     near: Vec<Derivation>,
@@ -53,15 +53,16 @@ impl Target for RustModule<'_> {
         format!("{}.rs", module_name(equations))
     }
 
-    fn derived(&mut self, model: &Model, derivation: Derivation) -> Result<(), Diagnostics> {
-        self.near.extend(distances(model).into_iter().map(|d| in_distance(model, derivation.clone(), d)));
-        self.solved(model, derivation, Readers::People)
+    fn write_derived_equations(&mut self, model: &Model, derivation: Derivation) -> Result<(), Diagnostics> {
+        self.near
+            .extend(singular_distances(model).into_iter().map(|d| equations_in_distance(model, derivation.clone(), d)));
+        self.write_solved_equations(model, derivation, Readers::People)
     }
 
     fn printed(&mut self, model: &Model, arena: &Arena, equations: &Equations) {
         let planner = Planner::new(model, arena, equations, &LANGUAGE, Sharing::AsStated);
         let plan = FormulationPlan::new(&planner, None, Jacobian::LeftOut, None);
-        self.add(&plan, &self.origin.of_publication(), Readers::People);
+        self.add(&plan, &self.origin.publication_origin_sentence(), Readers::People);
     }
 }
 
@@ -82,7 +83,7 @@ impl<'a> RustModule<'a> {
             extras,
             files: BTreeMap::new(),
             entries: Vec::new(),
-            written: Written::default(),
+            written: WrittenFunctions::default(),
             near: Vec::new(),
         }
     }
@@ -92,9 +93,9 @@ impl<'a> RustModule<'a> {
     ///
     /// # Errors
     /// [`Diagnostics`] if accelerations are not determined in closed form, or are not proved.
-    pub fn finish(mut self, model: &Model) -> Result<(BTreeMap<String, String>, Vec<Entry>), Diagnostics> {
+    pub fn finish(mut self, model: &Model) -> Result<(BTreeMap<String, String>, Vec<ModuleEquations>), Diagnostics> {
         for derivation in std::mem::take(&mut self.near) {
-            self.solved(model, derivation, Readers::Runs)?;
+            self.write_solved_equations(model, derivation, Readers::Runs)?;
         }
         Ok((self.files, self.entries))
     }
@@ -103,20 +104,25 @@ impl<'a> RustModule<'a> {
     ///
     /// # Errors
     /// [`Diagnostics`] if the accelerations are not determined in closed form, or are not proved.
-    fn solved(&mut self, model: &Model, derivation: Derivation, shown: Readers) -> Result<(), Diagnostics> {
+    fn write_solved_equations(
+        &mut self,
+        model: &Model,
+        derivation: Derivation,
+        shown: Readers,
+    ) -> Result<(), Diagnostics> {
         let Derivation { mut arena, equations } = derivation;
         let title = equations.formulation.title();
-        let refused = |why: Unsolved| unsolved(&model.source, title, why);
-        let equations = equations.written(&mut arena);
-        let solved = Solved::new(&mut arena, &equations).map_err(refused)?;
+        let refused = |why: Unsolved| unsolved_equations_error(&model.source, title, why);
+        let equations = equations.with_definitions(&mut arena);
+        let solved = SolvedAccelerations::new(&mut arena, &equations).map_err(refused)?;
         let recurrences =
             if self.extras.taylor { recurrences_of(&mut arena, &equations, &solved.accelerations) } else { None };
         let recurrences = recurrences.filter(|list| list.convolutions() <= MOST_CONVOLUTIONS);
-        let equations = equations.with_inverse_dynamics(&mut arena).map_err(|why| refused(why.into()))?;
+        let equations = equations.with_certified_inverse_dynamics(&mut arena).map_err(|why| refused(why.into()))?;
         let planner = Planner::new(model, &arena, &equations, &LANGUAGE, Sharing::Shared);
         let jacobian = if self.extras.jacobian { Jacobian::Planned } else { Jacobian::LeftOut };
         let plan = FormulationPlan::new(&planner, Some(&solved), jacobian, recurrences.as_ref());
-        self.add(&plan, &self.origin.of_model(), shown);
+        self.add(&plan, &self.origin.model_origin_sentence(), shown);
         Ok(())
     }
 
@@ -130,12 +136,12 @@ impl<'a> RustModule<'a> {
         let is_shown = shown == Readers::People;
         self.files.extend(is_shown.then_some((file, text)));
         let series = plan.taylor.as_ref().is_some_and(|taylor| has_short_series(taylor.list.convolutions(), equations));
-        self.entries.push(Entry { name, title, solved: plan.solved_cost, series, shown: is_shown });
+        self.entries.push(ModuleEquations { name, title, solved: plan.solved_cost, series, shown: is_shown });
     }
 }
 
 /// Returns the error for a set of equations, with the title `equations`, whose accelerations could
 /// not be solved for or proved.
-pub(crate) fn unsolved(source: &Source, equations: &str, why: Unsolved) -> Diagnostics {
+pub(crate) fn unsolved_equations_error(source: &Source, equations: &str, why: Unsolved) -> Diagnostics {
     Diagnostics::new(source.clone(), vec![Diagnostic::of_file(format!("{equations}: {why}"), why.help())])
 }

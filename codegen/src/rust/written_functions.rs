@@ -1,31 +1,35 @@
 //! Record of the functions already written for a model, so that functions with equal text are
 //! written only once.
 
-use super::text::reexport;
+use super::rust_text::reexport;
 use proc_macro2::TokenStream;
 use quote::quote;
 use rustc_hash::FxHashMap;
 
 /// Record of the functions already written for a model.
 #[derive(Default)]
-pub struct Written {
+pub struct WrittenFunctions {
     /// Name of the code module that contains each function, by the text of the function.
     places: FxHashMap<String, String>,
 }
 
 /// Functions of one code module: those that it contains, and those that it imports.
-pub struct Sorted {
+pub struct SortedFunctions {
     /// Texts of the functions that the module contains itself.
     pub own: Vec<TokenStream>,
     /// Names of the functions that the module imports, by the module that contains them.
     pub others: Vec<(String, Vec<&'static str>)>,
 }
 
-impl Written {
+impl WrittenFunctions {
     /// Sorts the functions of a module into new functions and functions that an earlier module
     /// already contains. New functions are recorded.
-    pub fn sort(&mut self, module: &str, functions: impl IntoIterator<Item = (&'static str, TokenStream)>) -> Sorted {
-        let mut sorted = Sorted { own: Vec::new(), others: Vec::new() };
+    pub fn sort(
+        &mut self,
+        module: &str,
+        functions: impl IntoIterator<Item = (&'static str, TokenStream)>,
+    ) -> SortedFunctions {
+        let mut sorted = SortedFunctions { own: Vec::new(), others: Vec::new() };
         for (name, tokens) in functions {
             let there = self.places.entry(tokens.to_string()).or_insert_with(|| module.to_owned());
             if there == module {
@@ -41,7 +45,7 @@ impl Written {
     }
 }
 
-impl Sorted {
+impl SortedFunctions {
     /// True if the module itself contains the text of the function `name`.
     pub fn has(&self, name: &str) -> bool {
         !self.others.iter().any(|(_, names)| names.contains(&name))

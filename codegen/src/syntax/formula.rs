@@ -4,19 +4,19 @@
 //! rounding.
 
 use super::Syntax;
-use crate::plan::{constant_and_factors, is_flat, is_plain_product, led};
+use crate::plan::{constant_and_factors, is_plain_product, is_sum_free_formula, order_sum_for_fusion};
 use tripos_derive::algebra::Rational;
-use tripos_derive::algebra::text::view::View;
+use tripos_derive::algebra::text::display_tree::DisplayTree;
 
 /// Returns the expression for a formula in a language.
 #[must_use]
-pub fn formula(syntax: &dyn Syntax, view: &View) -> String {
+pub fn formula(syntax: &dyn Syntax, view: &DisplayTree) -> String {
     Formula(syntax).of(view)
 }
 
 /// Returns the literal of the double nearest to a rational number.
 #[must_use]
-pub fn constant(syntax: &dyn Syntax, value: &Rational) -> String {
+pub fn number_literal(syntax: &dyn Syntax, value: &Rational) -> String {
     let magnitude = if value.is_negative() { value.neg() } else { value.clone() }.to_big();
     let magnitude = Formula(syntax).number(&magnitude.numer().to_string(), &magnitude.denom().to_string());
     if value.is_negative() { format!("-{magnitude}") } else { magnitude }
@@ -28,47 +28,47 @@ struct Formula<'s>(&'s dyn Syntax);
 
 impl Formula<'_> {
     /// Returns the expression for a formula.
-    fn of(self, view: &View) -> String {
+    fn of(self, view: &DisplayTree) -> String {
         match view {
-            View::Number(text) => self.number(text, "1"),
-            View::Name(name) | View::Word(name) | View::Shared(name) => name.clone(),
-            View::Pi => self.0.pi().to_owned(),
-            View::Sum(terms) => self.sum(terms),
-            View::Product(factors) => self.product(&factors.iter().map(|f| self.factor(f)).collect::<Vec<_>>()),
-            View::Fraction(above, below) => self.fraction(above, below),
-            View::Power(base, n) => self.power(base, *n),
-            View::Call(name, argument) => self.0.call(name, &self.of(argument)),
-            View::Root(argument) => self.0.call("sqrt", &self.of(argument)),
+            DisplayTree::Number(text) => self.number(text, "1"),
+            DisplayTree::Name(name) | DisplayTree::Word(name) | DisplayTree::Shared(name) => name.clone(),
+            DisplayTree::Pi => self.0.pi().to_owned(),
+            DisplayTree::Sum(terms) => self.sum(terms),
+            DisplayTree::Product(factors) => self.product(&factors.iter().map(|f| self.factor(f)).collect::<Vec<_>>()),
+            DisplayTree::Fraction(above, below) => self.fraction(above, below),
+            DisplayTree::Power(base, n) => self.power(base, *n),
+            DisplayTree::Call(name, argument) => self.0.call(name, &self.of(argument)),
+            DisplayTree::Root(argument) => self.0.call("sqrt", &self.of(argument)),
             // A formula is cut only beyond a budget that no formula comes near.
-            View::Cut => self.0.not_a_number().to_owned(),
+            DisplayTree::Cut => self.0.not_a_number().to_owned(),
         }
     }
 
     /// Returns the literal of a quotient of two whole numbers, given by their digits.
     fn number(self, numerator: &str, denominator: &str) -> String {
         if denominator == "1" {
-            return self.0.whole(numerator);
+            return self.0.integer_literal(numerator);
         }
         let value = Rational::parse_decimal(numerator).zip(Rational::parse_decimal(denominator));
-        let value = value.and_then(|(n, d)| Some(n.mul(&d.recip()?)));
+        let value = value.and_then(|(n, d)| Some(n.mul(&d.reciprocal()?)));
         let Some(value) = value else { return self.0.not_a_number().to_owned() };
         let nearest = value.to_f64();
         if nearest.is_normal() {
-            return self.0.decimal(&format!("{nearest:?}"));
+            return self.0.decimal_literal(&format!("{nearest:?}"));
         }
         // Numbers outside the normal doubles get a power of ten, so that the language rounds them.
         let digits = |text: &str| i32::try_from(text.len()).unwrap_or(i32::MAX);
         let size = digits(numerator) - digits(denominator);
-        let power = Rational::integer(10).pow(size).and_then(|power| power.recip());
-        let scaled = |power: Rational| self.0.decimal(&format!("{}e{size}", value.mul(&power).to_f64()));
+        let power = Rational::integer(10).pow(size).and_then(|power| power.reciprocal());
+        let scaled = |power: Rational| self.0.decimal_literal(&format!("{}e{size}", value.mul(&power).to_f64()));
         power.map_or_else(|| self.0.not_a_number().to_owned(), scaled)
     }
 
     /// Returns the expression for a sum, with its terms from left to right. A product of names and
     /// numbers may be moved from the first to the second place.
-    fn sum(self, terms: &[(bool, View)]) -> String {
-        let order = led(terms);
-        let mut has_fused = order.iter().any(|(_, term)| !is_flat(term));
+    fn sum(self, terms: &[(bool, DisplayTree)]) -> String {
+        let order = order_sum_for_fusion(terms);
+        let mut has_fused = order.iter().any(|(_, term)| !is_sum_free_formula(term));
         let mut out = String::new();
         for (at, (negative, term)) in order.into_iter().enumerate() {
             out += match (at, negative) {
@@ -80,8 +80,10 @@ impl Formula<'_> {
             let is_fused = at > 0 && !has_fused && is_plain_product(term);
             has_fused |= is_fused;
             out += &match term {
-                View::Sum(_) => self.in_parentheses(term),
-                View::Product(factors) if is_fused && self.0.is_ordered_as_rust() => self.fused(factors),
+                DisplayTree::Sum(_) => self.in_parentheses(term),
+                DisplayTree::Product(factors) if is_fused && self.0.is_ordered_as_rust() => {
+                    self.product_for_fused_sum(factors)
+                }
                 _ => self.of(term),
             };
         }
@@ -90,8 +92,9 @@ impl Formula<'_> {
 
     /// Returns the expression for a product with its numbers at the end. The Rust target uses this
     /// order in a product fused with a sum.
-    fn fused(self, factors: &[View]) -> String {
-        let (numbers, others): (Vec<&View>, Vec<&View>) = factors.iter().partition(|f| matches!(f, View::Number(_)));
+    fn product_for_fused_sum(self, factors: &[DisplayTree]) -> String {
+        let (numbers, others): (Vec<&DisplayTree>, Vec<&DisplayTree>) =
+            factors.iter().partition(|f| matches!(f, DisplayTree::Number(_)));
         self.product(&others.into_iter().chain(numbers).map(|f| self.factor(f)).collect::<Vec<_>>())
     }
 
@@ -101,17 +104,21 @@ impl Formula<'_> {
     }
 
     /// Returns a formula as a factor, in parentheses if it is a sum or a fraction.
-    fn factor(self, view: &View) -> String {
-        if matches!(view, View::Sum(_) | View::Fraction(..)) { self.in_parentheses(view) } else { self.of(view) }
+    fn factor(self, view: &DisplayTree) -> String {
+        if matches!(view, DisplayTree::Sum(_) | DisplayTree::Fraction(..)) {
+            self.in_parentheses(view)
+        } else {
+            self.of(view)
+        }
     }
 
-    fn in_parentheses(self, view: &View) -> String {
+    fn in_parentheses(self, view: &DisplayTree) -> String {
         format!("({})", self.of(view))
     }
 
     /// Returns the expression for a quotient. The whole numbers in numerator and denominator are
     /// merged into one constant.
-    fn fraction(self, above: &View, below: &View) -> String {
+    fn fraction(self, above: &DisplayTree, below: &DisplayTree) -> String {
         let (n, above) = constant_and_factors(above);
         let (d, below) = constant_and_factors(below);
         let mut factors: Vec<String> = Vec::new();
@@ -123,7 +130,7 @@ impl Formula<'_> {
         match below.as_slice() {
             [] => numerator,
             // A power may be written as a product, which binds no tighter than the division.
-            [one] if !matches!(one, View::Power(..)) => format!("{numerator} {over} {}", self.factor(one)),
+            [one] if !matches!(one, DisplayTree::Power(..)) => format!("{numerator} {over} {}", self.factor(one)),
             many => {
                 let many: Vec<String> = many.iter().map(|f| self.factor(f)).collect();
                 format!("{numerator} {over} ({})", self.product(&many))
@@ -133,12 +140,12 @@ impl Formula<'_> {
 
     /// Returns the expression for a power. Squares and cubes of variables become products; other
     /// powers are written by the language.
-    fn power(self, base: &View, n: i32) -> String {
+    fn power(self, base: &DisplayTree, n: i32) -> String {
         match base {
-            View::Name(_) | View::Shared(_) if (2..=3).contains(&n) => {
+            DisplayTree::Name(_) | DisplayTree::Shared(_) if (2..=3).contains(&n) => {
                 self.product(&vec![self.of(base); n.unsigned_abs() as usize])
             }
-            View::Name(_) | View::Shared(_) | View::Call(..) | View::Root(_) => {
+            DisplayTree::Name(_) | DisplayTree::Shared(_) | DisplayTree::Call(..) | DisplayTree::Root(_) => {
                 let text = self.of(base);
                 self.0.power(&text, &text, n)
             }

@@ -1,14 +1,15 @@
 //! Syntax shared by languages with infix formulas: formulas, statements and comments.
 //!
-//! The flow: a planned [`Function`](crate::plan::Function) → a [`Writer`] → text. A [`Syntax`] states how one language
+//! The flow: a planned [`Function`](crate::plan::Function) → a [`CodeWriter`] → text. A [`Syntax`]
+//! states how one language
 //! spells numbers, calls, declarations and comments; it decides nothing about the computation. Rust is not among these
 //! languages: its text is made of tokens.
 
 mod formula;
 mod writer;
 
-pub use formula::{constant, formula};
-pub use writer::{Comments, Writer};
+pub use formula::{formula, number_literal};
+pub use writer::{CodeWriter, Comments};
 
 use crate::lines::wrap;
 use std::fmt::Write;
@@ -22,17 +23,17 @@ pub const FIRM_SPACE: char = '\u{a0}';
 
 /// Replaces the spaces of a text, so that no line is broken inside it.
 #[must_use]
-pub fn firm(text: &str) -> String {
+pub fn with_firm_spaces(text: &str) -> String {
     text.replace(' ', &FIRM_SPACE.to_string())
 }
 
 /// Returns the texts `name = value` of several variables, joined by `separator`. If there are
 /// several, no line is broken inside an assignment.
 #[must_use]
-pub fn assigned(list: &[(String, String)], separator: &str) -> String {
+pub fn assignments(list: &[(String, String)], separator: &str) -> String {
     let one = |(name, value): &(String, String)| {
         let text = format!("{name} = {value}");
-        if list.len() > 1 { firm(&text) } else { text }
+        if list.len() > 1 { with_firm_spaces(&text) } else { text }
     };
     list.iter().map(one).collect::<Vec<_>>().join(separator)
 }
@@ -44,7 +45,7 @@ pub trait Syntax {
 
     /// Makes a text safe in a comment: on one line, without characters that end or change the
     /// comment in this language.
-    fn harmless(&self, text: &str) -> String;
+    fn escape_comment(&self, text: &str) -> String;
 
     /// Returns the operators of multiplication and division, without spaces.
     fn operators(&self) -> [&'static str; 2] {
@@ -52,13 +53,13 @@ pub trait Syntax {
     }
 
     /// Returns the literal of a whole number, given by its digits.
-    fn whole(&self, digits: &str) -> String {
+    fn integer_literal(&self, digits: &str) -> String {
         digits.to_owned()
     }
 
     /// Returns the literal of a decimal number, given as decimal text. It also serves whole numbers
     /// that are too long for integers.
-    fn decimal(&self, text: &str) -> String {
+    fn decimal_literal(&self, text: &str) -> String {
         text.to_owned()
     }
 
@@ -92,7 +93,7 @@ pub trait Syntax {
 
     /// Returns statements that compute the sine and cosine of an angle at once. `None` if the
     /// language computes them separately.
-    fn circular(&self, _sine: &str, _cosine: &str, _angle: &str) -> Option<Vec<String>> {
+    fn sine_and_cosine_statements(&self, _sine: &str, _cosine: &str, _angle: &str) -> Option<Vec<String>> {
         None
     }
 

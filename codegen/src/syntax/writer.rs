@@ -2,7 +2,7 @@
 
 use super::{Syntax, WIDTH, formula};
 use crate::lines::wrap;
-use crate::plan::{Argument, Explanation, Function, Line, Program, Statement};
+use crate::plan::{Argument, Function, Line, LineComments, Program, Statement};
 use std::fmt::Write;
 
 /// Choice of whether generated code contains comments.
@@ -15,7 +15,7 @@ pub enum Comments {
 }
 
 /// Writer of generated code in one language.
-pub struct Writer<'s> {
+pub struct CodeWriter<'s> {
     /// Text of the code written so far.
     pub out: String,
     /// Syntax of the language in which code is written.
@@ -26,7 +26,7 @@ pub struct Writer<'s> {
     indent: &'static str,
 }
 
-impl<'s> Writer<'s> {
+impl<'s> CodeWriter<'s> {
     /// Returns a writer of code in a language, without any text yet.
     #[must_use]
     pub fn new(syntax: &'s dyn Syntax, comments: Comments) -> Self {
@@ -49,7 +49,7 @@ impl<'s> Writer<'s> {
         if self.comments == Comments::LeftOut {
             return;
         }
-        let (line, mark) = (self.syntax.harmless(text), self.syntax.comment_mark());
+        let (line, mark) = (self.syntax.escape_comment(text), self.syntax.comment_mark());
         for (at, part) in wrap(line.trim(), WIDTH - self.indent.len() - mark.len() - 1).iter().enumerate() {
             let hang = if at == 0 || part.is_empty() { "" } else { "  " };
             let _ = writeln!(self.out, "{}", format!("{}{mark} {hang}{part}", self.indent).trim_end());
@@ -59,18 +59,18 @@ impl<'s> Writer<'s> {
     /// Writes the sentence on the origin of the code as a comment on one line, so that programs can
     /// find it.
     pub fn origin(&mut self, sentence: &str) {
-        let _ = writeln!(self.out, "{} {}", self.syntax.comment_mark(), self.syntax.harmless(sentence).trim());
+        let _ = writeln!(self.out, "{} {}", self.syntax.comment_mark(), self.syntax.escape_comment(sentence).trim());
     }
 
     /// Writes an empty line. Writes nothing if comments are left out.
-    pub fn gap(&mut self) {
+    pub fn write_empty_line(&mut self) {
         if self.comments == Comments::Written {
             self.out.push('\n');
         }
     }
 
     /// Writes a statement without breaking its lines. It may contain string literals.
-    pub fn raw(&mut self, text: &str) {
+    pub fn write_unbroken(&mut self, text: &str) {
         self.out += self.indent;
         self.out += text;
         self.out.push('\n');
@@ -83,13 +83,13 @@ impl<'s> Writer<'s> {
 
     /// Writes declarations of variables for the entries of the arguments that the function's body
     /// reads.
-    pub fn unpack(&mut self, arguments: &[Argument]) {
+    pub fn declare_arguments(&mut self, arguments: &[Argument]) {
         for argument in arguments {
             match argument {
-                Argument::Parameters { read } => self.taken("p", read),
+                Argument::Parameters { read } => self.declare_array_entries("p", read),
                 Argument::Array { name, entries } => {
                     let read = entries.iter().enumerate().filter_map(|(at, entry)| Some((at, entry.clone()?)));
-                    self.taken(name, &read.collect::<Vec<_>>());
+                    self.declare_array_entries(name, &read.collect::<Vec<_>>());
                 }
                 // An argument that is a number already has the name of its variable.
                 Argument::Number(_) => {}
@@ -98,7 +98,7 @@ impl<'s> Writer<'s> {
     }
 
     /// Writes declarations of variables for entries of an array, given as pairs (index, variable).
-    pub fn taken(&mut self, array: &str, list: &[(usize, String)]) {
+    pub fn declare_array_entries(&mut self, array: &str, list: &[(usize, String)]) {
         let each = list.iter().map(|(at, name)| (name.clone(), self.syntax.entry(array, *at)));
         self.declare(&each.collect::<Vec<_>>());
     }
@@ -141,7 +141,8 @@ impl<'s> Writer<'s> {
     /// Writes the declarations of the sine and cosine of an angle. `None` marks a value that is not
     /// read.
     fn circular(&mut self, sine: Option<&str>, cosine: Option<&str>, angle: &str) {
-        let both = sine.zip(cosine).and_then(|(sine, cosine)| self.syntax.circular(sine, cosine, angle));
+        let both =
+            sine.zip(cosine).and_then(|(sine, cosine)| self.syntax.sine_and_cosine_statements(sine, cosine, angle));
         if let Some(lines) = both {
             for text in &lines {
                 self.line(text);
@@ -155,7 +156,7 @@ impl<'s> Writer<'s> {
 
     /// Writes the declaration of a variable, with its equation as a comment above it if
     /// `explanation` asks for formulas.
-    fn step(&mut self, step: &Statement, explanation: Explanation) {
+    fn step(&mut self, step: &Statement, explanation: LineComments) {
         if let Some(equation) = explanation.of(step) {
             self.comment(equation);
         }
@@ -168,7 +169,7 @@ fn heading(planned: &Function, line: &Line, lines: &[Line]) -> &'static str {
     let eliminates = lines.iter().any(|line| matches!(line, Line::Step(_)));
     match line {
         Line::Circular { .. } => "Sines and cosines.",
-        _ if planned.explanation == Explanation::Names => "Step by step, each after the terms that it needs.",
+        _ if planned.explanation == LineComments::Names => "Step by step, each after the terms that it needs.",
         _ if eliminates => "Elimination, step by step, each after the terms that it shares.",
         _ => "Shared terms.",
     }

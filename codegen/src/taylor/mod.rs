@@ -8,18 +8,18 @@
 //! the numerical integration of ODEs by means of high-order Taylor methods", Experimental Mathematics 14 (2005) 99–117,
 //! §2.
 
-mod factor;
-mod lower;
 mod products;
 mod recurrences;
+mod series_from_terms;
 mod tape;
+mod taylor_factoring;
 
 pub use recurrences::{Constant, Operand, Recurrences, Rule, Series};
 pub use tape::Tape;
 
 use tripos_derive::Equations;
 use tripos_derive::algebra::solve::elimination::Elimination;
-use tripos_derive::algebra::term::steps::{Definition, needed};
+use tripos_derive::algebra::term::steps::{Definition, needed_steps};
 use tripos_derive::algebra::{Arena, Expr};
 
 /// Largest number of rounds of improvement. Each round tries every form of every expression.
@@ -45,10 +45,10 @@ pub fn recurrences_of(arena: &mut Arena, equations: &Equations, accelerations: &
 /// sign x, which have no Taylor series everywhere.
 #[must_use]
 pub fn recurrences(arena: &mut Arena, states: &[Expr], rates: &[Expr], steps: &[Definition]) -> Option<Recurrences> {
-    let mut steps = needed(arena, steps, rates);
+    let mut steps = needed_steps(arena, steps, rates);
     let mut rates = rates.to_vec();
-    let mut best = lower::lower(arena, states, &rates, &steps)?;
-    let varying = lower::varying(arena, states, &rates, &steps);
+    let mut best = series_from_terms::series_from_terms(arena, states, &rates, &steps)?;
+    let varying = series_from_terms::varying_terms(arena, states, &rates, &steps);
     if steps.len() > MOST_IMPROVED {
         return Some(best);
     }
@@ -58,16 +58,17 @@ pub fn recurrences(arena: &mut Arena, states: &[Expr], rates: &[Expr], steps: &[
         Some(step) => step.value,
         None => rates[at - steps.len()],
     };
-    let choices: Vec<Vec<Expr>> = (0..count).map(|at| factor::forms(arena, &varying, of(&steps, &rates, at))).collect();
+    let choices: Vec<Vec<Expr>> =
+        (0..count).map(|at| taylor_factoring::factored_forms(arena, &varying, of(&steps, &rates, at))).collect();
     // Forms that save products only together are found together, one preference at a time.
-    for preference in factor::Preference::ALL {
-        let mut form = |e: Expr| factor::form(arena, &varying, e, preference);
+    for preference in taylor_factoring::Preference::ALL {
+        let mut form = |e: Expr| taylor_factoring::factored_form(arena, &varying, e, preference);
         let new_steps: Vec<Definition> = steps.iter().map(|s| Definition { value: form(s.value), ..*s }).collect();
         let new_rates: Vec<Expr> = rates.iter().map(|e| form(*e)).collect();
         together.push((new_steps, new_rates));
     }
     for (new_steps, new_rates) in together {
-        let Some(found) = lower::lower(arena, states, &new_rates, &new_steps) else { continue };
+        let Some(found) = series_from_terms::series_from_terms(arena, states, &new_rates, &new_steps) else { continue };
         if cost(&found) < cost(&best) {
             (best, steps, rates) = (found, new_steps, new_rates);
         }
@@ -83,7 +84,9 @@ pub fn recurrences(arena: &mut Arena, states: &[Expr], rates: &[Expr], steps: &[
                     Some(step) => step.value = form,
                     None => new_rates[at - steps.len()] = form,
                 }
-                let Some(found) = lower::lower(arena, states, &new_rates, &new_steps) else { continue };
+                let Some(found) = series_from_terms::series_from_terms(arena, states, &new_rates, &new_steps) else {
+                    continue;
+                };
                 if cost(&found) < cost(&best) {
                     (best, steps, rates) = (found, new_steps, new_rates);
                 }

@@ -6,18 +6,18 @@ use tripos_derive::algebra::Expr;
 
 /// Base of a factor that changes in time: a single term or a pair of factors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Base {
+pub enum FactorBase {
     /// Single term that is not a pair of factors.
     Term(Expr),
-    /// Pair of factors with this index in [`Pairs`].
+    /// Pair of factors with this index in [`FactorPairs`].
     Pair(usize),
 }
 
 /// Factor or divisor of a product that changes in time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct Atom {
+pub struct ProductFactor {
     /// Term or pair that multiplies or divides.
-    pub base: Base,
+    pub base: FactorBase,
     /// True for a divisor, false for a factor.
     pub inverse: bool,
 }
@@ -28,24 +28,24 @@ const WRITTEN: u32 = 3;
 
 /// Table of the distinct pairs of factors, each with an index.
 #[derive(Default)]
-pub struct Pairs {
+pub struct FactorPairs {
     /// Two factors of each pair, by the pair's index.
-    list: Vec<[Atom; 2]>,
+    list: Vec<[ProductFactor; 2]>,
     /// Index of each pair in `list`, by its two factors.
-    place: FxHashMap<[Atom; 2], usize>,
+    place: FxHashMap<[ProductFactor; 2], usize>,
 }
 
-impl Pairs {
+impl FactorPairs {
     /// Returns the two factors of the pair with the index `place`.
-    pub fn atoms(&self, place: usize) -> [Atom; 2] {
+    pub fn atoms(&self, place: usize) -> [ProductFactor; 2] {
         self.list[place]
     }
 
     /// Returns the factor that joins two factors into a pair. The pair is a quotient if one is a
     /// divisor; it becomes a divisor itself if both are.
-    pub fn joined(&mut self, a: Atom, b: Atom) -> Atom {
+    pub fn join_factors(&mut self, a: ProductFactor, b: ProductFactor) -> ProductFactor {
         let inverse = a.inverse && b.inverse;
-        let [mut a, mut b] = [a, b].map(|atom| Atom { inverse: atom.inverse && !inverse, ..atom });
+        let [mut a, mut b] = [a, b].map(|atom| ProductFactor { inverse: atom.inverse && !inverse, ..atom });
         // A divisor is the second atom of a pair; otherwise the order does not matter.
         if (b.inverse, b.base) < (a.inverse, a.base) {
             std::mem::swap(&mut a, &mut b);
@@ -55,12 +55,12 @@ impl Pairs {
         if place == next {
             self.list.push([a, b]);
         }
-        Atom { base: Base::Pair(place), inverse }
+        ProductFactor { base: FactorBase::Pair(place), inverse }
     }
 
     /// Returns factors whose product is base^n.
-    pub fn power(&mut self, base: Expr, n: i32) -> Vec<Atom> {
-        let mut atom = Atom { base: Base::Term(base), inverse: n < 0 };
+    pub fn power(&mut self, base: Expr, n: i32) -> Vec<ProductFactor> {
+        let mut atom = ProductFactor { base: FactorBase::Term(base), inverse: n < 0 };
         let mut left = n.unsigned_abs();
         if left <= WRITTEN {
             return vec![atom; left as usize];
@@ -72,7 +72,7 @@ impl Pairs {
             }
             left >>= 1;
             if left > 0 {
-                atom = self.joined(atom, atom);
+                atom = self.join_factors(atom, atom);
             }
         }
         list
@@ -80,10 +80,10 @@ impl Pairs {
 
     /// Joins the pair of factors that occurs in most products, again and again, until no pair
     /// occurs in two products.
-    pub fn share(&mut self, products: &mut [Vec<Atom>]) {
+    pub fn share(&mut self, products: &mut [Vec<ProductFactor>]) {
         loop {
-            let mut counts: FxHashMap<[Atom; 2], usize> = FxHashMap::default();
-            let mut order: Vec<[Atom; 2]> = Vec::new();
+            let mut counts: FxHashMap<[ProductFactor; 2], usize> = FxHashMap::default();
+            let mut order: Vec<[ProductFactor; 2]> = Vec::new();
             for product in products.iter() {
                 for pair in distinct_pairs(product) {
                     let count = counts.entry(pair).or_insert(0);
@@ -100,7 +100,7 @@ impl Pairs {
                 while distinct_pairs(product).contains(&[a, b]) {
                     remove(product, a);
                     remove(product, b);
-                    product.push(self.joined(a, b));
+                    product.push(self.join_factors(a, b));
                     product.sort_unstable();
                 }
             }
@@ -109,10 +109,10 @@ impl Pairs {
 }
 
 /// Returns the distinct pairs of factors in a product, sorted.
-fn distinct_pairs(product: &[Atom]) -> Vec<[Atom; 2]> {
+fn distinct_pairs(product: &[ProductFactor]) -> Vec<[ProductFactor; 2]> {
     let mut sorted = product.to_vec();
     sorted.sort_unstable();
-    let mut pairs: Vec<[Atom; 2]> = (0..sorted.len())
+    let mut pairs: Vec<[ProductFactor; 2]> = (0..sorted.len())
         .flat_map(|i| (i + 1..sorted.len()).map(move |j| (i, j)))
         .map(|(i, j)| [sorted[i], sorted[j]])
         .collect();
@@ -123,7 +123,7 @@ fn distinct_pairs(product: &[Atom]) -> Vec<[Atom; 2]> {
 }
 
 /// Removes one occurrence of a factor from a product.
-fn remove(product: &mut Vec<Atom>, atom: Atom) {
+fn remove(product: &mut Vec<ProductFactor>, atom: ProductFactor) {
     if let Some(at) = product.iter().position(|other| *other == atom) {
         product.remove(at);
     }

@@ -74,7 +74,7 @@ impl Rule {
     }
 
     /// Renumbers the series that the rule refers to. `place` maps an old index to a new index.
-    pub(super) fn renamed(&mut self, place: impl Fn(usize) -> usize) {
+    pub(super) fn renumber_series(&mut self, place: impl Fn(usize) -> usize) {
         let rename = |x: &mut usize| *x = place(*x);
         match self {
             Self::State(_) => {}

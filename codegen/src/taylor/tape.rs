@@ -3,7 +3,7 @@
 
 use super::recurrences::{Constant, Operand, Recurrences, Rule};
 use rustc_hash::FxHashMap;
-use tripos_derive::algebra::value::evaluate::{Numeric, Tape as Values, UnknownSymbol};
+use tripos_derive::algebra::value::tape::{Numeric, Tape as Values, UnknownSymbol};
 use tripos_derive::algebra::{Arena, Expr};
 
 /// Taylor recurrences with their constants, ready to be evaluated in numbers of the type `S`.
@@ -54,13 +54,13 @@ impl<S: Numeric> Tape<S> {
         let mut z = vec![S::int(0); (order + 1) * columns];
         for k in 0..=order {
             for (at, series) in self.list.series.iter().enumerate() {
-                let known = Known { z: &z, columns, k };
+                let known = SeriesCoefficients { z: &z, columns, k };
                 z[k * columns + at] = match &series.rule {
                     Rule::State(place) if k == 0 => x[*place],
                     Rule::State(place) => match self.list.rates[*place] {
                         Operand::Constant(e) if k == 1 => weight(e),
                         Operand::Constant(_) => S::int(0),
-                        Operand::Scaled(e, from) => weight(e) * known.of(k - 1, from) / whole(k),
+                        Operand::Scaled(e, from) => weight(e) * known.of(k - 1, from) / whole_number(k),
                     },
                     rule => known.coefficient(rule, at, weight),
                 };
@@ -79,12 +79,12 @@ impl<S: Numeric> Tape<S> {
 }
 
 /// Returns a whole number as a number of the type `S`.
-fn whole<S: Numeric>(n: usize) -> S {
+fn whole_number<S: Numeric>(n: usize) -> S {
     S::from_f64(n as f64)
 }
 
 /// Coefficients of all series computed so far, while order `k` is computed.
-struct Known<'a, S> {
+struct SeriesCoefficients<'a, S> {
     /// Coefficients, row by row: a row for each order, a column for each series.
     z: &'a [S],
     /// Number of series: the number of columns in `z`.
@@ -93,7 +93,7 @@ struct Known<'a, S> {
     k: usize,
 }
 
-impl<S: Numeric> Known<'_, S> {
+impl<S: Numeric> SeriesCoefficients<'_, S> {
     /// Returns the coefficient of order `j` of a series.
     fn of(&self, j: usize, series: usize) -> S {
         self.z[j * self.columns + series]
@@ -101,17 +101,17 @@ impl<S: Numeric> Known<'_, S> {
 
     /// Returns the convolution Σ a_j b_{k−j} of the series `a` and `b` over `from` ≤ j < `to`.
     fn convolution(&self, a: usize, b: usize, from: usize, to: usize) -> S {
-        self.weighted(a, b, from, to, |_| S::int(1))
+        self.weighted_convolution(a, b, from, to, |_| S::int(1))
     }
 
     /// Returns the convolution Σ j a_j b_{k−j} of the series `a` and `b` over `from` ≤ j < `to`.
     fn counted_convolution(&self, a: usize, b: usize, from: usize, to: usize) -> S {
-        self.weighted(a, b, from, to, whole)
+        self.weighted_convolution(a, b, from, to, whole_number)
     }
 
     /// Returns the convolution Σ f(j) a_j b_{k−j} of the series `a` and `b` over `from` ≤ j < `to`,
     /// where f is `factor`.
-    fn weighted(&self, a: usize, b: usize, from: usize, to: usize, factor: impl Fn(usize) -> S) -> S {
+    fn weighted_convolution(&self, a: usize, b: usize, from: usize, to: usize, factor: impl Fn(usize) -> S) -> S {
         let products = (from..to).map(|j| factor(j) * self.of(j, a) * self.of(self.k - j, b));
         products.reduce(|sum, product| sum + product).unwrap_or(S::int(0))
     }
@@ -137,12 +137,12 @@ impl<S: Numeric> Known<'_, S> {
             Rule::Root(x) => (now(*x) - self.convolution(at, at, 1, k)) / (S::int(2) * first(at)),
             Rule::Forward { value, of, .. } | Rule::Backward { value, of, .. } if k == 0 => first(*of).apply(*value),
             Rule::Forward { of, slope, negative, .. } => {
-                let sum = self.counted_convolution(*of, *slope, 1, k + 1) / whole(k);
+                let sum = self.counted_convolution(*of, *slope, 1, k + 1) / whole_number(k);
                 if *negative { -sum } else { sum }
             }
             Rule::Backward { of, slope, negative, .. } => {
                 let above = if *negative { -now(*of) } else { now(*of) };
-                (above - self.counted_convolution(at, *slope, 1, k) / whole(k)) / first(*slope)
+                (above - self.counted_convolution(at, *slope, 1, k) / whole_number(k)) / first(*slope)
             }
         }
     }

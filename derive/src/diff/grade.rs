@@ -1,15 +1,15 @@
 //! Marks for a submission, by its root mistakes: an entry that is wrong only because of an earlier
 //! mistake loses no points.
 
-use super::{Difference, Finding, Judgement, Root, Slip};
-use crate::diagnostic::{Diagnostics, Source, nearest, shown};
-use crate::read::Reader;
+use super::{Difference, Finding, Judgement, MistakeKind, RootMistake};
+use crate::diagnostic::{Diagnostics, Source, nearest_name_advice, shortened_for_message};
+use crate::toml_reader::TomlReader;
 use toml::Spanned;
 use toml::de::DeValue;
 
 /// Amount of detail in the feedback on a mistake.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Level {
+pub enum FeedbackLevel {
     /// Tells the entry and the kind of its mistake.
     #[default]
     Hint,
@@ -19,13 +19,13 @@ pub enum Level {
     Term,
 }
 
-impl Level {
+impl FeedbackLevel {
     /// All levels, each with its name in rubrics and on the command line.
     pub const ALL: [(Self, &'static str); 3] = [(Self::Hint, "hint"), (Self::Place, "place"), (Self::Term, "term")];
 
     /// Returns the level with the name `name`; `None` for an unknown name.
     #[must_use]
-    pub fn named(name: &str) -> Option<Self> {
+    pub fn feedback_level_by_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|(_, own)| *own == name).map(|(level, _)| level)
     }
 }
@@ -40,7 +40,7 @@ pub struct Rubric {
     /// Ids of entries that a submission must have.
     pub required: Vec<String>,
     /// Amount of detail in feedback; `None` if the rubric does not state a level.
-    pub level: Option<Level>,
+    pub level: Option<FeedbackLevel>,
 }
 
 impl Default for Rubric {
@@ -58,18 +58,18 @@ impl Rubric {
     /// # Errors
     /// [`Diagnostics`] with every error of the file.
     pub fn load(source: &Source) -> Result<Self, Diagnostics> {
-        let (mut reader, table) = Reader::parse(source)?;
+        let (mut reader, table) = TomlReader::parse(source)?;
         let table = table.get_ref();
-        reader.allow(table, "a rubric", &["default", "points", "required", "level"]);
+        reader.report_unknown_keys(table, "a rubric", &["default", "points", "required", "level"]);
         let mut rubric = Self::default();
         if let Some(value) = reader.get(table, "default") {
-            rubric.default = points(&mut reader, value, "`default`").unwrap_or(1.0);
+            rubric.default = read_rubric_points(&mut reader, value, "`default`").unwrap_or(1.0);
         }
         let list = reader.get(table, "points");
         let example = "[points] with lines such as row1 = 2";
         if let Some(list) = list.and_then(|value| reader.table(value, "`points`", example)) {
             for (id, value) in reader.entries(list) {
-                let found = points(&mut reader, value, &format!("`{}`", shown(&id.text)));
+                let found = read_rubric_points(&mut reader, value, &format!("`{}`", shortened_for_message(&id.text)));
                 rubric.points.extend(found.map(|points| (id.text, points)));
             }
         }
@@ -84,10 +84,10 @@ impl Rubric {
         }
         let name = reader.get(table, "level");
         if let Some(name) = name.and_then(|value| reader.string(value, "`level`")) {
-            rubric.level = Level::named(&name.text);
+            rubric.level = FeedbackLevel::feedback_level_by_name(&name.text);
             if rubric.level.is_none() {
-                let help = nearest(&name.text, Level::ALL.map(|(_, name)| name));
-                reader.error(name.span, format!("there is no level `{}`", shown(&name.text)), help);
+                let help = nearest_name_advice(&name.text, FeedbackLevel::ALL.map(|(_, name)| name));
+                reader.error(name.span, format!("there is no level `{}`", shortened_for_message(&name.text)), help);
             }
         }
         reader.finish()?;
@@ -103,7 +103,7 @@ impl Rubric {
 
 /// Reads a number of points from 0 to 1 000 000; reports an error and returns `None` for any other
 /// value.
-fn points(reader: &mut Reader<'_>, value: &Spanned<DeValue<'_>>, what: &str) -> Option<f64> {
+fn read_rubric_points(reader: &mut TomlReader<'_>, value: &Spanned<DeValue<'_>>, what: &str) -> Option<f64> {
     let number = match value.get_ref() {
         DeValue::Integer(n) => n.as_str().parse::<f64>().ok(),
         DeValue::Float(n) => n.as_str().parse::<f64>().ok(),
@@ -164,7 +164,7 @@ pub enum Outcome {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Feedback {
     /// Kind of the mistake; `None` if no single slip explains it.
-    pub slip: Option<Slip>,
+    pub slip: Option<MistakeKind>,
     /// Places of the mistake within the entry, such as "the right-hand side"; empty for an entry
     /// without parts.
     pub places: Vec<String>,
@@ -174,18 +174,18 @@ pub struct Feedback {
 
 impl Feedback {
     /// Feedback on the mistake `root`, which `finding` shows.
-    fn new(finding: &Finding, root: &Root) -> Self {
+    fn new(finding: &Finding, root: &RootMistake) -> Self {
         Self { slip: finding.slip, places: finding.places.clone(), term: root.mistake.clone() }
     }
 
     /// Text of the feedback with the detail that `level` allows.
     #[must_use]
-    pub fn words(&self, level: Level) -> String {
-        if level == Level::Term {
+    pub fn words(&self, level: FeedbackLevel) -> String {
+        if level == FeedbackLevel::Term {
             return self.term.clone();
         }
         let kind = self.slip.map_or_else(|| "it is not right".to_owned(), |slip| format!("look for {}", slip.words()));
-        if level == Level::Hint || self.places.is_empty() {
+        if level == FeedbackLevel::Hint || self.places.is_empty() {
             return kind;
         }
         format!("{kind} in {}", self.places.join(" and "))
@@ -201,7 +201,7 @@ pub fn grade(difference: &Difference, rubric: &Rubric) -> Grade {
             Judgement::Stated => continue,
             Judgement::Equal | Judgement::Scaled => Outcome::Right,
             Judgement::Undecided(why) => Outcome::Undecided(why.clone()),
-            Judgement::Different => wrong(difference, at),
+            Judgement::Different => grade_wrong_entry(difference, at),
         };
         let of = rubric.points_of(&finding.id);
         let points = if matches!(outcome, Outcome::Mistake(_)) { 0.0 } else { of };
@@ -218,7 +218,7 @@ pub fn grade(difference: &Difference, rubric: &Rubric) -> Grade {
 
 /// Outcome of the wrong finding with the index `at`: a mistake of its own, or a consequence of an
 /// earlier mistake.
-fn wrong(difference: &Difference, at: usize) -> Outcome {
+fn grade_wrong_entry(difference: &Difference, at: usize) -> Outcome {
     for root in &difference.roots {
         if root.finding == at {
             return Outcome::Mistake(Feedback::new(&difference.findings[at], root));

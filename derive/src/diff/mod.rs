@@ -4,42 +4,42 @@
 //! Every entry is judged on its own: symbols of the text stand for derived values, so an error counts once, where it is
 //! made. Nothing is repaired or guessed. The only free quantity is the factor of each row of a linear system.
 
-mod coordinates;
+mod coordinate_search;
 mod edits;
 pub mod equations;
 mod formulas;
 pub mod grade;
+mod permitted_states;
 pub mod printed;
 mod repairs;
 mod roots;
-mod states;
 
-pub use coordinates::{CoordinateSearch, CoordinateTable, find_coordinates};
-pub use edits::declarations::{Declaration, Edit, Property, Section};
-pub use edits::derived_model::Derived;
-pub use edits::models::{Change, ModelDifference, diff_models};
-pub use edits::scenes::{Setting, diff_scenes};
-pub use edits::variables::{VariableChange, VariableKind};
+pub use coordinate_search::{CoordinateSearch, CoordinateTable, find_coordinates};
+pub use edits::declaration_changes::{Declaration, Edit, Property, Section};
+pub use edits::derived_model::DerivedModel;
+pub use edits::model_changes::{EntryChange, ModelDifference, diff_models};
+pub use edits::scene_changes::{SettingChange, diff_scenes};
+pub use edits::variable_changes::{VariableChange, VariableKind};
 pub use formulas::finding::{Finding, Judgement};
-pub use printed::consequences::{Agreement, Consequences, Rate};
+pub use printed::consequences::{Agreement, Consequences, IntegralRate};
 pub use printed::printed_equations::printed_equations;
-pub use repairs::Slip;
-pub use roots::{Follower, Link, Root};
+pub use repairs::MistakeKind;
+pub use roots::{DependenceKind, DependentEntry, RootMistake};
 
 use crate::algebra::Expr;
 use crate::algebra::meaning::compare::Comparer;
-use crate::algebra::text::definitions::write_down;
-use crate::algebra::text::print::text;
+use crate::algebra::text::definitions::define_names_in_part;
+use crate::algebra::text::print::print_text;
 use crate::mechanics::{Derivations, Kinematics, Quantities};
 use crate::model::Model;
 use crate::prove::Proof;
-use crate::publication::{EntryKind, Names, Publication};
-use equations::claim::{Claim, Table};
-use equations::multipliers::Multipliers;
-use equations::rows::Terms;
+use crate::publication::{EntryKind, Publication, QuantityNames};
+use equations::claim::{Claim, MatchedSystem};
+use equations::lagrange_multipliers::Multipliers;
+use equations::row_judgement::TermTools;
+use formulas::expansion_near_point::PointExpansion;
 use formulas::finding::TracedFinding;
-use formulas::near::Near;
-use printed::motion::Motion;
+use printed::printed_motion::MotionSystem;
 
 /// Result of the comparison of a publication with the derived equations.
 #[derive(Clone, Debug)]
@@ -49,7 +49,7 @@ pub struct Difference {
     pub findings: Vec<Finding>,
     /// Root mistakes behind the findings judged "different". Each such finding belongs to exactly
     /// one root.
-    pub roots: Vec<Root>,
+    pub roots: Vec<RootMistake>,
     /// Consequences of each printed system's errors for the motion.
     pub consequences: Vec<Consequences>,
     /// Comparisons of the motions that two printed systems predict, for each pair of systems.
@@ -66,16 +66,16 @@ impl Difference {
     /// Formulas in verdicts and consequences that documents show; remarks are text, and their
     /// formulas are not included.
     #[must_use]
-    pub fn shown(&self) -> Vec<Expr> {
-        let findings = self.findings.iter().flat_map(Finding::shown);
-        findings.chain(self.consequences.iter().flat_map(Consequences::shown)).collect()
+    pub fn shown_formulas(&self) -> Vec<Expr> {
+        let findings = self.findings.iter().flat_map(Finding::shown_formulas);
+        findings.chain(self.consequences.iter().flat_map(Consequences::shown_formulas)).collect()
     }
 
     /// Gives a written name to each named term that the proof and the verdicts show, for use in all
     /// documents.
     pub fn write_names(&self, proof: &Proof, derivations: &mut Derivations) {
         proof.write_names(derivations);
-        write_down(&mut derivations.kinematics.arena, "diff", &self.shown());
+        define_names_in_part(&mut derivations.kinematics.arena, "diff", &self.shown_formulas());
     }
 
     /// True if every finding is right or only stated: none is "different" and none is "undecided".
@@ -88,38 +88,45 @@ impl Difference {
 /// Judges every entry of a publication against the derived equations of the model.
 /// `proof` is the proof that the formulations agree. If mistakes in abbreviations or the author's
 /// multipliers become known, all entries are judged a second time.
-pub fn diff(model: &Model, derivations: &mut Derivations, publication: &Publication, proof: &Proof) -> Difference {
+pub fn judge_publication(
+    model: &Model,
+    derivations: &mut Derivations,
+    publication: &Publication,
+    proof: &Proof,
+) -> Difference {
     let mut quantities = Quantities::new(model, derivations);
-    let permitted = states::permitted(&mut quantities);
-    let comparer = Comparer::within(permitted.clone());
-    let names = Names::new(publication, &mut quantities);
-    let numbers = numbers(model, &mut quantities, publication);
-    let mut book = repairs::Book::new(&publication.shorthand);
-    let mut tools = Tools { quantities, comparer, names, numbers };
+    let permitted = permitted_states::permitted_states(&mut quantities);
+    let comparer = Comparer::in_permitted_states(permitted.clone());
+    let names = QuantityNames::new(publication, &mut quantities);
+    let numbers = parameter_numbers(model, &mut quantities, publication);
+    let mut book = repairs::AbbreviationMistakes::new(&publication.shorthand);
+    let mut tools = JudgementTools { quantities, comparer, names, numbers };
     let mut multipliers = Multipliers::default();
-    let mut found = judged(model, publication, &mut tools, &mut book, &mut multipliers);
+    let mut found = judge_entries(model, publication, &mut tools, &mut book, &mut multipliers);
     let Kinematics { arena, simplifier, .. } = &mut tools.quantities.derivations.kinematics;
-    let mut terms = Terms { arena, simplifier, comparer: &mut tools.comparer };
-    if book.learn() | multipliers.decide(&mut terms, &model.p()) {
+    let mut terms = TermTools { arena, simplifier, comparer: &mut tools.comparer };
+    if book.accept_suspected_corrections() | multipliers.decide(&mut terms, &model.p()) {
         // Mistakes in abbreviations, and the author's multipliers, are known now for all entries.
-        found = judged(model, publication, &mut tools, &mut book, &mut multipliers);
+        found = judge_entries(model, publication, &mut tools, &mut book, &mut multipliers);
     }
-    let Tools { mut quantities, mut comparer, .. } = tools;
-    let Found { findings, claims, tables, motions } = found;
+    let JudgementTools { mut quantities, mut comparer, .. } = tools;
+    let JudgedEntries { findings, claims, tables, motions } = found;
     let swapped = formulas::swapped_lists::swapped_lists(model, publication);
-    let roots = roots::find(&mut quantities, &permitted, &findings, &claims, &tables, &swapped, publication);
-    let (consequences, agreements) = printed::consequences::draw(model, derivations, &mut comparer, proof, &motions);
+    let roots =
+        roots::find_root_mistakes(&mut quantities, &permitted, &findings, &claims, &tables, &swapped, publication);
+    let (consequences, agreements) =
+        printed::consequences::find_consequences(model, derivations, &mut comparer, proof, &motions);
     Difference { findings, roots, consequences, agreements }
 }
 
 /// Tools for the verdicts on a publication: derived quantities, the comparer, names and numbers.
-struct Tools<'a> {
+struct JudgementTools<'a> {
     quantities: Quantities<'a>,
     /// Comparer of terms in permitted states: states that satisfy the model's constraints and
     /// domain.
     comparer: Comparer,
     /// Derived values of the symbols that the publication uses.
-    names: Names,
+    names: QuantityNames,
     /// Parameters with numerical values, for statements about initial numbers and multipliers.
     numbers: Vec<(Expr, Expr)>,
 }
@@ -127,26 +134,26 @@ struct Tools<'a> {
 /// Judges the entries of a publication in turn.
 /// Returns their findings, their claims (statements as data, for tracing mistakes), matched systems
 /// and motions.
-fn judged(
+fn judge_entries(
     model: &Model,
     publication: &Publication,
-    tools: &mut Tools<'_>,
-    book: &mut repairs::Book,
+    tools: &mut JudgementTools<'_>,
+    book: &mut repairs::AbbreviationMistakes,
     multipliers: &mut Multipliers,
-) -> Found {
-    let Tools { quantities, comparer, names, numbers } = tools;
+) -> JudgedEntries {
+    let JudgementTools { quantities, comparer, names, numbers } = tools;
     let mut anywhere = Comparer::default();
     let mut changes_left = repairs::MOST_CHANGES;
-    let mut found = Found::default();
+    let mut found = JudgedEntries::default();
     let other_meanings = other_meanings(quantities, publication);
     for entry in &publication.entries {
         let first = found.findings.len();
         let earlier = found.tables.as_slice();
-        let near = entry.near.as_ref().map(|near| Near::new(quantities, near));
+        let near = entry.near.as_ref().map(|near| PointExpansion::new(quantities, near));
         let words = near.as_ref().map(|near| near.words.clone());
         // A formula that is printed up to an order near a point is compared as printed, not in permitted states.
         let comparer = if near.is_some() { &mut anywhere } else { &mut *comparer };
-        let mut judge = formulas::entries::Judge {
+        let mut judge = formulas::entry_judge::EntryJudge {
             quantities: &mut *quantities,
             comparer,
             names,
@@ -164,11 +171,13 @@ fn judged(
             }
             EntryKind::Equation { quantity, printed, text } => {
                 let finding = Finding::new(&entry.id, &entry.section, Judgement::Stated, text);
-                found.push(judge.equation(finding, quantity, *printed));
+                found.push(judge.judge_equation(finding, quantity, *printed));
             }
-            EntryKind::System(system) => found.take(judge.system(entry, system)),
-            EntryKind::Listing(listing) => found.take(judge.listing(entry, listing)),
-            EntryKind::Initial(_) => found.push(formulas::initial::judge(model, publication, entry)),
+            EntryKind::System(system) => found.add_judged_system(judge.judge_system(entry, system)),
+            EntryKind::Listing(listing) => found.add_judged_system(judge.judge_listing(entry, listing)),
+            EntryKind::Initial(_) => {
+                found.push(formulas::printed_numbers::judge_printed_number(model, publication, entry));
+            }
         }
         for finding in found.findings[first..].iter_mut().filter(|finding| finding.wrong.is_some()) {
             finding.remarks.extend(other_meanings.iter().cloned());
@@ -188,14 +197,14 @@ fn judged(
 fn other_meanings(quantities: &Quantities<'_>, publication: &Publication) -> Vec<String> {
     let arena = &quantities.derivations.kinematics.arena;
     let remark = |(name, value): &(String, Expr)| {
-        format!("{name} stands for the model's {name} here; the printed {name} is {}", text(arena, *value))
+        format!("{name} stands for the model's {name} here; the printed {name} is {}", print_text(arena, *value))
     };
     publication.redefined.iter().map(remark).collect()
 }
 
 /// Pairs of a parameter and its number: the publication's number if stated, else the model's.
 /// Inputs without a number get 0.
-fn numbers(model: &Model, quantities: &mut Quantities<'_>, publication: &Publication) -> Vec<(Expr, Expr)> {
+fn parameter_numbers(model: &Model, quantities: &mut Quantities<'_>, publication: &Publication) -> Vec<(Expr, Expr)> {
     let arena = &mut quantities.derivations.kinematics.arena;
     let stated = publication.entries.iter().filter_map(|entry| match &entry.kind {
         EntryKind::Initial(initial) => Some((initial.quantity, initial.value)),
@@ -214,18 +223,18 @@ fn numbers(model: &Model, quantities: &mut Quantities<'_>, publication: &Publica
 
 /// Results for the entries of a publication, collected in the order of its entries.
 #[derive(Default)]
-struct Found {
+struct JudgedEntries {
     findings: Vec<Finding>,
     /// Claims of the findings (statements as data): the claim at index i belongs to the finding at
     /// index i.
     claims: Vec<Claim>,
     /// Printed systems matched with derived rows, for the tracing of mistakes.
-    tables: Vec<Table>,
+    tables: Vec<MatchedSystem>,
     /// Motions of the printed systems, for consequences.
-    motions: Vec<printed::systems::MatchedMotion>,
+    motions: Vec<printed::linear_systems::MatchedMotion>,
 }
 
-impl Found {
+impl JudgedEntries {
     /// Adds the finding of one entry, with its claim (the entry's statement as data).
     fn push(&mut self, found: TracedFinding) {
         self.findings.push(found.finding);
@@ -233,7 +242,7 @@ impl Found {
     }
 
     /// Adds the findings, the matched rows and the motion of a judged system or program (listing).
-    fn take(&mut self, judged: printed::systems::Judged) {
+    fn add_judged_system(&mut self, judged: printed::linear_systems::JudgedSystem) {
         judged.findings.into_iter().for_each(|found| self.push(found));
         self.tables.extend(judged.table);
         self.motions.extend(judged.motion);
@@ -243,15 +252,15 @@ impl Found {
 /// Printed systems and programs (listings) of a publication as equations of motion.
 /// Entries that hold only near a point are left out, and so are programs that do not give a
 /// complete motion.
-pub fn motions(model: &Model, derivations: &mut Derivations, publication: &Publication) -> Vec<Motion> {
+pub fn printed_motions(model: &Model, derivations: &mut Derivations, publication: &Publication) -> Vec<MotionSystem> {
     let mut quantities = Quantities::new(model, derivations);
-    let names = Names::new(publication, &mut quantities);
+    let names = QuantityNames::new(publication, &mut quantities);
     let mut list = Vec::new();
     // An entry that holds near a point is no equation of the whole motion.
     for entry in publication.entries.iter().filter(|entry| entry.near.is_none()) {
         match &entry.kind {
             EntryKind::System(system) => {
-                list.extend(printed::systems::system_motion(&mut quantities, &names, entry, system));
+                list.extend(printed::linear_systems::motion_of_system(&mut quantities, &names, entry, system));
             }
             EntryKind::Listing(listing) => {
                 if let Ok((motion, true)) = printed::listings::listing_motion(&mut quantities, &names, entry, listing) {

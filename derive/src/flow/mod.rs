@@ -5,27 +5,27 @@
 //! u + w, u̇) by Kane's method and inputs r. If loops close the mechanism, f is meant on φ(q) = 0,
 //! which it leaves invariant.
 
-mod balance;
-mod letters;
-mod program;
-mod rest;
+mod flow_program;
+mod rest_balance;
+mod steady_balance;
+mod symbolic_linear_system;
 mod symmetry;
 
-pub use balance::{Balance, Steadiness, SymmetryVelocity};
-pub use letters::{Chosen, InLetters, NotInLetters, OperatingPoint};
-pub use program::{Program, Rates, Sizes};
-pub use rest::RestBalance;
+pub use flow_program::{FlowProgramResults, FlowProgramSizes, Program};
+pub use rest_balance::RestBalance;
+pub use steady_balance::{Balance, Steadiness, SymmetryVelocity};
+pub use symbolic_linear_system::{LinearSystemError, OperatingPoint, StateElimination, SymbolicLinearSystem};
 pub use symmetry::Symmetry;
-pub(crate) use symmetry::{candidates, turned};
+pub(crate) use symmetry::{symmetries_that_turn_states, symmetry_candidates};
 
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::term::calculus::{Differential, Substitution};
 use crate::algebra::term::steps::Definition;
-use crate::algebra::value::modular::{ZeroTest, zero_test};
+use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr};
-use crate::mechanics::{DeriveError, Equations, Formulation, Kinematics, Solved, derive_with};
+use crate::mechanics::{DeriveError, Equations, Formulation, Kinematics, SolvedAccelerations, derive_with};
 use crate::model::Model;
-use crate::prove::{Field, IntegralKind};
+use crate::prove::{IntegralKind, VectorField};
 
 /// Flow x' = f(x, r) of a mechanism with states x and inputs r, and its loops and symmetries.
 #[derive(Clone)]
@@ -68,12 +68,12 @@ impl Flow {
     pub fn new(model: &Model) -> Result<Self, DeriveError> {
         let mut kinematics = Kinematics::new(model)?;
         let equations = derive_with(model, &mut kinematics, Formulation::Kane)?;
-        let mut candidates: Vec<Field> = symmetry::of_time(model).into_iter().collect();
-        candidates.extend(symmetry::candidates(model, &mut kinematics));
+        let mut candidates: Vec<VectorField> = symmetry::time_shift_candidate(model).into_iter().collect();
+        candidates.extend(symmetry::symmetry_candidates(model, &mut kinematics));
         let mut arena = kinematics.arena;
         let (inertia, balances) = (equations.matrix.clone(), equations.forcing.clone());
-        let equations = equations.written(&mut arena);
-        let solved = Solved::steps(&mut arena, &equations).map_err(DeriveError::Unsolved)?;
+        let equations = equations.with_definitions(&mut arena);
+        let solved = SolvedAccelerations::steps(&mut arena, &equations).map_err(DeriveError::Unsolved)?;
         let Equations { coordinate_rates, unknowns, kinetic_energy, potential_energy, power, divisors, .. } = equations;
         let states = [model.q(), model.u()].concat();
         let mut flow = Self {
@@ -90,14 +90,14 @@ impl Flow {
             energies: [kinetic_energy, potential_energy, power],
             divisors,
         };
-        flow.symmetries = symmetry::proved(model, &mut flow, candidates);
+        flow.symmetries = symmetry::proved_symmetries(model, &mut flow, candidates);
         Ok(flow)
     }
 
     /// Index of the shift of time among the symmetries. `None` if time is not a coordinate of the
     /// model, or if its equations depend on time.
     #[must_use]
-    pub fn by_time(&self, model: &Model) -> Option<usize> {
+    pub fn time_shift_symmetry(&self, model: &Model) -> Option<usize> {
         let time = model.time()?;
         self.symmetries.iter().position(|symmetry| symmetry.kind == IntegralKind::Coordinate(time))
     }
@@ -106,7 +106,7 @@ impl Flow {
     pub fn depends_on_time(&mut self, model: &Model) -> Option<usize> {
         let time = self.states[model.time()?];
         let rates = self.rates.clone();
-        let rates = self.behind(&rates);
+        let rates = self.without_definitions(&rates);
         let mut by_time = Differential::partial(time);
         rates.into_iter().position(|rate| {
             let slope = by_time.apply(&mut self.arena, rate);
@@ -116,7 +116,7 @@ impl Flow {
 
     /// Replaces all defined symbols in terms by the terms that define them. Common subterms stay
     /// shared.
-    pub fn behind(&mut self, terms: &[Expr]) -> Vec<Expr> {
+    pub fn without_definitions(&mut self, terms: &[Expr]) -> Vec<Expr> {
         let mut put = Substitution::default();
         for step in &self.steps {
             let value = put.apply(&mut self.arena, step.value);
@@ -127,7 +127,7 @@ impl Flow {
 
     /// Rewrites a term of a scene, such as an output, in states and defined symbols. Rates and
     /// accelerations are replaced by f, and energies by their formulas.
-    pub fn in_states(&mut self, model: &Model, term: Expr) -> Expr {
+    pub fn flow_term_in_states(&mut self, model: &Model, term: Expr) -> Expr {
         let mut put = Substitution::default();
         let rates = model.q_dot().into_iter().chain(model.speeds.iter().map(|speed| speed.rate));
         for (rate, value) in rates.zip(&self.rates) {

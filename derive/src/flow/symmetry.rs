@@ -7,12 +7,12 @@
 
 use super::Flow;
 use crate::algebra::term::calculus::Differential;
-use crate::algebra::value::evaluate::Tape;
-use crate::algebra::value::modular::{ZeroTest, zero_test};
+use crate::algebra::value::tape::Tape;
+use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr};
 use crate::mechanics::{Kinematics, rates_to_speeds};
 use crate::model::Model;
-use crate::prove::{Field, IntegralKind, Pivot, rigid_motions};
+use crate::prove::{IntegralKind, Pivot, VectorField, rigid_motions};
 use nalgebra::DMatrix;
 
 /// Symmetry of a flow: a vector field on the states that commutes with the flow and keeps the loops
@@ -35,20 +35,20 @@ impl Symmetry {
 
 /// Shift of time, as a candidate for a symmetry. It is a symmetry if the equations do not depend on
 /// time, as with a drive at a constant rate. `None` if time is not a coordinate of the model.
-pub(super) fn of_time(model: &Model) -> Option<Field> {
+pub(super) fn time_shift_candidate(model: &Model) -> Option<VectorField> {
     let time = model.time()?;
     let unit = |at| if at == time { Expr::ONE } else { Expr::ZERO };
-    Some(Field { kind: IntegralKind::Coordinate(time), xi: (0..model.coordinates.len()).map(unit).collect() })
+    Some(VectorField { kind: IntegralKind::Coordinate(time), xi: (0..model.coordinates.len()).map(unit).collect() })
 }
 
 /// Lists vector fields on the coordinates that may be symmetries: along each coordinate except
 /// time, and the rigid motions of the mechanism and of each body.
-pub fn candidates(model: &Model, kinematics: &mut Kinematics) -> Vec<Field> {
+pub fn symmetry_candidates(model: &Model, kinematics: &mut Kinematics) -> Vec<VectorField> {
     let n = model.coordinates.len();
     let unit = |i: usize| (0..n).map(|k| if k == i { Expr::ONE } else { Expr::ZERO }).collect();
-    let mut list: Vec<Field> = (0..n)
+    let mut list: Vec<VectorField> = (0..n)
         .filter(|i| model.time() != Some(*i))
-        .map(|i| Field { kind: IntegralKind::Coordinate(i), xi: unit(i) })
+        .map(|i| VectorField { kind: IntegralKind::Coordinate(i), xi: unit(i) })
         .collect();
     list.extend(rigid_motions(model, kinematics));
     list
@@ -56,14 +56,14 @@ pub fn candidates(model: &Model, kinematics: &mut Kinematics) -> Vec<Field> {
 
 /// Selects the symmetries of the flow among candidate fields, by exact tests. Duplicates are left
 /// out.
-pub(super) fn proved(model: &Model, flow: &mut Flow, candidates: Vec<Field>) -> Vec<Symmetry> {
+pub(super) fn proved_symmetries(model: &Model, flow: &mut Flow, candidates: Vec<VectorField>) -> Vec<Symmetry> {
     let rates = flow.rates.clone();
-    let rates = flow.behind(&rates);
+    let rates = flow.without_definitions(&rates);
     let mut list: Vec<Symmetry> = Vec::new();
     for field in candidates {
-        let along = prolonged(model, flow, &field.xi);
-        let is_known = list.iter().any(|known| is_same(flow, &known.along, &along));
-        if !is_known && closes(flow, &along) && commutes(flow, &rates, &along) {
+        let along = symmetry_prolongation(model, flow, &field.xi);
+        let is_known = list.iter().any(|known| is_same_symmetry(flow, &known.along, &along));
+        if !is_known && symmetry_keeps_loops(flow, &along) && symmetry_commutes_with_flow(flow, &rates, &along) {
             list.push(Symmetry { kind: field.kind, along });
         }
     }
@@ -72,7 +72,7 @@ pub(super) fn proved(model: &Model, flow: &mut Flow, candidates: Vec<Field>) -> 
     let is_of_centre =
         |symmetry: &Symmetry| matches!(symmetry.kind, IntegralKind::Angular { through: Pivot::MassCentre, .. });
     for at in (0..list.len()).rev() {
-        if is_of_centre(&list[at]) && follows(flow, &list, model.coordinates.len(), at) {
+        if is_of_centre(&list[at]) && is_combination_of_symmetries(flow, &list, model.coordinates.len(), at) {
             list.remove(at);
         }
     }
@@ -82,21 +82,21 @@ pub(super) fn proved(model: &Model, flow: &mut Flow, candidates: Vec<Field>) -> 
 /// Selects the symmetries among the candidate fields that `is_wanted` accepts and that turn states
 /// into one another. A field turns states if at least one of its components is not a number. The
 /// tests are exact; loops are not tested.
-pub fn turned(
+pub fn symmetries_that_turn_states(
     model: &Model,
     flow: &mut Flow,
-    candidates: Vec<Field>,
+    candidates: Vec<VectorField>,
     is_wanted: &mut dyn FnMut(&mut Arena, &[Expr]) -> bool,
 ) -> Vec<Symmetry> {
     let rates = flow.rates.clone();
-    let rates = flow.behind(&rates);
+    let rates = flow.without_definitions(&rates);
     let mut list: Vec<Symmetry> = Vec::new();
     for field in candidates {
-        let along = prolonged(model, flow, &field.xi);
+        let along = symmetry_prolongation(model, flow, &field.xi);
         let turns = along.iter().any(|e| flow.arena.as_number(*e).is_none());
         let is_wanted = turns && is_wanted(&mut flow.arena, &along);
-        let is_new = is_wanted && !list.iter().any(|known| is_same(flow, &known.along, &along));
-        if is_new && commutes(flow, &rates, &along) {
+        let is_new = is_wanted && !list.iter().any(|known| is_same_symmetry(flow, &known.along, &along));
+        if is_new && symmetry_commutes_with_flow(flow, &rates, &along) {
             list.push(Symmetry { kind: field.kind, along });
         }
     }
@@ -106,9 +106,9 @@ pub fn turned(
 /// True if field number `at` moves the coordinates like a combination of the other fields, at a
 /// random state. The coefficients may depend on the state, so the speeds may still change
 /// differently. `count` is the number of coordinates.
-fn follows(flow: &mut Flow, list: &[Symmetry], count: usize, at: usize) -> bool {
+fn is_combination_of_symmetries(flow: &mut Flow, list: &[Symmetry], count: usize, at: usize) -> bool {
     let fields: Vec<Expr> = list.iter().flat_map(|symmetry| symmetry.along[..count].iter().copied()).collect();
-    let fields = flow.behind(&fields);
+    let fields = flow.without_definitions(&fields);
     let symbols = [flow.parameters.clone(), flow.states.clone()].concat();
     // Values without a relation to one another.
     let values: Vec<f64> = (1..=symbols.len()).map(|k| 0.5 + (k as f64 * 0.754_877_666_246_693).fract()).collect();
@@ -124,7 +124,7 @@ fn follows(flow: &mut Flow, list: &[Symmetry], count: usize, at: usize) -> bool 
 const DEPENDENT: f64 = 1e-9;
 
 /// True if two vector fields on the states are equal in every component, by exact zero tests.
-fn is_same(flow: &mut Flow, a: &[Expr], b: &[Expr]) -> bool {
+fn is_same_symmetry(flow: &mut Flow, a: &[Expr], b: &[Expr]) -> bool {
     a.iter().zip(b).all(|(a, b)| {
         let difference = flow.arena.sub(*a, *b);
         zero_test(&flow.arena, difference) == ZeroTest::Zero
@@ -133,7 +133,7 @@ fn is_same(flow: &mut Flow, a: &[Expr], b: &[Expr]) -> bool {
 
 /// Extends a field ξ on the coordinates to the field (ξ, η) on the states, where η is the change of
 /// the generalized speeds.
-fn prolonged(model: &Model, flow: &mut Flow, xi: &[Expr]) -> Vec<Expr> {
+fn symmetry_prolongation(model: &Model, flow: &mut Flow, xi: &[Expr]) -> Vec<Expr> {
     let arena = &mut flow.arena;
     let mut d_dt = Differential::along(&model.q().into_iter().zip(model.q_dot()).collect::<Vec<_>>());
     let mut moves: Vec<(Expr, Expr)> = model.q().into_iter().zip(xi.iter().copied()).collect();
@@ -151,8 +151,8 @@ fn prolonged(model: &Model, flow: &mut Flow, xi: &[Expr]) -> Vec<Expr> {
 }
 
 /// True if all loop equations stay satisfied along a field on the states.
-fn closes(flow: &mut Flow, along: &[Expr]) -> bool {
-    let mut moved = Differential::along(&pairs(flow, along));
+fn symmetry_keeps_loops(flow: &mut Flow, along: &[Expr]) -> bool {
+    let mut moved = Differential::along(&state_value_pairs(flow, along));
     let arena = &mut flow.arena;
     flow.loops.iter().chain(&flow.closed).all(|equation| {
         let change = moved.apply(arena, *equation);
@@ -161,9 +161,9 @@ fn closes(flow: &mut Flow, along: &[Expr]) -> bool {
 }
 
 /// True if a field ζ on the states commutes with the flow f: the bracket `[ζ, f] = Df ζ − Dζ f` is zero.
-fn commutes(flow: &mut Flow, rates: &[Expr], along: &[Expr]) -> bool {
-    let mut by_field = Differential::along(&pairs(flow, along));
-    let mut by_time = Differential::along(&pairs(flow, rates));
+fn symmetry_commutes_with_flow(flow: &mut Flow, rates: &[Expr], along: &[Expr]) -> bool {
+    let mut by_field = Differential::along(&state_value_pairs(flow, along));
+    let mut by_time = Differential::along(&state_value_pairs(flow, rates));
     let arena = &mut flow.arena;
     rates.iter().zip(along).all(|(rate, component)| {
         let (a, b) = (by_field.apply(arena, *rate), by_time.apply(arena, *component));
@@ -173,6 +173,6 @@ fn commutes(flow: &mut Flow, rates: &[Expr], along: &[Expr]) -> bool {
 }
 
 /// Pairs of each state symbol with its value.
-fn pairs(flow: &Flow, values: &[Expr]) -> Vec<(Expr, Expr)> {
+fn state_value_pairs(flow: &Flow, values: &[Expr]) -> Vec<(Expr, Expr)> {
     flow.states.iter().copied().zip(values.iter().copied()).collect()
 }

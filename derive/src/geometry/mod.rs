@@ -2,16 +2,16 @@
 //! or forces.
 
 mod components;
-mod dots;
+mod dot_product_sums;
 mod motion;
-mod turn;
+mod rotation;
 mod vector;
 
 pub(crate) use components::transposed;
 pub use components::{Components, apply_tensor, cross_components};
-pub use dots::{Dots, SymmetricDots};
+pub use dot_product_sums::{Dots, SymmetricDots};
 pub use motion::{Motion, angular_velocities, linear_velocities};
-pub use turn::{Oriented, Turn, TurnSense};
+pub use rotation::{Oriented, Turn, TurnSense};
 pub use vector::{Frames, Part, Vector};
 
 use crate::algebra::Expr;

@@ -6,7 +6,7 @@
 
 use super::Frame;
 use super::components::{Components, cross_components, row_times, transposed};
-use super::turn::{Turn, TurnSense};
+use super::rotation::{Turn, TurnSense};
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::term::calculus::{Differential, Gradient, Substitution};
 use crate::algebra::{Arena, Expr};
@@ -98,7 +98,7 @@ impl Vector {
     /// of the variable, derivative). Basis vectors are held fixed. For a velocity and generalized
     /// speeds, these are the partial velocities.
     #[must_use]
-    pub fn slopes(&self, arena: &mut Arena, gradient: &mut Gradient) -> Vec<(usize, Self)> {
+    pub fn partial_derivatives(&self, arena: &mut Arena, gradient: &mut Gradient) -> Vec<(usize, Self)> {
         let mut by_variable: BTreeMap<usize, Self> = BTreeMap::new();
         for (frame, components) in &self.parts {
             for (axis, component) in components.iter().enumerate() {
@@ -164,7 +164,7 @@ impl Frames {
     }
 
     /// Rotation that leads from the parent frame to a frame; `None` for the inertial frame.
-    pub(crate) fn turned_into(&self, frame: usize) -> Option<&Turn> {
+    pub(crate) fn turn_from_parent(&self, frame: usize) -> Option<&Turn> {
         self.tree[frame].rotation.as_ref().map(|(_, turn)| turn)
     }
 
@@ -177,7 +177,7 @@ impl Frames {
         };
         let way = apart(&up, &down).into_iter().chain(apart(&down, &up).into_iter().rev());
         let (mut turns, mut last) = (0, None);
-        for turn in way.filter_map(|frame| self.turned_into(frame)).filter(|turn| counts(turn)) {
+        for turn in way.filter_map(|frame| self.turn_from_parent(frame)).filter(|turn| counts(turn)) {
             // A turn given by cosines stands for turns about three axes.
             let axis = if let Turn::About(axis, _) = turn { Some(*axis) } else { None };
             turns += if axis.is_none() { 3 } else { usize::from(axis != last) };
@@ -188,7 +188,7 @@ impl Frames {
 
     /// True if the parent of every frame is the inertial frame. Direction cosines and their products
     /// are then short.
-    pub(crate) fn are_near(&self) -> bool {
+    pub(crate) fn are_all_children_of_inertial(&self) -> bool {
         self.tree.iter().all(|frame| frame.rotation.as_ref().is_none_or(|(parent, _)| *parent == 0))
     }
 
@@ -204,7 +204,7 @@ impl Frames {
         let way = way.chain(down[..down.len() - shared].iter().rev().map(|frame| (*frame, TurnSense::Forward)));
         let mut turns: Vec<(Turn, TurnSense)> = Vec::new();
         for (frame, sense) in way {
-            match (self.turned_into(frame).expect("not the inertial frame"), turns.last_mut()) {
+            match (self.turn_from_parent(frame).expect("not the inertial frame"), turns.last_mut()) {
                 (Turn::About(axis, angle), Some((Turn::About(last, sum), _))) if last == axis => {
                     let angle = if sense == TurnSense::Back { arena.neg(*angle) } else { *angle };
                     *sum = arena.add(*sum, angle);
@@ -240,7 +240,7 @@ impl Frames {
     /// Three components of a vector in one frame, summed over all its parts.
     pub fn express(&mut self, arena: &mut Arena, v: &Vector, frame: usize) -> Components {
         if self.carries {
-            return self.carry(arena, v, frame, "x", &self.tree[frame].name);
+            return self.express_frame_by_frame(arena, v, frame, "x", &self.tree[frame].name);
         }
         let mut sums: [Vec<Expr>; 3] = Default::default();
         for (from, components) in &v.parts {
@@ -258,7 +258,7 @@ impl Frames {
     /// Component of a vector along the axis 0, 1 or 2 of one frame, summed over all its parts.
     pub fn component(&mut self, arena: &mut Arena, v: &Vector, frame: usize, axis: usize) -> Expr {
         if self.carries {
-            return self.carry(arena, v, frame, "x", &self.tree[frame].name)[axis];
+            return self.express_frame_by_frame(arena, v, frame, "x", &self.tree[frame].name)[axis];
         }
         let mut products = Vec::new();
         for (from, components) in &v.parts {
@@ -271,8 +271,8 @@ impl Frames {
     /// Dot product a · b of two vectors, as one term.
     pub fn dot(&mut self, arena: &mut Arena, a: &Vector, b: &Vector) -> Expr {
         if self.carries {
-            let home = self.home([a, b]);
-            let [a, b] = [a, b].map(|v| self.carry(arena, v, home, "x", &self.tree[home].name));
+            let home = self.common_frame([a, b]);
+            let [a, b] = [a, b].map(|v| self.express_frame_by_frame(arena, v, home, "x", &self.tree[home].name));
             return row_times(arena, &a, &b);
         }
         let mut terms = Vec::new();

@@ -2,11 +2,11 @@
 //! closed. They are found in double precision, at the parameter values of the model file, because
 //! closed poses are known only as numbers.
 
-use super::{Base, Factor, Identification};
+use super::{BaseParameter, BaseParameterFactor, Identification};
 use crate::algebra::Expr;
-use crate::algebra::value::evaluate::Tape;
+use crate::algebra::value::tape::Tape;
 use crate::model::Model;
-use crate::model::constraints::closed_poses::{Chance, Poses, reach};
+use crate::model::constraints::closed_poses::{ClosedPoseSearch, RandomNumbers, random_coordinate_ranges};
 use nalgebra::{DMatrix, DVector};
 
 /// Numbers of closed poses in a sample. They are tried in turn until dependent and independent
@@ -38,7 +38,7 @@ const NONE: f64 = 1e-8;
 
 /// Sample of closed states from which relations between parameters on loops were found.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct OnLoops {
+pub struct LoopSample {
     /// Number of closed poses in the sample, at the parameter values of the model file.
     pub poses: usize,
     /// Smallest remainder of an independent column, scaled to length 1, after earlier columns are
@@ -65,18 +65,18 @@ struct Relations {
 /// states. They stay unchanged if the sample shows no clear gap.
 ///
 /// `None`, with unchanged base parameters, if no closed pose is found or a parameter has no value.
-pub fn close(model: &Model, found: &mut Identification) -> Option<OnLoops> {
+pub fn group_by_loop_relations(model: &Model, found: &mut Identification) -> Option<LoopSample> {
     let mut seen = None;
     for most in POSES {
-        let Some((samples, poses)) = rows(model, found, most) else { break };
-        let (relations, sample) = relations(&samples, poses);
+        let Some((samples, poses)) = sample_rows_on_loops(model, found, most) else { break };
+        let (relations, sample) = loop_relations_of_sample(&samples, poses);
         let before = seen.replace(sample);
         if let Some(relations) = relations {
-            regroup(found, &relations);
+            group_dependent_parameters(found, &relations);
             break;
         }
         // There are no more poses.
-        if before.is_some_and(|before: OnLoops| before.poses == poses) {
+        if before.is_some_and(|before: LoopSample| before.poses == poses) {
             break;
         }
     }
@@ -85,10 +85,10 @@ pub fn close(model: &Model, found: &mut Identification) -> Option<OnLoops> {
 
 /// Finds the columns that depend on earlier columns in the first matrix, and confirms them in the
 /// second. The relations are `None` if there is no clear gap, or if the second matrix refutes them.
-fn relations([rows, elsewhere]: &[DMatrix<f64>; 2], poses: usize) -> (Option<Relations>, OnLoops) {
+fn loop_relations_of_sample([rows, elsewhere]: &[DMatrix<f64>; 2], poses: usize) -> (Option<Relations>, LoopSample) {
     let mut basis: Vec<DVector<f64>> = Vec::new();
     let mut kept: Vec<usize> = Vec::new();
-    let mut seen = OnLoops { poses, independent: f64::INFINITY, dependent: 0.0, is_clear: false };
+    let mut seen = LoopSample { poses, independent: f64::INFINITY, dependent: 0.0, is_clear: false };
     let mut given: Vec<(usize, DVector<f64>)> = Vec::new();
     for at in 0..rows.ncols() {
         let column: DVector<f64> = rows.column(at).into_owned();
@@ -132,17 +132,17 @@ fn relations([rows, elsewhere]: &[DMatrix<f64>; 2], poses: usize) -> (Option<Rel
 }
 
 /// Adds each dependent base parameter, with its factors, to those that are kept.
-fn regroup(found: &mut Identification, Relations { kept, shares }: &Relations) {
-    let mut base: Vec<Base> = kept.iter().map(|at| found.base[*at].clone()).collect();
+fn group_dependent_parameters(found: &mut Identification, Relations { kept, shares }: &Relations) {
+    let mut base: Vec<BaseParameter> = kept.iter().map(|at| found.base[*at].clone()).collect();
     for (at, factors) in shares {
-        let Base { column, .. } = found.base[*at];
+        let BaseParameter { column, .. } = found.base[*at];
         let largest = factors.amax();
         for (place, factor) in factors.iter().enumerate().filter(|(_, factor)| factor.abs() > NONE * largest) {
-            base[place].with.push((column, Factor::Number(*factor)));
+            base[place].with.push((column, BaseParameterFactor::Number(*factor)));
         }
     }
     // A dependent base parameter keeps its own combination: its name stands for the whole combination.
-    let given: Vec<Base> = shares.iter().map(|(at, _)| found.base[*at].clone()).collect();
+    let given: Vec<BaseParameter> = shares.iter().map(|(at, _)| found.base[*at].clone()).collect();
     found.grouped = given.into_iter().filter(|base| !base.with.is_empty()).collect();
     found.base = base;
 }
@@ -152,7 +152,7 @@ fn regroup(found: &mut Identification, Relations { kept, shares }: &Relations) {
 /// counts alike. Also returns the number of poses, without those near a dead point of the speeds.
 ///
 /// `None` if a parameter has no value or no closed pose is found.
-fn rows(model: &Model, found: &mut Identification, most: usize) -> Option<([DMatrix<f64>; 2], usize)> {
+fn sample_rows_on_loops(model: &Model, found: &mut Identification, most: usize) -> Option<([DMatrix<f64>; 2], usize)> {
     let regressor = &mut found.regressor;
     let time = model.time();
     let (places, coordinates): (Vec<usize>, Vec<Expr>) =
@@ -164,13 +164,14 @@ fn rows(model: &Model, found: &mut Identification, most: usize) -> Option<([DMat
     }
     let lengths =
         model.parameters.iter().filter(|p| p.unit.is_length()).filter_map(|p| Some(p.value.as_ref()?.to_f64()));
-    let reach = reach(places.iter().map(|at| model.coordinates[*at].unit.is_plain()), lengths);
+    let reach = random_coordinate_ranges(places.iter().map(|at| model.coordinates[*at].unit.is_plain()), lengths);
     let instant = time.map(|at| (model.coordinates[at].symbol, 0.0));
     let of_poses: Vec<(Expr, f64)> = known.iter().copied().chain(instant).collect();
     let loops: Vec<Expr> = model.loops.iter().chain(&model.closed).map(|c| c.equation).collect();
-    let poses = Poses { known: &of_poses, coordinates: &coordinates, reach: &reach, loops: &loops, flat: 0.0 };
+    let poses =
+        ClosedPoseSearch { known: &of_poses, coordinates: &coordinates, reach: &reach, loops: &loops, flat: 0.0 };
     let tries = poses.tries() * most / POSES[0];
-    let poses = poses.seek_from(&mut regressor.arena, tries, most)?;
+    let poses = poses.seek_closed_poses_from(&mut regressor.arena, tries, most)?;
     if poses.is_empty() {
         return None;
     }
@@ -180,7 +181,7 @@ fn rows(model: &Model, found: &mut Identification, most: usize) -> Option<([DMat
     let tape = Tape::new(&regressor.arena, &inputs, &terms).ok()?;
     let speeds = model.speeds.len();
     let columns = found.base.len();
-    let mut chance = Chance::new();
+    let mut chance = RandomNumbers::new();
     let mut of_pose: Vec<[DMatrix<f64>; 2]> = Vec::new();
     for q in &poses {
         let mut samples = [Vec::new(), Vec::new()];
@@ -200,7 +201,7 @@ fn rows(model: &Model, found: &mut Identification, most: usize) -> Option<([DMat
             of_pose.push(samples.map(matrix));
         }
     }
-    let usual = usual_sizes(&of_pose);
+    let usual = median_column_sizes(&of_pose);
     let forces = |pose: &[DMatrix<f64>; 2]| {
         let size = |column: usize| pose[0].column(column).norm() / usual[column];
         (0..columns).map(size).fold(0.0, f64::max)
@@ -222,7 +223,7 @@ fn rows(model: &Model, found: &mut Identification, most: usize) -> Option<([DMat
 }
 
 /// Median over the poses of the length of each column; 1 for a column that is zero in most poses.
-fn usual_sizes(of_pose: &[[DMatrix<f64>; 2]]) -> Vec<f64> {
+fn median_column_sizes(of_pose: &[[DMatrix<f64>; 2]]) -> Vec<f64> {
     let columns = of_pose.first().map_or(0, |pose| pose[0].ncols());
     let usual = (0..columns).map(|column| {
         let mut sizes: Vec<f64> = of_pose.iter().map(|pose| pose[0].column(column).norm()).collect();

@@ -3,43 +3,43 @@
 //! combinations of the others that determine all motions and all forces.
 //!
 //! The dependent columns of the regressor Y are found at random states modulo a prime, with all
-//! other parameters as symbols. The zero test ([`crate::algebra::value::modular`]) then proves the
+//! other parameters as symbols. The zero test ([`crate::algebra::value::zero_test`]) then proves the
 //! relations, and that no force remains. The rank proves that no smaller set suffices: a minor that
 //! is not 0 modulo a prime is not 0. Where loops are closed, a smaller set may suffice. It is found
-//! in double precision ([`OnLoops`]), and only if the sample decides clearly.
+//! in double precision ([`LoopSample`]), and only if the sample decides clearly.
 //!
 //! H. Mayeda, K. Yoshida & K. Osuka, "Base parameters of manipulator dynamic models", IEEE Trans.
 //! Robotics and Automation 6 (1990) 312–321; M. Gautier & W. Khalil, "Direct calculation of minimum
 //! set of inertial parameters of serial robots", ibid. 368–373; W. Khalil & E. Dombre, *Modeling,
 //! Identification and Control of Robots* (2002), § 9.4.
 
-mod formula;
-mod letters;
+mod column_relations;
+mod completeness_proof;
+mod factor_formula;
+mod known_parameters;
 mod loop_relations;
-mod proof;
-mod table;
 
-pub use loop_relations::OnLoops;
+pub use loop_relations::LoopSample;
 
 use crate::algebra::Expr;
-use crate::mechanics::{DeriveError, Regressor, Varied};
+use crate::mechanics::{DeriveError, Regressor, RegressorParameters};
 use crate::model::Model;
-use letters::Letters;
-use table::Table;
+use column_relations::ColumnRelations;
+use known_parameters::KnownParameters;
 
 /// Base parameter: a combination of inertial parameters that motion can determine, where single
 /// parameters cannot be told apart.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Base {
+pub struct BaseParameter {
     /// Index of the regressor's column whose parameter has the factor 1 and names the base parameter.
     pub column: usize,
     /// Parameters that are added to the first, each as the index of its column and its factor.
-    pub with: Vec<(usize, Factor)>,
+    pub with: Vec<(usize, BaseParameterFactor)>,
 }
 
 /// Factor with which an inertial parameter is added to another in a base parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Factor {
+pub enum BaseParameterFactor {
     /// Proved formula in the parameters that have no columns in the regressor.
     Exact(Expr),
     /// Number that holds only in closed poses, at the parameter values of the model file.
@@ -50,7 +50,7 @@ pub enum Factor {
 
 /// Certainty that the base parameters determine all forces: Σ Y_b π_b equals M u̇ − f.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Complete {
+pub enum Completeness {
     /// Proved: M u̇ − f − Σ Y_b π_b is identically zero. The probability that this is wrong is below 2
     /// to the power of minus this number.
     Proved(f64),
@@ -69,19 +69,19 @@ pub struct Identification {
     /// Regressor of M u̇ − f, with a column for each parameter.
     pub regressor: Regressor,
     /// Base parameters, which together determine all motions and forces.
-    pub base: Vec<Base>,
+    pub base: Vec<BaseParameter>,
     /// Indices of the regressor's columns whose parameters have no effect on forces.
     pub without_effect: Vec<usize>,
     /// Number of random states at which the columns of the regressor were evaluated.
     pub states: usize,
     /// Certainty that the base parameters are complete, before closed poses grouped them
     /// ([`Self::before_grouping`]).
-    pub complete: Complete,
+    pub complete: Completeness,
     /// Base parameters that in closed poses act only as parts of others, each with its own combination.
-    pub grouped: Vec<Base>,
+    pub grouped: Vec<BaseParameter>,
     /// Sample of closed states from which relations on loops were found; `None` without loops, or if
     /// there is no sample.
-    pub on_loops: Option<OnLoops>,
+    pub on_loops: Option<LoopSample>,
     /// True if the mechanism of the model has loops.
     has_loops: bool,
     /// Number of base parameters before closed poses grouped them.
@@ -93,39 +93,42 @@ impl Identification {
     ///
     /// # Errors
     /// [`DeriveError`] if the model cannot be derived, or if a body has an added mass.
-    pub fn new(model: &Model, varied: Varied) -> Result<Self, DeriveError> {
+    pub fn new(model: &Model, varied: RegressorParameters) -> Result<Self, DeriveError> {
         let mut regressor = Regressor::new(model, varied)?;
-        let letters = Letters::of(model, &mut regressor.arena, &regressor.columns);
+        let letters = KnownParameters::of(model, &mut regressor.arena, &regressor.columns);
         let arena = regressor.arena.clone();
         let mut found = Self {
             base: Vec::new(),
             without_effect: Vec::new(),
             states: 0,
-            complete: Complete::Undecided,
+            complete: Completeness::Undecided,
             grouped: Vec::new(),
             on_loops: None,
             has_loops: !model.loops.is_empty(),
             ungrouped: 0,
             regressor,
         };
-        let Some(mut table) = Table::new(&arena, &found.regressor.columns, &letters) else { return Ok(found) };
+        let Some(mut table) = ColumnRelations::new(&arena, &found.regressor.columns, &letters) else {
+            return Ok(found);
+        };
         let Regressor { arena, columns, .. } = &mut found.regressor;
-        let made = formula::factors(&mut table, arena, &letters, columns);
+        let made = factor_formula::factor_formulas(&mut table, arena, &letters, columns);
         found.states = table.states;
-        found.take(&table.pivots, made);
+        found.set_base_parameters(&table.pivots, made);
         found.complete = if found.has_closed_forms() {
-            proof::proved(&mut found.regressor, &found.base)
+            completeness_proof::prove_base_parameters(&mut found.regressor, &found.base)
         } else {
-            Complete::AtPoints
+            Completeness::AtPoints
         };
         found.ungrouped = found.base.len();
-        found.on_loops = if found.has_loops { loop_relations::close(model, &mut found) } else { None };
+        found.on_loops =
+            if found.has_loops { loop_relations::group_by_loop_relations(model, &mut found) } else { None };
         Ok(found)
     }
 
     /// Makes a base parameter of each pivot column, and adds the dependent columns with their factors.
-    fn take(&mut self, pivots: &[usize], made: Vec<formula::Made>) {
-        self.base = pivots.iter().map(|column| Base { column: *column, with: Vec::new() }).collect();
+    fn set_base_parameters(&mut self, pivots: &[usize], made: Vec<factor_formula::DependentColumn>) {
+        self.base = pivots.iter().map(|column| BaseParameter { column: *column, with: Vec::new() }).collect();
         let mut is_left: Vec<bool> = (0..self.regressor.columns.len()).map(|at| !pivots.contains(&at)).collect();
         for (column, factors) in made {
             is_left[column] = false;
@@ -152,12 +155,12 @@ impl Identification {
 
     /// True if every factor in the base parameters is known.
     fn has_closed_forms(&self) -> bool {
-        self.base.iter().flat_map(|base| &base.with).all(|(_, factor)| *factor != Factor::Unknown)
+        self.base.iter().flat_map(|base| &base.with).all(|(_, factor)| *factor != BaseParameterFactor::Unknown)
     }
 
     /// Indices of the columns whose parameter is a base parameter by itself, with no other parameter
     /// added.
-    pub fn alone(&self) -> impl Iterator<Item = usize> + '_ {
+    pub fn single_base_parameters(&self) -> impl Iterator<Item = usize> + '_ {
         self.base.iter().filter(|base| base.with.is_empty()).map(|base| base.column)
     }
 }

@@ -1,15 +1,15 @@
 //! Derives a model by one formulation, with or without its intermediate steps, or by all
 //! formulations in one arena.
 
-use super::budget::check_terms;
-use super::equations::{Equations, complete};
-use super::error::DeriveError;
+use super::derivation_limits::check_term_limit;
+use super::derive_error::DeriveError;
+use super::equations::{Equations, complete_equations};
 use super::formulations::formulation::Formulation;
-use super::motion::form::Form;
+use super::motion::equation_form::EquationForm;
 use super::motion::kinematics::Kinematics;
 use super::rows::{RowName, Step};
-use crate::algebra::text::definitions::{adopt, write_down, written};
-use crate::algebra::text::print::length;
+use crate::algebra::text::definitions::{copy_definitions, define_named_terms, define_names_in_part};
+use crate::algebra::text::print::printed_length;
 use crate::algebra::value::rank::rank;
 use crate::algebra::{Arena, Expr};
 use crate::model::Model;
@@ -29,7 +29,7 @@ impl Derivation {
     /// that Kane's equations also have get plain names. Other terms get a name with the formulation's
     /// name in it.
     pub fn write_names(&mut self) {
-        write_names(&mut self.arena, self.equations.formulation, &self.equations);
+        write_names_of_derivation(&mut self.arena, self.equations.formulation, &self.equations);
     }
 }
 
@@ -62,7 +62,7 @@ impl DerivationInSteps {
         let scalars = [e.kinetic_energy, e.potential_energy];
         let definitions = e.definitions.iter().map(|definition| definition.value);
         let formulas = e.matrix.iter().flatten().chain(&e.forcing).copied().chain(scalars).chain(definitions);
-        let lengths: Vec<usize> = formulas.map(|formula| length(arena, formula)).collect();
+        let lengths: Vec<usize> = formulas.map(|formula| printed_length(arena, formula)).collect();
         let total = lengths.iter().fold(0_usize, |sum, length| sum.saturating_add(*length));
         total <= MOST_IN_ALL && lengths.iter().all(|length| *length <= MOST_IN_ONE)
     }
@@ -109,7 +109,7 @@ impl Derivations {
     pub fn write_names(&mut self) {
         for (formulation, equations) in &self.list {
             if let Ok(equations) = equations {
-                write_names(&mut self.kinematics.arena, *formulation, equations);
+                write_names_of_derivation(&mut self.kinematics.arena, *formulation, equations);
             }
         }
     }
@@ -146,19 +146,19 @@ pub fn derive(model: &Model, formulation: Formulation) -> Result<Derivation, Der
 pub fn derive_in_steps(
     model: &Model,
     formulation: Formulation,
-    form: Option<Form>,
+    form: Option<EquationForm>,
 ) -> Result<DerivationInSteps, DeriveError> {
-    let computed = Form::computed(model);
+    let computed = EquationForm::computed(model);
     match form {
-        Some(form) => shown(model, formulation, form),
-        None if computed == Form::Steps && Form::is_closed_tried(model) => {
-            match shown(model, formulation, Form::Closed) {
+        Some(form) => derivation_in_form(model, formulation, form),
+        None if computed == EquationForm::Steps && EquationForm::is_closed_tried(model) => {
+            match derivation_in_form(model, formulation, EquationForm::Closed) {
                 Ok(closed) if closed.is_short() => Ok(closed),
-                Ok(_) | Err(DeriveError::TooLarge { .. }) => shown(model, formulation, computed),
+                Ok(_) | Err(DeriveError::TooLarge { .. }) => derivation_in_form(model, formulation, computed),
                 Err(error) => Err(error),
             }
         }
-        None => shown(model, formulation, computed),
+        None => derivation_in_form(model, formulation, computed),
     }
 }
 
@@ -166,7 +166,11 @@ pub fn derive_in_steps(
 ///
 /// # Errors
 /// `DeriveError` if the formulation cannot be derived.
-fn shown(model: &Model, formulation: Formulation, form: Form) -> Result<DerivationInSteps, DeriveError> {
+fn derivation_in_form(
+    model: &Model,
+    formulation: Formulation,
+    form: EquationForm,
+) -> Result<DerivationInSteps, DeriveError> {
     let mut kinematics = Kinematics::in_form(model, form)?;
     let equations = derive_with(model, &mut kinematics, formulation)?;
     let steps = (formulation.method().steps)(model, &mut kinematics)?;
@@ -175,16 +179,20 @@ fn shown(model: &Model, formulation: Formulation, form: Form) -> Result<Derivati
     let equations = Equations { required: Vec::new(), ..equations };
     if formulation != REFERENCE {
         if arena.has_names() {
-            adopt(&mut arena, &with_names(model, formulation, form)?);
+            copy_definitions(&mut arena, &arena_with_derivation_names(model, formulation, form)?);
         }
-        write_names(&mut arena, formulation, &equations);
+        write_names_of_derivation(&mut arena, formulation, &equations);
     }
-    Ok(written_down(arena, &equations, steps))
+    Ok(derivation_with_definitions(arena, &equations, steps))
 }
 
 /// Derives all formulations up to and including the given one, and returns their arena. In it, the
 /// named terms have the names that every document about the model uses.
-fn with_names(model: &Model, formulation: Formulation, form: Form) -> Result<Arena, DeriveError> {
+fn arena_with_derivation_names(
+    model: &Model,
+    formulation: Formulation,
+    form: EquationForm,
+) -> Result<Arena, DeriveError> {
     let mut kinematics = Kinematics::in_form(model, form)?;
     let mut list = Vec::new();
     for f in Formulation::ALL.into_iter().filter(|f| *f <= formulation) {
@@ -201,24 +209,24 @@ const REFERENCE: Formulation = Formulation::Kane;
 
 /// Gives the named terms of one formulation's equations their names: plain for Kane, else after the
 /// formulation's name.
-fn write_names(arena: &mut Arena, formulation: Formulation, equations: &Equations) {
+fn write_names_of_derivation(arena: &mut Arena, formulation: Formulation, equations: &Equations) {
     // Inverse dynamics is written only in code, so documents do not show it.
     let equations = Equations { required: Vec::new(), ..equations.clone() };
     if formulation == REFERENCE {
-        let _ = equations.written(arena);
+        let _ = equations.with_definitions(arena);
     } else {
         let terms = equations.terms(arena);
-        write_down(arena, &formulation.name().replace('-', "_"), &terms);
+        define_names_in_part(arena, &formulation.name().replace('-', "_"), &terms);
     }
 }
 
 /// Puts a symbol in place of each named term of the equations and steps. The definitions of the
 /// equations then list each symbol with its term.
-fn written_down(mut arena: Arena, equations: &Equations, mut steps: Vec<Step>) -> DerivationInSteps {
-    let mut equations = equations.written(&mut arena);
+fn derivation_with_definitions(mut arena: Arena, equations: &Equations, mut steps: Vec<Step>) -> DerivationInSteps {
+    let mut equations = equations.with_definitions(&mut arena);
     let lines = || steps.iter().flat_map(|step| step.lines.iter());
     let values: Vec<Expr> = lines().map(|(_, value)| *value).collect();
-    let (named, values) = written(&mut arena, &[], &values);
+    let (named, values) = define_named_terms(&mut arena, &[], &values);
     let known: FxHashSet<Expr> = equations.definitions.iter().map(|definition| definition.symbol).collect();
     equations.definitions.extend(named.into_iter().filter(|definition| !known.contains(&definition.symbol)));
     let places = steps.iter_mut().flat_map(|step| &mut step.lines);
@@ -261,17 +269,17 @@ pub(crate) fn derive_with(
     formulation: Formulation,
 ) -> Result<Equations, DeriveError> {
     let rows = (formulation.method().derive)(model, kinematics)?;
-    check_terms(model, &kinematics.arena)?;
-    let equations = complete(model, kinematics, formulation, rows)?;
+    check_term_limit(model, &kinematics.arena)?;
+    let equations = complete_equations(model, kinematics, formulation, rows)?;
     match rank(&kinematics.arena, &equations.matrix).and_then(|rank| rank.dependent) {
-        Some(row) => Err(singular(model, &equations.rows[row])),
+        Some(row) => Err(singular_derivation_error(model, &equations.rows[row])),
         None => Ok(equations),
     }
 }
 
 /// Returns the error for a matrix that is singular in every configuration. `row` is the first row
 /// that depends on the rows before it.
-fn singular(model: &Model, row: &RowName) -> DeriveError {
+fn singular_derivation_error(model: &Model, row: &RowName) -> DeriveError {
     match row {
         RowName::Balance(_) | RowName::Power(_) | RowName::Law { .. } => DeriveError::ReactionsDependent,
         RowName::Coordinate(_) => DeriveError::NoInertia { speed: format!("{}'", row.text(model)) },

@@ -1,15 +1,15 @@
 //! Equations of motion in the form matrix · unknowns = forcing, from a formulation, a publication
 //! or a reduction.
 
-use super::error::DeriveError;
+use super::derive_error::DeriveError;
+use super::equations_origin::{EquationsOrigin, SingularDistance};
 use super::formulations::formulation::Formulation;
 use super::motion::kinematics::{Kinematics, MotionVariables};
-use super::origin::{Distance, EquationsOrigin};
-use super::rows::{Embedding, RowName, Rows};
-use crate::algebra::solve::least::Sum;
+use super::rows::{AccelerationEmbedding, RowName, Rows};
+use crate::algebra::solve::quadratic_minimum::QuadraticForm;
 use crate::algebra::term::calculus::{Differential, Gradient};
 use crate::algebra::term::steps::Definition;
-use crate::algebra::text::definitions::written;
+use crate::algebra::text::definitions::define_named_terms;
 use crate::algebra::{Arena, Expr};
 use crate::model::{Model, MotionConstraintKind};
 
@@ -23,16 +23,16 @@ pub struct Equations {
     pub by: EquationsOrigin,
     /// Distance from a fixed value that replaces one coordinate; `None` if all coordinates are the
     /// model's own.
-    pub distance: Option<Distance>,
+    pub distance: Option<SingularDistance>,
     /// Formulation that chose the motion variables v (speeds u or rates q̇) and the unknowns of these
     /// equations.
     pub formulation: Formulation,
     /// Definitions symbol = term, in parameters, q and v; the symbols occur in the other fields. A
     /// definition comes after the definitions that it uses. Empty except in reduced equations and after
-    /// [`Self::written`].
+    /// [`Self::with_definitions`].
     pub definitions: Vec<Definition>,
     /// Symbols of the generalized coordinates q. A distance may replace one of them
-    /// ([`super::in_distance`]).
+    /// ([`super::equations_in_distance`]).
     pub coordinates: Vec<Expr>,
     /// Symbols of the motion variables v, which are integrated together with q: u, or q̇ for Lagrange.
     pub variables: Vec<Expr>,
@@ -52,7 +52,7 @@ pub struct Equations {
     pub projection: Vec<Vec<Expr>>,
     /// Map from the free accelerations to v̇. `Some` if motion constraints leave fewer free
     /// accelerations than v has entries; the projected system then determines the free accelerations.
-    pub embedding: Option<Embedding>,
+    pub embedding: Option<AccelerationEmbedding>,
     /// Rates q̇ of the generalized coordinates, one for each, as terms in q and v (speeds u, or q̇
     /// itself).
     pub coordinate_rates: Vec<Expr>,
@@ -62,7 +62,7 @@ pub struct Equations {
     pub required: Vec<Expr>,
     /// Function of the bodies' accelerations that v̇ minimizes (Gauss's principle): a second way to v̇
     /// for large systems. `None` if not derived.
-    pub gauss: Option<Sum>,
+    pub gauss: Option<QuadraticForm>,
     /// Symbols of the generalized speeds u. Constraints may leave fewer of them than there are motion
     /// variables v.
     pub speeds: Vec<Expr>,
@@ -128,13 +128,14 @@ impl Equations {
     /// Returns the equations in the form that is solved, differentiated and written as code. A symbol
     /// replaces every named term, and `definitions` lists each symbol with its term.
     #[must_use]
-    pub fn written(&self, arena: &mut Arena) -> Self {
+    pub fn with_definitions(&self, arena: &mut Arena) -> Self {
         let mut result = self.clone();
         let values = self.terms(arena);
-        let (steps, values) = written(arena, &self.definitions, &values[..values.len() - self.definitions.len()]);
+        let (steps, values) =
+            define_named_terms(arena, &self.definitions, &values[..values.len() - self.definitions.len()]);
         let mut values = values.into_iter();
         result.definitions.clear();
-        result.visit(&mut |e, _| *e = values.next().expect("as many as were read"), arena);
+        result.change_terms(&mut |e, _| *e = values.next().expect("as many as were read"), arena);
         result.definitions = steps;
         result.gauss.clone_from(&self.gauss);
         result
@@ -143,12 +144,12 @@ impl Equations {
     /// Lists all terms of the equations in a fixed order, with the definitions last.
     pub(super) fn terms(&self, arena: &mut Arena) -> Vec<Expr> {
         let mut terms = Vec::new();
-        self.clone().visit(&mut |e, _| terms.push(*e), arena);
+        self.clone().change_terms(&mut |e, _| terms.push(*e), arena);
         terms
     }
 
     /// Applies `change` to every expression in place. Drops `gauss`, whose terms would no longer match.
-    pub(crate) fn visit(&mut self, change: &mut dyn FnMut(&mut Expr, &mut Arena), arena: &mut Arena) {
+    pub(crate) fn change_terms(&mut self, change: &mut dyn FnMut(&mut Expr, &mut Arena), arena: &mut Arena) {
         self.gauss = None;
         let vectors = [
             &mut self.forcing,
@@ -177,7 +178,7 @@ impl Equations {
 /// # Errors
 /// [`DeriveError::NoZeroOfPotential`] if V has no value at the configuration where the model sets
 /// it to zero.
-pub(super) fn complete(
+pub(super) fn complete_equations(
     model: &Model,
     kinematics: &mut Kinematics,
     formulation: Formulation,
@@ -186,7 +187,7 @@ pub(super) fn complete(
     let Rows { names, matrix, forcing, projection, embedding, kinetic_energy, required, gauss } = rows;
     let required = required.unwrap_or_default();
     let potential_energy = kinematics.potential_energy(model)?;
-    let power = kinematics.power(model, formulation.method().variables);
+    let power = kinematics.power_without_potential(model, formulation.method().variables);
     let rates = &model.kinematic_equations.rates;
     let (generalized_speeds, generalized_speed_rates, coordinate_rates, motion_variables) = match formulation
         .method()
@@ -195,7 +196,7 @@ pub(super) fn complete(
         MotionVariables::Speeds => (model.u(), model.speeds.iter().map(|s| s.rate).collect(), rates.clone(), model.u()),
         MotionVariables::Rates => {
             let definitions: Vec<Expr> = model.speeds.iter().map(|s| s.definition).collect();
-            let speed_rates = along_rates(model, &mut kinematics.arena, &definitions);
+            let speed_rates = time_derivatives_of_terms(model, &mut kinematics.arena, &definitions);
             (definitions, speed_rates, model.q_dot(), rates.clone())
         }
     };
@@ -224,15 +225,19 @@ pub(super) fn complete(
         potential_energy,
         power,
         divisors: model.kinematic_equations.divisors.clone(),
-        constraints: constraints(model, kinematics, formulation),
+        constraints: enforced_constraints_of_equations(model, kinematics, formulation),
     };
-    simplify(kinematics, &mut equations);
+    simplify_equations(kinematics, &mut equations);
     Ok(equations)
 }
 
 /// Lists the constraints that a run by this formulation can violate, with their slopes: loops, and
 /// motion constraints if v = q̇.
-fn constraints(model: &Model, kinematics: &mut Kinematics, formulation: Formulation) -> Vec<Constrained> {
+fn enforced_constraints_of_equations(
+    model: &Model,
+    kinematics: &mut Kinematics,
+    formulation: Formulation,
+) -> Vec<Constrained> {
     let loops = model.loops.iter().map(|c| (c.name.clone(), c.equation));
     let of_motion = model
         .motion_constraints
@@ -259,7 +264,7 @@ fn constraints(model: &Model, kinematics: &mut Kinematics, formulation: Formulat
 }
 
 /// Differentiates terms in q and q̇ by time. The results contain q, q̇ and q̈.
-fn along_rates(model: &Model, arena: &mut Arena, terms: &[Expr]) -> Vec<Expr> {
+fn time_derivatives_of_terms(model: &Model, arena: &mut Arena, terms: &[Expr]) -> Vec<Expr> {
     let mut rates: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
     rates.extend(model.coordinates.iter().map(|c| (c.rate, c.second_rate)));
     let mut d_dt = Differential::along(&rates);
@@ -267,7 +272,7 @@ fn along_rates(model: &Model, arena: &mut Arena, terms: &[Expr]) -> Vec<Expr> {
 }
 
 /// Simplifies all entries except the energies, which were simplified when they were derived.
-fn simplify(kinematics: &mut Kinematics, equations: &mut Equations) {
+fn simplify_equations(kinematics: &mut Kinematics, equations: &mut Equations) {
     let Kinematics { arena, simplifier, .. } = kinematics;
     let entries = equations.matrix.iter_mut().flatten().chain(&mut equations.forcing);
     let entries = entries.chain(&mut equations.coordinate_rates).chain(&mut equations.generalized_speeds);

@@ -1,12 +1,12 @@
 //! Equations of motion by several formulations that share only the kinematics: see [`Formulation`].
 
-mod budget;
 mod derivation;
+mod derivation_limits;
+mod derive_error;
 mod equations;
-mod error;
+mod equations_origin;
 mod formulations;
 mod motion;
-mod origin;
 mod quantity;
 mod rows;
 mod solutions;
@@ -16,31 +16,31 @@ pub(crate) use derivation::derive_with;
 pub use derivation::{
     Derivation, DerivationInSteps, Derivations, derive, derive_all, derive_all_with, derive_in_steps,
 };
+pub use derive_error::DeriveError;
 pub use equations::{Constrained, Equations};
-pub use error::DeriveError;
-pub use formulations::formulation::{Formulation, Method};
-pub use formulations::newton_euler::{Balance, balances, partial_velocities};
-pub use formulations::reaction_balance::along_reactions;
-pub use motion::anchor::Anchor;
-pub use motion::energy::Momentum;
-pub use motion::form::{Form, is_reducible};
-pub use motion::inertial::Inertial;
+pub use equations_origin::{EquationsOrigin, SingularDistance};
+pub use formulations::formulation::{Formulation, FormulationProperties};
+pub use formulations::newton_euler::{Balance, balance_partial_velocities, newton_euler_balances};
+pub use formulations::reaction_balance::balance_multipliers_along_reactions;
+pub use motion::energy::VelocityMomentum;
+pub use motion::equation_form::{EquationForm, is_reducible};
+pub use motion::inertial_anchor::Anchor;
+pub use motion::inertial_parameter::InertialParameter;
 pub use motion::kinematics::{
     Kinematics, LoadPotential, MotionVariables, Velocities, motion_rates, rates_to_speeds, speeds_to_rates,
 };
 pub use motion::loads::{Load, MovingPlace, moving_places};
 pub use motion::potential::potential_at_rest;
-pub use origin::{Distance, EquationsOrigin};
-pub use quantity::{Energy, Owner, Quantity, QuantityKind, Row, VectorName};
-pub use rows::{BalanceName, Embedding, LineName, RowName, Rows, Stage, Step};
-pub use solutions::accelerations::{Solved, accelerations, energy_gradient};
-pub use solutions::certificate::{Certificate, certify, certify_inverse_dynamics};
-pub use solutions::distance::{distances, in_distance};
-pub use solutions::divisors::{Divisors, LoadDivisor, bare, load_divisors};
-pub use solutions::inertia::{InertiaCheck, has_inertia_at};
+pub use quantity::{EnergyQuantity, Quantity, QuantityKind, QuantityOwner, RowQuantity, VectorName};
+pub use rows::{AccelerationEmbedding, BalanceName, LineName, RowName, Rows, Stage, Step};
+pub use solutions::accelerations::{SolvedAccelerations, accelerations, energy_gradient};
+pub use solutions::certificate::{Certificate, certify_accelerations, certify_inverse_dynamics};
+pub use solutions::distance::{equations_in_distance, singular_distances};
+pub use solutions::divisors::{Divisors, LoadDivisor, divisor_without_number, load_divisors};
+pub use solutions::inertia_check::{InertiaCheck, check_inertia_at};
 pub use solutions::jacobian::{Jacobian, jacobian};
 
+pub use solutions::proved_jacobians::{parameter_jacobian, proved_jacobian};
 pub use solutions::quantities::{Quantities, QuantityError};
-pub use solutions::regressor::{Column, ColumnParameter, Regressor, Varied};
-pub use solutions::slopes::{parameter_jacobian, slopes};
+pub use solutions::regressor::{Column, ColumnParameter, Regressor, RegressorParameters};
 pub use unsolved::{Unproved, Unsolved};

@@ -6,7 +6,7 @@ use std::fmt;
 
 /// Kind of model object to which a vector quantity belongs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Owner {
+pub enum QuantityOwner {
     /// Vector belongs to a point of the model, such as a velocity.
     Point,
     /// Vector belongs to a frame of the model, such as an angular velocity.
@@ -17,7 +17,7 @@ pub enum Owner {
     RigidBody,
 }
 
-impl Owner {
+impl QuantityOwner {
     /// Placeholder for the owner in the text of a form, such as `POINT` in `v(POINT) @ FRAME
     /// [COMPONENT]`.
     pub(crate) const fn placeholder(self) -> &'static str {
@@ -80,12 +80,12 @@ impl VectorName {
 
     /// Kind of model object (point, frame or body) to which the vector belongs.
     #[must_use]
-    pub const fn owner(self) -> Owner {
+    pub const fn owner(self) -> QuantityOwner {
         match self {
-            Self::Position | Self::Velocity | Self::Acceleration => Owner::Point,
-            Self::AngularVelocity | Self::AngularAcceleration => Owner::Frame,
-            Self::LinearMomentumRate | Self::InertiaForce | Self::Weight | Self::Force => Owner::Body,
-            Self::AngularMomentum | Self::MomentumRate | Self::InertiaTorque | Self::Moment => Owner::RigidBody,
+            Self::Position | Self::Velocity | Self::Acceleration => QuantityOwner::Point,
+            Self::AngularVelocity | Self::AngularAcceleration => QuantityOwner::Frame,
+            Self::LinearMomentumRate | Self::InertiaForce | Self::Weight | Self::Force => QuantityOwner::Body,
+            Self::AngularMomentum | Self::MomentumRate | Self::InertiaTorque | Self::Moment => QuantityOwner::RigidBody,
         }
     }
 
@@ -106,9 +106,9 @@ impl VectorName {
     #[must_use]
     pub fn owner_name(self, model: &Model, of: usize) -> &str {
         match self.owner() {
-            Owner::Point => &model.points[of].name,
-            Owner::Frame => &model.frames[of].name,
-            Owner::Body | Owner::RigidBody => &model.bodies[of].name,
+            QuantityOwner::Point => &model.points[of].name,
+            QuantityOwner::Frame => &model.frames[of].name,
+            QuantityOwner::Body | QuantityOwner::RigidBody => &model.bodies[of].name,
         }
     }
 }
@@ -119,7 +119,7 @@ impl VectorName {
 /// The equations are Kane's F + F* = 0 or M u̇ = f, and Lagrange's E q̈ = A or d/dt ∂L/∂q̇ − ∂L/∂q
 /// = Q.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Row {
+pub enum RowQuantity {
     /// Generalized active force F of a generalized speed.
     ActiveForce,
     /// Generalized inertia force F* = −(M u̇ + …) of a generalized speed.
@@ -143,7 +143,7 @@ pub enum Row {
     LagrangianSlope,
 }
 
-impl Row {
+impl RowQuantity {
     /// All kinds of rows in the order of the variants, each with its name in publication files.
     pub(crate) const ALL: [(Self, &'static str); 10] = [
         (Self::ActiveForce, "F"),
@@ -166,7 +166,7 @@ impl Row {
 
 /// Kind of an energy of the whole model, J.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Energy {
+pub enum EnergyQuantity {
     /// Kinetic energy T of all bodies.
     Kinetic,
     /// Kinetic energy of translation of all bodies, Σ ½ m v·v.
@@ -183,7 +183,7 @@ pub enum Energy {
     Total,
 }
 
-impl Energy {
+impl EnergyQuantity {
     /// True if the energy contains V, and so has an arbitrary additive constant. False for kinetic
     /// energies.
     #[must_use]
@@ -263,7 +263,7 @@ pub enum QuantityKind {
     },
     /// Entry of a column with a row for each speed or coordinate: the kind of the column, and the index
     /// of the row.
-    Row(Row, usize),
+    Row(RowQuantity, usize),
     /// Entry of Kane's mass matrix M, at (row, column).
     MassMatrix(usize, usize),
     /// Entry of the matrix E of Lagrange's equations E q̈ = A, at (row, column).
@@ -273,7 +273,7 @@ pub enum QuantityKind {
     /// Time derivative of an entry of the mass matrix ∂²T/∂q̇∂q̇ along the motion, at (row, column).
     MassRate(usize, usize),
     /// Energy of the model, J.
-    Energy(Energy),
+    Energy(EnergyQuantity),
     /// Generalized speed with this index, by its definition in q and q̇.
     Speed(usize),
     /// Time derivative q̇ of the coordinate with this index, as a term in q and u.
@@ -309,12 +309,12 @@ impl QuantityKind {
             Self::Inertia { body, frame, entry: (i, j) } => {
                 format!("I({}) @ {} [{},{}]", model.bodies[body].name, model.frames[frame].name, i + 1, j + 1)
             }
-            Self::Row(row, at) => format!("{}[{}]", Row::ALL[row as usize].1, at + 1),
+            Self::Row(row, at) => format!("{}[{}]", RowQuantity::ALL[row as usize].1, at + 1),
             Self::MassMatrix(i, j) => format!("M[{},{}]", i + 1, j + 1),
             Self::LagrangeMatrix(i, j) => format!("E[{},{}]", i + 1, j + 1),
             Self::Christoffel(i, j) => format!("C[{},{}]", i + 1, j + 1),
             Self::MassRate(i, j) => format!("Edot[{},{}]", i + 1, j + 1),
-            Self::Energy(energy) => Energy::ALL[energy as usize].1.to_owned(),
+            Self::Energy(energy) => EnergyQuantity::ALL[energy as usize].1.to_owned(),
             Self::Speed(at) => model.speeds[at].name.clone(),
             Self::Rate(at) => format!("{}'", model.coordinates[at].name),
             Self::SpeedRate(at) => format!("{}'", model.speeds[at].name),

@@ -3,7 +3,7 @@
 
 use super::quantity::{QuantityKind, VectorName};
 use crate::algebra::Expr;
-use crate::algebra::solve::least::Sum;
+use crate::algebra::solve::quadratic_minimum::QuadraticForm;
 use crate::model::Model;
 
 /// Rows of the linear system matrix · unknowns = forcing that a method of derivation gives. The
@@ -19,7 +19,7 @@ pub struct Rows {
     /// entry for each row. Empty without reactions and multipliers.
     pub projection: Vec<Vec<Expr>>,
     /// Map from the free accelerations to v̇. `Some` if motion constraints tie the motion variables.
-    pub embedding: Option<Embedding>,
+    pub embedding: Option<AccelerationEmbedding>,
     /// Kinetic energy T of all bodies, J, as a term in q and the motion variables v.
     pub kinetic_energy: Expr,
     /// Inverse dynamics M v̇ − f: the generalized forces that the accelerations v̇ require in addition
@@ -27,13 +27,13 @@ pub struct Rows {
     pub required: Option<Vec<Expr>>,
     /// Function of the bodies' accelerations that v̇ minimizes (Gauss's principle). `Some` if
     /// accelerations have named subterms.
-    pub gauss: Option<Sum>,
+    pub gauss: Option<QuadraticForm>,
 }
 
 /// Linear map v̇ = W s + x from the accelerations s that motion constraints leave free to all
 /// accelerations v̇.
 #[derive(Clone, Debug)]
-pub struct Embedding {
+pub struct AccelerationEmbedding {
     /// Symbols of the free accelerations s: the rates of the generalized speeds.
     pub free: Vec<Expr>,
     /// Matrix W, with a row for each motion variable and a column for each free acceleration.
@@ -94,7 +94,7 @@ impl RowName {
             Self::Constraint(at) => format!("constraint {}", model.motion_constraints[*at].name),
             Self::Balance(BalanceName { frame, axis, .. }) => {
                 let frame = model.frames[*frame].name.to_lowercase();
-                format!("{} {frame}{}", self.subject(model), axis + 1)
+                format!("{} {frame}{}", self.balance_name_without_axis(model), axis + 1)
             }
             Self::Power(speed) => format!("power of shared reactions along {}", model.speeds[*speed].name),
             Self::Law { body, coordinate } => format!(
@@ -108,7 +108,7 @@ impl RowName {
 
     /// Name of a balance without its direction, such as `disk force`. For other rows, the whole name.
     #[must_use]
-    pub fn subject(&self, model: &Model) -> String {
+    pub fn balance_name_without_axis(&self, model: &Model) -> String {
         match self {
             Self::Balance(BalanceName { body, moments, .. }) => {
                 format!("{} {}", model.bodies[*body].name, if *moments { "moment" } else { "force" })

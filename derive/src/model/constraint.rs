@@ -24,7 +24,7 @@ pub type AddedVelocity = (usize, [Expr; 3]);
 /// Motion that a closed joint would permit if it alone were open. The coordinate that the joint's
 /// equation determines moves at rate 1.
 #[derive(Clone, Debug, Default)]
-pub struct Opening {
+pub struct JointOpeningMotion {
     /// Frames that turn relative to their parents: (index, angular velocity along the axes of the
     /// frame).
     pub turns: Vec<AddedVelocity>,
@@ -38,7 +38,7 @@ pub struct Opening {
 /// Loop equation φ(q) = 0 between coordinates, such as the closure of a loop, that cannot be solved
 /// for a coordinate.
 #[derive(Clone, Debug)]
-pub struct Loop {
+pub struct LoopEquation {
     /// Name of the loop equation in the model file.
     pub name: String,
     /// Left side φ(q) of the loop equation, which is zero.
@@ -53,7 +53,7 @@ pub struct Loop {
 /// Component of the velocity at which a rolling body would slip at its contact; rolling makes it
 /// zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Rolled {
+pub struct SlipComponent {
     /// Index of the contact in [`super::Contacts::rolling`].
     pub contact: usize,
     /// Index of the body that rolls.
@@ -77,7 +77,7 @@ pub enum MotionConstraintKind {
     /// Equation between velocities that the model file states.
     Stated,
     /// Rolling without slip: one component of the velocity at which the body would slip is zero.
-    Rolling(Rolled),
+    Rolling(SlipComponent),
     /// Time derivative of a loop equation, with the index of the loop in [`super::Model::loops`].
     Loop(usize),
     /// Constraint t' = 1 on the rate of time, if time is a coordinate.
@@ -108,7 +108,7 @@ pub struct MotionConstraint {
 /// A redundant constraint: it follows from other constraints wherever the loops are closed, but not
 /// elsewhere.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct DependentConstraint {
+pub struct RedundantConstraint {
     /// Name of the redundant constraint in the model file.
     pub name: String,
     /// Term in q and q̇ that is zero, for a redundant constraint between velocities. `None` for a
@@ -124,7 +124,7 @@ pub struct DependentConstraint {
 /// Assembly branch: closed poses in which the constraints have one rank, found in doubles at the
 /// default values of the parameters.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Branch {
+pub struct AssemblyBranch {
     /// Pose with closed loops that identifies the branch: a value in SI units for each generalized
     /// coordinate.
     pub pose: Vec<f64>,

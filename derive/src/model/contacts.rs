@@ -5,7 +5,7 @@ use crate::algebra::text::parse::VelocityOf;
 
 /// Velocity component that a constraint states alone.
 #[derive(Clone, Debug)]
-pub struct StatedVelocity {
+pub struct ConstrainedVelocity {
     /// Point, frame or material of a body whose velocity is stated, by index.
     pub of: VelocityOf<usize>,
     /// Index of the frame along whose axis the component is taken.
@@ -17,12 +17,12 @@ pub struct StatedVelocity {
 /// Velocities, positions and bodies that a constraint of the model file relates. The bodies may
 /// touch.
 #[derive(Clone, Debug)]
-pub struct Compared {
+pub struct ComparedBodies {
     /// Name of the constraint in the model file.
     pub name: String,
     /// Velocity component that the constraint states alone; `None` if the constraint contains other
     /// velocities, rates or speeds.
-    pub alone: Option<StatedVelocity>,
+    pub alone: Option<ConstrainedVelocity>,
     /// Velocities and positions that occur by name in the constraint.
     pub named: Vec<VelocityOf<usize>>,
     /// Indices of bodies whose own coordinates or rates occur in the constraint, in the order of the
@@ -44,7 +44,7 @@ pub struct Contacts {
     /// Bodies on which friction acts, as (body, body against which it rubs); `None` is the ground.
     pub rubbing: Vec<(usize, Option<usize>)>,
     /// Bodies and velocities that each constraint of the model file relates.
-    pub compared: Vec<Compared>,
+    pub compared: Vec<ComparedBodies>,
     /// Indices of bodies on which the ground, or the body they touch, exerts only forces that the model
     /// file states. Other connections support these bodies.
     pub idle: Vec<usize>,

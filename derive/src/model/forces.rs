@@ -5,7 +5,7 @@ use crate::algebra::Expr;
 /// Place at which a force or reaction acts: the material of a body that is at a point at that
 /// instant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Place {
+pub struct ForcePlace {
     /// Index of the body on which the force or reaction acts.
     pub body: usize,
     /// Index of the point through which the force acts. The point may move relative to the body.
@@ -18,9 +18,9 @@ pub struct Force {
     /// Name of the force in the model file.
     pub name: String,
     /// Place at which the force acts.
-    pub on: Place,
+    pub on: ForcePlace,
     /// Place at which the opposite force acts; `None` if no opposite force acts on a body.
-    pub against: Option<Place>,
+    pub against: Option<ForcePlace>,
     /// Index of the frame in which the force's components are given.
     pub frame: usize,
     /// Components of the force, N: terms in parameters, q, q̇, u and
@@ -65,7 +65,7 @@ pub struct Potential {
 
 /// Force or torque between bodies that stands for a potential in the Newton–Euler equations.
 #[derive(Clone, Debug)]
-pub struct Effort {
+pub struct PotentialForce {
     /// Places or bodies on which the force or torque and its opposite act.
     pub kind: ReactionKind,
     /// Index of the frame in which the components are given.
@@ -80,9 +80,9 @@ pub enum ReactionKind {
     /// Force at a place, with its opposite at another place or on the ground.
     Force {
         /// Place at which the reaction force acts.
-        on: Place,
+        on: ForcePlace,
         /// Place at which the opposite force acts; `None` for the ground.
-        against: Option<Place>,
+        against: Option<ForcePlace>,
     },
     /// Torque on a body, with its opposite on another body or the ground.
     Torque {

@@ -21,7 +21,7 @@ pub struct Input {
 
 /// Formula that replaces an input of the model in a scene.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Binding {
+pub struct InputBinding {
     /// Name of the input that the formula replaces.
     pub input: String,
     /// Text of the formula, in t, coordinates, q', speeds and parameters.

@@ -1,14 +1,14 @@
 //! Model of a mechanism as its model file states it, read and checked.
 
-mod angle;
+mod angle_units;
 mod bodies;
 mod constraint;
 pub(crate) mod constraints;
 mod contacts;
-mod corners;
+mod drive_corners;
 mod forces;
 mod input;
-mod physics;
+mod possible_bodies;
 mod reactions;
 mod read_model;
 mod reading;
@@ -20,18 +20,18 @@ pub(crate) use bodies::joint_kinds::JOINT_KINDS;
 pub(crate) use bodies::shapes::SHAPE_KINDS;
 pub use bodies::shapes::{Shape, ShapeForm, equations_text};
 pub use constraint::{
-    AddedVelocity, Branch, Constraint, DependentConstraint, Loop, MotionConstraint, MotionConstraintKind, Opening,
-    Rolled,
+    AddedVelocity, AssemblyBranch, Constraint, JointOpeningMotion, LoopEquation, MotionConstraint,
+    MotionConstraintKind, RedundantConstraint, SlipComponent,
 };
-pub use contacts::{Compared, Contacts, StatedVelocity};
-pub use forces::{Effort, Force, JointReaction, Place, Potential, Reaction, ReactionKind, Torque};
-pub use input::{Binding, Input};
-pub use physics::ImpossibleBody;
+pub use contacts::{ComparedBodies, ConstrainedVelocity, Contacts};
+pub use forces::{Force, ForcePlace, JointReaction, Potential, PotentialForce, Reaction, ReactionKind, Torque};
+pub use input::{Input, InputBinding};
+pub use possible_bodies::ImpossibleBody;
 pub use reactions::interactions::GROUND;
-pub(crate) use reactions::interactions::{StatedInteraction, is_redundant};
+pub(crate) use reactions::interactions::{StatedInteraction, redundant_reaction_message};
 pub use read_model::{is_model, load};
-pub use reading::names::TIME;
-pub(crate) use reading::names::not_a_name;
+pub use reading::declared_names::TIME;
+pub(crate) use reading::declared_names::not_a_name;
 pub(crate) use units::StatedUnit;
 pub use units::Unit;
 pub use velocities::NamedVelocity;
@@ -172,7 +172,7 @@ pub struct Gravity {
 /// A body that a joint places by its coordinates (a tree joint), with the body or ground to which
 /// the joint attaches it.
 #[derive(Clone, Copy, Debug)]
-pub struct CarriedBody {
+pub struct JointedBody {
     /// Index of the body that the joint places.
     pub body: usize,
     /// Index of the body to which the joint attaches the placed body; `None` for the ground.
@@ -183,7 +183,7 @@ pub struct CarriedBody {
 
 /// Condition of the domain in which the model holds: a term must be positive.
 #[derive(Clone, Debug)]
-pub struct Condition {
+pub struct DomainCondition {
     /// Name of the condition in the model file.
     pub name: String,
     /// Inequality of the condition, as the model file writes it.
@@ -205,7 +205,7 @@ pub struct KinematicEquations {
 /// Redundant equation of rolling or of a joint: it follows from other constraints and restricts no
 /// velocity.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Repeated {
+pub struct RedundantEquation {
     /// Name of the redundant equation.
     pub name: String,
     /// True if the redundant equation is one of a joint between coordinates; false if it is one between
@@ -213,13 +213,13 @@ pub struct Repeated {
     pub is_of_loop: bool,
     /// Slip component that the equation sets to zero, if it is an equation of rolling; otherwise
     /// `None`.
-    pub rolled: Option<Rolled>,
+    pub rolled: Option<SlipComponent>,
     /// Left side of the redundant equation, a term in q and q̇, if it follows only in poses where the
     /// other constraints are independent. `None` if it follows in every pose.
     pub elsewhere: Option<Expr>,
 }
 
-impl Repeated {
+impl RedundantEquation {
     /// Creates a redundant equation of a joint between coordinates, which follows in every pose.
     fn of_loop(name: String) -> Self {
         Self { name, is_of_loop: true, rolled: None, elsewhere: None }
@@ -269,8 +269,8 @@ pub struct Model {
     /// Inputs: signals that drive loads.
     pub inputs: Vec<Input>,
     /// Formulas that a scene gives to inputs, in the order of the scene file; empty without a scene.
-    pub bindings: Vec<Binding>,
-    /// Names of inputs to whose formula a parameter of the same name is added ([`Self::with_varied`]).
+    pub bindings: Vec<InputBinding>,
+    /// Names of inputs to whose formula a parameter of the same name is added ([`Self::with_varied_inputs`]).
     pub varied: Vec<String>,
     /// Applied forces, including those of springs and friction.
     pub forces: Vec<Force>,
@@ -282,7 +282,7 @@ pub struct Model {
     pub potentials: Vec<Potential>,
     /// All potentials as forces and torques between bodies. Empty without potentials, or if no such
     /// forces are found.
-    pub efforts: Vec<Effort>,
+    pub efforts: Vec<PotentialForce>,
     /// Velocities and positions that occur by name in forces, torques and other formulas.
     pub velocities: Vec<NamedVelocity>,
     /// Reactions: first those that the model file states, then those found automatically.
@@ -296,29 +296,29 @@ pub struct Model {
     pub constraints: Vec<Constraint>,
     /// Motions that closed joints would permit if each alone were open; reactions are computed from
     /// them.
-    pub openings: Vec<Opening>,
+    pub openings: Vec<JointOpeningMotion>,
     /// Holonomic constraints that are not solved for a configuration variable, and are independent.
-    pub loops: Vec<Loop>,
+    pub loops: Vec<LoopEquation>,
     /// Redundant loops: their rates follow from those of [`Self::loops`] wherever all loops are closed.
     /// They restrict no further velocity.
-    pub closed: Vec<Loop>,
+    pub closed: Vec<LoopEquation>,
     /// Constraints that follow from other constraints in all poses in which the loops are closed.
-    pub dependent: Vec<DependentConstraint>,
+    pub dependent: Vec<RedundantConstraint>,
     /// Speeds of joints that the constraints determine from [`Self::speeds`].
     pub dependent_speeds: Vec<DependentSpeed>,
     /// Assembly branch in which redundancy was decided; `None` without loops, or if no closed pose was
     /// found.
-    pub branch: Option<Branch>,
+    pub branch: Option<AssemblyBranch>,
     /// Conditions of the domain in which the model holds, each a term that must be positive.
-    pub domain: Vec<Condition>,
+    pub domain: Vec<DomainCondition>,
     /// Bodies that joints place, each with the body to which the joint attaches it.
-    pub carried: Vec<CarriedBody>,
+    pub carried: Vec<JointedBody>,
     /// Shapes of the bodies for views, as the model file states them.
     pub shapes: Vec<Shape>,
     /// Kinematic equations: rates q̇ as terms in the generalized speeds u.
     pub kinematic_equations: KinematicEquations,
     /// Redundant equations of rolling and of joints, which do not count as constraints.
-    pub repeated: Vec<Repeated>,
+    pub repeated: Vec<RedundantEquation>,
     /// Parameters, expressions, inputs, frames and points that the model file declares and never uses,
     /// as (kind in words, name).
     pub unused: Vec<(&'static str, String)>,
@@ -402,7 +402,7 @@ impl Model {
     /// Numbers of configuration variables, constraints, generalized coordinates and generalized speeds,
     /// as a phrase for people.
     #[must_use]
-    pub fn count(&self) -> String {
+    pub fn counts_in_words(&self) -> String {
         let plural = |n: usize, one: &str| if n == 1 { format!("1 {one}") } else { format!("{n} {one}s") };
         let clock = usize::from(self.time().is_some());
         let nonholonomic =

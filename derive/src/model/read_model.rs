@@ -4,21 +4,26 @@
 //! fails silently. So `None` always means that an error is recorded in the reader.
 
 use super::bodies::elements::Elements;
-use super::bodies::inputs::Signals;
+use super::bodies::inputs::InputSignals;
 use super::bodies::joints::Joints;
-use super::bodies::motion::MechanismMotion;
-use super::constraints::configuration::{Solved, StatedConstraint, solve_all};
-use super::constraints::motion::{Tied, Ties};
-use super::constraints::openings::openings;
-use super::input::Binding;
-use super::reading::names::{Kind, Names};
-use super::reading::reader::Loading;
-use super::reading::repetition::written_out;
-use super::{Compared, Condition, Coordinate, JointReaction, Model, NamedVelocity, Parameter, Repeated, Rolled};
+use super::bodies::mechanism_motion::MechanismMotion;
+use super::constraints::configuration_constraints::{
+    SolvedConfiguration, StatedConstraint, solve_configuration_constraints,
+};
+use super::constraints::motion_constraints::{ConstraintParts, MotionConstraints};
+use super::constraints::openings::joint_opening_motions;
+use super::input::InputBinding;
+use super::reading::declared_names::{NameKind, Names};
+use super::reading::model_reader::Loading;
+use super::reading::repetition::expand_repetition;
+use super::{
+    ComparedBodies, Coordinate, DomainCondition, JointReaction, Model, NamedVelocity, Parameter, RedundantEquation,
+    SlipComponent,
+};
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::{Arena, Expr};
-use crate::diagnostic::{Diagnostic, Diagnostics, Source, shown};
-use crate::read::{Entry, Located, Reader};
+use crate::diagnostic::{Diagnostic, Diagnostics, Source, shortened_for_message};
+use crate::toml_reader::{Entry, Located, TomlReader};
 use rustc_hash::FxHashMap;
 use std::ops::Range;
 use toml::de::DeTable;
@@ -70,7 +75,7 @@ impl Model {
 pub fn is_model(source: &Source) -> bool {
     const OWN: [&str; 6] = ["inertial", "joints", "bodies", "particles", "frames", "points"];
     const ENTRIES: [&str; 6] = ["equation", "matrix", "definition", "system", "listing", "initial"];
-    Reader::parse(source).is_ok_and(|(_, table)| {
+    TomlReader::parse(source).is_ok_and(|(_, table)| {
         let has = |keys: &[&str]| keys.iter().any(|key| table.get_ref().contains_key(*key));
         has(&OWN) || has(&["coordinates"]) && !has(&ENTRIES)
     })
@@ -84,13 +89,13 @@ pub fn is_model(source: &Source) -> bool {
 /// # Panics
 /// Never: a model text without errors gives a complete model.
 pub fn load(source: &Source) -> Result<Model, Diagnostics> {
-    load_bound(source, Vec::new(), &[])
+    load_with_inputs(source, Vec::new(), &[])
 }
 
 /// Reads and checks the text of a model file. `bindings` replace inputs by formulas. A parameter is
 /// added to the formula of each input in `varied`. Returns `Diagnostics` with every error.
-pub fn load_bound(source: &Source, bindings: Vec<Binding>, varied: &[String]) -> Result<Model, Diagnostics> {
-    let (mut reader, table) = Reader::parse(source)?;
+pub fn load_with_inputs(source: &Source, bindings: Vec<InputBinding>, varied: &[String]) -> Result<Model, Diagnostics> {
+    let (mut reader, table) = TomlReader::parse(source)?;
     let table = table.get_ref();
     if table.is_empty() {
         let empty = source.text.trim_start_matches('\u{feff}').trim().is_empty();
@@ -99,10 +104,10 @@ pub fn load_bound(source: &Source, bindings: Vec<Binding>, varied: &[String]) ->
     }
     reader.schema(table);
     reader.finish()?;
-    let written = written_out(&mut reader, table);
+    let written = expand_repetition(&mut reader, table);
     let table = written.as_ref().unwrap_or(table);
     reader.finish()?;
-    reader.allow(table, "a model file", &KEYS);
+    reader.report_unknown_keys(table, "a model file", &KEYS);
     let varied = varied.to_vec();
     let mut loading = Loading {
         reader,
@@ -128,10 +133,15 @@ impl Model {
     /// # Errors
     /// [`Diagnostics`] for the file `scene`, at the byte range `place` of its inputs, if the model has
     /// errors with these formulas.
-    pub fn bound(&self, bindings: Vec<Binding>, scene: &Source, place: Range<usize>) -> Result<Self, Diagnostics> {
-        load_bound(&self.source, bindings, &self.varied).map_err(|errors| {
+    pub fn with_inputs(
+        &self,
+        bindings: Vec<InputBinding>,
+        scene: &Source,
+        place: Range<usize>,
+    ) -> Result<Self, Diagnostics> {
+        load_with_inputs(&self.source, bindings, &self.varied).map_err(|errors| {
             let why = errors.list.first().map_or_else(String::new, |error| error.message.clone());
-            let message = format!("the model is not possible with these inputs: {}", shown(&why));
+            let message = format!("the model is not possible with these inputs: {}", shortened_for_message(&why));
             let help = "give formulas of t, coordinates, q', speeds and parameters";
             Diagnostics::new(scene.clone(), vec![Diagnostic::new(place, message, help)])
         })
@@ -143,10 +153,10 @@ impl Model {
     ///
     /// # Errors
     /// [`Diagnostics`] of the model file. A loaded model's file has no errors.
-    pub fn with_varied(&self, inputs: &[String]) -> Result<Self, Diagnostics> {
+    pub fn with_varied_inputs(&self, inputs: &[String]) -> Result<Self, Diagnostics> {
         let is_formula = |name: &String| self.inputs.iter().any(|input| input.name == *name && !input.is_parameter);
         if inputs.iter().any(is_formula) {
-            return load_bound(&self.source, self.bindings.clone(), inputs);
+            return load_with_inputs(&self.source, self.bindings.clone(), inputs);
         }
         // A scene may still give formulas to these inputs, so their names are kept.
         Ok(Self { varied: inputs.to_vec(), ..self.clone() })
@@ -167,7 +177,7 @@ struct Connections {
     motion: Vec<StatedConstraint>,
     /// Components of the velocities at which rolling bodies would slip, each as an equation that makes
     /// it zero.
-    slips: Vec<(StatedConstraint, Rolled)>,
+    slips: Vec<(StatedConstraint, SlipComponent)>,
     /// Possible reactions of joints that close loops.
     holding: Vec<JointReaction>,
     /// True if all connections were read without errors.
@@ -175,7 +185,7 @@ struct Connections {
 }
 
 /// Coordinates of a model file, and definitions of its speeds as text.
-struct Declared {
+struct DeclaredVariables {
     /// Coordinates, with time last if formulas contain it.
     coordinates: Vec<Coordinate>,
     /// Number of coordinates without time.
@@ -186,12 +196,13 @@ struct Declared {
 
 impl<'a> Loading<'a> {
     /// Builds the model from a parsed file; `None` after errors are recorded.
+    #[allow(clippy::too_many_lines, reason = "one step for each section of the file, in their order")]
     fn model(&mut self, table: &'a DeTable<'a>, source: &Source) -> Option<Model> {
         let (title, reference) = (self.title(table), self.text(table, "source").unwrap_or_default());
         let mut parameters = self.parameters(table);
         let before_motion = self.reader.errors.len();
         let joints = self.joints(table);
-        let Declared { mut coordinates, configuration_variables, texts } = self.variables(table, &joints);
+        let DeclaredVariables { mut coordinates, configuration_variables, texts } = self.variables(table, &joints);
         let mut motion_errors = self.reader.errors.len() - before_motion;
         let reactions = self.reaction_symbols(table);
         let has_speeds = self.missing_sections(table, &joints, &coordinates);
@@ -201,21 +212,27 @@ impl<'a> Loading<'a> {
         let before_constraints = self.reader.errors.len();
         let Connections { velocities, values, configuration, motion, slips, holding, is_known } =
             self.connections(table, &mut elements, &coordinates, &joints);
-        let Solved { constraints, replacements, kept, repeated: said, prescribing, opened, undefined } =
-            solve_all(&mut self.reader, &mut self.arena, &mut coordinates, &elements.potentials, configuration);
+        let SolvedConfiguration { constraints, replacements, kept, repeated: said, prescribing, opened, undefined } =
+            solve_configuration_constraints(
+                &mut self.reader,
+                &mut self.arena,
+                &mut coordinates,
+                &elements.potentials,
+                configuration,
+            );
         self.report_undefined(undefined);
         motion_errors += self.reader.errors.len() - before_constraints;
         let mut domain = self.domain(table);
-        self.put_stated_numbers(&mut parameters);
+        self.insert_stated_numbers(&mut parameters);
         signals.put_in(&mut self.arena, &mut elements, &mut domain);
         let (stated_speeds, speeds) = (texts.len(), self.speeds(texts, &values, &replacements));
-        let openings = openings(&mut self.arena, &opened, &elements, &[&kept, &motion], &replacements);
+        let openings = joint_opening_motions(&mut self.arena, &opened, &elements, &[&kept, &motion], &replacements);
         let mut fixed = Substitution::new(&replacements);
         elements.rewrite(&mut |e| fixed.apply(&mut self.arena, e));
-        elements.check(self, &parameters);
-        let mut fix = |constraint: StatedConstraint| constraint.with(&mut self.arena, &mut fixed);
+        elements.check_elements(self, &parameters);
+        let mut fix = |constraint: StatedConstraint| constraint.substitute(&mut self.arena, &mut fixed);
         let [kept, stated]: [Vec<_>; 2] = [kept, motion].map(|list| list.into_iter().map(&mut fix).collect());
-        let tied = Tied {
+        let tied = ConstraintParts {
             coordinates: &coordinates,
             elements: &elements,
             speeds: &speeds,
@@ -225,7 +242,7 @@ impl<'a> Loading<'a> {
             stated,
             rolling: slips.into_iter().map(|(c, rolled)| (fix(c), rolled)).collect(),
         };
-        let ties = if is_known { self.ties(tied) } else { None };
+        let ties = if is_known { self.motion_constraints(tied) } else { None };
         let known = ties.as_ref().filter(|_| motion_errors == 0 && speeds.len() == stated_speeds);
         let (speeds, left_out) = match known {
             Some(ties) => self.independent_speeds(&coordinates, &replacements, speeds, &joints, ties),
@@ -240,9 +257,9 @@ impl<'a> Loading<'a> {
         let tied = ties.as_ref().filter(|_| motion_errors == 0 && speeds.len() == stated_speeds && has_speeds);
         let kinematic_equations =
             tied.and_then(|ties| self.kinematic_equations(table, &coordinates, &speeds, &ties.motion));
-        self.put_into_conditions(&mut fixed, &mut domain, &mut signals);
+        self.replace_in_conditions(&mut fixed, &mut domain, &mut signals);
         let expressions = self.expressions_with(&mut fixed);
-        let Ties { motion, loops, repeated, closed, dependent, branch, .. } =
+        let MotionConstraints { motion, loops, repeated, closed, dependent, branch, .. } =
             ties.filter(|_| self.reader.errors.is_empty())?;
         let mut model = Model {
             title: title?,
@@ -253,9 +270,9 @@ impl<'a> Loading<'a> {
             coordinates,
             configuration_variables,
             speeds: speeds.into_iter().map(|(speed, _)| speed).collect(),
-            dependent_speeds: left_out.into_iter().map(|speed| joints.dependent(speed)).collect(),
+            dependent_speeds: left_out.into_iter().map(|speed| joints.dependent_joint_speed(speed)).collect(),
             motion_constraints: motion.into_iter().map(|(constraint, _)| constraint).collect(),
-            carried: joints.carried(&elements),
+            carried: joints.jointed_bodies(&elements),
             frames: elements.frames,
             points: elements.points,
             bodies: elements.bodies,
@@ -281,12 +298,12 @@ impl<'a> Loading<'a> {
             domain,
             shapes,
             kinematic_equations: kinematic_equations?,
-            repeated: said.into_iter().map(Repeated::of_loop).chain(repeated).collect(),
-            unused: self.names.unused(),
+            repeated: said.into_iter().map(RedundantEquation::of_loop).chain(repeated).collect(),
+            unused: self.names.unused_names(),
             declared: self.names.places(),
             expressions,
         };
-        self.complete(&mut model, holding, &prescribing, &mut fixed);
+        self.complete_reactions(&mut model, holding, &prescribing, &mut fixed);
         Some(model)
     }
 
@@ -297,14 +314,14 @@ impl<'a> Loading<'a> {
     }
 
     /// Inserts the parameters for numbers with units into the list of parameters, before the inputs.
-    fn put_stated_numbers(&mut self, parameters: &mut Vec<Parameter>) {
+    fn insert_stated_numbers(&mut self, parameters: &mut Vec<Parameter>) {
         let inputs_at = parameters.iter().position(|parameter| parameter.is_input).unwrap_or(parameters.len());
         parameters.splice(inputs_at..inputs_at, std::mem::take(&mut self.stated_numbers));
     }
 
     /// Reads the coordinates, those of joints and time included, and the definitions of the speeds as
     /// text.
-    fn variables(&mut self, table: &'a DeTable<'a>, joints: &Joints<'a>) -> Declared {
+    fn variables(&mut self, table: &'a DeTable<'a>, joints: &Joints<'a>) -> DeclaredVariables {
         let mut coordinates = self.coordinates(table, joints);
         let configuration_variables = coordinates.len();
         self.time(table, &mut coordinates);
@@ -312,12 +329,17 @@ impl<'a> Loading<'a> {
         for c in &mut coordinates {
             c.second_rate = self.arena.symbol(&format!("{}''", c.name));
         }
-        Declared { coordinates, configuration_variables, texts }
+        DeclaredVariables { coordinates, configuration_variables, texts }
     }
 
     /// Replaces constrained variables and dependent speeds in the conditions of the domain and in the
     /// inputs.
-    fn put_into_conditions(&mut self, fixed: &mut Substitution, domain: &mut [Condition], signals: &mut Signals) {
+    fn replace_in_conditions(
+        &mut self,
+        fixed: &mut Substitution,
+        domain: &mut [DomainCondition],
+        signals: &mut InputSignals,
+    ) {
         let positives = domain.iter_mut().map(|condition| &mut condition.positive);
         let values = positives.chain(signals.list.iter_mut().map(|input| &mut input.value));
         values.for_each(|value| *value = fixed.apply(&mut self.arena, *value));
@@ -326,7 +348,7 @@ impl<'a> Loading<'a> {
 
     /// Completes a model: finds its reactions, and replaces the reactions that conditions of the domain
     /// contain by name.
-    fn complete(
+    fn complete_reactions(
         &mut self,
         model: &mut Model,
         holding: Vec<JointReaction>,
@@ -334,7 +356,7 @@ impl<'a> Loading<'a> {
         fixed: &mut Substitution,
     ) {
         model.loops.iter_mut().for_each(|one| one.prescribes = prescribing.contains(&one.name));
-        model.hold_joints(holding, fixed);
+        model.add_joint_reactions(holding, fixed);
         model.complete_loads();
         let open = model.name_reactions(std::mem::take(&mut self.names.reactions));
         self.reader.errors.extend(open);
@@ -342,10 +364,10 @@ impl<'a> Loading<'a> {
 
     /// Declares the names and symbols of the reactions that the model file states.
     fn reaction_symbols(&mut self, table: &'a DeTable<'a>) -> Vec<Entry<'a>> {
-        let reactions = self.section(table, "reactions", &[Kind::Reaction]);
+        let reactions = self.section(table, "reactions", &[NameKind::Reaction]);
         for (name, _) in &reactions {
             let symbol = self.arena.symbol(&name.text);
-            self.names.declare(&mut self.reader, name, Kind::Reaction, Some(symbol));
+            self.names.declare(&mut self.reader, name, NameKind::Reaction, Some(symbol));
         }
         reactions
     }
@@ -362,7 +384,7 @@ impl<'a> Loading<'a> {
     /// Reports a term that divides by zero wherever the constraints hold; `None` reports nothing.
     fn report_undefined(&mut self, term: Option<Expr>) {
         if let Some(term) = term {
-            let term = crate::algebra::text::print::text(&self.arena, term);
+            let term = crate::algebra::text::print::print_text(&self.arena, term);
             let message = format!("`{term}` divides by zero wherever the constraints hold");
             self.reader.errors.push(Diagnostic::of_file(message, "a constrained variable must not divide"));
         }
@@ -378,16 +400,18 @@ impl<'a> Loading<'a> {
         joints: &Joints<'a>,
     ) -> Connections {
         let mut stated = self.constraints(table, elements);
-        stated.extend(self.norms(&elements.frames));
+        stated.extend(self.euler_parameter_norms(&elements.frames));
         let rolling = self.rolling(table, elements);
         let springs = self.springs(table, elements);
         let friction = self.friction(table, elements);
         let potentials = self.potentials(table);
-        let closings = joints.closings(elements);
+        let closings = joints.closing_joints(elements);
         let names: Vec<Expr> = self.names.velocities.iter().map(|v| v.symbol).collect();
         let velocities = elements.velocities(self);
-        let mut compared: Vec<Compared> =
-            stated.iter().map(|c| self.compared(elements, coordinates, &velocities, &c.name, c.equation)).collect();
+        let mut compared: Vec<ComparedBodies> = stated
+            .iter()
+            .map(|c| self.compare_bodies(elements, coordinates, &velocities, &c.name, c.equation))
+            .collect();
         let names_motion =
             |c: &StatedConstraint| self.arena.reachable(&[c.equation]).iter().any(|part| names.contains(part));
         let needs_motion = !closings.is_empty()
@@ -406,15 +430,15 @@ impl<'a> Loading<'a> {
             let mut moving = MechanismMotion::new(&mut self.arena, elements, coordinates);
             let forces = self.spring_forces(&mut moving, elements, springs);
             elements.contacts.rolling = rolling.iter().map(|rolling| rolling.name.text.clone()).collect();
-            slips = self.slips(&mut moving, elements, rolling);
-            let value = |v: &NamedVelocity| (v.symbol, moving.named(&mut self.arena, elements, v));
+            slips = self.rolling_equations(&mut moving, elements, rolling);
+            let value = |v: &NamedVelocity| (v.symbol, moving.named_component(&mut self.arena, elements, v));
             values = velocities.iter().map(value).collect::<Vec<_>>();
             let mut put = Substitution::new(&values);
             for constraint in &mut stated {
                 constraint.equation = put.apply(&mut self.arena, constraint.equation);
             }
-            elements.potentials = self.placed_potentials(&mut put, potentials);
-            let (closed, holds) = self.closed(&mut moving, &closings);
+            elements.potentials = self.potentials_with_positions(&mut put, potentials);
+            let (closed, holds) = self.closing_joint_equations(&mut moving, &closings);
             stated.extend(closed);
             holding = holds;
             elements.forces.extend(forces);
@@ -423,7 +447,7 @@ impl<'a> Loading<'a> {
         // Equations of joints are no contacts; they come after the constraints of the model file, so `zip`
         // leaves them out.
         for (compared, constraint) in compared.iter_mut().zip(&stated) {
-            compared.moved = self.moved(elements, coordinates, constraint.equation);
+            compared.moved = self.bodies_in_equation(elements, coordinates, constraint.equation);
         }
         elements.contacts.compared = compared;
         let (configuration, motion) = stated.into_iter().partition(|c| self.is_of_configuration(c.equation));
@@ -432,7 +456,7 @@ impl<'a> Loading<'a> {
 
     /// True if an equation contains no rates and no speeds, so that it restricts the configuration.
     fn is_of_configuration(&self, equation: Expr) -> bool {
-        let moves = self.names.symbols_of(&[Kind::Rate, Kind::Speed]);
+        let moves = self.names.symbols_of(&[NameKind::Rate, NameKind::Speed]);
         !self.arena.reachable(&[equation]).iter().any(|part| moves.contains(part))
     }
 
@@ -455,7 +479,7 @@ impl<'a> Loading<'a> {
         let mut missing = |message: &str, help: &str| self.reader.errors.push(Diagnostic::of_file(message, help));
         if no_bodies {
             missing("the model has no bodies", "add [bodies.NAME] or [particles.NAME]");
-            self.names.unread(&[Kind::Body]);
+            self.names.mark_unread_kinds(&[NameKind::Body]);
         }
         if no_coordinates {
             let help = "add [coordinates]; a problem without them is statics, which is not derived here";
@@ -465,7 +489,7 @@ impl<'a> Loading<'a> {
             missing("the model has no speeds", "add [speeds], such as u1 = \"q1'\"");
         }
         if no_speeds {
-            self.names.unread(&[Kind::Speed]);
+            self.names.mark_unread_kinds(&[NameKind::Speed]);
         }
         if !table.contains_key("inertial") {
             missing("the model has no inertial frame", "add [inertial] with frame = \"N\" and origin = \"O\"");
@@ -476,18 +500,18 @@ impl<'a> Loading<'a> {
     /// Reads the coordinates of the model file, followed by those of its joints. Errors are recorded in the reader.
     fn coordinates(&mut self, table: &'a DeTable<'a>, joints: &Joints<'a>) -> Vec<Coordinate> {
         let mut coordinates = Vec::new();
-        for (name, value) in self.section(table, "coordinates", &[Kind::Coordinate, Kind::Rate]) {
+        for (name, value) in self.section(table, "coordinates", &[NameKind::Coordinate, NameKind::Rate]) {
             let symbol = self.arena.symbol(&name.text);
-            let entry = self.entry(&name, value, Kind::Coordinate, Some(symbol), "{ unit = \"rad\" }");
+            let entry = self.entry(&name, value, NameKind::Coordinate, Some(symbol), "{ unit = \"rad\" }");
             let Some((entry, _)) = entry else { continue };
-            self.reader.allow(entry, "a coordinate", &["unit", "about"]);
+            self.reader.report_unknown_keys(entry, "a coordinate", &["unit", "about"]);
             let unit = self.unit(entry, &name);
             let about = self.about(entry);
             coordinates.push((name, symbol, unit, about));
         }
         for (name, unit, about) in joints.coordinates() {
             let symbol = self.arena.symbol(&name.text);
-            self.names.declare(&mut self.reader, &name, Kind::Coordinate, Some(symbol));
+            self.names.declare(&mut self.reader, &name, NameKind::Coordinate, Some(symbol));
             coordinates.push((name, symbol, Some(unit), about));
         }
         coordinates
@@ -495,7 +519,7 @@ impl<'a> Loading<'a> {
             .map(|(name, symbol, unit, about)| {
                 let dotted = format!("{}'", name.text);
                 let rate = self.arena.symbol(&dotted);
-                self.names.insert(&dotted, Kind::Rate, name.span, Some(rate));
+                self.names.insert(&dotted, NameKind::Rate, name.span, Some(rate));
                 if let Some(unit) = &unit {
                     self.units.insert(symbol, unit.clone());
                     self.units.insert(rate, unit.per_second());

@@ -4,8 +4,8 @@
 //! counts as 1. A plain number may be stated in other units, and is converted at reading.
 
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
-use crate::diagnostic::{nearest, shown};
-use crate::read::Located;
+use crate::diagnostic::{nearest_name_advice, shortened_for_message};
+use crate::toml_reader::Located;
 use rustc_hash::FxHashMap;
 use std::fmt;
 
@@ -35,7 +35,7 @@ const NAMED: [(&str, [i64; 3]); 11] = [
 
 /// Further units in which a plain number may be stated: exponents of m, kg and s, and the factor to
 /// SI as a fraction. The factors of the last three also contain π.
-const OTHER: [(&str, [i64; 3], (i64, i64)); 16] = [
+const NON_SI_UNITS: [(&str, [i64; 3], (i64, i64)); 16] = [
     ("mm", [1, 0, 0], (1, 1000)),
     ("cm", [1, 0, 0], (1, 100)),
     ("km", [1, 0, 0], (1000, 1)),
@@ -53,7 +53,7 @@ const OTHER: [(&str, [i64; 3], (i64, i64)); 16] = [
     ("rev", [0, 0, 0], (2, 1)),
     ("rpm", [0, 0, -1], (1, 30)),
 ];
-/// Units of [`OTHER`] whose factor to SI contains π.
+/// Units of [`NON_SI_UNITS`] whose factor to SI contains π.
 const OF_TURNS: [&str; 3] = ["deg", "rev", "rpm"];
 
 /// Unit that follows a number in a text: `0.1 m`, `90 deg`, `3 rev/min`.
@@ -86,9 +86,10 @@ impl StatedUnit {
             let power = sign * power;
             let (exponents, (above, below)) = match NAMED.iter().find(|(known, _)| *known == plain) {
                 Some((_, exponents)) => (exponents, (1, 1)),
-                None => {
-                    OTHER.iter().find(|(known, ..)| *known == plain).map(|(_, exponents, scale)| (exponents, *scale))?
-                }
+                None => NON_SI_UNITS
+                    .iter()
+                    .find(|(known, ..)| *known == plain)
+                    .map(|(_, exponents, scale)| (exponents, *scale))?,
             };
             let [metre, kilogram, second] = exponents.map(|e| e * power);
             unit = unit.times(&Unit::new(metre, kilogram, second));
@@ -145,13 +146,14 @@ impl Unit {
             let (name, power) = match name.trim().split_once('^') {
                 Some((name, power)) => {
                     let whole = power.trim().parse::<i64>().ok().filter(|n| n.abs() <= 12);
-                    let message = || format!("`{}` is not a whole exponent up to 12", shown(power.trim()));
+                    let message =
+                        || format!("`{}` is not a whole exponent up to 12", shortened_for_message(power.trim()));
                     (name.trim(), whole.ok_or_else(message)?)
                 }
                 None => (name.trim(), 1),
             };
             let Some((_, exponents)) = NAMED.iter().find(|(n, _)| *n == name) else {
-                return Err(format!("`{}` is not a unit known here", shown(name)));
+                return Err(format!("`{}` is not a unit known here", shortened_for_message(name)));
             };
             for (sum, e) in unit.exponents.iter_mut().zip(exponents) {
                 *sum = sum.add(&Rational::integer(e * power * sign));
@@ -176,14 +178,14 @@ impl Unit {
         if angle {
             return "angles are in rad: write a value of 10 degrees as \"10*pi/180\"".to_owned();
         }
-        let near = nearest(text.trim(), NAMED.iter().map(|(name, _)| *name));
+        let near = nearest_name_advice(text.trim(), NAMED.iter().map(|(name, _)| *name));
         let known = "units are SI: products, quotients and powers of kg, m, s, rad, N, J, W, Pa, Hz, or 1";
         if near.starts_with("did") && text.trim().len() > 1 { format!("{near} {known}") } else { known.to_owned() }
     }
 
     /// Name of the unit for messages, such as `N*m` or `1 or rad`.
     #[must_use]
-    pub fn words(&self) -> String {
+    pub fn unit_words(&self) -> String {
         match self {
             _ if self.is_plain() => "1 or rad".to_owned(),
             _ if *self == Self::new(1, 1, -2) => "N".to_owned(),
@@ -193,7 +195,7 @@ impl Unit {
     }
 
     /// Unit with all exponents multiplied by k.
-    fn scaled(&self, k: &Rational) -> Self {
+    fn unit_power(&self, k: &Rational) -> Self {
         Self { exponents: self.exponents.clone().map(|e| e.mul(k)) }
     }
 
@@ -210,8 +212,8 @@ impl Unit {
     /// Unit of the quotient of two quantities with these units, or of a derivative of the first with
     /// respect to the second.
     #[must_use]
-    pub fn over(&self, other: &Self) -> Self {
-        self.times(&other.scaled(&Rational::integer(-1)))
+    pub fn divided_by(&self, other: &Self) -> Self {
+        self.times(&other.unit_power(&Rational::integer(-1)))
     }
 
     /// Unit of the time derivative of a quantity with this unit.
@@ -222,14 +224,14 @@ impl Unit {
 
     /// Exponent of the kilogram in the unit.
     #[must_use]
-    pub fn of_mass(&self) -> &Rational {
+    pub fn kilogram_exponent(&self) -> &Rational {
         &self.exponents[1]
     }
 
     /// Unit of the nth power of a quantity with this unit.
     #[must_use]
     pub fn to_power(&self, n: i32) -> Self {
-        self.scaled(&Rational::integer(i64::from(n)))
+        self.unit_power(&Rational::integer(i64::from(n)))
     }
 
     /// True if the unit is 1, the unit of plain numbers and angles.
@@ -277,7 +279,7 @@ impl fmt::Display for Unit {
 /// Returns a message of one line, and advice, if the units of parts do not fit.
 pub fn unit_of(arena: &Arena, e: Expr, symbols: &FxHashMap<Expr, Unit>) -> Result<Option<Unit>, (String, String)> {
     let check = "check the units of the parameters and coordinates".to_owned();
-    let show = |e: Expr| shown(&crate::algebra::text::print::text(arena, e));
+    let show = |e: Expr| shortened_for_message(&crate::algebra::text::print::print_text(arena, e));
     let mut units: FxHashMap<Expr, Option<Unit>> = FxHashMap::default();
     for part in arena.reachable(&[e]) {
         let unit = match arena.node(part) {
@@ -292,36 +294,40 @@ pub fn unit_of(arena: &Arena, e: Expr, symbols: &FxHashMap<Expr, Unit>) -> Resul
                     Some((first, unit)) => {
                         if let Some((term, other)) = known.find(|(_, other)| *other != unit) {
                             let (a, b) = (show(first), show(term));
-                            let (unit, other) = (unit.words(), other.words());
-                            let plain = [term, first].into_iter().find(|e| is_bare(arena, *e));
-                            let help =
-                                plain.map_or(check, |_| bare_number(if other == "1 or rad" { &unit } else { &other }));
+                            let (unit, other) = (unit.unit_words(), other.unit_words());
+                            let plain = [term, first].into_iter().find(|e| has_no_symbol(arena, *e));
+                            let help = plain.map_or(check, |_| {
+                                bare_number_advice(if other == "1 or rad" { &unit } else { &other })
+                            });
                             return Err((
                                 format!("`{a}` is in {unit} but `{b}` in {other}: they cannot be added"),
                                 help,
                             ));
                         }
                         if !constant.is_zero() && !unit.is_plain() {
-                            let words = unit.words();
+                            let words = unit.unit_words();
                             let message = format!("a bare number is added to `{}`, which is in {words}", show(first));
-                            return Err((message, bare_number(&words)));
+                            return Err((message, bare_number_advice(&words)));
                         }
                         Some(unit.clone())
                     }
                 }
             }
             Node::Product(factors) => factors.iter().try_fold(Unit::default(), |product, (base, n)| {
-                Some(product.times(&units[base].as_ref()?.scaled(&Rational::integer(i64::from(*n)))))
+                Some(product.times(&units[base].as_ref()?.unit_power(&Rational::integer(i64::from(*n)))))
             }),
             Node::Apply(Function::Sqrt, argument) => {
                 let half = Rational::fraction(1, 2).expect("not zero");
-                units[argument].as_ref().map(|unit| unit.scaled(&half))
+                units[argument].as_ref().map(|unit| unit.unit_power(&half))
             }
             Node::Apply(Function::Abs, argument) => units[argument].clone(),
             Node::Apply(f, argument) => {
                 if let Some(unit) = units[argument].as_ref().filter(|unit| !unit.is_plain()) {
                     let (f, inner) = (f.name(), show(*argument));
-                    return Err((format!("{f}({inner}) is the function of a quantity in {}", unit.words()), check));
+                    return Err((
+                        format!("{f}({inner}) is the function of a quantity in {}", unit.unit_words()),
+                        check,
+                    ));
                 }
                 Some(Unit::default())
             }
@@ -332,12 +338,12 @@ pub fn unit_of(arena: &Arena, e: Expr, symbols: &FxHashMap<Expr, Unit>) -> Resul
 }
 
 /// True if a term contains no symbol.
-fn is_bare(arena: &Arena, e: Expr) -> bool {
+fn has_no_symbol(arena: &Arena, e: Expr) -> bool {
     arena.reachable(&[e]).iter().all(|part| arena.symbol_name(*part).is_none())
 }
 
 /// Advice for a bare number that stands for a quantity with the unit `unit`.
-pub fn bare_number(unit: &str) -> String {
+pub fn bare_number_advice(unit: &str) -> String {
     format!(
         "a bare number has no unit: declare a parameter such as `x0 = {{ unit = \"{unit}\", value = 0.1 }}` and use its name"
     )
@@ -366,7 +372,7 @@ mod tests {
             let value = stated.apply(&mut arena, one);
             Some((
                 text[..stated.end].to_owned(),
-                crate::algebra::text::print::text(&arena, value),
+                crate::algebra::text::print::print_text(&arena, value),
                 stated.unit.to_string(),
             ))
         };

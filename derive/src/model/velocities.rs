@@ -4,7 +4,7 @@
 use super::units::Unit;
 use crate::algebra::text::parse::{VelocityName, VelocityOf};
 use crate::algebra::{Arena, Expr};
-use crate::read::Located;
+use crate::toml_reader::Located;
 use std::ops::Range;
 
 /// Component of a velocity in the inertial frame, m/s or rad/s, or of a position, m, that occurs by

@@ -22,12 +22,12 @@ pub struct Combination {
     pub multipliers: Vec<Vec<Expr>>,
     /// Identities that were proved for the combined rows, each with the part of the system to which it
     /// belongs.
-    pub identities: Vec<(Part, Identity)>,
+    pub identities: Vec<(CombinationPart, Identity)>,
 }
 
 /// Part of a linear system to which an identity belongs. All indices count from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Part {
+pub enum CombinationPart {
     /// Coefficient of an unknown in a combined row. It equals that of the expected row, or 0 if the
     /// expected row lacks the unknown.
     Coefficient {
@@ -54,19 +54,19 @@ pub enum Part {
 
 /// Description of how the rows of one formulation follow from those of another, as data.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Map {
+pub struct CombinationDescription {
     /// Formulation on the left of the text: that in speeds, if the second is in rates or has
     /// reactions.
     pub left: Formulation,
     /// Second formulation, whose rows are combined in the text.
     pub right: Formulation,
     /// Kind of the linear combination, such as Wᵀ times rows.
-    pub kind: MapKind,
+    pub kind: CombinationKind,
 }
 
 /// Kind of a linear combination of rows. W, w, J, d are those of q' = W u + w and u = J q' + d.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum MapKind {
+pub enum CombinationKind {
     /// Rows of both formulations are equal one by one, without any multipliers.
     RowByRow,
     /// Rows along speeds are Wᵀ times those along rates, and back by Jᵀ, with q' = W u and u = J q'.
@@ -86,21 +86,21 @@ pub enum MapKind {
     ConstraintForces,
 }
 
-impl Map {
+impl CombinationDescription {
     /// Text of the combination in words and symbols, such as `Kane = Wᵀ · Lagrange`.
     #[must_use]
     pub fn text(&self) -> String {
         let [left, right] = [self.left, self.right].map(|formulation| formulation.method().label);
         let both_ways = |with: &str| format!("{left} = Wᵀ · {right} and {right} = Jᵀ · {left}, with {with}");
         match &self.kind {
-            MapKind::RowByRow => format!("{left} = {right}, row by row"),
-            MapKind::LinearSpeeds => both_ways("q' = W u and u = J q'"),
-            MapKind::AffineSpeeds => both_ways("q' = W u + w and u = J q' + d"),
-            MapKind::Multipliers => format!(
+            CombinationKind::RowByRow => format!("{left} = {right}, row by row"),
+            CombinationKind::LinearSpeeds => both_ways("q' = W u and u = J q'"),
+            CombinationKind::AffineSpeeds => both_ways("q' = W u + w and u = J q' + d"),
+            CombinationKind::Multipliers => format!(
                 "{left} = Wᵀ · {right}, the multipliers cancel, and the rows of the constraints vanish, with q' = W u + w; \
                  what {right} has beside {left} gives the multipliers"
             ),
-            MapKind::PartialVelocities(reactions) => {
+            CombinationKind::PartialVelocities(reactions) => {
                 let given = match reactions.as_slice() {
                     [] => "both have the same number of rows".to_owned(),
                     [one] => format!("the remaining equation gives {one}"),
@@ -108,10 +108,10 @@ impl Map {
                 };
                 format!("{left} = (partial velocities) · {right}, the reactions cancel; {given}")
             }
-            MapKind::PartialVelocitiesOfRates => {
+            CombinationKind::PartialVelocitiesOfRates => {
                 format!("{left} = (partial velocities with respect to q') · {right}, the reactions cancel")
             }
-            MapKind::ConstraintForces => format!(
+            CombinationKind::ConstraintForces => format!(
                 "{left} = (partial velocities with respect to q') · {right}, the reactions being Aᵀλ along q', which W \
                  cancels on both sides"
             ),

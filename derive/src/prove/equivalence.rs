@@ -6,23 +6,23 @@
 //! further rows D as there are reactions form a regular matrix. So Kane's equations and the rows D,
 //! which give the reactions, are equivalent to Newton–Euler.
 
-use super::combination::{Combination, Map, MapKind, Part};
-use super::maps::{Combined, Maps, Matrix, combine, dot, transposed};
-use super::verdicts::{Compared, all, all_equal};
+use super::combination::{Combination, CombinationDescription, CombinationKind, CombinationPart};
+use super::speed_rate_maps::{CombinedSystem, Maps, Matrix, combine_rows, dot, transposed};
+use super::verdicts::{Compared, combined_verdict, verdict_on_pairs};
 use crate::algebra::Expr;
 use crate::algebra::meaning::compare::{Comparer, Verdict};
-use crate::algebra::solve::linear::solve;
+use crate::algebra::solve::linear::solve_linear;
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::value::rank::rank;
 use crate::mechanics::{
-    Balance, Derivations, Equations, Formulation, Kinematics, RowName, along_reactions, balances, partial_velocities,
-    speeds_to_rates,
+    Balance, Derivations, Equations, Formulation, Kinematics, RowName, balance_multipliers_along_reactions,
+    balance_partial_velocities, newton_euler_balances, speeds_to_rates,
 };
 use crate::model::Model;
 
 /// Pair of formulations, with the proof that their equations are equivalent.
 #[derive(Clone, Debug)]
-pub struct Pair {
+pub struct EquivalentPair {
     /// First formulation, in the order of [`Formulation::ALL`].
     pub left: Formulation,
     /// Second formulation, in the order of [`Formulation::ALL`].
@@ -31,7 +31,7 @@ pub struct Pair {
     /// other's.
     pub verdict: Verdict,
     /// Description of the combination that leads from one formulation to the other.
-    pub map: Map,
+    pub map: CombinationDescription,
     /// Combinations of rows that were proved, with their multipliers and identities. A combination
     /// whose proof failed has no identities.
     pub combinations: Vec<Combination>,
@@ -48,11 +48,11 @@ pub struct ReactionEquation {
 
 /// Proves that all derived formulations are pairwise equivalent, and gives an equation for each
 /// reaction. The equations are empty without Newton–Euler.
-pub fn prove(
+pub fn prove_equivalence(
     model: &Model,
     derivations: &mut Derivations,
     comparer: &mut Comparer,
-) -> (Vec<Pair>, Vec<ReactionEquation>) {
+) -> (Vec<EquivalentPair>, Vec<ReactionEquation>) {
     let list: Vec<Equations> = Formulation::ALL.into_iter().filter_map(|f| derivations.get(f).cloned()).collect();
     let kinematics = &mut derivations.kinematics;
     let maps = Maps::new(model, &mut kinematics.arena);
@@ -60,8 +60,9 @@ pub fn prove(
     let mut pairs = Vec::new();
     for (at, left) in list.iter().enumerate() {
         for right in &list[at + 1..] {
-            let found = prover.one_from_the_other(left, right).or_else(|| prover.one_from_the_other(right, left));
-            pairs.extend(found.map(|Found { verdict, map, combinations }| Pair {
+            let found =
+                prover.prove_combination_between(left, right).or_else(|| prover.prove_combination_between(right, left));
+            pairs.extend(found.map(|EquivalenceResult { verdict, map, combinations }| EquivalentPair {
                 left: left.formulation,
                 right: right.formulation,
                 verdict,
@@ -74,11 +75,11 @@ pub fn prove(
 }
 
 /// Verdict on a pair of formulations, with the combinations that were proved and their description.
-struct Found {
+struct EquivalenceResult {
     /// Verdict on the claim that both formulations are equivalent.
     verdict: Verdict,
     /// Description of the linear combination of rows.
-    map: Map,
+    map: CombinationDescription,
     /// Combinations that were proved, one for each direction.
     combinations: Vec<Combination>,
 }
@@ -96,10 +97,10 @@ struct Prover<'a> {
 impl Prover<'_> {
     /// Proves two systems equivalent by the combination that leads from `left` to `right` or back.
     /// `None` if only the opposite order of arguments is known.
-    fn one_from_the_other(&mut self, left: &Equations, right: &Equations) -> Option<Found> {
+    fn prove_combination_between(&mut self, left: &Equations, right: &Equations) -> Option<EquivalenceResult> {
         let (from, to) = (left.formulation, right.formulation);
-        match (from.carries_reactions(), to.carries_reactions()) {
-            (false, false) if from.is_in_rates() == to.is_in_rates() => Some(self.row_by_row(left, right)),
+        match (from.has_reactions(), to.has_reactions()) {
+            (false, false) if from.is_in_rates() == to.is_in_rates() => Some(self.prove_equal_row_by_row(left, right)),
             (false, false) if to.is_in_rates() => Some(self.speeds_and_rates(left, right)),
             (false, true) if from.is_in_rates() => Some(self.rates_and_balances(left, right)),
             (false, true) => Some(self.speeds_and_balances(left, right)),
@@ -108,20 +109,25 @@ impl Prover<'_> {
     }
 
     /// Proves that two systems in the same motion variables, without reactions, are equal row by row.
-    fn row_by_row(&mut self, left: &Equations, right: &Equations) -> Found {
-        let rows = Combined { matrix: left.matrix.clone(), right: left.forcing.clone() };
-        let claims = claims(&rows, right, 0);
-        let proved =
-            self.proved(Proposal { of: left, gives: right, relations: Vec::new(), multipliers: Vec::new(), claims });
-        Found::new(MapKind::RowByRow, left, right, [proved])
+    fn prove_equal_row_by_row(&mut self, left: &Equations, right: &Equations) -> EquivalenceResult {
+        let rows = CombinedSystem { matrix: left.matrix.clone(), right: left.forcing.clone() };
+        let claims = equivalence_claims(&rows, right, 0);
+        let proved = self.prove_proposal(Proposal {
+            of: left,
+            gives: right,
+            relations: Vec::new(),
+            multipliers: Vec::new(),
+            claims,
+        });
+        EquivalenceResult::new(CombinationKind::RowByRow, left, right, [proved])
     }
 
     /// Proves the claims of a proposed combination. Returns the verdict, and the combination with the
     /// identities.
-    fn proved(&mut self, proposal: Proposal<'_>) -> (Verdict, Combination) {
+    fn prove_proposal(&mut self, proposal: Proposal<'_>) -> (Verdict, Combination) {
         let Proposal { of, gives, relations, multipliers, claims } = proposal;
         let pairs: Vec<(Expr, Expr)> = claims.iter().map(|claim| claim.sides).collect();
-        let Compared { verdict, identities } = all_equal(&mut self.kinematics.arena, self.comparer, &pairs);
+        let Compared { verdict, identities } = verdict_on_pairs(&mut self.kinematics.arena, self.comparer, &pairs);
         let identities = claims.iter().map(|claim| claim.part).zip(identities).collect();
         let (of, gives) = (of.formulation, gives.formulation);
         (verdict, Combination { of, gives, relations, multipliers, identities })
@@ -129,7 +135,7 @@ impl Prover<'_> {
 
     /// Proves Speeds = Wᵀ · Rates and Rates = Jᵀ · Speeds, for equations along speeds u and along rates
     /// q̇.
-    fn speeds_and_rates(&mut self, speeds: &Equations, rates: &Equations) -> Found {
+    fn speeds_and_rates(&mut self, speeds: &Equations, rates: &Equations) -> EquivalenceResult {
         if !self.model.motion_constraints.is_empty() {
             return self.speeds_and_multipliers(speeds, rates);
         }
@@ -137,62 +143,63 @@ impl Prover<'_> {
         let arena = &mut kinematics.arena;
         let in_speeds = maps.to_speeds(model, arena, rates);
         let multipliers = transposed(&maps.w);
-        let claims_of_speeds = claims(&combine(arena, &multipliers, &in_speeds), speeds, 0);
+        let claims_of_speeds = equivalence_claims(&combine_rows(arena, &multipliers, &in_speeds), speeds, 0);
         let relations = maps.rates_in_speeds(model, arena);
         let forward = Proposal { of: rates, gives: speeds, relations, multipliers, claims: claims_of_speeds };
         let in_rates = maps.to_rates(model, arena, speeds);
         let mut to_rates = speeds_to_rates(model);
         let multipliers: Matrix =
             transposed(&maps.j).iter().map(|row| row.iter().map(|e| to_rates.apply(arena, *e)).collect()).collect();
-        let claims_of_rates = claims(&combine(arena, &multipliers, &in_rates), rates, 0);
+        let claims_of_rates = equivalence_claims(&combine_rows(arena, &multipliers, &in_rates), rates, 0);
         let relations = maps.speeds_in_rates(model, arena);
         let backward = Proposal { of: speeds, gives: rates, relations, multipliers, claims: claims_of_rates };
         // A speed that is not homogeneous in q̇ has an offset at q̇ = 0.
         let pairs: Vec<_> = model.q_dot().into_iter().map(|rate| (rate, Expr::ZERO)).collect();
         let mut at_rest = Substitution::new(&pairs);
         let homogeneous = model.speeds.iter().all(|s| at_rest.apply(arena, s.definition) == Expr::ZERO);
-        let kind = if homogeneous { MapKind::LinearSpeeds } else { MapKind::AffineSpeeds };
-        let proved = [self.proved(forward), self.proved(backward)];
-        Found::new(kind, speeds, rates, proved)
+        let kind = if homogeneous { CombinationKind::LinearSpeeds } else { CombinationKind::AffineSpeeds };
+        let proved = [self.prove_proposal(forward), self.prove_proposal(backward)];
+        EquivalenceResult::new(kind, speeds, rates, proved)
     }
 
     /// Proves Speeds = Wᵀ · Rates, in which the constraint multipliers cancel. The rows of the
     /// constraints vanish.
-    fn speeds_and_multipliers(&mut self, speeds: &Equations, rates: &Equations) -> Found {
+    fn speeds_and_multipliers(&mut self, speeds: &Equations, rates: &Equations) -> EquivalenceResult {
         let Self { model, kinematics, maps, .. } = self;
         let arena = &mut kinematics.arena;
         let (n, m) = (model.coordinates.len(), model.motion_constraints.len());
         let in_speeds = maps.to_speeds(model, arena, rates);
         let relations = maps.rates_in_speeds(model, arena);
         let multipliers = transposed(&maps.w);
-        let mut claims = claims(&combine(arena, &multipliers, &in_speeds), speeds, m);
+        let mut claims = equivalence_claims(&combine_rows(arena, &multipliers, &in_speeds), speeds, m);
         let of_constraints = in_speeds.matrix[n..].iter().flatten().chain(&in_speeds.forcing[n..]);
-        claims.extend(of_constraints.map(|e| Claim { part: Part::Constraint, sides: (*e, Expr::ZERO) }));
-        let proved = self.proved(Proposal { of: rates, gives: speeds, relations, multipliers, claims });
-        Found::new(MapKind::Multipliers, speeds, rates, [proved])
+        claims.extend(of_constraints.map(|e| Claim { part: CombinationPart::Constraint, sides: (*e, Expr::ZERO) }));
+        let proved = self.prove_proposal(Proposal { of: rates, gives: speeds, relations, multipliers, claims });
+        EquivalenceResult::new(CombinationKind::Multipliers, speeds, rates, [proved])
     }
 
     /// Proves Speeds = P · Balances with the partial velocities P. Balances that P does not use give
     /// the reactions.
-    fn speeds_and_balances(&mut self, speeds: &Equations, balances: &Equations) -> Found {
+    fn speeds_and_balances(&mut self, speeds: &Equations, balances: &Equations) -> EquivalenceResult {
         let Self { model, kinematics, .. } = self;
         let multipliers = balances.projection.clone();
-        let combined = combine(&mut kinematics.arena, &multipliers, balances);
-        let claims = claims(&combined, speeds, model.reactions.len());
+        let combined = combine_rows(&mut kinematics.arena, &multipliers, balances);
+        let claims = equivalence_claims(&combined, speeds, model.reactions.len());
         let names = model.reactions.iter().map(|reaction| reaction.name.clone()).collect();
-        let proved = self.proved(Proposal { of: balances, gives: speeds, relations: Vec::new(), multipliers, claims });
-        let (back, equations) = reactions_from(self.model, self.kinematics, balances);
+        let proved =
+            self.prove_proposal(Proposal { of: balances, gives: speeds, relations: Vec::new(), multipliers, claims });
+        let (back, equations) = prove_reaction_equations(self.model, self.kinematics, balances);
         self.reactions.get_or_insert(equations);
-        let found = Found::new(MapKind::PartialVelocities(names), speeds, balances, [proved]);
-        Found { verdict: all([found.verdict, back]), ..found }
+        let found = EquivalenceResult::new(CombinationKind::PartialVelocities(names), speeds, balances, [proved]);
+        EquivalenceResult { verdict: combined_verdict([found.verdict, back]), ..found }
     }
 
     /// Proves Rates = P · Balances, with the partial velocities P with respect to q̇.
-    fn rates_and_balances(&mut self, rates: &Equations, balances: &Equations) -> Found {
+    fn rates_and_balances(&mut self, rates: &Equations, balances: &Equations) -> EquivalenceResult {
         let Self { model, kinematics, maps, .. } = self;
-        let rows = rows_of(model, kinematics, balances);
+        let rows = newton_euler_rows(model, kinematics, balances);
         let velocities = kinematics.in_rates.clone();
-        let mut partial = partial_velocities(model, kinematics, &velocities, &rows, &model.q_dot());
+        let mut partial = balance_partial_velocities(model, kinematics, &velocities, &rows, &model.q_dot());
         if !model.motion_constraints.is_empty() {
             return self.multipliers_and_balances(partial, rates, balances);
         }
@@ -206,27 +213,33 @@ impl Prover<'_> {
         }
         let in_rates = maps.to_rates(model, &mut kinematics.arena, balances);
         let relations = maps.speeds_in_rates(model, &mut kinematics.arena);
-        let combined = combine(&mut kinematics.arena, &partial, &in_rates);
-        let claims = claims(&combined, rates, model.reactions.len());
-        let proved = self.proved(Proposal { of: balances, gives: rates, relations, multipliers: partial, claims });
-        Found::new(MapKind::PartialVelocitiesOfRates, rates, balances, [proved])
+        let combined = combine_rows(&mut kinematics.arena, &partial, &in_rates);
+        let claims = equivalence_claims(&combined, rates, model.reactions.len());
+        let proved =
+            self.prove_proposal(Proposal { of: balances, gives: rates, relations, multipliers: partial, claims });
+        EquivalenceResult::new(CombinationKind::PartialVelocitiesOfRates, rates, balances, [proved])
     }
 
     /// Proves Rates = P · Balances up to the constraint forces. Wᵀ cancels these forces on both sides,
     /// so the reactions along q̇ are Aᵀλ for exactly one λ.
-    fn multipliers_and_balances(&mut self, partial: Matrix, rates: &Equations, balances: &Equations) -> Found {
+    fn multipliers_and_balances(
+        &mut self,
+        partial: Matrix,
+        rates: &Equations,
+        balances: &Equations,
+    ) -> EquivalenceResult {
         let Self { model, kinematics, maps, .. } = self;
         let arena = &mut kinematics.arena;
         let p = model.speeds.len();
         let in_speeds = maps.to_speeds(model, arena, rates);
         let relations = maps.rates_in_speeds(model, arena);
-        let Combined { matrix, right } = combine(arena, &partial, balances);
+        let CombinedSystem { matrix, right } = combine_rows(arena, &partial, balances);
         let mut claims = Vec::new();
         for (at, (row, value)) in matrix.iter().zip(&right).enumerate() {
             let pairs = row[..p].iter().copied().zip(in_speeds.matrix[at].iter().copied()).take(p);
-            let part = |unknown| Part::Coefficient { row: at, unknown };
+            let part = |unknown| CombinationPart::Coefficient { row: at, unknown };
             claims.extend(pairs.enumerate().map(|(unknown, sides)| Claim { part: part(unknown), sides }));
-            claims.push(Claim { part: Part::Right { row: at }, sides: (*value, in_speeds.forcing[at]) });
+            claims.push(Claim { part: CombinationPart::Right { row: at }, sides: (*value, in_speeds.forcing[at]) });
         }
         // The power of shared reactions along a speed is cancelled by the rows that set their total power to zero.
         let is_power = |row: &RowName| matches!(row, RowName::Power(_) | RowName::Law { .. });
@@ -236,34 +249,35 @@ impl Prover<'_> {
                 let along: Vec<Expr> = matrix.iter().map(|row| row[unknown]).collect();
                 let shared: Vec<Expr> = balances.matrix[powers..].iter().map(|row| row[unknown]).collect();
                 let (alone, others) = (dot(arena, column, &along), dot(arena, &multipliers[powers..], &shared));
-                let part = Part::Power { speed, reaction: unknown - p };
+                let part = CombinationPart::Power { speed, reaction: unknown - p };
                 claims.push(Claim { part, sides: (arena.add(alone, others), Expr::ZERO) });
             }
         }
-        let proved = self.proved(Proposal { of: balances, gives: rates, relations, multipliers: partial, claims });
-        Found::new(MapKind::ConstraintForces, rates, balances, [proved])
+        let proved =
+            self.prove_proposal(Proposal { of: balances, gives: rates, relations, multipliers: partial, claims });
+        EquivalenceResult::new(CombinationKind::ConstraintForces, rates, balances, [proved])
     }
 }
 
-impl Found {
+impl EquivalenceResult {
     /// Combines the verdicts of the proved combinations, and describes how `left` and `right` are
     /// related.
     fn new(
-        kind: MapKind,
+        kind: CombinationKind,
         left: &Equations,
         right: &Equations,
         proved: impl IntoIterator<Item = (Verdict, Combination)>,
     ) -> Self {
         let (verdicts, combinations): (Vec<_>, Vec<_>) = proved.into_iter().unzip();
-        let map = Map { left: left.formulation, right: right.formulation, kind };
-        Self { verdict: all(verdicts), map, combinations }
+        let map = CombinationDescription { left: left.formulation, right: right.formulation, kind };
+        Self { verdict: combined_verdict(verdicts), map, combinations }
     }
 }
 
 /// Claim that two terms are equal, with the part of the linear system to which it belongs.
 struct Claim {
     /// Part of the linear system to which the claim belongs, such as a coefficient.
-    part: Part,
+    part: CombinationPart,
     /// Two terms that are claimed to be equal.
     sides: (Expr, Expr),
 }
@@ -284,22 +298,22 @@ struct Proposal<'a> {
 
 /// Claims that combined rows equal the rows of `expected`, and that the coefficients of `extra`
 /// further unknowns vanish.
-fn claims(combined: &Combined, expected: &Equations, extra: usize) -> Vec<Claim> {
+fn equivalence_claims(combined: &CombinedSystem, expected: &Equations, extra: usize) -> Vec<Claim> {
     let mut claims = Vec::new();
     for (at, (row, value)) in combined.matrix.iter().zip(&combined.right).enumerate() {
         let wanted = expected.matrix[at].iter().copied().chain(std::iter::repeat_n(Expr::ZERO, extra));
-        let part = |unknown| Part::Coefficient { row: at, unknown };
+        let part = |unknown| CombinationPart::Coefficient { row: at, unknown };
         let coefficients = row.iter().copied().zip(wanted).enumerate();
         claims.extend(coefficients.map(|(unknown, sides)| Claim { part: part(unknown), sides }));
-        claims.push(Claim { part: Part::Right { row: at }, sides: (*value, expected.forcing[at]) });
+        claims.push(Claim { part: CombinationPart::Right { row: at }, sides: (*value, expected.forcing[at]) });
     }
     claims
 }
 
 /// Balances of the bodies that are rows of the Newton–Euler equations, because they are not 0 = 0.
-fn rows_of(model: &Model, kinematics: &mut Kinematics, newton_euler: &Equations) -> Vec<Balance> {
+fn newton_euler_rows(model: &Model, kinematics: &mut Kinematics, newton_euler: &Equations) -> Vec<Balance> {
     let velocities = kinematics.in_speeds(model);
-    let mut rows = balances(model, kinematics, &velocities, None);
+    let mut rows = newton_euler_balances(model, kinematics, &velocities, None);
     rows.retain(|row| newton_euler.rows.contains(&RowName::Balance(row.name)));
     rows
 }
@@ -307,7 +321,7 @@ fn rows_of(model: &Model, kinematics: &mut Kinematics, newton_euler: &Equations)
 /// Proves that Kane's rows and a further row for each reaction are equivalent to Newton–Euler, and
 /// solves the further rows for the reactions. On failure, the verdict is undecided and the list is
 /// empty.
-fn reactions_from(
+fn prove_reaction_equations(
     model: &Model,
     kinematics: &mut Kinematics,
     newton_euler: &Equations,
@@ -316,7 +330,7 @@ fn reactions_from(
     let mut further: Matrix = Vec::new();
     let count = newton_euler.rows.len();
     let unit = |at: usize| (0..count).map(|k| if k == at { Expr::ONE } else { Expr::ZERO }).collect::<Vec<_>>();
-    let directions = along_reactions(model, kinematics, &newton_euler.rows);
+    let directions = balance_multipliers_along_reactions(model, kinematics, &newton_euler.rows);
     // The balance along each reaction is the natural further row. If it depends on earlier rows, a
     // single Newton–Euler row is tried.
     for candidate in directions.into_iter().chain((0..count).map(unit)) {
@@ -335,7 +349,7 @@ fn reactions_from(
         return (Verdict::Undecided(why), Vec::new());
     }
     let n = model.speeds.len();
-    let Combined { matrix, right } = combine(&mut kinematics.arena, &further, newton_euler);
+    let CombinedSystem { matrix, right } = combine_rows(&mut kinematics.arena, &further, newton_euler);
     let Kinematics { arena, simplifier, .. } = kinematics;
     let mut known = Vec::new();
     for (row, right) in matrix.iter().zip(&right) {
@@ -345,7 +359,7 @@ fn reactions_from(
     }
     let unknown: Matrix =
         matrix.iter().map(|row| row[n..].iter().map(|e| simplifier.simplify(arena, *e)).collect()).collect();
-    let Ok((values, _)) = solve(arena, simplifier, &unknown, &known) else {
+    let Ok((values, _)) = solve_linear(arena, simplifier, &unknown, &known) else {
         return (Verdict::Undecided("the further rows do not determine the reactions".to_owned()), Vec::new());
     };
     let named = model.reactions.iter().zip(values);

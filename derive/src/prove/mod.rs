@@ -5,29 +5,29 @@
 //! proved to be a linear combination of the other, with stated multipliers.
 
 mod combination;
+mod conserved_fields;
 mod equivalence;
-mod fields;
-mod integrals;
-mod kind;
-mod maps;
-mod motions;
-mod singular;
+mod first_integrals;
+mod integral_kind;
+mod rigid_motions;
+mod singularity;
+mod speed_rate_maps;
 mod verdicts;
 
-pub use combination::{Combination, Map, MapKind, Part};
-pub use equivalence::{Pair, ReactionEquation};
-pub(crate) use fields::Field;
-pub(crate) use integrals::Basis;
-pub use integrals::{Integral, Search};
-pub use kind::{IntegralKind, Pivot};
-pub(crate) use motions::fields as rigid_motions;
-pub use singular::{Place, Singularity, There, singularity, zeros};
-pub(crate) use verdicts::all;
+pub use combination::{Combination, CombinationDescription, CombinationKind, CombinationPart};
+pub(crate) use conserved_fields::VectorField;
+pub use equivalence::{EquivalentPair, ReactionEquation};
+pub(crate) use first_integrals::IntegralSearchBasis;
+pub use first_integrals::{Integral, Search};
+pub use integral_kind::{IntegralKind, Pivot};
+pub(crate) use rigid_motions::rigid_motion_fields as rigid_motions;
+pub use singularity::{DeterminantAtZero, Place, Singularity, singularity, singularity_of_determinant};
+pub(crate) use verdicts::combined_verdict;
 
 use crate::algebra::form::readable::readable;
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::meaning::compare::Comparer;
-use crate::algebra::text::definitions::write_down;
+use crate::algebra::text::definitions::define_names_in_part;
 use crate::algebra::{Arena, Expr};
 use crate::mechanics::{Derivations, DeriveError, Formulation, LoadDivisor, load_divisors};
 use crate::model::Model;
@@ -37,7 +37,7 @@ use crate::model::Model;
 #[derive(Clone, Debug)]
 pub struct Proof {
     /// Pairs of the formulations that the model supports, each with the proof that they are equivalent.
-    pub pairs: Vec<Pair>,
+    pub pairs: Vec<EquivalentPair>,
     /// Formulations that cannot be derived for the model, each with the reason.
     pub missing: Vec<(Formulation, DeriveError)>,
     /// Reactions of the model, each with the equation that gives it.
@@ -60,7 +60,7 @@ impl Proof {
         derivations.write_names();
         write_integral_names(&self.integrals, derivations);
         let reactions: Vec<Expr> = self.reactions.iter().map(|reaction| reaction.value).collect();
-        write_down(&mut derivations.kinematics.arena, "reaction", &reactions);
+        define_names_in_part(&mut derivations.kinematics.arena, "reaction", &reactions);
     }
 
     /// True if there are at least two formulations and all pairs are proved equivalent.
@@ -73,13 +73,16 @@ impl Proof {
 /// Finds the first integrals of a model without the proof of equivalence. That proof takes nearly
 /// all of the time in models with loops. [`prove`] finds the integrals too.
 pub fn first_integrals(model: &Model, derivations: &mut Derivations) -> Vec<Integral> {
-    let mut integrals = integrals::find(model, derivations, &mut Comparer::default()).0;
-    write_out(&mut derivations.kinematics.arena, integrals.iter_mut().map(|integral| &mut integral.expression));
+    let mut integrals = first_integrals::find_first_integrals(model, derivations, &mut Comparer::default()).0;
+    write_out_short_formulas(
+        &mut derivations.kinematics.arena,
+        integrals.iter_mut().map(|integral| &mut integral.expression),
+    );
     integrals
 }
 
 /// Replaces named subterms by their values in those formulas that then remain short enough to read.
-fn write_out<'a>(arena: &mut Arena, formulas: impl Iterator<Item = &'a mut Expr>) {
+fn write_out_short_formulas<'a>(arena: &mut Arena, formulas: impl Iterator<Item = &'a mut Expr>) {
     let mut simplifier = Simplifier::default();
     for formula in formulas {
         *formula = readable(arena, &mut simplifier, *formula);
@@ -90,15 +93,15 @@ fn write_out<'a>(arena: &mut Arena, formulas: impl Iterator<Item = &'a mut Expr>
 /// Must follow [`Derivations::write_names`], which names the equations' subterms.
 pub fn write_integral_names(integrals: &[Integral], derivations: &mut Derivations) {
     let values: Vec<Expr> = integrals.iter().map(|integral| integral.expression).collect();
-    write_down(&mut derivations.kinematics.arena, "integral", &values);
+    define_names_in_part(&mut derivations.kinematics.arena, "integral", &values);
 }
 
 /// Proves the formulations of a model equivalent, and finds reactions, first integrals and singular
 /// divisors.
 pub fn prove(model: &Model, derivations: &mut Derivations) -> Proof {
     let mut comparer = Comparer::default();
-    let (pairs, mut reactions) = equivalence::prove(model, derivations, &mut comparer);
-    let (mut integrals, mut search) = integrals::find(model, derivations, &mut comparer);
+    let (pairs, mut reactions) = equivalence::prove_equivalence(model, derivations, &mut comparer);
+    let (mut integrals, mut search) = first_integrals::find_first_integrals(model, derivations, &mut comparer);
     let loads = load_divisors(&mut derivations.kinematics.arena, model);
     let mut singular_where = model.kinematic_equations.divisors.clone();
     for divisor in &loads {
@@ -109,7 +112,7 @@ pub fn prove(model: &Model, derivations: &mut Derivations) -> Proof {
     let arena = &mut derivations.kinematics.arena;
     let shown = reactions.iter_mut().map(|reaction| &mut reaction.value);
     let shown = shown.chain(integrals.iter_mut().map(|integral| &mut integral.expression));
-    write_out(arena, shown.chain(&mut search.power));
+    write_out_short_formulas(arena, shown.chain(&mut search.power));
     let missing = derivations.list.iter().filter_map(|(f, result)| Some((*f, result.as_ref().err()?.clone())));
     Proof { pairs, missing: missing.collect(), reactions, integrals, search, singular_where, loads }
 }

@@ -3,7 +3,7 @@
 use crate::algebra::meaning::compare::{Comparer, Engine, Verdict};
 use crate::algebra::meaning::identity::Identity;
 use crate::algebra::term::steps::fresh_symbol;
-use crate::algebra::value::modular::{ZeroTest, bounded_zero_test};
+use crate::algebra::value::zero_test::{ZeroTest, bounded_zero_test};
 use crate::algebra::{Arena, Expr};
 
 /// Product of the numbers of terms and comparisons above which all pairs are compared in a single
@@ -24,7 +24,7 @@ pub struct Compared {
 /// In large systems, whose entries share most subterms, all pairs are compared at once. The sum Σ
 /// w_i d_i of the differences d_i, with a new symbol w_i for each, is zero if and only if all
 /// differences are.
-pub fn all_equal(arena: &mut Arena, comparer: &mut Comparer, pairs: &[(Expr, Expr)]) -> Compared {
+pub fn verdict_on_pairs(arena: &mut Arena, comparer: &mut Comparer, pairs: &[(Expr, Expr)]) -> Compared {
     let differences: Vec<Expr> = pairs.iter().map(|(left, right)| arena.sub(*left, *right)).collect();
     let differences: Vec<Expr> = differences.into_iter().filter(|e| *e != Expr::ZERO).collect();
     if differences.len() * arena.reachable(&differences).len() > MOST_SINGLE {
@@ -37,7 +37,7 @@ pub fn all_equal(arena: &mut Arena, comparer: &mut Comparer, pairs: &[(Expr, Exp
             })
             .collect();
         let sum = arena.sum(&weighted);
-        let sum = comparer.with_plain_angles(arena, sum);
+        let sum = comparer.expand_angles(arena, sum);
         if let (ZeroTest::Zero, exponent) = bounded_zero_test(arena, sum) {
             let engine = |same: bool| if same { Engine::NormalForm } else { Engine::Modular { exponent } };
             let identity = |(left, right): &(Expr, Expr)| {
@@ -55,12 +55,12 @@ pub fn all_equal(arena: &mut Arena, comparer: &mut Comparer, pairs: &[(Expr, Exp
             verdict => return Compared { verdict, identities: Vec::new() },
         }
     }
-    let verdict = all(identities.iter().map(|identity| Verdict::Equal(identity.engine)));
+    let verdict = combined_verdict(identities.iter().map(|identity| Verdict::Equal(identity.engine)));
     Compared { verdict, identities }
 }
 
 /// Combines verdicts: the first that is not "equal", or else "equal" with the weakest proof method.
-pub fn all(verdicts: impl IntoIterator<Item = Verdict>) -> Verdict {
+pub fn combined_verdict(verdicts: impl IntoIterator<Item = Verdict>) -> Verdict {
     let mut engine = Engine::NormalForm;
     for verdict in verdicts {
         match verdict {

@@ -2,16 +2,16 @@
 //! formula.
 
 use super::equalities::sides;
-use super::matrix::{Cells, cells};
-use super::printed::Choice;
-use super::read::{KEYS, Loading};
+use super::printed::LabelChoice;
+use super::printed_matrix::{MatrixCells, printed_matrix_cells};
+use super::publication_reader::{KEYS, PublicationReader};
 use super::{Entry, EntryKind, Initial};
 use crate::algebra::Expr;
 use crate::algebra::text::notation::Notation;
-use crate::algebra::value::evaluate::Tape;
-use crate::diagnostic::{Diagnostic, nearest, shown};
+use crate::algebra::value::tape::Tape;
+use crate::diagnostic::{Diagnostic, nearest_name_advice, shortened_for_message};
 use crate::mechanics::Quantity;
-use crate::read::Located;
+use crate::toml_reader::Located;
 use std::ops::Range;
 use toml::de::{DeTable, DeValue};
 
@@ -73,23 +73,23 @@ fn keys(kind: Kind) -> Vec<&'static str> {
 }
 
 /// Byte range of a part of a text, without the spaces at both ends of the part.
-fn trimmed(text: &str, range: Range<usize>) -> Range<usize> {
+fn trimmed_range(text: &str, range: Range<usize>) -> Range<usize> {
     let part = &text[range.clone()];
     let start = range.start + part.len() - part.trim_start().len();
     start..start + part.trim().len()
 }
 
 /// Part of a printed formula, without spaces at its ends, with its place in the file.
-pub(super) fn part(printed: &Located, range: Range<usize>) -> Located {
+pub(super) fn formula_part(printed: &Located, range: Range<usize>) -> Located {
     Located {
         text: printed.text[range.clone()].trim().to_owned(),
-        span: printed.part(trimmed(&printed.text, range)),
+        span: printed.part(trimmed_range(&printed.text, range)),
         exact: printed.exact,
     }
 }
 
 /// Table of a publication file that states an entry, with its place.
-pub struct Item<'a> {
+pub struct EntryTable<'a> {
     /// TOML table with the keys of the entry.
     pub table: &'a DeTable<'a>,
     /// Name of the entry's kind for messages, such as "an equation".
@@ -100,11 +100,11 @@ pub struct Item<'a> {
     pub notation: Notation,
 }
 
-impl<'a> Loading<'a, '_> {
+impl<'a> PublicationReader<'a, '_> {
     /// Reads all entries, in the order of the publication file.
     pub fn entries(&mut self, table: &'a DeTable<'a>) -> Vec<Entry> {
         let before = self.reader.errors.len();
-        let mut items: Vec<(Kind, Item<'a>)> = Vec::new();
+        let mut items: Vec<(Kind, EntryTable<'a>)> = Vec::new();
         for (kind, key, what) in KINDS {
             let Some(value) = self.reader.get(table, key) else { continue };
             let DeValue::Array(array) = value.get_ref() else {
@@ -115,7 +115,7 @@ impl<'a> Loading<'a, '_> {
             for value in array {
                 if let Some(table) = self.reader.table(value, what, &format!("[[{key}]]")) {
                     let notation = if kind == Kind::Definition { self.notation } else { self.notation(table) };
-                    items.push((kind, Item { table, what, span: value.span(), notation }));
+                    items.push((kind, EntryTable { table, what, span: value.span(), notation }));
                 }
             }
         }
@@ -144,36 +144,36 @@ impl<'a> Loading<'a, '_> {
 
     /// Reads a table of the publication file as its entries: several for a matrix or a chain of formulas. The formulas
     /// may use the variables of the program that the table names.
-    fn entry(&mut self, kind: Kind, item: &Item<'a>) -> Option<Vec<Entry>> {
-        let program = self.program(item);
+    fn entry(&mut self, kind: Kind, item: &EntryTable<'a>) -> Option<Vec<Entry>> {
+        let program = self.program_variables(item);
         self.words.locals = program.unwrap_or_default();
-        let read = self.entry_of(kind, item);
+        let read = self.read_entry(kind, item);
         self.words.locals = std::sync::Arc::default();
         read
     }
 
     /// Reads a table of the publication file as its entries, after the variables of its program are
     /// known; `None` if an error is reported.
-    fn entry_of(&mut self, kind: Kind, item: &Item<'a>) -> Option<Vec<Entry>> {
-        self.reader.allow(item.table, item.what, &keys(kind));
-        let id = self.id(item);
+    fn read_entry(&mut self, kind: Kind, item: &EntryTable<'a>) -> Option<Vec<Entry>> {
+        self.reader.report_unknown_keys(item.table, item.what, &keys(kind));
+        let id = self.read_id(item);
         let section = self.required_text(item, "section");
-        let repaired = self.text(item.table, "repaired");
-        let note = self.text(item.table, "note");
+        let repaired = self.read_text(item.table, "repaired");
+        let note = self.read_text(item.table, "note");
         let near = match kind {
-            Kind::Equation | Kind::Matrix | Kind::System | Kind::Listing => self.near(item.table),
+            Kind::Equation | Kind::Matrix | Kind::System | Kind::Listing => self.read_approximation(item.table),
             Kind::Definition | Kind::Initial => None,
         };
         let whole = |kind: EntryKind| vec![(String::new(), kind)];
         let kinds = match kind {
             Kind::Matrix => self.matrix_entries(item),
-            Kind::Equation => self.equation(item),
+            Kind::Equation => self.read_equation(item),
             Kind::Definition => {
                 self.required_text(item, "printed").map(|text| whole(EntryKind::Definition { text: text.text }))
             }
-            Kind::System => self.system(item).map(|system| whole(EntryKind::System(system))),
-            Kind::Listing => self.listing(item).map(|listing| whole(EntryKind::Listing(listing))),
-            Kind::Initial => self.initial(item).map(whole),
+            Kind::System => self.read_system(item).map(|system| whole(EntryKind::System(system))),
+            Kind::Listing => self.read_listing(item).map(|listing| whole(EntryKind::Listing(listing))),
+            Kind::Initial => self.read_initial(item).map(whole),
         };
         let (id, section, kinds) = (id?, section?.text, kinds?);
         let mut entries = Vec::new();
@@ -191,7 +191,7 @@ impl<'a> Loading<'a, '_> {
             };
             for part in entry.ids() {
                 if part != id.text {
-                    self.claim(&part, &id.span, ", of a part of this entry,");
+                    self.reserve_id(&part, &id.span, ", of a part of this entry,");
                 }
             }
             entries.push(entry);
@@ -202,10 +202,10 @@ impl<'a> Loading<'a, '_> {
     /// Reads a printed matrix or vector of a quantity as one equation for each element, each with
     /// the suffix of its id.
     /// The Coriolis matrix C is judged as a whole instead. Returns `None` if an error is reported.
-    fn matrix_entries(&mut self, item: &Item<'a>) -> Option<Vec<(String, EntryKind)>> {
+    fn matrix_entries(&mut self, item: &EntryTable<'a>) -> Option<Vec<(String, EntryKind)>> {
         let quantity = self.required_text(item, "quantity");
-        let printed = self.printed(item)?;
-        let Cells { rows, factor } = match cells(&printed.text, item.notation) {
+        let printed = self.read_printed_formula(item)?;
+        let MatrixCells { rows, factor } = match printed_matrix_cells(&printed.text, item.notation) {
             Ok(cells) => cells,
             Err(why) => {
                 let help = "print the whole matrix, or give each component an [[equation]] of its own";
@@ -214,18 +214,18 @@ impl<'a> Loading<'a, '_> {
             }
         };
         let factor = match factor {
-            Some(factor) => Some(self.factor(&part(&printed, factor), item.notation)?),
+            Some(factor) => Some(self.matrix_factor(&formula_part(&printed, factor), item.notation)?),
             None => None,
         };
         let factor = factor.as_ref();
         let quantity = quantity?;
         if quantity.text.trim() == "C" {
-            let cells = self.cells(rows, factor, &printed, item)?;
-            return self.coriolis(item, &cells, &printed);
+            let cells = self.matrix_cells(rows, factor, &printed, item)?;
+            return self.coriolis_entries(item, &cells, &printed);
         }
         if let Some(value) = self.reader.get(item.table, "claims") {
             let help = "claims are about the matrix C of C(q, q') q'";
-            self.reader.error(value.span(), format!("`claims` on `{}`", shown(&quantity.text)), help);
+            self.reader.error(value.span(), format!("`claims` on `{}`", shortened_for_message(&quantity.text)), help);
             return None;
         }
         let comma = if rows.len().max(rows[0].len()) > 9 { "," } else { "" };
@@ -238,8 +238,9 @@ impl<'a> Loading<'a, '_> {
             for (j, cell) in row.into_iter().enumerate() {
                 let index = if by_one { format!("[{}]", i.max(j) + 1) } else { format!("[{},{}]", i + 1, j + 1) };
                 let name = Located { exact: false, ..named(&index) };
-                let formula = part(&printed, cell);
-                let (quantity, value) = (self.quantity(&name), self.times(factor, &formula, item.notation));
+                let formula = formula_part(&printed, cell);
+                let (quantity, value) =
+                    (self.read_quantity(&name), self.cell_with_factor(factor, &formula, item.notation));
                 // One reason for an unknown quantity is enough.
                 let of = value.as_ref().map_or(Expr::ZERO, |(value, _)| *value);
                 let own = self.in_own_coordinates(item, &quantity?, of);
@@ -257,19 +258,19 @@ impl<'a> Loading<'a, '_> {
 
     /// Terms and texts of the elements of a printed matrix, row by row; `None` if an error is
     /// reported.
-    fn cells(
+    fn matrix_cells(
         &mut self,
         rows: Vec<Vec<Range<usize>>>,
         factor: Option<&(Expr, String)>,
         printed: &Located,
-        item: &Item<'a>,
+        item: &EntryTable<'a>,
     ) -> Option<Vec<Vec<(Expr, String)>>> {
         let mut list = Vec::new();
         for row in rows {
             let mut cells = Vec::new();
             for cell in row {
-                let formula = part(printed, cell);
-                cells.push(self.times(factor, &formula, item.notation));
+                let formula = formula_part(printed, cell);
+                cells.push(self.cell_with_factor(factor, &formula, item.notation));
             }
             list.push(cells);
         }
@@ -278,14 +279,14 @@ impl<'a> Loading<'a, '_> {
 
     /// Value and text of the factor in front of a matrix, which may be only a sign; `None` if an
     /// error is reported.
-    fn factor(&mut self, printed: &Located, notation: Notation) -> Option<(Expr, String)> {
+    fn matrix_factor(&mut self, printed: &Located, notation: Notation) -> Option<(Expr, String)> {
         let value = if printed.text == "-" { Expr::MINUS_ONE } else { self.formula(printed, notation)? };
         let times = if printed.text == "-" || notation == Notation::Latex { "" } else { "*" };
         Some((value, format!("{}{times}", printed.text)))
     }
 
     /// Value and text of an element of a matrix, multiplied by the factor in front of the matrix.
-    fn times(
+    fn cell_with_factor(
         &mut self,
         factor: Option<&(Expr, String)>,
         formula: &Located,
@@ -299,14 +300,14 @@ impl<'a> Loading<'a, '_> {
     }
 
     /// Text under a required key of an entry; reports an absent key and returns `None`.
-    pub fn required_text(&mut self, item: &Item<'a>, key: &str) -> Option<Located> {
-        let value = self.reader.need(item.table, key, item.what, &item.span)?;
+    pub fn required_text(&mut self, item: &EntryTable<'a>, key: &str) -> Option<Located> {
+        let value = self.reader.required(item.table, key, item.what, &item.span)?;
         self.reader.string(value, &format!("`{key}`"))
     }
 
     /// Printed formula of an entry: the text under `printed`, or the equation of a label in a file.
     /// Returns `None` if an error is reported.
-    fn printed(&mut self, item: &Item<'a>) -> Option<Located> {
+    fn read_printed_formula(&mut self, item: &EntryTable<'a>) -> Option<Located> {
         let Some(label) = self.reader.get(item.table, "label") else {
             if let Some(line) = self.reader.get(item.table, "line") {
                 self.reader.error(line.span(), "`line` without `label`", "`line` counts the equations of a label");
@@ -318,12 +319,12 @@ impl<'a> Loading<'a, '_> {
             self.reader.error(printed.span(), "`printed` beside `label`", help);
         }
         let label = self.reader.string(label, "`label`")?;
-        let mut list = self.labelled(item, &label, Choice::Labelled)?;
+        let mut list = self.equations_by_label(item, &label, LabelChoice::Labelled)?;
         let count = list.len();
         let at = match self.reader.get(item.table, "line") {
             None if count == 1 => 0,
             None => {
-                let message = format!("the label `{}` has {count} equations", shown(&label.text));
+                let message = format!("the label `{}` has {count} equations", shortened_for_message(&label.text));
                 self.reader.error(label.span, message, format!("choose one: line = 1 to line = {count}"));
                 return None;
             }
@@ -341,30 +342,30 @@ impl<'a> Loading<'a, '_> {
     }
 
     /// Formula under a required key of an entry; reports an absent key and returns `None`.
-    fn required_formula(&mut self, item: &Item<'a>, key: &str) -> Option<Located> {
-        let value = self.reader.need(item.table, key, item.what, &item.span)?;
+    fn required_formula(&mut self, item: &EntryTable<'a>, key: &str) -> Option<Located> {
+        let value = self.reader.required(item.table, key, item.what, &item.span)?;
         self.reader.formula(value, &format!("`{key}`"))
     }
 
     /// Id of an entry; reports an unsuitable or repeated id and returns `None`.
-    fn id(&mut self, item: &Item<'a>) -> Option<Located> {
+    fn read_id(&mut self, item: &EntryTable<'a>) -> Option<Located> {
         let id = self.required_text(item, "id")?;
         let odd = |c: char| c.is_whitespace() || c.is_control();
         if id.text.is_empty() || id.text.chars().count() > MAX_ID || id.text.contains(odd) {
-            let message = format!("`{}` cannot be an id", shown(&id.text).escape_debug());
+            let message = format!("`{}` cannot be an id", shortened_for_message(&id.text).escape_debug());
             let help = format!("an id has 1 to {MAX_ID} characters and no spaces, such as 2.11-a1");
             self.reader.error(id.span, message, help);
             return None;
         }
         let (text, span) = (id.text.clone(), id.span.clone());
-        self.claim(&text, &span, "");
+        self.reserve_id(&text, &span, "");
         Some(id)
     }
 
     /// Reserves an id for an entry; reports an id that is already in use.
-    fn claim(&mut self, id: &str, span: &Range<usize>, of_what: &str) {
+    fn reserve_id(&mut self, id: &str, span: &Range<usize>, of_what: &str) {
         if let Some(first) = self.ids.get(id) {
-            let message = format!("the id `{}`{of_what} is used twice", shown(id));
+            let message = format!("the id `{}`{of_what} is used twice", shortened_for_message(id));
             let twice = if first == span {
                 Diagnostic::new(span.clone(), message, "keep row and column apart, as in E{i},{j}")
             } else {
@@ -380,8 +381,8 @@ impl<'a> Loading<'a, '_> {
     /// Reads an entry `[[equation]]`: the printed values of a quantity, of which a chain `a = b = c` has several, or an
     /// equation of motion if no quantity, or 0, is stated. Each value has the suffix of its id, which is empty for the
     /// only one.
-    fn equation(&mut self, item: &Item<'a>) -> Option<Vec<(String, EntryKind)>> {
-        let printed = self.printed(item);
+    fn read_equation(&mut self, item: &EntryTable<'a>) -> Option<Vec<(String, EntryKind)>> {
+        let printed = self.read_printed_formula(item);
         if printed.is_none() && self.reader.get(item.table, "label").is_some() {
             return None;
         }
@@ -398,12 +399,12 @@ impl<'a> Loading<'a, '_> {
         }
         let name = self.required_text(item, "quantity");
         let values = printed.map(|formula| values(&formula, item.notation));
-        let unknown = name.as_ref().and_then(|name| self.unknown_named(&name.text));
+        let unknown = name.as_ref().and_then(|name| self.unknown_by_name(&name.text));
         let kinds: Vec<Option<EntryKind>> = if let Some(unknown) = unknown {
             let values = values?.into_iter();
             values.map(|value| self.value_of_unknown(item, unknown, &value).map(EntryKind::System)).collect()
         } else {
-            let quantity = name.and_then(|name| self.quantity(&name));
+            let quantity = name.and_then(|name| self.read_quantity(&name));
             let values = values.unwrap_or_default().into_iter();
             let values: Vec<_> = values.map(|value| (self.formula(&value, item.notation), value.text)).collect();
             let quantity = quantity?;
@@ -421,20 +422,20 @@ impl<'a> Loading<'a, '_> {
 
     /// Reads an entry `[[initial]]`: a printed number of a parameter or of a start.
     /// Reports a second number for the same quantity in the set. `None` if an error is reported.
-    fn initial(&mut self, item: &Item<'a>) -> Option<EntryKind> {
+    fn read_initial(&mut self, item: &EntryTable<'a>) -> Option<EntryKind> {
         let set = self.required_text(item, "set");
         let quantity = self.required_text(item, "quantity").and_then(|name| self.initial_quantity(name));
         let printed = self.required_formula(item, "printed");
-        let value = printed.as_ref().and_then(|f| self.constant(f, item.notation));
+        let value = printed.as_ref().and_then(|f| self.read_constant(f, item.notation));
         let (set, (name, symbol), text) = (set?.text, quantity?, printed?.text);
         if let Some(first) = self.values.get(&(set.clone(), symbol)) {
-            let message = format!("`{}` has two values in the set `{}`", name.text, shown(&set));
+            let message = format!("`{}` has two values in the set `{}`", name.text, shortened_for_message(&set));
             let twice = Diagnostic::new(name.span, message, "put what another place prints into a set of its own");
             self.reader.errors.push(twice.with_other(first.clone(), "first stated here"));
             return None;
         }
         self.values.insert((set.clone(), symbol), name.span);
-        let decimals = decimals(&text);
+        let decimals = count_decimals(&text);
         if self.words.is_renamed(&name.text) {
             // A number of the publication's own variable.
             return Some(EntryKind::Definition { text });
@@ -454,24 +455,25 @@ impl<'a> Loading<'a, '_> {
         if let Some((_, symbol)) = known.iter().find(|(n, _)| *n == name.text) {
             return Some((name, *symbol));
         }
-        let message = format!("`{}` is no parameter, coordinate, time derivative or speed", shown(&name.text));
-        self.reader.error(name.span, message, nearest(&name.text, known.iter().map(|(n, _)| n.as_str())));
+        let message =
+            format!("`{}` is no parameter, coordinate, time derivative or speed", shortened_for_message(&name.text));
+        self.reader.error(name.span, message, nearest_name_advice(&name.text, known.iter().map(|(n, _)| n.as_str())));
         None
     }
 
     /// Reads a formula without symbols as a number.
     /// Reports a formula with symbols or without a finite value, and returns `None`.
-    fn constant(&mut self, formula: &Located, notation: Notation) -> Option<Expr> {
+    fn read_constant(&mut self, formula: &Located, notation: Notation) -> Option<Expr> {
         let e = self.formula(formula, notation)?;
         let arena = &self.model.arena;
         if let Some(symbol) = arena.reachable(&[e]).iter().find_map(|part| arena.symbol_name(*part)) {
-            let message = format!("`{}` is not a number: it contains `{symbol}`", shown(&formula.text));
+            let message = format!("`{}` is not a number: it contains `{symbol}`", shortened_for_message(&formula.text));
             self.reader.error(formula.span.clone(), message, "write a number, or one in terms of numbers and `pi`");
             return None;
         }
         let value = Tape::new(arena, &[], &[e]).map_or(f64::NAN, |tape| tape.evaluate(&[])[0]);
         if !value.is_finite() {
-            let message = format!("`{}` is not a number of double precision", shown(&formula.text));
+            let message = format!("`{}` is not a number of double precision", shortened_for_message(&formula.text));
             self.reader.error(formula.span.clone(), message, "give a finite number below 1e308 in size");
             return None;
         }
@@ -485,14 +487,14 @@ fn values(formula: &Located, notation: Notation) -> Vec<Located> {
     let sides = sides(&formula.text, 0..formula.text.len(), notation);
     match &sides[..] {
         [left, right @ ..] if !right.is_empty() && !formula.text[left.clone()].contains(['+', '/']) => {
-            right.iter().map(|side| part(formula, side.clone())).collect()
+            right.iter().map(|side| formula_part(formula, side.clone())).collect()
         }
         _ => vec![formula.clone()],
     }
 }
 
 /// Number of decimals of a plain number, such as five for `1.50e-3`; `None` for any other formula.
-fn decimals(text: &str) -> Option<u32> {
+fn count_decimals(text: &str) -> Option<u32> {
     let text = text.trim().trim_start_matches(['-', '+']).trim_start();
     let (mantissa, exponent) = match text.split_once(['e', 'E']) {
         Some((mantissa, exponent)) => (mantissa, exponent.parse::<i64>().ok()?),
@@ -507,14 +509,14 @@ fn decimals(text: &str) -> Option<u32> {
 
 #[cfg(test)]
 mod tests {
-    use super::decimals;
+    use super::count_decimals;
 
     #[test]
     fn decimals_are_those_printed() {
         let cases = [("0.1745", Some(4)), ("5", Some(0)), ("-0.10", Some(2)), ("1.50e-3", Some(5)), ("2e3", Some(0))];
         for (text, expected) in cases.into_iter().chain([("10*pi/180", None), ("pi", None), ("1/4", None), ("", None)])
         {
-            assert_eq!(decimals(text), expected, "{text}");
+            assert_eq!(count_decimals(text), expected, "{text}");
         }
     }
 }

@@ -78,7 +78,7 @@ mod tests {
     #[test]
     fn equations_side_by_side_and_chains_are_parted_outside_of_groups() {
         let latex = Notation::Latex;
-        assert_eq!(parts(r"a = b, \qquad c = d = e.", latex), [vec!["a", "b"], vec!["c", "d", "e."]]);
+        assert_eq!(parts(r"a = b, \qquad c = d = e.", latex), [vec!["a", "b,"], vec!["c", "d", "e."]]);
         assert_eq!(parts(r"x = \max(a, b) \quad (t > 0)", latex), [vec!["x", r"\max(a, b) \quad (t > 0)"]]);
         assert_eq!(
             parts(r"M = \begin{bmatrix} a, & b \end{bmatrix}, \quad h = m l", latex),

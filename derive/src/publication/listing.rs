@@ -1,9 +1,9 @@
 //! Reading of printed programs (listings) that compute the time derivative of a state.
 
 use super::Listing;
-use super::entries::Item;
-use super::linear::{Fit, count};
-use super::read::Loading;
+use super::entries::EntryTable;
+use super::linear_systems::{MatrixRequirements, count_with_noun};
+use super::publication_reader::PublicationReader;
 use crate::algebra::Expr;
 use crate::mechanics::{Formulation, MotionVariables};
 use std::ops::Range;
@@ -11,45 +11,53 @@ use std::sync::Arc;
 use toml::Spanned;
 use toml::de::DeValue;
 
-impl<'a> Loading<'a, '_> {
+impl<'a> PublicationReader<'a, '_> {
     /// Reads an entry `[[listing]]`: a printed program that computes the time derivative of a
     /// state.
     /// Returns `None` if an error is reported.
-    pub fn listing(&mut self, item: &Item<'a>) -> Option<Listing> {
-        let formulation = self.formulation(item);
+    pub fn read_listing(&mut self, item: &EntryTable<'a>) -> Option<Listing> {
+        let formulation = self.read_formulation(item);
         let state = self.required_array(item, "state", "[\"q1\", \"u1\"]");
         let length = state.as_ref().map(|(array, _)| array.len());
         let state = state.and_then(|(array, span)| {
-            let found = self.state(array, &span, formulation?)?;
+            let found = self.read_listing_state(array, &span, formulation?)?;
             self.is_in_order(&span, &found.0).then_some(found)
         });
         let derivative = self.required_array(item, "derivative", "[\"u1\", \"-g*sin(q1)\"]");
         let derivative = derivative.and_then(|(array, span)| {
             if let Some(states) = length.filter(|n| *n != array.len()) {
-                let message = format!("`derivative` has {} for a state of {states}", count(array.len(), "entry"));
+                let message =
+                    format!("`derivative` has {} for a state of {states}", count_with_noun(array.len(), "entry"));
                 self.reader.error(span, message, "one derivative for each entry of the state, 0 where it is left zero");
                 return None;
             }
-            self.formulas(array, "an entry of `derivative`", &[], item.notation)
+            self.read_formulas(array, "an entry of `derivative`", &[], item.notation)
         });
         let moving = state.as_ref().map(|(_, _, moving)| moving.len());
         let matrix = match self.reader.get(item.table, "matrix") {
             None => Some(None),
-            Some(value) => self.array(value, "`matrix`", "rows, as in [[\"m\", 0], [0, \"I\"]]").and_then(|array| {
-                let (span, help) = (value.span(), "one row and one column for each speed of the state");
-                if let Some(moving) = moving.filter(|moving| *moving != array.len()) {
-                    let message = format!("the matrix has {}, not {moving}", count(array.len(), "row"));
-                    self.reader.error(span, message, help);
-                    return None;
-                }
-                self.matrix(array, &span, Fit { columns: moving, help, unknowns: &[], notation: item.notation })
+            Some(value) => {
+                self.require_array(value, "`matrix`", "rows, as in [[\"m\", 0], [0, \"I\"]]").and_then(|array| {
+                    let (span, help) = (value.span(), "one row and one column for each speed of the state");
+                    if let Some(moving) = moving.filter(|moving| *moving != array.len()) {
+                        let message = format!("the matrix has {}, not {moving}", count_with_noun(array.len(), "row"));
+                        self.reader.error(span, message, help);
+                        return None;
+                    }
+                    self.read_matrix(
+                        array,
+                        &span,
+                        MatrixRequirements { columns: moving, help, unknowns: &[], notation: item.notation },
+                    )
                     .map(Some)
-            }),
+                })
+            }
         };
         let ((state, state_names, _), (derivative, derivative_texts)) = (state?, derivative?);
         let (matrix, matrix_texts) = matrix?.unzip();
         let formulation = formulation?;
-        let (state, derivative, matrix) = self.own_state(&state_names, (state, derivative, matrix), item)?;
+        let (state, derivative, matrix) =
+            self.state_in_model_coordinates(&state_names, (state, derivative, matrix), item)?;
         let moving = (0..state.len()).filter(|at| formulation.variables(self.model).contains(&state[*at])).collect();
         Some(Listing { formulation, state, state_names, derivative, derivative_texts, moving, matrix, matrix_texts })
     }
@@ -58,7 +66,7 @@ impl<'a> Loading<'a, '_> {
     /// which is reported.
     fn is_in_order(&mut self, span: &Range<usize>, state: &[Expr]) -> bool {
         let locals = Arc::clone(&self.words.locals);
-        for names in locals.unpacked().iter().filter(|names| names.len() == state.len()) {
+        for names in locals.unpacked_variables().iter().filter(|names| names.len() == state.len()) {
             let meanings: Option<Vec<Expr>> = names.iter().map(|name| Some(self.words.meaning(name)?.0)).collect();
             let is_other = |list: &Vec<Expr>| list != state && list.iter().all(|e| state.contains(e));
             if meanings.as_ref().is_some_and(is_other) {
@@ -76,7 +84,7 @@ impl<'a> Loading<'a, '_> {
     /// Returns their symbols, their names, and the indices of the motion variables. These are the
     /// generalized speeds, or the rates of the coordinates for Lagrange. `None` if an error is
     /// reported.
-    fn state(
+    fn read_listing_state(
         &mut self,
         array: &'a [Spanned<DeValue<'a>>],
         span: &Range<usize>,
@@ -90,7 +98,7 @@ impl<'a> Loading<'a, '_> {
             MotionVariables::Rates => "a coordinate or its derivative, as a state of Lagrange's equations has",
             MotionVariables::Speeds => "a coordinate or a speed",
         };
-        let (state, names) = self.members(array, span, &known, what)?;
+        let (state, names) = self.read_names_from_list(array, span, &known, what)?;
         let moving = (0..state.len()).filter(|at| variables.contains(&state[*at])).collect();
         Some((state, names, moving))
     }

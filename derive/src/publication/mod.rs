@@ -6,15 +6,17 @@
 //! Invariant: nothing is repaired or judged here. A wrong *form* of a file is an error; a wrong printed *equation* is
 //! left for a comparison to find.
 //!
-//! Abbreviations are replaced by their formulas while reading; [`Shorthand`] keeps the formulas as printed. The names
-//! of derived quantities stay symbols, which no model can declare, until [`Names::resolve`] replaces them by values. So
+//! Abbreviations are replaced by their formulas while reading; [`PrintedAbbreviations`] keeps the
+//! formulas as printed. The names
+//! of derived quantities stay symbols, which no model can declare, until
+//! [`QuantityNames::resolve_quantity_names`] replaces them by values. So
 //! an entry may be read, and its errors found, before anything is derived.
 //!
 //! ```
 //! use tripos_derive::algebra::meaning::compare::Comparer;
 //! use tripos_derive::diagnostic::Source;
 //! use tripos_derive::mechanics::{Quantities, derive_all};
-//! use tripos_derive::publication::{EntryKind, load};
+//! use tripos_derive::publication::{EntryKind, load_publication};
 //! # let source = Source::from_text("model.toml", r#"
 //! #     name = "Slider"
 //! #     parameters.m = { unit = "kg" }
@@ -26,7 +28,7 @@
 //! # "#);
 //!
 //! let mut model = tripos_derive::model::load(&source)?; // a mass on a line, with speed u = 2 x'
-//! let publication = load(&Source::from_text("publication.toml", r#"
+//! let publication = load_publication(&Source::from_text("publication.toml", r#"
 //!     [[equation]]
 //!     id = "1"
 //!     section = "1"
@@ -44,32 +46,34 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod beside;
-mod clock;
-mod coriolis;
+mod approximation;
+mod coriolis_matrix;
 mod entries;
 mod equalities;
-mod files;
-mod linear;
+mod linear_systems;
 mod listing;
-mod locals;
-mod matrix;
-mod meanings;
+mod name_meanings;
+mod name_spelling;
 mod named_files;
-mod names;
-mod near;
 mod own_coordinates;
 mod printed;
-mod read;
+mod printed_abbreviations;
+mod printed_matrix;
+mod program_variables;
+mod publication_file;
+mod publication_files;
+mod publication_reader;
+mod quantity_names;
 mod row_text;
-mod shorthand;
-mod spelling;
+mod time_derivatives;
 
-pub use beside::{beside, hash_beside, is_beside, load_beside};
-pub use names::Names;
-pub use read::{load, load_in, load_with};
-pub(crate) use row_text::row_text;
-pub use shorthand::{Abbreviation, Shorthand};
+pub use printed_abbreviations::{Abbreviation, PrintedAbbreviations};
+pub use publication_file::{
+    hash_publication_of_model, is_publication_path, load_publication_of_model, publication_path,
+};
+pub use publication_reader::{load_publication, load_publication_in_coordinates, load_publication_with_files};
+pub use quantity_names::QuantityNames;
+pub(crate) use row_text::system_row_text;
 
 use crate::algebra::Expr;
 use crate::algebra::text::notation::Notation;
@@ -96,7 +100,7 @@ pub struct Publication {
     /// formula in the model's variables).
     pub redefined: Vec<(String, Expr)>,
     /// Formulas as printed, in which abbreviations are symbols.
-    pub shorthand: Shorthand,
+    pub shorthand: PrintedAbbreviations,
     /// Names that the printed text gives to derived quantities: (name, quantity, symbol in the
     /// formulas).
     pub names: Vec<(String, Quantity, Expr)>,

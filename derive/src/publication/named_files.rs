@@ -1,34 +1,37 @@
 //! Reading of files to which a publication refers: equations of a LaTeX file by labels, and
 //! variables of a program.
 
-use super::entries::{Item, part};
+use super::entries::{EntryTable, formula_part};
 use super::equalities::{equations, sides};
-use super::files::notation_of_file;
-use super::locals::{Local, Locals, Unread};
-use super::matrix::{Cells, cells};
-use super::printed::{Choice, Paper, Problem, Statement, Traced, is_access, is_number, statements, without_comments};
-use super::read::Loading;
+use super::printed::{
+    LabelChoice, LatexFile, Statement, TracedError, TracedText, is_access, is_number, statements, without_comments,
+};
+use super::printed_matrix::{MatrixCells, printed_matrix_cells};
+use super::program_variables::{ProgramValue, ProgramVariables, UnreadAssignment};
+use super::publication_files::notation_of_file;
+use super::publication_reader::PublicationReader;
 use crate::algebra::Expr;
 use crate::algebra::text::notation::Notation;
-use crate::diagnostic::{Diagnostic, Source, shown};
-use crate::read::Located;
+use crate::diagnostic::{Diagnostic, Source, shortened_for_message};
+use crate::toml_reader::Located;
+use std::ops::Range;
 use std::sync::Arc;
 use toml::de::DeTable;
 
 /// Largest number of characters in a file name.
 const MAX_NAME: usize = 100;
-impl<'a> Loading<'a, '_> {
+impl<'a> PublicationReader<'a, '_> {
     /// Reads the file and the macros that the publication file states at its top, for all entries.
     pub fn files_of(&mut self, table: &'a DeTable<'a>) {
         if let Some(value) = self.reader.get(table, "file")
             && let Some(name) = self.reader.string(value, "`file`")
         {
             if notation_of_file(&name.text) == Some(Notation::Latex) {
-                if let Some(paper) = self.paper(&name) {
+                if let Some(paper) = self.read_paper(&name) {
                     self.files.macros = paper.macros.at_the_end();
                 }
             } else {
-                self.source_file(&name);
+                self.read_source_file(&name);
             }
             self.files.usual = Some(name);
         }
@@ -36,9 +39,9 @@ impl<'a> Loading<'a, '_> {
             && let Some(text) = self.reader.string(value, "`macros`")
         {
             let mut macros = self.files.macros.at_the_end();
-            let rest = macros.take(&without_comments(&text.text));
+            let rest = macros.take_macro_definitions(&without_comments(&text.text));
             if !rest.text.trim().is_empty() {
-                let start = text.part(rest.place(0..rest.text.len()));
+                let start = text.part(rest.place_of_part(0..rest.text.len()));
                 let help = "write \\newcommand{\\name}[1]{…} or \\def\\name{…}";
                 self.reader.error(start, "`macros` holds more than definitions", help);
             }
@@ -48,7 +51,7 @@ impl<'a> Loading<'a, '_> {
 
     /// Name of the file of an entry: the entry's own, else the file at the top of the publication
     /// file; `None` if neither.
-    fn file_of(&mut self, item: &Item<'a>) -> Option<Located> {
+    fn file_of(&mut self, item: &EntryTable<'a>) -> Option<Located> {
         match self.reader.get(item.table, "file") {
             Some(value) => self.reader.string(value, "`file`"),
             None => self.files.usual.clone(),
@@ -57,7 +60,7 @@ impl<'a> Loading<'a, '_> {
 
     /// Reads a file in the folder of the publication file, once.
     /// Reports an unsuitable name or an unreadable file, and returns `None`.
-    fn source_file(&mut self, name: &Located) -> Option<Arc<Source>> {
+    fn read_source_file(&mut self, name: &Located) -> Option<Arc<Source>> {
         if let Some(found) = self.files.sources.get(&name.text) {
             return found.clone();
         }
@@ -67,7 +70,11 @@ impl<'a> Loading<'a, '_> {
             && text.len() <= MAX_NAME;
         let read = if !is_plain || notation_of_file(text).is_none() {
             let help = "name a file in the folder of the publication, such as paper.tex, model.m, model.py or model.c";
-            self.reader.error(name.span.clone(), format!("`{}` is no name of such a file", shown(text)), help);
+            self.reader.error(
+                name.span.clone(),
+                format!("`{}` is no name of such a file", shortened_for_message(text)),
+                help,
+            );
             None
         } else {
             match (self.files.read)(text) {
@@ -85,15 +92,15 @@ impl<'a> Loading<'a, '_> {
     }
 
     /// Reads a LaTeX file and its macros, once; `None` if an error is reported.
-    fn paper(&mut self, name: &Located) -> Option<Arc<Paper>> {
+    fn read_paper(&mut self, name: &Located) -> Option<Arc<LatexFile>> {
         if let Some(found) = self.files.papers.get(&name.text) {
             return found.clone();
         }
-        let source = self.source_file(name)?;
-        let paper = match Paper::read(&source.text) {
+        let source = self.read_source_file(name)?;
+        let paper = match LatexFile::read(&source.text) {
             Ok(paper) => Some(Arc::new(paper)),
             Err(problem) => {
-                self.problem(Some(source), problem);
+                self.report_problem(Some(source), problem);
                 None
             }
         };
@@ -102,14 +109,19 @@ impl<'a> Loading<'a, '_> {
     }
 
     /// Reports an error at its place in a file; `None` means the publication file itself.
-    fn problem(&mut self, file: Option<Arc<Source>>, problem: Problem) {
+    fn report_problem(&mut self, file: Option<Arc<Source>>, problem: TracedError) {
         self.reader.errors.push(Diagnostic { file, ..Diagnostic::new(problem.place, problem.message, problem.help) });
     }
 
     /// Equations that have a label in the LaTeX file of an entry, as formulas without macros, except
     /// definitions that `[abbreviations]` takes from the file. Reports an unknown label or a file
     /// that is not LaTeX, and returns `None`.
-    pub fn labelled(&mut self, item: &Item<'a>, label: &Located, choice: Choice) -> Option<Vec<Located>> {
+    pub fn equations_by_label(
+        &mut self,
+        item: &EntryTable<'a>,
+        label: &Located,
+        choice: LabelChoice,
+    ) -> Option<Vec<Located>> {
         let mut list = self.all_labelled(item, label, choice)?;
         let is_defined = |equation: &Located| {
             let left = self.left_name(equation);
@@ -121,17 +133,29 @@ impl<'a> Loading<'a, '_> {
         Some(list)
     }
 
-    /// Formula of an abbreviation that the file at the top defines in an equation `name = formula` with this label.
-    pub fn definition(&mut self, name: &Located, item: &Item<'a>) -> Option<Located> {
-        self.reader.allow(item.table, item.what, &["label"]);
-        let label = self.reader.need(item.table, "label", item.what, &item.span)?;
+    /// Formula of an abbreviation that the file at the top defines in an equation `name = formula`. The table of the
+    /// abbreviation, at `span` of the publication file, names the label of the equation. `None` if an error is
+    /// reported.
+    pub fn labelled_definition(
+        &mut self,
+        name: &Located,
+        table: &'a DeTable<'a>,
+        span: Range<usize>,
+    ) -> Option<Located> {
+        let item = &EntryTable { table, what: "an abbreviation", span, notation: Notation::Latex };
+        self.reader.report_unknown_keys(item.table, item.what, &["label"]);
+        let label = self.reader.required(item.table, "label", item.what, &item.span)?;
         let label = self.reader.string(label, "`label`")?;
-        let list = self.all_labelled(item, &label, Choice::Display)?;
+        let list = self.all_labelled(item, &label, LabelChoice::Display)?;
         let named: Vec<&Located> =
             list.iter().filter(|equation| self.left_name(equation).is_some_and(|left| left == name.text)).collect();
         let [equation] = named[..] else {
             let what = if named.is_empty() { "no equation" } else { "more than one equation" };
-            let message = format!("{what} of `{}` has `{}` alone on its left side", shown(&label.text), name.text);
+            let message = format!(
+                "{what} of `{}` has `{}` alone on its left side",
+                shortened_for_message(&label.text),
+                name.text
+            );
             let help = "say in [symbols] which symbol stands for the abbreviation, or copy its formula";
             self.reader.error(label.span, message, help);
             return None;
@@ -143,7 +167,7 @@ impl<'a> Loading<'a, '_> {
             return None;
         };
         self.files.defined.push(name.text.clone());
-        Some(part(equation, right.clone()))
+        Some(formula_part(equation, right.clone()))
     }
 
     /// Name that an equation has alone on its left side, or with arguments, as in `h(q) = …`; `None` if a formula or an
@@ -156,32 +180,37 @@ impl<'a> Loading<'a, '_> {
     }
 
     /// Equations of a label, also those side by side in one line.
-    fn all_labelled(&mut self, item: &Item<'a>, label: &Located, choice: Choice) -> Option<Vec<Located>> {
+    fn all_labelled(&mut self, item: &EntryTable<'a>, label: &Located, choice: LabelChoice) -> Option<Vec<Located>> {
         let Some(name) = self.file_of(item) else {
             self.reader.error(label.span.clone(), "a label of no file", "name the file: file = \"paper.tex\"");
             return None;
         };
         if notation_of_file(&name.text) != Some(Notation::Latex) {
             let help = "labels are of LaTeX files; name the variable of a program under `printed`";
-            self.reader.error(label.span.clone(), format!("`{}` is no LaTeX file", shown(&name.text)), help);
+            self.reader.error(
+                label.span.clone(),
+                format!("`{}` is no LaTeX file", shortened_for_message(&name.text)),
+                help,
+            );
             return None;
         }
-        let (source, paper) = (self.source_file(&name)?, self.paper(&name)?);
+        let (source, paper) = (self.read_source_file(&name)?, self.read_paper(&name)?);
         match paper.equations(label.text.trim(), choice) {
             Err(help) => {
-                let message = format!("no equation of `{}` has the label `{}`", name.text, shown(&label.text));
+                let message =
+                    format!("no equation of `{}` has the label `{}`", name.text, shortened_for_message(&label.text));
                 self.reader.error(label.span.clone(), message, help);
                 None
             }
             Ok(Err(problem)) => {
-                self.problem(Some(source), problem);
+                self.report_problem(Some(source), problem);
                 None
             }
             Ok(Ok(list)) => {
-                let list = list.into_iter().map(|formula| self.made(&source, formula));
+                let list = list.into_iter().map(|formula| self.register_assembled_formula(&source, formula));
                 let apart = |line: Located| {
                     let parts = equations(&line.text, Notation::Latex).into_iter();
-                    parts.map(|range| part(&line, range)).collect::<Vec<_>>()
+                    parts.map(|range| formula_part(&line, range)).collect::<Vec<_>>()
                 };
                 Some(list.flat_map(apart).collect())
             }
@@ -189,8 +218,8 @@ impl<'a> Loading<'a, '_> {
     }
 
     /// Registers an assembled formula with the reader, so that errors point into its file.
-    fn made(&mut self, source: &Arc<Source>, formula: Traced) -> Located {
-        self.reader.made(Some(Arc::clone(source)), formula.text, formula.places)
+    fn register_assembled_formula(&mut self, source: &Arc<Source>, formula: TracedText) -> Located {
+        self.reader.register_assembled_text(Some(Arc::clone(source)), formula.text, formula.places)
     }
 
     /// Formula of the publication file in which macros are replaced.
@@ -200,14 +229,14 @@ impl<'a> Loading<'a, '_> {
             return Some(formula.clone());
         }
         let traced = if formula.exact {
-            Traced::at(&formula.text, formula.span.start)
+            TracedText::text_at_place(&formula.text, formula.span.start)
         } else {
-            Traced::from_place(&formula.text, &formula.span)
+            TracedText::from_place(&formula.text, &formula.span)
         };
-        match self.files.macros.expand(&traced, &|_| true) {
-            Ok(expanded) => Some(self.reader.made(None, expanded.text, expanded.places)),
+        match self.files.macros.expand_macros(&traced, &|_| true) {
+            Ok(expanded) => Some(self.reader.register_assembled_text(None, expanded.text, expanded.places)),
             Err(problem) => {
-                self.problem(None, problem);
+                self.report_problem(None, problem);
                 None
             }
         }
@@ -215,7 +244,7 @@ impl<'a> Loading<'a, '_> {
 
     /// Variables that the program of an entry assigns; `None` if the entry names no program, or if
     /// an error is reported.
-    pub fn program(&mut self, item: &Item<'a>) -> Option<Arc<Locals>> {
+    pub fn program_variables(&mut self, item: &EntryTable<'a>) -> Option<Arc<ProgramVariables>> {
         let own = self.reader.get(item.table, "file");
         let part = self.reader.get(item.table, "part");
         if own.is_none() && part.is_none() {
@@ -237,7 +266,7 @@ impl<'a> Loading<'a, '_> {
             }
             return None;
         }
-        let source = self.source_file(&name)?;
+        let source = self.read_source_file(&name)?;
         let notation = notation?;
         let key = (name.text.clone(), part.as_ref().map_or(String::new(), |p| p.text.clone()), notation.name());
         if let Some(found) = self.files.programs.get(&key) {
@@ -246,13 +275,14 @@ impl<'a> Loading<'a, '_> {
         let locals = match statements(&source.text, notation, part.as_ref().map(|p| p.text.as_str())) {
             Some(list) => {
                 for statement in list {
-                    self.assign(&source, notation, statement);
+                    self.read_assignment(&source, notation, statement);
                 }
                 Some(std::mem::take(&mut self.words.locals))
             }
             None => {
                 let (span, what) = part.map_or_else(|| (name.span.clone(), String::new()), |p| (p.span, p.text));
-                let message = format!("`{}` has no part `{}` that can be read", name.text, shown(&what));
+                let message =
+                    format!("`{}` has no part `{}` that can be read", name.text, shortened_for_message(&what));
                 let help = "name a function, lines as in 12-40, or NAME of the comments `begin NAME` and `end NAME`";
                 self.reader.error(span, message, help);
                 None
@@ -263,27 +293,35 @@ impl<'a> Loading<'a, '_> {
     }
 
     /// Adds an assignment of a program to the variables read so far.
-    fn assign(&mut self, source: &Arc<Source>, notation: Notation, statement: Statement) {
+    fn read_assignment(&mut self, source: &Arc<Source>, notation: Notation, statement: Statement) {
         let Statement { targets, operator, right, is_nested, place } = statement;
-        let line = self.reader.made(Some(Arc::clone(source)), " ".to_owned(), Traced::from_place(" ", &place).places);
+        let line = self.reader.register_assembled_text(
+            Some(Arc::clone(source)),
+            " ".to_owned(),
+            TracedText::from_place(" ", &place).places,
+        );
         let unread = |name: &str, why: &str| {
             let help = "name the part of the program that decides".to_owned();
             let place = line.span.clone();
-            Local::Unread(Unread { place, message: why.to_owned(), help, names_assignment: false }.naming(name))
+            ProgramValue::Unread(
+                UnreadAssignment { place, message: why.to_owned(), help, names_assignment: false }.naming(name),
+            )
         };
         if is_nested {
             for name in &targets {
-                self.set(name, unread(name, "a condition or a loop decides about it"));
+                self.assign_value(name, unread(name, "a condition or a loop decides about it"));
             }
             return;
         }
         if targets.len() > 1 {
             let is_whole = right.text.trim().chars().all(|c| c.is_alphanumeric() || c == '_');
             if let Some(locals) = Arc::get_mut(&mut self.words.locals).filter(|_| is_whole) {
-                locals.unpack(&targets);
+                locals.record_unpacking(&targets);
             }
             for name in &targets {
-                self.take_declared(name, &right.text, || unread(name, "it is assigned together with others"));
+                self.restore_declared_meaning(name, &right.text, || {
+                    unread(name, "it is assigned together with others")
+                });
             }
             return;
         }
@@ -292,52 +330,56 @@ impl<'a> Loading<'a, '_> {
             // A program's number for a parameter of the model is a value, and changes no formula.
             // The key `name = ` marks that the number is assigned; it cannot be the name of a
             // variable.
-            if self.words.locals.has(&name) || self.words.locals.has(&format!("{name} = ")) {
-                self.set(&name, unread(&name, "it gets two values"));
+            if self.words.locals.has_variable(&name) || self.words.locals.has_variable(&format!("{name} = ")) {
+                self.assign_value(&name, unread(&name, "it gets two values"));
             } else {
-                self.set(&format!("{name} = "), Local::Value(Expr::ZERO));
+                self.assign_value(&format!("{name} = "), ProgramValue::Value(Expr::ZERO));
             }
             return;
         }
-        let formula = self.made(source, right);
-        let value = self.words.local(&mut self.model.arena, &formula, notation);
+        let formula = self.register_assembled_formula(source, right);
+        let value = self.words.read_program_formula(&mut self.model.arena, &formula, notation);
         match (value, operator) {
-            (Local::Value(value), None) => {
-                self.words.keep_local(&self.model.arena, &name, &formula, notation, value);
-                self.set(&name, Local::Value(value));
+            (ProgramValue::Value(value), None) => {
+                self.words.record_program_variable(&self.model.arena, &name, &formula, notation, value);
+                self.assign_value(&name, ProgramValue::Value(value));
             }
-            (Local::Value(value), Some(operator)) => self.change(&name, operator, value, &unread),
-            (Local::Unread(unread), _) => {
-                let is_whole = operator.is_none() && self.entries_of(&name, &formula, notation);
+            (ProgramValue::Value(value), Some(operator)) => {
+                self.apply_compound_assignment(&name, operator, value, &unread);
+            }
+            (ProgramValue::Unread(unread), _) => {
+                let is_whole = operator.is_none() && self.assign_vector_entries(&name, &formula, notation);
                 if is_whole {
                     return;
                 }
-                let wrong = || Local::Unread(unread.naming(&name));
+                let wrong = || ProgramValue::Unread(unread.naming(&name));
                 if operator.is_none() {
-                    self.take_declared(&name, &formula.text, wrong);
+                    self.restore_declared_meaning(&name, &formula.text, wrong);
                 } else {
-                    self.set(&name, wrong());
+                    self.assign_value(&name, wrong());
                 }
             }
         }
     }
 
     /// Assigns a value to a variable, and an unread value also to each entry of a range of indices.
-    fn set(&mut self, name: &str, value: Local) {
+    fn assign_value(&mut self, name: &str, value: ProgramValue) {
         if let Some(locals) = Arc::get_mut(&mut self.words.locals) {
             // An assignment to several entries at once is not read, and this reason holds for each
             // entry.
-            for entry in entries_of_range(name).filter(|_| matches!(value, Local::Unread(_))).into_iter().flatten() {
-                locals.set(&entry, value.clone());
+            for entry in
+                entries_of_range(name).filter(|_| matches!(value, ProgramValue::Unread(_))).into_iter().flatten()
+            {
+                locals.assign_variable(&entry, value.clone());
             }
-            locals.set(name, value);
+            locals.assign_variable(name, value);
         }
     }
 
     /// Restores the meaning from the publication file or the model, if the program only copies a
     /// variable from elsewhere.
     /// Else assigns the unread value `wrong`. An acceleration is always computed, never copied.
-    fn take_declared(&mut self, name: &str, right: &str, wrong: impl FnOnce() -> Local) {
+    fn restore_declared_meaning(&mut self, name: &str, right: &str, wrong: impl FnOnce() -> ProgramValue) {
         let model = &self.model;
         let is_acceleration =
             |e: Expr| model.coordinates.iter().any(|c| c.second_rate == e) || model.speeds.iter().any(|s| s.rate == e);
@@ -347,17 +389,23 @@ impl<'a> Loading<'a, '_> {
                 locals.forget(name);
             }
         } else {
-            self.set(name, wrong());
+            self.assign_value(name, wrong());
         }
     }
 
     /// Applies an assignment such as `x += value`. Division, and a change of an unknown value, give
     /// an unread value.
-    fn change(&mut self, name: &str, operator: char, value: Expr, unread: &dyn Fn(&str, &str) -> Local) {
+    fn apply_compound_assignment(
+        &mut self,
+        name: &str,
+        operator: char,
+        value: Expr,
+        unread: &dyn Fn(&str, &str) -> ProgramValue,
+    ) {
         let locals = &self.words.locals;
-        let before = match locals.number(name).and_then(|number| locals.value(number)) {
-            Some(Local::Value(e)) => Some(*e),
-            Some(Local::Unread(..)) => return,
+        let before = match locals.variable_number(name).and_then(|number| locals.value(number)) {
+            Some(ProgramValue::Value(e)) => Some(*e),
+            Some(ProgramValue::Unread(..)) => return,
             None => self.words.meaning(name).map(|(e, _)| e),
         };
         let arena = &mut self.model.arena;
@@ -369,20 +417,20 @@ impl<'a> Loading<'a, '_> {
         });
         let value = changed.map_or_else(
             || unread(name, "the change is made to a value that is unknown, or divides by one"),
-            Local::Value,
+            ProgramValue::Value,
         );
-        self.set(name, value);
+        self.assign_value(name, value);
     }
 
     /// Assigns the entries of a vector or matrix, or of a copy of one; returns false if the formula
     /// is neither.
-    fn entries_of(&mut self, name: &str, formula: &Located, notation: Notation) -> bool {
+    fn assign_vector_entries(&mut self, name: &str, formula: &Located, notation: Notation) -> bool {
         let copied = self.words.locals.entries(formula.text.trim());
         if !copied.is_empty() {
             for (from, index) in copied {
-                let value = self.words.locals.number(&from).and_then(|n| self.words.locals.value(n)).cloned();
+                let value = self.words.locals.variable_number(&from).and_then(|n| self.words.locals.value(n)).cloned();
                 if let Some(value) = value {
-                    self.set(&format!("{name}{index}"), value);
+                    self.assign_value(&format!("{name}{index}"), value);
                 }
             }
             return true;
@@ -397,7 +445,7 @@ impl<'a> Loading<'a, '_> {
             (_, true) => (format!("[{whole}]"), 1),
             _ => (formula.text.clone(), 0),
         };
-        let Ok(Cells { rows, factor: None }) = cells(&text, notation) else { return false };
+        let Ok(MatrixCells { rows, factor: None }) = printed_matrix_cells(&text, notation) else { return false };
         let is_row = rows.len() == 1;
         let is_column = rows.iter().all(|row| row.len() == 1);
         let first = usize::from(notation == Notation::Matlab);
@@ -405,10 +453,10 @@ impl<'a> Loading<'a, '_> {
             for (j, cell) in row.iter().enumerate() {
                 let range = cell.start.saturating_sub(shift)..cell.end.saturating_sub(shift);
                 let entry = Located { text: text[cell.clone()].to_owned(), span: formula.part(range), exact: true };
-                let value = self.words.local(&mut self.model.arena, &entry, notation);
+                let value = self.words.read_program_formula(&mut self.model.arena, &entry, notation);
                 let value = match value {
-                    Local::Unread(unread) => Local::Unread(unread.naming(name)),
-                    value @ Local::Value(_) => value,
+                    ProgramValue::Unread(unread) => ProgramValue::Unread(unread.naming(name)),
+                    value @ ProgramValue::Value(_) => value,
                 };
                 let (i, j) = (i + first, j + first);
                 let mut names = if notation == Notation::Matlab {
@@ -422,7 +470,7 @@ impl<'a> Loading<'a, '_> {
                     names.push(format!("{name}{}{at}{}", brackets.0, brackets.1));
                 }
                 for name in names {
-                    self.set(&name, value.clone());
+                    self.assign_value(&name, value.clone());
                 }
             }
         }

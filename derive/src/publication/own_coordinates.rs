@@ -1,8 +1,8 @@
 //! Conversion of quantities and states to the model's coordinates, if the publication gives names
 //! another meaning.
 
-use super::entries::Item;
-use super::read::Loading;
+use super::entries::EntryTable;
+use super::publication_reader::PublicationReader;
 use crate::algebra::Expr;
 use crate::diagnostic::Diagnostic;
 use crate::mechanics::{Quantity, QuantityKind};
@@ -11,17 +11,17 @@ use crate::mechanics::{Quantity, QuantityKind};
 /// `None` without a matrix.
 pub(super) type StateParts = (Vec<Expr>, Vec<Expr>, Option<Vec<Vec<Expr>>>);
 
-impl<'a> Loading<'a, '_> {
+impl<'a> PublicationReader<'a, '_> {
     /// Converts a printed value of a quantity in the publication's own coordinates to a quantity
     /// and value of the model.
     /// Reports a quantity that equals none of the model's up to its sign, and returns `None`.
     pub fn in_own_coordinates(
         &mut self,
-        item: &Item<'a>,
+        item: &EntryTable<'a>,
         quantity: &Quantity,
         printed: Expr,
     ) -> Option<(Quantity, Expr)> {
-        let Some((kind, is_turned)) = self.own_kind(quantity.kind()) else {
+        let Some((kind, is_turned)) = self.kind_in_model_coordinates(quantity.kind()) else {
             let span = self.reader.get(item.table, "quantity").map_or_else(|| item.span.clone(), toml::Spanned::span);
             let message = format!("`{quantity}` is of a coordinate that is a sum of the model's");
             let help = "state the formula as an equation of motion, without a quantity, such as q1'' = …";
@@ -36,7 +36,7 @@ impl<'a> Loading<'a, '_> {
     /// publication.
     pub fn names_are_of_the_model(&mut self, names: &[(String, Quantity, Expr)]) {
         for (name, quantity, _) in names {
-            let own = self.own_kind(quantity.kind());
+            let own = self.kind_in_model_coordinates(quantity.kind());
             if own.is_none_or(|(kind, is_turned)| is_turned || kind != *quantity.kind()) {
                 let message = format!(
                     "`{name}` stands for `{quantity}`, which the publication defines differently from the model"
@@ -50,52 +50,52 @@ impl<'a> Loading<'a, '_> {
     /// Kind of the model's quantity that equals a quantity in the publication's coordinates, up to
     /// its sign.
     /// The second value is true for the opposite sign. `None` if there is no such quantity.
-    fn own_kind(&mut self, kind: &QuantityKind) -> Option<(QuantityKind, bool)> {
+    fn kind_in_model_coordinates(&mut self, kind: &QuantityKind) -> Option<(QuantityKind, bool)> {
         let q: Vec<String> = self.model.coordinates.iter().map(|c| c.name.clone()).collect();
         let u: Vec<String> = self.model.speeds.iter().map(|s| s.name.clone()).collect();
         Some(match kind.clone() {
             QuantityKind::SecondRate(at) => {
-                let (at, turned) = self.turned_coordinate(&q[at])?;
+                let (at, turned) = self.coordinate_up_to_sign(&q[at])?;
                 (QuantityKind::SecondRate(at), turned)
             }
             QuantityKind::Rate(at) => {
-                let (at, turned) = self.turned_coordinate(&q[at])?;
+                let (at, turned) = self.coordinate_up_to_sign(&q[at])?;
                 (QuantityKind::Rate(at), turned)
             }
             QuantityKind::SpeedRate(at) => {
-                let (at, turned) = self.turned_speed(&u[at])?;
+                let (at, turned) = self.speed_up_to_sign(&u[at])?;
                 (QuantityKind::SpeedRate(at), turned)
             }
             QuantityKind::Speed(at) => {
-                let (at, turned) = self.turned_speed(&u[at])?;
+                let (at, turned) = self.speed_up_to_sign(&u[at])?;
                 (QuantityKind::Speed(at), turned)
             }
             QuantityKind::MassMatrix(i, j) => {
-                let ((i, a), (j, b)) = (self.turned_speed(&u[i])?, self.turned_speed(&u[j])?);
+                let ((i, a), (j, b)) = (self.speed_up_to_sign(&u[i])?, self.speed_up_to_sign(&u[j])?);
                 (QuantityKind::MassMatrix(i, j), a != b)
             }
             QuantityKind::LagrangeMatrix(i, j) => {
-                let ((i, a), (j, b)) = (self.turned_coordinate(&q[i])?, self.turned_coordinate(&q[j])?);
+                let ((i, a), (j, b)) = (self.coordinate_up_to_sign(&q[i])?, self.coordinate_up_to_sign(&q[j])?);
                 (QuantityKind::LagrangeMatrix(i, j), a != b)
             }
             QuantityKind::Christoffel(i, j) => {
-                let ((i, a), (j, b)) = (self.turned_coordinate(&q[i])?, self.turned_coordinate(&q[j])?);
+                let ((i, a), (j, b)) = (self.coordinate_up_to_sign(&q[i])?, self.coordinate_up_to_sign(&q[j])?);
                 (QuantityKind::Christoffel(i, j), a != b)
             }
             QuantityKind::MassRate(i, j) => {
-                let ((i, a), (j, b)) = (self.turned_coordinate(&q[i])?, self.turned_coordinate(&q[j])?);
+                let ((i, a), (j, b)) = (self.coordinate_up_to_sign(&q[i])?, self.coordinate_up_to_sign(&q[j])?);
                 (QuantityKind::MassRate(i, j), a != b)
             }
             QuantityKind::Row(row, at) if row.is_of_coordinates() => {
-                let (at, turned) = self.turned_coordinate(&q[at])?;
+                let (at, turned) = self.coordinate_up_to_sign(&q[at])?;
                 (QuantityKind::Row(row, at), turned)
             }
             QuantityKind::Row(row, at) => {
-                let (at, turned) = self.turned_speed(&u[at])?;
+                let (at, turned) = self.speed_up_to_sign(&u[at])?;
                 (QuantityKind::Row(row, at), turned)
             }
             QuantityKind::Partial { vector, of, frame, axis, speed: at } => {
-                let (at, turned) = self.turned_speed(&u[at])?;
+                let (at, turned) = self.speed_up_to_sign(&u[at])?;
                 (QuantityKind::Partial { vector, of, frame, axis, speed: at }, turned)
             }
             other => (other, false),
@@ -105,35 +105,40 @@ impl<'a> Loading<'a, '_> {
     /// Index of the model's coordinate whose rate equals the rate of `name` up to its sign; true
     /// for the opposite sign.
     /// `None` if there is no such coordinate.
-    fn turned_coordinate(&mut self, name: &str) -> Option<(usize, bool)> {
+    fn coordinate_up_to_sign(&mut self, name: &str) -> Option<(usize, bool)> {
         if !self.words.is_renamed(name) {
             return self.model.coordinates.iter().position(|c| c.name == name).map(|at| (at, false));
         }
-        let rate = self.words.declared(&format!("{name}'"))?;
+        let rate = self.words.declared_formula(&format!("{name}'"))?;
         let list: Vec<Expr> = self.model.coordinates.iter().map(|c| c.rate).collect();
         let arena = &mut self.model.arena;
         let turned = arena.neg(rate);
-        position(&list, rate, turned)
+        position_up_to_sign(&list, rate, turned)
     }
 
     /// Index of the model's speed that equals the speed `name` up to its sign; true for the
     /// opposite sign.
     /// `None` if there is no such speed.
-    fn turned_speed(&mut self, name: &str) -> Option<(usize, bool)> {
+    fn speed_up_to_sign(&mut self, name: &str) -> Option<(usize, bool)> {
         if !self.words.is_renamed(name) {
             return self.model.speeds.iter().position(|s| s.name == name).map(|at| (at, false));
         }
-        let value = self.words.declared(name)?;
+        let value = self.words.declared_formula(name)?;
         let list: Vec<Expr> = self.model.speeds.iter().map(|s| s.symbol).collect();
         let turned = self.model.arena.neg(value);
-        position(&list, value, turned)
+        position_up_to_sign(&list, value, turned)
     }
 
     /// Converts the state of a printed program (listing), its derivative and its matrix to the
     /// model's variables.
     /// Reports a variable that equals none of the model's up to its sign and zero, and returns
     /// `None`.
-    pub(super) fn own_state(&mut self, names: &[String], parts: StateParts, item: &Item<'a>) -> Option<StateParts> {
+    pub(super) fn state_in_model_coordinates(
+        &mut self,
+        names: &[String],
+        parts: StateParts,
+        item: &EntryTable<'a>,
+    ) -> Option<StateParts> {
         let (mut state, mut derivative, mut matrix) = parts;
         let mut turned_moving = Vec::new();
         for (at, name) in names.iter().enumerate() {
@@ -142,7 +147,7 @@ impl<'a> Loading<'a, '_> {
             }
             let stem = name.trim_end_matches('\'');
             let is_speed = self.model.speeds.iter().any(|s| s.name == stem);
-            let found = if is_speed { self.turned_speed(stem) } else { self.turned_coordinate(stem) };
+            let found = if is_speed { self.speed_up_to_sign(stem) } else { self.coordinate_up_to_sign(stem) };
             let Some((to, turned)) = found else {
                 let span = self.reader.get(item.table, "state").map_or_else(|| item.span.clone(), toml::Spanned::span);
                 let message = format!("`{name}` is a sum of the model's variables");
@@ -186,7 +191,7 @@ impl<'a> Loading<'a, '_> {
 
 /// Index of a value in a list, or of its negative `turned`; true if the negative was found. `None`
 /// if neither is in the list.
-fn position(list: &[Expr], value: Expr, turned: Expr) -> Option<(usize, bool)> {
+fn position_up_to_sign(list: &[Expr], value: Expr, turned: Expr) -> Option<(usize, bool)> {
     let of = |e: Expr| list.iter().position(|one| *one == e);
     of(value).map(|at| (at, false)).or_else(|| of(turned).map(|at| (at, true)))
 }

@@ -19,18 +19,18 @@ mod slices;
 
 pub use basis::prose::{Piece, Prose};
 pub use basis::reduction_basis::ReductionBasis;
-pub use result::proof::Proof;
-pub use result::reduction::{MovingFrame, Omission, Output, Quantity, Reduction};
-pub use slices::one_degree::Slope;
+pub use result::reduction::{MovingFrame, Omission, ReducedOutput, ReducedQuantity, Reduction};
+pub use result::reduction_proof::ReductionProof;
+pub use slices::one_degree_potential::PotentialDifference;
 
-use crate::mechanics::{DeriveError, has_inertia_at};
+use crate::mechanics::{DeriveError, check_inertia_at};
 use crate::model::Model;
 use crate::scene::Scene;
-use basis::work::Work;
-use frames::framing::Choice;
-use result::proof::Whole;
-use slices::outputs::Wanted;
-use slices::slice::Flow;
+use basis::search_work::SearchWork;
+use frames::frame_search::FrameAndMomenta;
+use result::reduction_proof::WholeModel;
+use slices::slice::Slice;
+use slices::wanted_outputs::WantedOutputs;
 use std::cmp::Reverse;
 
 /// Derives the reduced equations of a scene of a model.
@@ -74,24 +74,24 @@ impl ReductionBasis {
     /// Derives the reduced equations with the best choice of constant momenta and of a frame, and
     /// proves them.
     fn reduce_with(&self, scene: &Scene, frame: FrameChoice) -> Result<Reduction, DeriveError> {
-        self.has_motion_of_its_own()?;
+        self.check_is_reducible()?;
         let mut basis = self.clone();
-        has_inertia_at(&self.arena, &self.kane, &self.model, &scene.exact.rational)?;
-        basis.fold(scene);
+        check_inertia_at(&self.arena, &self.kane, &self.model, &scene.exact.rational)?;
+        basis.fix_parameters_of_basis(scene);
         let wanted = basis.wanted(scene)?;
-        let mut best: Option<(Weight, Vec<usize>)> = None;
-        let choices = basis.choices();
+        let mut best: Option<(ReductionCost, Vec<usize>)> = None;
+        let choices = basis.commuting_momentum_sets();
         // A single choice needs no comparison. Choices with most constant momenta come first: they are most
         // often the best, and the work is limited.
         let mut compared = if choices.len() > 1 { choices.clone() } else { Vec::new() };
         compared.sort_by_key(|momenta| Reverse(momenta.len()));
-        let mut work = Work::default();
+        let mut work = SearchWork::default();
         for momenta in compared {
-            if work.is_done() {
+            if work.is_search_work_used_up() {
                 break;
             }
             let mut trial = basis.clone();
-            let weight = trial.weight_on(&momenta, &wanted);
+            let weight = trial.reduction_cost(&momenta, &wanted);
             work.add(&trial, &basis);
             if let Some(weight) = weight
                 && best.as_ref().is_none_or(|(least, _)| weight < *least)
@@ -102,7 +102,7 @@ impl ReductionBasis {
         let momenta = best.map(|(_, momenta)| momenta).unwrap_or_default();
         let mut framed = basis.clone();
         let framing = match frame {
-            FrameChoice::MayMove => framed.framing(&wanted, &choices, &momenta, &mut work),
+            FrameChoice::MayMove => framed.find_frame(&wanted, &choices, &momenta, &mut work),
             FrameChoice::Inertial => None,
         };
         // Without a frame, the terms of the search are dropped, so that the equations are written as before the search.
@@ -110,13 +110,13 @@ impl ReductionBasis {
             Some(_) => basis = framed,
             None => basis.kept_by_domain = framed.kept_by_domain,
         }
-        let whole = Whole { kane: basis.kane.clone(), wanted };
-        let plain = |momenta| Choice { momenta, ..Choice::default() };
+        let whole = WholeModel { kane: basis.kane.clone(), wanted };
+        let plain = |momenta| FrameAndMomenta { momenta, ..FrameAndMomenta::default() };
         // A choice that is not proved is not used. Without a frame, and without momenta, there is less to prove.
         let tried = framing.into_iter().chain([plain(momenta), plain(Vec::new())]);
         let mut found = Err(String::new());
         for choice in tried {
-            found = basis.clone().on_level(&choice, &whole, scene);
+            found = basis.clone().reduce_on_level(&choice, &whole, scene);
             if found.is_ok() {
                 break;
             }
@@ -126,10 +126,10 @@ impl ReductionBasis {
 
     /// Cost of the equations on the level set of the given momenta; `None` if the equations are not
     /// determined.
-    fn weight_on(&mut self, momenta: &[usize], wanted: &Wanted) -> Option<Weight> {
-        let wanted = self.relative(momenta, wanted.clone());
-        let level = self.level(momenta, None)?;
-        let (core, integrated, operations) = Flow::new(self, &level, &wanted)?.weight(self);
+    fn reduction_cost(&mut self, momenta: &[usize], wanted: &WantedOutputs) -> Option<ReductionCost> {
+        let wanted = self.replace_by_differences(momenta, wanted.clone());
+        let level = self.equations_on_momentum_level(momenta, None)?;
+        let (core, integrated, operations) = Slice::new(self, &level, &wanted)?.slice_cost(self);
         // Among equal costs the choice with most momenta wins: then the energy is more often a function of the kept
         // variables.
         Some((core, integrated, operations, Reverse(momenta.len())))
@@ -141,16 +141,18 @@ impl ReductionBasis {
     /// # Errors
     /// [`DeriveError`], for the same reasons as [`reduce`].
     pub fn reduce_without_momenta(&self, scene: &Scene) -> Result<Reduction, DeriveError> {
-        self.has_motion_of_its_own()?;
+        self.check_is_reducible()?;
         let mut basis = self.clone();
-        basis.fold(scene);
+        basis.fix_parameters_of_basis(scene);
         let wanted = basis.wanted(scene)?;
-        let whole = Whole { kane: basis.kane.clone(), wanted };
-        basis.on_level(&Choice::default(), &whole, scene).map_err(|what| DeriveError::ReductionNotProved { what })
+        let whole = WholeModel { kane: basis.kane.clone(), wanted };
+        basis
+            .reduce_on_level(&FrameAndMomenta::default(), &whole, scene)
+            .map_err(|what| DeriveError::ReductionNotProved { what })
     }
 
     /// Checks that the model has speeds and no loops, which reductions need.
-    fn has_motion_of_its_own(&self) -> Result<(), DeriveError> {
+    fn check_is_reducible(&self) -> Result<(), DeriveError> {
         match self.model.loops.first() {
             Some(one) => Err(DeriveError::LoopsReduced { name: one.name.clone() }),
             None if self.model.speeds.is_empty() => Err(DeriveError::NothingMoves),
@@ -163,29 +165,36 @@ impl ReductionBasis {
     ///
     /// # Errors
     /// Text of the statement that could not be proved.
-    fn on_level(mut self, choice: &Choice, whole: &Whole, scene: &Scene) -> Result<Reduction, String> {
+    fn reduce_on_level(
+        mut self,
+        choice: &FrameAndMomenta,
+        whole: &WholeModel,
+        scene: &Scene,
+    ) -> Result<Reduction, String> {
         let momenta = &choice.momenta;
         let wanted = self.differences(choice, &whole.wanted);
-        let wanted = self.framed_by(choice, wanted).ok_or("that the frame is determined")?;
+        let wanted = self.write_in_chosen_frame(choice, wanted).ok_or("that the frame is determined")?;
         // The equations are rewritten in the distance from the singular surface of this choice, unless they are in a
         // frame.
         let mut trial = self.clone();
         let place = if self.frame.is_some() { None } else { Some(()) };
-        let place =
-            place.and_then(|()| trial.level(momenta, None)).and_then(|level| trial.surface(&level, &wanted, scene));
+        let place = place
+            .and_then(|()| trial.equations_on_momentum_level(momenta, None))
+            .and_then(|level| trial.find_singular_surface(&level, &wanted, scene));
         let (surface, wanted) = match place {
             Some(place) => {
-                let (surface, wanted) = self.measure_from(place, &wanted);
+                let (surface, wanted) = self.write_in_distance_from_surface(place, &wanted);
                 (Some(surface), wanted)
             }
             None => (None, wanted),
         };
-        let level = self.level(momenta, surface.as_ref()).ok_or("that the momenta determine speeds")?;
-        let flow = Flow::new(&mut self, &level, &wanted).ok_or("that the accelerations are determined")?;
-        result::pack::pack(self, whole, &level, flow, scene)
+        let level =
+            self.equations_on_momentum_level(momenta, surface.as_ref()).ok_or("that the momenta determine speeds")?;
+        let flow = Slice::new(&mut self, &level, &wanted).ok_or("that the accelerations are determined")?;
+        result::pack_reduction::pack_reduction(self, whole, &level, flow, scene)
     }
 }
 
 /// Criteria by which choices of momenta are compared, in this order: numbers of states, of
 /// integrated variables, of operations and of constant momenta (most first).
-type Weight = (usize, usize, usize, Reverse<usize>);
+type ReductionCost = (usize, usize, usize, Reverse<usize>);

@@ -10,7 +10,7 @@ mod model;
 mod publication;
 mod scene;
 
-use crate::read::SCHEMA;
+use crate::toml_reader::SCHEMA;
 use serde_json::{Map, Value, json};
 
 /// Format of a file that people write: model, scene, state or publication.
@@ -64,7 +64,7 @@ impl Format {
     /// JSON Schema (draft 7) of the format.
     #[must_use]
     pub fn schema(self) -> Value {
-        let mut schema = table(self.keys());
+        let mut schema = table_schema(self.keys());
         schema["$schema"] = json!("http://json-schema.org/draft-07/schema#");
         schema["title"] = json!(self.title());
         schema["$comment"] = json!(format!("version {SCHEMA} of the format"));
@@ -114,23 +114,23 @@ pub(crate) enum Kind {
 }
 
 /// Creates an optional key: its name, the kind of its value, and its description.
-pub(crate) const fn key(name: &'static str, kind: Kind, about: &'static str) -> Key {
+pub(crate) const fn optional_key(name: &'static str, kind: Kind, about: &'static str) -> Key {
     Key { name, kind, is_needed: false, about }
 }
 
 /// Creates a required key: its name, the kind of its value, and its description.
-pub(crate) const fn needed(name: &'static str, kind: Kind, about: &'static str) -> Key {
+pub(crate) const fn required_key(name: &'static str, kind: Kind, about: &'static str) -> Key {
     Key { name, kind, is_needed: true, about }
 }
 
 /// Key `schema`, which states the version of the file format; every format accepts it.
-pub(crate) const VERSION: Key = key("schema", Kind::Version, "the version of the format");
+pub(crate) const VERSION: Key = optional_key("schema", Kind::Version, "the version of the format");
 
 /// Key `about`, a line of prose that most entries accept.
-pub(crate) const ABOUT: Key = key("about", Kind::Text, "a line of text for the reader");
+pub(crate) const ABOUT: Key = optional_key("about", Kind::Text, "a line of text for the reader");
 
 /// JSON Schema of a TOML table that accepts only these keys.
-fn table(keys: &[Key]) -> Value {
+fn table_schema(keys: &[Key]) -> Value {
     let mut properties = Map::new();
     for key in keys {
         let mut value = key.kind.schema();
@@ -159,7 +159,7 @@ impl Kind {
             Self::Version => json!({ "type": "integer", "minimum": 1, "maximum": SCHEMA }),
             Self::List(of) => json!({ "type": "array", "items": of.schema() }),
             Self::Named(of) => json!({ "type": "object", "additionalProperties": of.schema() }),
-            Self::Table(keys) => table(keys),
+            Self::Table(keys) => table_schema(keys),
             Self::Either(kinds) => {
                 json!({ "anyOf": kinds.iter().map(|kind| kind.schema()).collect::<Vec<Value>>() })
             }

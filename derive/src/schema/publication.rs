@@ -2,50 +2,56 @@
 //! descriptions.
 
 use super::Kind::{Either, Formula, List, Named, Table, Text, Whole, Word};
-use super::{Key, Kind, VERSION, key, needed};
+use super::{Key, Kind, VERSION, optional_key, required_key};
 
 /// Schema of a list of formulas.
 const FORMULAS: Kind = List(&Formula);
 /// Schema of a matrix of formulas, row by row.
 const MATRIX: Kind = List(&FORMULAS);
 /// Key `id` of an entry.
-const ID: Key = needed("id", Text, "unique in the file, the equation number first, as in 2.11-a1");
+const ID: Key = required_key("id", Text, "unique in the file, the equation number first, as in 2.11-a1");
 /// Key `section` of an entry, its place in the publication.
-const SECTION: Key = needed("section", Text, "where it is printed");
+const SECTION: Key = required_key("section", Text, "where it is printed");
 /// Key `repaired` of an entry whose print is garbled.
-const REPAIRED: Key = key("repaired", Text, "remark on garbled print, and on its reading here");
+const REPAIRED: Key = optional_key("repaired", Text, "remark on garbled print, and on its reading here");
 /// Key `note` of an entry, a remark.
-const NOTE: Key = key("note", Text, "a remark");
+const NOTE: Key = optional_key("note", Text, "a remark");
 /// Formulations with which printed equations can be compared.
 const FORMULATIONS: &[&str] = &["kane", "lagrange", "newton-euler"];
 /// Required key `formulation` of an entry.
-const FORMULATION: Key = needed("formulation", Word(FORMULATIONS), "what it is compared with");
+const FORMULATION: Key = required_key("formulation", Word(FORMULATIONS), "what it is compared with");
 
 /// Key `notation`, the language of printed formulas.
-const NOTATION: Key = key(
+const NOTATION: Key = optional_key(
     "notation",
     Word(&["tripos", "latex", "python", "sympy", "matlab", "c"]),
     "notation of the formulas; by default tripos, the language of model files",
 );
 
 /// Key `about`, the point near which printed formulas hold.
-const ABOUT: Key =
-    key("about", Named(&Formula), "the point near which formulas hold, as { q1 = 0, u3 = \"w\" }; {} for everywhere");
+const ABOUT: Key = optional_key(
+    "about",
+    Named(&Formula),
+    "the point near which formulas hold, as { q1 = 0, u3 = \"w\" }; {} for everywhere",
+);
 /// Key `small`, the parameters in which printed formulas are expanded.
-const SMALL: Key = key("small", List(&Text), "parameters near 0, up to the order, as [\"epsilon\"]");
+const SMALL: Key = optional_key("small", List(&Text), "parameters near 0, up to the order, as [\"epsilon\"]");
 /// Key `order`, the order of an expansion about a point.
-const ORDER: Key = key("order", Whole(1), "order in the deviations from that point; by default 1");
+const ORDER: Key = optional_key("order", Whole(1), "order in the deviations from that point; by default 1");
 
 /// Key `file`, a LaTeX file or a program beside the publication file.
 const FILE: Key =
-    key("file", Text, "a file beside this one: paper.tex, or a program such as model.m, model.py, model.c");
+    optional_key("file", Text, "a file beside this one: paper.tex, or a program such as model.m, model.py, model.c");
 /// Key `part`, a part of a program.
-const PART: Key =
-    key("part", Text, "part of a program: a function, lines such as 12-40, or the NAME in `begin NAME` and `end NAME`");
+const PART: Key = optional_key(
+    "part",
+    Text,
+    "part of a program: a function, lines such as 12-40, or the NAME in `begin NAME` and `end NAME`",
+);
 /// Key `label`, an equation of a LaTeX file.
-const LABEL: Key = key("label", Text, "label of an equation of the file, in place of `printed`");
+const LABEL: Key = optional_key("label", Text, "label of an equation of the file, in place of `printed`");
 /// Key `line`, a line of an equation with several lines.
-const LINE: Key = key("line", Whole(1), "which equation of the label, from 1");
+const LINE: Key = optional_key("line", Whole(1), "which equation of the label, from 1");
 
 /// Builds the keys of an entry with formulas: the keys that all these entries accept, then the
 /// entry's own keys.
@@ -58,71 +64,79 @@ macro_rules! of_formulas {
 /// Keys of a publication file at its top level.
 pub(crate) const KEYS: &[Key] = &[
     VERSION,
-    key("title", Text, "the title of the publication"),
-    key("source", Text, "where it is from"),
-    key("file", Text, "file of the labels and parts in entries without a file; its macros hold for all formulas"),
-    key("macros", Text, "definitions of macros, such as \\newcommand{\\w}{\\omega}"),
+    optional_key("title", Text, "the title of the publication"),
+    optional_key("source", Text, "where it is from"),
+    optional_key(
+        "file",
+        Text,
+        "file of the labels and parts in entries without a file; its macros hold for all formulas",
+    ),
+    optional_key("macros", Text, "definitions of macros, such as \\newcommand{\\w}{\\omega}"),
     NOTATION,
     ABOUT,
     SMALL,
     ORDER,
-    key("symbols", Named(&Text), "symbols of the text, each with its name in the model"),
-    key("coordinates", Named(&Formula), "coordinates and speeds of the text, as formulas in those of the model"),
-    key("abbreviations", Named(&Either(&[Formula, Table(DEFINED)])), "shorthand of the text"),
-    key("names", Named(&Text), "symbols of the text that stand for derived quantities"),
-    key("equation", List(&Table(EQUATION)), "printed values of named quantities"),
-    key("matrix", List(&Table(WHOLE_MATRIX)), "printed matrices and vectors as a whole"),
-    key("definition", List(&Table(DEFINITION)), "what nothing can contradict"),
-    key("system", List(&Table(SYSTEM)), "linear systems: matrix · unknowns = right"),
-    key("listing", List(&Table(LISTING)), "programs that compute the derivative of a state"),
-    key("initial", List(&Table(INITIAL)), "numbers: parameters, or values at the start"),
+    optional_key("symbols", Named(&Text), "symbols of the text, each with its name in the model"),
+    optional_key(
+        "coordinates",
+        Named(&Formula),
+        "coordinates and speeds of the text, as formulas in those of the model",
+    ),
+    optional_key("abbreviations", Named(&Either(&[Formula, Table(DEFINED)])), "shorthand of the text"),
+    optional_key("names", Named(&Text), "symbols of the text that stand for derived quantities"),
+    optional_key("equation", List(&Table(EQUATION)), "printed values of named quantities"),
+    optional_key("matrix", List(&Table(WHOLE_MATRIX)), "printed matrices and vectors as a whole"),
+    optional_key("definition", List(&Table(DEFINITION)), "what nothing can contradict"),
+    optional_key("system", List(&Table(SYSTEM)), "linear systems: matrix · unknowns = right"),
+    optional_key("listing", List(&Table(LISTING)), "programs that compute the derivative of a state"),
+    optional_key("initial", List(&Table(INITIAL)), "numbers: parameters, or values at the start"),
 ];
 
 /// Keys of an abbreviation that an equation of the author's file defines.
-const DEFINED: &[Key] = &[needed("label", Text, "label of the equation of the file that defines it")];
+const DEFINED: &[Key] = &[required_key("label", Text, "label of the equation of the file that defines it")];
 
 /// Keys of an entry `equation`: a printed formula of a quantity, or an equation of motion.
 const EQUATION: &[Key] = of_formulas![
-    key("quantity", Text, "derived quantity, such as v(P) @ A [1]; left out for an equation of motion"),
-    key("printed", Formula, "formula as printed, or the name of a variable of the program"),
+    optional_key("quantity", Text, "derived quantity, such as v(P) @ A [1]; left out for an equation of motion"),
+    optional_key("printed", Formula, "formula as printed, or the name of a variable of the program"),
     LABEL,
     LINE,
-    key("formulation", Word(FORMULATIONS), "formulation that an equation of motion is compared with"),
-    key("frame", Text, "the frame of the components of a Newton-Euler equation"),
+    optional_key("formulation", Word(FORMULATIONS), "formulation that an equation of motion is compared with"),
+    optional_key("frame", Text, "the frame of the components of a Newton-Euler equation"),
 ];
 
 /// Keys of an entry `matrix`: a matrix printed as a whole.
 const WHOLE_MATRIX: &[Key] = of_formulas![
-    needed("quantity", Text, "matrix quantity without its indices, such as M or I(disk) @ B"),
-    key("printed", Text, "the whole matrix, as in [a, b; c, d]"),
+    required_key("quantity", Text, "matrix quantity without its indices, such as M or I(disk) @ B"),
+    optional_key("printed", Text, "the whole matrix, as in [a, b; c, d]"),
     LABEL,
     LINE,
-    key("claims", List(&Text), "claims on C: christoffel, skew-symmetric"),
+    optional_key("claims", List(&Text), "claims on C: christoffel, skew-symmetric"),
 ];
 
 /// Keys of an entry `definition`, which is not judged.
-const DEFINITION: &[Key] = &[ID, SECTION, REPAIRED, NOTE, needed("printed", Text, "as it is printed")];
+const DEFINITION: &[Key] = &[ID, SECTION, REPAIRED, NOTE, required_key("printed", Text, "as it is printed")];
 
 /// Keys of an entry `system`: a printed linear system.
 const SYSTEM: &[Key] = of_formulas![
     FORMULATION,
-    key("frame", Text, "the frame of the components of a Newton-Euler system"),
-    key("equations", FORMULAS, "rows of the system as equations, in place of unknowns, matrix and right"),
-    key("label", Text, "label of an environment of the file whose equations are the rows"),
-    key("labels", List(&Text), "labels of equations of the file that are the rows"),
-    key("unknowns", List(&Text), "what it is solved for"),
-    key("matrix", MATRIX, "its rows"),
-    key("right", FORMULAS, "the right-hand side"),
-    key("matrix_ids", Text, "ids of single entries, with {i} and {j}"),
-    key("right_ids", Text, "ids of single entries, with {i}"),
+    optional_key("frame", Text, "the frame of the components of a Newton-Euler system"),
+    optional_key("equations", FORMULAS, "rows of the system as equations, in place of unknowns, matrix and right"),
+    optional_key("label", Text, "label of an environment of the file whose equations are the rows"),
+    optional_key("labels", List(&Text), "labels of equations of the file that are the rows"),
+    optional_key("unknowns", List(&Text), "what it is solved for"),
+    optional_key("matrix", MATRIX, "its rows"),
+    optional_key("right", FORMULAS, "the right-hand side"),
+    optional_key("matrix_ids", Text, "ids of single entries, with {i} and {j}"),
+    optional_key("right_ids", Text, "ids of single entries, with {i}"),
 ];
 
 /// Keys of an entry `listing`: a program that computes the derivative of a state.
 const LISTING: &[Key] = of_formulas![
     FORMULATION,
-    needed("state", List(&Text), "what is integrated"),
-    needed("derivative", FORMULAS, "its derivative as assigned"),
-    key("matrix", MATRIX, "E of dz = E \\ dz for the speeds"),
+    required_key("state", List(&Text), "what is integrated"),
+    required_key("derivative", FORMULAS, "its derivative as assigned"),
+    optional_key("matrix", MATRIX, "E of dz = E \\ dz for the speeds"),
 ];
 
 /// Keys of an entry `initial`: a printed number of a parameter or of a start.
@@ -132,7 +146,7 @@ const INITIAL: &[Key] = &[
     REPAIRED,
     NOTE,
     NOTATION,
-    needed("set", Text, "values of one set belong together"),
-    needed("quantity", Text, "a parameter, q1, q1' or u1"),
-    needed("printed", Formula, "as it is printed"),
+    required_key("set", Text, "values of one set belong together"),
+    required_key("quantity", Text, "a parameter, q1, q1' or u1"),
+    required_key("printed", Formula, "as it is printed"),
 ];

@@ -1,33 +1,34 @@
 //! Schema of scene files and state files: their keys, with kinds and descriptions.
 
 use super::Kind::{Either, Flag, Formula, List, Named, Table, Text, Whole, Word};
-use super::{ABOUT, Key, Kind, VERSION, key, needed};
+use super::{ABOUT, Key, Kind, VERSION, optional_key, required_key};
 use crate::scene::{FIGURES, ImpactLaw, Integrator, SOLVES};
 
 /// Key `model`, the path of the model file.
-const MODEL: Key = key("model", Text, "path of the model file, relative to this file; by default ../model.toml");
+const MODEL: Key =
+    optional_key("model", Text, "path of the model file, relative to this file; by default ../model.toml");
 /// Key `title` of a scene or state.
-const TITLE: Key = key("title", Text, "a title for the page");
+const TITLE: Key = optional_key("title", Text, "a title for the page");
 /// Key `parameters`, the values of parameters.
-const PARAMETERS: Key = key("parameters", NUMBERS, "values that differ from the model's defaults");
+const PARAMETERS: Key = optional_key("parameters", NUMBERS, "values that differ from the model's defaults");
 /// Key `inputs`, the signals of the model's inputs.
-const INPUTS: Key = key("inputs", Named(&INPUT), "what the model's inputs are");
+const INPUTS: Key = optional_key("inputs", Named(&INPUT), "what the model's inputs are");
 /// Key `outputs`, the quantities to show.
-const OUTPUTS: Key = key("outputs", List(&OUTPUT), "what to show");
+const OUTPUTS: Key = optional_key("outputs", List(&OUTPUT), "what to show");
 /// Key `free`, the parameters that stay symbols in the reduced equations.
-const FREE: Key = key("free", List(&Text), "parameters that stay letters in the scene's reduced equations");
+const FREE: Key = optional_key("free", List(&Text), "parameters that stay letters in the scene's reduced equations");
 /// Key `ladder`, further values of a number of the start.
-const LADDER: Key = key("ladder", Named(&List(&Formula)), "other values of one number of the start");
+const LADDER: Key = optional_key("ladder", Named(&List(&Formula)), "other values of one number of the start");
 /// Key `span`, the first and the last instant of a run.
-const SPAN: Key = key("span", List(&Formula), "first and last instant, s");
+const SPAN: Key = optional_key("span", List(&Formula), "first and last instant, s");
 /// Key `integration`, the settings of the integrator.
-const INTEGRATION: Key = key("integration", Table(INTEGRATION_KEYS), "how to integrate");
+const INTEGRATION: Key = optional_key("integration", Table(INTEGRATION_KEYS), "how to integrate");
 /// Key `events`, the events of a run.
-const EVENTS: Key = key("events", List(&Table(EVENT)), "what to notice");
+const EVENTS: Key = optional_key("events", List(&Table(EVENT)), "what to notice");
 /// Key `impacts`, the contacts of bodies that can meet.
-const IMPACTS: Key = key("impacts", Named(&Table(IMPACT)), "contacts, where bodies meet");
+const IMPACTS: Key = optional_key("impacts", Named(&Table(IMPACT)), "contacts, where bodies meet");
 /// Key `figures`, the figures of the page.
-const FIGURE_LIST: Key = key("figures", List(&Table(FIGURE)), "figures of the page");
+const FIGURE_LIST: Key = optional_key("figures", List(&Table(FIGURE)), "figures of the page");
 /// Schema of a table of formulas by name.
 const NUMBERS: Kind = Named(&Formula);
 
@@ -40,8 +41,8 @@ pub(crate) const KEYS: &[Key] = &[
     PARAMETERS,
     INPUTS,
     FREE,
-    needed("start", NUMBERS, "every coordinate, and every speed or every q'"),
-    key("guess", NUMBERS, "guesses of the coordinates that close the loops"),
+    required_key("start", NUMBERS, "every coordinate, and every speed or every q'"),
+    optional_key("guess", NUMBERS, "guesses of the coordinates that close the loops"),
     LADDER,
     Key { is_needed: true, ..SPAN },
     INTEGRATION,
@@ -58,13 +59,13 @@ pub(crate) const STATE_KEYS: &[Key] = &[
     MODEL,
     TITLE,
     ABOUT,
-    key("source", Text, "where the numbers come from"),
-    key("names", NUMBERS, "numbers that the file names for itself"),
+    optional_key("source", Text, "where the numbers come from"),
+    optional_key("names", NUMBERS, "numbers that the file names for itself"),
     PARAMETERS,
     INPUTS,
-    key("state", NUMBERS, "every coordinate, and every speed or every q', that is held"),
-    key("start", NUMBERS, "the same, of a scene"),
-    key("guess", NUMBERS, "values near those of what is sought"),
+    optional_key("state", NUMBERS, "every coordinate, and every speed or every q', that is held"),
+    optional_key("start", NUMBERS, "the same, of a scene"),
+    optional_key("guess", NUMBERS, "values near those of what is sought"),
     OUTPUTS,
     FREE,
     LADDER,
@@ -79,51 +80,58 @@ pub(crate) const STATE_KEYS: &[Key] = &[
 const INPUT: Kind = Either(&[
     Formula,
     Table(&[
-        needed("table", Text, "a CSV file"),
-        key("time", Text, "the column of the instants"),
-        key("column", Text, "the column of the values"),
-        key("interpolation", Word(&["linear", "cubic"]), "between rows"),
+        required_key("table", Text, "a CSV file"),
+        optional_key("time", Text, "the column of the instants"),
+        optional_key("column", Text, "the column of the values"),
+        optional_key("interpolation", Word(&["linear", "cubic"]), "between rows"),
     ]),
 ]);
 
 /// Schema of an entry of `outputs`: a name, or a name with its formula.
-const OUTPUT: Kind =
-    Either(&[Text, Table(&[needed("name", Text, "what it is called"), needed("value", Formula, "the formula")])]);
+const OUTPUT: Kind = Either(&[
+    Text,
+    Table(&[required_key("name", Text, "what it is called"), required_key("value", Formula, "the formula")]),
+]);
 
 /// Keys of the table `integration`.
 const INTEGRATION_KEYS: &[Key] = &[
-    key("method", Word(&Integrator::NAMES), "the method"),
-    key("solve", Word(&SOLVES), "how accelerations are found"),
-    key("rtol", Formula, "relative tolerance"),
-    key("atol", Either(&[Formula, NUMBERS]), "absolute tolerance: one, or by coordinate and speed"),
-    key("step", Formula, "the length of every step, s"),
-    key("max_step", Formula, "the longest step, s"),
-    key("step_limit", Whole(1), "largest number of attempted steps of a run"),
-    key("samples", Whole(2), "number of equally spaced samples"),
-    key("domain", Word(&["stop", "watch"]), "whether leaving the domain ends the run"),
-    key("project", Word(&["energy"]), "what each step is moved back onto"),
-    key("distance", Either(&[Word(&["none"]), NUMBERS]), "coordinate whose distance from a right angle is integrated"),
+    optional_key("method", Word(&Integrator::NAMES), "the method"),
+    optional_key("solve", Word(&SOLVES), "how accelerations are found"),
+    optional_key("rtol", Formula, "relative tolerance"),
+    optional_key("atol", Either(&[Formula, NUMBERS]), "absolute tolerance: one, or by coordinate and speed"),
+    optional_key("step", Formula, "the length of every step, s"),
+    optional_key("max_step", Formula, "the longest step, s"),
+    optional_key("step_limit", Whole(1), "largest number of attempted steps of a run"),
+    optional_key("samples", Whole(2), "number of equally spaced samples"),
+    optional_key("domain", Word(&["stop", "watch"]), "whether leaving the domain ends the run"),
+    optional_key("project", Word(&["energy"]), "what each step is moved back onto"),
+    optional_key(
+        "distance",
+        Either(&[Word(&["none"]), NUMBERS]),
+        "coordinate whose distance from a right angle is integrated",
+    ),
 ];
 
 /// Keys of an entry of `impacts`.
 const IMPACT: &[Key] = &[
-    needed("gap", Formula, "gap, m: positive if the bodies are apart, 0 if they touch"),
-    needed("restitution", Formula, "from 0 to 1"),
-    key("law", Word(&ImpactLaw::NAMES), "Newton's law or Poisson's"),
-    key("no_slip", List(&Formula), "velocities along the contact that are 0 while the contact is closed"),
-    key("friction", Formula, "the coefficient of Coulomb friction, 0 or more"),
-    key("along", Formula, "the velocity at which a contact with friction slips, m/s"),
+    required_key("gap", Formula, "gap, m: positive if the bodies are apart, 0 if they touch"),
+    required_key("restitution", Formula, "from 0 to 1"),
+    optional_key("law", Word(&ImpactLaw::NAMES), "Newton's law or Poisson's"),
+    optional_key("no_slip", List(&Formula), "velocities along the contact that are 0 while the contact is closed"),
+    optional_key("friction", Formula, "the coefficient of Coulomb friction, 0 or more"),
+    optional_key("along", Formula, "the velocity at which a contact with friction slips, m/s"),
     ABOUT,
 ];
 
 /// Keys of an entry of `events`.
 const EVENT: &[Key] = &[
-    needed("name", Text, "how it is reported"),
-    needed("zero", Formula, "it is where this crosses zero"),
-    key("direction", Word(&["rising", "falling", "either"]), "which crossings count"),
-    key("terminal", Flag, "whether it ends the run"),
+    required_key("name", Text, "how it is reported"),
+    required_key("zero", Formula, "it is where this crosses zero"),
+    optional_key("direction", Word(&["rising", "falling", "either"]), "which crossings count"),
+    optional_key("terminal", Flag, "whether it ends the run"),
     ABOUT,
 ];
 
 /// Keys of an entry of `figures`.
-const FIGURE: &[Key] = &[needed("kind", Word(&FIGURES), "what is drawn"), key("caption", Text, "its text")];
+const FIGURE: &[Key] =
+    &[required_key("kind", Word(&FIGURES), "what is drawn"), optional_key("caption", Text, "its text")];

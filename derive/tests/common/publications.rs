@@ -6,7 +6,7 @@ use crate::common::{BASE, read};
 use expect_test::Expect;
 use tripos_derive::Model;
 use tripos_derive::diagnostic::{Diagnostics, Source};
-use tripos_derive::publication::{Publication, load};
+use tripos_derive::publication::{Publication, load_publication};
 
 /// A right publication on the pendulum on a cart, with a reaction-free Newton–Euler part left out.
 pub const PUBLICATION: &str = r#"title = "A pendulum"
@@ -77,7 +77,7 @@ pub fn base() -> Model {
 }
 
 pub fn load_text(text: &str, model: &mut Model) -> Result<Publication, Diagnostics> {
-    load(&Source::from_text("publication.toml", text), model)
+    load_publication(&Source::from_text("publication.toml", text), model)
 }
 
 /// The right publication with pieces replaced, each of which must be there.

@@ -5,10 +5,10 @@
 use std::fmt::Write;
 use std::path::Path;
 use tripos_derive::Model;
-use tripos_derive::algebra::text::print::text;
+use tripos_derive::algebra::text::print::print_text;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::model;
-use tripos_derive::reduce::{Omission, Quantity, Reduction, reduce};
+use tripos_derive::reduce::{Omission, ReducedQuantity, Reduction, reduce};
 use tripos_derive::scene::{self, Scene};
 
 /// A model of the library, and one of its scenes with these outputs: `["q2", "u1"]`; its own without.
@@ -48,7 +48,7 @@ pub fn with_start(model: &Model, scene: &str) -> String {
 }
 
 /// The names of quantities.
-pub fn names(list: &[Quantity]) -> Vec<&str> {
+pub fn names(list: &[ReducedQuantity]) -> Vec<&str> {
     list.iter().map(|q| q.name.as_str()).collect()
 }
 
@@ -60,44 +60,45 @@ pub fn integrated(r: &Reduction) -> (Vec<&str>, Vec<&str>) {
 /// Value of an output in the reduced system, as text.
 pub fn output(r: &Reduction, name: &str) -> String {
     let output = r.outputs.iter().find(|o| o.name == name).unwrap_or_else(|| panic!("no output {name}"));
-    text(r.terms(), output.value)
+    print_text(r.arena(), output.value)
 }
 
 /// A reduced system as people read it.
 pub fn show(r: &Reduction) -> String {
-    let (a, e, mut out) = (r.terms(), &r.derivation.equations, String::new());
+    let (a, e, mut out) = (r.arena(), &r.derivation.equations, String::new());
     for (kind, list) in [("states", &r.states), ("quadratures", &r.quadratures)] {
         if !list.is_empty() {
             let _ = writeln!(out, "{kind}: {}", names(list).join(", "));
         }
     }
     for q in &r.constants {
-        let _ = writeln!(out, "{} [{}] = {}", q.name, q.unit, text(a, q.of_start));
+        let _ = writeln!(out, "{} [{}] = {}", q.name, q.unit, print_text(a, q.of_start));
     }
     for d in &e.definitions {
-        let _ = writeln!(out, "{} = {}", text(a, d.symbol), text(a, d.value));
+        let _ = writeln!(out, "{} = {}", print_text(a, d.symbol), print_text(a, d.value));
     }
     for (q, rate) in e.coordinates.iter().zip(&e.coordinate_rates) {
-        let _ = writeln!(out, "{}' = {}", text(a, *q), text(a, *rate));
+        let _ = writeln!(out, "{}' = {}", print_text(a, *q), print_text(a, *rate));
     }
     for (i, (row, f)) in e.matrix.iter().zip(&e.forcing).enumerate() {
-        let entries = row.iter().zip(&e.unknowns).filter(|(m, _)| text(a, **m) != "0");
+        let entries = row.iter().zip(&e.unknowns).filter(|(m, _)| print_text(a, **m) != "0");
         let factor = |m: &str| if m == "1" { String::new() } else { format!("({m})*") };
-        let terms: Vec<String> = entries.map(|(m, x)| format!("{}{}", factor(&text(a, *m)), text(a, *x))).collect();
-        let _ = writeln!(out, "{} = {}", terms.join(" + "), text(a, *f));
+        let terms: Vec<String> =
+            entries.map(|(m, x)| format!("{}{}", factor(&print_text(a, *m)), print_text(a, *x))).collect();
+        let _ = writeln!(out, "{} = {}", terms.join(" + "), print_text(a, *f));
         assert!(i < e.variables.len());
     }
     for o in &r.outputs {
-        let value = text(a, o.value);
+        let value = print_text(a, o.value);
         if value != o.name {
             let _ = writeln!(out, "{} -> {value}", o.name);
         }
     }
     for c in &r.model.domain {
-        let _ = writeln!(out, "{} while {} > 0", c.name, text(a, c.positive));
+        let _ = writeln!(out, "{} while {} > 0", c.name, print_text(a, c.positive));
     }
     let energy = if r.has_energy { "known" } else { "unknown" };
-    let divisors: Vec<String> = r.divisors.iter().map(|d| text(a, *d)).collect();
+    let divisors: Vec<String> = r.divisors.iter().map(|d| print_text(a, *d)).collect();
     let by = if divisors.is_empty() { "nothing".to_owned() } else { divisors.join("; ") };
     let _ = writeln!(out, "energy {energy}; divided by: {by}");
     // Long equations are for machines.
@@ -108,6 +109,6 @@ pub fn show(r: &Reduction) -> String {
 
 /// Every omission on a line.
 pub fn ledger(r: &Reduction) -> String {
-    let line = |o: &Omission| format!("{} | {} | {}\n", o.what.text(r.terms()), o.why.text(r.terms()), o.proof);
+    let line = |o: &Omission| format!("{} | {} | {}\n", o.what.text(r.arena()), o.why.text(r.arena()), o.proof);
     r.omitted.iter().map(line).collect()
 }

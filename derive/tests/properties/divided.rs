@@ -3,9 +3,9 @@
 use super::terms::{arena, divides, short_term};
 use proptest::prelude::*;
 use tripos_derive::algebra::term::calculus::Substitution;
-use tripos_derive::algebra::term::divided::divided_difference;
-use tripos_derive::algebra::text::print::text;
-use tripos_derive::algebra::value::modular::{ZeroTest, zero_test};
+use tripos_derive::algebra::term::divided_difference::divided_difference;
+use tripos_derive::algebra::text::print::print_text;
+use tripos_derive::algebra::value::zero_test::{ZeroTest, zero_test};
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(1000))]
@@ -19,7 +19,7 @@ proptest! {
         let x = arena.symbol(if by_angle { "q" } else { "x" });
         let [low, high] = [a, b].map(|end| Substitution::new(&[(x, end)]).apply(arena, e));
         let divided = divided_difference(arena, e, x, a, b);
-        let divided = divided.ok_or_else(|| TestCaseError::fail(format!("{} has rules", text(arena, e))))?;
+        let divided = divided.ok_or_else(|| TestCaseError::fail(format!("{} has rules", print_text(arena, e))))?;
         let sincs: Vec<_> = divided
             .sincs
             .iter()
@@ -33,7 +33,7 @@ proptest! {
         let rise = arena.sub(high, low);
         let product = arena.mul(width, value);
         let rest = arena.sub(product, rise);
-        prop_assert_eq!(zero_test(arena, rest), ZeroTest::Zero, "{} by {}", text(arena, e), text(arena, x));
+        prop_assert_eq!(zero_test(arena, rest), ZeroTest::Zero, "{} by {}", print_text(arena, e), print_text(arena, x));
         prop_assert_eq!(divides(arena, rise), divides(arena, value));
     }
 }

@@ -11,21 +11,21 @@ use proptest::prelude::*;
 use rewrites::{rewritten, steps};
 use slopes::slope;
 use terms::{SYMBOLS, angle, arena, divided, divides, factor, short_term, sum_of, term, term_with_functions};
-use tripos_derive::algebra::form::normal::{Normalizer, Zero};
-use tripos_derive::algebra::form::sharing::{Reading, share};
-use tripos_derive::algebra::form::simplify::{Simplifier, cost};
+use tripos_derive::algebra::form::normal_form::{Normalizer, Zero};
+use tripos_derive::algebra::form::sharing::{SharingOptions, share_common_parts};
+use tripos_derive::algebra::form::simplify::{Simplifier, operation_count};
 use tripos_derive::algebra::meaning::compare::{Comparer, Verdict};
 use tripos_derive::algebra::term::calculus::{Differential, Substitution};
 use tripos_derive::algebra::text::parse::parse_free;
-use tripos_derive::algebra::text::print::text;
-use tripos_derive::algebra::value::evaluate::Tape;
-use tripos_derive::algebra::value::modular::{ZeroTest, zero_test};
+use tripos_derive::algebra::text::print::print_text;
+use tripos_derive::algebra::value::tape::Tape;
+use tripos_derive::algebra::value::zero_test::{ZeroTest, zero_test};
 use tripos_derive::algebra::{Arena, Expr, Rational};
 
 /// Fails, naming both sides, unless they mean the same.
 fn equal(arena: &mut Arena, left: Expr, right: Expr) -> Result<(), TestCaseError> {
     let verdict = Comparer::default().compare(arena, left, right);
-    prop_assert!(verdict.is_equal(), "{} = {}: {verdict:?}", text(arena, left), text(arena, right));
+    prop_assert!(verdict.is_equal(), "{} = {}: {verdict:?}", print_text(arena, left), print_text(arena, right));
     Ok(())
 }
 
@@ -61,7 +61,7 @@ proptest! {
     fn sharing_keeps_the_meaning(
         parts in prop::collection::vec(factor(), 3),
         picks in prop::collection::vec((0..3_usize, 0..3_usize, 0..3_usize, -3..4_i64), 6),
-        reading in prop::sample::select(&Reading::ALL[..]),
+        reading in prop::sample::select(&SharingOptions::ALL[..]),
     ) {
         let arena = &mut arena();
         let parts: Vec<Expr> = parts.iter().map(|t| t.build(arena)).collect();
@@ -73,7 +73,7 @@ proptest! {
             })
             .collect();
         let values: Vec<Expr> = products.chunks(2).map(|pair| arena.sum(pair)).chain([parts[0]]).collect();
-        let Some(shared) = share(arena, &mut Simplifier::default(), reading, &[], &values) else { return Ok(()) };
+        let Some(shared) = share_common_parts(arena, &mut Simplifier::default(), reading, &[], &values) else { return Ok(()) };
         let mut pairs: Vec<(Expr, Expr)> = Vec::new();
         for step in &shared.steps {
             let value = Substitution::new(&pairs).apply(arena, step.value);
@@ -83,7 +83,7 @@ proptest! {
         for (old, new) in values.iter().zip(&shared.values) {
             let new = put.apply(arena, *new);
             let difference = arena.sub(*old, new);
-            prop_assert_ne!(zero_test(arena, difference), ZeroTest::NonZero, "{}", text(arena, *old));
+            prop_assert_ne!(zero_test(arena, difference), ZeroTest::NonZero, "{}", print_text(arena, *old));
         }
     }
 
@@ -119,7 +119,7 @@ proptest! {
         let f = f.build(arena);
         let derivative = derivative(arena, f, by);
         let found = Tape::new(arena, &symbols, &[f, derivative]).unwrap().evaluate(&at);
-        let shown = format!("{}: {found:?} {expected:?}", text(arena, f));
+        let shown = format!("{}: {found:?} {expected:?}", print_text(arena, f));
         let (of_value, of_rate) = (expected.sizes.0, expected.sizes.0.max(expected.sizes.1));
         prop_assert!((found[0] - expected.value).abs() <= 1e-9 * of_value, "{}", shown);
         prop_assert!((found[1] - expected.rate).abs() <= 1e-9 * of_rate, "{}", shown);
@@ -129,7 +129,7 @@ proptest! {
     fn printed_formulas_parse_back_to_the_same_term(e in term_with_functions()) {
         let arena = &mut arena();
         let e = e.build(arena);
-        let printed = text(arena, e);
+        let printed = print_text(arena, e);
         let parsed = parse_free(arena, &printed);
         prop_assert_eq!(parsed.map_err(|e| format!("{printed}: {e:?}")), Ok(e), "{}", printed);
     }
@@ -152,10 +152,10 @@ proptest! {
         let verdict = Comparer::default().compare(arena, e, tiny);
         prop_assert!(
             matches!(verdict, Verdict::Different(_)),
-            "{} and {}: {verdict:?}", text(arena, e), text(arena, tiny)
+            "{} and {}: {verdict:?}", print_text(arena, e), print_text(arena, tiny)
         );
         let verdict = Comparer::default().compare(arena, e, small);
-        let shown = format!("{} and {}: {verdict:?}", text(arena, e), text(arena, small));
+        let shown = format!("{} and {}: {verdict:?}", print_text(arena, e), print_text(arena, small));
         let Verdict::Different(witness) = verdict else { return Err(TestCaseError::fail(shown)) };
         let (inputs, values): (Vec<Expr>, Vec<f64>) =
             witness.at.iter().map(|(name, x)| (arena.symbol(name), *x)).unzip();
@@ -224,7 +224,7 @@ proptest! {
         let arena = &mut arena();
         let e = e.build(arena);
         let mut normalizer = Normalizer::new(200_000);
-        let Some(form) = normalizer.fraction(arena, e) else { return Ok(()) };
+        let Some(form) = normalizer.normal_form(arena, e) else { return Ok(()) };
         let normal = normalizer.expression(arena, &form);
         equal(arena, e, normal)?;
         for by in ["q", "p", "x"] {
@@ -251,14 +251,14 @@ proptest! {
         let near = arena.linear_combination(&[(zero, Rational::ONE), (b, Rational::fraction(1, 1_000_000).unwrap())]);
         let any = arena.sub(a, b);
         for e in [zero, near, any] {
-            let both = (Normalizer::new(200_000).zero(arena, e), zero_test(arena, e));
+            let both = (Normalizer::new(200_000).zero_by_normal_form(arena, e), zero_test(arena, e));
             let contrary = matches!(both, (Zero::Yes, ZeroTest::NonZero) | (Zero::No, ZeroTest::Zero));
-            prop_assert!(!contrary, "{}: {both:?}", text(arena, e));
+            prop_assert!(!contrary, "{}: {both:?}", print_text(arena, e));
         }
         // Of formulas as they are drawn, with nothing but symbols in angles, both have an answer.
-        let both = (Normalizer::new(200_000).zero(arena, any), zero_test(arena, any));
+        let both = (Normalizer::new(200_000).zero_by_normal_form(arena, any), zero_test(arena, any));
         let decided = matches!(both, (Zero::Yes, ZeroTest::Zero) | (Zero::No, ZeroTest::NonZero) | (Zero::TooLarge, _));
-        prop_assert!(decided, "{}: {both:?}", text(arena, any));
+        prop_assert!(decided, "{}: {both:?}", print_text(arena, any));
     }
 
     #[test]
@@ -268,6 +268,6 @@ proptest! {
         let long = rewritten(arena, e, &steps);
         let short = Simplifier::default().simplify(arena, long);
         equal(arena, short, e)?;
-        prop_assert!(cost(arena, short) <= cost(arena, long), "{} from {}", text(arena, short), text(arena, long));
+        prop_assert!(operation_count(arena, short) <= operation_count(arena, long), "{} from {}", print_text(arena, short), print_text(arena, long));
     }
 }

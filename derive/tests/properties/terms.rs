@@ -1,7 +1,7 @@
 //! Random formulas.
 
 use proptest::prelude::*;
-use tripos_derive::algebra::value::modular::{ZeroTest, zero_test};
+use tripos_derive::algebra::value::zero_test::{ZeroTest, zero_test};
 use tripos_derive::algebra::{Arena, Expr, Function, Rational};
 
 /// Σ k · angle, k = n/d.

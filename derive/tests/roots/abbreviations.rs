@@ -70,7 +70,8 @@ fn a_slip_in_a_variable_of_a_program_is_one_root() {
         let slipped = program.replacen(old, new, 1);
         let mut model = Model::read(&shelf.join("model.toml")).unwrap();
         let read = |name: &str| Ok(Source::from_text(name, &slipped));
-        let publication = publication::load_with(&source, &mut model, &read).unwrap_or_else(|e| panic!("{e}"));
+        let publication =
+            publication::load_publication_with_files(&source, &mut model, &read).unwrap_or_else(|e| panic!("{e}"));
         let difference = judge_loaded(&model, &publication);
         let found = mistakes(&difference);
         assert!(found.len() == 1 && found[0].starts_with(&format!("in {name}, ")), "{new}: {found:?}");

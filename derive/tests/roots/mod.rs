@@ -8,21 +8,21 @@ use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::path::Path;
 use tripos_derive::diagnostic::Source;
-use tripos_derive::diff::{Difference, Link, diff};
+use tripos_derive::diff::{DependenceKind, Difference, judge_publication};
 use tripos_derive::mechanics::derive_all;
 use tripos_derive::prove::prove;
 use tripos_derive::{Model, publication};
 
 /// A publication judged against a model; every entry that is different is in exactly one group.
 fn judge(mut model: Model, source: &Source) -> Difference {
-    let publication = publication::load(source, &mut model).unwrap_or_else(|errors| panic!("{errors}"));
+    let publication = publication::load_publication(source, &mut model).unwrap_or_else(|errors| panic!("{errors}"));
     judge_loaded(&model, &publication)
 }
 
 fn judge_loaded(model: &Model, publication: &publication::Publication) -> Difference {
     let mut derivations = derive_all(model).unwrap();
     let proof = prove(model, &mut derivations);
-    let difference = diff(model, &mut derivations, publication, &proof);
+    let difference = judge_publication(model, &mut derivations, publication, &proof);
     let grouped: Vec<usize> = difference
         .roots
         .iter()
@@ -133,7 +133,7 @@ fn equal_differences_alone_prove_nothing() {
         + &entry("partial", "d v(P) @ N [1]/d u2", "l*cos(q2) - 2*cos(q2)");
     let difference = planted::judged(&text);
     assert_eq!(difference.roots.len(), 2, "{}", outline(&difference));
-    assert!(difference.roots.iter().all(|root| root.linked(Link::Follows).count() == 0));
+    assert!(difference.roots.iter().all(|root| root.followers_by_link(DependenceKind::Follows).count() == 0));
 }
 
 /// Checks that every line of a publication, made by hand from one wrong value, is traced to the first.

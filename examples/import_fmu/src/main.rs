@@ -1,4 +1,5 @@
-//! Runs a unit of `tripos fmu --fmi 2` by the crate `fmi`, and compares its ends with a run of `tripos simulate --json`.
+//! Runs a unit of `tripos fmu --fmi 2` by the crate `fmi`, and compares its ends with a run of `tripos
+//! simulate --json`.
 //! Version 0.8 of the crate does not read units of FMI 3.0 whose variables have the attribute `unit`.
 //!
 //! `import_fmu UNIT RUN`: the co-simulation takes 200 steps, the model exchange is integrated by 50 000 steps of the

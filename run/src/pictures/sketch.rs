@@ -15,35 +15,35 @@
 
 mod angles;
 mod axes;
-mod bodies;
+mod body_outlines;
 mod camera;
-mod description;
-mod drawing;
+mod dimension_lines;
+mod drawing_elements;
 mod drawn_pose;
-mod lengths;
+mod label_placement;
 mod model_start;
-mod place;
+mod pose_formulas;
 mod sheet;
+mod sketch_description;
 mod supports;
-mod terms;
 
-pub use drawing::{Label, Mark, Paint, Part, Path, Role, SheetPoint, Word};
-pub use drawn_pose::Changed;
+pub use drawing_elements::{Label, LabelWord, Mark, MarkRole, PaintKind, Path, PathPart, SheetPoint};
+pub use drawn_pose::ChangedCoordinate;
 
 use super::view::space::dot;
-use super::view::{Configuration, Form, Pose, Poses, View};
+use super::view::{Configuration, Pose, Poses, SolidForm, View};
 use crate::error::Error;
 use crate::mechanism::Mechanism;
 use angles::{Angle, Arcs};
 use camera::Camera;
-use description::{CoordinateMark, MarkedCoordinate};
-use drawn_pose::is_somewhere;
-use lengths::Length;
-use model_start::without_scene;
-use sheet::{Sheet, Subject};
-use terms::Terms;
+use dimension_lines::Length;
+use drawn_pose::is_finite_pose;
+use model_start::start_without_scene;
+use pose_formulas::PoseFormulas;
+use sheet::{Sheet, SketchSubject};
+use sketch_description::{CoordinateMark, MarkedCoordinate};
 use tripos_derive::model::TIME;
-use tripos_derive::plain::path_in_line;
+use tripos_derive::plain_text::path_in_line;
 use tripos_derive::scene::{Scene, State};
 
 /// Greatest width and height of the solids on the sheet of a sketch, px.
@@ -70,7 +70,7 @@ pub struct Sketch {
     pub labels: Vec<Label>,
     /// Coordinates drawn at other values than at the start, because their marks could not be seen
     /// at the start.
-    pub changed: Vec<Changed>,
+    pub changed: Vec<ChangedCoordinate>,
 }
 
 /// Values of the parameters and coordinates in the drawn pose.
@@ -80,7 +80,7 @@ struct DrawnState<'a> {
     /// Values of the coordinates, in the order of the model.
     q: Vec<f64>,
     /// Coordinates whose values were changed so that their marks are visible.
-    changed: Vec<Changed>,
+    changed: Vec<ChangedCoordinate>,
     /// Name of the pose, such as `the start of swing.toml`.
     of: String,
 }
@@ -95,9 +95,12 @@ impl Sketch {
     /// point is not a finite number at this start.
     pub fn of_scene(mechanism: &Mechanism, scene: &Scene) -> Result<Self, Error> {
         let name = path_in_line(&scene.source.path);
-        let of =
-            if name.is_empty() { "the start of the scene".to_owned() } else { format!("the start of {}", file(&name)) };
-        Self::seen(mechanism, Configuration { parameters: &scene.parameters, q: &scene.q }, of)
+        let of = if name.is_empty() {
+            "the start of the scene".to_owned()
+        } else {
+            format!("the start of {}", file_name_of_path(&name))
+        };
+        Self::at_visible_pose(mechanism, Configuration { parameters: &scene.parameters, q: &scene.q }, of)
     }
 
     /// Draws a mechanism without a scene: at the parameter values of the model file, and in a pose
@@ -107,8 +110,12 @@ impl Sketch {
     /// Errors of [`Self::of_scene`]; also [`Error::Request`] if a parameter has no value, or no
     /// pose closes the loops.
     pub fn of_model(mechanism: &Mechanism) -> Result<Self, Error> {
-        let (parameters, q) = without_scene(mechanism)?;
-        Self::seen(mechanism, Configuration { parameters: &parameters, q: &q }, "the model by itself".to_owned())
+        let (parameters, q) = start_without_scene(mechanism)?;
+        Self::at_visible_pose(
+            mechanism,
+            Configuration { parameters: &parameters, q: &q },
+            "the model by itself".to_owned(),
+        )
     }
 
     /// Draws a mechanism in exactly the given state.
@@ -116,7 +123,7 @@ impl Sketch {
     /// # Errors
     /// Errors of [`Self::of_scene`].
     pub fn at_state(mechanism: &Mechanism, state: &State) -> Result<Self, Error> {
-        let (terms, poses) = (Terms::new(mechanism)?, Poses::new(mechanism)?);
+        let (terms, poses) = (PoseFormulas::new(mechanism)?, Poses::new(mechanism)?);
         let of = "the state that was asked for".to_owned();
         let given = DrawnState { parameters: &state.parameters, q: state.q.clone(), changed: Vec::new(), of };
         Self::new(mechanism, &terms, &poses, given)
@@ -128,9 +135,9 @@ impl Sketch {
     ///
     /// # Errors
     /// Errors of `Self::of_scene`.
-    fn seen(mechanism: &Mechanism, at: Configuration<'_>, of: String) -> Result<Self, Error> {
-        let (terms, poses) = (Terms::new(mechanism)?, Poses::new(mechanism)?);
-        let (q, changed) = drawn_pose::shown(mechanism, &terms, &poses, at)?;
+    fn at_visible_pose(mechanism: &Mechanism, at: Configuration<'_>, of: String) -> Result<Self, Error> {
+        let (terms, poses) = (PoseFormulas::new(mechanism)?, Poses::new(mechanism)?);
+        let (q, changed) = drawn_pose::drawn_coordinates(mechanism, &terms, &poses, at)?;
         Self::new(mechanism, &terms, &poses, DrawnState { parameters: at.parameters, q, changed, of })
     }
 
@@ -138,17 +145,17 @@ impl Sketch {
     ///
     /// # Errors
     /// `Error::Request` if a frame or point has no finite place in this pose.
-    fn new(mechanism: &Mechanism, terms: &Terms, poses: &Poses, given: DrawnState<'_>) -> Result<Self, Error> {
+    fn new(mechanism: &Mechanism, terms: &PoseFormulas, poses: &Poses, given: DrawnState<'_>) -> Result<Self, Error> {
         let at = Configuration { parameters: given.parameters, q: &given.q };
-        let pose = poses.of(given.parameters, &given.q);
-        if !is_somewhere(&pose) {
+        let pose = poses.pose_at(given.parameters, &given.q);
+        if !is_finite_pose(&pose) {
             let help = "give another state by --at, or another scene";
             return Err(Error::request("the place of a frame or point is not a finite number at this start", help));
         }
         let view = View::of_poses(mechanism, at, &[std::slice::from_ref(&pose)])?;
-        let far = far(poses, at);
-        let camera = Camera::along([0.0, 0.0, 1.0], view.up);
-        let mut subject = Subject {
+        let far = distant_poses(poses, at);
+        let camera = Camera::camera_along_normal([0.0, 0.0, 1.0], view.up);
+        let mut subject = SketchSubject {
             mechanism,
             terms,
             poses,
@@ -160,56 +167,56 @@ impl Sketch {
             camera,
             is_planar: false,
         };
-        look(&mut subject, at)?;
+        choose_sketch_camera(&mut subject, at)?;
         let mut sheet = Sheet::default();
-        bodies::draw(&subject, &mut sheet);
-        supports::draw(&subject, &mut sheet);
-        points(&subject, &mut sheet);
-        let shown = coordinates(&subject, &mut sheet);
-        axes::draw(&subject, &mut sheet);
-        axes::gravity(&subject, &mut sheet);
-        body_names(&subject, &mut sheet);
-        let about = description::about(&subject, &shown);
-        let drawn = description::drawn(&subject, &given.changed, &given.of);
-        let (size, marks, labels) = finish(sheet);
+        body_outlines::draw_solids(&subject, &mut sheet);
+        supports::draw_supports(&subject, &mut sheet);
+        add_points_to_sheet(&subject, &mut sheet);
+        let shown = add_coordinates_to_sheet(&subject, &mut sheet);
+        axes::draw_axes(&subject, &mut sheet);
+        axes::draw_gravity_arrow(&subject, &mut sheet);
+        add_body_names_to_sheet(&subject, &mut sheet);
+        let about = sketch_description::describe_sketch(&subject, &shown);
+        let drawn = sketch_description::describe_drawn_pose(&subject, &given.changed, &given.of);
+        let (size, marks, labels) = finish_sheet(sheet);
         Ok(Self { title: mechanism.title.clone(), about, drawn, size, marks, labels, changed: given.changed })
     }
 }
 
 /// Name of a file without its folders.
-fn file(path: &str) -> &str {
+fn file_name_of_path(path: &str) -> &str {
     path.rsplit(['/', '\\']).next().unwrap_or(path)
 }
 
 /// Poses at coordinates far from a configuration. A point with the same place in all of them counts
 /// as fixed.
-fn far(poses: &Poses, at: Configuration<'_>) -> Vec<Pose> {
+fn distant_poses(poses: &Poses, at: Configuration<'_>) -> Vec<Pose> {
     let moved = |step: usize| {
         // Multiples of irrational numbers, which are the same on every machine.
         let share = |k: usize| ((k + 1) as f64 * 0.754_877_666 + (step + 1) as f64 * 0.569_840_291).fract();
         at.q.iter().enumerate().map(|(k, q)| q + 0.15 + 0.9 * share(k)).collect::<Vec<f64>>()
     };
-    let all = (0..FAR).map(|step| poses.of(at.parameters, &moved(step)));
-    all.filter(is_somewhere).collect()
+    let all = (0..FAR).map(|step| poses.pose_at(at.parameters, &moved(step)));
+    all.filter(is_finite_pose).collect()
 }
 
 /// Chooses the direction of view of a sketch and its scale, and stores them in `subject`.
 ///
 /// # Errors
 /// `Error::Request` if the view of the mechanism cannot be made.
-fn look(subject: &mut Subject<'_>, at: Configuration<'_>) -> Result<(), Error> {
+fn choose_sketch_camera(subject: &mut SketchSubject<'_>, at: Configuration<'_>) -> Result<(), Error> {
     let moving: Vec<Pose> = std::iter::once(subject.pose.clone()).chain(subject.far.iter().cloned()).collect();
     let plane = View::of_poses(subject.mechanism, at, &[&moving])?.plane;
     let angles: Vec<Angle> = (0..subject.q.len()).filter_map(|c| Angle::of(subject, c)).collect();
-    let turns = description::turns(subject, &angles);
+    let turns = sketch_description::axes_of_angles(subject, &angles);
     let is_across = |normal: &super::view::Triple| turns.iter().all(|axis| dot(*axis, *normal).abs() > 1.0 - 1e-9);
     let plane = plane.filter(is_across);
     subject.is_planar = plane.is_some();
     subject.camera = match plane {
-        Some(normal) => Camera::along(normal, subject.view.up),
-        None => Camera::oblique(subject.view.up, &turns, &description::ways(subject)),
+        Some(normal) => Camera::camera_along_normal(normal, subject.view.up),
+        None => Camera::oblique_camera(subject.view.up, &turns, &sketch_description::vectors_along_rods(subject)),
     };
-    let (low, high) = bodies::extent(subject);
+    let (low, high) = body_outlines::bodies_extent(subject);
     let fits = |room: f64, i: usize| if high[i] - low[i] > 1e-9 { room / (high[i] - low[i]) } else { f64::MAX };
     let scale = fits(ROOM.0, 0).min(fits(ROOM.1, 1));
     // A mechanism that is a single point is scaled by the size that its view gives.
@@ -219,10 +226,10 @@ fn look(subject: &mut Subject<'_>, at: Configuration<'_>) -> Result<(), Error> {
 
 /// Adds the points of the model to the sheet, with their names if the model file gives them.
 /// Coinciding points share a dot.
-fn points(subject: &Subject<'_>, sheet: &mut Sheet) {
+fn add_points_to_sheet(subject: &SketchSubject<'_>, sheet: &mut Sheet) {
     let mut groups: Vec<Vec<usize>> = Vec::new();
     for point in 0..subject.pose.points.len() {
-        match groups.iter_mut().find(|group| subject.is_same(group[0], point)) {
+        match groups.iter_mut().find(|group| subject.points_coincide(group[0], point)) {
             Some(group) => group.push(point),
             None => groups.push(vec![point]),
         }
@@ -230,36 +237,36 @@ fn points(subject: &Subject<'_>, sheet: &mut Sheet) {
     for group in groups {
         let spot = subject.spot(group[0]);
         let is_pinned = subject.view.solids.iter().any(|solid| {
-            bodies::is_pin(solid)
-                && solid.form.points().iter().any(|point| group.iter().any(|p| subject.is_same(*p, *point)))
+            body_outlines::is_pin(solid)
+                && solid.form.points().iter().any(|point| group.iter().any(|p| subject.points_coincide(*p, *point)))
         });
         if !is_pinned {
-            sheet.add([Mark::dot(Role::Point, spot, 2.2)]);
+            sheet.add([Mark::dot(MarkRole::Point, spot, 2.2)]);
         }
-        let mut name: Vec<Word> = Vec::new();
-        for point in group.into_iter().filter(|point| !subject.is_of_joint(*point)) {
+        let mut name: Vec<LabelWord> = Vec::new();
+        for point in group.into_iter().filter(|point| !subject.is_named_after_joint(*point)) {
             if !name.is_empty() {
-                name.push(Word::Plain(", ".to_owned()));
+                name.push(LabelWord::Plain(", ".to_owned()));
             }
-            name.push(Word::Name(subject.mechanism.points[point].name.clone()));
+            name.push(LabelWord::Name(subject.mechanism.points[point].name.clone()));
         }
         if !name.is_empty() {
-            sheet.name(Role::Point, name, spot, None, 5.0);
+            sheet.request_label(MarkRole::Point, name, spot, None, 5.0);
         }
     }
 }
 
 /// Adds a mark of every coordinate to the sheet; returns the kind of mark of each coordinate.
-fn coordinates(subject: &Subject<'_>, sheet: &mut Sheet) -> Vec<MarkedCoordinate> {
+fn add_coordinates_to_sheet(subject: &SketchSubject<'_>, sheet: &mut Sheet) -> Vec<MarkedCoordinate> {
     let mut arcs = Arcs::default();
     let (mut shown, mut alone) = (Vec::new(), Vec::new());
     let mut together: Vec<(usize, Vec<usize>)> = Vec::new();
-    let named = |c: usize| Word::Name(subject.mechanism.coordinates[c].name.clone());
+    let named = |c: usize| LabelWord::Name(subject.mechanism.coordinates[c].name.clone());
     for c in (0..subject.q.len()).filter(|c| subject.mechanism.coordinates[*c].name != TIME) {
         let oriented = (0..subject.pose.rotations.len())
             .find(|f| subject.terms.turn(*f).is_none() && subject.terms.turns_by(subject.mechanism, *f, c));
         let mark = if let Some(angle) = Angle::of(subject, c) {
-            let is_open = angles::draw(subject, sheet, &mut arcs, &angle);
+            let is_open = angles::draw_angle_arc(subject, sheet, &mut arcs, &angle);
             CoordinateMark::Arc(angle, is_open)
         } else if let Some(frame) = oriented {
             match together.iter_mut().find(|(f, _)| *f == frame) {
@@ -268,9 +275,9 @@ fn coordinates(subject: &Subject<'_>, sheet: &mut Sheet) -> Vec<MarkedCoordinate
             }
             CoordinateMark::Together(frame)
         } else if let Some(length) = Length::of(subject, c) {
-            let is_open = lengths::draw(subject, sheet, &length);
+            let is_open = dimension_lines::draw_dimension_line(subject, sheet, &length);
             CoordinateMark::Line(length, is_open)
-        } else if lengths::draw_motion(subject, sheet, c) {
+        } else if dimension_lines::draw_motion_arrow(subject, sheet, c) {
             CoordinateMark::Arrow
         } else {
             alone.push(c);
@@ -282,29 +289,29 @@ fn coordinates(subject: &Subject<'_>, sheet: &mut Sheet) -> Vec<MarkedCoordinate
         let mut names = Vec::new();
         for c in list {
             if !names.is_empty() {
-                names.push(Word::Plain(", ".to_owned()));
+                names.push(LabelWord::Plain(", ".to_owned()));
             }
             names.push(named(c));
         }
-        angles::draw_together(subject, sheet, &mut arcs, frame, names);
+        angles::draw_common_arc(subject, sheet, &mut arcs, frame, names);
     }
-    if let (false, Some((low, high))) = (alone.is_empty(), drawing::extent(&sheet.marks, &[])) {
+    if let (false, Some((low, high))) = (alone.is_empty(), drawing_elements::drawing_extent(&sheet.marks, &[])) {
         // These names are placed below all marks.
         for c in &alone {
-            sheet.name(Role::Coordinate, vec![named(*c)], [low[0], high[1]], Some([0.0, 1.0]), 12.0);
+            sheet.request_label(MarkRole::Coordinate, vec![named(*c)], [low[0], high[1]], Some([0.0, 1.0]), 12.0);
         }
     }
     shown
 }
 
 /// Adds the names of bodies beside their solids, if there is room.
-fn body_names(subject: &Subject<'_>, sheet: &mut Sheet) {
+fn add_body_names_to_sheet(subject: &SketchSubject<'_>, sheet: &mut Sheet) {
     for (at, body) in subject.mechanism.bodies.iter().enumerate() {
         let own = subject.view.solids.iter().filter(|solid| solid.body == Some(at));
         // The name of a particle stands at the particle, not along a rod.
         let is_rigid = body.rigid.is_some();
         let rods = own.clone().filter_map(|solid| match solid.form {
-            Form::Rod { ends, .. } if is_rigid => Some(ends.map(|end| subject.spot(end))),
+            SolidForm::Rod { ends, .. } if is_rigid => Some(ends.map(|end| subject.spot(end))),
             _ => None,
         });
         // The longest of the rods is taken, compared in steps of 4 px; the first of equal ones.
@@ -317,25 +324,25 @@ fn body_names(subject: &Subject<'_>, sheet: &mut Sheet) {
             continue;
         }
         let middle = longest.map_or(subject.spot(body.centre), |[a, b]| [0, 1].map(|i| 0.5 * (a[i] + b[i])));
-        let words = vec![Word::Plain(body.name.replace('_', " "))];
-        sheet.may_name(Role::Body, words, middle, None, if is_rigid { 10.0 } else { 14.0 });
+        let words = vec![LabelWord::Plain(body.name.replace('_', " "))];
+        sheet.request_optional_label(MarkRole::Body, words, middle, None, if is_rigid { 10.0 } else { 14.0 });
     }
 }
 
 /// Places the labels of a sheet, and moves its origin so that all marks and labels lie on it.
 /// Returns the size of the sheet, px, its marks and its labels.
-fn finish(sheet: Sheet) -> (SheetPoint, Vec<Mark>, Vec<Label>) {
-    let (mut labels, leaders) = place::placed(&sheet.wishes, &sheet.marks);
+fn finish_sheet(sheet: Sheet) -> (SheetPoint, Vec<Mark>, Vec<Label>) {
+    let (mut labels, leaders) = label_placement::place_labels(&sheet.wishes, &sheet.marks);
     let mut marks = sheet.marks;
     marks.extend(leaders);
-    let (low, high) = drawing::extent(&marks, &labels).unwrap_or_default();
+    let (low, high) = drawing_elements::drawing_extent(&marks, &labels).unwrap_or_default();
     let moved = |spot: SheetPoint| [0, 1].map(|i| spot[i] - low[i] + MARGIN);
     for mark in &mut marks {
         mark.path.from = moved(mark.path.from);
         for part in &mut mark.path.parts {
             *part = match *part {
-                Part::Line(to) => Part::Line(moved(to)),
-                Part::Curve(spots) => Part::Curve(spots.map(moved)),
+                PathPart::Line(to) => PathPart::Line(moved(to)),
+                PathPart::Curve(spots) => PathPart::Curve(spots.map(moved)),
             };
         }
     }

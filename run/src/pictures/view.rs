@@ -1,28 +1,28 @@
 //! View of a mechanism: its solids, and their poses during a motion. Drawing them is left to other
 //! code on purpose.
 
-mod arrows;
 mod body_forms;
+mod force_arrows;
 mod guessed_solids;
-mod inertia;
-mod motion;
+mod homogeneous_solids;
 mod pose;
+mod pose_extent;
 mod solid;
 pub(crate) mod space;
 mod stated_solids;
-mod swept;
+mod view_motion;
 
-pub use arrows::{Arrow, ArrowKind, Forces};
-pub use motion::Motion;
-pub use pose::{Configuration, Links, Pose, Poses};
-pub use solid::{Form, Place, Solid};
+pub use force_arrows::{ForceArrow, ForceSource, Forces};
+pub use pose::{Configuration, FrameTree, Pose, Poses};
+pub use solid::{Solid, SolidForm, SolidPlace};
 pub use space::{Quaternion, Rotation, Triple, quaternion};
-pub use stated_solids::lengths;
+pub use stated_solids::stated_solid_lengths;
+pub use view_motion::Motion;
 
 use crate::error::Error;
 use crate::mechanism::Mechanism;
-use guessed_solids::Guess;
-use tripos_derive::algebra::value::evaluate::Tape;
+use guessed_solids::SolidGuess;
+use tripos_derive::algebra::value::tape::Tape;
 use tripos_derive::scene::Scene;
 
 /// Solids of a mechanism at the parameters of a scene, with size and directions for drawing.
@@ -66,22 +66,27 @@ impl View {
     /// [`Error::Request`] if a shape has a length that is not positive at the given parameters.
     pub fn of_poses(mechanism: &Mechanism, at: Configuration<'_>, motions: &[&[Pose]]) -> Result<Self, Error> {
         let poses = Poses::new(mechanism)?;
-        let stated = stated_solids::solids(mechanism, at.parameters)?;
+        let stated = stated_solids::stated_solids(mechanism, at.parameters)?;
         let is_stated = !stated.is_empty();
         let first = motions.first().copied().unwrap_or_default();
-        let guess = Guess::new(mechanism, at, &poses, first)?;
-        let seen = guess.seen(&stated);
-        let reach =
-            if is_stated { stated.iter().map(|solid| solid.form.reach()).fold(0.0, f64::max) } else { guess.reach() };
-        let size = Some(swept::diameter(first, &seen).max(2.0 * reach)).filter(|size| *size > 0.0).unwrap_or(1.0);
+        let guess = SolidGuess::new(mechanism, at, &poses, first)?;
+        let seen = guess.visible_points(&stated);
+        let reach = if is_stated {
+            stated.iter().map(|solid| solid.form.reach()).fold(0.0, f64::max)
+        } else {
+            guess.solids_reach()
+        };
+        let size = Some(pose_extent::diameter_over_poses(first, &seen).max(2.0 * reach))
+            .filter(|size| *size > 0.0)
+            .unwrap_or(1.0);
         let mut view = Self {
             is_stated,
-            up: up(mechanism, at.parameters, first)?,
-            plane: swept::plane(first, &seen, size),
+            up: upward_direction(mechanism, at.parameters, first)?,
+            plane: pose_extent::plane_of_motion(first, &seen, size),
             size,
-            traced: guess.traced(),
-            triads: guess.triads(),
-            solids: if is_stated { stated } else { guess.solids(size) },
+            traced: guess.traced_points(),
+            triads: guess.body_axes(),
+            solids: if is_stated { stated } else { guess.guessed_solids(size) },
         };
         if !is_stated {
             view.solids.extend(guess.ground(&view, motions));
@@ -92,21 +97,21 @@ impl View {
 
 /// Unit vector against gravity, in the inertial frame at the start of a motion; the third inertial
 /// axis without gravity.
-fn up(mechanism: &Mechanism, parameters: &[f64], poses: &[Pose]) -> Result<Triple, Error> {
+fn upward_direction(mechanism: &Mechanism, parameters: &[f64], poses: &[Pose]) -> Result<Triple, Error> {
     let third = [0.0, 0.0, 1.0];
     let (Some(gravity), Some(pose)) = (&mechanism.gravity, poses.first()) else { return Ok(third) };
-    let fall = values(mechanism, parameters, &gravity.acceleration, "gravity")?;
-    let fall = space::rotated(&pose.rotations[gravity.frame], [fall[0], fall[1], fall[2]]);
-    Ok(space::unit(fall).map_or(third, |down| down.map(|x| 0.0 - x)))
+    let fall = evaluate_parameters_only(mechanism, parameters, &gravity.acceleration, "gravity")?;
+    let fall = space::rotate_vector(&pose.rotations[gravity.frame], [fall[0], fall[1], fall[2]]);
+    Ok(space::unit_vector(fall).map_or(third, |down| down.map(|x| 0.0 - x)))
 }
 
 /// Values of terms that depend only on parameters; `what` names the terms in an error.
-fn values(
+fn evaluate_parameters_only(
     mechanism: &Mechanism,
     parameters: &[f64],
     terms: &[tripos_derive::algebra::Expr],
     what: &str,
 ) -> Result<Vec<f64>, Error> {
-    let tape: Tape = crate::code::tape(&mechanism.arena, &mechanism.p(), terms, what)?;
+    let tape: Tape = crate::code::compile_tape(&mechanism.arena, &mechanism.p(), terms, what)?;
     Ok(tape.evaluate(parameters))
 }

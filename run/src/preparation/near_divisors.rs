@@ -1,16 +1,16 @@
 //! Text that names the divisors of the equations which are nearly zero at a configuration.
 
-use crate::code::tape;
+use crate::code::compile_tape;
 use crate::error::Error;
 use rustc_hash::FxHashMap;
 use tripos_derive::Model;
 use tripos_derive::algebra::term::fold::{Fold, Values, fold};
-use tripos_derive::algebra::text::print::text;
-use tripos_derive::algebra::value::evaluate::Numeric;
+use tripos_derive::algebra::text::print::print_text;
+use tripos_derive::algebra::value::tape::Numeric;
 use tripos_derive::algebra::{Arena, Expr, Function, Node, Rational};
 use tripos_derive::mechanics::load_divisors;
 use tripos_derive::model::{Coordinate, Unit};
-use tripos_derive::plain::significant;
+use tripos_derive::plain_text::with_significant_digits;
 
 /// Fraction of the typical size of a divisor's terms below which the divisor counts as nearly zero.
 const NEAR: f64 = 1e-6;
@@ -32,19 +32,19 @@ pub fn near_divisors(model: &Model, parameters: &[f64], q: &[f64]) -> Result<Str
     let mut arena = model.arena.clone();
     let loads = load_divisors(&mut arena, model);
     let speeds = model.kinematic_equations.divisors.iter().copied().map(|e| (e, None));
-    let loads = loads.iter().map(|divisor| (divisor.value, Some(divisor.meaning())));
+    let loads = loads.iter().map(|divisor| (divisor.value, Some(divisor.zero_divisor_meaning())));
     let divisors: Vec<(Expr, Option<String>)> = speeds.chain(loads).filter(|(e, _)| is_place(&arena, *e)).collect();
     let terms: Vec<Expr> = divisors.iter().map(|(e, _)| *e).collect();
-    let values = tape(&arena, &inputs, &terms, "a divisor of the equations")?;
+    let values = compile_tape(&arena, &inputs, &terms, "a divisor of the equations")?;
     let values = values.evaluate(&[parameters, q].concat());
-    let symbols: FxHashMap<Expr, f64> = inputs.iter().copied().zip(extents(model, parameters, q)).collect();
-    let size = |e: Expr| fold(&arena, e, &mut Sizes(&symbols)).filter(|size| size.is_finite());
+    let symbols: FxHashMap<Expr, f64> = inputs.iter().copied().zip(typical_sizes(model, parameters, q)).collect();
+    let size = |e: Expr| fold(&arena, e, &mut TermSizes(&symbols)).filter(|size| size.is_finite());
     let is_near = |e: Expr, value: f64| size(e).is_some_and(|size| value.abs() <= NEAR * size);
     let near = divisors.iter().zip(&values).filter(|((e, _), value)| is_near(*e, **value));
     let list: Vec<String> = near
         .map(|((e, meaning), value)| {
             let meaning = meaning.as_ref().map_or_else(String::new, |meaning| format!(" ({meaning})"));
-            format!("{} = {}{meaning}", text(&arena, *e), significant(*value, 2))
+            format!("{} = {}{meaning}", print_text(&arena, *e), with_significant_digits(*value, 2))
         })
         .collect();
     Ok(if list.is_empty() { String::new() } else { format!(", where {}", list.join(" and ")) })
@@ -53,7 +53,7 @@ pub fn near_divisors(model: &Model, parameters: &[f64], q: &[f64]) -> Result<Str
 /// Typical sizes of the parameters, followed by those of the coordinates, each in its own unit. A
 /// coordinate counts at least as large as the largest parameter of its unit, or as 1 if no
 /// parameter has this unit. An angle counts at least as large as 1 rad.
-fn extents(model: &Model, parameters: &[f64], q: &[f64]) -> Vec<f64> {
+fn typical_sizes(model: &Model, parameters: &[f64], q: &[f64]) -> Vec<f64> {
     let alike = |coordinate: &Coordinate| {
         let of = model.parameters.iter().zip(parameters).filter(|(p, _)| p.unit == coordinate.unit);
         of.map(|(_, value)| value.abs()).reduce(f64::max).filter(|_| coordinate.unit != Unit::default()).unwrap_or(1.0)
@@ -64,9 +64,9 @@ fn extents(model: &Model, parameters: &[f64], q: &[f64]) -> Vec<f64> {
 
 /// Evaluator of the typical size of a term from the sizes of its symbols. All summands count as
 /// positive, so nothing cancels. Sines and cosines count as 1.
-struct Sizes<'a>(&'a FxHashMap<Expr, f64>);
+struct TermSizes<'a>(&'a FxHashMap<Expr, f64>);
 
-impl Fold for Sizes<'_> {
+impl Fold for TermSizes<'_> {
     type Value = f64;
     fn number(&mut self, value: &Rational) -> Option<f64> {
         Some(value.to_f64().abs())

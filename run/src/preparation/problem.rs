@@ -8,21 +8,21 @@ mod contacts;
 mod extended_precision;
 mod speed_change;
 
-use super::initial::InitialState;
+use super::initial_state::InitialState;
 use super::near_divisors::near_divisors;
-use super::passage::Chosen;
-use super::reduced::Reduced;
+use super::reduced_equations::ReducedScene;
+use super::speed_changes::ChosenSpeedEquations;
 use crate::code::Code;
-use crate::error::{Error, refused};
+use crate::error::{Error, refused_scene_error};
 use crate::mechanism::Mechanism;
 use tripos_derive::mechanics::{EquationsOrigin, InertiaCheck};
-use tripos_derive::scene::{InitialMotion, Integrator, Project, Scene, Solve};
+use tripos_derive::scene::{AccelerationSolution, InitialMotion, Integrator, ProjectionTarget, Scene};
 use tripos_derive::{Formulation, Model};
 use tripos_sim::projection::Invariants;
 use tripos_sim::quadrature::{self, NoQuadrature};
 use tripos_sim::{
-    Accompanied, Corner, Dynamics, Eliminated, Event, Lent, Options, RightHandSide, SimError, Solution, integrate,
-    integrate_projected,
+    AccompaniedRightHandSide, Corner, Dynamics, EliminatedDynamics, Event, LentRightHandSide, Options, RightHandSide,
+    SimError, Solution, integrate, integrate_projected,
 };
 use tripos_traits::{DoubleDouble, Real, Scalar, System};
 
@@ -47,13 +47,13 @@ pub struct Problem<'a> {
     pub code: &'a Code,
     /// Method that finds the accelerations: eliminated beforehand, or solved for numerically at each
     /// state.
-    pub solve: Solve,
+    pub solve: AccelerationSolution,
     /// Additional equations in chosen speeds, which run wherever these speeds determine the motion.
     /// `None` unless the problem's own equations are in the rates of all coordinates.
-    pub chosen: Option<Chosen<'a>>,
+    pub chosen: Option<ChosenSpeedEquations<'a>>,
     /// Coordinate that is integrated as its distance from a singular surface; `None` if there is no
     /// such coordinate.
-    origin: Option<Origin>,
+    origin: Option<DistanceOrigin>,
 }
 
 /// Number of convolutions per component of the state up to which Taylor's method costs no more than
@@ -67,7 +67,7 @@ pub type ExtendedStart = (Vec<DoubleDouble>, Vec<DoubleDouble>);
 /// Coordinate that is integrated as its difference from a fixed value, to keep digits near a
 /// singular surface.
 #[derive(Clone, Copy)]
-struct Origin {
+struct DistanceOrigin {
     /// Index of the coordinate, from 0.
     at: usize,
     /// Value of the coordinate on the singular surface, rad. The integrated variable is the coordinate
@@ -90,9 +90,9 @@ impl<'a> Problem<'a> {
         scene: &'a Scene,
         by: &'a EquationsOrigin,
         code: &'a Code,
-        solve: Option<Solve>,
+        solve: Option<AccelerationSolution>,
     ) -> Result<Self, Error> {
-        Self::among(&InertiaCheck::new(mechanism), mechanism, scene, by, code, solve)
+        Self::for_scene_of_many(&InertiaCheck::new(mechanism), mechanism, scene, by, code, solve)
     }
 
     /// Makes a problem for one of many scenes of a mechanism. The inertia check, prepared once, serves
@@ -101,17 +101,17 @@ impl<'a> Problem<'a> {
     /// # Errors
     /// `Error::Request` if the accelerations are not eliminated although they must be, or for forbidden
     /// contacts. `Error::Input` if a moving body has no mass at the scene's parameters.
-    pub fn among(
+    pub fn for_scene_of_many(
         inertia: &InertiaCheck<'_>,
         mechanism: &'a Mechanism,
         scene: &'a Scene,
         by: &'a EquationsOrigin,
         code: &'a Code,
-        solve: Option<Solve>,
+        solve: Option<AccelerationSolution>,
     ) -> Result<Self, Error> {
         // Eliminated equations may have been divided by a mass that is 0.
         inertia.at(&scene.exact.rational).map_err(|error| Error::Input(mechanism.diagnose(&error)))?;
-        Self::with(mechanism, &mechanism.model, scene, by, code, solve)
+        Self::unchecked(mechanism, &mechanism.model, scene, by, code, solve)
     }
 
     /// Makes a problem from a scene and its own reduced equations. The reduction has already checked
@@ -122,12 +122,12 @@ impl<'a> Problem<'a> {
     /// has contacts.
     pub fn reduced(
         mechanism: &'a Mechanism,
-        reduced: &'a Reduced,
+        reduced: &'a ReducedScene,
         shown: &'a Scene,
         code: &'a Code,
     ) -> Result<Self, Error> {
-        let Reduced { reduction, scene, by } = reduced;
-        Ok(Self { shown, ..Self::with(mechanism, &reduction.model, scene, by, code, None)? })
+        let ReducedScene { reduction, scene, by } = reduced;
+        Ok(Self { shown, ..Self::unchecked(mechanism, &reduction.model, scene, by, code, None)? })
     }
 
     /// Makes a problem without a check of the inertia. `solve` is the method that finds the
@@ -136,24 +136,24 @@ impl<'a> Problem<'a> {
     /// # Errors
     /// `Error::Request` for accelerations that are not eliminated although they must be, or for
     /// forbidden contacts.
-    fn with(
+    fn unchecked(
         mechanism: &'a Mechanism,
         model: &'a Model,
         scene: &'a Scene,
         by: &'a EquationsOrigin,
         code: &'a Code,
-        solve: Option<Solve>,
+        solve: Option<AccelerationSolution>,
     ) -> Result<Self, Error> {
-        contacts::check(scene, by)?;
+        contacts::check_contacts_allowed(scene, by)?;
         let eliminated = code.system().has_accelerations();
         let wanted = solve.or(scene.integration.solve);
-        if wanted == Some(Solve::Eliminated) && !eliminated {
+        if wanted == Some(AccelerationSolution::Eliminated) && !eliminated {
             let what = format!("the accelerations of {} are not eliminated", by.name());
             let help = "printed equations are solved as they stand: use solve = \"numeric\"".to_owned();
             return Err(Error::request(what, help));
         }
-        let natural = if eliminated { Solve::Eliminated } else { Solve::Numeric };
-        let origin = scene.integration.distance.map(|distance| Origin {
+        let natural = if eliminated { AccelerationSolution::Eliminated } else { AccelerationSolution::Numeric };
+        let origin = scene.integration.distance.map(|distance| DistanceOrigin {
             at: distance.coordinate,
             value: DoubleDouble::pi() * DoubleDouble::ratio(i64::from(distance.quarter_turns), 2),
         });
@@ -189,7 +189,7 @@ impl<'a> Problem<'a> {
         let an_order = system.taylor_work(2) - system.taylor_work(1);
         // Each convolution has two factors.
         let is_short = an_order <= 2 * MOST_CONVOLUTIONS * system.lengths().state();
-        self.solve == Solve::Eliminated && system.has_taylor() && is_short
+        self.solve == AccelerationSolution::Eliminated && system.has_taylor() && is_short
     }
 
     /// Equations of motion in double precision.
@@ -203,7 +203,7 @@ impl<'a> Problem<'a> {
     #[must_use]
     pub fn coordinates(&self, y: &[f64]) -> Vec<f64> {
         let mut q = y[..self.system().lengths().coordinates].to_vec();
-        if let Some(Origin { at, value }) = self.origin {
+        if let Some(DistanceOrigin { at, value }) = self.origin {
             q[at] += value.to_f64();
         }
         q
@@ -213,7 +213,7 @@ impl<'a> Problem<'a> {
     /// coordinates followed by the generalized speeds, or the outputs of the scene for reduced
     /// equations.
     #[must_use]
-    pub fn state(&self, t: f64, y: &[f64]) -> Vec<f64> {
+    pub fn shown_state(&self, t: f64, y: &[f64]) -> Vec<f64> {
         let system = self.system();
         if self.by.is_reduced() {
             let (q, v) = y.split_at(system.lengths().coordinates);
@@ -235,7 +235,7 @@ impl<'a> Problem<'a> {
     pub fn start(&self) -> Result<Vec<f64>, Error> {
         let (system, scene) = (self.system(), self.scene);
         let mut q = scene.q.clone();
-        if let Some(Origin { at, value }) = self.origin {
+        if let Some(DistanceOrigin { at, value }) = self.origin {
             // The exact number of the scene file is used. Its nearest double has lost digits that the distance
             // keeps.
             q[at] = (scene.exact.q[at] - value).to_f64();
@@ -249,7 +249,7 @@ impl<'a> Problem<'a> {
             _ => system.motion_variables(&scene.parameters, &q, &scene.u, &mut v),
         }
         if let Some(at) = v.iter().position(|x| !x.is_finite()) {
-            let name = &self.variables()[system.lengths().coordinates + at];
+            let name = &self.variable_names()[system.lengths().coordinates + at];
             return Err(Error::Stopped(format!(
                 "the run cannot start: the speeds do not determine `{name}` there{}",
                 self.near_divisors(&q)?
@@ -267,7 +267,7 @@ impl<'a> Problem<'a> {
     /// Names of the components of the integrated state: the coordinates, followed by speeds or by rates
     /// such as `q1'`.
     #[must_use]
-    pub fn variables(&self) -> Vec<String> {
+    pub fn variable_names(&self) -> Vec<String> {
         let coordinates = self.model.coordinates.iter().map(|c| c.name.clone());
         let is_rate = self.by.formulation().is_some_and(Formulation::is_in_rates);
         let speeds = self.model.speeds.iter().map(|s| s.name.clone());
@@ -290,16 +290,16 @@ impl<'a> Problem<'a> {
     ///
     /// # Errors
     /// [`Error`] if the speeds do not determine the motion variables at the start.
-    pub fn singular_start(&self) -> Result<Option<String>, Error> {
-        let Some(mut rhs) = Eliminated::new(self.system(), &self.scene.parameters) else { return Ok(None) };
+    pub fn reason_start_is_singular(&self) -> Result<Option<String>, Error> {
+        let Some(mut rhs) = EliminatedDynamics::new(self.system(), &self.scene.parameters) else { return Ok(None) };
         let y0 = self.start()?;
         let mut rates = vec![0.0; y0.len()];
         let failed = rhs.rhs(self.scene.span.0, &y0, &mut rates).is_err();
-        let shown = self.state(self.scene.span.0, &y0);
+        let shown = self.shown_state(self.scene.span.0, &y0);
         if !failed && rates.iter().chain(&shown).all(|x| x.is_finite()) {
             return Ok(None);
         }
-        let which = rates.iter().zip(self.variables()).find(|(rate, _)| !rate.is_finite());
+        let which = rates.iter().zip(self.variable_names()).find(|(rate, _)| !rate.is_finite());
         let what = which.map(|(_, name)| format!("the rate of `{name}`")).or_else(|| {
             let at = shown.iter().position(|x| !x.is_finite())?;
             let names = self.by.is_reduced().then(|| self.shown.outputs.iter().map(|output| &output.name));
@@ -330,19 +330,19 @@ impl<'a> Problem<'a> {
         events: &mut [Event<'_>],
     ) -> Result<Solution, SimError> {
         if !self.scene.impacts.is_empty() {
-            return self.bouncing(InitialState { span, y: y0 }, &self.options(options), events, None);
+            return self.run_with_contacts(InitialState { span, y: y0 }, &self.run_options(options), events, None);
         }
         let mut rhs = self.right_hand_side()?;
-        integrate(Lent(rhs.as_mut()), span, y0, &self.options(options), events)
+        integrate(LentRightHandSide(rhs.as_mut()), span, y0, &self.run_options(options), events)
     }
 
     /// Adds to integration options the observer of the run, and the corners: the instants at which
     /// prescribed motions and forces have kinks or jumps. A step ends at each corner.
     #[must_use]
-    pub fn options(&self, options: &Options) -> Options {
-        let corners = self.model.corners(&self.scene.parameters).into_iter();
-        let corners = corners.map(|(at, jumps)| if jumps { Corner::jump(at) } else { Corner::bend(at) }).collect();
-        Options { corners, clock: self.model.time(), ..self.mechanism.follow.options(options) }
+    pub fn run_options(&self, options: &Options) -> Options {
+        let corners = self.model.corner_instants(&self.scene.parameters).into_iter();
+        let corners = corners.map(|(at, jumps)| if jumps { Corner::jump(at) } else { Corner::kink(at) }).collect();
+        Options { corners, clock: self.model.time(), ..self.mechanism.follow.observed_options(options) }
     }
 
     /// Right-hand side of the equations. The accelerations are evaluated, or solved for numerically, as
@@ -351,8 +351,8 @@ impl<'a> Problem<'a> {
     /// # Errors
     /// [`SimError`] if the number of parameters does not fit the equations.
     pub(crate) fn right_hand_side(&self) -> Result<Box<dyn RightHandSide<f64> + '_>, SimError> {
-        Ok(match Eliminated::new(self.system(), &self.scene.parameters) {
-            Some(rhs) if self.solve == Solve::Eliminated => Box::new(rhs),
+        Ok(match EliminatedDynamics::new(self.system(), &self.scene.parameters) {
+            Some(rhs) if self.solve == AccelerationSolution::Eliminated => Box::new(rhs),
             _ => Box::new(self.dynamics()?),
         })
     }
@@ -374,8 +374,8 @@ impl<'a> Problem<'a> {
         let (how, system, p) = (&self.scene.integration, self.system(), self.scene.parameters.as_slice());
         if !self.scene.impacts.is_empty() {
             let start = InitialState { span: self.scene.span, y: y0 };
-            let run = self.bouncing(start, &self.options(options), events, power);
-            return run.map_err(|error| refused(self.scene, &error));
+            let run = self.run_with_contacts(start, &self.run_options(options), events, power);
+            return run.map_err(|error| refused_scene_error(self.scene, &error));
         }
         if how.method == Integrator::Quadrature {
             if self.by.is_reduced() && system.lengths().variables == 0 {
@@ -385,30 +385,33 @@ impl<'a> Problem<'a> {
                     "choose any other method: the remaining equations are algebraic".to_owned(),
                 ));
             }
-            return quadrature::solve(system, p, self.scene.span, y0, &self.options(options), events).map_err(
-                |error| match error {
-                    NoQuadrature::Question(error) => refused(self.scene, &error),
+            return quadrature::run_by_quadrature(system, p, self.scene.span, y0, &self.run_options(options), events)
+                .map_err(|error| match error {
+                    NoQuadrature::Question(error) => refused_scene_error(self.scene, &error),
                     error => {
-                        Error::request(format!("no motion by quadrature: {error}"), self.no_quadrature().to_owned())
+                        Error::request(format!("no motion by quadrature: {error}"), self.quadrature_advice().to_owned())
                     }
-                },
-            );
+                });
         }
-        let Some(Project::Energy) = how.project else {
+        let Some(ProjectionTarget::Energy) = how.project else {
             if let Some(chosen) = self.chosen {
-                return self.changing(chosen, y0, options, events, power);
+                return self.run_with_speed_changes(chosen, y0, options, events, power);
             }
-            let mut rhs = self.right_hand_side().map_err(|error| refused(self.scene, &error))?;
-            let (span, options) = (self.scene.span, self.options(options));
+            let mut rhs = self.right_hand_side().map_err(|error| refused_scene_error(self.scene, &error))?;
+            let (span, options) = (self.scene.span, self.run_options(options));
             let run = match power {
                 Some(mut power) => {
-                    let mut with =
-                        Accompanied { rhs: rhs.as_mut(), power: Some(power.as_mut()), over: None, yields: None };
-                    integrate(Lent(&mut with as &mut dyn RightHandSide<f64>), span, y0, &options, events)
+                    let mut with = AccompaniedRightHandSide {
+                        rhs: rhs.as_mut(),
+                        power: Some(power.as_mut()),
+                        over: None,
+                        yields: None,
+                    };
+                    integrate(LentRightHandSide(&mut with as &mut dyn RightHandSide<f64>), span, y0, &options, events)
                 }
-                None => integrate(Lent(rhs.as_mut()), span, y0, &options, events),
+                None => integrate(LentRightHandSide(rhs.as_mut()), span, y0, &options, events),
             };
-            return run.map_err(|error| refused(self.scene, &error));
+            return run.map_err(|error| refused_scene_error(self.scene, &error));
         };
         if !system.has_energy_gradient() {
             let what = format!("{} cannot be projected onto their energy", self.by.title());
@@ -424,16 +427,16 @@ impl<'a> Problem<'a> {
             values[0] = system.energy_gradient(p, &y[..n], &y[n..], gradient);
         };
         let mut invariants = Invariants { count: 1, function: Box::new(function) };
-        let mut rhs = Eliminated::new(system, p).ok_or_else(|| {
+        let mut rhs = EliminatedDynamics::new(system, p).ok_or_else(|| {
             Error::request("accelerations are not eliminated".to_owned(), "leave `solve` out".to_owned())
         })?;
-        let rhs = Lent(&mut rhs as &mut dyn RightHandSide<f64>);
-        let run = integrate_projected(rhs, self.scene.span, y0, &self.options(options), events, &mut invariants);
-        run.map_err(|error| refused(self.scene, &error))
+        let rhs = LentRightHandSide(&mut rhs as &mut dyn RightHandSide<f64>);
+        let run = integrate_projected(rhs, self.scene.span, y0, &self.run_options(options), events, &mut invariants);
+        run.map_err(|error| refused_scene_error(self.scene, &error))
     }
 
     /// Advice that names the condition for quadrature that the equations do not meet.
-    fn no_quadrature(&self) -> &'static str {
+    fn quadrature_advice(&self) -> &'static str {
         let system = self.system();
         if !self.by.is_reduced() {
             "quadrature needs reduced equations with one degree of freedom, as `tripos scene` shows"
@@ -453,6 +456,6 @@ impl<'a> Problem<'a> {
     /// [`SimError`] if the number of parameters does not fit the equations.
     pub fn dynamics(&self) -> Result<Dynamics<'a>, SimError> {
         let label = format!("{}, {}", self.model.title, self.by.name());
-        Ok(Dynamics::new(self.system(), &self.scene.parameters)?.labelled(label))
+        Ok(Dynamics::new(self.system(), &self.scene.parameters)?.with_label(label))
     }
 }

@@ -1,14 +1,14 @@
 //! Result of a run of a scene, with its checks.
 
-use crate::code::{Code, Form};
-use crate::error::{Error, refused};
+use crate::code::{Code, CodeForm};
+use crate::error::{Error, refused_scene_error};
 use crate::preparation::problem::Problem;
-use crate::trust::digits::Digits;
-use crate::trust::invariants::{Course, Drift, Watch};
-use crate::trust::residuals::Residual;
+use crate::trust::constraint_residuals::Residual;
+use crate::trust::correct_digits::CorrectDigits;
+use crate::trust::invariants::{Drift, InvariantValues, WatchedInvariants};
 use tripos_derive::mechanics::EquationsOrigin;
-use tripos_derive::plain::within;
-use tripos_derive::scene::{Scene, Solve};
+use tripos_derive::plain_text::with_reliable_digits;
+use tripos_derive::scene::{AccelerationSolution, Scene};
 use tripos_sim::{Dynamics, EventRecord, ImpactRecord, Kind, Solution};
 
 /// Result of a run of a scene: states, estimated errors and checks.
@@ -16,9 +16,9 @@ pub struct Run {
     /// Equations of motion that were integrated: a formulation, printed or reduced equations.
     pub by: EquationsOrigin,
     /// Form of the code that was used, such as compiled or interpreted.
-    pub code: Form,
+    pub code: CodeForm,
     /// Way in which accelerations were found: eliminated or numerically.
-    pub solve: Solve,
+    pub solve: AccelerationSolution,
     /// Solution that the integrator returned, in the integrated variables.
     pub solution: Solution,
     /// Reason why the run ended, in words.
@@ -27,7 +27,7 @@ pub struct Run {
     pub ending: String,
     /// Sentence that names the first shown quantity without a value, and its instant; `None` if all
     /// have values.
-    /// It is set by [`Run::look_for_missing`].
+    /// It is set by [`TopicStudy::find_missing_values`].
     pub(crate) missing: Option<String>,
     /// Names of the shown quantities: coordinates and generalized speeds, or the outputs of a scene.
     pub names: Vec<String>,
@@ -40,7 +40,7 @@ pub struct Run {
     pub end: Vec<f64>,
     /// Estimated errors and correct digits of the shown quantities; `None` if the run took no step
     /// or was interrupted.
-    pub digits: Option<Digits>,
+    pub digits: Option<CorrectDigits>,
     /// Largest change of total energy over the samples, J; `None` if it is not known.
     pub energy_drift: Option<f64>,
     /// Largest change of each first integral that was watched.
@@ -58,10 +58,13 @@ impl Run {
     ///
     /// # Errors
     /// [`Error::Request`] if the run does not show this quantity.
-    pub fn column(&self, name: &str) -> Result<Vec<f64>, Error> {
+    pub fn column_of_quantity(&self, name: &str) -> Result<Vec<f64>, Error> {
         let at = self.names.iter().position(|shown| shown == name).ok_or_else(|| {
             let known = self.names.iter().map(String::as_str);
-            Error::request(format!("the run shows no `{name}`"), tripos_derive::diagnostic::nearest(name, known))
+            Error::request(
+                format!("the run shows no `{name}`"),
+                tripos_derive::diagnostic::nearest_name_advice(name, known),
+            )
         })?;
         Ok(self.states.iter().map(|values| values[at]).collect())
     }
@@ -107,7 +110,7 @@ impl Run {
     /// estimated to the end.
     #[must_use]
     pub fn is_trusted(&self) -> bool {
-        self.objections().is_empty() && self.digits.as_ref().is_none_or(Digits::is_complete)
+        self.objections().is_empty() && self.digits.as_ref().is_none_or(CorrectDigits::is_complete)
     }
 
     /// Sentence that says why the run could not go on, or which quantity has no value; `None` if
@@ -121,7 +124,7 @@ impl Run {
     ///
     /// # Errors
     /// Errors of [`Problem::near_divisors`].
-    pub(crate) fn look_for_missing(&mut self, problem: &Problem<'_>) -> Result<(), Error> {
+    pub(crate) fn find_missing_values(&mut self, problem: &Problem<'_>) -> Result<(), Error> {
         self.missing = None;
         let Solution { t, y, t_end, y_end, .. } = &self.solution;
         // The last sample is the end, unless only certain instants were requested.
@@ -137,7 +140,11 @@ impl Run {
         let more = without.count() - 1;
         let more = if more == 0 { String::new() } else { format!(" and at {more} of the samples after it") };
         let near = problem.near_divisors(y)?;
-        self.missing = Some(format!("`{}` has no value at t = {} s{more}{near}", self.names[which], within(*t, None)));
+        self.missing = Some(format!(
+            "`{}` has no value at t = {} s{more}{near}",
+            self.names[which],
+            with_reliable_digits(*t, None)
+        ));
         Ok(())
     }
 
@@ -146,20 +153,20 @@ impl Run {
     ///
     /// # Errors
     /// [`Error::Request`] if the number of parameters does not fit the equations.
-    pub fn course(&self, watch: &Watch, scene: &Scene, code: &Code) -> Result<Course, Error> {
-        let (integrals, divisors) = watch.along(&scene.parameters, &self.states);
+    pub fn course(&self, watch: &WatchedInvariants, scene: &Scene, code: &Code) -> Result<InvariantValues, Error> {
+        let (integrals, divisors) = watch.invariants_along_states(&scene.parameters, &self.states);
         let (mut determinant, mut condition) = (Vec::new(), Vec::new());
         // A scene's reduced equations are solved for the rates: they have no matrix, and other
         // parameters.
         if !self.by.is_reduced() {
             let mut dynamics =
-                Dynamics::new(code.system(), &scene.parameters).map_err(|error| refused(scene, &error))?;
+                Dynamics::new(code.system(), &scene.parameters).map_err(|error| refused_scene_error(scene, &error))?;
             for y in &self.solution.y {
                 let (q, v) = y.split_at(code.system().lengths().coordinates.min(y.len()));
                 determinant.push(dynamics.determinant(q, v));
                 condition.push(dynamics.reciprocal_condition(q, v));
             }
         }
-        Ok(Course { t: self.solution.t.clone(), integrals, determinant, condition, divisors })
+        Ok(InvariantValues { t: self.solution.t.clone(), integrals, determinant, condition, divisors })
     }
 }

@@ -1,22 +1,22 @@
 //! Runs of prepared problems, with energies, first integrals, error estimates and notes.
 
-use super::outputs::{ShownQuantities, state_names};
 use super::run::Run;
-use crate::code::{Code, Ready, code};
-use crate::error::{Error, refused};
+use super::shown_quantities::{ShownQuantities, state_names};
+use crate::code::{Code, CodePreparation, runnable_code};
+use crate::error::{Error, refused_scene_error};
+use crate::integration_options::integration_options;
 use crate::mechanism::Mechanism;
-use crate::options::options;
 use crate::preparation::impacts;
-use crate::preparation::passage::{self, Chosen};
 use crate::preparation::problem::Problem;
+use crate::preparation::speed_changes::{self, ChosenSpeedEquations};
 use crate::trust;
-use crate::trust::digits::{Digits, Values, assess};
-use crate::trust::events::{Balance, events};
-use crate::trust::invariants::Watch;
-use crate::trust::power::accounted;
-use crate::trust::residuals::residuals;
+use crate::trust::constraint_residuals::constraint_residuals;
+use crate::trust::correct_digits::{CorrectDigits, Values, estimate_digits};
+use crate::trust::invariants::WatchedInvariants;
+use crate::trust::load_power::accumulated_load_power;
 use crate::trust::stiffness;
-use tripos_derive::algebra::text::print::text;
+use crate::trust::watched_functions::{WatchedFunctions, watched_events};
+use tripos_derive::algebra::text::print::print_text;
 use tripos_derive::mechanics::{EquationsOrigin, load_divisors};
 use tripos_derive::scene::Scene;
 use tripos_derive::{Formulation, Model};
@@ -32,12 +32,12 @@ use tripos_sim::{Event, Options, Solution, Stop};
 ///
 /// # Errors
 /// [`Error`] if the model has no Kane's equations.
-pub fn whole_energies(model: &Mechanism, scene: &Scene, run: &mut Run) -> Result<(), Error> {
+pub fn set_whole_model_energies(model: &Mechanism, scene: &Scene, run: &mut Run) -> Result<(), Error> {
     if scene.states_outputs {
         run.energies.clear();
         return Ok(());
     }
-    let code = code(model, &Formulation::Kane.into(), None, Ready::AsDerived)?;
+    let code = runnable_code(model, &Formulation::Kane.into(), None, CodePreparation::AsDerived)?;
     let (system, p, n) = (code.system(), scene.parameters.as_slice(), scene.q.len());
     let energies = |state: &Vec<f64>| {
         let (q, u) = state.split_at(n);
@@ -66,13 +66,13 @@ fn shown_names(problem: &Problem<'_>) -> Vec<String> {
 ///
 /// # Errors
 /// [`Error`] if the model cannot be derived.
-pub fn proved(model: &Mechanism) -> Result<Option<Watch>, Error> {
-    is_proved(model).then(|| Watch::of_model(model)).transpose()
+pub fn prove_integrals_to_watch(model: &Mechanism) -> Result<Option<WatchedInvariants>, Error> {
+    are_integrals_proved(model).then(|| WatchedInvariants::of_model(model)).transpose()
 }
 
 /// True if the first integrals of a model are proved before a run: it has at most eight
 /// coordinates, and a speed.
-pub fn is_proved(model: &Mechanism) -> bool {
+pub fn are_integrals_proved(model: &Mechanism) -> bool {
     // A fully prescribed motion conserves nothing of its own.
     model.coordinates.len() <= MOST_PROVED && !model.speeds.is_empty()
 }
@@ -91,7 +91,7 @@ pub fn run_code(
     scene: &Scene,
     by: &EquationsOrigin,
     code: &Code,
-    watch: Option<&Watch>,
+    watch: Option<&WatchedInvariants>,
 ) -> Result<Run, Error> {
     run_problem(&Problem::new(model, scene, by, code, None)?, watch)
 }
@@ -103,8 +103,8 @@ pub fn run_code(
 /// # Errors
 /// [`Error`] if the run cannot begin; a run that began and could not go on is a [`Run`] that says
 /// so.
-pub fn run_problem(problem: &Problem<'_>, watch: Option<&Watch>) -> Result<Run, Error> {
-    run_shown(problem, watch, None)
+pub fn run_problem(problem: &Problem<'_>, watch: Option<&WatchedInvariants>) -> Result<Run, Error> {
+    run_problem_with_quantities(problem, watch, None)
 }
 
 /// Runs a problem and shows the quantities `shown`; `None` shows the states, or the outputs of a
@@ -113,8 +113,14 @@ pub fn run_problem(problem: &Problem<'_>, watch: Option<&Watch>) -> Result<Run, 
 ///
 /// # Errors
 /// Errors of `run_problem`.
-pub fn run_shown(problem: &Problem<'_>, watch: Option<&Watch>, shown: Option<&ShownQuantities>) -> Result<Run, Error> {
-    run_by(problem, watch, shown, |y0, options, events| problem.solve(y0, options, events, accounted(problem)?))
+pub fn run_problem_with_quantities(
+    problem: &Problem<'_>,
+    watch: Option<&WatchedInvariants>,
+    shown: Option<&ShownQuantities>,
+) -> Result<Run, Error> {
+    run_problem_by_solver(problem, watch, shown, |y0, options, events| {
+        problem.solve(y0, options, events, accumulated_load_power(problem)?)
+    })
 }
 
 /// Runs a problem by the function `solve`, which gets the integrated start state, the options and
@@ -122,51 +128,54 @@ pub fn run_shown(problem: &Problem<'_>, watch: Option<&Watch>, shown: Option<&Sh
 ///
 /// # Errors
 /// Errors of [`run_problem`], and the errors of `solve`.
-pub fn run_by(
+pub fn run_problem_by_solver(
     problem: &Problem<'_>,
-    watch: Option<&Watch>,
+    watch: Option<&WatchedInvariants>,
     shown: Option<&ShownQuantities>,
     solve: impl FnOnce(&[f64], &Options, &mut [Event<'_>]) -> Result<Solution, Error>,
 ) -> Result<Run, Error> {
     let scene = problem.scene;
     let watch = watch.filter(|_| scene.impacts.is_empty());
-    let balance = Balance::new(problem.mechanism, problem.model, scene, problem.by)?;
+    let balance = WatchedFunctions::new(problem.mechanism, problem.model, scene, problem.by)?;
     let y0 = problem.start()?;
-    let mut events = events(problem, &balance);
-    let options = options(scene);
+    let mut events = watched_events(problem, &balance);
+    let options = integration_options(scene);
     let solution = solve(&y0, &options, &mut events)?;
     drop(events);
-    let changes = problem.chosen.map(|chosen| changes(problem.model, chosen));
+    let changes = problem.chosen.map(|chosen| speed_change_notes(problem.model, chosen));
     let values = |problem: &Problem<'_>, t: f64, y: &[f64]| match shown {
         Some(shown) => shown.of(problem, t, y),
-        None => Ok(problem.state(t, y)),
+        None => Ok(problem.shown_state(t, y)),
     };
     let names = shown.map_or_else(|| shown_names(problem), |shown| shown.names.clone());
-    let digits = assess(problem, &y0, &options, &solution, &values, &balance)?;
-    let mut run = finish(problem, solution, watch, names, digits, &values)?;
+    let digits = estimate_digits(problem, &y0, &options, &solution, &values, &balance)?;
+    let mut run = finish_run(problem, solution, watch, names, digits, &values)?;
     run.notes.splice(..0, changes.into_iter().flatten());
     Ok(run)
 }
 
 /// Notes on the instants at which the run changed between its chosen speeds and all coordinate
 /// rates.
-fn changes(model: &Model, chosen: Chosen<'_>) -> Vec<String> {
+fn speed_change_notes(model: &Model, chosen: ChosenSpeedEquations<'_>) -> Vec<String> {
     let speeds: Vec<String> = model.speeds.iter().map(|speed| format!("`{}`", speed.name)).collect();
-    chosen.changes.lock().map_or_else(|_| Vec::new(), |list| passage::notes_on_changes(&list, &speeds, chosen.by))
+    chosen
+        .changes
+        .lock()
+        .map_or_else(|_| Vec::new(), |list| speed_changes::notes_on_speed_changes(&list, &speeds, chosen.by))
 }
 
 /// Completes a solution to the result of a run: shown values, energies, notes and objections.
-fn finish(
+fn finish_run(
     problem: &Problem<'_>,
     solution: Solution,
-    watch: Option<&Watch>,
+    watch: Option<&WatchedInvariants>,
     names: Vec<String>,
-    digits: Option<Digits>,
+    digits: Option<CorrectDigits>,
     values: &Values<'_>,
 ) -> Result<Run, Error> {
     let scene = problem.scene;
     let (system, p) = (problem.system(), scene.parameters.as_slice());
-    let dynamics = problem.dynamics().map_err(|error| refused(scene, &error))?;
+    let dynamics = problem.dynamics().map_err(|error| refused_scene_error(scene, &error))?;
     let energy = |y: &[f64]| {
         let (q, v) = dynamics.split(y);
         (system.kinetic_energy(p, q, v), system.potential_energy(p, q))
@@ -175,11 +184,11 @@ fn finish(
     // Reduced equations may have no energy of their own, and the work of a drive is unknown.
     let has_energy = (!problem.by.is_reduced() || system.has_energy_gradient()) && !problem.mechanism.is_driven();
     let energy_drift = has_energy.then(|| dynamics.energy_drift(&solution));
-    let warnings = trust::objections(problem, &solution, watch, energy_drift, digits.as_ref(), &names)?;
-    let drifts = watch.map_or_else(Vec::new, |watch| watch.drifts(problem, &solution));
-    let variables = problem.variables();
+    let warnings = trust::objections_to_run(problem, &solution, watch, energy_drift, digits.as_ref(), &names)?;
+    let drifts = watch.map_or_else(Vec::new, |watch| watch.integral_drifts(problem, &solution));
+    let variables = problem.variable_names();
     let at = match &solution.stop {
-        Stop::Singular { divisor } => meaning(problem, divisor),
+        Stop::Singular { divisor } => zero_divisor_meaning(problem, divisor),
         stop if stop.is_failure() => problem.near_divisors(&solution.y_end)?,
         _ => String::new(),
     };
@@ -197,33 +206,33 @@ fn finish(
         names,
         end: values(problem, solution.t_end, &solution.y_end)?,
         energy_drift,
-        residuals: residuals(problem, &solution),
-        notes: closed(scene)
+        residuals: constraint_residuals(problem, &solution),
+        notes: closed_start_notes(scene)
             .chain(impacts::notes_on_short_bounces(&scene.impacts, &solution))
-            .chain(driven(problem))
-            .chain(digits.as_ref().and_then(trust::unassessed))
-            .chain(stiffness::advice(problem, &solution)?)
+            .chain(driven_mechanism_note(problem))
+            .chain(digits.as_ref().and_then(trust::unassessed_digits_note))
+            .chain(stiffness::stiffness_advice(problem, &solution)?)
             .collect(),
         digits,
         warnings,
         solution,
     };
-    run.look_for_missing(problem)?;
+    run.find_missing_values(problem)?;
     Ok(run)
 }
 
 /// Explanation, as the end of a sentence, that the divisor that became zero belongs to a load;
 /// empty if it belongs to none.
-fn meaning(problem: &Problem<'_>, divisor: &str) -> String {
+fn zero_divisor_meaning(problem: &Problem<'_>, divisor: &str) -> String {
     let mut arena = problem.mechanism.arena.clone();
     let loads = load_divisors(&mut arena, problem.mechanism);
-    let of_load = loads.iter().find(|load| text(&arena, load.value) == divisor);
-    of_load.map_or_else(String::new, |load| format!(": {}", load.meaning()))
+    let of_load = loads.iter().find(|load| print_text(&arena, load.value) == divisor);
+    of_load.map_or_else(String::new, |load| format!(": {}", load.zero_divisor_meaning()))
 }
 
 /// Note that the energy of a driven mechanism cannot check a run; `None` if constraints do not
 /// drive the mechanism.
-fn driven(problem: &Problem<'_>) -> Option<String> {
+fn driven_mechanism_note(problem: &Problem<'_>) -> Option<String> {
     problem.mechanism.is_driven().then(|| {
         "constraints drive the mechanism: their forces change the energy, and no drift of energy is stated".to_owned()
     })
@@ -231,7 +240,7 @@ fn driven(problem: &Problem<'_>) -> Option<String> {
 
 /// Notes on the coordinates and rates that were solved for at the start, to close loops and satisfy
 /// constraints.
-fn closed(scene: &Scene) -> impl Iterator<Item = String> {
+fn closed_start_notes(scene: &Scene) -> impl Iterator<Item = String> {
     let solved = |is_rate: bool| -> Option<String> {
         let list = scene.closed.iter().filter(|c| c.is_rate == is_rate);
         let list: Vec<String> = list.map(|c| format!("{} = {}", c.name, c.value)).collect();

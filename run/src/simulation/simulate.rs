@@ -1,25 +1,28 @@
 //! Runs of scenes by their own reduced equations or by full equations, with checks of the results.
 
-use super::outputs::ShownQuantities;
 use super::run::Run;
-use super::run_problem::{is_proved, proved, run_by, run_problem, run_shown, whole_energies};
-use crate::code::{Code, Ready, by_or_first, code};
+use super::run_problem::{
+    are_integrals_proved, prove_integrals_to_watch, run_problem, run_problem_by_solver, run_problem_with_quantities,
+    set_whole_model_energies,
+};
+use super::shown_quantities::ShownQuantities;
+use crate::code::{Code, CodePreparation, find_equations_or_first, runnable_code};
 use crate::equations_name::EquationsName;
 use crate::error::Error;
+use crate::integration_options::integration_options;
 use crate::mechanism::Mechanism;
-use crate::options::options;
-use crate::preparation::passage::Chosen;
 use crate::preparation::problem::Problem;
-use crate::preparation::reduced::Reduced;
-use crate::trust::events::{Balance, events};
-use crate::trust::invariants::Watch;
-use crate::trust::power::accounted;
+use crate::preparation::reduced_equations::ReducedScene;
+use crate::preparation::speed_changes::ChosenSpeedEquations;
+use crate::trust::invariants::WatchedInvariants;
+use crate::trust::load_power::accumulated_load_power;
+use crate::trust::watched_functions::{WatchedFunctions, watched_events};
 use std::sync::Mutex;
 use tripos_derive::Formulation;
 use tripos_derive::mechanics::{EquationsOrigin, is_reducible};
-use tripos_derive::plain::within;
+use tripos_derive::plain_text::with_reliable_digits;
 use tripos_derive::reduce::ReductionBasis;
-use tripos_derive::scene::{Integrator, Scene, Solve};
+use tripos_derive::scene::{AccelerationSolution, Integrator, Scene};
 use tripos_sim::{Solution, Stop};
 
 /// Runs a scene by the equations `by`, such as `kane`; `reduced` means the scene's own reduced
@@ -33,11 +36,11 @@ pub fn simulate(mechanism: &Mechanism, scene: &Scene, by: Option<&EquationsName>
     let reduced = match by {
         None => ReducedRun::IfGain,
         Some(EquationsName::Reduced) => ReducedRun::Asked,
-        Some(by) => return run(mechanism, scene, &by_or_first(mechanism, Some(by))?),
+        Some(by) => return simulate_full_equations(mechanism, scene, &find_equations_or_first(mechanism, Some(by))?),
     };
-    match without_own(mechanism, scene, reduced) {
+    match why_reduced_equations_are_not_tried(mechanism, scene, reduced) {
         Some(why) => {
-            let mut done = run(mechanism, scene, &by_or_first(mechanism, None)?)?;
+            let mut done = simulate_full_equations(mechanism, scene, &find_equations_or_first(mechanism, None)?)?;
             done.notes.insert(0, why.to_owned());
             Ok(done)
         }
@@ -57,8 +60,12 @@ enum ReducedRun {
 
 /// Reason why a scene's reduced equations are not tried and full equations run; `None` if they are
 /// tried.
-fn without_own(mechanism: &Mechanism, scene: &Scene, reduced: ReducedRun) -> Option<&'static str> {
-    if scene.integration.solve == Some(Solve::Numeric) {
+fn why_reduced_equations_are_not_tried(
+    mechanism: &Mechanism,
+    scene: &Scene,
+    reduced: ReducedRun,
+) -> Option<&'static str> {
+    if scene.integration.solve == Some(AccelerationSolution::Numeric) {
         return Some(
             "accelerations are found numerically for full equations only: every coordinate and speed is run and shown",
         );
@@ -85,19 +92,20 @@ fn without_own(mechanism: &Mechanism, scene: &Scene, reduced: ReducedRun) -> Opt
 /// advantage, or do not reach the end.
 fn simulate_own(mechanism: &Mechanism, scene: &Scene, reduced: ReducedRun) -> Result<Run, Error> {
     let basis = ReductionBasis::new(mechanism).map_err(|error| mechanism.diagnose(&error))?;
-    let watch = is_proved(mechanism).then(|| Watch::of_basis(mechanism, &basis)).transpose()?;
+    let watch = are_integrals_proved(mechanism).then(|| WatchedInvariants::of_basis(mechanism, &basis)).transpose()?;
     let watch = watch.as_ref();
     if reduced == ReducedRun::Asked || scene.integration.method == Integrator::Quadrature {
-        return run_reduced(mechanism, scene, &basis, &Reduced::of_basis(&basis, mechanism, scene)?, watch);
+        return run_reduced(mechanism, scene, &basis, &ReducedScene::from_basis(&basis, mechanism, scene)?, watch);
     }
     let whole = |why: &str| {
-        let mut run = run_whole(mechanism, scene, &by_or_first(mechanism, None)?, watch)?;
+        let mut run =
+            simulate_full_equations_watched(mechanism, scene, &find_equations_or_first(mechanism, None)?, watch)?;
         run.notes.insert(0, format!("the full equations are integrated: {why}"));
-        taken_through(mechanism, scene, watch, run)
+        replace_failed_run(mechanism, scene, watch, run)
     };
-    match run_gain(mechanism, scene, &basis, watch) {
-        Ok(Own::Run(run)) => taken_through(mechanism, scene, watch, *run),
-        Ok(Own::NoGain(why)) => whole(&why),
+    match simulate_reduced_if_advantage(mechanism, scene, &basis, watch) {
+        Ok(ReducedOutcome::Run(run)) => replace_failed_run(mechanism, scene, watch, *run),
+        Ok(ReducedOutcome::NoGain(why)) => whole(&why),
         Err(error) => {
             let why = format!("the reduced equations cannot simulate this scene ({})", error.first_line());
             whole(&why).or(Err(error))
@@ -106,7 +114,7 @@ fn simulate_own(mechanism: &Mechanism, scene: &Scene, reduced: ReducedRun) -> Re
 }
 
 /// Result of a trial run by a scene's own reduced equations.
-enum Own {
+enum ReducedOutcome {
     /// Run that the scene's reduced equations gave.
     Run(Box<Run>),
     /// Reason why the scene's reduced equations have no advantage over full equations.
@@ -114,11 +122,16 @@ enum Own {
 }
 
 /// Runs a scene by its own reduced equations, if they have an advantage over full equations.
-fn run_gain(mechanism: &Mechanism, scene: &Scene, basis: &ReductionBasis, watch: Option<&Watch>) -> Result<Own, Error> {
-    let reduced = Reduced::of_basis(basis, mechanism, scene)?;
-    match reduced.no_gain(mechanism)? {
-        Some(why) => Ok(Own::NoGain(why)),
-        None => Ok(Own::Run(Box::new(run_reduced(mechanism, scene, basis, &reduced, watch)?))),
+fn simulate_reduced_if_advantage(
+    mechanism: &Mechanism,
+    scene: &Scene,
+    basis: &ReductionBasis,
+    watch: Option<&WatchedInvariants>,
+) -> Result<ReducedOutcome, Error> {
+    let reduced = ReducedScene::from_basis(basis, mechanism, scene)?;
+    match reduced.reason_against_reduction(mechanism)? {
+        Some(why) => Ok(ReducedOutcome::NoGain(why)),
+        None => Ok(ReducedOutcome::Run(Box::new(run_reduced(mechanism, scene, basis, &reduced, watch)?))),
     }
 }
 
@@ -130,21 +143,26 @@ fn run_gain(mechanism: &Mechanism, scene: &Scene, basis: &ReductionBasis, watch:
 /// A scene's reduced equations contain momenta and may be in a moving frame. The motion may be
 /// regular at a pole of that frame, so a failed run by them is replaced for any reason. A run by
 /// full equations is replaced only if these divide by zero.
-fn taken_through(mechanism: &Mechanism, scene: &Scene, watch: Option<&Watch>, run: Run) -> Result<Run, Error> {
-    let Some(why) = left_for(&run) else { return Ok(run) };
+fn replace_failed_run(
+    mechanism: &Mechanism,
+    scene: &Scene,
+    watch: Option<&WatchedInvariants>,
+    run: Run,
+) -> Result<Run, Error> {
+    let Some(why) = reason_to_replace_run(&run) else { return Ok(run) };
     let mut doubtful = None;
     for formulation in [Formulation::Kane, Formulation::Lagrange] {
         let by = EquationsOrigin::from(formulation);
         if by == run.by {
             continue;
         }
-        let mut other = match run_whole(mechanism, scene, &by, watch) {
+        let mut other = match simulate_full_equations_watched(mechanism, scene, &by, watch) {
             Ok(other) => other,
             // A formulation that the model does not have cannot replace the run.
             Err(Error::Unsupported(_) | Error::Stopped(_)) => continue,
             Err(error) => return Err(error),
         };
-        if other.failure().is_none() && comes_as_far(scene, &other, &run) {
+        if other.failure().is_none() && reaches_as_far(scene, &other, &run) {
             let left =
                 if run.by.is_reduced() { "the scene's own".to_owned() } else { format!("those by {}", run.by.title()) };
             other
@@ -164,8 +182,8 @@ fn taken_through(mechanism: &Mechanism, scene: &Scene, watch: Option<&Watch>, ru
 
 /// Reason why a run must be replaced, as the end of a sentence about its equations; `None` if the
 /// run is kept.
-fn left_for(run: &Run) -> Option<String> {
-    let t = within(run.solution.t_end, None);
+fn reason_to_replace_run(run: &Run) -> Option<String> {
+    let t = with_reliable_digits(run.solution.t_end, None);
     match &run.solution.stop {
         Stop::Interrupted => None,
         Stop::Singular { divisor } => Some(format!("divide by {divisor}, which is 0 at t = {t} s")),
@@ -176,7 +194,7 @@ fn left_for(run: &Run) -> Option<String> {
 }
 
 /// True if `run` ends no earlier than `other`, in the direction of time of the scene's span.
-fn comes_as_far(scene: &Scene, run: &Run, other: &Run) -> bool {
+fn reaches_as_far(scene: &Scene, run: &Run, other: &Run) -> bool {
     (run.solution.t_end - other.solution.t_end) * (scene.span.1 - scene.span.0).signum() >= 0.0
 }
 
@@ -185,10 +203,10 @@ fn comes_as_far(scene: &Scene, run: &Run, other: &Run) -> bool {
 /// # Errors
 /// [`Error`] if the model does not have the formulation, or the equations cannot give a requested
 /// quantity.
-pub fn run(model: &Mechanism, scene: &Scene, by: &EquationsOrigin) -> Result<Run, Error> {
+pub fn simulate_full_equations(model: &Mechanism, scene: &Scene, by: &EquationsOrigin) -> Result<Run, Error> {
     // Impacts change the conserved quantities, so first integrals are not proved.
-    let watch = if scene.impacts.is_empty() { proved(model)? } else { None };
-    run_whole(model, scene, by, watch.as_ref())
+    let watch = if scene.impacts.is_empty() { prove_integrals_to_watch(model)? } else { None };
+    simulate_full_equations_watched(model, scene, by, watch.as_ref())
 }
 
 /// Runs a scene by one set of full equations.
@@ -196,15 +214,24 @@ pub fn run(model: &Mechanism, scene: &Scene, by: &EquationsOrigin) -> Result<Run
 ///
 /// # Errors
 /// Errors of [`run`].
-pub fn run_whole(model: &Mechanism, scene: &Scene, by: &EquationsOrigin, watch: Option<&Watch>) -> Result<Run, Error> {
-    let code = code(model, by, scene.integration.distance, Ready::for_runs(scene))?;
+pub fn simulate_full_equations_watched(
+    model: &Mechanism,
+    scene: &Scene,
+    by: &EquationsOrigin,
+    watch: Option<&WatchedInvariants>,
+) -> Result<Run, Error> {
+    let code = runnable_code(model, by, scene.integration.distance, CodePreparation::preparation_for_runs(scene))?;
     let problem = Problem::new(model, scene, by, &code, None)?;
     let shown = ShownQuantities::new(model, scene)?;
-    let Some(rates) = in_rates(&problem)? else { return run_shown(&problem, watch, Some(&shown)) };
-    match alone(&problem, &rates)? {
-        Some(solution) => run_by(&problem, watch, Some(&shown), |_, _, _| Ok(solution)),
+    let Some(rates) = equations_in_all_rates(&problem)? else {
+        return run_problem_with_quantities(&problem, watch, Some(&shown));
+    };
+    match solve_in_chosen_speeds(&problem, &rates)? {
+        Some(solution) => run_problem_by_solver(&problem, watch, Some(&shown), |_, _, _| Ok(solution)),
         None => {
-            let mut run = changing_speeds(&problem, &rates, |problem| run_shown(problem, watch, Some(&shown)))?;
+            let mut run = with_changing_speeds(&problem, &rates, |problem| {
+                run_problem_with_quantities(problem, watch, Some(&shown))
+            })?;
             (run.by, run.code, run.solve) = (problem.by.clone(), problem.code.form(), problem.solve);
             Ok(run)
         }
@@ -216,10 +243,15 @@ pub fn run_whole(model: &Mechanism, scene: &Scene, by: &EquationsOrigin, watch: 
 ///
 /// # Errors
 /// `Error` if the problem cannot be run.
-fn alone(problem: &Problem<'_>, rates: &Code) -> Result<Option<Solution>, Error> {
-    let balance = Balance::new(problem.mechanism, problem.model, problem.scene, problem.by)?;
-    let mut events = events(problem, &balance);
-    problem.in_speeds_alone(rates, &options(problem.scene), &mut events, accounted(problem)?)
+fn solve_in_chosen_speeds(problem: &Problem<'_>, rates: &Code) -> Result<Option<Solution>, Error> {
+    let balance = WatchedFunctions::new(problem.mechanism, problem.model, problem.scene, problem.by)?;
+    let mut events = watched_events(problem, &balance);
+    problem.run_in_chosen_speeds_alone(
+        rates,
+        &integration_options(problem.scene),
+        &mut events,
+        accumulated_load_power(problem)?,
+    )
 }
 
 /// Runs a scene by full equations; `None` unless the run changes between its speeds and all rates,
@@ -227,17 +259,17 @@ fn alone(problem: &Problem<'_>, rates: &Code) -> Result<Option<Solution>, Error>
 ///
 /// # Errors
 /// Errors of [`run`].
-pub fn changes_speeds(model: &Mechanism, scene: &Scene, by: &EquationsOrigin) -> Result<Option<Run>, Error> {
+pub fn simulate_if_speeds_change(model: &Mechanism, scene: &Scene, by: &EquationsOrigin) -> Result<Option<Run>, Error> {
     if !model.ties_rates() {
         return Ok(None);
     }
-    let code = code(model, by, scene.integration.distance, Ready::for_runs(scene))?;
+    let code = runnable_code(model, by, scene.integration.distance, CodePreparation::preparation_for_runs(scene))?;
     let problem = Problem::new(model, scene, by, &code, None)?;
-    let Some(rates) = in_rates(&problem)? else { return Ok(None) };
-    if alone(&problem, &rates)?.is_some() {
+    let Some(rates) = equations_in_all_rates(&problem)? else { return Ok(None) };
+    if solve_in_chosen_speeds(&problem, &rates)?.is_some() {
         return Ok(None);
     }
-    let run = run(model, scene, by)?;
+    let run = simulate_full_equations(model, scene, by)?;
     Ok((!run.solution.stop.is_failure()).then_some(run))
 }
 
@@ -247,14 +279,14 @@ pub fn changes_speeds(model: &Mechanism, scene: &Scene, by: &EquationsOrigin) ->
 ///
 /// # Errors
 /// [`Error::Input`] if the model cannot be derived.
-pub fn in_rates(problem: &Problem<'_>) -> Result<Option<Code>, Error> {
+pub fn equations_in_all_rates(problem: &Problem<'_>) -> Result<Option<Code>, Error> {
     let (model, scene, how) = (problem.mechanism, problem.scene, &problem.scene.integration);
     let is_free = !model.ties_rates() || model.speeds.is_empty();
     let is_own = how.distance.is_some() || how.project.is_some() || how.method == Integrator::Quadrature;
     if is_free || is_own || !scene.impacts.is_empty() {
         return Ok(None);
     }
-    match code(model, &Formulation::Lagrange.into(), None, Ready::AsDerived) {
+    match runnable_code(model, &Formulation::Lagrange.into(), None, CodePreparation::AsDerived) {
         Err(Error::Unsupported(_) | Error::Stopped(_)) => Ok(None),
         code => code.map(Some),
     }
@@ -267,15 +299,15 @@ pub fn in_rates(problem: &Problem<'_>) -> Result<Option<Code>, Error> {
 ///
 /// # Errors
 /// Errors of [`Problem::new`], and the errors of `run`.
-pub fn changing_speeds<T>(
+pub fn with_changing_speeds<T>(
     problem: &Problem<'_>,
     code: &Code,
     run: impl FnOnce(&Problem<'_>) -> Result<T, Error>,
 ) -> Result<T, Error> {
     let (by, changes) = (EquationsOrigin::from(Formulation::Lagrange), Mutex::default());
-    let chosen = Chosen { by: problem.by, code: problem.code, solve: problem.solve, changes: &changes };
-    let rates =
-        Problem::new(problem.mechanism, problem.scene, &by, code, Some(Solve::Numeric))?.with_chosen_speeds(chosen);
+    let chosen = ChosenSpeedEquations { by: problem.by, code: problem.code, solve: problem.solve, changes: &changes };
+    let rates = Problem::new(problem.mechanism, problem.scene, &by, code, Some(AccelerationSolution::Numeric))?
+        .with_chosen_speeds(chosen);
     run(&rates)
 }
 
@@ -290,37 +322,37 @@ fn run_reduced(
     model: &Mechanism,
     scene: &Scene,
     basis: &ReductionBasis,
-    reduced: &Reduced,
-    watch: Option<&Watch>,
+    reduced: &ReducedScene,
+    watch: Option<&WatchedInvariants>,
 ) -> Result<Run, Error> {
     // First integrals of the whole model are functions of all states, which a scene may not show.
     let watch = watch.filter(|_| !scene.states_outputs);
     let code = reduced.code(model)?;
-    let singular = Problem::reduced(model, reduced, scene, &code)?.singular_start()?;
+    let singular = Problem::reduced(model, reduced, scene, &code)?.reason_start_is_singular()?;
     let is_plain = reduced.constants().next().is_none() && reduced.reduction.frame.is_none();
     let (Some(singular), false) = (singular, is_plain) else {
-        return run_own(model, scene, reduced, &code, watch);
+        return simulate_reduced_equations(model, scene, reduced, &code, watch);
     };
-    let plain = Reduced::without_momenta(basis, model, scene)?;
+    let plain = ReducedScene::without_momenta(basis, model, scene)?;
     let code = plain.code(model)?;
-    if Problem::reduced(model, &plain, scene, &code)?.singular_start()?.is_some() {
+    if Problem::reduced(model, &plain, scene, &code)?.reason_start_is_singular()?.is_some() {
         return Err(Error::Stopped(format!("the run cannot start: {singular}")));
     }
-    let mut run = run_own(model, scene, &plain, &code, watch)?;
+    let mut run = simulate_reduced_equations(model, scene, &plain, &code, watch)?;
     run.notes.insert(0, format!("no momentum is held, since {singular}"));
     Ok(run)
 }
 
 /// Runs a scene by the reduced equations `reduced`, and computes the energies of the whole model.
-fn run_own(
+fn simulate_reduced_equations(
     model: &Mechanism,
     scene: &Scene,
-    reduced: &Reduced,
+    reduced: &ReducedScene,
     code: &Code,
-    watch: Option<&Watch>,
+    watch: Option<&WatchedInvariants>,
 ) -> Result<Run, Error> {
     let problem = Problem::reduced(model, reduced, scene, code)?;
     let mut run = run_problem(&problem, watch)?;
-    whole_energies(model, scene, &mut run)?;
+    set_whole_model_energies(model, scene, &mut run)?;
     Ok(run)
 }

@@ -1,14 +1,14 @@
 //! Studies of mechanisms: charts, sweeps, derivatives, steady motions, inverse dynamics and
 //! identification.
 
-pub mod case;
-#[cfg(feature = "clock")]
-pub mod chart;
+pub mod chart_case;
 pub mod figure;
-pub mod identify;
+pub mod identification;
 pub mod inverse;
+pub mod model_analysis;
 pub mod sensitivity;
 pub mod stability;
 pub mod steady;
-pub mod study;
 pub mod sweep;
+#[cfg(feature = "clock")]
+pub mod work_precision_chart;

@@ -12,31 +12,33 @@ mod findings;
 pub mod growth;
 pub mod ladder;
 
-pub use findings::{Findings, Looked, Passed, Row, Statement, Study, Topic, Variable};
+pub use findings::{
+    ConditioningFinding, FindingRow, Findings, PassageRun, PassageVariable, Statement, StudyInputs, Topic,
+};
 
 use crate::error::Error;
 
 /// Function that runs a study of one topic and adds its results to the findings.
-pub type Run = fn(&Study<'_>, &mut Findings) -> Result<(), Error>;
+pub type TopicStudy = fn(&StudyInputs<'_>, &mut Findings) -> Result<(), Error>;
 
 /// Runs the studies of all topics that apply to a scene, and collects the findings. If the observer
 /// interrupts them, the findings so far are returned.
 ///
 /// # Errors
 /// [`Error`] if the scene cannot be run, has impacts, or its model has no generalized speed.
-pub fn all(study: &Study<'_>) -> Result<Findings, Error> {
-    study.model.has_speeds("the model has no equations of motion to study")?;
+pub fn run_all_studies(study: &StudyInputs<'_>) -> Result<Findings, Error> {
+    study.model.require_speeds("the model has no equations of motion to study")?;
     if !study.scene.impacts.is_empty() {
         let help = "leave the impacts out, and end the span before the first of them";
         return Err(Error::request("this study needs a smooth motion, and the scene has impacts", help));
     }
     let mut findings = Findings::default();
-    let studies: [(Topic, Run); 5] = [
-        (Topic::Passages, ladder::study),
-        (Topic::Conditioning, conditioning::study),
-        (Topic::Domain, domain::study),
-        (Topic::Growth, growth::study),
-        (Topic::Drift, drift::study),
+    let studies: [(Topic, TopicStudy); 5] = [
+        (Topic::Passages, ladder::study_passages),
+        (Topic::Conditioning, conditioning::study_conditioning),
+        (Topic::Domain, domain::study_domain),
+        (Topic::Growth, growth::study_growth),
+        (Topic::Drift, drift::study_drift),
     ];
     study.progress.set_length(studies.len() as u64);
     for (topic, run) in studies {
@@ -48,7 +50,7 @@ pub fn all(study: &Study<'_>) -> Result<Findings, Error> {
             break;
         }
         outcome?;
-        study.progress.inc(1);
+        study.progress.add_finished_parts(1);
     }
     Ok(findings)
 }

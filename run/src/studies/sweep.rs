@@ -11,19 +11,19 @@
 //!   is bounded.
 //! - No point ends the sweep. A point that cannot start or continue gives a row with the reason.
 
-mod block;
-#[cfg(feature = "threads")]
-mod in_order;
 mod lanes;
-#[cfg(not(feature = "threads"))]
-mod one_by_one;
-mod row;
-mod shard;
-
-pub use block::{Sweep, Worker};
 #[cfg(feature = "threads")]
-pub use in_order::in_order;
+mod ordered_work;
+mod shard;
+mod sweep_row;
+mod sweep_worker;
 #[cfg(not(feature = "threads"))]
-pub use one_by_one::in_order;
-pub use row::{Ended, NO_START, Row};
+mod unthreaded_work;
+
+#[cfg(feature = "threads")]
+pub use ordered_work::work_in_order;
 pub use shard::Shard;
+pub use sweep_row::{NO_START, RunEnd, SweepRow};
+pub use sweep_worker::{Sweep, Worker};
+#[cfg(not(feature = "threads"))]
+pub use unthreaded_work::work_in_order;

@@ -4,14 +4,14 @@
 //! equations. Invariant: no watched quantity can stop a run or a page. A value that does not exist
 //! is NaN, and extremes ignore it.
 
-use crate::code::tape;
+use crate::code::compile_tape;
 use crate::error::Error;
 use crate::preparation::problem::Problem;
 use std::fmt;
 use tripos_derive::Model;
 use tripos_derive::algebra::Arena;
-use tripos_derive::algebra::text::print::text;
-use tripos_derive::algebra::value::evaluate::Tape;
+use tripos_derive::algebra::text::print::print_text;
+use tripos_derive::algebra::value::tape::Tape;
 use tripos_derive::model::Unit;
 use tripos_derive::prove::{Integral, IntegralKind};
 use tripos_derive::reduce::ReductionBasis;
@@ -20,7 +20,7 @@ use tripos_traits::larger;
 
 /// First integral that is watched along a run: its kind, names and unit.
 #[derive(Clone, Debug)]
-pub struct Conserved {
+pub struct ConservedQuantity {
     /// Kind of the integral, such as energy or a momentum.
     pub kind: IntegralKind,
     /// Short title, such as `momentum p_q3`.
@@ -32,7 +32,7 @@ pub struct Conserved {
     pub unit: String,
 }
 
-impl Conserved {
+impl ConservedQuantity {
     /// Describes a first integral, whose terms are in `arena`.
     fn new(model: &Model, arena: &Arena, integral: &Integral) -> Self {
         let unit = match model.unit_of(arena, integral.expression) {
@@ -51,7 +51,7 @@ impl Conserved {
     }
 }
 
-impl fmt::Display for Conserved {
+impl fmt::Display for ConservedQuantity {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.names.join("; "))
     }
@@ -61,16 +61,16 @@ impl fmt::Display for Conserved {
 #[derive(Clone, Debug)]
 pub struct Drift {
     /// First integral whose largest change is stated.
-    pub integral: Conserved,
+    pub integral: ConservedQuantity,
     /// Largest absolute change of the integral from its first value over the samples of the run, in
     /// its unit.
     pub change: f64,
 }
 
 /// Compiled first integrals and divisors that are watched along a run.
-pub struct Watch {
+pub struct WatchedInvariants {
     /// Descriptions of the first integrals, in the order of the program's outputs.
-    pub integrals: Vec<Conserved>,
+    pub integrals: Vec<ConservedQuantity>,
     /// Divisors of the kinematic equations, as text; a zero divisor makes the equations singular.
     pub divisors: Vec<String>,
     /// Program for the first integrals, then the divisors, from parameters, coordinates and
@@ -97,7 +97,7 @@ pub struct Excursion {
 }
 
 /// Values of the watched quantities at the samples of a run.
-pub struct Course {
+pub struct InvariantValues {
     /// Instants of the samples of the run, s.
     pub t: Vec<f64>,
     /// Values of each first integral at all samples, in its unit: one list for each integral.
@@ -112,7 +112,7 @@ pub struct Course {
     pub divisors: Vec<Vec<f64>>,
 }
 
-impl Watch {
+impl WatchedInvariants {
     /// Compiles the first integrals of a model, whose terms are in `arena`, and the divisors of its
     /// kinematic equations.
     ///
@@ -124,10 +124,10 @@ impl Watch {
         let outputs: Vec<_> = integrals.iter().map(|i| i.expression).chain(divisors.iter().copied()).collect();
         let inputs = [model.p(), model.q(), model.u()].concat();
         Ok(Self {
-            integrals: integrals.iter().map(|i| Conserved::new(model, arena, i)).collect(),
-            divisors: divisors.iter().map(|e| text(arena, *e)).collect(),
-            tape: tape(arena, &inputs, &outputs, "what is conserved")?,
-            divided: Self::divided(model, arena, integrals)?,
+            integrals: integrals.iter().map(|i| ConservedQuantity::new(model, arena, i)).collect(),
+            divisors: divisors.iter().map(|e| print_text(arena, *e)).collect(),
+            tape: compile_tape(arena, &inputs, &outputs, "what is conserved")?,
+            divided: Self::parameter_divisors(model, arena, integrals)?,
         })
     }
 
@@ -136,7 +136,7 @@ impl Watch {
     ///
     /// # Errors
     /// `Error::Request` if a divisor mentions a symbol without a value during a run.
-    fn divided(model: &Model, arena: &Arena, integrals: &[Integral]) -> Result<Tape, Error> {
+    fn parameter_divisors(model: &Model, arena: &Arena, integrals: &[Integral]) -> Result<Tape, Error> {
         let mut arena = arena.clone();
         let parameters = model.p();
         let products: Vec<_> = integrals
@@ -148,13 +148,13 @@ impl Watch {
                 arena.product(&divisors)
             })
             .collect();
-        tape(&arena, &parameters, &products, "what a first integral divides by")
+        compile_tape(&arena, &parameters, &products, "what a first integral divides by")
     }
 
     /// For each first integral, true if it exists at the given parameters: it must not divide by
     /// zero.
     #[must_use]
-    pub fn exist(&self, parameters: &[f64]) -> Vec<bool> {
+    pub fn integrals_exist(&self, parameters: &[f64]) -> Vec<bool> {
         self.divided.evaluate(parameters).into_iter().map(|divisor| divisor != 0.0).collect()
     }
 
@@ -169,7 +169,7 @@ impl Watch {
     /// Compiles the first integrals of a model that are known from `basis`.
     ///
     /// # Errors
-    /// Errors of [`Watch::new`].
+    /// Errors of [`WatchedInvariants::new`].
     pub fn of_basis(model: &Model, basis: &ReductionBasis) -> Result<Self, Error> {
         Self::new(model, &basis.arena, &basis.integrals)
     }
@@ -177,10 +177,10 @@ impl Watch {
     /// Largest change along a run, for each first integral that exists at the parameters of the
     /// problem.
     #[must_use]
-    pub fn drifts(&self, problem: &Problem<'_>, solution: &Solution) -> Vec<Drift> {
-        let exist = self.exist(&problem.shown.parameters);
+    pub fn integral_drifts(&self, problem: &Problem<'_>, solution: &Solution) -> Vec<Drift> {
+        let exist = self.integrals_exist(&problem.shown.parameters);
         let changes = self.integrals.iter().zip(self.changes(problem, solution)).zip(exist);
-        let drift = |(integral, change): (&Conserved, f64)| Drift { integral: integral.clone(), change };
+        let drift = |(integral, change): (&ConservedQuantity, f64)| Drift { integral: integral.clone(), change };
         changes.filter(|(_, exists)| *exists).map(|(found, _)| drift(found)).collect()
     }
 
@@ -193,7 +193,7 @@ impl Watch {
         let (mut first, mut largest) = (None, vec![0.0; n]);
         let samples = solution.t.iter().zip(&solution.y).chain([(&solution.t_end, &solution.y_end)]);
         for (t, y) in samples {
-            let inputs = [problem.shown.parameters.clone(), problem.state(*t, y)].concat();
+            let inputs = [problem.shown.parameters.clone(), problem.shown_state(*t, y)].concat();
             self.tape.evaluate_into(&inputs, &mut scratch, &mut out);
             let first = first.get_or_insert_with(|| out[..n].to_vec());
             for ((largest, value), first) in largest.iter_mut().zip(&out).zip(first.iter()) {
@@ -206,10 +206,10 @@ impl Watch {
     /// Change of the first integral with the index `integral` from its first value, at each sample,
     /// in its unit.
     #[must_use]
-    pub fn course(&self, problem: &Problem<'_>, solution: &Solution, integral: usize) -> Vec<f64> {
+    pub fn integral_changes(&self, problem: &Problem<'_>, solution: &Solution, integral: usize) -> Vec<f64> {
         let (mut scratch, mut out) = (Vec::new(), vec![f64::NAN; self.integrals.len() + self.divisors.len()]);
         let mut value = |(t, y): (&f64, &Vec<f64>)| {
-            let inputs = [problem.shown.parameters.clone(), problem.state(*t, y)].concat();
+            let inputs = [problem.shown.parameters.clone(), problem.shown_state(*t, y)].concat();
             self.tape.evaluate_into(&inputs, &mut scratch, &mut out);
             out[integral]
         };
@@ -221,7 +221,7 @@ impl Watch {
     /// allowed change.
     /// `allowance` gives the allowed error of a component of (q, u) from its index and value. At
     /// most `samples` states are examined.
-    pub fn worst(
+    pub fn worst_excursions(
         &self,
         problem: &Problem<'_>,
         solution: &Solution,
@@ -239,10 +239,10 @@ impl Watch {
             out
         };
         let first = solution.t.first().zip(solution.y.first()).unwrap_or((&solution.t_end, &solution.y_end));
-        let start = value(&problem.state(*first.0, first.1));
+        let start = value(&problem.shown_state(*first.0, first.1));
         let every = solution.y.len().div_ceil(samples).max(1);
         for (t, y) in solution.t.iter().zip(&solution.y).step_by(every).chain([(&solution.t_end, &solution.y_end)]) {
-            let mut state = problem.state(*t, y);
+            let mut state = problem.shown_state(*t, y);
             let here = value(&state);
             let terms = self.tape.largest_terms(&[p.as_slice(), &state].concat());
             let mut allowed = vec![0.0; n];
@@ -273,7 +273,7 @@ impl Watch {
     /// u).
     /// There is one list for each integral and one for each divisor.
     #[must_use]
-    pub fn along(&self, parameters: &[f64], states: &[Vec<f64>]) -> (Vec<Vec<f64>>, Vec<Vec<f64>>) {
+    pub fn invariants_along_states(&self, parameters: &[f64], states: &[Vec<f64>]) -> (Vec<Vec<f64>>, Vec<Vec<f64>>) {
         let mut list = vec![Vec::with_capacity(states.len()); self.integrals.len() + self.divisors.len()];
         let (mut scratch, mut out) = (Vec::new(), vec![f64::NAN; list.len()]);
         for state in states {
@@ -287,7 +287,7 @@ impl Watch {
     }
 }
 
-impl Course {
+impl InvariantValues {
     /// Least of `values`, which has one value for each sample, and its instant, s; `None` if every
     /// value is NaN.
     #[must_use]
@@ -325,7 +325,7 @@ mod tests {
 
     #[test]
     fn extremes_pass_over_what_has_no_value() {
-        let course = Course {
+        let course = InvariantValues {
             t: vec![0.0, 1.0, 2.0],
             integrals: vec![vec![1.0, 3.0, 0.5], vec![1.0, f64::NAN, 1.0], vec![2.0; 3]],
             determinant: vec![-4.0, -1.0, -2.0],

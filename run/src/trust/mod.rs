@@ -2,22 +2,22 @@
 //!
 //! Every objection states a number. None depends on a clock: the same run gives the same objections.
 
-pub mod comparison;
-pub(super) mod digits;
-pub(super) mod events;
+pub mod compared_quantities;
+pub(super) mod constraint_residuals;
+pub(super) mod correct_digits;
 pub(super) mod invariants;
-pub(super) mod power;
-pub(super) mod reference;
-pub(super) mod residuals;
+pub(super) mod load_power;
+pub(super) mod reference_solution;
 pub(super) mod stiffness;
+pub(super) mod watched_functions;
 
-use crate::error::{Error, refused};
+use crate::error::{Error, refused_scene_error};
 use crate::preparation::problem::Problem;
-use crate::trust::digits::{Digits, FEW, SecondEnd};
-use crate::trust::invariants::{Conserved, Excursion, Watch};
-use crate::trust::residuals::{broken, opened};
-use tripos_derive::plain::{significant, within};
-use tripos_derive::scene::Solve;
+use crate::trust::constraint_residuals::{broken_constraint_objection, opened_loop_objections};
+use crate::trust::correct_digits::{CorrectDigits, FEW, SecondEnd};
+use crate::trust::invariants::{ConservedQuantity, Excursion, WatchedInvariants};
+use tripos_derive::plain_text::{with_reliable_digits, with_significant_digits};
+use tripos_derive::scene::AccelerationSolution;
 use tripos_sim::{Solution, Stop};
 
 /// Relative error at which no more than three digits are correct.
@@ -30,52 +30,54 @@ const MOST_SAMPLES: usize = 400;
 ///
 /// # Errors
 /// [`Error::Request`] if the number of parameters does not fit the equations.
-pub fn objections(
+pub fn objections_to_run(
     problem: &Problem<'_>,
     solution: &Solution,
-    watch: Option<&Watch>,
+    watch: Option<&WatchedInvariants>,
     energy_drift: Option<f64>,
-    digits: Option<&Digits>,
+    digits: Option<&CorrectDigits>,
     names: &[String],
 ) -> Result<Vec<String>, Error> {
-    let mut list: Vec<String> = solution.warnings.iter().map(|w| w.described(&problem.variables())).collect();
+    let mut list: Vec<String> = solution.warnings.iter().map(|w| w.warning_text(&problem.variable_names())).collect();
     if solution.stop == Stop::Interrupted {
         // An interrupted run needs no judgement.
         return Ok(list);
     }
-    list.extend(digits.and_then(|digits| few(digits, names)));
-    list.extend(digits.and_then(|digits| contradicted(digits, &problem.variables())));
+    list.extend(digits.and_then(|digits| too_few_digits_objection(digits, names)));
+    list.extend(digits.and_then(|digits| contradiction_objection(digits, &problem.variable_names())));
     if let Some(watch) = watch {
-        let worst = worst(problem, solution, watch);
+        let worst = worst_excursions(problem, solution, watch);
         list.extend(worst.iter().filter(|(_, furthest)| furthest.ratio > 1.0).map(excursion_in_words));
     }
     if !watch.is_some_and(|watch| watch.integrals.iter().any(|integral| integral.kind.is_energy())) {
-        list.extend(energy_drift.and_then(|drift| energy(problem, solution, drift)));
+        list.extend(energy_drift.and_then(|drift| energy_objection(problem, solution, drift)));
     }
-    list.extend(broken(problem, solution));
-    list.extend(opened(problem, solution));
-    list.extend(condition(problem, solution)?);
+    list.extend(broken_constraint_objection(problem, solution));
+    list.extend(opened_loop_objections(problem, solution));
+    list.extend(condition_objection(problem, solution)?);
     Ok(list)
 }
 
 /// Objection that fewer than three digits are correct, with the first instant of this; `None` if
 /// there are enough.
-fn few(digits: &Digits, names: &[String]) -> Option<String> {
+fn too_few_digits_objection(digits: &CorrectDigits, names: &[String]) -> Option<String> {
     let (instant, which) = digits.first_with_few()?;
     let (t, error, name) = (digits.t[instant], digits.errors[instant][which], &names[which]);
     if error.is_nan() {
         return Some(format!(
             "`{name}` has no value at t = {} s, in this run or in another, {}",
-            significant(t, 4),
+            with_significant_digits(t, 4),
             digits.by
         ));
     }
-    let end =
-        digits.end().filter(|left| *left >= FEW).map(|left| format!("; at the end {left:.0} digits are right again"));
+    let end = digits
+        .digits_at_end_least()
+        .filter(|left| *left >= FEW)
+        .map(|left| format!("; at the end {left:.0} digits are right again"));
     Some(format!(
         "fewer than three digits are right from t = {} s on, where `{name}` may be off by {}: this is the difference from another run, {}{}",
-        significant(t, 4),
-        significant(error, 2),
+        with_significant_digits(t, 4),
+        with_significant_digits(error, 2),
         digits.by,
         end.unwrap_or_default()
     ))
@@ -83,10 +85,10 @@ fn few(digits: &Digits, names: &[String]) -> Option<String> {
 
 /// Text that names the part of a run for which no errors are estimated; `None` if they are
 /// estimated to its end.
-fn beyond(digits: &Digits) -> Option<String> {
-    match digits.assessed() {
+fn part_without_digits(digits: &CorrectDigits) -> Option<String> {
+    match digits.last_assessed_instant() {
         _ if digits.is_complete() => None,
-        Some(t) => Some(format!("beyond t = {} s", within(t, None))),
+        Some(t) => Some(format!("beyond t = {} s", with_reliable_digits(t, None))),
         None => Some("at any instant".to_owned()),
     }
 }
@@ -98,7 +100,7 @@ const ONE_END: f64 = 1e-3;
 /// True if the second run, which is finer than the first, stopped earlier because it could not go
 /// on.
 /// Reaching the step limit does not count, nor does a coarser second run.
-fn could_not_go_on(digits: &Digits) -> bool {
+fn second_run_stopped_early(digits: &CorrectDigits) -> bool {
     let SecondEnd { t, stop, is_finer } = &digits.second;
     let start = digits.t.first().copied().unwrap_or(*t);
     let is_one_end = (digits.t_end - t).abs() <= ONE_END * (digits.t_end - start).abs();
@@ -110,8 +112,8 @@ fn could_not_go_on(digits: &Digits) -> bool {
 /// estimated to the end.
 /// Returns `None` if they are.
 #[must_use]
-pub fn unassessed(digits: &Digits) -> Option<String> {
-    let beyond = beyond(digits).filter(|_| !could_not_go_on(digits))?;
+pub fn unassessed_digits_note(digits: &CorrectDigits) -> Option<String> {
+    let beyond = part_without_digits(digits).filter(|_| !second_run_stopped_early(digits))?;
     let why = match digits.second.stop {
         Stop::StepLimit { .. } => "had cost as much as this one there",
         _ => "could not go on there",
@@ -121,8 +123,8 @@ pub fn unassessed(digits: &Digits) -> Option<String> {
 
 /// Objection that a finer run of the same motion cannot follow it to its end; `None` if there is no
 /// such contradiction.
-fn contradicted(digits: &Digits, names: &[String]) -> Option<String> {
-    let beyond = beyond(digits).filter(|_| could_not_go_on(digits))?;
+fn contradiction_objection(digits: &CorrectDigits, names: &[String]) -> Option<String> {
+    let beyond = part_without_digits(digits).filter(|_| second_run_stopped_early(digits))?;
     let why = digits.second.stop.described(names);
     Some(format!("another run of this motion ({}) could not go on: {why}; do not trust this one {beyond}", digits.by))
 }
@@ -131,7 +133,7 @@ fn contradicted(digits: &Digits, names: &[String]) -> Option<String> {
 /// the drift is small.
 /// It is used if the energy is not among the watched first integrals, because loads do work or no
 /// integrals were searched for.
-fn energy(problem: &Problem<'_>, solution: &Solution, drift: f64) -> Option<String> {
+fn energy_objection(problem: &Problem<'_>, solution: &Solution, drift: f64) -> Option<String> {
     let (system, p) = (problem.system(), problem.scene.parameters.as_slice());
     let n = system.lengths().coordinates;
     let potential = |y: &Vec<f64>| system.potential_energy(p, &y[..n]).abs();
@@ -154,38 +156,38 @@ fn energy(problem: &Problem<'_>, solution: &Solution, drift: f64) -> Option<Stri
     (drift > (THREE_DIGITS * scale).max(nothing)).then(|| {
         format!(
             "{what}, constant in this motion, changed by {} J of {} J: fewer than three digits are left",
-            significant(drift, 4),
-            significant(scale, 4)
+            with_significant_digits(drift, 4),
+            with_significant_digits(scale, 4)
         )
     })
 }
 
 /// First integral with its largest change since the start of the run.
-type Worst<'a> = (&'a Conserved, Excursion);
+type Worst<'a> = (&'a ConservedQuantity, Excursion);
 
 /// Largest change of each existing first integral, relative to the change at three correct digits
 /// of the state.
-fn worst<'a>(problem: &Problem<'_>, solution: &Solution, watch: &'a Watch) -> Vec<Worst<'a>> {
+fn worst_excursions<'a>(problem: &Problem<'_>, solution: &Solution, watch: &'a WatchedInvariants) -> Vec<Worst<'a>> {
     // The allowed change is that of a state with three correct digits.
-    let worst = watch.worst(problem, solution, MOST_SAMPLES, &|_, x| THREE_DIGITS * (1.0 + x.abs()));
-    let list = watch.integrals.iter().zip(worst).zip(watch.exist(&problem.shown.parameters));
+    let worst = watch.worst_excursions(problem, solution, MOST_SAMPLES, &|_, x| THREE_DIGITS * (1.0 + x.abs()));
+    let list = watch.integrals.iter().zip(worst).zip(watch.integrals_exist(&problem.shown.parameters));
     list.filter(|(_, exists)| *exists).map(|(found, _)| found).collect()
 }
 
 /// Objection that states the change of a first integral, with its instant.
 fn excursion_in_words((integral, Excursion { t, change, .. }): &Worst<'_>) -> String {
-    let (name, unit, t) = (integral.name(), &integral.unit, significant(*t, 4));
+    let (name, unit, t) = (integral.name(), &integral.unit, with_significant_digits(*t, 4));
     if change.is_nan() {
         return format!("{name}, constant in this motion, has no value at t = {t} s: do not trust this run");
     }
     format!(
         "{name}, constant in this motion, has changed by {} {unit} at t = {t} s: fewer than three digits are left there",
-        significant(*change, 4)
+        with_significant_digits(*change, 4)
     )
 }
 
 /// States (t, y) spread evenly over a run, at most about [`MOST_SAMPLES`].
-fn spread(solution: &Solution) -> impl Iterator<Item = (f64, &Vec<f64>)> {
+fn evenly_spaced_samples(solution: &Solution) -> impl Iterator<Item = (f64, &Vec<f64>)> {
     let every = solution.y.len().div_ceil(MOST_SAMPLES).max(1);
     solution.t.iter().copied().zip(&solution.y).step_by(every)
 }
@@ -196,13 +198,13 @@ fn spread(solution: &Solution) -> impl Iterator<Item = (f64, &Vec<f64>)> {
 ///
 /// # Errors
 /// `Error::Request` if the number of parameters does not fit the equations.
-fn condition(problem: &Problem<'_>, solution: &Solution) -> Result<Option<String>, Error> {
+fn condition_objection(problem: &Problem<'_>, solution: &Solution) -> Result<Option<String>, Error> {
     // Equations with multipliers are solved at any rank of the constraints.
-    if problem.solve == Solve::Eliminated || problem.chosen.is_some() {
+    if problem.solve == AccelerationSolution::Eliminated || problem.chosen.is_some() {
         return Ok(None);
     }
-    let mut dynamics = problem.dynamics().map_err(|error| refused(problem.scene, &error))?;
-    let worst = spread(solution)
+    let mut dynamics = problem.dynamics().map_err(|error| refused_scene_error(problem.scene, &error))?;
+    let worst = evenly_spaced_samples(solution)
         .map(|(t, y)| {
             let (q, v) = dynamics.split(y);
             let (q, v) = (q.to_vec(), v.to_vec());
@@ -216,8 +218,8 @@ fn condition(problem: &Problem<'_>, solution: &Solution) -> Result<Option<String
         let digits = (-lost.log10()).floor().max(0.0);
         format!(
             "the matrix is ill-conditioned at t = {} s: equilibrated rcond {}, so the numeric solve leaves {digits} digits there, less than rtol {:e} asks for{}",
-            within(t, None),
-            significant(rcond, 2),
+            with_reliable_digits(t, None),
+            with_significant_digits(rcond, 2),
             problem.scene.integration.rtol,
             if problem.system().has_accelerations() { "; eliminated accelerations lose none of them" } else { "" }
         )

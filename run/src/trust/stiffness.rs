@@ -6,11 +6,11 @@
 //! Radau's method runs the motion at the same tolerances with a fraction of the steps, and either
 //! arrives or does not. A motion that needs its short steps for accuracy gets no advice.
 
-use crate::error::{Error, refused};
-use crate::options::options_of_ends;
+use crate::error::{Error, refused_scene_error};
+use crate::integration_options::integration_options_for_ends;
 use crate::preparation::problem::Problem;
-use tripos_derive::plain::within;
-use tripos_sim::{Eliminated, Method, Options, Output, RightHandSide, Solution, Stop};
+use tripos_derive::plain_text::with_reliable_digits;
+use tripos_sim::{EliminatedDynamics, Method, Options, OutputOption, RightHandSide, Solution, Stop};
 
 /// Least number of steps of a run that is examined for stiffness; shorter runs take little time.
 const MANY_STEPS: u64 = 2_000;
@@ -39,21 +39,27 @@ const MEASURED: usize = 30;
 ///
 /// # Errors
 /// [`Error`] if the problem cannot be run as its scene says.
-pub fn advice(problem: &Problem<'_>, solution: &Solution) -> Result<Option<String>, Error> {
+pub fn stiffness_advice(problem: &Problem<'_>, solution: &Solution) -> Result<Option<String>, Error> {
     let how = &problem.scene.integration;
     let is_explicit = how.method.method().is_some_and(|method| !method.needs_jacobian());
     let is_asked = is_explicit && how.step.is_none() && solution.steps >= MANY_STEPS;
     if !is_asked || solution.stop == Stop::Interrupted {
         return Ok(None);
     }
-    let Some(product) = mean_product(problem, solution).filter(|product| *product > NEAR_BOUND) else {
+    let Some(product) = mean_stiffness_product(problem, solution).filter(|product| *product > NEAR_BOUND) else {
         return Ok(None);
     };
-    let Some((end, implicit)) = measured(problem, solution)? else { return Ok(None) };
-    let done =
-        if solution.stop == Stop::End { String::new() } else { format!(" to t = {} s", within(solution.t_end, None)) };
-    let arrived =
-        if solution.t_end.total_cmp(&end).is_eq() { String::new() } else { format!(" to t = {} s", within(end, None)) };
+    let Some((end, implicit)) = measure_implicit_run(problem, solution)? else { return Ok(None) };
+    let done = if solution.stop == Stop::End {
+        String::new()
+    } else {
+        format!(" to t = {} s", with_reliable_digits(solution.t_end, None))
+    };
+    let arrived = if solution.t_end.total_cmp(&end).is_eq() {
+        String::new()
+    } else {
+        format!(" to t = {} s", with_reliable_digits(end, None))
+    };
     Ok(Some(format!(
         "explicit steps are limited by stability here, not by accuracy: {} steps of {}{done}, with |h λ| = {product:.1} on \
          average; radau5 takes {} at the same tolerances{arrived}",
@@ -64,8 +70,8 @@ pub fn advice(problem: &Problem<'_>, solution: &Solution) -> Result<Option<Strin
 /// Average of |h λ| over a run, for the eigenvalue λ of the Jacobian with the largest |λ|:
 /// (1/steps) ∫ |λ| dt.
 /// Returns `None` if the Jacobian cannot be computed at any sample.
-fn mean_product(problem: &Problem<'_>, solution: &Solution) -> Option<f64> {
-    let mut rhs = Eliminated::new(problem.system(), &problem.scene.parameters)?;
+fn mean_stiffness_product(problem: &Problem<'_>, solution: &Solution) -> Option<f64> {
+    let mut rhs = EliminatedDynamics::new(problem.system(), &problem.scene.parameters)?;
     let every = solution.y.len().div_ceil(SAMPLES).max(1);
     let samples = solution.t.iter().zip(&solution.y).step_by(every);
     let radii: Vec<f64> = samples.filter_map(|(t, y)| spectral_radius(&mut rhs, *t, y)).collect();
@@ -77,7 +83,7 @@ fn mean_product(problem: &Problem<'_>, solution: &Solution) -> Option<f64> {
 /// real.
 /// It is the mean growth of a vector under repeated multiplication by the Jacobian. `None` if it
 /// cannot be computed.
-fn spectral_radius(rhs: &mut Eliminated<'_>, t: f64, y: &[f64]) -> Option<f64> {
+fn spectral_radius(rhs: &mut EliminatedDynamics<'_>, t: f64, y: &[f64]) -> Option<f64> {
     let n = y.len();
     // Purely algebraic equations have no integrated state.
     if n == 0 {
@@ -106,18 +112,18 @@ fn spectral_radius(rhs: &mut Eliminated<'_>, t: f64, y: &[f64]) -> Option<f64> {
 /// its solution.
 /// This instant is the end of the given run, or of the span if the given run used up its steps.
 /// `None` unless Radau's method arrives with far fewer steps and less work.
-fn measured(problem: &Problem<'_>, solution: &Solution) -> Result<Option<(f64, Solution)>, Error> {
+fn measure_implicit_run(problem: &Problem<'_>, solution: &Solution) -> Result<Option<(f64, Solution)>, Error> {
     let scene = problem.scene;
     let is_given_up = matches!(solution.stop, Stop::StepLimit { .. });
     let end = if is_given_up { scene.span.1 } else { solution.t_end };
     let options = Options {
         method: Method::Radau5,
         step_limit: solution.steps / FEWER,
-        output: Output::Ends,
-        ..options_of_ends(scene)
+        output: OutputOption::Ends,
+        ..integration_options_for_ends(scene)
     };
     let run = problem.integrate_over((scene.span.0, end), &problem.start()?, &options, &mut []);
-    let run = run.map_err(|error| refused(scene, &error))?;
+    let run = run.map_err(|error| refused_scene_error(scene, &error))?;
     // A Jacobian counts as one evaluation for each column, as if computed by differences.
     let spent = run.evaluations + run.jacobians * run.y_end.len() as u64;
     Ok((run.stop == Stop::End && CHEAPER * spent <= solution.evaluations).then_some((end, run)))

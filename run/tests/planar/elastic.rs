@@ -43,7 +43,7 @@ fn elastic_impacts_of_random_bodies_keep_energy_to_rounding() {
         }
         let off = |(name, at): &(String, usize)| {
             let place = run.names.iter().position(|known| *known == format!("u_{name}")).unwrap();
-            let first = run.column(&run.names[place]).unwrap()[0];
+            let first = run.column_of_quantity(&run.names[place]).unwrap()[0];
             (first - truth[3 * made.world.bodies.len() + at]).abs()
         };
         let apart = made.coordinates.iter().map(off).fold(0.0, f64::max);

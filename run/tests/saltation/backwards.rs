@@ -5,7 +5,7 @@ use crate::impacts::{PLANE, block, scene as scene_of};
 use crate::saltation::balls::{BALL, PLATE, ROW, ball, bounced, plate};
 use crate::sensitivity::near;
 use tripos::studies::sensitivity::gradient::Slope;
-use tripos::{At, Overrides, Scene};
+use tripos::{DerivativeInstants, Overrides, Scene};
 
 /// Checks that gradients of the quantities of these names agree with forward derivatives, by all numbers of the scene,
 /// within the stated errors. Where one of them is missing the other is missing too, for the same reason. The run equals
@@ -23,7 +23,7 @@ pub fn is_forwards(scene: &Scene, shown: &[&str], how: &Overrides) {
             found.slopes.iter().partition(|slope| slope.missing.is_none());
         for slope in without {
             assert!(slope.value.is_nan(), "{slope:?}");
-            match scene.sensitivities(&[&slope.by], At::End, &how) {
+            match scene.sensitivities(&[&slope.by], DerivativeInstants::End, &how) {
                 Ok(forwards) => assert_eq!(slope.missing, forwards.ended[0], "{slope:?}"),
                 Err(refused) => assert!(refused.to_string().contains(slope.missing.as_ref().unwrap()), "{slope:?}"),
             }
@@ -32,7 +32,7 @@ pub fn is_forwards(scene: &Scene, shown: &[&str], how: &Overrides) {
         if names.is_empty() {
             continue;
         }
-        let forwards = scene.sensitivities(&names, At::End, &how).unwrap();
+        let forwards = scene.sensitivities(&names, DerivativeInstants::End, &how).unwrap();
         let place = forwards.names.iter().position(|name| name == of).unwrap();
         for (at, slope) in with.into_iter().enumerate() {
             let truth = forwards.end[at][place];
@@ -70,14 +70,14 @@ fn a_ball_has_the_gradient_of_its_closed_form_through_its_bounces() {
             let found = scene.gradient(of, &how).unwrap_or_else(|e| panic!("{e}"));
             assert!(found.missing().is_none() && found.run.failure().is_none(), "{:?}", found.missing());
             for (at, by) in ["g", "e", "z", "w", "L"].into_iter().enumerate() {
-                let slope = found.by(by).unwrap();
+                let slope = found.slope_by(by).unwrap();
                 let (truth, stated) = (all[at][place], slope.error.expect("a second run comes to the end"));
                 let off = (slope.value - truth).abs();
                 assert!(off <= 1e-9 * truth.abs().max(1.0), "{method} d({of})/d({by}) = {} for {truth}", slope.value);
                 assert!(off <= 30.0 * stated + 1e-13 * truth.abs().max(1.0), "{by}: {off:e}, not {stated:e}");
             }
-            near(found.by("m").unwrap().value, 0.0, 1e-12, "the mass");
-            near(found.by("v").unwrap().value, 0.0, 1e-12, "the speed along the floor");
+            near(found.slope_by("m").unwrap().value, 0.0, 1e-12, "the mass");
+            near(found.slope_by("v").unwrap().value, 0.0, 1e-12, "the speed along the floor");
         }
     }
 }
@@ -135,7 +135,7 @@ fn loops_and_contacts_that_do_not_slip_are_differentiated_in_speeds_and_in_rates
             is_forwards(scene, &[of], &how);
             if value.is_finite() {
                 let (own, truth) = (
-                    scene.gradient(of, &how).unwrap().by(by).unwrap().value,
+                    scene.gradient(of, &how).unwrap().slope_by(by).unwrap().value,
                     difference(scene, of, by, value, 1e-3, &how),
                 );
                 assert!(
@@ -165,7 +165,7 @@ fn an_event_after_a_bounce_moves_with_every_number() {
         ("z", (1.0 + c) / (g * fall), c * c),
         ("L", -(1.0 + c) / (g * fall), 1.0 - c * c),
     ] {
-        near(of_t.by(by).unwrap().value, in_t, 1e-10, by);
-        near(of_z.by(by).unwrap().value, in_z, 1e-10, by);
+        near(of_t.slope_by(by).unwrap().value, in_t, 1e-10, by);
+        near(of_z.slope_by(by).unwrap().value, in_z, 1e-10, by);
     }
 }

@@ -3,7 +3,7 @@
 use super::{FINE, Planted, Wide, how, largest_error, truth, wide};
 use crate::impacts::scene as scene_of;
 use crate::sensitivity::near;
-use tripos::{At, Overrides};
+use tripos::{DerivativeInstants, Overrides};
 use tripos_traits::Scalar;
 
 pub const BALL: &str = r#"
@@ -76,7 +76,8 @@ fn a_ball_is_differentiated_through_its_bounces() {
         let scene = scene_of(BALL, &ball(&values, 1.5, law));
         let by = ["kane", "lagrange", "newton-euler"][case % 3];
         let names = ["g", "e", "z", "w", "L", "m"];
-        let found = scene.sensitivities(&names, At::End, &how(by, method)).unwrap_or_else(|e| panic!("{e}"));
+        let found =
+            scene.sensitivities(&names, DerivativeInstants::End, &how(by, method)).unwrap_or_else(|e| panic!("{e}"));
         let (_, met) = bounced(&values.map(wide), 1.5);
         bounces += met.len();
         assert_eq!(found.run.impacts().len(), met.len(), "{values:?}");
@@ -111,7 +112,9 @@ fn a_bouncing_run_with_derivatives_is_the_run_without() {
         let text = ball(&[10.0, e, 1.0, 0.0, floor], end, "newton");
         let scene = scene_of(BALL, &text);
         let names = ["g", "z", "w", "L", "m", "v"];
-        let all = scene.sensitivities(&names, At::Samples, &how("kane", method)).unwrap_or_else(|e| panic!("{e}"));
+        let all = scene
+            .sensitivities(&names, DerivativeInstants::Samples, &how("kane", method))
+            .unwrap_or_else(|e| panic!("{e}"));
         let plain = scene.simulate(&how("kane", method)).unwrap();
         println!("{method} {e}: {:?} {:?}", all.run.failure(), plain.failure());
         assert_eq!(all.run.states, plain.states, "{method}");
@@ -123,7 +126,7 @@ fn a_bouncing_run_with_derivatives_is_the_run_without() {
         assert_eq!(last, all.end, "{method}: the last sample is the end");
     }
     let scene = scene_of(BALL, &ball(&values, 1.5, "newton"));
-    let found = scene.sensitivities(&["g"], At::Samples, &Overrides::default()).unwrap();
+    let found = scene.sensitivities(&["g"], DerivativeInstants::Samples, &Overrides::default()).unwrap();
     let met: Vec<f64> = found.run.impacts().iter().map(|impact| impact.t).collect();
     for (at, t) in found.run.solution.t.iter().enumerate().filter(|(_, t)| !met.contains(*t)) {
         let list = &truth(&values, &|numbers| bounced(numbers, *t).0)[0];
@@ -139,14 +142,15 @@ fn a_ball_thrown_against_a_wall_comes_back_as_it_must() {
     let text = format!(
         "span = [0, 2]\n[start]\nx = 0\nz = 0\nv = 3\nw = 0.5\n[parameters]\ng = 0\nL = 1.5\n{FINE}[impacts.wall]\ngap = \"L - p(P) @ N [1]\"\nrestitution = \"e\"\n"
     );
-    let found =
-        scene_of(BALL, &text).sensitivities(&["L", "e", "v", "w", "m"], At::End, &Overrides::default()).unwrap();
+    let found = scene_of(BALL, &text)
+        .sensitivities(&["L", "e", "v", "w", "m"], DerivativeInstants::End, &Overrides::default())
+        .unwrap();
     for (by, x, z) in [("L", 1.5, 0.0), ("e", 1.5 - 6.0, 0.0), ("v", -1.0, 0.0), ("w", 0.0, 2.0), ("m", 0.0, 0.0)] {
-        near(found.of("x", by).unwrap(), x, 1e-13, by);
-        near(found.of("z", by).unwrap(), z, 1e-13, by);
+        near(found.derivative_of("x", by).unwrap(), x, 1e-13, by);
+        near(found.derivative_of("z", by).unwrap(), z, 1e-13, by);
     }
-    near(found.of("v", "e").unwrap(), -3.0, 1e-13, "the speed by the restitution");
-    near(found.of("v", "v").unwrap(), -0.5, 1e-13, "the speed by the speed");
+    near(found.derivative_of("v", "e").unwrap(), -3.0, 1e-13, "the speed by the restitution");
+    near(found.derivative_of("v", "v").unwrap(), -0.5, 1e-13, "the speed by the speed");
 }
 
 /// Contact of a ball that lies on a plate, which moves as A sin(k t). The ball leaves where A k² sin(k t) = g, and
@@ -179,7 +183,7 @@ fn a_ball_that_leaves_a_plate_is_differentiated_by_the_force_that_held_it() {
         );
         let scene = scene_of(&plate(), &text);
         let how = how(["kane", "lagrange"][case % 2], ["dop853", "ode45"][case % 2]);
-        let found = scene.sensitivities(&["A", "k", "g", "m"], At::End, &how).unwrap();
+        let found = scene.sensitivities(&["A", "k", "g", "m"], DerivativeInstants::End, &how).unwrap();
         let numbers = [&values[..], &[2.0]].concat();
         let worst = largest_error(&found, &["z", "w"], &numbers, &|numbers| closed(&numbers[..3])[..2].to_vec());
         assert!(worst < 1e-8, "{values:?}: {worst:e}");
@@ -235,7 +239,7 @@ fn an_impact_that_goes_through_a_row_is_differentiated() {
              [impacts.ab]\ngap = \"x2 - x1\"\nrestitution = \"e\"\nlaw = \"{law}\"\n[impacts.bc]\ngap = \"x3 - x2\"\nrestitution = \"e\"\nlaw = \"{law}\"\n"
         );
         let scene = scene_of(ROW, &text);
-        let found = scene.sensitivities(&names, At::End, &Overrides::default()).unwrap();
+        let found = scene.sensitivities(&names, DerivativeInstants::End, &Overrides::default()).unwrap();
         assert_eq!(found.run.impacts()[0].impulses.len(), 2, "{:?}", found.run.impacts());
         let closed = |numbers: &[Wide]| {
             let [m1, m2, m3, e, u, x] = numbers[..] else { panic!("six") };
@@ -249,8 +253,8 @@ fn an_impact_that_goes_through_a_row_is_differentiated() {
         };
         let worst = largest_error(&found, &["x1", "x2", "x3", "u1", "u2", "u3"], &values, &closed);
         assert!(worst < 1e-12, "{law}: {worst:e}");
-        let place = scene.sensitivities(&["x3"], At::End, &Overrides::default()).unwrap();
-        let why = place.missing().expect("its place opens the contact");
+        let place = scene.sensitivities(&["x3"], DerivativeInstants::End, &Overrides::default()).unwrap();
+        let why = place.missing_derivative().expect("its place opens the contact");
         assert!(why.contains("`bc` is closed at the start, and `x3` opens it"), "{why}");
     }
 }
@@ -260,12 +264,13 @@ fn an_impact_that_goes_through_a_row_is_differentiated() {
 #[test]
 fn bounces_without_end_leave_what_is_at_rest_with_its_derivatives() {
     let scene = scene_of(BALL, &ball(&[10.0, 0.625, 1.0, 0.0, 0.25], 3.0, "newton"));
-    let found = scene.sensitivities(&["g", "e", "z", "L", "v"], At::End, &Overrides::default()).unwrap();
-    assert!(found.missing().is_none() && found.run.impacts().iter().any(|impact| !impact.held.is_empty()));
+    let found =
+        scene.sensitivities(&["g", "e", "z", "L", "v"], DerivativeInstants::End, &Overrides::default()).unwrap();
+    assert!(found.missing_derivative().is_none() && found.run.impacts().iter().any(|impact| !impact.held.is_empty()));
     for (by, z, x) in [("g", 0.0, 0.0), ("e", 0.0, 0.0), ("z", 0.0, 0.0), ("L", 1.0, 0.0), ("v", 0.0, 3.0)] {
-        near(found.of("z", by).unwrap(), z, 1e-9, by);
-        near(found.of("w", by).unwrap(), 0.0, 1e-9, by);
-        near(found.of("x", by).unwrap(), x, 1e-12, by);
+        near(found.derivative_of("z", by).unwrap(), z, 1e-9, by);
+        near(found.derivative_of("w", by).unwrap(), 0.0, 1e-9, by);
+        near(found.derivative_of("x", by).unwrap(), x, 1e-12, by);
     }
     // With T = t₁ (1 + e²)/(1 − e²), t₁ = √(2 (h − L)/g), the derivative by g is −T/(2 g).
     let last = found.run.impacts().last().unwrap().t;

@@ -4,7 +4,7 @@ use super::backwards::is_forwards;
 use super::{Planted, difference, how};
 use crate::friction::{BLOCK, FINE, on_plane};
 use crate::impacts::{PLANE, scene as scene_of};
-use tripos::At;
+use tripos::DerivativeInstants;
 
 /// Goal: a rod whose end slips on the floor, with friction that depends on the normal force; and a rod that falls on
 /// its end at an angle, so that impulses along gap and slip are coupled. Truth: differences of whole runs.
@@ -42,12 +42,12 @@ fn a_rod_that_slides_or_falls_on_its_end_is_differentiated_as_differences_of_run
     for (text, numbers) in cases {
         let scene = scene_of(PLANE, &text);
         let names: Vec<&str> = numbers.iter().map(|(name, _)| *name).collect();
-        let found = scene.sensitivities(&names, At::End, &how).unwrap_or_else(|e| panic!("{e}"));
-        assert!(found.missing().is_none(), "{:?}", found.missing());
+        let found = scene.sensitivities(&names, DerivativeInstants::End, &how).unwrap_or_else(|e| panic!("{e}"));
+        assert!(found.missing_derivative().is_none(), "{:?}", found.missing_derivative());
         for (name, value) in &numbers {
             for of in ["x", "th", "vx", "om"] {
                 let truth = difference(&scene, of, name, *value, 1e-3, &how);
-                let own = found.of(of, name).unwrap();
+                let own = found.derivative_of(of, name).unwrap();
                 assert!(
                     (own - truth).abs() <= 2e-7 * truth.abs().max(1.0),
                     "d({of})/d({name}) = {own} for {truth}: {text}"
@@ -81,13 +81,14 @@ fn what_opens_as_it_slips_or_slips_as_it_tips_is_differentiated_as_differences_o
         (&tips, "A slips", &[("e", 0.5), ("g", 9.81), ("m", 3.0), ("I", 1.0)], &["x", "th", "vx", "om"]),
     ] {
         let names: Vec<&str> = numbers.iter().map(|(name, _)| *name).collect();
-        let found = scene.sensitivities(&names, At::End, &how).unwrap();
-        assert!(found.missing().is_none(), "{:?}", found.missing());
+        let found = scene.sensitivities(&names, DerivativeInstants::End, &how).unwrap();
+        assert!(found.missing_derivative().is_none(), "{:?}", found.missing_derivative());
         let event = found.run.events().iter().position(|event| event.name == what).expect("it happens");
         assert!(found.events[event].is_some(), "its instant moves");
         for (name, value) in numbers {
             for of in shown {
-                let (truth, own) = (difference(scene, of, name, *value, 1e-3, &how), found.of(of, name).unwrap());
+                let (truth, own) =
+                    (difference(scene, of, name, *value, 1e-3, &how), found.derivative_of(of, name).unwrap());
                 assert!(
                     (own - truth).abs() <= 3e-7 * truth.abs().max(1.0),
                     "{what}: d({of})/d({name}) = {own} for {truth}"
@@ -124,11 +125,12 @@ fn a_bar_thrown_at_random_is_differentiated_as_differences_of_runs_have_it() {
             continue;
         }
         impacts += run.impacts().len();
-        let found = scene.sensitivities(&["vx", "g", "h"], At::End, &how).unwrap();
-        assert!(found.missing().is_none(), "{case}: {:?}", found.missing());
+        let found = scene.sensitivities(&["vx", "g", "h"], DerivativeInstants::End, &how).unwrap();
+        assert!(found.missing_derivative().is_none(), "{case}: {:?}", found.missing_derivative());
         for (by, value) in [("vx", vx), ("g", 9.81), ("h", 0.0625)] {
             for of in ["x", "th", "om"] {
-                let (own, truth) = (found.of(of, by).unwrap(), difference(&scene, of, by, value, 1e-5, &how));
+                let (own, truth) =
+                    (found.derivative_of(of, by).unwrap(), difference(&scene, of, by, value, 1e-5, &how));
                 assert!(
                     (own - truth).abs() <= 1e-5 * truth.abs().max(1.0),
                     "{case}: d({of})/d({by}) = {own} for {truth}"

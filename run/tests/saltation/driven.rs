@@ -3,7 +3,7 @@
 use super::{FINE, Planted, Wide, how, largest_error, truth, wide};
 use crate::impacts::scene as scene_of;
 use crate::sensitivity::near;
-use tripos::{At, Overrides};
+use tripos::{DerivativeInstants, Overrides};
 use tripos_traits::{Real, Scalar};
 
 const DRIVEN: &str = r#"
@@ -73,7 +73,7 @@ fn a_force_that_switches_is_differentiated_by_when_it_does() {
         let scene = scene_of(DRIVEN, &driven(&values, ""));
         let loose = if method == "radau5" || method == "gauss6" { Some(1e-10) } else { None };
         let how = Overrides { rtol: loose, atol: loose, ..how(by, method) };
-        let found = scene.sensitivities(&DRIVE, At::End, &how).unwrap_or_else(|e| panic!("{e}"));
+        let found = scene.sensitivities(&DRIVE, DerivativeInstants::End, &how).unwrap_or_else(|e| panic!("{e}"));
         let worst = largest_error(&found, &["x", "v"], &values, &|numbers| switched(numbers, 3.0));
         assert!(worst < if loose.is_some() { 1e-6 } else { 1e-10 }, "{method} {by} {values:?}: {worst:e}");
     }
@@ -86,7 +86,7 @@ fn samples_and_events_beside_a_switch_have_the_slopes_of_their_side() {
     let values = [2.0, 18.0, 3.0, 7.0, 0.75];
     let more = "[[events]]\nname = \"passes\"\nzero = \"x\"\n";
     let scene = scene_of(DRIVEN, &driven(&values, more));
-    let found = scene.sensitivities(&DRIVE, At::Samples, &Overrides::default()).unwrap();
+    let found = scene.sensitivities(&DRIVE, DerivativeInstants::Samples, &Overrides::default()).unwrap();
     let solution = &found.run.solution;
     let after = solution.t.iter().position(|t| *t >= 10.0 / 7.0).unwrap();
     let column = |name: &str| found.names.iter().position(|known| known == name).unwrap();
@@ -145,7 +145,8 @@ fn a_force_with_a_bend_that_moves_is_differentiated() {
             planted.next(-1.0, 1.0),
         ];
         let scene = scene_of(&model, &driven(&values, ""));
-        let found = scene.sensitivities(&DRIVE, At::End, &how("kane", ["dop853", "ode45"][case % 2])).unwrap();
+        let found =
+            scene.sensitivities(&DRIVE, DerivativeInstants::End, &how("kane", ["dop853", "ode45"][case % 2])).unwrap();
         let worst = largest_error(&found, &["x"], &values, &closed);
         assert!(worst < 1e-10, "{values:?}: {worst:e}");
     }
@@ -165,7 +166,7 @@ fn a_table_whose_knots_move_is_differentiated() {
     let values = [2.0, 18.0, 0.8125, 5.0, 0.25, 0.6875];
     let text = driven(&values[..5], "").replace("[parameters]", "[parameters]\nT = 0.6875");
     let names = ["m", "k", "a", "c", "x", "T"];
-    let found = scene_of(&model, &text).sensitivities(&names, At::End, &Overrides::default()).unwrap();
+    let found = scene_of(&model, &text).sensitivities(&names, DerivativeInstants::End, &Overrides::default()).unwrap();
     let closed = |numbers: &[Wide]| {
         let [m, k, d, c, x, at] = numbers[..] else { panic!("six") };
         let (w, t) = ((k / m).sqrt(), wide(3.0));
@@ -183,7 +184,7 @@ fn jumps_without_a_derivative_are_refused() {
     let values = [2.0, 18.0, 3.0, 5.0, 0.75];
     let refused = |model: &str, text: &str, by: &str, method: &str| {
         let how = Overrides { step: (method == "rk4").then_some(0.01), ..how("kane", method) };
-        match scene_of(model, text).sensitivities(&[by], At::End, &how) {
+        match scene_of(model, text).sensitivities(&[by], DerivativeInstants::End, &how) {
             Err(error) => error.to_string(),
             Ok(_) => panic!("{by} is differentiated by"),
         }
@@ -197,5 +198,8 @@ fn jumps_without_a_derivative_are_refused() {
     let apart = refused(&two, &text, "c", "dop853");
     assert!(apart.contains("separates the jumps"), "{apart}");
     let scene = scene_of(&two, &text);
-    assert!(scene.sensitivities(&["k", "a"], At::End, &Overrides::default()).is_ok(), "neither moves a jump");
+    assert!(
+        scene.sensitivities(&["k", "a"], DerivativeInstants::End, &Overrides::default()).is_ok(),
+        "neither moves a jump"
+    );
 }

@@ -45,10 +45,10 @@ fn truth(numbers: &[f64], of: &dyn Fn(&[Wide]) -> Vec<Wide>) -> Vec<Vec<f64>> {
 /// whose closed form is given. Checks that the stated errors hold.
 fn largest_error(found: &Sensitivities, shown: &[&str], numbers: &[f64], of: &dyn Fn(&[Wide]) -> Vec<Wide>) -> f64 {
     assert!(
-        found.run.failure().is_none() && found.missing().is_none(),
+        found.run.failure().is_none() && found.missing_derivative().is_none(),
         "{:?} {:?}",
         found.run.objections(),
-        found.missing()
+        found.missing_derivative()
     );
     let errors = found.errors.as_ref().expect("a second run comes to the end");
     let mut worst = 0.0_f64;
@@ -75,10 +75,10 @@ fn difference(scene: &Scene, of: &str, by: &str, value: f64, part: f64, how: &Ov
     let h = part * value.abs().max(0.1);
     let at = |place: f64| {
         let mut scene = scene.clone();
-        scene.set(by, value + place * h).unwrap();
+        scene.set_number(by, value + place * h).unwrap();
         let run = scene.simulate(how).unwrap();
         assert!(run.failure().is_none(), "{:?}", run.failure());
-        *run.column(of).unwrap().last().unwrap()
+        *run.column_of_quantity(of).unwrap().last().unwrap()
     };
     (at(-2.0) - 8.0 * at(-1.0) + 8.0 * at(1.0) - at(2.0)) / (12.0 * h)
 }

@@ -4,7 +4,7 @@ use super::balls::bounced;
 use super::{FINE, Planted, Wide, how, largest_error, wide};
 use crate::impacts::{PLANE, scene as scene_of};
 use crate::sensitivity::near;
-use tripos::{At, Overrides};
+use tripos::{DerivativeInstants, Overrides};
 use tripos_traits::Scalar;
 
 fn rod(values: &[f64], more: &str) -> String {
@@ -46,7 +46,8 @@ fn a_rod_that_lands_on_one_end_is_differentiated() {
         ];
         values[5] = ((values[2] * values[6].sin() + planted.next(0.2, 0.4)) * 4096.0).round() / 4096.0;
         let scene = scene_of(PLANE, &rod(&values, FLOOR_A));
-        let found = scene.sensitivities(&ROD, At::End, &how(["kane", "lagrange"][case % 2], "dop853")).unwrap();
+        let found =
+            scene.sensitivities(&ROD, DerivativeInstants::End, &how(["kane", "lagrange"][case % 2], "dop853")).unwrap();
         assert_eq!(found.run.impacts().len(), 1, "{values:?}");
         let worst = largest_error(&found, &["y", "th", "vy", "om"], &values, &closed);
         assert!(worst < 1e-10, "{values:?}: {worst:e}");
@@ -61,14 +62,14 @@ fn a_rod_that_falls_flat_is_differentiated_by_what_keeps_it_flat() {
     for law in ["newton", "poisson"] {
         let floors = format!("{FLOOR_A}law = \"{law}\"\n{FLOOR_B}law = \"{law}\"\n");
         let scene = scene_of(PLANE, &rod(&values, &floors));
-        let found = scene.sensitivities(&ROD[..6], At::End, &Overrides::default()).unwrap();
+        let found = scene.sensitivities(&ROD[..6], DerivativeInstants::End, &Overrides::default()).unwrap();
         assert_eq!(found.run.impacts().len(), 1);
         let closed =
             |numbers: &[Wide]| bounced(&[numbers[3], numbers[4].sqrt(), numbers[5], wide(0.0), wide(0.0)], 0.375).0;
         let worst = largest_error(&found, &["y", "vy"], &values[..6], &closed);
         assert!(worst < 1e-11, "{law}: {worst:e}");
-        let apart = scene.sensitivities(&["g", "th"], At::Samples, &Overrides::default()).unwrap();
-        let why = apart.missing().expect("the angle moves the ends apart");
+        let apart = scene.sensitivities(&["g", "th"], DerivativeInstants::Samples, &Overrides::default()).unwrap();
+        let why = apart.missing_derivative().expect("the angle moves the ends apart");
         assert!(why.contains("`A` and `B` close at one instant, which `th` moves apart"), "{why}");
         assert!(apart.end[0].iter().all(|x| x.is_finite()) && apart.end[1].iter().all(|x| x.is_nan()));
         assert!(apart.samples[1][0].iter().all(|x| x.is_finite()), "up to there they are known");
@@ -96,12 +97,14 @@ fn a_rod_that_stays_on_its_end_is_differentiated_while_it_is_held() {
         for by in ["kane", "lagrange"] {
             let names = ["m", "I", "a", "g", "y", "th", "vx"];
             let numbers = [3.0, 0.5, 1.0, 9.75, 0.625, 0.5, 0.5];
-            let found = scene.sensitivities(&names, At::End, &how(by, "dop853")).unwrap_or_else(|e| panic!("{e}"));
-            assert!(found.missing().is_none(), "{:?}", found.missing());
+            let found = scene
+                .sensitivities(&names, DerivativeInstants::End, &how(by, "dop853"))
+                .unwrap_or_else(|e| panic!("{e}"));
+            assert!(found.missing_derivative().is_none(), "{:?}", found.missing_derivative());
             for (at, (name, value)) in names.iter().zip(numbers).enumerate() {
                 let run = |place: f64| {
                     let mut scene = scene.clone();
-                    scene.set(name, value + place / 4096.0).unwrap();
+                    scene.set_number(name, value + place / 4096.0).unwrap();
                     scene.simulate(&how(by, "dop853")).unwrap().end
                 };
                 let (a, b, c, d) = (run(-2.0), run(-1.0), run(1.0), run(2.0));

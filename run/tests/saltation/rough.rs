@@ -6,7 +6,7 @@ use crate::friction::{BLOCK, FINE, on_plane};
 use crate::impacts::{PLANE, scene as scene_of};
 use crate::rough::feet;
 use crate::sensitivity::near;
-use tripos::{At, Overrides, Scene};
+use tripos::{DerivativeInstants, Overrides, Scene};
 use tripos_traits::{Real, Scalar};
 
 /// Block on an incline with these parameters, from the place `x` with the velocity `vx`.
@@ -34,7 +34,7 @@ fn a_block_that_slides_to_rest_is_differentiated_by_all_that_its_way_depends_on(
         let scene = block(&[("mu", mu), ("g", g), ("alpha", way * alpha)], x, way * v, 4.0);
         let method = ["dop853", "ode45", "dopri5", "taylor", "gauss6", "radau5"][case % 6];
         let how = how(["kane", "lagrange", "newton-euler"][case % 3], method);
-        let found = scene.sensitivities(&["mu", "g", "alpha", "vx", "x", "m"], At::End, &how).unwrap();
+        let found = scene.sensitivities(&["mu", "g", "alpha", "vx", "x", "m"], DerivativeInstants::End, &how).unwrap();
         let closed = |numbers: &[Wide]| {
             let [mu, g, alpha, v, x, _] = numbers[..] else { panic!("six") };
             let (sine, cosine) = alpha.sin_cos();
@@ -67,7 +67,7 @@ fn a_block_that_comes_back_down_is_differentiated_through_its_turn() {
         let [mu, g, alpha, v] = values;
         let scene = block(&[("mu", mu), ("g", g), ("alpha", alpha)], 0.0, v, 1.5);
         let how = how(["kane", "lagrange"][case % 2], ["dop853", "ode45"][case % 2]);
-        let found = scene.sensitivities(&["mu", "g", "alpha", "vx", "m"], At::End, &how).unwrap();
+        let found = scene.sensitivities(&["mu", "g", "alpha", "vx", "m"], DerivativeInstants::End, &how).unwrap();
         assert!(found.run.events().iter().any(|event| event.name == "plane reverses"));
         let closed = |numbers: &[Wide]| {
             let [mu, g, alpha, v, _] = numbers[..] else { panic!("five") };
@@ -88,7 +88,7 @@ fn a_block_that_comes_back_down_is_differentiated_through_its_turn() {
 fn a_spring_with_friction_is_differentiated_through_all_of_its_reversals() {
     let scene = block(&[("k", 8.0), ("mu", 0.1)], 2.1, 0.0, 9.0);
     let names = ["x", "mu", "g", "k", "m"];
-    let found = scene.sensitivities(&names, At::End, &Overrides::default()).unwrap();
+    let found = scene.sensitivities(&names, DerivativeInstants::End, &Overrides::default()).unwrap();
     // Four half swings, an even number, end at x₀ − 8 δ.
     let closed = |numbers: &[Wide]| {
         let [x, mu, g, k, m] = numbers[..] else { panic!("five") };
@@ -111,7 +111,7 @@ fn a_block_that_a_belt_takes_along_is_differentiated_by_when_its_spring_pulls_it
         let [mu, k, vb, g, _] = values;
         let scene = block(&[("mu", mu), ("k", k), ("vb", vb), ("g", g)], 0.0, 0.0, 2.0);
         let how = how(["kane", "lagrange"][case % 2], ["dop853", "ode45"][case % 2]);
-        let found = scene.sensitivities(&["mu", "k", "vb", "g", "m"], At::End, &how).unwrap();
+        let found = scene.sensitivities(&["mu", "k", "vb", "g", "m"], DerivativeInstants::End, &how).unwrap();
         let names: Vec<&str> = found.run.events().iter().map(|event| event.name.as_str()).collect();
         assert_eq!(names, ["plane", "plane slips", "plane sticks", "plane slips"]);
         let closed = |numbers: &[Wide]| {
@@ -186,7 +186,7 @@ fn a_disk_that_bounces_with_friction_is_differentiated_through_its_impacts() {
         let scene = disk(&values, law, 1.25);
         let how = how(["kane", "lagrange", "newton-euler"][case % 3], ["dop853", "ode45"][case % 2]);
         let names = ["h", "e", "y", "vx", "om", "a", "I", "m", "g"];
-        let found = scene.sensitivities(&names, At::End, &how).unwrap_or_else(|e| panic!("{e}"));
+        let found = scene.sensitivities(&names, DerivativeInstants::End, &how).unwrap_or_else(|e| panic!("{e}"));
         let numbers = [&values[..2], &[values[2] + 0.5], &values[3..], &[0.5, 0.375, 3.0, 9.81]].concat();
         let (_, sticks) = rolled(&numbers.iter().map(|x| wide(*x)).collect::<Vec<_>>(), 1.25);
         assert_eq!(found.run.impacts().len(), sticks.len(), "{values:?}");
@@ -206,14 +206,14 @@ fn a_disk_that_bounces_with_friction_is_differentiated_through_its_impacts() {
 fn a_disk_that_comes_to_roll_after_its_bounces_keeps_the_derivatives_of_its_spin() {
     let scene = disk(&[0.1, 0.5, 0.5, 4.0, 1.0], "newton", 6.0);
     let names = ["vx", "om", "h", "e", "y", "g"];
-    let found = scene.sensitivities(&names, At::End, &how("kane", "dop853")).unwrap();
+    let found = scene.sensitivities(&names, DerivativeInstants::End, &how("kane", "dop853")).unwrap();
     assert!(found.run.events().iter().any(|event| event.name == "floor sticks"), "{:?}", found.run.events());
     let share = 0.375 / (0.375 + 3.0 * 0.25);
     // Here v − I ω/(m a) is constant, and at the end v + a ω = 0.
     let of_v = 1.0 - share;
     let of_om = -share * 0.5;
     for (by, truth) in [("vx", of_v), ("om", of_om), ("h", 0.0), ("e", 0.0), ("y", 0.0), ("g", 0.0)] {
-        near(found.of("vx", by).unwrap(), truth, 1e-8, by);
+        near(found.derivative_of("vx", by).unwrap(), truth, 1e-8, by);
     }
     is_forwards(&scene, &["x", "vx"], &how("kane", "dop853"));
 }
@@ -226,7 +226,7 @@ fn a_block_on_two_feet_is_differentiated_to_its_rest_as_a_point_is() {
     let (model, text) = feet(0.5, 1.5, 1.5);
     let scene = scene_of(&model, &text);
     let how = how("kane", "dop853");
-    let found = scene.sensitivities(&["vx", "g", "alpha", "m", "I", "x"], At::End, &how).unwrap();
+    let found = scene.sensitivities(&["vx", "g", "alpha", "m", "I", "x"], DerivativeInstants::End, &how).unwrap();
     assert!(found.run.events().iter().any(|event| event.name == "B sticks"), "{:?}", found.run.events());
     let closed = |numbers: &[Wide]| {
         let [v, g, alpha, _, _, x] = numbers[..] else { panic!("six") };
@@ -235,7 +235,8 @@ fn a_block_on_two_feet_is_differentiated_to_its_rest_as_a_point_is() {
     };
     let worst = largest_error(&found, &["x", "vx"], &[1.5, 9.81, 0.3, 3.0, 0.05, 0.0], &closed);
     assert!(worst < 1e-9, "{worst:e}");
-    let lifted = scene.sensitivities(&["th"], At::End, &how).unwrap().missing().unwrap_or_default();
+    let lifted =
+        scene.sensitivities(&["th"], DerivativeInstants::End, &how).unwrap().missing_derivative().unwrap_or_default();
     assert!(lifted.contains("is closed at the start, and `th` opens it"), "{lifted}");
     is_forwards(&scene, &["x", "vx"], &how);
 }
@@ -257,7 +258,7 @@ fn a_block_that_slides_to_a_wall_and_back_is_differentiated() {
         );
         let scene = scene_of(&model, &text);
         let how = how("kane", "dop853");
-        let found = scene.sensitivities(&["mu", "g", "L", "k", "vx", "m"], At::End, &how).unwrap();
+        let found = scene.sensitivities(&["mu", "g", "L", "k", "vx", "m"], DerivativeInstants::End, &how).unwrap();
         assert!(found.run.impacts().len() == 1 && found.run.events().iter().any(|event| event.name == "plane sticks"));
         let closed = |numbers: &[Wide]| {
             let [mu, g, length, e, v, _] = numbers[..] else { panic!("six") };
@@ -275,8 +276,10 @@ fn a_block_that_slides_to_a_wall_and_back_is_differentiated() {
 #[test]
 fn where_friction_is_undecided_there_is_no_derivative_by_what_decides_it() {
     let why = |scene: &Scene, by: &str| {
-        let found = scene.sensitivities(&[by], At::End, &Overrides::default()).unwrap_or_else(|e| panic!("{e}"));
-        found.missing().unwrap_or_default()
+        let found = scene
+            .sensitivities(&[by], DerivativeInstants::End, &Overrides::default())
+            .unwrap_or_else(|e| panic!("{e}"));
+        found.missing_derivative().unwrap_or_default()
     };
     let limit = scene_of(BLOCK, &on_plane("alpha = \"atan(0.5)\"\nmu = 0.5", 0.0, 0.0, 2.0));
     assert!(
@@ -301,8 +304,11 @@ fn where_friction_is_undecided_there_is_no_derivative_by_what_decides_it() {
         "{stops}"
     );
     let smooth = block(&[("mu", 0.0)], 0.0, 1.0, 1.0);
-    let refused =
-        smooth.sensitivities(&["mu"], At::End, &Overrides::default()).err().expect("0 has two sides").to_string();
+    let refused = smooth
+        .sensitivities(&["mu"], DerivativeInstants::End, &Overrides::default())
+        .err()
+        .expect("0 has two sides")
+        .to_string();
     assert!(refused.contains("changes the friction of the contact `plane` from 0 on"), "{refused}");
     is_forwards(&limit, &["x"], &Overrides::default());
     is_forwards(&steep, &["x"], &Overrides::default());
@@ -315,8 +321,10 @@ fn where_friction_is_undecided_there_is_no_derivative_by_what_decides_it() {
 #[test]
 fn what_is_decided_together_has_no_derivative_by_what_parts_it() {
     let missing = |scene: &Scene, by: &str| {
-        let found = scene.sensitivities(&[by], At::End, &Overrides::default()).unwrap_or_else(|e| panic!("{e}"));
-        found.missing().unwrap_or_default()
+        let found = scene
+            .sensitivities(&[by], DerivativeInstants::End, &Overrides::default())
+            .unwrap_or_else(|e| panic!("{e}"));
+        found.missing_derivative().unwrap_or_default()
     };
     // It falls at 2 m/s, and μ (1 + e) of that is all of its 1.5 m/s.
     let text = on_plane("e = 0.5", 0.0, 1.5, 0.4).replace("\nz = 0", "\nz = 0.2");
@@ -351,8 +359,13 @@ fn what_is_decided_together_has_no_derivative_by_what_parts_it() {
     let two = scene_of(&model, &format!("span = [0, 1]\n[start]\n{start}{}{FINE}", of(&contact)));
     let why = missing(&two, "vA");
     assert!(why.contains("slip or stick at one instant, which `vA` moves apart"), "{why}");
-    let found = two.sensitivities(&["mu", "g"], At::End, &Overrides::default()).unwrap();
-    near(found.of("xA", "mu").unwrap(), -1.0 / (2.0 * 10.0 * 0.25), 1e-10, "the way by the friction of both");
+    let found = two.sensitivities(&["mu", "g"], DerivativeInstants::End, &Overrides::default()).unwrap();
+    near(
+        found.derivative_of("xA", "mu").unwrap(),
+        -1.0 / (2.0 * 10.0 * 0.25),
+        1e-10,
+        "the way by the friction of both",
+    );
     is_forwards(&two, &["xA"], &Overrides::default());
 }
 
@@ -367,7 +380,7 @@ fn a_run_with_friction_and_derivatives_is_the_run_without() {
     ] {
         for method in ["dop853", "ode45", "radau5"] {
             let how = how("kane", method);
-            let all = scene.sensitivities(&names, At::Samples, &how).unwrap();
+            let all = scene.sensitivities(&names, DerivativeInstants::Samples, &how).unwrap();
             let plain = scene.simulate(&how).unwrap();
             assert_eq!(all.run.states, plain.states, "{method}");
             assert_eq!(all.run.solution.work, plain.solution.work, "{method}");

@@ -4,7 +4,7 @@ use super::{FINE, Planted};
 use crate::impacts::scene as scene_of;
 use crate::saltation::balls::BALL;
 use crate::sensitivity::near;
-use tripos::{At, Overrides, Scene};
+use tripos::{DerivativeInstants, Overrides, Scene};
 
 const WHY: &str = "is touched without a closing velocity";
 
@@ -39,12 +39,12 @@ acceleration = [0, "-g", 0]
 /// something is only touched. This holds forwards and backwards alike.
 fn ends(scene: &Scene, with: &[&str], without: &[&str], of: &str, case: &str) {
     let all = [with, without].concat();
-    let found = scene.sensitivities(&all, At::Samples, &Overrides::default()).unwrap();
+    let found = scene.sensitivities(&all, DerivativeInstants::Samples, &Overrides::default()).unwrap();
     let back = scene.gradient(of, &Overrides::default()).unwrap();
     assert!(found.run.failure().is_none(), "{case}: {:?}", found.run.failure());
     for (at, name) in all.iter().enumerate() {
         let why = found.ended[at].as_ref();
-        assert_eq!(&back.by(name).unwrap().missing, &found.ended[at], "{case}: `{name}`, backwards as forwards");
+        assert_eq!(&back.slope_by(name).unwrap().missing, &found.ended[at], "{case}: `{name}`, backwards as forwards");
         if with.contains(name) {
             assert!(why.is_none() && found.end[at].iter().all(|x| x.is_finite()), "{case}: `{name}`: {why:?}");
         } else {
@@ -101,12 +101,13 @@ fn what_is_nearly_touched_has_derivatives() {
         let text = format!(
             "span = [0, 0.8]\n[start]\nx = 0\nz = 0\nv = 1\nw = {w:?}\n[parameters]\ng = {g:?}\nL = {l:?}\n{FINE}[impacts.ceiling]\ngap = \"L - z\"\nrestitution = \"e\"\n"
         );
-        let found = scene_of(BALL, &text).sensitivities(&["w", "L"], At::End, &Overrides::default()).unwrap();
-        assert!(found.missing().is_none(), "{l}: {:?}", found.missing());
+        let found =
+            scene_of(BALL, &text).sensitivities(&["w", "L"], DerivativeInstants::End, &Overrides::default()).unwrap();
+        assert!(found.missing_derivative().is_none(), "{l}: {:?}", found.missing_derivative());
         let h = 1e-8;
         let by_w = (end(w + h, l) - end(w - h, l)) / (2.0 * h);
         let by_l = (end(w, l + h) - end(w, l - h)) / (2.0 * h);
-        near(found.of("w", "w").unwrap(), by_w, 1e-4 * by_w.abs().max(1.0), "w");
-        near(found.of("w", "L").unwrap(), by_l, 1e-4 * by_l.abs().max(1.0), "L");
+        near(found.derivative_of("w", "w").unwrap(), by_w, 1e-4 * by_w.abs().max(1.0), "w");
+        near(found.derivative_of("w", "L").unwrap(), by_l, 1e-4 * by_l.abs().max(1.0), "L");
     }
 }

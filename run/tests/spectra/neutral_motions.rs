@@ -5,15 +5,17 @@ use crate::spectra::{Random, grown, mixed};
 use nalgebra::DMatrix;
 use std::fmt::Write;
 use tripos::Mechanism;
-use tripos::studies::steady::{About, Stability, Wanted, Wide, linearise};
+use tripos::studies::steady::{LinearisationOptions, Stability, SteadyLinearSystem, WideMatrix, linearise};
 use tripos_derive::diagnostic::Source;
-use tripos_derive::scene::load_asked;
+use tripos_derive::scene::load_state_with_unknowns;
 use tripos_traits::{DoubleDouble, Scalar};
-fn about(model: &str, state: &str, whole: bool) -> About {
+fn about(model: &str, state: &str, whole: bool) -> SteadyLinearSystem {
     let source = Source::from_text("model.toml", model);
     let mut model = Mechanism::new(tripos_derive::model::load(&source).unwrap_or_else(|e| panic!("{e}\n{model}")));
-    let state = load_asked(&Source::from_text("state.toml", state), &mut model, &[]).unwrap_or_else(|e| panic!("{e}"));
-    linearise(&model, &state, &Wanted { whole, ..Wanted::default() }).unwrap_or_else(|e| panic!("{e}"))
+    let state = load_state_with_unknowns(&Source::from_text("state.toml", state), &mut model, &[])
+        .unwrap_or_else(|e| panic!("{e}"));
+    linearise(&model, &state, &LinearisationOptions { whole, ..LinearisationOptions::default() })
+        .unwrap_or_else(|e| panic!("{e}"))
 }
 
 const PLATE: &str = r#"
@@ -60,7 +62,11 @@ fn a_plate_that_hovers_grows_like_a_power() {
     for (whole, power) in [(false, 2), (true, 3)] {
         let found = about(PLATE, state, whole);
         assert_eq!(found.stability, Stability::Grows(power));
-        assert!(found.stability.words().contains(&format!("grows like t^{power}")), "{}", found.stability.words());
+        assert!(
+            found.stability.stability_sentence().contains(&format!("grows like t^{power}")),
+            "{}",
+            found.stability.stability_sentence()
+        );
         assert!(found.modes.iter().all(|mode| mode.value == [0.0, 0.0]), "{:?}", found.modes);
     }
 }
@@ -162,12 +168,12 @@ fn carts_that_nothing_holds_grow_like_t() {
         let found = about(&carts.text(), &format!("[state]\n{names}"), true);
         let by_hand = carts.matrix();
         let rows = by_hand.row_iter().map(|row| row.iter().map(|x| DoubleDouble::from_f64(*x)).collect());
-        let truth = grown(&Wide { rows: rows.collect() });
+        let truth = grown(&WideMatrix { rows: rows.collect() });
         let told = found.stability;
         let what = format!("turn {turn}: t^{truth}, {told:?}\n{}", carts.text());
         if truth > 0.5 {
             assert_eq!(told, Stability::Grows(1), "{what}");
-            assert!(!told.name().contains("stable") && !told.words().contains("stable"), "{what}");
+            assert!(!told.name().contains("stable") && !told.stability_sentence().contains("stable"), "{what}");
             floating += 1;
         } else {
             assert_eq!(told, Stability::Energy, "{what}");

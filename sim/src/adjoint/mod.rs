@@ -6,7 +6,7 @@
 //! of their ends onto constraints by its transpose. Times at which the right-hand side jumps add a term
 //! if they depend on parameters.
 //!
-//! The result is the transpose of the derivatives that [`crate::Tangents`] carry forward along the same
+//! The result is the transpose of the derivatives that [`crate::DynamicsWithTangents`] carry forward along the same
 //! steps, to rounding. It costs the same for one parameter and for thousands. W. W. Hager, "Runge–Kutta
 //! methods in optimal control and the transformed adjoint system", Numer. Math. 87 (2000) 247–282.
 //!
@@ -18,20 +18,20 @@
 //!
 //! Absent on purpose: implicit steps, whose transposes need linear solves; and the choice of the steps.
 
-mod step;
+mod transposed_step;
 
 use crate::error::Failure;
-use crate::events::corners::{Between, Corner, Corners, Sides};
+use crate::events::corners::{BetweenCorners, Corner, Corners, IntervalsBetweenCorners};
 use crate::methods::options::{Options, Poll};
-use crate::projection::{Onto, Projector};
-use crate::rhs::{RightHandSide, Transposed};
+use crate::projection::{ProjectionTarget, Projector};
+use crate::right_hand_side::{RightHandSide, TransposedRightHandSide};
 use std::fmt;
-use step::{Rows, Stages};
+use transposed_step::{RungeKuttaCoefficients, Stages};
 use tripos_traits::Method;
 
 /// Record of a run for its adjoint: the start, the ends of the steps that were taken, and the options.
 #[derive(Clone, Copy, Debug)]
-pub struct Course<'a> {
+pub struct RecordedSteps<'a> {
     /// Start and end time that the run was asked to cover, s.
     pub span: (f64, f64),
     /// State at the start of the run whose gradient is wanted.
@@ -42,12 +42,12 @@ pub struct Course<'a> {
     pub options: &'a Options,
     /// Jumps of the right-hand side whose times depend on parameters; the times of all other jumps are
     /// constant.
-    pub moved: &'a [Moved],
+    pub moved: &'a [MovingJump],
 }
 
 /// Jump of the right-hand side at a time that depends on parameters.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Moved {
+pub struct MovingJump {
     /// Time of the jump, s. It must equal the time of a corner in the options of the run.
     pub at: f64,
     /// Derivative of the time of the jump by each parameter, s per unit of the parameter.
@@ -57,11 +57,11 @@ pub struct Moved {
 /// Run that is prepared for a backward sweep: its steps, its end state and some of the states between.
 pub struct Adjoint<'a> {
     /// Record of the run that is swept backward: its start, steps and options.
-    course: Course<'a>,
+    course: RecordedSteps<'a>,
     /// Runge–Kutta coefficients of the run's method.
-    rows: Rows,
+    rows: RungeKuttaCoefficients,
     /// Groups of steps between neighbouring corners, in order.
-    stretches: Vec<Stretch>,
+    stretches: Vec<StepsBetweenCorners>,
     /// Index of the first step of each segment that is not swept yet, and the state at the start of that
     /// step.
     kept: Vec<(usize, Vec<f64>)>,
@@ -83,7 +83,7 @@ pub struct Gradient {
 
 /// Reason why there is no gradient of a run.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Unswept {
+pub enum AdjointError {
     /// The steps of this method cannot be swept backward, since it is no explicit Runge–Kutta method.
     Method(Method),
     /// The lengths of the segments do not add up to the number of steps of the run.
@@ -94,13 +94,13 @@ pub enum Unswept {
     Failed(Failure),
 }
 
-impl From<Failure> for Unswept {
+impl From<Failure> for AdjointError {
     fn from(failure: Failure) -> Self {
         Self::Failed(failure)
     }
 }
 
-impl fmt::Display for Unswept {
+impl fmt::Display for AdjointError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Method(method) => write!(f, "steps of `{}` are not swept backwards", method.name()),
@@ -111,23 +111,23 @@ impl fmt::Display for Unswept {
     }
 }
 
-impl std::error::Error for Unswept {}
+impl std::error::Error for AdjointError {}
 
 /// Group of steps between two neighbouring corners of the right-hand side.
-struct Stretch {
+struct StepsBetweenCorners {
     /// Index in the run, from 0, of the first step of this group of steps between two corners.
     first: usize,
     /// Intervals of time in which the right-hand side is smooth for these steps.
-    sides: Sides,
-    /// Index in [`Course::moved`] of the jump before the first step; `None` if no jump before it depends on
+    sides: IntervalsBetweenCorners,
+    /// Index in [`RecordedSteps::moved`] of the jump before the first step; `None` if no jump before it depends on
     /// parameters.
     jump: Option<usize>,
 }
 
 /// Working data of the steps: the right-hand side, the projector onto constraints, and the stages.
-struct Under<'r, 'o, R> {
+struct SweepData<'r, 'o, R> {
     /// Right-hand side in the interval of time between two neighbouring corners.
-    rhs: Between<'r, R, f64>,
+    rhs: BetweenCorners<'r, R, f64>,
     /// Projector that moves the ends of steps onto constraints; `None` if there are no constraints.
     projector: Option<Projector<'o, 'o, f64>>,
     /// Stages of a Runge–Kutta step, with working space for the transposed step.
@@ -137,13 +137,13 @@ struct Under<'r, 'o, R> {
 /// True if the steps of a method can be swept backward, which holds for explicit Runge–Kutta methods.
 #[must_use]
 pub fn has_adjoint(method: Method) -> bool {
-    Rows::of(method).is_some()
+    RungeKuttaCoefficients::of(method).is_some()
 }
 
 /// Lengths of segments, in steps, with which the backward sweep keeps the fewest states. Each segment
 /// is a step shorter than the segment before it; their sum is `steps`.
 #[must_use]
-pub fn segments(steps: usize) -> Vec<usize> {
+pub fn adjoint_segments(steps: usize) -> Vec<usize> {
     let longest = (0..=steps).find(|k| k * (k + 1) / 2 >= steps).unwrap_or(steps);
     let mut left = steps;
     let mut next = |length: usize| {
@@ -159,16 +159,20 @@ impl<'a> Adjoint<'a> {
     /// the lengths of the segments, whose sum must be the number of steps.
     ///
     /// # Errors
-    /// [`Unswept`] with the reason.
-    pub fn new<R: Transposed>(course: Course<'a>, rhs: &mut R, segments: &[usize]) -> Result<Self, Unswept> {
+    /// [`AdjointError`] with the reason.
+    pub fn new<R: TransposedRightHandSide>(
+        course: RecordedSteps<'a>,
+        rhs: &mut R,
+        segments: &[usize],
+    ) -> Result<Self, AdjointError> {
         let method = course.options.method;
-        let rows = Rows::of(method).ok_or(Unswept::Method(method))?;
+        let rows = RungeKuttaCoefficients::of(method).ok_or(AdjointError::Method(method))?;
         if segments.iter().sum::<usize>() != course.ends.len() {
-            return Err(Unswept::Segments);
+            return Err(AdjointError::Segments);
         }
-        let stretches = stretches(&course);
+        let stretches = steps_between_corners(&course);
         let mut run = Self { course, rows, stretches, kept: Vec::new(), end: course.y0.to_vec() };
-        let mut under = run.under(rhs);
+        let mut under = run.sweep_data(rhs);
         let mut y = course.y0.to_vec();
         let mut first = 0;
         for length in segments {
@@ -186,11 +190,15 @@ impl<'a> Adjoint<'a> {
     /// the state at the end of the run.
     ///
     /// # Errors
-    /// [`Unswept`] with the reason, as for [`Adjoint::new`].
-    pub fn pull<R: Transposed>(mut self, rhs: &mut R, weights: &[f64]) -> Result<Gradient, Unswept> {
+    /// [`AdjointError`] with the reason, as for [`Adjoint::new`].
+    pub fn gradient<R: TransposedRightHandSide>(
+        mut self,
+        rhs: &mut R,
+        weights: &[f64],
+    ) -> Result<Gradient, AdjointError> {
         let count = rhs.parameter_count();
         let mut gradient = Gradient { state: weights.to_vec(), parameters: vec![0.0; count], states: 0 };
-        let mut under = self.under(rhs);
+        let mut under = self.sweep_data(rhs);
         let mut last = self.course.ends.len();
         while let Some((first, start)) = self.kept.pop() {
             let mut states = vec![start];
@@ -201,7 +209,7 @@ impl<'a> Adjoint<'a> {
             }
             gradient.states = gradient.states.max(self.kept.len() + states.len());
             for step in (first..last).rev() {
-                self.back(&mut under, step, &states[step - first], &mut gradient)?;
+                self.transposed_step(&mut under, step, &states[step - first], &mut gradient)?;
             }
             last = first;
         }
@@ -209,35 +217,40 @@ impl<'a> Adjoint<'a> {
     }
 
     /// Creates the working data for the steps of the run, at its start.
-    fn under<'r, 'o, R: Transposed>(&self, rhs: &'r mut R) -> Under<'r, 'o, R> {
-        let Course { span, y0, options, .. } = self.course;
+    fn sweep_data<'r, 'o, R: TransposedRightHandSide>(&self, rhs: &'r mut R) -> SweepData<'r, 'o, R> {
+        let RecordedSteps { span, y0, options, .. } = self.course;
         let count = rhs.constraint_count();
-        let mut rhs = Between::new(rhs, options.clock, self.stretches[0].sides);
-        let onto = (count > 0).then_some(Onto::Constraints(count));
+        let mut rhs = BetweenCorners::new(rhs, options.clock, self.stretches[0].sides);
+        let onto = (count > 0).then_some(ProjectionTarget::Constraints(count));
         let projector = onto.map(|onto| Projector::new(onto, &mut rhs, options, span.0, y0));
-        Under { rhs, projector, stages: Stages::new(&self.rows, y0.len()) }
+        SweepData { rhs, projector, stages: Stages::new(&self.rows, y0.len()) }
     }
 
     /// Start and end time of the step with this index, s.
-    fn times(&self, step: usize) -> (f64, f64) {
+    fn step_times(&self, step: usize) -> (f64, f64) {
         let start = step.checked_sub(1).map_or(self.course.span.0, |before| self.course.ends[before]);
         (start, self.course.ends[step])
     }
 
     /// Group of steps between corners to which the step with this index belongs.
-    fn stretch(&self, step: usize) -> &Stretch {
+    fn corner_group_of_step(&self, step: usize) -> &StepsBetweenCorners {
         &self.stretches[self.stretches.partition_point(|stretch| stretch.first <= step).saturating_sub(1)]
     }
 
     /// Takes the step with this index from the state `y`, and writes its end state to `y`. True if that
     /// state was moved onto the constraints. Error if f has no value, or if the run is interrupted.
-    fn step<R: Transposed>(&self, under: &mut Under<'_, '_, R>, step: usize, y: &mut [f64]) -> Result<bool, Unswept> {
-        let (t, t_new) = self.times(step);
+    fn step<R: TransposedRightHandSide>(
+        &self,
+        under: &mut SweepData<'_, '_, R>,
+        step: usize,
+        y: &mut [f64],
+    ) -> Result<bool, AdjointError> {
+        let (t, t_new) = self.step_times(step);
         if Poll::ends(self.course.options.poll.as_ref(), t) {
-            return Err(Unswept::Interrupted);
+            return Err(AdjointError::Interrupted);
         }
-        let Under { rhs, projector, stages } = under;
-        rhs.go_on(self.stretch(step).sides);
+        let SweepData { rhs, projector, stages } = under;
+        rhs.set_corner_intervals(self.corner_group_of_step(step).sides);
         stages.step(&self.rows, rhs, t, t_new, y)?;
         let moved = projector.as_mut().and_then(|projector| projector.project(rhs, t_new, y));
         if let Some(moved) = moved {
@@ -248,45 +261,45 @@ impl<'a> Adjoint<'a> {
 
     /// Takes the step with this index from the state `start` again, and turns the gradient by its end state
     /// into the gradient by `start`. Derivatives by the parameters are added up.
-    fn back<R: Transposed>(
+    fn transposed_step<R: TransposedRightHandSide>(
         &self,
-        under: &mut Under<'_, '_, R>,
+        under: &mut SweepData<'_, '_, R>,
         step: usize,
         start: &[f64],
         gradient: &mut Gradient,
-    ) -> Result<(), Unswept> {
+    ) -> Result<(), AdjointError> {
         let mut y = start.to_vec();
         let is_moved = self.step(under, step, &mut y)?;
-        let (t, t_new) = self.times(step);
-        let Under { rhs, projector, stages } = under;
+        let (t, t_new) = self.step_times(step);
+        let SweepData { rhs, projector, stages } = under;
         let Gradient { state, parameters, .. } = gradient;
         let next = self.stretches.iter().find(|stretch| stretch.first == step + 1);
         if let Some((next, jump)) = next.and_then(|next| Some((next, next.jump?))) {
             // s⁺ = s⁻ + (f⁻ − f⁺) dt/dp
-            let own = self.stretch(step).sides;
-            let share = change(rhs, own, next.sides, t_new, &y, state)?;
+            let own = self.corner_group_of_step(step).sides;
+            let share = weighted_jump_of_rates(rhs, own, next.sides, t_new, &y, state)?;
             parameters.iter_mut().zip(&self.course.moved[jump].by).for_each(|(sum, by)| *sum += share * by);
-            rhs.go_on(own);
+            rhs.set_corner_intervals(own);
         }
         if let Some(projector) = projector.as_mut().filter(|_| is_moved) {
             // s⁺ = s − C (G s + φ_p), with the correction C of the constraints: the shares of the constraints are
             // subtracted.
-            let mut shares = projector.shares(rhs, t_new, state);
+            let mut shares = projector.project_weights(rhs, t_new, state);
             for share in &mut shares {
                 *share = -*share;
             }
             rhs.pull_constraints(t_new, &y, &shares, (state, parameters))?;
         }
-        Ok(stages.back(&self.rows, rhs, t, t_new, state, parameters)?)
+        Ok(stages.transposed_step(&self.rows, rhs, t, t_new, state, parameters)?)
     }
 }
 
 /// Weighted change λ·(f⁻ − f⁺) of the rates at a jump at time `t`, s. f⁻ is the right-hand side in the
 /// intervals `before`, f⁺ that in `after`, and λ are `weights`.
-fn change<R: Transposed>(
-    rhs: &mut Between<'_, R, f64>,
-    before: Sides,
-    after: Sides,
+fn weighted_jump_of_rates<R: TransposedRightHandSide>(
+    rhs: &mut BetweenCorners<'_, R, f64>,
+    before: IntervalsBetweenCorners,
+    after: IntervalsBetweenCorners,
     t: f64,
     y: &[f64],
     weights: &[f64],
@@ -294,7 +307,7 @@ fn change<R: Transposed>(
     let mut sum = 0.0;
     for (sides, sign) in [(before, 1.0), (after, -1.0)] {
         let mut rates = vec![0.0; y.len()];
-        rhs.go_on(sides);
+        rhs.set_corner_intervals(sides);
         rhs.rhs(t, y, &mut rates)?;
         sum += sign * rates.iter().zip(weights).map(|(rate, weight)| rate * weight).sum::<f64>();
     }
@@ -302,21 +315,21 @@ fn change<R: Transposed>(
 }
 
 /// Divides the steps of a run into groups between corners. Runs with equal steps ignore corners.
-fn stretches(course: &Course<'_>) -> Vec<Stretch> {
-    let Course { span, ends, options, moved, .. } = course;
+fn steps_between_corners(course: &RecordedSteps<'_>) -> Vec<StepsBetweenCorners> {
+    let RecordedSteps { span, ends, options, moved, .. } = course;
     let all: &[Corner] = if options.step.is_some() { &[] } else { &options.corners };
     let mut corners = Corners::new(all, *span);
-    corners.pass(span.0);
-    let mut list = vec![Stretch { first: 0, sides: corners.sides(), jump: None }];
+    corners.pass_corners(span.0);
+    let mut list = vec![StepsBetweenCorners { first: 0, sides: corners.intervals_between_corners(), jump: None }];
     for (step, t) in ends.iter().enumerate().take(ends.len().saturating_sub(1)) {
-        let passed = corners.passed(*t);
+        let passed = corners.passed_corners(*t);
         if passed.is_empty() {
             continue;
         }
-        let is_moved = |moved: &Moved| moved.by.iter().any(|by| *by != 0.0);
+        let is_moved = |moved: &MovingJump| moved.by.iter().any(|by| *by != 0.0);
         let place = |corner: &Corner| moved.iter().position(|m| m.at.total_cmp(&corner.at).is_eq() && is_moved(m));
         let jump = passed.iter().filter(|corner| corner.jumps).find_map(place);
-        list.push(Stretch { first: step + 1, sides: corners.sides(), jump });
+        list.push(StepsBetweenCorners { first: step + 1, sides: corners.intervals_between_corners(), jump });
     }
     list
 }

@@ -10,27 +10,27 @@
 //! order, in any number of lanes and on any number of cores. Absent on purpose: output during the run,
 //! corners in time, constraints.
 
-mod dop853;
-mod method;
-mod queue;
-mod taylor;
+mod dop853_in_lanes;
+mod lane_method;
+mod lane_queue;
+mod taylor_in_lanes;
 #[cfg(feature = "threads")]
 mod threads;
-mod watcher;
+mod trajectory_watcher;
 
 #[cfg(feature = "threads")]
 pub use threads::integrate_on_all_cores;
-pub use watcher::{Watched, Watching};
+pub use trajectory_watcher::{WatchOfTrajectory, WatchedTrajectory};
 
 use tripos_traits::{AbsoluteTolerance, InLanes, Lanes, Method, Rates, Series};
 
-use crate::driver::pace::Pace;
+use crate::driver::step_control::StepControl;
 use crate::error::SimError;
 use crate::events::EventRecord;
-use crate::methods::options::{self, Options, Output};
-use crate::methods::taylor::order_for;
+use crate::methods::options::{self, Options, OutputOption};
+use crate::methods::taylor::taylor_order;
 use crate::solution::Stop;
-use queue::Work;
+use lane_queue::BatchWork;
 
 /// Trajectory that is to be integrated: its parameters and its start.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,7 +43,7 @@ pub struct Trajectory<'a> {
 
 /// Settings of a batch: method, span and tolerances with which all its trajectories are integrated.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Plan {
+pub struct BatchPlan {
     /// Method of integration: [`Method::Dop853`] or [`Method::Taylor`].
     pub method: Method,
     /// Order of Taylor's method, from 2 to 60; `None` derives it from the tolerances, as in
@@ -62,7 +62,7 @@ pub struct Plan {
     pub step_limit: u64,
 }
 
-impl Plan {
+impl BatchPlan {
     /// Options of a run that integrates a single trajectory with the settings of this plan.
     #[must_use]
     pub fn options(&self) -> Options {
@@ -73,7 +73,7 @@ impl Plan {
             atol: self.atol.clone(),
             max_step: self.max_step,
             step_limit: self.step_limit,
-            output: Output::Ends,
+            output: OutputOption::Ends,
             ..Options::default()
         }
     }
@@ -81,7 +81,7 @@ impl Plan {
 
 /// Result of a single trajectory of a batch.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Outcome {
+pub struct BatchOutcome {
     /// Time at which the trajectory ends, s.
     pub t_end: f64,
     /// State at the end of the trajectory, at time `t_end`.
@@ -116,39 +116,39 @@ pub struct Equations<'a, const N: usize> {
 /// # Errors
 /// [`SimError`] if the plan is invalid, as for [`crate::integrate`], or if the method does not exist in
 /// lanes; [`SimError::Trajectory`] for parameters or a start of the wrong length, or not finite.
-pub fn integrate(
+pub fn integrate_batch(
     equations: InLanes<'_>,
-    plan: &Plan,
+    plan: &BatchPlan,
     trajectories: &[Trajectory<'_>],
-) -> Result<Vec<Outcome>, SimError> {
+) -> Result<Vec<BatchOutcome>, SimError> {
     integrate_watched(equations, plan, trajectories, None)
 }
 
-/// Integrates all trajectories like [`integrate`]. `watching` gives the events and divisors that are
+/// Integrates all trajectories like [`integrate_batch`]. `watching` gives the events and divisors that are
 /// watched in each trajectory; `None` watches nothing.
 ///
 /// # Errors
-/// [`SimError`] in the cases in which [`integrate`] returns it.
+/// [`SimError`] in the cases in which [`integrate_batch`] returns it.
 pub fn integrate_watched(
     equations: InLanes<'_>,
-    plan: &Plan,
+    plan: &BatchPlan,
     trajectories: &[Trajectory<'_>],
-    watching: Option<&Watching<'_>>,
-) -> Result<Vec<Outcome>, SimError> {
-    match eight(equations, plan) {
-        Some(equations) => integrate_in(equations, plan, trajectories, watching),
-        None => integrate_in(four(equations), plan, trajectories, watching),
+    watching: Option<&WatchOfTrajectory<'_>>,
+) -> Result<Vec<BatchOutcome>, SimError> {
+    match equations_in_eight_lanes(equations, plan) {
+        Some(equations) => integrate_in_lanes(equations, plan, trajectories, watching),
+        None => integrate_in_lanes(equations_in_four_lanes(equations), plan, trajectories, watching),
     }
 }
 
 /// Selects the equations that are evaluated in four lanes.
-fn four(equations: InLanes<'_>) -> Equations<'_, 4> {
+fn equations_in_four_lanes(equations: InLanes<'_>) -> Equations<'_, 4> {
     Equations { rates: equations.four, series: equations.series }
 }
 
 /// Equations in eight lanes; `None` if the processor handles four lanes better, or if the equations or
 /// the method do not exist in eight.
-fn eight<'a>(equations: InLanes<'a>, plan: &Plan) -> Option<Equations<'a, 8>> {
+fn equations_in_eight_lanes<'a>(equations: InLanes<'a>, plan: &BatchPlan) -> Option<Equations<'a, 8>> {
     let rates = equations.widest().filter(|_| plan.method == Method::Dop853)?;
     Some(Equations { rates, series: None })
 }
@@ -157,19 +157,19 @@ fn eight<'a>(equations: InLanes<'a>, plan: &Plan) -> Option<Equations<'a, 8>> {
 /// [`integrate_watched`].
 ///
 /// # Errors
-/// [`SimError`] in the cases in which [`integrate`] returns it.
-pub fn integrate_in<const N: usize>(
+/// [`SimError`] in the cases in which [`integrate_batch`] returns it.
+pub fn integrate_in_lanes<const N: usize>(
     equations: Equations<'_, N>,
-    plan: &Plan,
+    plan: &BatchPlan,
     trajectories: &[Trajectory<'_>],
-    watching: Option<&Watching<'_>>,
-) -> Result<Vec<Outcome>, SimError> {
-    let (pace, way) = check(equations, plan, trajectories)?;
+    watching: Option<&WatchOfTrajectory<'_>>,
+) -> Result<Vec<BatchOutcome>, SimError> {
+    let (pace, way) = check_batch(equations, plan, trajectories)?;
     let mut outcomes = Outcomes::new(trajectories.len());
     let mut waiting = 0..trajectories.len();
-    let work = Work { trajectories, pace: &pace, limit: plan.step_limit, watching };
-    way.run(&work, &mut || waiting.next(), &mut |index, outcome| outcomes.put(index, outcome));
-    Ok(outcomes.all())
+    let work = BatchWork { trajectories, pace: &pace, limit: plan.step_limit, watching };
+    way.run(&work, &mut || waiting.next(), &mut |index, outcome| outcomes.store_outcome(index, outcome));
+    Ok(outcomes.all_outcomes())
 }
 
 /// Method of integration in lanes, with the functions of the equations that it needs.
@@ -178,16 +178,16 @@ enum LaneMethod<'a, const N: usize> {
     /// The method DOP853, with the rates of the equations in lanes.
     Dop853(&'a (dyn Rates<Lanes<N>> + Sync)),
     /// Taylor's method, with the equations in lanes and the order of the polynomials.
-    Taylor(taylor::Equations<'a, N>, usize),
+    Taylor(taylor_in_lanes::Equations<'a, N>, usize),
 }
 
 impl<'a, const N: usize> LaneMethod<'a, N> {
     /// Selects the method of the plan. Error if it does not exist in lanes for these equations.
-    fn new(Equations { rates, series }: Equations<'a, N>, plan: &Plan) -> Result<Self, SimError> {
+    fn new(Equations { rates, series }: Equations<'a, N>, plan: &BatchPlan) -> Result<Self, SimError> {
         match (plan.method, series) {
             (Method::Dop853, _) => Ok(Self::Dop853(rates)),
             (Method::Taylor, Some(series)) => {
-                Ok(Self::Taylor(taylor::Equations { rates, series }, order_for(&plan.options())))
+                Ok(Self::Taylor(taylor_in_lanes::Equations { rates, series }, taylor_order(&plan.options())))
             }
             (method, _) => Err(SimError::NoLanes { method: method.name() }),
         }
@@ -195,16 +195,23 @@ impl<'a, const N: usize> LaneMethod<'a, N> {
 
     /// Integrates trajectories until `next` returns `None` in place of the index of a trajectory. `done` is
     /// called with each index and outcome.
-    fn run(self, work: &Work<'_, '_>, next: &mut dyn FnMut() -> Option<usize>, done: &mut dyn FnMut(usize, Outcome)) {
+    fn run(
+        self,
+        work: &BatchWork<'_, '_>,
+        next: &mut dyn FnMut() -> Option<usize>,
+        done: &mut dyn FnMut(usize, BatchOutcome),
+    ) {
         match self {
-            Self::Dop853(rates) => queue::run(dop853::Dop853::new(rates), work, next, done),
-            Self::Taylor(equations, order) => queue::run(taylor::Taylor::new(equations, order), work, next, done),
+            Self::Dop853(rates) => lane_queue::run(dop853_in_lanes::Dop853::new(rates), work, next, done),
+            Self::Taylor(equations, order) => {
+                lane_queue::run(taylor_in_lanes::Taylor::new(equations, order), work, next, done);
+            }
         }
     }
 }
 
 /// Outcomes of a batch, in the order of the trajectories; `None` for a trajectory that has not ended.
-struct Outcomes(Vec<Option<Outcome>>);
+struct Outcomes(Vec<Option<BatchOutcome>>);
 
 impl Outcomes {
     /// Creates the list for a batch of `n` trajectories, none of which has ended.
@@ -213,12 +220,12 @@ impl Outcomes {
     }
 
     /// Stores the outcome of the trajectory with this index.
-    fn put(&mut self, index: usize, outcome: Outcome) {
+    fn store_outcome(&mut self, index: usize, outcome: BatchOutcome) {
         self.0[index] = Some(outcome);
     }
 
     /// Returns the outcomes of all trajectories. Panics if a trajectory has not ended.
-    fn all(self) -> Vec<Outcome> {
+    fn all_outcomes(self) -> Vec<BatchOutcome> {
         self.0
             .into_iter()
             .map(|outcome| outcome.expect("every trajectory was taken from the queue and ended"))
@@ -228,16 +235,16 @@ impl Outcomes {
 
 /// Refuses a plan or trajectories that cannot be run. Returns the step control with which each
 /// trajectory begins, and the method.
-fn check<'a, const N: usize>(
+fn check_batch<'a, const N: usize>(
     equations: Equations<'a, N>,
-    plan: &Plan,
+    plan: &BatchPlan,
     trajectories: &[Trajectory<'_>],
-) -> Result<(Pace, LaneMethod<'a, N>), SimError> {
+) -> Result<(StepControl, LaneMethod<'a, N>), SimError> {
     let way = LaneMethod::new(equations, plan)?;
     let lengths = equations.rates.lengths();
     let (options, n) = (plan.options(), lengths.state());
-    options::check::<f64>(plan.span, &[], &options)?;
-    let (pace, _) = Pace::new::<f64>(plan.span, n, &options)?;
+    options::check_options::<f64>(plan.span, &[], &options)?;
+    let (pace, _) = StepControl::new::<f64>(plan.span, n, &options)?;
     for (index, trajectory) in trajectories.iter().enumerate() {
         let parts = [
             ("parameters", "parameter", "", lengths.parameters, trajectory.parameters),

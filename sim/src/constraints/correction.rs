@@ -9,7 +9,7 @@
 //! created once and prepared again for each state, without an allocation. The factors for coordinates
 //! serve for rates, too, if slopes and metric are the same.
 
-use crate::linear::metric::{Conditions, DEPENDENT, Metric, dot};
+use crate::linear::metric::{DEPENDENT, LinearConditions, Metric, dot};
 
 /// Solver for the smallest vector that satisfies linear conditions, in the metric of a mass matrix or
 /// of weights.
@@ -18,13 +18,13 @@ pub(crate) struct LeastVectorSolver {
     /// Metric that defines the length of the wanted vector.
     pub(crate) metric: Metric,
     /// Linear conditions that the wanted vector satisfies.
-    pub(crate) conditions: Conditions,
+    pub(crate) conditions: LinearConditions,
 }
 
 impl LeastVectorSolver {
     /// Creates a solver for the smallest vector; its metric and conditions are not set yet.
     pub(crate) const fn new() -> Self {
-        Self { metric: Metric::new(), conditions: Conditions::new() }
+        Self { metric: Metric::new(), conditions: LinearConditions::new() }
     }
 
     /// Sets the metric of the mass matrix `inertia`, `length` × `length` entries row by row, and the
@@ -44,7 +44,7 @@ impl LeastVectorSolver {
     /// `inertia` has `length` × `length` entries, `rows` has `length` for each condition. False if the
     /// matrix is not positive definite on the vectors that the rows leave free.
     pub(crate) fn set_heavier(&mut self, inertia: &[f64], length: usize, rows: &[f64]) -> bool {
-        let is_definite = self.metric.set_heavier(inertia, length, rows);
+        let is_definite = self.metric.set_inertia_with_added_mass(inertia, length, rows);
         if is_definite {
             self.conditions.set(&self.metric, rows, DEPENDENT);
         }
@@ -53,10 +53,10 @@ impl LeastVectorSolver {
 
     /// Writes the smallest vector that satisfies the conditions to `out`. `sides` has the right-hand side
     /// of each condition.
-    pub(crate) fn write(&mut self, sides: &[f64], out: &mut [f64]) {
+    pub(crate) fn least_vector(&mut self, sides: &[f64], out: &mut [f64]) {
         out.fill(0.0);
-        self.conditions.add_least(sides, out);
-        self.metric.lower(out);
+        self.conditions.add_least_vector(sides, out);
+        self.metric.vector_from_metric(out);
     }
 }
 
@@ -123,7 +123,7 @@ impl Correction {
     pub(crate) fn set(&mut self, inertia: &[f64], gradients: &[f64], n: usize, clock: Option<usize>) -> bool {
         self.moved.clear();
         self.moved.extend((0..n).filter(|i| Some(*i) != clock));
-        self.sort(gradients, n);
+        self.sort_constraints(gradients, n);
         self.inertia.clear();
         for i in &self.moved {
             self.inertia.extend(self.moved.iter().map(|j| inertia[i * n + j]));
@@ -138,7 +138,7 @@ impl Correction {
 
     /// Separates the constraints between coordinates from those that contain rates, and copies their
     /// slopes. `gradients` has 2n entries for each constraint.
-    fn sort(&mut self, gradients: &[f64], n: usize) {
+    fn sort_constraints(&mut self, gradients: &[f64], n: usize) {
         let Self { moved, of_places, of_rates, places, rates, coupling, .. } = self;
         for list in [&mut *of_places, &mut *of_rates] {
             list.clear();
@@ -161,18 +161,18 @@ impl Correction {
 
     /// Returns the correction to subtract from the state (q, q̇), 2n entries, where `drift` has the value
     /// of each constraint.
-    pub(crate) fn of(&mut self, drift: &[f64], n: usize) -> &[f64] {
+    pub(crate) fn correction_of_drift(&mut self, drift: &[f64], n: usize) -> &[f64] {
         let length = self.moved.len();
         self.q.resize(length, 0.0);
         self.v.resize(length, 0.0);
         self.sides.clear();
         self.sides.extend(self.of_places.iter().map(|k| drift[*k]));
-        self.by_places.write(&self.sides, &mut self.q);
+        self.by_places.least_vector(&self.sides, &mut self.q);
         self.sides.clear();
         let coupling = self.coupling.chunks_exact(length.max(1));
         self.sides.extend(self.of_rates.iter().zip(coupling).map(|(k, row)| drift[*k] - dot(row, &self.q)));
         let by_rates = if self.are_same { &mut self.by_places } else { &mut self.by_rates };
-        by_rates.write(&self.sides, &mut self.v);
+        by_rates.least_vector(&self.sides, &mut self.v);
         self.whole.clear();
         self.whole.resize(2 * n, 0.0);
         for ((i, q), v) in self.moved.iter().zip(&self.q).zip(&self.v) {

@@ -3,4 +3,4 @@
 
 pub(crate) mod correction;
 pub(crate) mod multipliers;
-pub(crate) mod placement;
+pub(crate) mod nearest_state;

@@ -17,11 +17,11 @@
 use tripos_traits::{Lengths, System};
 
 use super::correction::LeastVectorSolver;
-use super::placement::Placement;
+use super::nearest_state::NearestState;
 use crate::error::Failure;
 use crate::linear::metric::dot;
-use crate::linear::singular::least_singular_value;
-use crate::rhs::RightHandSide;
+use crate::linear::singular_value::least_singular_value;
+use crate::right_hand_side::RightHandSide;
 
 /// Distance from dependent constraints below which no step may end, as a fraction of the largest
 /// distance in the run. The distance is [`Standing::constraints`].
@@ -48,7 +48,7 @@ pub struct Multipliers<'a> {
     /// Largest length so far of each row of the constraint matrix A, in the metric of the mass matrix E.
     sizes: Vec<f64>,
     /// Solver for the state on the constraints that is nearest to a given state.
-    placement: Placement,
+    placement: NearestState,
     /// Mass matrix E of the rates q̇, row by row.
     inertia: Vec<f64>,
     /// Matrix A of the constraints A q̈ = γ, row by row.
@@ -70,7 +70,7 @@ pub struct Multipliers<'a> {
 /// Distances of a state from two singularities: a failure of the independent speeds, and dependent
 /// constraints.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Standing {
+pub struct DistancesFromSingularity {
     /// Smallest singular value of the matrix J of the generalized speeds, on the motions that the
     /// constraints allow. It is between 0, where the speeds fail, and 1. Each row of J is first divided by
     /// its largest length so far.
@@ -100,7 +100,7 @@ impl<'a> Multipliers<'a> {
             nearest: 1.0,
             farthest: 0.0,
             sizes: vec![0.0; reactions],
-            placement: Placement::new(system, clock),
+            placement: NearestState::new(system, clock),
             inertia: Vec::new(),
             rows: Vec::new(),
             least: LeastVectorSolver::new(),
@@ -113,15 +113,15 @@ impl<'a> Multipliers<'a> {
     }
 
     /// Copies these equations for another run. The copy keeps the largest lengths of rows and the largest
-    /// distance from singular poses so far. Its smallest distance, [`Self::nearest`], starts anew.
+    /// distance from singular poses so far. Its smallest distance starts anew.
     #[must_use]
-    pub fn again(&self) -> Self {
+    pub fn copy_for_another_run(&self) -> Self {
         Self { nearest: 1.0, ..self.clone() }
     }
 
     /// Computes [`Standing::constraints`] from the conditions in `least`, and updates its smallest and
     /// largest value so far.
-    fn near(&mut self) -> f64 {
+    fn distance_from_dependence(&mut self) -> f64 {
         let conditions = &self.least.conditions;
         for (most, size) in self.sizes.iter_mut().zip(&conditions.sizes) {
             *most = most.max(*size);
@@ -131,9 +131,9 @@ impl<'a> Multipliers<'a> {
         least
     }
 
-    /// Smallest [`Standing::constraints`] of all states so far: 0 at a singular pose, 1 at most.
+    /// Smallest [`DistancesFromSingularity::constraints`] of all states so far: 0 at a singular pose, 1 at most.
     #[must_use]
-    pub fn nearest(&self) -> f64 {
+    pub fn least_distance_from_dependence(&self) -> f64 {
         self.nearest
     }
 
@@ -161,20 +161,20 @@ impl<'a> Multipliers<'a> {
             let message = "something that the constraints let move has no inertia".to_owned();
             return Err(Failure { code: "singular", message });
         }
-        self.near();
+        self.distance_from_dependence();
         let (forces, sides) = self.forcing.split_at(out.len());
         out.copy_from_slice(forces);
         let LeastVectorSolver { metric, conditions } = &mut self.least;
-        metric.raise(out);
-        conditions.free(out);
-        conditions.add_least(sides, out);
-        metric.lower(out);
+        metric.form_in_metric(out);
+        conditions.remove_conditioned_part(out);
+        conditions.add_least_vector(sides, out);
+        metric.vector_from_metric(out);
         Ok(())
     }
 
     /// Computes the distances of the state y = (q, q̇) from a failure of the model's generalized speeds and
     /// from dependent constraints. `None` if the equations have no value there.
-    pub fn standing(&mut self, y: &[f64]) -> Option<Standing> {
+    pub fn distances_from_singularity(&mut self, y: &[f64]) -> Option<DistancesFromSingularity> {
         let n = self.still.len();
         let (q, v) = y.split_at(n);
         self.system.mass_matrix(&self.parameters, q, v, &mut self.matrix);
@@ -182,17 +182,17 @@ impl<'a> Multipliers<'a> {
             return None;
         }
         if self.longest.is_empty() {
-            self.look_beside(q);
+            self.record_speed_rows_at_neighbours(q);
         }
-        self.raise_forms(q);
+        self.speed_rows_in_metric(q);
         for (form, size) in self.forms.chunks_exact_mut(n).zip(&self.longest) {
             for x in form.iter_mut() {
                 *x /= size;
             }
-            self.least.conditions.free(form);
+            self.least.conditions.remove_conditioned_part(form);
         }
         let speeds = if self.forms.is_empty() { 1.0 } else { least_singular_value(&mut self.forms, n) };
-        speeds.is_finite().then(|| Standing { speeds, constraints: self.near() })
+        speeds.is_finite().then(|| DistancesFromSingularity { speeds, constraints: self.distance_from_dependence() })
     }
 
     /// Records the lengths of the rows of J at poses near `q`. At `q` itself a row may vanish, as in a dead
@@ -200,22 +200,22 @@ impl<'a> Multipliers<'a> {
     ///
     /// For each pose a single coordinate is increased by half of its size, or by one half of its unit if it
     /// is small.
-    fn look_beside(&mut self, q: &[f64]) {
+    fn record_speed_rows_at_neighbours(&mut self, q: &[f64]) {
         self.longest = vec![0.0; self.rest.len()];
         let mut beside = q.to_vec();
         for (at, place) in q.iter().enumerate() {
             beside[at] = place + 0.5 * if place.abs() > SMALL { place.abs() } else { 1.0 };
-            self.raise_forms(&beside);
+            self.speed_rows_in_metric(&beside);
             beside[at] = *place;
         }
     }
 
     /// Computes the matrix J of the generalized speeds at pose `q` in the metric of E, and updates the
     /// largest lengths of its rows.
-    fn raise_forms(&mut self, q: &[f64]) {
-        self.set_forms(q);
+    fn speed_rows_in_metric(&mut self, q: &[f64]) {
+        self.speed_rows(q);
         for (form, longest) in self.forms.chunks_exact_mut(q.len().max(1)).zip(&mut self.longest) {
-            self.least.metric.raise(form);
+            self.least.metric.form_in_metric(form);
             let length = dot(form, form).sqrt();
             // A length that is not finite is ignored.
             *longest = if length.is_finite() { longest.max(length) } else { *longest };
@@ -224,7 +224,7 @@ impl<'a> Multipliers<'a> {
 
     /// Computes the matrix J of the generalized speeds u = J q̇ + d at pose `q`, row by row. Differences
     /// along each rate are exact, since u is linear in q̇.
-    fn set_forms(&mut self, q: &[f64]) {
+    fn speed_rows(&mut self, q: &[f64]) {
         let (n, p) = (q.len(), self.rest.len());
         let (system, parameters) = (self.system, self.parameters.as_slice());
         self.forms.resize(p * n, 0.0);
@@ -244,7 +244,7 @@ impl RightHandSide<f64> for Multipliers<'_> {
     fn rhs(&mut self, _t: f64, y: &[f64], dydt: &mut [f64]) -> Result<(), Failure> {
         let (n, p) = (self.still.len(), self.parameters.as_slice());
         let (q_dot, v_dot) = dydt.split_at_mut(n);
-        let (q, v) = self.placement.of(self.system, p, y).split_at(n);
+        let (q, v) = self.placement.nearest_state(self.system, p, y).split_at(n);
         self.system.coordinate_rates(p, q, v, q_dot);
         self.system.linear_system(p, q, v, &mut self.matrix, &mut self.forcing);
         self.accelerations(v_dot)
@@ -255,16 +255,16 @@ impl RightHandSide<f64> for Multipliers<'_> {
     }
 
     fn constraints(&mut self, _t: f64, y: &[f64], values: &mut [f64], slopes: &mut [f64]) {
-        crate::rhs::constraints(self.system, &self.parameters, y, values, slopes);
+        crate::right_hand_side::system_constraints(self.system, &self.parameters, y, values, slopes);
     }
 
     /// True if the state is near a singular pose, where rounding errors are divided by the square of a
     /// vanishing number.
-    fn avoids(&mut self, _t: f64, y: &[f64]) -> bool {
-        self.standing(y).is_some_and(|standing| standing.constraints < AVOIDED * self.farthest)
+    fn avoids_end_of_step(&mut self, _t: f64, y: &[f64]) -> bool {
+        self.distances_from_singularity(y).is_some_and(|standing| standing.constraints < AVOIDED * self.farthest)
     }
 
     fn inertia(&mut self, _t: f64, y: &[f64], out: &mut Vec<f64>) -> bool {
-        crate::rhs::inertia(self.system, &self.parameters, y, &mut self.matrix, out)
+        crate::right_hand_side::system_inertia(self.system, &self.parameters, y, &mut self.matrix, out)
     }
 }

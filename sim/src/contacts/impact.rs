@@ -11,7 +11,9 @@
 //!
 //! Absent on purpose: any knowledge of time, of steps and of models.
 
-use super::friction::{ContactSolution, Mode, Touch, Trial, Undecided, one_motion};
+use super::friction::{
+    ContactMode, ContactSolution, ModeTrial, TriedContact, UndecidedContacts, agreed_contact_motion,
+};
 use nalgebra::{DMatrix, DVector};
 
 /// Size up to which a velocity, acceleration or force of contacts counts as zero, in scaled units. It
@@ -39,7 +41,7 @@ pub struct ImpactRecord {
 
 /// Behaviour of a closed contact in an impact: it pushes, it opens, or it does neither.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Share {
+pub enum ImpactShare {
     /// The contact pushes: its normal impulse is above zero.
     Pushes,
     /// The contact opens, or opens faster than its law of impact asks for.
@@ -68,15 +70,19 @@ impl ClosedContacts {
     /// opens ignores its coefficient.
     ///
     /// # Errors
-    /// [`Undecided`] if no impulses separate the bodies, or if Coulomb's law allows several motions.
-    pub fn newton(&self, velocities: &DVector<f64>, restitution: &[f64]) -> Result<DVector<f64>, Undecided> {
+    /// [`UndecidedContacts`] if no impulses separate the bodies, or if Coulomb's law allows several motions.
+    pub fn newton_impact(
+        &self,
+        velocities: &DVector<f64>,
+        restitution: &[f64],
+    ) -> Result<DVector<f64>, UndecidedContacts> {
         let mut wanted = velocities.clone();
         for (rows, e) in self.rows.iter().zip(restitution) {
             if wanted[rows[0]] < 0.0 {
                 wanted[rows[0]] *= 1.0 + e;
             }
         }
-        self.push(&wanted)
+        self.contact_impulses(&wanted)
     }
 
     /// Computes the impulses along all rows by Poisson's law of impact. `velocities` are those of the rows
@@ -87,16 +93,24 @@ impl ClosedContacts {
     /// phases, with the phase's impulses and the slip at its end.
     ///
     /// # Errors
-    /// [`Undecided`], as for [`ClosedContacts::newton`].
-    pub fn poisson(&self, velocities: &DVector<f64>, restitution: &[f64]) -> Result<DVector<f64>, Undecided> {
-        let compression = self.push(velocities)?;
+    /// [`UndecidedContacts`], as for [`ClosedContacts::newton_impact`].
+    pub fn poisson_impact(
+        &self,
+        velocities: &DVector<f64>,
+        restitution: &[f64],
+    ) -> Result<DVector<f64>, UndecidedContacts> {
+        let compression = self.contact_impulses(velocities)?;
         let given: Vec<f64> = self.rows.iter().zip(restitution).map(|(rows, e)| e * compression[rows[0]]).collect();
         let mut both = compression;
         for (rows, e) in self.rows.iter().zip(restitution) {
             both[rows[0]] *= 1.0 + e;
         }
-        let more = self.tried(&(velocities + &self.compliance * &both), &vec![None; given.len()], &given)?;
-        Ok(both + first(more))
+        let more = self.contact_modes_under_given_impulses(
+            &(velocities + &self.compliance * &both),
+            &vec![None; given.len()],
+            &given,
+        )?;
+        Ok(both + forces_of_least_freedom(more))
     }
 
     /// Finds the impulses Λ along all rows of the contacts, where c are the velocities of the rows without
@@ -106,10 +120,14 @@ impl ClosedContacts {
     /// Λ + c. If c are accelerations in place of velocities, Λ are forces of contacts that do not slip yet.
     ///
     /// # Errors
-    /// [`Undecided`] if there are no such Λ, or several that move differently.
-    pub fn push(&self, c: &DVector<f64>) -> Result<DVector<f64>, Undecided> {
+    /// [`UndecidedContacts`] if there are no such Λ, or several that move differently.
+    pub fn contact_impulses(&self, c: &DVector<f64>) -> Result<DVector<f64>, UndecidedContacts> {
         let count = self.rows.len();
-        Ok(first(self.tried(c, &vec![None; count], &vec![0.0; count])?))
+        Ok(forces_of_least_freedom(self.contact_modes_under_given_impulses(
+            c,
+            &vec![None; count],
+            &vec![0.0; count],
+        )?))
     }
 
     /// Finds all combinations of modes that contacts can have under accelerations `c` of their rows, with
@@ -119,25 +137,29 @@ impl ClosedContacts {
     /// not slip.
     ///
     /// # Errors
-    /// [`Undecided`] if there is no combination, or if they move differently.
-    pub fn ways(&self, c: &DVector<f64>, slips: &[Option<f64>]) -> Result<Vec<ContactSolution>, Undecided> {
-        self.tried(c, slips, &vec![0.0; slips.len()])
+    /// [`UndecidedContacts`] if there is no combination, or if they move differently.
+    pub fn contact_modes(
+        &self,
+        c: &DVector<f64>,
+        slips: &[Option<f64>],
+    ) -> Result<Vec<ContactSolution>, UndecidedContacts> {
+        self.contact_modes_under_given_impulses(c, slips, &vec![0.0; slips.len()])
     }
 
     /// True if contacts can have these modes together under accelerations `c` of their rows. `slips` has
     /// the sign of the slip velocity of each contact; `None` for a contact that does not slip.
     #[must_use]
-    pub fn allows(&self, c: &DVector<f64>, slips: &[Option<f64>], modes: &[Mode]) -> bool {
-        let (scaled, unit) = self.scaled();
+    pub fn contact_modes_are_possible(&self, c: &DVector<f64>, slips: &[Option<f64>], modes: &[ContactMode]) -> bool {
+        let (scaled, unit) = self.scaled_compliance();
         let c = c.component_mul(&unit);
-        self.trial(&scaled, &unit, slips, &vec![0.0; slips.len()]).holds(&c, modes, NOTHING * c.amax())
+        self.trial(&scaled, &unit, slips, &vec![0.0; slips.len()]).modes_agree(&c, modes, NOTHING * c.amax())
     }
 
     /// Determinant of the linear system for the contact forces in these modes, in scaled units. Without
     /// slip it is at least 0. If it is negative, contacts that slip have no forces, or several.
     #[must_use]
-    pub fn determinant(&self, modes: &[Mode]) -> f64 {
-        let (scaled, unit) = self.scaled();
+    pub fn contact_force_determinant(&self, modes: &[ContactMode]) -> f64 {
+        let (scaled, unit) = self.scaled_compliance();
         let none = (vec![None; modes.len()], vec![0.0; modes.len()]);
         self.trial(&scaled, &unit, &none.0, &none.1).determinant(modes)
     }
@@ -150,17 +172,17 @@ impl ClosedContacts {
     /// freedom is first.
     ///
     /// # Errors
-    /// [`Undecided`] if there is no combination, or if they move differently.
-    pub fn tried(
+    /// [`UndecidedContacts`] if there is no combination, or if they move differently.
+    pub fn contact_modes_under_given_impulses(
         &self,
         c: &DVector<f64>,
         slips: &[Option<f64>],
         given: &[f64],
-    ) -> Result<Vec<ContactSolution>, Undecided> {
-        let (scaled, unit) = self.scaled();
+    ) -> Result<Vec<ContactSolution>, UndecidedContacts> {
+        let (scaled, unit) = self.scaled_compliance();
         let c = c.component_mul(&unit);
-        let found = self.trial(&scaled, &unit, slips, given).found(&c, NOTHING * c.amax());
-        let mut list = one_motion(found, c.amax())?;
+        let found = self.trial(&scaled, &unit, slips, given).modes_in_agreement(&c, NOTHING * c.amax());
+        let mut list = agreed_contact_motion(found, c.amax())?;
         for found in &mut list {
             found.forces.component_mul_assign(&unit);
         }
@@ -175,7 +197,7 @@ impl ClosedContacts {
         unit: &DVector<f64>,
         slips: &[Option<f64>],
         given: &[f64],
-    ) -> Trial<'t> {
+    ) -> ModeTrial<'t> {
         let touch = |at: usize| {
             let rows = &self.rows[at];
             let u = |row: usize| unit[row];
@@ -183,24 +205,24 @@ impl ClosedContacts {
             let friction =
                 self.friction[at].map(|mu| if u(rows[1]) > 0.0 { mu * u(rows[0]) / u(rows[1]) } else { 0.0 });
             let given = if u(rows[0]) > 0.0 { given[at] / u(rows[0]) } else { 0.0 };
-            Touch { rows, friction, slips: slips[at], given }
+            TriedContact { rows, friction, slips: slips[at], given }
         };
-        Trial { g: scaled, touches: (0..self.rows.len()).map(touch).collect() }
+        ModeTrial { g: scaled, touches: (0..self.rows.len()).map(touch).collect() }
     }
 
-    /// Behaviour of each contact under impulses that [`ClosedContacts::push`] found. `c` are the velocities
+    /// Behaviour of each contact under impulses that [`ClosedContacts::contact_impulses`] found. `c` are the velocities
     /// of the rows before the impact.
     #[must_use]
-    pub fn shares(&self, c: &DVector<f64>, impulses: &DVector<f64>) -> Vec<Share> {
-        let (scaled, unit) = self.scaled();
+    pub fn impact_shares(&self, c: &DVector<f64>, impulses: &DVector<f64>) -> Vec<ImpactShare> {
+        let (scaled, unit) = self.scaled_compliance();
         let c = c.component_mul(&unit);
         let impulses = impulses.zip_map(&unit, |impulse, unit| if unit > 0.0 { impulse / unit } else { 0.0 });
         let after = &scaled * &impulses + &c;
         let nothing = NOTHING * c.amax();
         let share = |rows: &Vec<usize>| match rows[0] {
-            row if impulses[row] > nothing => Share::Pushes,
-            row if after[row] > nothing => Share::Parts,
-            _ => Share::Neither,
+            row if impulses[row] > nothing => ImpactShare::Pushes,
+            row if after[row] > nothing => ImpactShare::Parts,
+            _ => ImpactShare::Neither,
         };
         self.rows.iter().map(share).collect()
     }
@@ -210,16 +232,16 @@ impl ClosedContacts {
     ///
     /// If rows depend on one another, Λ is the smallest solution, or a solution that friction can bear.
     #[must_use]
-    pub fn hold(&self, c: &DVector<f64>, modes: &[Mode]) -> Option<DVector<f64>> {
-        let (scaled, unit) = self.scaled();
+    pub fn forces_in_contact_modes(&self, c: &DVector<f64>, modes: &[ContactMode]) -> Option<DVector<f64>> {
+        let (scaled, unit) = self.scaled_compliance();
         let none = (vec![None; modes.len()], vec![0.0; modes.len()]);
         let trial = self.trial(&scaled, &unit, &none.0, &none.1);
-        Some(trial.held(&c.component_mul(&unit), modes)?.component_mul(&unit))
+        Some(trial.forces_in_modes(&c.component_mul(&unit), modes)?.component_mul(&unit))
     }
 
     /// Matrix G scaled to a diagonal of 1, and the scale of each row, which is 1 / √G_kk; 0 for a row that
     /// cannot move.
-    fn scaled(&self) -> (DMatrix<f64>, DVector<f64>) {
+    fn scaled_compliance(&self) -> (DMatrix<f64>, DVector<f64>) {
         let unit = self.compliance.diagonal().map(|g| if g > 0.0 { 1.0 / g.sqrt() } else { 0.0 });
         let n = unit.len();
         (DMatrix::from_fn(n, n, |i, j| unit[i] * self.compliance[(i, j)] * unit[j]), unit)
@@ -227,7 +249,7 @@ impl ClosedContacts {
 }
 
 /// Forces of the first solution, which has the least freedom; an empty vector if there is none.
-fn first(found: Vec<ContactSolution>) -> DVector<f64> {
+fn forces_of_least_freedom(found: Vec<ContactSolution>) -> DVector<f64> {
     found.into_iter().next().map_or_else(|| DVector::zeros(0), |found| found.forces)
 }
 
@@ -251,10 +273,11 @@ mod tests {
         let one = closed(&[1.0 / 3.0], &[&[0]]);
         let before = DVector::from_vec(vec![-2.0]);
         for e in [0.0, 0.3, 1.0] {
-            let (newton, poisson) = (one.newton(&before, &[e]).unwrap(), one.poisson(&before, &[e]).unwrap());
+            let (newton, poisson) =
+                (one.newton_impact(&before, &[e]).unwrap(), one.poisson_impact(&before, &[e]).unwrap());
             assert!((newton[0] - (1.0 + e) * 6.0).abs() < 1e-14 && (poisson[0] - newton[0]).abs() < 1e-14, "{e}");
         }
-        assert_eq!(one.newton(&-before, &[0.5]).unwrap()[0], 0.0, "what opens is left alone");
+        assert_eq!(one.newton_impact(&-before, &[0.5]).unwrap()[0], 0.0, "what opens is left alone");
     }
 
     /// Truth: of three equal masses in a row the first comes at 1, and the third leaves the second at 0.4. The second
@@ -264,7 +287,7 @@ mod tests {
     fn what_opens_before_an_impact_is_not_driven_in() {
         let row = closed(&[2.0, -1.0, -1.0, 2.0], &[&[0], &[1]]);
         let before = DVector::from_vec(vec![-1.0, 0.4]);
-        let after = &before + &row.compliance * row.newton(&before, &[0.0, 1.0]).unwrap();
+        let after = &before + &row.compliance * row.newton_impact(&before, &[0.0, 1.0]).unwrap();
         assert!(after[0].abs() < 1e-14 && after[1].abs() < 1e-14, "{after}");
     }
 
@@ -275,7 +298,9 @@ mod tests {
     fn three_masses_in_a_row_share_an_impact_as_moreau_has_it() {
         let row = closed(&[2.0, -1.0, -1.0, 2.0], &[&[0], &[1]]);
         let before = DVector::from_vec(vec![-1.0, 0.0]);
-        for impulses in [row.newton(&before, &[1.0, 1.0]).unwrap(), row.poisson(&before, &[1.0, 1.0]).unwrap()] {
+        for impulses in
+            [row.newton_impact(&before, &[1.0, 1.0]).unwrap(), row.poisson_impact(&before, &[1.0, 1.0]).unwrap()]
+        {
             assert!((impulses[0] - 4.0 / 3.0).abs() < 1e-14 && (impulses[1] - 2.0 / 3.0).abs() < 1e-14, "{impulses}");
         }
     }
@@ -287,7 +312,7 @@ mod tests {
     fn poisson_pushes_again_where_expansion_leaves_something_closing() {
         let row = closed(&[2.0, -1.0, -1.0, 2.0], &[&[0], &[1]]);
         let before = DVector::from_vec(vec![-1.0, 0.0]);
-        let impulses = row.poisson(&before, &[1.0, 0.0]).unwrap();
+        let impulses = row.poisson_impact(&before, &[1.0, 0.0]).unwrap();
         assert!((impulses[0] - 4.0 / 3.0).abs() < 1e-14 && (impulses[1] - 2.0 / 3.0).abs() < 1e-14, "{impulses}");
     }
 
@@ -298,12 +323,12 @@ mod tests {
         let row = closed(&[2.0, -1.0, -1.0, 2.0], &[&[0], &[1]]);
         let shares = |c: &[f64]| {
             let c = DVector::from_column_slice(c);
-            row.shares(&c, &row.push(&c).unwrap())
+            row.impact_shares(&c, &row.contact_impulses(&c).unwrap())
         };
-        assert_eq!(shares(&[-1.0, 0.0]), [Share::Pushes, Share::Pushes]);
-        assert_eq!(shares(&[-1.0, 0.25]), [Share::Pushes, Share::Pushes]);
-        assert_eq!(shares(&[-1.0, 0.75]), [Share::Pushes, Share::Parts]);
-        assert_eq!(shares(&[-1.0, 0.5]), [Share::Pushes, Share::Neither]);
+        assert_eq!(shares(&[-1.0, 0.0]), [ImpactShare::Pushes, ImpactShare::Pushes]);
+        assert_eq!(shares(&[-1.0, 0.25]), [ImpactShare::Pushes, ImpactShare::Pushes]);
+        assert_eq!(shares(&[-1.0, 0.75]), [ImpactShare::Pushes, ImpactShare::Parts]);
+        assert_eq!(shares(&[-1.0, 0.5]), [ImpactShare::Pushes, ImpactShare::Neither]);
     }
 
     /// Four legs of a table that falls flat: their rows are of rank 3, and the velocities after are told all the same.
@@ -312,7 +337,7 @@ mod tests {
         let ones = vec![1.0; 16];
         let table = closed(&ones, &[&[0], &[1], &[2], &[3]]);
         let before = DVector::from_vec(vec![-1.0; 4]);
-        let impulses = table.newton(&before, &[0.5; 4]).unwrap();
+        let impulses = table.newton_impact(&before, &[0.5; 4]).unwrap();
         assert!((impulses.sum() - 1.5).abs() < 1e-14 && impulses.iter().all(|x| *x >= 0.0), "{impulses}");
     }
 
@@ -320,7 +345,9 @@ mod tests {
     #[test]
     fn what_no_impulse_parts_is_said() {
         let wedged = closed(&[1.0, -1.0, -1.0, 1.0], &[&[0], &[1]]);
-        assert!(wedged.newton(&DVector::from_vec(vec![-1.0, -1.0]), &[0.0, 0.0]) == Err(Undecided::Nothing));
+        assert!(
+            wedged.newton_impact(&DVector::from_vec(vec![-1.0, -1.0]), &[0.0, 0.0]) == Err(UndecidedContacts::Nothing)
+        );
     }
 
     /// A contact that does not slip: a point mass that comes in at an angle leaves along the normal alone.
@@ -328,7 +355,7 @@ mod tests {
     fn a_contact_without_slip_takes_the_velocity_along_it() {
         let rough = closed(&[0.5, 0.0, 0.0, 0.5], &[&[0, 1]]);
         let before = DVector::from_vec(vec![-1.0, 3.0]);
-        let impulses = rough.newton(&before, &[0.5]).unwrap();
+        let impulses = rough.newton_impact(&before, &[0.5]).unwrap();
         let after = before + &rough.compliance * impulses;
         assert!((after[0] - 0.5).abs() < 1e-14 && after[1].abs() < 1e-14, "{after}");
     }
@@ -359,8 +386,8 @@ mod tests {
             -9.147_180_939_245_233,
             -0.040_794_709_212_863_24,
         ]);
-        let found = three.ways(&c, &[Some(1.0), None, Some(-1.0)]).unwrap();
-        assert_eq!(found[0].modes, [Mode::Slips(1.0), Mode::Pushes, Mode::Slips(-1.0)]);
+        let found = three.contact_modes(&c, &[Some(1.0), None, Some(-1.0)]).unwrap();
+        assert_eq!(found[0].modes, [ContactMode::Slips(1.0), ContactMode::Pushes, ContactMode::Slips(-1.0)]);
         let (forces, after) = (&found[0].forces, &three.compliance * &found[0].forces + &c);
         assert!([0, 2, 3].iter().all(|row| after[*row].abs() < 1e-13 && forces[*row] > 1.0), "{forces}{after}");
         assert!((forces[1] + 0.78 * forces[0]).abs() < 1e-13 && (forces[4] - 0.08 * forces[3]).abs() < 1e-13);

@@ -3,20 +3,20 @@
 
 use tripos_traits::Real;
 
-use super::pace::Pace;
-use super::run::solve;
+use super::run::run_method;
+use super::step_control::StepControl;
 use crate::error::SimError;
 use crate::events::Event;
 use crate::methods::dop853::Dop853;
 use crate::methods::dormand_prince::DORMAND_PRINCE_54;
-use crate::methods::explicit::{ExplicitRungeKutta, Length};
-use crate::methods::gauss::Gauss6;
+use crate::methods::explicit_runge_kutta::{ExplicitRungeKutta, StepLength};
+use crate::methods::gauss6::Gauss6;
 use crate::methods::options::{self, Options};
 use crate::methods::radau::Radau5;
 use crate::methods::rk4::Rk4;
-use crate::methods::taylor::{Taylor, order_for};
-use crate::projection::{Invariants, Onto, Projector};
-use crate::rhs::RightHandSide;
+use crate::methods::taylor::{Taylor, taylor_order};
+use crate::projection::{Invariants, ProjectionTarget, Projector};
+use crate::right_hand_side::RightHandSide;
 use crate::solution::Solution;
 use tripos_traits::Method;
 
@@ -51,7 +51,7 @@ where
     S: Real,
     R: RightHandSide<S>,
 {
-    run(rhs, span, y0, options, events, None)
+    integrate_with_invariants(rhs, span, y0, options, events, None)
 }
 
 /// Integrates y' = f(t, y) from `y0` over `span`, s, like [`integrate`], and keeps `invariants` at
@@ -75,12 +75,12 @@ where
     S: Real,
     R: RightHandSide<S>,
 {
-    run(rhs, span, y0, options, events, Some(invariants))
+    integrate_with_invariants(rhs, span, y0, options, events, Some(invariants))
 }
 
 /// Integrates y' = f(t, y) from `y0` over `span`, s, with the method of the options. The state is moved
 /// onto the given invariants, or else onto the constraints of the right-hand side if it has any.
-fn run<S, R>(
+fn integrate_with_invariants<S, R>(
     mut rhs: R,
     span: (f64, f64),
     y0: &[S],
@@ -92,39 +92,39 @@ where
     S: Real,
     R: RightHandSide<S>,
 {
-    options::check(span, y0, options)?;
+    options::check_options(span, y0, options)?;
     let n = y0.len();
-    let (pace, warning) = Pace::new::<S>(span, n, options)?;
+    let (pace, warning) = StepControl::new::<S>(span, n, options)?;
     let rhs = &mut rhs;
     if options.method.needs_jacobian() && rhs.jacobian(span.0, y0, &mut vec![S::from_f64(0.0); n * n]).is_none() {
         return Err(SimError::NoJacobian { method: options.method.name() });
     }
     let onto = match (invariants, rhs.constraint_count()) {
-        (Some(invariants), _) => Some(Onto::Invariants(invariants)),
+        (Some(invariants), _) => Some(ProjectionTarget::Invariants(invariants)),
         (None, 0) => None,
-        (None, count) => Some(Onto::Constraints(count)),
+        (None, count) => Some(ProjectionTarget::Constraints(count)),
     };
     let projector = onto.map(|onto| Projector::new(onto, rhs, options, span.0, y0));
     let mut solution = match options.method {
-        Method::Rk4 => solve(Rk4::new(n), pace, rhs, y0, options, events, projector),
+        Method::Rk4 => run_method(Rk4::new(n), pace, rhs, y0, options, events, projector),
         Method::Ode45 => {
-            let stepper = ExplicitRungeKutta::new(&DORMAND_PRINCE_54, Length::Chosen, n);
-            solve(stepper, pace, rhs, y0, options, events, projector)
+            let stepper = ExplicitRungeKutta::new(&DORMAND_PRINCE_54, StepLength::Chosen, n);
+            run_method(stepper, pace, rhs, y0, options, events, projector)
         }
         Method::Dopri5 => {
-            let stepper = ExplicitRungeKutta::new(&DORMAND_PRINCE_54, Length::Exact, n);
-            solve(stepper, pace, rhs, y0, options, events, projector)
+            let stepper = ExplicitRungeKutta::new(&DORMAND_PRINCE_54, StepLength::Exact, n);
+            run_method(stepper, pace, rhs, y0, options, events, projector)
         }
-        Method::Dop853 => solve(Dop853::new(n), pace, rhs, y0, options, events, projector),
-        Method::Gauss6 => solve(Gauss6::new(n), pace, rhs, y0, options, events, projector),
-        Method::Radau5 => solve(Radau5::new(n, options), pace, rhs, y0, options, events, projector),
+        Method::Dop853 => run_method(Dop853::new(n), pace, rhs, y0, options, events, projector),
+        Method::Gauss6 => run_method(Gauss6::new(n), pace, rhs, y0, options, events, projector),
+        Method::Radau5 => run_method(Radau5::new(n, options), pace, rhs, y0, options, events, projector),
         Method::Taylor => {
-            let order = order_for(options);
+            let order = taylor_order(options);
             let mut x = y0.repeat(order + 1);
             if rhs.taylor(span.0, order, &mut x).is_none() {
                 return Err(SimError::NoSeries { method: options.method.name() });
             }
-            solve(Taylor::new(n, order), pace, rhs, y0, options, events, projector)
+            run_method(Taylor::new(n, order), pace, rhs, y0, options, events, projector)
         }
     };
     solution.warnings.splice(..0, warning);

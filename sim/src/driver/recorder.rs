@@ -6,10 +6,10 @@
 
 use tripos_traits::Real;
 
-use crate::events::corners::turn;
-use crate::methods::options::Output;
+use crate::events::corners::replace_slopes;
+use crate::methods::options::OutputOption;
 use crate::rounding::smallest_step;
-use crate::stepper::{DenseStep, Interpolant, same};
+use crate::stepper::{DenseStep, Interpolant, exactly_equal};
 
 /// Largest number of points of steps that a recorder keeps; beyond it every second point is dropped.
 pub(crate) const MOST: usize = 200_000;
@@ -17,7 +17,7 @@ pub(crate) const MOST: usize = 200_000;
 /// Samples of a run so far, and the rule that decides which further samples are taken.
 pub(crate) struct Recorder<'a, S> {
     /// Choice of the points of the run that are kept as samples.
-    output: &'a Output,
+    output: &'a OutputOption,
     /// Index of the next time in the list of wanted output times, if there is such a list.
     next: usize,
     /// Number n such that only every n-th point of the steps is kept.
@@ -39,13 +39,13 @@ type Sampled<'a, S> = dyn FnMut(f64, f64) -> (Vec<S>, Option<f64>) + 'a;
 impl<'a, S: Real> Recorder<'a, S> {
     /// Creates a recorder, and records the start (t0, y0) if it is wanted. `work` is the work at the start,
     /// J; `None` if it is not recorded. The times of [`Output::At`] must be in the order of the run.
-    pub(crate) fn new(output: &'a Output, t0: f64, y0: &[S], work: Option<f64>) -> Self {
+    pub(crate) fn new(output: &'a OutputOption, t0: f64, y0: &[S], work: Option<f64>) -> Self {
         let mut recorder =
             Self { output, next: 0, every: 1, passed: 0, t: Vec::new(), y: Vec::new(), work: Vec::new() };
         match output {
-            Output::Steps { .. } | Output::Ends => recorder.push(t0, y0.to_vec(), work),
-            Output::At(times) => {
-                while times.get(recorder.next).is_some_and(|t| same(*t, t0)) {
+            OutputOption::Steps { .. } | OutputOption::Ends => recorder.push(t0, y0.to_vec(), work),
+            OutputOption::At(times) => {
+                while times.get(recorder.next).is_some_and(|t| exactly_equal(*t, t0)) {
                     recorder.push(t0, y0.to_vec(), work);
                     recorder.next += 1;
                 }
@@ -69,7 +69,7 @@ impl<'a, S: Real> Recorder<'a, S> {
 
     /// Records the point at the fraction `theta` of a step, unless points are being left out to bound their
     /// number.
-    fn point(&mut self, step: &impl Interpolant<Real = S>, theta: f64, sampled: &mut Sampled<'_, S>) {
+    fn record_point(&mut self, step: &impl Interpolant<Real = S>, theta: f64, sampled: &mut Sampled<'_, S>) {
         self.passed += 1;
         if self.passed < self.every {
             return;
@@ -77,44 +77,46 @@ impl<'a, S: Real> Recorder<'a, S> {
         self.passed = 0;
         self.sample(step.time_at(theta), theta, sampled);
         if self.t.len() > MOST {
-            halve(&mut self.t);
-            halve(&mut self.y);
-            halve(&mut self.work);
+            drop_every_second(&mut self.t);
+            drop_every_second(&mut self.y);
+            drop_every_second(&mut self.work);
             self.every *= 2;
         }
     }
 
     /// True if samples inside a step over `span`, s, are wanted, so that its dense output is needed.
-    pub(crate) fn looks_inside(&self, span: (f64, f64)) -> bool {
+    pub(crate) fn wants_samples_inside(&self, span: (f64, f64)) -> bool {
         let (t_old, t_new) = span;
         match self.output {
-            Output::Ends => false,
-            Output::Steps { refine } => *refine > 1,
+            OutputOption::Ends => false,
+            OutputOption::Steps { refine } => *refine > 1,
             // Times up to t_old are kept already, so that the next one only has to come before the end.
-            Output::At(times) => times.get(self.next).is_some_and(|t| (t_new - t) * (t_new - t_old).signum() > 0.0),
+            OutputOption::At(times) => {
+                times.get(self.next).is_some_and(|t| (t_new - t) * (t_new - t_old).signum() > 0.0)
+            }
         }
     }
 
     /// Records the wanted samples of an accepted step up to its fraction `end`, which is 1 unless the run
     /// ends inside the step.
-    pub(crate) fn step(&mut self, step: &impl Interpolant<Real = S>, end: f64, sampled: &mut Sampled<'_, S>) {
+    pub(crate) fn record_step(&mut self, step: &impl Interpolant<Real = S>, end: f64, sampled: &mut Sampled<'_, S>) {
         if end == 0.0 {
             return; // the run ends where the step began
         }
         match self.output {
-            Output::Ends => {}
-            Output::Steps { refine } => {
+            OutputOption::Ends => {}
+            OutputOption::Steps { refine } => {
                 for i in 1..*refine {
-                    self.point(step, end * (i as f64 / *refine as f64), sampled);
+                    self.record_point(step, end * (i as f64 / *refine as f64), sampled);
                 }
-                self.point(step, end, sampled);
+                self.record_point(step, end, sampled);
             }
-            Output::At(times) => {
+            OutputOption::At(times) => {
                 let (t_old, t_new) = step.times();
                 let (h, t_stop) = (t_new - t_old, step.time_at(end));
                 let beyond = |t: f64| (t - t_stop) * h.signum() > 0.0;
                 while let Some(&t) = times.get(self.next).filter(|t| !beyond(**t)) {
-                    let theta = if same(t, t_stop) { end } else { ((t - t_old) / h).clamp(0.0, end) };
+                    let theta = if exactly_equal(t, t_stop) { end } else { ((t - t_old) / h).clamp(0.0, end) };
                     self.sample(t, theta, sampled);
                     self.next += 1;
                 }
@@ -124,23 +126,23 @@ impl<'a, S: Real> Recorder<'a, S> {
 
     /// Replaces the derivatives that the states of samples at time `t`, s, carry by those of `y`. They jump
     /// at `t`, and `y` has the values after the jump.
-    pub(crate) fn turned(&mut self, t: f64, y: &[S]) {
+    pub(crate) fn record_jump_of_derivatives(&mut self, t: f64, y: &[S]) {
         if S::SLOPES == 0 {
             return;
         }
         let is_there = |at: f64| (t - at).abs() < smallest_step(t);
         let kept = self.t.iter().zip(&mut self.y).rev().take_while(|(at, _)| is_there(**at));
-        kept.for_each(|(_, own)| turn(own, y));
+        kept.for_each(|(_, own)| replace_slopes(own, y));
     }
 
     /// Records the end of the run, if it is wanted and not recorded yet. `steps` is the number of accepted
     /// steps.
-    pub(crate) fn finish(&mut self, t_end: f64, y_end: &[S], work: Option<f64>, steps: u64) {
-        let is_kept = self.t.last().is_some_and(|t| same(*t, t_end));
+    pub(crate) fn record_end(&mut self, t_end: f64, y_end: &[S], work: Option<f64>, steps: u64) {
+        let is_kept = self.t.last().is_some_and(|t| exactly_equal(*t, t_end));
         let is_asked = match self.output {
-            Output::Ends => true,
-            Output::Steps { .. } => !is_kept,
-            Output::At(_) => false,
+            OutputOption::Ends => true,
+            OutputOption::Steps { .. } => !is_kept,
+            OutputOption::At(_) => false,
         };
         if is_asked && steps > 0 {
             self.push(t_end, y_end.to_vec(), work);
@@ -149,7 +151,7 @@ impl<'a, S: Real> Recorder<'a, S> {
 }
 
 /// Drops every second entry of a list; the first entry stays.
-fn halve<T>(list: &mut Vec<T>) {
+fn drop_every_second<T>(list: &mut Vec<T>) {
     let mut stays = false;
     list.retain(|_| {
         stays = !stays;

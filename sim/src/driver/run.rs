@@ -3,19 +3,19 @@
 //! A method is a [`Stepper`], and [`super::pace`] decides the sizes of its steps. The loop takes a
 //! step, lets the events examine it, records it, and stops at the first reason to end the run.
 
-use super::doubt::Doubts;
-use super::pace::{Pace, Verdict};
+use super::event_watch::{EventWatch, Events};
 use super::recorder::Recorder;
-use super::watch::{Events, Watch};
+use super::step_control::{StepControl, Verdict};
+use super::step_warnings::StepWarnings;
 use super::work::Work;
 use crate::events::Event;
-use crate::events::corners::Between;
-use crate::events::guard::{Guard, Zero};
+use crate::events::corners::BetweenCorners;
+use crate::events::divisor_guard::{DivisorGuard, DivisorZero};
 use crate::methods::options::{Options, Poll};
 use crate::projection::Projector;
-use crate::rhs::RightHandSide;
+use crate::right_hand_side::RightHandSide;
 use crate::solution::{Solution, Stop};
-use crate::stepper::{DenseStep, Interpolant, Stepper, Trouble};
+use crate::stepper::{DenseStep, Interpolant, StepFailure, Stepper};
 use crate::warning::Warning;
 use tripos_traits::Real;
 
@@ -46,7 +46,7 @@ struct Run<'o, M> {
     /// Method of integration, with the current step.
     stepper: M,
     /// Step control of the run, which decides the sizes of its steps.
-    pace: Pace,
+    pace: StepControl,
     /// Options of the run.
     options: &'o Options,
     /// Number of accepted steps of the run so far.
@@ -54,14 +54,14 @@ struct Run<'o, M> {
     /// Number of rejected attempted steps of the run so far.
     rejected: u64,
     /// Signs that steps are doubtful, for warnings.
-    doubts: Doubts,
+    doubts: StepWarnings,
 }
 
 /// Runs the method `stepper` from the start of the span and state `y0` to the end of the span, or to
 /// the first reason to stop. Returns the solution.
-pub(crate) fn solve<M, R>(
+pub(crate) fn run_method<M, R>(
     stepper: M,
-    mut pace: Pace,
+    mut pace: StepControl,
     rhs: &mut R,
     y0: &[M::Real],
     options: &Options,
@@ -74,24 +74,24 @@ where
 {
     let t0 = pace.t0;
     pace.pass_corners(t0);
-    let rhs = &mut Between::new(rhs, options.clock, pace.sides());
-    let mut run = Run { stepper, pace, options, steps: 0, rejected: 0, doubts: Doubts::default() };
+    let rhs = &mut BetweenCorners::new(rhs, options.clock, pace.smooth_intervals());
+    let mut run = Run { stepper, pace, options, steps: 0, rejected: 0, doubts: StepWarnings::default() };
     if projector.is_some() {
         run.stepper.expect_moves();
     }
     let mut work = Work::new(rhs, t0, y0);
     let mut recorder = Recorder::new(&options.output, t0, y0, work.as_ref().map(|work| work.done));
-    let mut watch = Watch::new(Events::Lent(events), y0.len());
+    let mut watch = EventWatch::new(Events::Lent(events), y0.len());
     let mut y_end = y0.to_vec();
     let (stop, t_end) = match run.start(rhs, y0, &mut watch) {
         Some(stop) => (stop, t0),
         None => {
             let (projector, work) = (projector.as_mut(), work.as_mut());
-            run.walk(rhs, &mut watch, Companions { recorder: &mut recorder, projector, work }, &mut y_end)
+            run.run_steps(rhs, &mut watch, Companions { recorder: &mut recorder, projector, work }, &mut y_end)
         }
     };
     let work = work.map(|work| work.done);
-    recorder.finish(t_end, &y_end, work, run.steps);
+    recorder.record_end(t_end, &y_end, work, run.steps);
     let undecided: Vec<Warning> = watch.warnings().collect();
     Solution {
         t: recorder.t,
@@ -115,7 +115,7 @@ where
 impl<M: Stepper> Run<'_, M> {
     /// Prepares the events, the method and the first step size. Returns the reason to stop if the run
     /// cannot start, else `None`.
-    fn start<R>(&mut self, rhs: &mut R, y0: &[M::Real], watch: &mut Watch<'_, '_>) -> Option<Stop>
+    fn start<R>(&mut self, rhs: &mut R, y0: &[M::Real], watch: &mut EventWatch<'_, '_>) -> Option<Stop>
     where
         R: RightHandSide<M::Real>,
     {
@@ -124,7 +124,7 @@ impl<M: Stepper> Run<'_, M> {
             return Some(stop);
         }
         if let Err(trouble) = self.stepper.start(rhs, t0, y0) {
-            return Some(stop_for(trouble));
+            return Some(stop_for_trouble(trouble));
         }
         self.pace.start(rhs, y0, self.stepper.slope(), self.options.initial_step);
         None
@@ -132,10 +132,10 @@ impl<M: Stepper> Run<'_, M> {
 
     /// Takes steps until there is a reason to stop. Writes the last state to `y_end`, and returns the
     /// reason and the last time, s.
-    fn walk<R>(
+    fn run_steps<R>(
         &mut self,
-        rhs: &mut Between<'_, R, M::Real>,
-        watch: &mut Watch<'_, '_>,
+        rhs: &mut BetweenCorners<'_, R, M::Real>,
+        watch: &mut EventWatch<'_, '_>,
         companions: Companions<'_, '_, '_, '_, M::Real>,
         y_end: &mut [M::Real],
     ) -> (Stop, f64)
@@ -143,21 +143,21 @@ impl<M: Stepper> Run<'_, M> {
         R: RightHandSide<M::Real>,
     {
         let Companions { recorder, mut projector, mut work } = companions;
-        let mut guard = Guard::new(rhs, self.stepper.span().0, self.stepper.ends().0);
+        let mut guard = DivisorGuard::new(rhs, self.stepper.span().0, self.stepper.ends().0);
         let stop = loop {
-            let last = match self.advance(rhs) {
+            let last = match self.run_step(rhs) {
                 Ok(last) => last,
                 Err(stop) => break stop,
             };
-            if rhs.yields(self.stepper.span().1, self.stepper.ends().1) {
+            if rhs.yields_step(self.stepper.span().1, self.stepper.ends().1) {
                 break Stop::HandedOver;
             }
-            let looks_inside = work.is_some() || recorder.looks_inside(self.stepper.span());
-            let suspects = !guard.is_empty() && guard.suspects(rhs, &self.stepper);
+            let looks_inside = work.is_some() || recorder.wants_samples_inside(self.stepper.span());
+            let suspects = !guard.is_empty() && guard.suspects_divisor_zero(rhs, &self.stepper);
             if suspects || looks_inside || !watch.is_empty() {
                 self.prepare_inside(rhs);
             }
-            let end = match end_inside(&self.stepper, rhs, watch, suspects.then_some(&mut guard)) {
+            let end = match run_end_inside_step(&self.stepper, rhs, watch, suspects.then_some(&mut guard)) {
                 Ok(end) => end,
                 Err(stop) => break stop,
             };
@@ -167,8 +167,8 @@ impl<M: Stepper> Run<'_, M> {
                 return (Stop::HandedOver, self.stepper.span().0);
             }
             let theta = end.as_ref().map_or(1.0, |(theta, _)| *theta);
-            recorder.step(&self.stepper, theta, &mut |theta, t| {
-                let done = work.as_deref_mut().map(|work| work.at(rhs, &self.stepper, theta));
+            recorder.record_step(&self.stepper, theta, &mut |theta, t| {
+                let done = work.as_deref_mut().map(|work| work.work_up_to(rhs, &self.stepper, theta));
                 let y = self.stepper.sample(theta, t);
                 match projector.as_deref_mut() {
                     Some(projector) => (projector.sample(rhs, t, y), done),
@@ -176,11 +176,11 @@ impl<M: Stepper> Run<'_, M> {
                 }
             });
             if let Some(work) = work.as_deref_mut() {
-                work.at(rhs, &self.stepper, theta);
+                work.work_up_to(rhs, &self.stepper, theta);
             }
             if let Some((theta, stop)) = end {
                 let t_end = self.stepper.time_at(theta);
-                watch.forget_beyond(t_end, self.stepper.span());
+                watch.forget_records_beyond(t_end, self.stepper.span());
                 y_end.copy_from_slice(&self.stepper.sample(theta, t_end));
                 return (stop, t_end);
             }
@@ -192,11 +192,11 @@ impl<M: Stepper> Run<'_, M> {
             self.stepper.accept();
             if let Some(projector) = &mut projector {
                 let outcome = match projector.project(rhs, self.stepper.span().0, self.stepper.ends().0) {
-                    Some(y) => self.stepper.restart(rhs, y),
-                    None => self.stepper.stay(rhs),
+                    Some(y) => self.stepper.continue_from_moved_state(rhs, y),
+                    None => self.stepper.continue_unmoved(rhs),
                 };
                 if let Err(trouble) = outcome {
-                    break stop_for(trouble);
+                    break stop_for_trouble(trouble);
                 }
             }
             if last {
@@ -208,10 +208,10 @@ impl<M: Stepper> Run<'_, M> {
             }
             if let Some(moves) = self.pace.pass_corners(now) {
                 let mut here = self.stepper.ends().0.to_vec();
-                rhs.enter(self.pace.sides(), now, &mut here, &moves);
-                recorder.turned(now, &here);
-                if let Err(trouble) = self.stepper.restart(rhs, &here) {
-                    break stop_for(trouble);
+                rhs.pass_jump(self.pace.smooth_intervals(), now, &mut here, &moves);
+                recorder.record_jump_of_derivatives(now, &here);
+                if let Err(trouble) = self.stepper.continue_from_moved_state(rhs, &here) {
+                    break stop_for_trouble(trouble);
                 }
             }
             if Poll::ends(self.options.poll.as_ref(), self.stepper.span().0) {
@@ -235,7 +235,7 @@ impl<M: Stepper> Run<'_, M> {
 
     /// Takes a step, with as many attempts as it needs. True if it reached the end of the span. The error
     /// is the reason to stop the run.
-    fn advance<R>(&mut self, rhs: &mut R) -> Result<bool, Stop>
+    fn run_step<R>(&mut self, rhs: &mut R) -> Result<bool, Stop>
     where
         R: RightHandSide<M::Real>,
     {
@@ -243,9 +243,9 @@ impl<M: Stepper> Run<'_, M> {
             && let Some(size) = self.stepper.proposal(test)
         {
             let first = self.options.initial_step.filter(|_| self.steps == 0);
-            self.pace.propose(first.map_or(size, |first| first.min(size)));
+            self.pace.propose_step_size(first.map_or(size, |first| first.min(size)));
         }
-        self.pace.begin(self.stepper.span().0, self.steps);
+        self.pace.begin_step(self.stepper.span().0, self.steps);
         let mut avoided = 0;
         loop {
             if self.steps + self.rejected >= self.options.step_limit {
@@ -255,7 +255,7 @@ impl<M: Stepper> Run<'_, M> {
             let attempt = self.stepper.attempt(rhs, self.pace.trial, self.pace.test.as_ref());
             let error = match (&attempt, &self.pace.test) {
                 (Ok(error), Some(test)) if *error <= test.tolerance && avoided < MOST_AVOIDED => {
-                    let is_avoided = rhs.avoids(self.stepper.span().1, self.stepper.ends().1);
+                    let is_avoided = rhs.avoids_end_of_step(self.stepper.span().1, self.stepper.ends().1);
                     avoided += u32::from(is_avoided);
                     Some(if is_avoided { SHORTER * test.tolerance } else { *error })
                 }
@@ -264,11 +264,11 @@ impl<M: Stepper> Run<'_, M> {
             match (&attempt, &self.pace.test) {
                 // The step is shortened because of the place of its end, not because of its error.
                 (Ok(own), _) if error > Some(*own) => self.doubts.note_trouble(),
-                (Ok(error), Some(test)) => self.doubts.note(&self.stepper, test, tried, *error),
+                (Ok(error), Some(test)) => self.doubts.note_step_error(&self.stepper, test, tried, *error),
                 _ => self.doubts.note_trouble(),
             }
-            self.pace.heed(self.stepper.margin());
-            match self.pace.judge(self.stepper.span().0, error) {
+            self.pace.limit_next_step(self.stepper.next_step_margin());
+            match self.pace.judge_step(self.stepper.span().0, error) {
                 Verdict::Accepted { last } => {
                     self.steps += 1;
                     return Ok(last);
@@ -278,7 +278,7 @@ impl<M: Stepper> Run<'_, M> {
                     self.rejected += 1;
                     return Err(match attempt {
                         Ok(_) => Stop::StepTooSmall { step: tried },
-                        Err(trouble) => stop_for(trouble),
+                        Err(trouble) => stop_for_trouble(trouble),
                     });
                 }
             }
@@ -292,33 +292,35 @@ impl<M: Stepper> Run<'_, M> {
 ///
 /// `suspicious` is the guard of the divisors, or `None` if it suspects no zero in this step. If both
 /// lie at the same place, the event counts, since its name tells why the motion ends there.
-pub(crate) fn end_inside<S, I, R>(
+pub(crate) fn run_end_inside_step<S, I, R>(
     step: &I,
     rhs: &mut R,
-    watch: &mut Watch<'_, '_>,
-    suspicious: Option<&mut Guard<S>>,
+    watch: &mut EventWatch<'_, '_>,
+    suspicious: Option<&mut DivisorGuard<S>>,
 ) -> Result<Option<(f64, Stop)>, Stop>
 where
     S: Real,
     I: Interpolant<Real = S>,
     R: RightHandSide<S>,
 {
-    let zero = suspicious.and_then(|guard| guard.zero(rhs, step));
-    match (watch.look(step), zero) {
+    let zero = suspicious.and_then(|guard| guard.first_divisor_zero(rhs, step));
+    match (watch.watch_step(step), zero) {
         (Ok(Some((theta, stop))), zero) if zero.is_none_or(|zero| theta <= zero.theta + ONE_PLACE) => {
             Ok(Some((theta, stop)))
         }
-        (_, Some(Zero { divisor, theta })) => Ok(Some((theta, Stop::Singular { divisor: rhs.divisor_name(divisor) }))),
+        (_, Some(DivisorZero { divisor, theta })) => {
+            Ok(Some((theta, Stop::Singular { divisor: rhs.divisor_name(divisor) })))
+        }
         (Ok(_), None) => Ok(None),
         (Err(failure), None) => Err(Stop::Failed(failure)),
     }
 }
 
 /// Reason to stop a run whose smallest step had this trouble.
-fn stop_for(trouble: Trouble) -> Stop {
+fn stop_for_trouble(trouble: StepFailure) -> Stop {
     match trouble {
-        Trouble::NotFinite { component } => Stop::NotFinite { component },
-        Trouble::Failed(failure) => Stop::Failed(failure),
-        Trouble::NotConverged { iterations } => Stop::NotConverged { iterations },
+        StepFailure::NotFinite { component } => Stop::NotFinite { component },
+        StepFailure::Failed(failure) => Stop::Failed(failure),
+        StepFailure::NotConverged { iterations } => Stop::NotConverged { iterations },
     }
 }

@@ -7,7 +7,7 @@
 
 use tripos_traits::Real;
 
-use crate::rhs::RightHandSide;
+use crate::right_hand_side::RightHandSide;
 use crate::stepper::Interpolant;
 
 /// Points of five-point Gauss–Legendre quadrature on the interval from 0 to 1, each with its weight.
@@ -37,7 +37,12 @@ impl<S: Real> Work<S> {
 
     /// Integrates the power up to the fraction `to` of the step. Returns the work done from the start of
     /// the run up to there, J.
-    pub(crate) fn at<R: RightHandSide<S>>(&mut self, rhs: &mut R, step: &impl Interpolant<Real = S>, to: f64) -> f64 {
+    pub(crate) fn work_up_to<R: RightHandSide<S>>(
+        &mut self,
+        rhs: &mut R,
+        step: &impl Interpolant<Real = S>,
+        to: f64,
+    ) -> f64 {
         let (t, t_new) = step.span();
         let (from, part) = (self.up_to, to - self.up_to);
         if part <= 0.0 {
@@ -45,7 +50,7 @@ impl<S: Real> Work<S> {
         }
         for (point, weight) in POINTS {
             let theta = from + point * part;
-            step.inside(S::from_f64(theta), |i, x| self.y[i] = x);
+            step.dense_output(S::from_f64(theta), |i, x| self.y[i] = x);
             let power = rhs.power(t + theta * (t_new - t), &self.y).unwrap_or(f64::NAN);
             self.done += weight * part * (t_new - t) * power;
         }
@@ -61,8 +66,8 @@ impl<S: Real> Work<S> {
 
 #[cfg(test)]
 mod tests {
-    use crate::rhs::Accompanied;
-    use crate::{Event, Method, Options, Output, integrate};
+    use crate::right_hand_side::AccompaniedRightHandSide;
+    use crate::{Event, Method, Options, OutputOption, integrate};
     use tripos_traits::Direction;
 
     /// x″ = −x − c x′ with E = ½(x′² + x²): dE/dt = −c x′².
@@ -70,7 +75,7 @@ mod tests {
     fn the_energy_of_a_damped_oscillator_is_balanced_at_every_sample_and_its_end() {
         let c = 0.3;
         let times: Vec<f64> = (1..100).map(|i| 0.173 * f64::from(i)).collect();
-        let outputs = [Output::Ends, Output::Steps { refine: 3 }, Output::At(times)];
+        let outputs = [OutputOption::Ends, OutputOption::Steps { refine: 3 }, OutputOption::At(times)];
         for method in [Method::Rk4, Method::Ode45, Method::Dopri5, Method::Dop853] {
             for output in outputs.clone() {
                 let mut rhs = |_t: f64, y: &[f64], out: &mut [f64]| {
@@ -82,7 +87,8 @@ mod tests {
                 let options = Options { method, step, output, ..Options::tolerances(1e-10, 1e-10) };
                 let low = |_t: f64, y: &[f64]| y[0] * y[0] + y[1] * y[1] - 0.01;
                 let events = &mut [Event::terminal("low", Direction::Falling, low)];
-                let with = Accompanied { rhs: &mut rhs, power: Some(&mut power), over: None, yields: None };
+                let with =
+                    AccompaniedRightHandSide { rhs: &mut rhs, power: Some(&mut power), over: None, yields: None };
                 let run = integrate(with, (0.0, 40.0), &[1.0, 0.0], &options, events).unwrap();
                 assert_eq!(run.stop.code(), "event:low", "{method:?}");
                 let energy = |y: &[f64]| 0.5 * (y[0] * y[0] + y[1] * y[1]);
@@ -107,7 +113,7 @@ mod tests {
         let (mut rhs, mut power) = (f, |_t: f64, y: &[f64]| -0.1 * y[1] * y[1]);
         let options = Options { method: Method::Dop853, ..Options::tolerances(1e-8, 1e-8) };
         let plain = integrate(f, (0.0, 9.0), &[2.0, 0.0], &options, &mut []).unwrap();
-        let with = Accompanied { rhs: &mut rhs, power: Some(&mut power), over: None, yields: None };
+        let with = AccompaniedRightHandSide { rhs: &mut rhs, power: Some(&mut power), over: None, yields: None };
         let watched = integrate(with, (0.0, 9.0), &[2.0, 0.0], &options, &mut []).unwrap();
         assert!(plain.work.is_empty() && watched.work.len() == watched.t.len());
         assert_eq!((plain.y, plain.t), (watched.y, watched.t));

@@ -4,14 +4,14 @@
 use tripos_traits::{Real, System};
 
 use crate::error::Failure;
-use crate::rhs::RightHandSide;
+use crate::right_hand_side::RightHandSide;
 
 /// Right-hand side y' = (q̇, v̇) of equations whose accelerations v̇ were solved for in advance, in any
 /// kind of number. It calls [`System::derivative`] and has an exact Jacobian.
 ///
 /// The state is y = (q, v), as for [`crate::Dynamics`], which solves the linear system at each state
 /// instead.
-pub struct Eliminated<'a, S: Real = f64> {
+pub struct EliminatedDynamics<'a, S: Real = f64> {
     /// Equations of motion whose accelerations were solved for in advance.
     system: &'a dyn System<S>,
     /// Values of the parameters, in the order of the model file.
@@ -22,7 +22,7 @@ pub struct Eliminated<'a, S: Real = f64> {
     matrix: Vec<S>,
 }
 
-impl<'a, S: Real> Eliminated<'a, S> {
+impl<'a, S: Real> EliminatedDynamics<'a, S> {
     /// Creates the right-hand side of a system, with `parameters` in the order of the model file. `None` if
     /// accelerations were not solved for in advance, or if the number of parameters is wrong.
     #[must_use]
@@ -37,7 +37,7 @@ impl<'a, S: Real> Eliminated<'a, S> {
     }
 }
 
-impl<S: Real> RightHandSide<S> for Eliminated<'_, S> {
+impl<S: Real> RightHandSide<S> for EliminatedDynamics<'_, S> {
     #[inline]
     fn rhs(&mut self, _t: f64, y: &[S], dydt: &mut [S]) -> Result<(), Failure> {
         let n = self.system.lengths().coordinates;
@@ -82,10 +82,10 @@ impl<S: Real> RightHandSide<S> for Eliminated<'_, S> {
     }
 
     fn constraints(&mut self, _t: f64, y: &[S], values: &mut [S], slopes: &mut [S]) {
-        crate::rhs::constraints(self.system, &self.parameters, y, values, slopes);
+        crate::right_hand_side::system_constraints(self.system, &self.parameters, y, values, slopes);
     }
 
     fn inertia(&mut self, _t: f64, y: &[S], out: &mut Vec<f64>) -> bool {
-        crate::rhs::inertia(self.system, &self.parameters, y, &mut self.matrix, out)
+        crate::right_hand_side::system_inertia(self.system, &self.parameters, y, &mut self.matrix, out)
     }
 }

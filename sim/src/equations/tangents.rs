@@ -8,11 +8,11 @@
 use tripos_traits::{Flow, Scalar, Series, System, Tangent};
 
 use crate::error::Failure;
-use crate::rhs::RightHandSide;
+use crate::right_hand_side::RightHandSide;
 
 /// Right-hand side y' = (q̇, v̇) in numbers that carry derivatives along K directions, with the
 /// constraints of the equations. A run with it gives sensitivities.
-pub struct Tangents<'a, const K: usize> {
+pub struct DynamicsWithTangents<'a, const K: usize> {
     /// Equations in plain doubles, for divisors, slopes of constraints and the Jacobian, which carry no
     /// derivatives.
     system: &'a dyn System<f64>,
@@ -32,7 +32,7 @@ pub struct Tangents<'a, const K: usize> {
     out: Vec<f64>,
 }
 
-impl<'a, const K: usize> Tangents<'a, K> {
+impl<'a, const K: usize> DynamicsWithTangents<'a, K> {
     /// Creates the right-hand side from the equations and from `parameters` with their derivatives, in the
     /// order of the model file. `series` gives Taylor coefficients, if known.
     ///
@@ -61,7 +61,7 @@ impl<'a, const K: usize> Tangents<'a, K> {
 
     /// Evaluates a function `of` of the state in plain doubles, and writes the result to `out` with
     /// derivatives of 0.
-    fn plain(
+    fn without_tangents(
         &mut self,
         y: &[Tangent<K>],
         out: &mut [Tangent<K>],
@@ -79,7 +79,7 @@ impl<'a, const K: usize> Tangents<'a, K> {
     }
 }
 
-impl<const K: usize> RightHandSide<Tangent<K>> for Tangents<'_, K> {
+impl<const K: usize> RightHandSide<Tangent<K>> for DynamicsWithTangents<'_, K> {
     #[inline]
     fn rhs(&mut self, _t: f64, y: &[Tangent<K>], dydt: &mut [Tangent<K>]) -> Result<(), Failure> {
         let n = self.system.lengths().coordinates;
@@ -91,7 +91,7 @@ impl<const K: usize> RightHandSide<Tangent<K>> for Tangents<'_, K> {
     /// Writes the Jacobian with derivatives of 0. Newton iterations with it find the derivatives of a
     /// solution as they find its value.
     fn jacobian(&mut self, _t: f64, y: &[Tangent<K>], out: &mut [Tangent<K>]) -> Option<Result<(), Failure>> {
-        self.plain(y, out, |system, p, q, v, out| system.jacobian(p, q, v, out));
+        self.without_tangents(y, out, |system, p, q, v, out| system.jacobian(p, q, v, out));
         Some(Ok(()))
     }
 
@@ -111,7 +111,7 @@ impl<const K: usize> RightHandSide<Tangent<K>> for Tangents<'_, K> {
     }
 
     fn divisors(&mut self, _t: f64, y: &[Tangent<K>], out: &mut [Tangent<K>]) {
-        self.plain(y, out, |system, p, q, v, out| system.divisors(p, q, v, out));
+        self.without_tangents(y, out, |system, p, q, v, out| system.divisors(p, q, v, out));
     }
 
     fn divisor_name(&self, at: usize) -> String {
@@ -125,12 +125,12 @@ impl<const K: usize> RightHandSide<Tangent<K>> for Tangents<'_, K> {
     fn constraints(&mut self, _t: f64, y: &[Tangent<K>], values: &mut [Tangent<K>], slopes: &mut [Tangent<K>]) {
         let (q, v) = y.split_at(self.system.lengths().coordinates);
         self.flow.constraints(&self.parameters, q, v, values);
-        self.plain(y, slopes, |system, p, q, v, out| system.constraint_slopes(p, q, v, out));
+        self.without_tangents(y, slopes, |system, p, q, v, out| system.constraint_slopes(p, q, v, out));
     }
 
     fn inertia(&mut self, _t: f64, y: &[Tangent<K>], out: &mut Vec<f64>) -> bool {
         self.state.clear();
         self.state.extend(y.iter().map(|y| y.value));
-        crate::rhs::inertia(self.system, &self.values, &self.state, &mut self.out, out)
+        crate::right_hand_side::system_inertia(self.system, &self.values, &self.state, &mut self.out, out)
     }
 }

@@ -7,7 +7,7 @@
 //! side of the step.
 
 use crate::error::Failure;
-use crate::rhs::{Pulled, RightHandSide, Transposed};
+use crate::right_hand_side::{ProductSums, RightHandSide, TransposedRightHandSide};
 use crate::rounding::smallest_step;
 use tripos_traits::Real;
 
@@ -21,32 +21,32 @@ pub struct Corner {
     pub jumps: bool,
     /// Derivative of the corner's time by each variable along which the numbers of the state carry
     /// derivatives.
-    pub moves: [f64; DIRECTIONS],
+    pub moves: [f64; SLOPE_DIRECTIONS],
 }
 
 /// Largest number of variables along which the numbers of a state can carry derivatives.
-pub const DIRECTIONS: usize = 4;
+pub const SLOPE_DIRECTIONS: usize = 4;
 
 impl Corner {
     /// Creates a corner at time `at`, s, at which the right-hand side jumps. The time depends on no
     /// variable.
     #[must_use]
     pub const fn jump(at: f64) -> Self {
-        Self { at, jumps: true, moves: [0.0; DIRECTIONS] }
+        Self { at, jumps: true, moves: [0.0; SLOPE_DIRECTIONS] }
     }
 
     /// Creates a corner at time `at`, s, at which the right-hand side is continuous and has a kink. The
     /// time depends on no variable.
     #[must_use]
-    pub const fn bend(at: f64) -> Self {
-        Self { at, jumps: false, moves: [0.0; DIRECTIONS] }
+    pub const fn kink(at: f64) -> Self {
+        Self { at, jumps: false, moves: [0.0; SLOPE_DIRECTIONS] }
     }
 }
 
 /// Intervals of time, around the current time of a run, in which a right-hand side has no jump or no
 /// corner.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Sides {
+pub(crate) struct IntervalsBetweenCorners {
     /// Interval between the neighbouring jumps, s. Its ends are 8 ulp of t inside.
     pub(crate) values: (f64, f64),
     /// Interval between the neighbouring corners of any kind, s. Its ends are 8 ulp of t inside. The
@@ -80,15 +80,15 @@ impl Corners {
     /// Marks all corners up to time `t`, s, as passed, with those beyond it by less than the smallest step.
     /// `None` if there are none. Returns the derivatives of the time of a jump by the variables of the
     /// state; zeros if no jump depends on them.
-    pub(crate) fn pass(&mut self, t: f64) -> Option<[f64; DIRECTIONS]> {
-        let passed = self.passed(t);
+    pub(crate) fn pass_corners(&mut self, t: f64) -> Option<[f64; SLOPE_DIRECTIONS]> {
+        let passed = self.passed_corners(t);
         let moved = passed.iter().find(|corner| corner.jumps && corner.moves.iter().any(|by| *by != 0.0));
-        (!passed.is_empty()).then(|| moved.map_or([0.0; DIRECTIONS], |corner| corner.moves))
+        (!passed.is_empty()).then(|| moved.map_or([0.0; SLOPE_DIRECTIONS], |corner| corner.moves))
     }
 
     /// Marks all corners up to time `t`, s, as passed, with those beyond it by less than the smallest step.
     /// Returns the newly passed corners.
-    pub(crate) fn passed(&mut self, t: f64) -> &[Corner] {
+    pub(crate) fn passed_corners(&mut self, t: f64) -> &[Corner] {
         let before = self.behind;
         let least = smallest_step(t);
         while self.all.get(self.behind).is_some_and(|corner| self.toward * (corner.at - t) < least) {
@@ -98,19 +98,22 @@ impl Corners {
     }
 
     /// Time of the next corner, s; `None` if there is none before the end of the run.
-    pub(crate) fn next(&self) -> Option<f64> {
+    pub(crate) fn next_corner(&self) -> Option<f64> {
         let next = self.all.get(self.behind).map(|corner| corner.at);
         next.filter(|corner| self.toward * (self.end - corner) >= smallest_step(self.end))
     }
 
     /// Intervals between the neighbouring jumps and between the neighbouring corners of any kind.
-    pub(crate) fn sides(&self) -> Sides {
-        Sides { values: self.between(|corner| corner.jumps), slopes: self.between(|_| true) }
+    pub(crate) fn intervals_between_corners(&self) -> IntervalsBetweenCorners {
+        IntervalsBetweenCorners {
+            values: self.interval_between_corners(|corner| corner.jumps),
+            slopes: self.interval_between_corners(|_| true),
+        }
     }
 
     /// Interval between the neighbouring corners for which `is_meant` is true, s. Its ends are half the
     /// smallest step inside; infinite if there is no corner on a side.
-    fn between(&self, is_meant: impl Fn(&Corner) -> bool) -> (f64, f64) {
+    fn interval_between_corners(&self, is_meant: impl Fn(&Corner) -> bool) -> (f64, f64) {
         // Farther from the corner than the rounding error of an argument such as `k*t - a`.
         let beside = |corner: &Corner, toward: f64| corner.at + toward * smallest_step(corner.at) / 2.0;
         let (behind, ahead) = self.all.split_at(self.behind);
@@ -123,43 +126,43 @@ impl Corners {
 
 /// Right-hand side that is smooth between two neighbouring corners. At a jump it has the value just
 /// inside the interval, at a kink the derivatives just inside.
-pub(crate) struct Between<'a, R, S> {
+pub(crate) struct BetweenCorners<'a, R, S> {
     /// Right-hand side that has corners in time.
     rhs: &'a mut R,
     /// Index of the component of the state that is the time; `None` if there is none.
     clock: Option<usize>,
     /// Intervals of time in which the right-hand side is smooth: between jumps, and between corners of any
     /// kind.
-    sides: Sides,
+    sides: IntervalsBetweenCorners,
     /// Copy of a state, with its time component moved into the interval.
     state: Vec<S>,
     /// Working space for values computed inside the interval, whose derivatives are used.
     beside: Vec<S>,
 }
 
-impl<'a, R, S: Real> Between<'a, R, S> {
+impl<'a, R, S: Real> BetweenCorners<'a, R, S> {
     /// Creates the smooth right-hand side in these intervals of time. `clock` is the index of the state's
     /// component that is the time; `None` if there is none.
-    pub(crate) fn new(rhs: &'a mut R, clock: Option<usize>, sides: Sides) -> Self {
+    pub(crate) fn new(rhs: &'a mut R, clock: Option<usize>, sides: IntervalsBetweenCorners) -> Self {
         Self { rhs, clock, sides, state: Vec::new(), beside: Vec::new() }
     }
 
     /// Replaces the intervals in which the right-hand side is smooth by those between two other corners.
-    pub(crate) fn go_on(&mut self, sides: Sides) {
+    pub(crate) fn set_corner_intervals(&mut self, sides: IntervalsBetweenCorners) {
         self.sides = sides;
     }
 
     /// Calls `question` with the right-hand side, a time and a state. Time and the state's time component
     /// are first moved into the interval between jumps.
     #[inline]
-    fn ask<T>(&mut self, t: f64, y: &[S], question: impl FnOnce(&mut R, f64, &[S]) -> T) -> T {
-        self.ask_inside(self.sides.values, t, y, question)
+    fn evaluate_beside_corner<T>(&mut self, t: f64, y: &[S], question: impl FnOnce(&mut R, f64, &[S]) -> T) -> T {
+        self.evaluate_inside_corners(self.sides.values, t, y, question)
     }
 
     /// Calls `question` with the right-hand side, a time and a state. Time and the state's time component
     /// are first moved into `interval`, s.
     #[inline]
-    fn ask_inside<T>(
+    fn evaluate_inside_corners<T>(
         &mut self,
         interval: (f64, f64),
         t: f64,
@@ -191,16 +194,22 @@ impl<'a, R, S: Real> Between<'a, R, S> {
         let mut beside = std::mem::take(&mut self.beside);
         beside.clear();
         beside.extend_from_slice(values);
-        self.ask_inside((low, high), t, y, |rhs, t, y| again(rhs, t, y, &mut beside));
-        turn(values, &beside);
+        self.evaluate_inside_corners((low, high), t, y, |rhs, t, y| again(rhs, t, y, &mut beside));
+        replace_slopes(values, &beside);
         self.beside = beside;
     }
 }
 
-impl<R: RightHandSide<S>, S: Real> Between<'_, R, S> {
+impl<R: RightHandSide<S>, S: Real> BetweenCorners<'_, R, S> {
     /// Moves to the intervals after a corner at time `t`, s. The derivatives that the state `y` carries
     /// change if the corner is a jump whose time has derivatives `moves`.
-    pub(crate) fn enter(&mut self, sides: Sides, t: f64, y: &mut [S], moves: &[f64; DIRECTIONS]) {
+    pub(crate) fn pass_jump(
+        &mut self,
+        sides: IntervalsBetweenCorners,
+        t: f64,
+        y: &mut [S],
+        moves: &[f64; SLOPE_DIRECTIONS],
+    ) {
         let is_moved = S::SLOPES > 0 && moves.iter().any(|by| *by != 0.0);
         let before = is_moved.then(|| self.rates(t, y));
         self.sides = sides;
@@ -224,29 +233,33 @@ impl<R: RightHandSide<S>, S: Real> Between<'_, R, S> {
     }
 }
 
-impl<R: Transposed> Between<'_, R, f64> {
-    /// Adds f_yᵀ w and f_pᵀ w to the two vectors of `to`, as [`Transposed::pull`] does, for the smooth
+impl<R: TransposedRightHandSide> BetweenCorners<'_, R, f64> {
+    /// Adds f_yᵀ w and f_pᵀ w to the two vectors of `to`, as
+    /// [`TransposedRightHandSide::add_transposed_product`] does, for the smooth
     /// right-hand side between corners. Error if the Jacobians have no value.
-    pub(crate) fn pull(&mut self, t: f64, y: &[f64], weights: &[f64], to: Pulled<'_>) -> Result<(), Failure> {
-        self.ask_inside(self.sides.slopes, t, y, |rhs, t, y| rhs.pull(t, y, weights, to))
+    pub(crate) fn pull(&mut self, t: f64, y: &[f64], weights: &[f64], to: ProductSums<'_>) -> Result<(), Failure> {
+        self.evaluate_inside_corners(self.sides.slopes, t, y, |rhs, t, y| rhs.add_transposed_product(t, y, weights, to))
     }
 
-    /// Adds φ_yᵀ w and φ_pᵀ w to the two vectors of `to`, as [`Transposed::pull_constraints`] does, for the
+    /// Adds φ_yᵀ w and φ_pᵀ w to the two vectors of `to`, as
+    /// [`TransposedRightHandSide::add_transposed_constraint_product`] does, for the
     /// constraints between corners. w are `shares`. Error if the Jacobians have no value.
     pub(crate) fn pull_constraints(
         &mut self,
         t: f64,
         y: &[f64],
         shares: &[f64],
-        to: Pulled<'_>,
+        to: ProductSums<'_>,
     ) -> Result<(), Failure> {
-        self.ask_inside(self.sides.slopes, t, y, |rhs, t, y| rhs.pull_constraints(t, y, shares, to))
+        self.evaluate_inside_corners(self.sides.slopes, t, y, |rhs, t, y| {
+            rhs.add_transposed_constraint_product(t, y, shares, to)
+        })
     }
 }
 
 /// Replaces the derivatives that `numbers` carry by those of the numbers `of`; their values are not
 /// changed.
-pub(crate) fn turn<S: Real>(numbers: &mut [S], of: &[S]) {
+pub(crate) fn replace_slopes<S: Real>(numbers: &mut [S], of: &[S]) {
     for (number, of) in numbers.iter_mut().zip(of) {
         for at in 0..S::SLOPES {
             *number = number.turned(at, of.slope(at) - number.slope(at));
@@ -254,17 +267,17 @@ pub(crate) fn turn<S: Real>(numbers: &mut [S], of: &[S]) {
     }
 }
 
-impl<S: Real, R: RightHandSide<S>> RightHandSide<S> for Between<'_, R, S> {
+impl<S: Real, R: RightHandSide<S>> RightHandSide<S> for BetweenCorners<'_, R, S> {
     #[inline]
     fn rhs(&mut self, t: f64, y: &[S], dydt: &mut [S]) -> Result<(), Failure> {
-        self.ask(t, y, |rhs, t, y| rhs.rhs(t, y, dydt))?;
+        self.evaluate_beside_corner(t, y, |rhs, t, y| rhs.rhs(t, y, dydt))?;
         let mut known = Ok(());
         self.turn(t, y, dydt, |rhs, t, y, dydt| known = rhs.rhs(t, y, dydt));
         known
     }
 
     fn jacobian(&mut self, t: f64, y: &[S], out: &mut [S]) -> Option<Result<(), Failure>> {
-        self.ask(t, y, |rhs, t, y| rhs.jacobian(t, y, out))
+        self.evaluate_beside_corner(t, y, |rhs, t, y| rhs.jacobian(t, y, out))
     }
 
     #[inline]
@@ -295,15 +308,15 @@ impl<S: Real, R: RightHandSide<S>> RightHandSide<S> for Between<'_, R, S> {
     }
 
     fn inertia(&mut self, t: f64, y: &[S], out: &mut Vec<f64>) -> bool {
-        self.ask(t, y, |rhs, t, y| rhs.inertia(t, y, out))
+        self.evaluate_beside_corner(t, y, |rhs, t, y| rhs.inertia(t, y, out))
     }
 
-    fn avoids(&mut self, t: f64, y: &[S]) -> bool {
-        self.ask(t, y, RightHandSide::avoids)
+    fn avoids_end_of_step(&mut self, t: f64, y: &[S]) -> bool {
+        self.evaluate_beside_corner(t, y, RightHandSide::avoids_end_of_step)
     }
 
-    fn yields(&mut self, t: f64, y: &[S]) -> bool {
-        self.rhs.yields(t, y)
+    fn yields_step(&mut self, t: f64, y: &[S]) -> bool {
+        self.rhs.yields_step(t, y)
     }
 
     fn hands_over(&mut self, t: f64, y: Option<&[S]>) -> bool {
@@ -311,6 +324,6 @@ impl<S: Real, R: RightHandSide<S>> RightHandSide<S> for Between<'_, R, S> {
     }
 
     fn power(&mut self, t: f64, y: &[S]) -> Option<f64> {
-        self.ask(t, y, RightHandSide::power)
+        self.evaluate_beside_corner(t, y, RightHandSide::power)
     }
 }

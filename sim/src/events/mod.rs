@@ -33,12 +33,12 @@
 //! function with a much shorter wavelength than the solution; `max_step` helps there.
 
 pub(crate) mod corners;
-pub(crate) mod guard;
-pub(crate) mod isolate;
-pub(crate) mod root;
+pub(crate) mod divisor_guard;
+pub(crate) mod interval_isolation;
+pub(crate) mod root_and_minimum;
+pub(crate) mod sample_walk;
 pub(crate) mod samples;
 pub(crate) mod search;
-pub(crate) mod walk;
 
 use std::fmt;
 use tripos_traits::{Direction, Enclosure};

@@ -2,7 +2,7 @@
 
 use std::iter::once;
 
-use super::root::NotANumber;
+use super::root_and_minimum::NotANumber;
 use crate::stepper::DenseStep;
 
 /// Sign of an event function: −1 below zero, 0 within rounding of zero, 1 above zero.
@@ -10,7 +10,7 @@ pub(crate) type Sign = i8;
 
 /// Sign of the value `g` of an event function: −1, 0 or 1. Values up to `tolerance` in size count as
 /// zero.
-pub(crate) fn sign(g: f64, tolerance: f64) -> Sign {
+pub(crate) fn sign_of_sample(g: f64, tolerance: f64) -> Sign {
     if g.abs() <= tolerance {
         0
     } else if g > 0.0 {
@@ -35,20 +35,20 @@ pub(crate) struct Probe<'p> {
 
 impl Probe<'_> {
     /// Value of the event function at the fraction `theta` of the step; it may be not a number.
-    pub(crate) fn at(&mut self, theta: f64) -> f64 {
+    pub(crate) fn event_value(&mut self, theta: f64) -> f64 {
         self.step.interpolate(theta, self.y);
         (self.function)(self.step.time_at(theta), self.y)
     }
 
     /// Rounding error of a time within the step, s: 4 ε of the larger of the step's times.
-    pub(crate) fn instant(&self) -> f64 {
+    pub(crate) fn rounding_of_time(&self) -> f64 {
         let (start, end) = self.step.times();
         4.0 * f64::EPSILON * start.abs().max(end.abs())
     }
 
     /// Value of the event function at the fraction `theta` of the step; an error if it is not a number.
     pub(crate) fn value_at(&mut self, theta: f64) -> Result<f64, NotANumber> {
-        let g = self.at(theta);
+        let g = self.event_value(theta);
         if g.is_nan() { Err(NotANumber { at: theta }) } else { Ok(g) }
     }
 
@@ -59,7 +59,7 @@ impl Probe<'_> {
     /// plus 2 ε of `scale`.
     pub(crate) fn rounding(&mut self, theta: f64, scale: f64) -> f64 {
         const ULPS: f64 = 8.0; // moved together, so that the change is not lost in g's own rounding
-        let base = self.at(theta);
+        let base = self.event_value(theta);
         let t = self.step.time_at(theta);
         let (t_old, t_new) = self.step.times();
         let t_unit = f64::EPSILON * t_old.abs().max(t_new.abs());
@@ -91,13 +91,13 @@ pub(crate) struct Node {
 
 /// True if |g| may reach zero between samples k − 1 and k: it has a minimum there, and both samples are
 /// on the same side of zero.
-pub(crate) fn may_dip(nodes: &[Node], k: usize) -> bool {
+pub(crate) fn samples_may_hide_zero(nodes: &[Node], k: usize) -> bool {
     let (a, b) = (nodes[k - 1], nodes[k]);
     if a.sign == 0 || a.sign != b.sign {
         return false;
     }
     let side = f64::from(a.sign);
-    let (slope_a, slope_b) = (side * slope(nodes, k - 1), side * slope(nodes, k));
+    let (slope_a, slope_b) = (side * slope_at_sample(nodes, k - 1), side * slope_at_sample(nodes, k));
     // A convex function stays above its tangents; 4 times their fall allows for other functions.
     let fall = slope_b.max(-slope_a) * (b.theta - a.theta);
     slope_a <= 0.0 && slope_b >= 0.0 && a.g.abs().min(b.g.abs()) <= 4.0 * fall
@@ -111,9 +111,10 @@ pub(crate) fn hidden_extrema(nodes: &[Node], k: usize) -> Vec<f64> {
     let (a, b) = (nodes[k - 1].theta, nodes[k].theta);
     let width = (b - a) / f64::from(PARTS);
     let points = (0..=PARTS).map(|i| a + width * f64::from(i));
-    let values: Vec<f64> = points.map(|theta| interpolated(near(nodes, k), theta)).collect();
+    let values: Vec<f64> = points.map(|theta| interpolate_samples(samples_near(nodes, k), theta)).collect();
     let rises = values.windows(2).map(|v| v[1] - v[0]);
-    let slopes: Vec<f64> = once(slope(nodes, k - 1)).chain(rises).chain(once(slope(nodes, k))).collect();
+    let slopes: Vec<f64> =
+        once(slope_at_sample(nodes, k - 1)).chain(rises).chain(once(slope_at_sample(nodes, k))).collect();
     // Slope 0 is that at sample a, slope i that in the middle of part i, and the last slope that at sample
     // b.
     let turns = slopes.windows(2).enumerate().filter(|(_, s)| s[0] * s[1] < 0.0);
@@ -124,14 +125,14 @@ pub(crate) fn hidden_extrema(nodes: &[Node], k: usize) -> Vec<f64> {
 
 /// Five samples around sample i. If g is linear in the state and does not depend on t, the polynomial
 /// through them is g itself, since a dense output of `ode45` has degree 4.
-fn near(nodes: &[Node], i: usize) -> &[Node] {
+fn samples_near(nodes: &[Node], i: usize) -> &[Node] {
     let low = i.saturating_sub(2).min(nodes.len().saturating_sub(5));
     &nodes[low..(low + 5).min(nodes.len())]
 }
 
 /// Value at the fraction `theta` of the step of the polynomial through the samples, by Lagrange's
 /// formula.
-fn interpolated(nodes: &[Node], theta: f64) -> f64 {
+fn interpolate_samples(nodes: &[Node], theta: f64) -> f64 {
     let others = |j: usize| nodes.iter().enumerate().filter(move |(m, _)| *m != j).map(|(_, n)| n.theta);
     let term = |(j, n): (usize, &Node)| n.g * others(j).map(|x| (theta - x) / (n.theta - x)).product::<f64>();
     nodes.iter().enumerate().map(term).sum()
@@ -139,10 +140,10 @@ fn interpolated(nodes: &[Node], theta: f64) -> f64 {
 
 /// Slope dg/dθ, by the fraction θ of the step, at sample i of the polynomial through the samples near
 /// it.
-fn slope(nodes: &[Node], i: usize) -> f64 {
+fn slope_at_sample(nodes: &[Node], i: usize) -> f64 {
     let at = nodes[i];
     // Σ over the other samples j of (g_j − g_i) / (x_j − x_i) · Π over the remaining m of (x_i − x_m) / (x_j − x_m)
-    let others = || near(nodes, i).iter().filter(|n| n.theta.total_cmp(&at.theta).is_ne());
+    let others = || samples_near(nodes, i).iter().filter(|n| n.theta.total_cmp(&at.theta).is_ne());
     let term = |j: &Node| {
         let rest = others().filter(|m| m.theta.total_cmp(&j.theta).is_ne());
         let weight: f64 = rest.map(|m| (at.theta - m.theta) / (j.theta - m.theta)).product();
@@ -164,7 +165,7 @@ mod tests {
             let x = nodes[i].theta;
             let exact = 4.0 * x.powi(3) - 9.0 * x * x + 1.0;
             // Neighbours 1e-8 apart lose half of the digits.
-            assert!((slope(&nodes, i) - exact).abs() < 1e-6, "{i}");
+            assert!((slope_at_sample(&nodes, i) - exact).abs() < 1e-6, "{i}");
         }
     }
 }

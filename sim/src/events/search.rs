@@ -2,10 +2,10 @@
 //! else by samples.
 
 use super::Kind;
-use super::isolate::{Isolation, Known, Ranges, isolate};
-use super::root::NotANumber;
-use super::samples::{Node, Probe, hidden_extrema, may_dip, sign};
-use super::walk::{Doubt, Finding, Findings, LADDER, Memory, walk};
+use super::interval_isolation::{Isolation, Known, Ranges, isolate};
+use super::root_and_minimum::NotANumber;
+use super::sample_walk::{Doubt, EventMemory, Finding, Findings, LADDER, walk_over_samples};
+use super::samples::{Node, Probe, hidden_extrema, samples_may_hide_zero, sign_of_sample};
 
 /// Fraction of a step over which the slope of an event function at the step's ends is taken. It is the
 /// root of ε, within which a smooth function cannot turn by more than rounding.
@@ -15,42 +15,42 @@ const INTERVALS: u32 = 8;
 
 /// Searches a step for the zeros of an event function, and returns them. Updates `memory` to the end of
 /// the step. Without `ranges` the function is sampled.
-pub(crate) fn search(probe: &mut Probe<'_>, memory: &mut Memory, ranges: Option<Ranges<'_, '_>>) -> Findings {
+pub(crate) fn search(probe: &mut Probe<'_>, memory: &mut EventMemory, ranges: Option<Ranges<'_, '_>>) -> Findings {
     match ranges {
-        Some(mut ranges) => by_ranges(probe, memory, &mut ranges),
-        None => by_samples(probe, memory),
+        Some(mut ranges) => search_by_ranges(probe, memory, &mut ranges),
+        None => search_by_samples(probe, memory),
     }
 }
 
 /// Searches a step for the zeros of an event function, on parts on which interval arithmetic decides
 /// its behaviour.
-fn by_ranges(probe: &mut Probe<'_>, memory: &mut Memory, ranges: &mut Ranges<'_, '_>) -> Findings {
+fn search_by_ranges(probe: &mut Probe<'_>, memory: &mut EventMemory, ranges: &mut Ranges<'_, '_>) -> Findings {
     let isolation = isolate(probe, ranges);
     let mut findings = Findings { not_a_number: isolation.cut, ..Findings::default() };
-    if let Some(side) = isolation.side()
+    if let Some(side) = isolation.side_of_whole_step()
         && side == memory.side
         && memory.begun
     {
-        memory.stay(side);
+        memory.stay_on_side(side);
         return findings;
     }
     let mut nodes = Vec::new();
     sample(probe, isolation.ends(), &mut nodes, &mut findings);
-    let Some(near) = nearest(&nodes) else { return findings };
-    let tolerance = probe.rounding(near, 0.0) + 0.5 * ranges.spread(near);
-    let slope = if memory.begun { 0.0 } else { ranges.over(0.0, 0.0).slope.size() };
+    let Some(near) = sample_nearest_to_zero(&nodes) else { return findings };
+    let tolerance = probe.rounding(near, 0.0) + 0.5 * ranges.rounding_spread(near);
+    let slope = if memory.begun { 0.0 } else { ranges.range_over_part(0.0, 0.0).slope.size() };
     set_signs(probe, &mut nodes, memory, tolerance, slope, &mut findings);
     stay_at_start(probe, &mut nodes, memory);
-    let doubt = |k: usize| doubt_of(isolation.parts[k - 1].known);
-    let outcome = walk(probe, &nodes, &doubt, memory, tolerance, &mut findings);
-    findings.note(outcome);
-    findings.found.extend(left_open(&isolation, &nodes, memory));
+    let doubt = |k: usize| doubt_about_part(isolation.parts[k - 1].known);
+    let outcome = walk_over_samples(probe, &nodes, &doubt, memory, tolerance, &mut findings);
+    findings.note_not_a_number(outcome);
+    findings.found.extend(undecided_event(&isolation, &nodes, memory));
     memory.move_on(&nodes);
     findings
 }
 
 /// Doubt about a zero on a part of the step on which this behaviour of the event function is known.
-fn doubt_of(known: Known) -> Doubt {
+fn doubt_about_part(known: Known) -> Doubt {
     match known {
         Known::Clear(_) | Known::Monotone => Doubt::None,
         Known::Unknown => Doubt::Unknown,
@@ -60,7 +60,7 @@ fn doubt_of(known: Known) -> Doubt {
 
 /// Reports all parts of a step that stayed undecided as a single undecided event, at their smallest
 /// sample. `None` if there are none; parts that begin and end at zero do not count.
-fn left_open(isolation: &Isolation, nodes: &[Node], memory: &Memory) -> Option<Finding> {
+fn undecided_event(isolation: &Isolation, nodes: &[Node], memory: &EventMemory) -> Option<Finding> {
     let parts = isolation.parts.iter().zip(nodes.windows(2)).filter(|(part, _)| part.known == Known::Open);
     let ends = parts.filter(|(_, ends)| ends.iter().any(|n| n.sign != 0)).flat_map(|(_, ends)| ends);
     let near = ends.min_by(|a, b| a.g.abs().total_cmp(&b.g.abs()))?;
@@ -68,13 +68,13 @@ fn left_open(isolation: &Isolation, nodes: &[Node], memory: &Memory) -> Option<F
 }
 
 /// Searches a step for the zeros of an event function from samples of it.
-fn by_samples(probe: &mut Probe<'_>, memory: &mut Memory) -> Findings {
+fn search_by_samples(probe: &mut Probe<'_>, memory: &mut EventMemory) -> Findings {
     let mut findings = Findings::default();
-    let nodes = &mut gather(probe, memory, &mut findings);
+    let nodes = &mut gather_samples(probe, memory, &mut findings);
     let scale = nodes.iter().map(|n| n.g.abs()).filter(|g| g.is_finite()).fold(0.0, f64::max);
-    if !(memory.begun && is_quiet(nodes, memory, scale)) {
-        let outcome = examine(probe, nodes, memory, scale, &mut findings);
-        findings.note(outcome);
+    if !(memory.begun && has_surely_no_zero(nodes, memory, scale)) {
+        let outcome = search_among_samples(probe, nodes, memory, scale, &mut findings);
+        findings.note_not_a_number(outcome);
     }
     memory.move_on(nodes);
     findings
@@ -82,7 +82,7 @@ fn by_samples(probe: &mut Probe<'_>, memory: &mut Memory) -> Findings {
 
 /// Takes the samples of an event function in a step, in order, up to the first value that is not a
 /// number.
-fn gather(probe: &mut Probe<'_>, memory: &Memory, findings: &mut Findings) -> Vec<Node> {
+fn gather_samples(probe: &mut Probe<'_>, memory: &EventMemory, findings: &mut Findings) -> Vec<Node> {
     let mut nodes = vec![Node { theta: 0.0, g: memory.value, sign: memory.sign }];
     let thetas = (1..INTERVALS).map(|i| f64::from(i) / f64::from(INTERVALS));
     let thetas = std::iter::once(DELTA).chain(thetas).chain([1.0 - DELTA, 1.0]);
@@ -112,54 +112,54 @@ fn is_far(nodes: &[Node]) -> bool {
 /// value is not a number.
 fn sample(probe: &mut Probe<'_>, thetas: impl Iterator<Item = f64>, nodes: &mut Vec<Node>, findings: &mut Findings) {
     for theta in thetas {
-        let g = probe.at(theta);
+        let g = probe.event_value(theta);
         if g.is_nan() {
             findings.not_a_number = Some(theta);
             return;
         }
-        nodes.push(Node { theta, g, sign: sign(g, 0.0) });
+        nodes.push(Node { theta, g, sign: sign_of_sample(g, 0.0) });
     }
 }
 
 /// True if the samples show beyond doubt that the event function had no zero in the step. `scale` is
 /// the largest |g| of the samples.
-fn is_quiet(nodes: &[Node], memory: &Memory, scale: f64) -> bool {
+fn has_surely_no_zero(nodes: &[Node], memory: &EventMemory, scale: f64) -> bool {
     if is_far(nodes) && nodes[0].sign == memory.side {
         return true;
     }
     let same_side = nodes.iter().all(|n| n.sign == memory.side);
     let end_is_clear = nodes.last().is_some_and(|n| n.g.abs() > 1e-6 * scale);
-    same_side && end_is_clear && !(1..nodes.len()).any(|k| may_dip(nodes, k))
+    same_side && end_is_clear && !(1..nodes.len()).any(|k| samples_may_hide_zero(nodes, k))
 }
 
 /// Separates zeros of the event function from rounding, then finds its zeros by a walk over the
 /// samples. `scale` is the largest |g| of the samples. Error if a value is not a number.
-fn examine(
+fn search_among_samples(
     probe: &mut Probe<'_>,
     nodes: &mut Vec<Node>,
-    memory: &mut Memory,
+    memory: &mut EventMemory,
     scale: f64,
     findings: &mut Findings,
 ) -> Result<(), NotANumber> {
-    let tolerance = probe.rounding(nearest(nodes).unwrap_or(0.0), scale);
+    let tolerance = probe.rounding(sample_nearest_to_zero(nodes).unwrap_or(0.0), scale);
     let slope = nodes.get(1).map_or(0.0, |next| (next.g - nodes[0].g).abs() / next.theta);
     set_signs(probe, nodes, memory, tolerance, slope, findings);
     if nodes[0].sign == 0 && nodes.len() > 2 {
         let mut ladder = Vec::new();
         for theta in LADDER {
             let g = probe.value_at(theta)?;
-            ladder.push(Node { theta, g, sign: sign(g, tolerance) });
+            ladder.push(Node { theta, g, sign: sign_of_sample(g, tolerance) });
         }
         nodes.splice(2..2, ladder);
     }
     stay_at_start(probe, nodes, memory);
     let nodes = &nodes[..];
-    let doubt = |k: usize| if may_dip(nodes, k) { Doubt::Dip } else { Doubt::None };
-    walk(probe, nodes, &doubt, memory, tolerance, findings)
+    let doubt = |k: usize| if samples_may_hide_zero(nodes, k) { Doubt::Dip } else { Doubt::None };
+    walk_over_samples(probe, nodes, &doubt, memory, tolerance, findings)
 }
 
 /// Fraction of the step of the sample with the smallest |g|; `None` without samples.
-fn nearest(nodes: &[Node]) -> Option<f64> {
+fn sample_nearest_to_zero(nodes: &[Node]) -> Option<f64> {
     nodes.iter().min_by(|a, b| a.g.abs().total_cmp(&b.g.abs())).map(|n| n.theta)
 }
 
@@ -171,19 +171,19 @@ fn nearest(nodes: &[Node]) -> Option<f64> {
 fn set_signs(
     probe: &Probe<'_>,
     nodes: &mut [Node],
-    memory: &mut Memory,
+    memory: &mut EventMemory,
     tolerance: f64,
     slope: f64,
     findings: &mut Findings,
 ) {
     for node in nodes.iter_mut().skip(1) {
-        node.sign = sign(node.g, tolerance);
+        node.sign = sign_of_sample(node.g, tolerance);
     }
-    let ((start, end), instant) = (probe.step.times(), probe.instant());
+    let ((start, end), instant) = (probe.step.times(), probe.rounding_of_time());
     nodes[0].sign = memory.sign;
     if !memory.begun {
         let passed = slope * (instant / (end - start).abs());
-        nodes[0].sign = sign(nodes[0].g, tolerance + if passed.is_finite() { passed } else { 0.0 });
+        nodes[0].sign = sign_of_sample(nodes[0].g, tolerance + if passed.is_finite() { passed } else { 0.0 });
         memory.begin(nodes[0].sign, findings);
         memory.zero_at = Some(start).filter(|_| nodes[0].sign == 0);
     }
@@ -191,9 +191,9 @@ fn set_signs(
 
 /// Sets the signs of the first samples to zero, as long as rounding cannot separate them from the start
 /// of a run that begins at a zero.
-fn stay_at_start(probe: &Probe<'_>, nodes: &mut [Node], memory: &mut Memory) {
+fn stay_at_start(probe: &Probe<'_>, nodes: &mut [Node], memory: &mut EventMemory) {
     let Some(zero_at) = memory.zero_at else { return };
-    let (end, instant) = (probe.step.times().1, probe.instant());
+    let (end, instant) = (probe.step.times().1, probe.rounding_of_time());
     let within = |n: &&mut Node| (probe.step.time_at(n.theta) - zero_at).abs() <= instant;
     nodes.iter_mut().filter(within).for_each(|n| n.sign = 0);
     memory.zero_at = Some(zero_at).filter(|t| (end - t).abs() <= instant);

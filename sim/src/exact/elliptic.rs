@@ -17,7 +17,7 @@ const STEPS_LIMIT: usize = 40;
 ///
 /// let elliptic = Elliptic::new(0.5_f64);
 /// assert!((elliptic.quarter_period() - 1.854_074_677_301_371_9).abs() < 1e-15); // Γ(1/4)²/(4√π)
-/// assert!((elliptic.jacobi(elliptic.quarter_period()).sn - 1.0).abs() < 1e-15);
+/// assert!((elliptic.jacobi_functions(elliptic.quarter_period()).sn - 1.0).abs() < 1e-15);
 /// ```
 #[derive(Clone, Debug)]
 pub struct Elliptic<S> {
@@ -94,9 +94,9 @@ impl<S: Real> Elliptic<S> {
     /// Computes Jacobi's functions sn, cn, dn and the amplitude am of the argument u. Their absolute error
     /// is that of u, so at least |u| EPSILON.
     #[must_use]
-    pub fn jacobi(&self, u: S) -> JacobiValues<S> {
+    pub fn jacobi_functions(&self, u: S) -> JacobiValues<S> {
         if self.steps.is_empty() {
-            return self.of_last_parameter(u);
+            return self.jacobi_of_parameter_one(u);
         }
         // am(u + 2 n K) = am u + n π.
         let half_period = S::int(2) * self.quarter_period();
@@ -122,7 +122,7 @@ impl<S: Real> Elliptic<S> {
 
     /// Jacobi's functions for m = 1: sn = tanh u, cn = dn = 1/cosh u, am the Gudermannian of u. Not a
     /// number for an invalid m.
-    fn of_last_parameter(&self, u: S) -> JacobiValues<S> {
+    fn jacobi_of_parameter_one(&self, u: S) -> JacobiValues<S> {
         // The complement is 0 or not a number.
         let u = u + self.complement;
         let [one, two] = [1, 2].map(S::int);
@@ -133,7 +133,7 @@ impl<S: Real> Elliptic<S> {
     /// Incomplete integral F(φ) = ∫₀^φ dφ'/√(1 − m sin² φ') of the amplitude φ, rad; the inverse of am.
     /// For m = 1 it is valid only for |φ| < π/2.
     #[must_use]
-    pub fn argument_of(&self, phi: S) -> S {
+    pub fn incomplete_integral(&self, phi: S) -> S {
         if self.steps.is_empty() {
             let (sin, cos) = (phi + self.complement).sin_cos();
             let size = ((S::int(1) + sin.abs()) / cos).ln();

@@ -1,7 +1,7 @@
 //! Exact rotation of a rigid body without torque, by elliptic functions.
 
 use super::elliptic::Elliptic;
-use super::trigonometry::angle_of;
+use super::trigonometry::arctangent_of_two;
 use tripos_traits::Real;
 
 /// Exact solution of Euler's equations I₁ ω₁′ = (I₂ − I₃) ω₂ ω₃ and cyclic. It is the angular
@@ -25,13 +25,13 @@ enum Motion<S> {
     /// Constant angular velocity along the principal axes, rad/s.
     Steady([S; 3]),
     /// Angular velocity that moves periodically about an outer principal axis.
-    Circling(Circling<S>),
+    Circling(PeriodicRotation<S>),
 }
 
 /// Periodic motion of the angular velocity about a principal axis, by elliptic functions of u = rate ·
 /// t + start.
 #[derive(Clone, Debug)]
-struct Circling<S> {
+struct PeriodicRotation<S> {
     /// Elliptic functions that give the angular velocity.
     elliptic: Elliptic<S>,
     /// Indices of the body's principal axes in the order a, b, c; the angular velocity circles about c.
@@ -50,18 +50,18 @@ impl<S: Real> FreeBody<S> {
     #[must_use]
     pub fn new(inertia: [S; 3], omega_0: [S; 3]) -> Self {
         let rising = rising_order(inertia);
-        let around_largest = excess_over_middle(inertia, omega_0, rising) >= S::int(0);
+        let around_largest = momentum_excess_over_middle_axis(inertia, omega_0, rising) >= S::int(0);
         let axes = if around_largest { rising } else { [rising[2], rising[1], rising[0]] };
-        let circling = Circling::new(inertia, omega_0, axes);
+        let circling = PeriodicRotation::new(inertia, omega_0, axes);
         Self { motion: circling.map_or(Motion::Steady(omega_0), Motion::Circling) }
     }
 
     /// Angular velocity ω along the principal axes at time t, s, in rad/s.
     #[must_use]
-    pub fn rate(&self, t: S) -> [S; 3] {
+    pub fn angular_velocity(&self, t: S) -> [S; 3] {
         match &self.motion {
             Motion::Steady(omega) => *omega,
-            Motion::Circling(circling) => circling.at(t),
+            Motion::Circling(circling) => circling.angular_velocity_at(t),
         }
     }
 
@@ -75,7 +75,7 @@ impl<S: Real> FreeBody<S> {
     }
 }
 
-impl<S: Real> Circling<S> {
+impl<S: Real> PeriodicRotation<S> {
     /// Creates the periodic motion with the principal axes in this order a, b, c; `None` if the angular
     /// velocity is constant.
     fn new(inertia: [S; 3], omega_0: [S; 3], axes: [usize; 3]) -> Option<Self> {
@@ -91,7 +91,7 @@ impl<S: Real> Circling<S> {
         if whole == zero || from_c == zero || about_middle {
             return None;
         }
-        let excess = excess_over_middle(inertia, omega_0, axes).abs();
+        let excess = momentum_excess_over_middle_axis(inertia, omega_0, axes).abs();
         let elliptic = Elliptic::with_complement(ab * from_c / whole, ac * excess / whole);
         // ω_c keeps its sign. With A > 0, Euler's equations ask that −A I_a rate = ±(I_b − I_c) B C.
         let sign_b = w_c.sign() * handedness(axes) * (i_c - i_a).sign();
@@ -99,13 +99,13 @@ impl<S: Real> Circling<S> {
         let size_b = (from_c / (i_b * bc)).sqrt() * sign_b;
         let size_c = (from_a / (i_c * ac)).sqrt() * w_c.sign();
         let rate = (whole / (i_a * i_b * i_c)).sqrt();
-        let start = elliptic.argument_of(angle_of(w_b / size_b, w_a / size_a));
+        let start = elliptic.incomplete_integral(arctangent_of_two(w_b / size_b, w_a / size_a));
         Some(Self { elliptic, axes, sizes: [size_a, size_b, size_c], rate, start })
     }
 
     /// Angular velocity along the principal axes at time t, s, in rad/s.
-    fn at(&self, t: S) -> [S; 3] {
-        let at = self.elliptic.jacobi(self.rate * t + self.start);
+    fn angular_velocity_at(&self, t: S) -> [S; 3] {
+        let at = self.elliptic.jacobi_functions(self.rate * t + self.start);
         let [a, b, c] = self.axes;
         let mut omega = [S::int(0); 3];
         omega[a] = self.sizes[0] * at.cn;
@@ -117,7 +117,7 @@ impl<S: Real> Circling<S> {
 
 /// Difference L² − 2 T I_b of angular momentum L and kinetic energy T, with the middle moment I_b. Its
 /// sign decides which outer axis the angular velocity circles about.
-fn excess_over_middle<S: Real>(inertia: [S; 3], omega: [S; 3], [a, b, c]: [usize; 3]) -> S {
+fn momentum_excess_over_middle_axis<S: Real>(inertia: [S; 3], omega: [S; 3], [a, b, c]: [usize; 3]) -> S {
     let of = |axis: usize| inertia[axis] * (inertia[axis] - inertia[b]) * omega[axis] * omega[axis];
     of(c) + of(a)
 }

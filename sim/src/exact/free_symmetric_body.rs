@@ -1,6 +1,6 @@
 //! Exact orientation of a symmetric rigid body without torque, in Euler's angles.
 
-use super::trigonometry::{angle_of, nearest_whole};
+use super::trigonometry::{arctangent_of_two, nearest_whole};
 use tripos_traits::Real;
 
 /// Orientation and angular velocity at t = 0 of a free symmetric body, in Euler's angles (rotations
@@ -96,7 +96,7 @@ impl<S: Real> FreeSymmetricBody<S> {
         let two = S::int(2);
         let half = self.rate * t / two;
         let (sum, difference) = (self.z.argument_at(half), self.w.argument_at(half));
-        let nutation = two * angle_of(self.w.size_at(half), self.z.size_at(half));
+        let nutation = two * arctangent_of_two(self.w.size_at(half), self.z.size_at(half));
         [sum + difference, nutation, sum - difference + self.spin * t]
     }
 
@@ -142,6 +142,6 @@ impl<S: Real> Ellipse<S> {
         let (cross, dot, square) = (a1 * b2 - a2 * b1, a1 * b1 + a2 * b2, a1 * a1 + a2 * a2);
         let turns = nearest_whole(s / S::pi());
         let (sin, cos) = (s - turns * S::pi()).sin_cos();
-        self.argument + turns * S::pi() * cross.sign() + angle_of(sin * cross, cos * square + sin * dot)
+        self.argument + turns * S::pi() * cross.sign() + arctangent_of_two(sin * cross, cos * square + sin * dot)
     }
 }

@@ -1,6 +1,6 @@
 //! Exact motion of a symmetric heavy top about a fixed point, by elliptic functions.
 
-use super::polar::{Polar, PolarStart};
+use super::polar_angle::{PolarAngle, PolarStart};
 use tripos_traits::Real;
 
 /// Symmetric top with a fixed point on its axis, under gravity.
@@ -44,7 +44,7 @@ pub struct TopStart<S> {
 #[derive(Clone, Debug)]
 pub struct HeavyTop<S> {
     /// Motion of the nutation, and the precession that follows from it.
-    polar: Polar<S>,
+    polar: PolarAngle<S>,
     /// Constant part ω₃ (1 − I₃/I₁) of the rate ψ′ of the spin angle, rad/s.
     free_spin: S,
 }
@@ -54,7 +54,7 @@ impl<S: Real> HeavyTop<S> {
     #[must_use]
     pub fn new(top: Top<S>, start: TopStart<S>) -> Self {
         let ratio = top.axial / top.transverse;
-        let polar = Polar::new(PolarStart {
+        let polar = PolarAngle::new(PolarStart {
             theta: start.nutation,
             theta_rate: start.nutation_rate,
             phi_rate: start.precession_rate,

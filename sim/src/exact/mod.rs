@@ -20,13 +20,13 @@
 //!
 //! Absent on purpose: frames, points and models. The motions are compared with those of a model, so they know none.
 
+mod adaptive_quadrature;
 mod elliptic;
 mod free_body;
 mod free_symmetric_body;
 mod heavy_top;
 mod pendulum;
-mod polar;
-mod quadrature;
+mod polar_angle;
 mod spherical_pendulum;
 mod trigonometry;
 

@@ -1,7 +1,7 @@
 //! Exact motion of the plane pendulum, by elliptic functions.
 
 use super::elliptic::Elliptic;
-use super::trigonometry::{angle_of, nearest_whole, root_of_positive};
+use super::trigonometry::{arctangent_of_two, nearest_whole, root_of_positive};
 use tripos_traits::Real;
 
 /// Exact motion of a plane pendulum, θ″ = −(g/l) sin θ. The angle θ, rad, is counted from the hanging
@@ -50,11 +50,11 @@ impl<S: Real> Pendulum<S> {
         if below_top >= S::int(0) {
             let elliptic = Elliptic::with_complement(kappa, below_top);
             // sn u₀ = sin(θ₀/2)/√κ and cn u₀ = ω₀/(2 w √κ).
-            let start = elliptic.argument_of(angle_of(sin, speed));
+            let start = elliptic.incomplete_integral(arctangent_of_two(sin, speed));
             Self { elliptic, motion: Motion::Libration { modulus: kappa.sqrt(), turns }, rate: w, start }
         } else {
             let elliptic = Elliptic::with_complement(one / kappa, -below_top / kappa);
-            let start = elliptic.argument_of(theta_0 / two);
+            let start = elliptic.incomplete_integral(theta_0 / two);
             Self { elliptic, motion: Motion::Rotation, rate: kappa.sqrt() * w * omega_0.sign(), start }
         }
     }
@@ -63,10 +63,10 @@ impl<S: Real> Pendulum<S> {
     #[must_use]
     pub fn angle(&self, t: S) -> S {
         let two = S::int(2);
-        let at = self.elliptic.jacobi(self.rate * t + self.start);
+        let at = self.elliptic.jacobi_functions(self.rate * t + self.start);
         match self.motion {
             // cos(θ/2) = dn. With the sine and the cosine the angle keeps its digits at θ = π too.
-            Motion::Libration { modulus, turns } => two * (angle_of(modulus * at.sn, at.dn) + turns * S::pi()),
+            Motion::Libration { modulus, turns } => two * (arctangent_of_two(modulus * at.sn, at.dn) + turns * S::pi()),
             Motion::Rotation => two * at.am,
         }
     }
@@ -75,7 +75,7 @@ impl<S: Real> Pendulum<S> {
     #[must_use]
     pub fn rate(&self, t: S) -> S {
         let two = S::int(2);
-        let at = self.elliptic.jacobi(self.rate * t + self.start);
+        let at = self.elliptic.jacobi_functions(self.rate * t + self.start);
         match self.motion {
             Motion::Libration { modulus, .. } => two * modulus * self.rate * at.cn,
             Motion::Rotation => two * self.rate * at.dn,
@@ -104,7 +104,7 @@ impl<S: Real> Pendulum<S> {
         match self.motion {
             Motion::Libration { modulus, .. } => {
                 let cos = root_of_positive(self.elliptic.complement());
-                S::int(2) * angle_of(modulus, cos)
+                S::int(2) * arctangent_of_two(modulus, cos)
             }
             Motion::Rotation => S::pi(),
         }

@@ -1,6 +1,6 @@
 //! Exact motion of the spherical pendulum, by elliptic functions.
 
-use super::polar::{Polar, PolarStart};
+use super::polar_angle::{PolarAngle, PolarStart};
 use tripos_traits::Real;
 
 /// Exact motion of a spherical pendulum: a particle on a massless rod about a fixed point, under
@@ -15,7 +15,7 @@ use tripos_traits::Real;
 #[derive(Clone, Debug)]
 pub struct SphericalPendulum<S> {
     /// Motion of the angle θ, and the azimuth that follows from it.
-    polar: Polar<S>,
+    polar: PolarAngle<S>,
 }
 
 impl<S: Real> SphericalPendulum<S> {
@@ -24,7 +24,7 @@ impl<S: Real> SphericalPendulum<S> {
     #[must_use]
     pub fn new(stiffness: S, theta: S, theta_rate: S, phi_rate: S) -> Self {
         let [zero, two] = [0, 2].map(S::int);
-        Self { polar: Polar::new(PolarStart { theta, theta_rate, phi_rate, beta: two * stiffness, spin: zero }) }
+        Self { polar: PolarAngle::new(PolarStart { theta, theta_rate, phi_rate, beta: two * stiffness, spin: zero }) }
     }
 
     /// Cosine cos θ of the angle from the upward vertical at time t, s: the height in units of the length

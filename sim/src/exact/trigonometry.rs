@@ -5,7 +5,7 @@ use tripos_traits::Real;
 
 /// Angle of the point (x, y) from the x axis (arctangent of two arguments), from −π to π rad; 0 for the
 /// origin.
-pub(super) fn angle_of<S: Real>(y: S, x: S) -> S {
+pub(super) fn arctangent_of_two<S: Real>(y: S, x: S) -> S {
     let [zero, two] = [0, 2].map(S::int);
     if x == zero && y == zero {
         return zero;

@@ -14,14 +14,14 @@ pub(crate) trait Entry:
     /// Returns the number 0.
     fn zero() -> Self;
     /// Absolute value of the number, rounded to `f64`, for the choice of pivots.
-    fn size(self) -> f64;
+    fn absolute_value(self) -> f64;
 }
 
 impl<S: Real> Entry for S {
     fn zero() -> Self {
         S::from_f64(0.0)
     }
-    fn size(self) -> f64 {
+    fn absolute_value(self) -> f64 {
         self.to_f64().abs()
     }
 }
@@ -47,7 +47,7 @@ impl<S: Entry> Lu<S> {
     pub(crate) fn factor(&mut self) -> bool {
         let n = self.n;
         for column in 0..n {
-            let size = |row: &usize| self.entries[row * n + column].size();
+            let size = |row: &usize| self.entries[row * n + column].absolute_value();
             let pivot = (column..n).max_by(|a, b| size(a).total_cmp(&size(b))).unwrap_or(column);
             self.pivots[column] = pivot;
             if pivot != column {
@@ -58,7 +58,7 @@ impl<S: Entry> Lu<S> {
             let (above, below) = self.entries.split_at_mut((column + 1) * n);
             let pivot_row = &above[column * n..];
             let pivot = pivot_row[column];
-            if !(pivot.size() > 0.0 && pivot.size().is_finite()) {
+            if !(pivot.absolute_value() > 0.0 && pivot.absolute_value().is_finite()) {
                 return false;
             }
             for row in below.chunks_exact_mut(n) {

@@ -62,10 +62,10 @@ impl Metric {
     pub(crate) fn set_inertia(&mut self, matrix: &[f64], length: usize, rows: &[f64]) -> bool {
         self.length = length;
         self.kind = Kind::Inertia { is_plain: true };
-        if factor(matrix, length, &mut self.entries) {
+        if cholesky_factor(matrix, length, &mut self.entries) {
             return true;
         }
-        self.set_heavier(matrix, length, rows)
+        self.set_inertia_with_added_mass(matrix, length, rows)
     }
 
     /// Sets the metric of a mass matrix, `length` × `length` entries row by row, and always adds inertia
@@ -73,7 +73,7 @@ impl Metric {
     ///
     /// Motions that the rows allow keep their inertia. Lengths of rows stay bounded if the prevented
     /// motions have none.
-    pub(crate) fn set_heavier(&mut self, matrix: &[f64], length: usize, rows: &[f64]) -> bool {
+    pub(crate) fn set_inertia_with_added_mass(&mut self, matrix: &[f64], length: usize, rows: &[f64]) -> bool {
         self.length = length;
         self.kind = Kind::Inertia { is_plain: false };
         self.heavier.clear();
@@ -87,7 +87,7 @@ impl Metric {
                 }
             }
         }
-        factor(&self.heavier, length, &mut self.entries)
+        cholesky_factor(&self.heavier, length, &mut self.entries)
     }
 
     /// True if no inertia was added along rows of conditions, so that the metric does not depend on them.
@@ -97,7 +97,7 @@ impl Metric {
 
     /// Multiplies a linear form, such as a force or a row of conditions, by L⁻¹ in place. Its dot products
     /// with z = Lᵀ x are those of the form with x.
-    pub(crate) fn raise(&self, form: &mut [f64]) {
+    pub(crate) fn form_in_metric(&self, form: &mut [f64]) {
         if self.kind == Kind::Weights {
             return scale(form, &self.entries);
         }
@@ -108,7 +108,7 @@ impl Metric {
 
     /// Replaces z by x = L⁻ᵀ z in place, with the factor L of the metric M = L Lᵀ. In a metric of weights
     /// each component is multiplied by its weight.
-    pub(crate) fn lower(&self, z: &mut [f64]) {
+    pub(crate) fn vector_from_metric(&self, z: &mut [f64]) {
         if self.kind == Kind::Weights {
             return scale(z, &self.entries);
         }
@@ -122,7 +122,7 @@ impl Metric {
 
 /// Computes the Cholesky factor L of a matrix, row by row, with the reciprocals of its diagonal. False
 /// if the matrix is not positive definite by more than rounding.
-fn factor(matrix: &[f64], length: usize, lower: &mut Vec<f64>) -> bool {
+fn cholesky_factor(matrix: &[f64], length: usize, lower: &mut Vec<f64>) -> bool {
     lower.clear();
     lower.extend_from_slice(matrix);
     for i in 0..length {
@@ -144,7 +144,7 @@ fn factor(matrix: &[f64], length: usize, lower: &mut Vec<f64>) -> bool {
 
 /// Linear conditions G x = d in a metric, with orthonormal axes for their rows.
 #[derive(Clone)]
-pub(crate) struct Conditions {
+pub(crate) struct LinearConditions {
     /// Number of components of each condition's row.
     length: usize,
     /// Rows G of the conditions in the metric M = L Lᵀ: each is multiplied by L⁻¹.
@@ -168,7 +168,7 @@ pub(crate) struct Conditions {
     pub(crate) left: Vec<f64>,
 }
 
-impl Conditions {
+impl LinearConditions {
     /// Creates an empty set of conditions.
     pub(crate) const fn new() -> Self {
         Self {
@@ -194,7 +194,7 @@ impl Conditions {
         self.forms.extend_from_slice(rows);
         self.sizes.clear();
         for form in self.forms.chunks_exact_mut(self.length) {
-            metric.raise(form);
+            metric.form_in_metric(form);
             self.sizes.push(dot(form, form).sqrt());
         }
         self.rest.clone_from(&self.forms);
@@ -205,14 +205,14 @@ impl Conditions {
             list.clear();
         }
         self.kept.clear();
-        while let Some(place) = self.clearest(dependent) {
-            self.take(place);
+        while let Some(place) = self.most_independent_row(dependent) {
+            self.keep_row(place);
         }
     }
 
     /// Position in `open` of the row with the largest remainder over its length; `None` if no ratio is
     /// above `dependent`.
-    fn clearest(&self, dependent: f64) -> Option<usize> {
+    fn most_independent_row(&self, dependent: f64) -> Option<usize> {
         // A row of zeros is no condition.
         let part = |row: usize| if self.sizes[row] > 0.0 { self.left[row] / self.sizes[row] } else { 0.0 };
         let parts = self.open.iter().enumerate().map(|(place, row)| (place, part(*row)));
@@ -221,7 +221,7 @@ impl Conditions {
 
     /// Keeps the row at this position in `open`: makes an axis of its remainder, and subtracts this axis
     /// from the remainders of the other open rows.
-    fn take(&mut self, place: usize) {
+    fn keep_row(&mut self, place: usize) {
         let (n, row) = (self.length, self.open.remove(place));
         let known = self.axes.len();
         self.axes.extend_from_slice(&self.rest[row * n..(row + 1) * n]);
@@ -230,7 +230,7 @@ impl Conditions {
         for other in before.chunks_exact(n) {
             axpy(-dot(other, axis), other, axis);
         }
-        shorten(axis);
+        normalize(axis);
         for other in &self.open {
             let rest = &mut self.rest[other * n..(other + 1) * n];
             axpy(-dot(axis, rest), axis, rest);
@@ -248,7 +248,7 @@ impl Conditions {
 
     /// Adds to `z` the shortest vector that satisfies the kept conditions. `sides` has the right-hand side
     /// of each condition, kept or not. Vectors are in the coordinates z = Lᵀ x.
-    pub(crate) fn add_least(&mut self, sides: &[f64], z: &mut [f64]) {
+    pub(crate) fn add_least_vector(&mut self, sides: &[f64], z: &mut [f64]) {
         self.shares.clear();
         let mut along = self.along.as_slice();
         for row in &self.kept {
@@ -264,7 +264,7 @@ impl Conditions {
 
     /// Removes from `z` its part along the axes of all kept conditions. The conditions do not restrict the
     /// remaining `z`.
-    pub(crate) fn free(&self, z: &mut [f64]) {
+    pub(crate) fn remove_conditioned_part(&self, z: &mut [f64]) {
         for axis in self.axes.chunks_exact(self.length) {
             axpy(-dot(axis, z), axis, z);
         }
@@ -284,7 +284,7 @@ pub(crate) fn axpy(a: f64, x: &[f64], y: &mut [f64]) {
 }
 
 /// Scales a vector to the length 1, in place; a vector of zeros becomes not a number.
-pub(crate) fn shorten(x: &mut [f64]) {
+pub(crate) fn normalize(x: &mut [f64]) {
     let size = dot(x, x).sqrt();
     for x in x {
         *x /= size;
@@ -307,17 +307,17 @@ mod tests {
         metric.set_inertia(matrix, 3, rows).then_some(metric)
     }
 
-    fn conditions(metric: &Metric, rows: &[f64]) -> Conditions {
-        let mut conditions = Conditions::new();
+    fn conditions(metric: &Metric, rows: &[f64]) -> LinearConditions {
+        let mut conditions = LinearConditions::new();
         conditions.set(metric, rows, DEPENDENT);
         conditions
     }
 
     /// The least vector x that meets conditions.
-    fn least(metric: &Metric, conditions: &mut Conditions, sides: &[f64]) -> Vec<f64> {
+    fn least(metric: &Metric, conditions: &mut LinearConditions, sides: &[f64]) -> Vec<f64> {
         let mut x = vec![0.0; 3];
-        conditions.add_least(sides, &mut x);
-        metric.lower(&mut x);
+        conditions.add_least_vector(sides, &mut x);
+        metric.vector_from_metric(&mut x);
         x
     }
 
@@ -362,8 +362,8 @@ mod tests {
         let of_all = least(&metric, &mut all, &[0.3, -0.7, 1e6]);
         assert!(near(&of_all, &least(&metric, &mut two, &[0.3, -0.7]), 1e-14));
         let (mut z, mut other) = ([1.0, 0.0, 0.0], [1.0, 0.0, 0.0]);
-        all.free(&mut z);
-        two.free(&mut other);
+        all.remove_conditioned_part(&mut z);
+        two.remove_conditioned_part(&mut other);
         assert!(near(&z, &other, 1e-14) && dot(&z, &z) > 0.1, "{z:?} {other:?}");
     }
 

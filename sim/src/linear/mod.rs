@@ -6,14 +6,14 @@
 
 pub(crate) mod lu;
 pub(crate) mod metric;
-pub(crate) mod singular;
+pub(crate) mod singular_value;
 
 use nalgebra::{Const, DMatrix, DVector, DimMin, SMatrix, SVector};
 use tripos_traits::largest;
 
 /// Kind of a matrix, which selects its factorization.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Shape {
+pub enum MatrixKind {
     /// Symmetric matrix, positive definite unless nearly singular. Cholesky's factorization is tried first,
     /// then LU. Far from singular, only an indefinite matrix needs LU.
     Symmetric,
@@ -23,7 +23,7 @@ pub enum Shape {
 
 /// Reason why a linear system A x = b has no solution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Unsolvable {
+pub enum UnsolvableSystem {
     /// The matrix or the right-hand side contains an infinity or a "not a number".
     NotFinite,
     /// A pivot of the matrix is exactly zero, the solution overflows, or the matrix has the wrong number of
@@ -38,14 +38,14 @@ pub enum Unsolvable {
 /// [`reciprocal_condition`].
 ///
 /// # Errors
-/// [`Unsolvable`] if there is no finite solution, or if `a` has the wrong length; `b` then has no
+/// [`UnsolvableSystem`] if there is no finite solution, or if `a` has the wrong length; `b` then has no
 /// meaning.
-pub fn solve(a: &[f64], b: &mut [f64], shape: Shape) -> Result<(), Unsolvable> {
+pub fn solve_linear_system(a: &[f64], b: &mut [f64], shape: MatrixKind) -> Result<(), UnsolvableSystem> {
     if a.len() != b.len() * b.len() {
-        return Err(Unsolvable::Singular);
+        return Err(UnsolvableSystem::Singular);
     }
     if !a.iter().chain(b.iter()).all(|x| x.is_finite()) {
-        return Err(Unsolvable::NotFinite);
+        return Err(UnsolvableSystem::NotFinite);
     }
     let solved = match b.len() {
         0 => true,
@@ -63,20 +63,20 @@ pub fn solve(a: &[f64], b: &mut [f64], shape: Shape) -> Result<(), Unsolvable> {
         12 => solve_static::<12>(a, b, shape),
         _ => solve_dynamic(a, b, shape),
     };
-    if solved && b.iter().all(|x| x.is_finite()) { Ok(()) } else { Err(Unsolvable::Singular) }
+    if solved && b.iter().all(|x| x.is_finite()) { Ok(()) } else { Err(UnsolvableSystem::Singular) }
 }
 
 /// Solves a linear system of order N, known at compile time, on the stack; the solution replaces `b`.
 /// False if a pivot is zero.
-fn solve_static<const N: usize>(a: &[f64], b: &mut [f64], shape: Shape) -> bool
+fn solve_static<const N: usize>(a: &[f64], b: &mut [f64], shape: MatrixKind) -> bool
 where
     Const<N>: DimMin<Const<N>, Output = Const<N>>,
 {
     let matrix = SMatrix::<f64, N, N>::from_row_slice(a);
     let mut x = SVector::<f64, N>::from_column_slice(b);
     let cholesky = match shape {
-        Shape::Symmetric => matrix.cholesky(),
-        Shape::General => None,
+        MatrixKind::Symmetric => matrix.cholesky(),
+        MatrixKind::General => None,
     };
     let solved = match cholesky {
         Some(factors) => {
@@ -90,12 +90,12 @@ where
 }
 
 /// Solves a linear system of any order; the solution replaces `b`. False if a pivot is zero.
-fn solve_dynamic(a: &[f64], b: &mut [f64], shape: Shape) -> bool {
+fn solve_dynamic(a: &[f64], b: &mut [f64], shape: MatrixKind) -> bool {
     let matrix = DMatrix::from_row_slice(b.len(), b.len(), a);
     let mut x = DVector::from_column_slice(b);
     let cholesky = match shape {
-        Shape::Symmetric => matrix.clone().cholesky(),
-        Shape::General => None,
+        MatrixKind::Symmetric => matrix.clone().cholesky(),
+        MatrixKind::General => None,
     };
     let solved = match cholesky {
         Some(factors) => {
@@ -153,7 +153,7 @@ pub fn plain_reciprocal_condition(a: &[f64], n: usize) -> f64 {
 /// Determinant of a matrix of order `n`, by LU. `a` holds n² entries, row by row. Not a number if the
 /// length is wrong or an entry is not finite.
 #[must_use]
-pub fn determinant(a: &[f64], n: usize) -> f64 {
+pub fn matrix_determinant(a: &[f64], n: usize) -> f64 {
     if a.len() != n * n || !a.iter().all(|x| x.is_finite()) {
         return f64::NAN;
     }
@@ -183,11 +183,11 @@ mod tests {
     #[test]
     fn systems_of_every_order_are_solved() {
         for n in 1..=15 {
-            for shape in [Shape::Symmetric, Shape::General] {
+            for shape in [MatrixKind::Symmetric, MatrixKind::General] {
                 let a = shifted_hilbert(n);
                 let x: Vec<f64> = (0..n).map(|i| 1.0 - i as f64).collect();
                 let mut b: Vec<f64> = a.chunks(n).map(|row| row.iter().zip(&x).map(|(a, x)| a * x).sum()).collect();
-                solve(&a, &mut b, shape).unwrap();
+                solve_linear_system(&a, &mut b, shape).unwrap();
                 for (found, expected) in b.iter().zip(&x) {
                     assert!((found - expected).abs() < 1e-13, "order {n}: {found} {expected}");
                 }
@@ -198,33 +198,33 @@ mod tests {
     #[test]
     fn a_symmetric_indefinite_matrix_is_solved_by_pivoting() {
         let mut b = [2.0, 3.0];
-        solve(&[0.0, 1.0, 1.0, 0.0], &mut b, Shape::Symmetric).unwrap();
+        solve_linear_system(&[0.0, 1.0, 1.0, 0.0], &mut b, MatrixKind::Symmetric).unwrap();
         assert_eq!(b, [3.0, 2.0]);
     }
 
     #[test]
     fn an_unsymmetric_matrix_is_not_transposed() {
         let mut b = [5.0, 6.0];
-        solve(&[1.0, 2.0, 0.0, 3.0], &mut b, Shape::General).unwrap();
+        solve_linear_system(&[1.0, 2.0, 0.0, 3.0], &mut b, MatrixKind::General).unwrap();
         assert_eq!(b, [1.0, 2.0]);
     }
 
     #[test]
     fn singular_and_meaningless_systems_are_refused() {
-        let singular = solve(&[1.0, 1.0, 1.0, 1.0], &mut [1.0, 2.0], Shape::Symmetric);
-        assert_eq!(singular, Err(Unsolvable::Singular));
-        let infinite = solve(&[f64::INFINITY], &mut [1.0], Shape::General);
-        assert_eq!(infinite, Err(Unsolvable::NotFinite));
-        let overflow = solve(&[1e-300], &mut [1e300], Shape::Symmetric);
-        assert_eq!(overflow, Err(Unsolvable::Singular));
+        let singular = solve_linear_system(&[1.0, 1.0, 1.0, 1.0], &mut [1.0, 2.0], MatrixKind::Symmetric);
+        assert_eq!(singular, Err(UnsolvableSystem::Singular));
+        let infinite = solve_linear_system(&[f64::INFINITY], &mut [1.0], MatrixKind::General);
+        assert_eq!(infinite, Err(UnsolvableSystem::NotFinite));
+        let overflow = solve_linear_system(&[1e-300], &mut [1e300], MatrixKind::Symmetric);
+        assert_eq!(overflow, Err(UnsolvableSystem::Singular));
     }
 
     #[test]
     fn determinants_have_signs_and_no_value_where_an_entry_has_none() {
-        assert!((determinant(&[0.0, 2.0, 3.0, 4.0], 2) + 6.0).abs() < 1e-15);
-        assert_eq!(determinant(&[1.0, 1.0, 1.0, 1.0], 2), 0.0);
-        assert_eq!(determinant(&[], 0), 1.0);
-        assert!(determinant(&[f64::INFINITY], 1).is_nan() && determinant(&[1.0], 2).is_nan());
+        assert!((matrix_determinant(&[0.0, 2.0, 3.0, 4.0], 2) + 6.0).abs() < 1e-15);
+        assert_eq!(matrix_determinant(&[1.0, 1.0, 1.0, 1.0], 2), 0.0);
+        assert_eq!(matrix_determinant(&[], 0), 1.0);
+        assert!(matrix_determinant(&[f64::INFINITY], 1).is_nan() && matrix_determinant(&[1.0], 2).is_nan());
     }
 
     #[test]

@@ -11,12 +11,12 @@ use std::array::from_fn;
 
 use tripos_traits::Real;
 
-use super::dense::{powers_of, value_of};
+use super::dop853_dense_output::{dense_output_powers, dense_output_value};
 use super::dormand_prince_853::{DORMAND_PRINCE_853 as PUBLISHED, Row};
-use crate::blocks::{Block, Blocks, Finite, LANES};
-use crate::rhs::RightHandSide;
-use crate::stepper::{Interpolant, Stepper, Trial, Trouble, check_finite};
-use crate::tolerance::ErrorTest;
+use crate::blocks::{Block, Blocks, FiniteTest, LANES};
+use crate::error_test::ErrorTest;
+use crate::right_hand_side::RightHandSide;
+use crate::stepper::{Interpolant, StepFailure, Stepper, TrialStep, check_finite};
 
 /// Number of stages of DOP853: 12 of the step, one at its end, and three that only the dense output
 /// needs.
@@ -50,34 +50,34 @@ const fn used_by(row: Row) -> [bool; STAGES] {
 }
 
 /// The same number twice, as a vector register of two numbers needs it; no instruction has to copy it.
-type Twice<S> = [S; 2];
+type TwoCopies<S> = [S; 2];
 
 /// Published coefficients of DOP853 in the scalar of the run.
 struct Coefficients<S> {
     /// Coefficients aᵢⱼ of the stages, each written twice for vector registers.
-    a: [[Twice<S>; STAGES]; STAGES],
+    a: [[TwoCopies<S>; STAGES]; STAGES],
     /// Weights of the stages in the error of DOP853 against a solution of order 5.
-    error5: [Twice<S>; STAGES],
+    error5: [TwoCopies<S>; STAGES],
     /// Weights of the stages in the solution of order 3, which the error estimate of DOP853 uses.
-    error3: [Twice<S>; STAGES],
+    error3: [TwoCopies<S>; STAGES],
     /// Weights of the stages in the last four coefficients of the dense output.
-    dense: [[Twice<S>; STAGES]; 4],
+    dense: [[TwoCopies<S>; STAGES]; 4],
 }
 
 impl<S: Real> Coefficients<S> {
     /// Rounds the published coefficients to the scalar `S`.
     fn new() -> Self {
         Self {
-            a: PUBLISHED.a.map(row),
-            error5: row(PUBLISHED.error5),
-            error3: row(PUBLISHED.error3),
-            dense: PUBLISHED.dense.map(row),
+            a: PUBLISHED.a.map(coefficient_row),
+            error5: coefficient_row(PUBLISHED.error5),
+            error3: coefficient_row(PUBLISHED.error3),
+            dense: PUBLISHED.dense.map(coefficient_row),
         }
     }
 }
 
 /// Row of coefficients with an entry for each stage, from the published entries that are not 0.
-fn row<S: Real>(entries: Row) -> [Twice<S>; STAGES] {
+fn coefficient_row<S: Real>(entries: Row) -> [TwoCopies<S>; STAGES] {
     let mut values = [[S::from_f64(0.0); 2]; STAGES];
     for (stage, decimal) in entries {
         values[*stage] = [decimal.to(); 2];
@@ -141,53 +141,54 @@ impl<S: Real> Dop853<S> {
     /// Evaluates stage I at time `t`, s: f(t + c_I h, y + h Σ_j a_Ij k_j), with the step `h`, s. The result
     /// stays in `self.f` until the next stage takes it. Error if a number is not finite or f has no value.
     #[inline]
-    fn stage<const I: usize, R: RightHandSide<S>>(&mut self, rhs: &mut R, h: S, t: f64) -> Result<(), Trouble> {
+    fn stage<const I: usize, R: RightHandSide<S>>(&mut self, rhs: &mut R, h: S, t: f64) -> Result<(), StepFailure> {
         let row = &self.coefficients.a[I];
         let finite = advance::<S, I>(row, h, &self.y, &mut self.k, &self.f, &mut self.y_new);
-        if !finite.all() {
+        if !finite.is_finite() {
             return Err(self.not_finite(&self.y_new));
         }
         self.evaluations += 1;
-        rhs.rhs(t, self.y_new.components(), self.f.components_mut()).map_err(Trouble::Failed)
+        rhs.rhs(t, self.y_new.components_of_blocks(), self.f.components_mut()).map_err(StepFailure::Failed)
     }
 
     /// Evaluates stage I, which only the dense output needs, for the step `h`, s. Error if a number is not
     /// finite or f has no value.
-    fn inner_stage<const I: usize, R: RightHandSide<S>>(&mut self, rhs: &mut R, h: S) -> Result<(), Trouble> {
+    fn inner_stage<const I: usize, R: RightHandSide<S>>(&mut self, rhs: &mut R, h: S) -> Result<(), StepFailure> {
         let row = &self.coefficients.a[I];
         let finite = advance::<S, I>(row, h, &self.y, &mut self.k, &self.f, &mut self.inner);
-        if !finite.all() {
+        if !finite.is_finite() {
             return Err(self.not_finite(&self.inner));
         }
         self.evaluations += 1;
         let t = self.t + (self.t_new - self.t) * PUBLISHED.c[I];
-        rhs.rhs(t, self.inner.components(), self.f.components_mut()).map_err(Trouble::Failed)
+        rhs.rhs(t, self.inner.components_of_blocks(), self.f.components_mut()).map_err(StepFailure::Failed)
     }
 
     /// Evaluates f at time `t`, s, and state `y_new`, and stores it as this stage. Error if f has no finite
     /// value there.
-    fn evaluate<R: RightHandSide<S>>(&mut self, rhs: &mut R, stage: usize, t: f64) -> Result<(), Trouble> {
+    fn evaluate<R: RightHandSide<S>>(&mut self, rhs: &mut R, stage: usize, t: f64) -> Result<(), StepFailure> {
         self.evaluations += 1;
-        rhs.rhs(t, self.y_new.components(), self.f.components_mut()).map_err(Trouble::Failed)?;
-        self.keep(stage)
+        rhs.rhs(t, self.y_new.components_of_blocks(), self.f.components_mut()).map_err(StepFailure::Failed)?;
+        self.store_stage(stage)
     }
 
     /// Stores the last value of the right-hand side as this stage. Error if it is not finite.
-    fn keep(&mut self, stage: usize) -> Result<(), Trouble> {
-        let mut finite = Finite::new();
+    fn store_stage(&mut self, stage: usize) -> Result<(), StepFailure> {
+        let mut finite = FiniteTest::new();
         for (k, f) in self.k.iter_mut().zip(&self.f.blocks) {
-            finite.note(f);
+            finite.examine_block(f);
             k[stage] = *f;
         }
-        if finite.all() { Ok(()) } else { Err(self.not_finite(&self.y_new)) }
+        if finite.is_finite() { Ok(()) } else { Err(self.not_finite(&self.y_new)) }
     }
 
     /// Error that names the first component that is not finite, in the last derivative, or else in the
     /// state `point`.
     #[cold]
-    fn not_finite(&self, point: &Blocks<S>) -> Trouble {
-        let checks = check_finite(self.f.components()).and_then(|()| check_finite(point.components()));
-        checks.err().unwrap_or(Trouble::NotFinite { component: 0 })
+    fn not_finite(&self, point: &Blocks<S>) -> StepFailure {
+        let checks =
+            check_finite(self.f.components_of_blocks()).and_then(|()| check_finite(point.components_of_blocks()));
+        checks.err().unwrap_or(StepFailure::NotFinite { component: 0 })
     }
 
     /// Computes the state at the end of the step `h`, s, and its error |h| e₅² / √(e₅² + 0.01 e₃²). e₅ and
@@ -195,9 +196,9 @@ impl<S: Real> Dop853<S> {
     ///
     /// The error shrinks like h⁸, as that of the method does. The first result tells if all numbers are
     /// finite.
-    fn finish(&mut self, h: S, test: &ErrorTest) -> (Finite, f64) {
+    fn new_state_and_error(&mut self, h: S, test: &ErrorTest) -> (FiniteTest, f64) {
         let (b, e5, e3) = (&self.coefficients.a[END], &self.coefficients.error5, &self.coefficients.error3);
-        let (mut finite, mut sum5, mut sum3) = (Finite::new(), [0.0; LANES], [0.0; LANES]);
+        let (mut finite, mut sum5, mut sum3) = (FiniteTest::new(), [0.0; LANES], [0.0; LANES]);
         let points = self.y_new.blocks.iter_mut().zip(&self.y.blocks).zip(test.absolute_blocks());
         for ((((y_new, y), absolute), (k, f)), quotients) in
             points.zip(self.k.iter_mut().zip(&self.f.blocks)).zip(&mut self.quotients)
@@ -208,7 +209,7 @@ impl<S: Real> Dop853<S> {
             let next: Block<S> = from_fn(|l| y[l].plus_multiple(h, eighth[l]));
             let third: Block<S> =
                 from_fn(|l| eighth[l] - e3[0][l % 2] * k[0][l] - e3[8][l % 2] * k[8][l] - e3[11][l % 2] * k[11][l]);
-            finite.note(&next);
+            finite.examine_block(&next);
             *y_new = next;
             let inverse = test.inverse_weights(absolute, &y.map(Real::to_f64), &next.map(Real::to_f64));
             *quotients = [from_fn(|l| fifth[l].to_f64() * inverse[l]), from_fn(|l| third[l].to_f64() * inverse[l])];
@@ -217,8 +218,8 @@ impl<S: Real> Dop853<S> {
             sum5 = from_fn(|l| sum5[l] + q5[l] * q5[l]);
             sum3 = from_fn(|l| sum3[l] + q3[l] * q3[l]);
         }
-        let n = self.y.components().len();
-        (finite, error_of(h.to_f64(), sum5.iter().sum(), sum3.iter().sum(), n))
+        let n = self.y.components_of_blocks().len();
+        (finite, dop853_error(h.to_f64(), sum5.iter().sum(), sum3.iter().sum(), n))
     }
 }
 
@@ -226,7 +227,7 @@ impl<S: Real> Dop853<S> {
 /// `sum3` are e₅² and e₃², the sums of squares of weighted differences; infinite if they overflow.
 #[inline(always)]
 #[expect(clippy::inline_always, reason = "also inside code for wider registers, lane by lane")]
-pub(crate) fn error_of(h: f64, sum5: f64, sum3: f64, n: usize) -> f64 {
+pub(crate) fn dop853_error(h: f64, sum5: f64, sum3: f64, n: usize) -> f64 {
     let both = sum5 + 0.01 * sum3;
     let both = if both > 0.0 { both } else { 1.0 };
     let error = h.abs() * sum5 / (both * n.max(1) as f64).sqrt();
@@ -237,7 +238,7 @@ pub(crate) fn error_of(h: f64, sum5: f64, sum3: f64, n: usize) -> f64 {
 /// Sum Σⱼ aⱼ kⱼ for a block of components, over stage 0 and the used stages before `end`.
 #[inline(always)]
 #[expect(clippy::inline_always, reason = "with the stages known, the loops below become straight vector code")]
-fn combination<S: Real>(a: &[Twice<S>], used: &[bool; STAGES], k: &[Block<S>; STAGES], end: usize) -> Block<S> {
+fn combination<S: Real>(a: &[TwoCopies<S>], used: &[bool; STAGES], k: &[Block<S>; STAGES], end: usize) -> Block<S> {
     let mut sum: Block<S> = from_fn(|l| a[0][l % 2] * k[0][l]);
     for j in 1..end {
         if used[j] {
@@ -254,14 +255,14 @@ fn combination<S: Real>(a: &[Twice<S>], used: &[bool; STAGES], k: &[Block<S>; ST
 /// 1 is added last: it is known late, and two operations after it the state is complete.
 #[inline]
 fn advance<S: Real, const I: usize>(
-    a: &[Twice<S>; STAGES],
+    a: &[TwoCopies<S>; STAGES],
     h: S,
     y: &Blocks<S>,
     k: &mut [[Block<S>; STAGES]],
     f: &Blocks<S>,
     out: &mut Blocks<S>,
-) -> Finite {
-    let mut finite = Finite::new();
+) -> FiniteTest {
+    let mut finite = FiniteTest::new();
     let last = h * a[I - 1][0];
     for ((out, y), (k, f)) in out.blocks.iter_mut().zip(&y.blocks).zip(k.iter_mut().zip(&f.blocks)) {
         let newest = if I > 1 { *f } else { k[0] };
@@ -272,7 +273,7 @@ fn advance<S: Real, const I: usize>(
             *y
         };
         let next: Block<S> = from_fn(|l| before[l].plus_multiple(last, newest[l]));
-        finite.note(&next);
+        finite.examine_block(&next);
         *out = next;
         if I > 1 {
             k[I - 1] = newest;
@@ -289,22 +290,22 @@ impl<S: Real> Interpolant for Dop853<S> {
     }
 
     fn ends(&self) -> (&[S], &[S]) {
-        (self.y.components(), self.y_new.components())
+        (self.y.components_of_blocks(), self.y_new.components_of_blocks())
     }
 
-    fn inside(&self, theta: S, mut put: impl FnMut(usize, S)) {
-        for i in 0..self.y.components().len() {
-            put(i, value_of(self.dense[i / LANES].map(|r| r[i % LANES]), theta));
+    fn dense_output(&self, theta: S, mut put: impl FnMut(usize, S)) {
+        for i in 0..self.y.components_of_blocks().len() {
+            put(i, dense_output_value(self.dense[i / LANES].map(|r| r[i % LANES]), theta));
         }
     }
 
-    fn order_inside(&self) -> Option<usize> {
+    fn degree_of_dense_output(&self) -> Option<usize> {
         Some(7)
     }
 
     fn coefficients(&self, mut put: impl FnMut(usize, usize, S)) {
-        for i in 0..self.y.components().len() {
-            let powers = powers_of(self.dense[i / LANES].map(|r| r[i % LANES]));
+        for i in 0..self.y.components_of_blocks().len() {
+            let powers = dense_output_powers(self.dense[i / LANES].map(|r| r[i % LANES]));
             for (power, value) in powers.into_iter().enumerate() {
                 put(i, power, value);
             }
@@ -313,18 +314,18 @@ impl<S: Real> Interpolant for Dop853<S> {
 }
 
 impl<S: Real> Stepper for Dop853<S> {
-    fn start<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, y: &[S]) -> Result<(), Trouble> {
+    fn start<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, y: &[S]) -> Result<(), StepFailure> {
         (self.t, self.t_new) = (t, t);
         self.y.components_mut().copy_from_slice(y);
         self.y_new.components_mut().copy_from_slice(y);
         self.evaluate(rhs, 0, t)
     }
 
-    fn attempt<R>(&mut self, rhs: &mut R, trial: Trial, test: Option<&ErrorTest>) -> Result<f64, Trouble>
+    fn attempt<R>(&mut self, rhs: &mut R, trial: TrialStep, test: Option<&ErrorTest>) -> Result<f64, StepFailure>
     where
         R: RightHandSide<S>,
     {
-        let h: S = trial.exact(self.t);
+        let h: S = trial.exact_step_length(self.t);
         let t = self.t;
         let at = |stage: usize| t + PUBLISHED.c[stage] * trial.h;
         self.stage::<1, R>(rhs, h, at(1))?;
@@ -340,13 +341,13 @@ impl<S: Real> Stepper for Dop853<S> {
         self.stage::<11, R>(rhs, h, trial.t_new)?;
         self.t_new = trial.t_new;
         let (finite, error) = match test {
-            Some(test) => self.finish(h, test),
+            Some(test) => self.new_state_and_error(h, test),
             None => {
                 let row = &self.coefficients.a[END];
                 (advance::<S, END>(row, h, &self.y, &mut self.k, &self.f, &mut self.y_new), 0.0)
             }
         };
-        if !finite.all() {
+        if !finite.is_finite() {
             return Err(self.not_finite(&self.y_new));
         }
         self.has_end = !self.moves && test.is_none_or(|test| error <= test.tolerance);
@@ -366,7 +367,7 @@ impl<S: Real> Stepper for Dop853<S> {
             self.inner_stage::<13, R>(rhs, h)?;
             self.inner_stage::<14, R>(rhs, h)?;
             self.inner_stage::<15, R>(rhs, h)?;
-            self.keep(15)
+            self.store_stage(15)
         };
         let known = stages().is_ok() && self.has_end;
         let zero = S::from_f64(0.0);
@@ -387,11 +388,11 @@ impl<S: Real> Stepper for Dop853<S> {
         known
     }
 
-    fn worst(&self, test: &ErrorTest) -> Option<usize> {
+    fn component_of_largest_error(&self, test: &ErrorTest) -> Option<usize> {
         let e5 = &self.coefficients.error5;
         let errors = self.k.iter().flat_map(|k| combination(e5, &USED_BY_ERROR, k, END));
         let (y, y_new) = self.ends();
-        test.worst(errors.take(y.len()), y, y_new)
+        test.component_of_largest_weighted_error(errors.take(y.len()), y, y_new)
     }
 
     fn accept(&mut self) {
@@ -406,16 +407,16 @@ impl<S: Real> Stepper for Dop853<S> {
         self.moves = true;
     }
 
-    fn stay<R: RightHandSide<S>>(&mut self, rhs: &mut R) -> Result<(), Trouble> {
+    fn continue_unmoved<R: RightHandSide<S>>(&mut self, rhs: &mut R) -> Result<(), StepFailure> {
         if self.has_end {
             return Ok(());
         }
-        self.y_new.components_mut().copy_from_slice(self.y.components());
+        self.y_new.components_mut().copy_from_slice(self.y.components_of_blocks());
         self.evaluate(rhs, 0, self.t)
     }
 
     fn slope(&self) -> &[S] {
-        self.f.components()
+        self.f.components_of_blocks()
     }
 
     fn evaluations(&self) -> u64 {

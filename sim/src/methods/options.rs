@@ -48,7 +48,7 @@ pub struct Options {
     /// component is kept on the step's side of the jump, like the time.
     pub clock: Option<usize>,
     /// Choice of the points of the solution that are kept.
-    pub output: Output,
+    pub output: OutputOption,
     /// Function that is called after each accepted step and may end the run; `None` if there is none. It
     /// has no influence on the steps.
     pub poll: Option<Poll>,
@@ -67,7 +67,7 @@ impl Default for Options {
             step_limit: 1_000_000,
             corners: Vec::new(),
             clock: None,
-            output: Output::Steps { refine: 4 },
+            output: OutputOption::Steps { refine: 4 },
             poll: None,
         }
     }
@@ -89,7 +89,7 @@ impl Options {
 
 /// Choice of the points of a solution that are kept.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Output {
+pub enum OutputOption {
     /// The start, then `refine` points for each step, evenly spaced in time: the end of the step, and
     /// points inside it from the dense output. `ode45` uses 4.
     ///
@@ -140,7 +140,7 @@ impl PartialEq for Poll {
 }
 
 /// Refuses a span, a start or options with which no run is possible. Tolerances are checked elsewhere.
-pub(crate) fn check<S: Real>(span: (f64, f64), y0: &[S], options: &Options) -> Result<(), SimError> {
+pub(crate) fn check_options<S: Real>(span: (f64, f64), y0: &[S], options: &Options) -> Result<(), SimError> {
     check_span(span, y0)?;
     check_steps(span, options)?;
     if options.clock.is_some_and(|at| at >= y0.len()) {
@@ -169,11 +169,11 @@ pub(crate) fn check_span<S: Real>(span: (f64, f64), y0: &[S]) -> Result<(), SimE
 
 /// Refuses output that a run over `span`, s, cannot have: no points for a step, or times outside the
 /// span or out of order.
-pub(crate) fn check_output(span: (f64, f64), output: &Output) -> Result<(), SimError> {
+pub(crate) fn check_output(span: (f64, f64), output: &OutputOption) -> Result<(), SimError> {
     match output {
-        Output::Steps { refine: 0 } => Err(SimError::Option { name: "refine", must: "at least 1" }),
-        Output::At(times) => check_times(times, span.0, span.1),
-        Output::Steps { .. } | Output::Ends => Ok(()),
+        OutputOption::Steps { refine: 0 } => Err(SimError::Option { name: "refine", must: "at least 1" }),
+        OutputOption::At(times) => check_times(times, span.0, span.1),
+        OutputOption::Steps { .. } | OutputOption::Ends => Ok(()),
     }
 }
 
@@ -191,10 +191,10 @@ fn check_steps(span: (f64, f64), options: &Options) -> Result<(), SimError> {
         }
     }
     match options.step {
-        None if super::method::rules(options.method).is_none() => {
+        None if super::method_rules::method_rules(options.method).is_none() => {
             Err(SimError::NoStep { method: options.method.name() })
         }
-        Some(step) if step.min((t1 - t0).abs()) < crate::rounding::ulp(t0.abs().max(t1.abs())) => {
+        Some(step) if step.min((t1 - t0).abs()) < crate::rounding::rounding_unit(t0.abs().max(t1.abs())) => {
             Err(SimError::Option { name: "step", must: "longer than the rounding of t" })
         }
         _ => Ok(()),

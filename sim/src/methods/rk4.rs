@@ -7,9 +7,9 @@
 
 use tripos_traits::Real;
 
-use crate::rhs::RightHandSide;
-use crate::stepper::{Interpolant, Stepper, Trial, Trouble, check_finite, evaluate};
-use crate::tolerance::ErrorTest;
+use crate::error_test::ErrorTest;
+use crate::right_hand_side::RightHandSide;
+use crate::stepper::{Interpolant, StepFailure, Stepper, TrialStep, check_finite, evaluate};
 
 /// Classical Runge–Kutta method in a run: the current step with its stages.
 pub(crate) struct Rk4<S> {
@@ -36,14 +36,14 @@ impl<S: Real> Rk4<S> {
 
     /// Evaluates f at time `t`, s, and state `y_new`, and stores it as this stage. Error if a number is not
     /// finite or f has no value.
-    fn evaluate<R: RightHandSide<S>>(&mut self, rhs: &mut R, stage: usize, t: f64) -> Result<(), Trouble> {
+    fn evaluate<R: RightHandSide<S>>(&mut self, rhs: &mut R, stage: usize, t: f64) -> Result<(), StepFailure> {
         check_finite(&self.y_new)?;
         self.evaluations += 1;
         evaluate(rhs, t, &self.y_new, &mut self.k[stage])
     }
 
     /// Writes the next state to evaluate, y + h k with the derivative k of the stage, to `y_new`.
-    fn follow(&mut self, stage: usize, h: S) {
+    fn next_rk4_point(&mut self, stage: usize, h: S) {
         for ((y_new, y), k) in self.y_new.iter_mut().zip(&self.y).zip(&self.k[stage]) {
             *y_new = *y + h * *k;
         }
@@ -61,7 +61,7 @@ impl<S: Real> Interpolant for Rk4<S> {
         (&self.y, &self.y_new)
     }
 
-    fn inside(&self, theta: S, mut put: impl FnMut(usize, S)) {
+    fn dense_output(&self, theta: S, mut put: impl FnMut(usize, S)) {
         let h = S::from_f64(self.t_new) - S::from_f64(self.t);
         let rest = S::int(1) - theta;
         for (i, (y, y_new)) in self.y.iter().zip(&self.y_new).enumerate() {
@@ -72,7 +72,7 @@ impl<S: Real> Interpolant for Rk4<S> {
         }
     }
 
-    fn order_inside(&self) -> Option<usize> {
+    fn degree_of_dense_output(&self) -> Option<usize> {
         Some(3)
     }
 
@@ -90,23 +90,23 @@ impl<S: Real> Interpolant for Rk4<S> {
 }
 
 impl<S: Real> Stepper for Rk4<S> {
-    fn start<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, y: &[S]) -> Result<(), Trouble> {
+    fn start<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, y: &[S]) -> Result<(), StepFailure> {
         (self.t, self.t_new) = (t, t);
         self.y.copy_from_slice(y);
         self.y_new.copy_from_slice(y);
         self.evaluate(rhs, 0, t)
     }
 
-    fn attempt<R>(&mut self, rhs: &mut R, trial: Trial, _test: Option<&ErrorTest>) -> Result<f64, Trouble>
+    fn attempt<R>(&mut self, rhs: &mut R, trial: TrialStep, _test: Option<&ErrorTest>) -> Result<f64, StepFailure>
     where
         R: RightHandSide<S>,
     {
-        let h: S = trial.exact(self.t);
+        let h: S = trial.exact_step_length(self.t);
         let half = h * S::ratio(1, 2);
         for (stage, step, t) in
             [(1, half, self.t + 0.5 * trial.h), (2, half, self.t + 0.5 * trial.h), (3, h, trial.t_new)]
         {
-            self.follow(stage - 1, step);
+            self.next_rk4_point(stage - 1, step);
             self.evaluate(rhs, stage, t)?;
         }
         let (sixth, two) = (h * S::ratio(1, 6), S::int(2));
@@ -119,7 +119,7 @@ impl<S: Real> Stepper for Rk4<S> {
         Ok(0.0)
     }
 
-    fn worst(&self, _test: &ErrorTest) -> Option<usize> {
+    fn component_of_largest_error(&self, _test: &ErrorTest) -> Option<usize> {
         None
     }
 

@@ -13,9 +13,9 @@
 use tripos_traits::Real;
 
 use super::options::{ORDERS, Options};
-use crate::rhs::RightHandSide;
-use crate::stepper::{Interpolant, Stepper, Trial, Trouble, check_finite};
-use crate::tolerance::ErrorTest;
+use crate::error_test::ErrorTest;
+use crate::right_hand_side::RightHandSide;
+use crate::stepper::{Interpolant, StepFailure, Stepper, TrialStep, check_finite};
 
 /// Increase of the order of Taylor's method per unit of −ln(tolerance). Jorba and Zou have ½, from a
 /// cost of order p²; here the part of the cost that grows so is small.
@@ -32,7 +32,7 @@ pub(crate) const ALLOWED_JUMP: f64 = 10.0;
 /// tolerance at the least cost.
 ///
 /// The relative tolerance decides, or the smallest absolute tolerance if the relative one is 0.
-pub(crate) fn order_for(options: &Options) -> usize {
+pub(crate) fn taylor_order(options: &Options) -> usize {
     let tolerance = if options.rtol > 0.0 { options.rtol } else { options.atol.smallest() };
     let wanted = 2.0 - ORDERS_PER_DIGIT * tolerance.clamp(f64::MIN_POSITIVE, 0.1).ln();
     // The cast number is neither negative nor large.
@@ -100,12 +100,17 @@ impl<S: Real> Taylor<S> {
 
     /// Computes the Taylor coefficients up to `order` at time `t`, s, from the state in the first row of
     /// `next`. Error if they are not known, or if the derivative is not finite.
-    fn expand<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, order: usize) -> Result<(), Trouble> {
+    fn taylor_coefficients_at_end<R: RightHandSide<S>>(
+        &mut self,
+        rhs: &mut R,
+        t: f64,
+        order: usize,
+    ) -> Result<(), StepFailure> {
         // The derivative alone costs little, as it needs no sums.
         self.evaluations += u64::from(order > 1);
         match rhs.taylor(t, order, &mut self.next[..(order + 1) * self.n]) {
-            Some(outcome) => outcome.map_err(Trouble::Failed)?,
-            None => return Err(Trouble::NotFinite { component: 0 }),
+            Some(outcome) => outcome.map_err(StepFailure::Failed)?,
+            None => return Err(StepFailure::NotFinite { component: 0 }),
         }
         let n = self.n;
         let row = |k: usize| &self.next[k * n..(k + 1) * n];
@@ -146,7 +151,7 @@ impl<S: Real> Taylor<S> {
     ///
     /// It matters if the last terms happen to vanish: of x'' = −x³ through x = 0 only every fourth term is
     /// not zero.
-    fn jump(&mut self, test: &ErrorTest, h: S) -> f64 {
+    fn jump_of_taylor_derivative(&mut self, test: &ErrorTest, h: S) -> f64 {
         let n = self.n;
         self.jump.fill(S::from_f64(0.0));
         for k in (1..=self.usable).rev() {
@@ -171,7 +176,7 @@ pub(crate) fn powi(h: f64, n: usize) -> f64 {
 /// Size of a step, s, after which the terms of the last two orders are as large as the tolerance
 /// allows. `norms` are the weighted norms of their coefficients; `order` is the higher of the two
 /// orders.
-pub(crate) fn proposed_size(norms: [f64; 2], order: usize, tolerance: f64) -> f64 {
+pub(crate) fn proposed_taylor_step_size(norms: [f64; 2], order: usize, tolerance: f64) -> f64 {
     let [before, last] = norms.map(|norm| norm / tolerance);
     // The term of order k is as large as the allowed error after norm^(−1/k) seconds.
     let size = last.powf(-1.0 / order as f64);
@@ -186,10 +191,10 @@ fn polynomial<S: Real>(x: &[S], n: usize, order: usize, h: S, out: &mut [S]) {
     let mut at = 0;
     while at < n {
         at += match n - at {
-            8.. => block::<S, 8>(x, n, at, order, h, out),
-            4.. => block::<S, 4>(x, n, at, order, h, out),
-            2.. => block::<S, 2>(x, n, at, order, h, out),
-            _ => block::<S, 1>(x, n, at, order, h, out),
+            8.. => taylor_polynomial_block::<S, 8>(x, n, at, order, h, out),
+            4.. => taylor_polynomial_block::<S, 4>(x, n, at, order, h, out),
+            2.. => taylor_polynomial_block::<S, 2>(x, n, at, order, h, out),
+            _ => taylor_polynomial_block::<S, 1>(x, n, at, order, h, out),
         };
     }
 }
@@ -197,7 +202,14 @@ fn polynomial<S: Real>(x: &[S], n: usize, order: usize, h: S, out: &mut [S]) {
 /// Evaluates Σ x_k h^(k−1) for `N` of the `n` polynomials, from index `at` on, and returns N. Even and
 /// odd orders are summed separately, so that neither waits for the other.
 #[inline]
-fn block<S: Real, const N: usize>(x: &[S], n: usize, at: usize, order: usize, h: S, out: &mut [S]) -> usize {
+fn taylor_polynomial_block<S: Real, const N: usize>(
+    x: &[S],
+    n: usize,
+    at: usize,
+    order: usize,
+    h: S,
+    out: &mut [S],
+) -> usize {
     let zero = [S::from_f64(0.0); N];
     let square = h * h;
     let row = |k: usize| x[k * n + at..].first_chunk::<N>().unwrap_or(&zero);
@@ -232,7 +244,7 @@ impl<S: Real> Interpolant for Taylor<S> {
         (&self.x[..self.n], &self.next[..self.n])
     }
 
-    fn inside(&self, theta: S, mut put: impl FnMut(usize, S)) {
+    fn dense_output(&self, theta: S, mut put: impl FnMut(usize, S)) {
         let h = theta * (S::from_f64(self.t_new) - S::from_f64(self.t));
         let mut sums = vec![S::from_f64(0.0); self.n];
         polynomial(&self.x, self.n, self.usable, h, &mut sums);
@@ -241,7 +253,7 @@ impl<S: Real> Interpolant for Taylor<S> {
         }
     }
 
-    fn order_inside(&self) -> Option<usize> {
+    fn degree_of_dense_output(&self) -> Option<usize> {
         Some(self.usable)
     }
 
@@ -258,10 +270,10 @@ impl<S: Real> Interpolant for Taylor<S> {
 }
 
 impl<S: Real> Stepper for Taylor<S> {
-    fn start<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, y: &[S]) -> Result<(), Trouble> {
+    fn start<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, y: &[S]) -> Result<(), StepFailure> {
         (self.t, self.t_new) = (t, t);
         self.next[..self.n].copy_from_slice(y);
-        let outcome = self.expand(rhs, t, self.order);
+        let outcome = self.taylor_coefficients_at_end(rhs, t, self.order);
         self.accept();
         self.carry.fill(S::from_f64(0.0));
         self.next[..self.n].copy_from_slice(y);
@@ -272,31 +284,31 @@ impl<S: Real> Stepper for Taylor<S> {
         let n = self.n;
         let row = |k: usize| &self.x[k * n..(k + 1) * n];
         let p = self.usable;
-        self.norms = test.largest_of_two(row(p - 1), row(p), row(0));
-        Some(proposed_size(self.norms, p, test.tolerance))
+        self.norms = test.largest_weighted_of_two(row(p - 1), row(p), row(0));
+        Some(proposed_taylor_step_size(self.norms, p, test.tolerance))
     }
 
-    fn attempt<R>(&mut self, rhs: &mut R, trial: Trial, test: Option<&ErrorTest>) -> Result<f64, Trouble>
+    fn attempt<R>(&mut self, rhs: &mut R, trial: TrialStep, test: Option<&ErrorTest>) -> Result<f64, StepFailure>
     where
         R: RightHandSide<S>,
     {
-        self.advance(trial.exact(self.t));
+        self.advance(trial.exact_step_length(self.t));
         self.t_new = trial.t_new;
         check_finite(&self.next[..self.n])?;
         let error = test.map_or(0.0, |_| self.last_terms(trial.h.abs()));
         if test.is_some_and(|test| error > test.tolerance) {
             return Ok(error);
         }
-        self.expand(rhs, trial.t_new, if self.moved { 1 } else { self.order })?;
-        let jump = test.map_or(0.0, |test| self.jump(test, trial.exact(self.t)));
+        self.taylor_coefficients_at_end(rhs, trial.t_new, if self.moved { 1 } else { self.order })?;
+        let jump = test.map_or(0.0, |test| self.jump_of_taylor_derivative(test, trial.exact_step_length(self.t)));
         Ok(error.max(jump / ALLOWED_JUMP))
     }
 
-    fn worst(&self, test: &ErrorTest) -> Option<usize> {
+    fn component_of_largest_error(&self, test: &ErrorTest) -> Option<usize> {
         let (y, y_new) = self.ends();
         let h = S::from_f64(powi(self.t_new - self.t, self.usable));
         let last = &self.x[self.usable * self.n..(self.usable + 1) * self.n];
-        test.worst(last.iter().map(|x| *x * h), y, y_new)
+        test.component_of_largest_weighted_error(last.iter().map(|x| *x * h), y, y_new)
     }
 
     fn accept(&mut self) {
@@ -310,10 +322,10 @@ impl<S: Real> Stepper for Taylor<S> {
         self.moved = true;
     }
 
-    fn stay<R: RightHandSide<S>>(&mut self, rhs: &mut R) -> Result<(), Trouble> {
+    fn continue_unmoved<R: RightHandSide<S>>(&mut self, rhs: &mut R) -> Result<(), StepFailure> {
         let n = self.n;
         self.next[..n].copy_from_slice(&self.x[..n]);
-        self.expand(rhs, self.t, self.order)?;
+        self.taylor_coefficients_at_end(rhs, self.t, self.order)?;
         self.usable = self.next_usable;
         std::mem::swap(&mut self.x, &mut self.next);
         Ok(())

@@ -2,7 +2,7 @@
 
 use tripos_traits::System;
 
-use super::error::{NoQuadrature, Obstacle};
+use super::quadrature_error::{NoQuadrature, StretchObstacle};
 
 /// Largest number of iterations in the search for a turning point; each at least halves a bracket or
 /// the last step.
@@ -36,7 +36,7 @@ pub(super) struct Energy<'a> {
 }
 
 /// Point where the kinetic energy of a rotating motion is least: the crest of the potential energy.
-pub(super) struct Crest {
+pub(super) struct LeastKineticEnergy {
     /// Coordinate at which the kinetic energy of the rotating motion is least.
     pub(super) at: f64,
     /// Least kinetic energy of the rotating motion, J.
@@ -77,7 +77,7 @@ impl<'a> Energy<'a> {
         };
         let inertia = energy.inertia(q);
         let regular = inertia > 0.0 && inertia.is_finite() && energy.kinetic >= 0.0 && energy.kinetic.is_finite();
-        if !(regular && rates[0].is_finite() && rates[0] != 0.0 && energy.slope(q[0], q[0]).is_finite()) {
+        if !(regular && rates[0].is_finite() && rates[0] != 0.0 && energy.potential_slope(q[0], q[0]).is_finite()) {
             return Err(NoQuadrature::Irregular);
         }
         Ok(energy)
@@ -95,14 +95,14 @@ impl<'a> Energy<'a> {
 
     /// Divided difference V\[a, b\] = (V(b) − V(a))/(b − a) of the potential energy V between coordinates a
     /// and b.
-    pub(super) fn slope(&self, a: f64, b: f64) -> f64 {
+    pub(super) fn potential_slope(&self, a: f64, b: f64) -> f64 {
         self.system.0.potential_slope(&self.p, a, b)
     }
 
     /// Kinetic energy T at the coordinate `q`, J: T₀ − (q − q₀) V\[q₀, q\]. It is −∞ if that is not a
     /// number, so that the coordinate counts as beyond a barrier.
-    pub(super) fn left(&self, q: f64) -> f64 {
-        let left = self.kinetic - (q - self.start) * self.slope(self.start, q);
+    pub(super) fn kinetic_energy_left(&self, q: f64) -> f64 {
+        let left = self.kinetic - (q - self.start) * self.potential_slope(self.start, q);
         if left.is_finite() { left } else { f64::NEG_INFINITY }
     }
 
@@ -113,16 +113,16 @@ impl<'a> Energy<'a> {
     /// like, and no more than twice as far as the step before. So it does not leap over a narrow barrier
     /// unless T shows nothing of it. If the motion repeats after a length of the coordinate, the search
     /// covers one such length, in small steps.
-    pub(super) fn turning(&self, side: f64) -> Result<Option<f64>, NoQuadrature> {
+    pub(super) fn turning_point(&self, side: f64) -> Result<Option<f64>, NoQuadrature> {
         let mut step = self.start.abs().clamp(1e-6, 1.0) / 1_048_576.0;
         let mut good = self.start;
-        let mut fall = side * self.slope(good, good);
+        let mut fall = side * self.potential_slope(good, good);
         if self.kinetic <= 0.0 {
             if fall > 0.0 {
-                return self.checked(self.start, side).map(Some);
+                return self.checked_turning_point(self.start, side).map(Some);
             }
             // The start is the other turning point; next to it there is kinetic energy.
-            while self.left(self.start + side * step) <= 0.0 {
+            while self.kinetic_energy_left(self.start + side * step) <= 0.0 {
                 step *= 0.5;
                 if same_as(self.start + side * step, self.start) {
                     return Err(NoQuadrature::Asymptotic { at: self.start });
@@ -141,11 +141,11 @@ impl<'a> Energy<'a> {
                 break;
             }
             let q = good + side * step;
-            let left = self.left(q);
+            let left = self.kinetic_energy_left(q);
             if left <= least || same_as(q, good) {
-                return self.checked(self.between(good, q), side).map(Some);
+                return self.checked_turning_point(self.zero_of_kinetic_energy(good, q), side).map(Some);
             }
-            let fall_here = side * self.slope(q, q);
+            let fall_here = side * self.potential_slope(q, q);
             let bend = (fall_here - fall) / step;
             // T − fall d − ½ bend d² = 0.
             let root = (fall_here * fall_here + 2.0 * bend * left).sqrt();
@@ -159,12 +159,12 @@ impl<'a> Energy<'a> {
 
     /// True if the motion rests at its start. The start is an equilibrium, or so near to a stable
     /// equilibrium, and so slow, that only rounding would move it.
-    pub(super) fn rests(&self) -> bool {
+    pub(super) fn motion_rests(&self) -> bool {
         let (q, blur) = (self.start, 8.0 * f64::EPSILON * self.start.abs());
-        if self.kinetic <= 0.0 && self.slope(q, q).abs() <= 0.0 {
+        if self.kinetic <= 0.0 && self.potential_slope(q, q).abs() <= 0.0 {
             return true;
         }
-        let [below, above] = [q - blur, q + blur].map(|q| self.slope(q, q));
+        let [below, above] = [q - blur, q + blur].map(|q| self.potential_slope(q, q));
         below <= 0.0 && above >= 0.0 && self.kinetic <= 0.25 * (above - below) * blur
     }
 
@@ -173,13 +173,18 @@ impl<'a> Energy<'a> {
     ///
     /// A minimum that the samples miss costs more panels, but no accuracy. The inner error is a barrier, if
     /// no kinetic energy is left at the minimum: the motion turns before it.
-    pub(super) fn crest(&self, length: f64, side: f64) -> Result<Result<Crest, Obstacle>, NoQuadrature> {
+    pub(super) fn least_kinetic_energy(
+        &self,
+        length: f64,
+        side: f64,
+    ) -> Result<Result<LeastKineticEnergy, StretchObstacle>, NoQuadrature> {
         let place = |part: u32| self.start - side * length * f64::from(part) / f64::from(SAMPLES);
-        let lowest =
-            (0..SAMPLES).min_by(|a, b| self.left(place(*a)).total_cmp(&self.left(place(*b)))).unwrap_or_default();
+        let lowest = (0..SAMPLES)
+            .min_by(|a, b| self.kinetic_energy_left(place(*a)).total_cmp(&self.kinetic_energy_left(place(*b))))
+            .unwrap_or_default();
         let (mut a, mut b) = (place(lowest + 1), place(lowest) + side * length / f64::from(SAMPLES));
         // V rises before the crest and falls behind it, seen in the direction of the motion.
-        let climb = |q: f64| side * self.slope(q, q);
+        let climb = |q: f64| side * self.potential_slope(q, q);
         let mut at = place(lowest);
         if climb(a) > 0.0 && climb(b) < 0.0 {
             while !same_as(0.5 * (a + b), a) && !same_as(0.5 * (a + b), b) {
@@ -191,50 +196,51 @@ impl<'a> Energy<'a> {
         if side * (at - self.start) > 0.0 {
             at -= side * length;
         }
-        let kinetic = self.left(at);
+        let kinetic = self.kinetic_energy_left(at);
         let least = 16.0 * f64::EPSILON * self.kinetic;
         if kinetic < -least {
-            return Ok(Err(Obstacle::Barrier(at)));
+            return Ok(Err(StretchObstacle::Barrier(at)));
         }
         if kinetic <= least {
             return Err(NoQuadrature::Asymptotic { at });
         }
         let step = 1e-4 * length;
-        let bend = (self.slope(at - step, at - step) - self.slope(at + step, at + step)) / (2.0 * step);
+        let bend =
+            (self.potential_slope(at - step, at - step) - self.potential_slope(at + step, at + step)) / (2.0 * step);
         let width = (2.0 * kinetic / bend).sqrt();
-        Ok(Ok(Crest { at, kinetic, width: if width > 0.0 { width.min(length) } else { length } }))
+        Ok(Ok(LeastKineticEnergy { at, kinetic, width: if width > 0.0 { width.min(length) } else { length } }))
     }
 
     /// Coordinate of the turning point between the start and a coordinate `bad` without kinetic energy.
     /// Error if the motion may creep to an equilibrium.
-    pub(super) fn turning_before(&self, bad: f64) -> Result<f64, NoQuadrature> {
+    pub(super) fn turning_point_before(&self, bad: f64) -> Result<f64, NoQuadrature> {
         let side = (bad - self.start).signum();
         let mut good = self.start;
         if self.kinetic <= 0.0 {
             good += 1e-3 * (bad - self.start);
         }
-        if self.left(good) <= 0.0 || self.left(bad) > 0.0 {
+        if self.kinetic_energy_left(good) <= 0.0 || self.kinetic_energy_left(bad) > 0.0 {
             return Err(NoQuadrature::Asymptotic { at: bad });
         }
-        self.checked(self.between(good, bad), side)
+        self.checked_turning_point(self.zero_of_kinetic_energy(good, bad), side)
     }
 
     /// Zero of the kinetic energy between a coordinate `good`, where it is positive, and a coordinate
     /// `bad`, where it is not. Newton's method in the bracket finds it.
-    fn between(&self, mut good: f64, mut bad: f64) -> f64 {
-        let mut x = middle(good, bad);
+    fn zero_of_kinetic_energy(&self, mut good: f64, mut bad: f64) -> f64 {
+        let mut x = middle_of_bracket(good, bad);
         let mut before = (bad - good).abs();
         for _ in 0..ITERATIONS {
             if (x - good) * (x - bad) >= 0.0 {
                 break;
             }
-            let left = self.left(x);
+            let left = self.kinetic_energy_left(x);
             if left > 0.0 {
                 good = x;
             } else {
                 bad = x;
             }
-            let step = left / self.slope(x, x);
+            let step = left / self.potential_slope(x, x);
             let next = x + step;
             if step.abs() <= f64::EPSILON * x.abs() {
                 return next;
@@ -245,7 +251,7 @@ impl<'a> Energy<'a> {
                 x = next;
             } else {
                 before = (bad - good).abs();
-                x = middle(good, bad);
+                x = middle_of_bracket(good, bad);
             }
         }
         good
@@ -253,10 +259,10 @@ impl<'a> Energy<'a> {
 
     /// Accepts a turning point `at` if the motion certainly turns there: within the rounding error of the
     /// point, the force pushes back. Otherwise it is an error.
-    fn checked(&self, at: f64, side: f64) -> Result<f64, NoQuadrature> {
-        let force = self.slope(at, at);
+    fn checked_turning_point(&self, at: f64, side: f64) -> Result<f64, NoQuadrature> {
+        let force = self.potential_slope(at, at);
         let blur = 4.0 * f64::EPSILON * (at.abs() + self.kinetic / force.abs());
-        let nearby = self.slope(at - side * blur, at - side * blur);
+        let nearby = self.potential_slope(at - side * blur, at - side * blur);
         if side * force > 0.0 && (nearby - force).abs() < 0.5 * force.abs() {
             Ok(at)
         } else {
@@ -267,7 +273,7 @@ impl<'a> Energy<'a> {
 
 /// Middle of two numbers: the geometric mean if they have the same sign and differ by a factor of 4,
 /// else the arithmetic mean.
-fn middle(a: f64, b: f64) -> f64 {
+fn middle_of_bracket(a: f64, b: f64) -> f64 {
     let ratio = a / b;
     if ratio > 4.0 || (ratio > 0.0 && ratio < 0.25) {
         a.signum() * (a.abs().sqrt() * b.abs().sqrt())

@@ -14,23 +14,23 @@
 //! Absent on purpose: friction, forces that depend on time, and unlimited work. A motion that a stated
 //! number of panels does not resolve is refused with its reason.
 
-mod chart;
-mod course;
 mod energy;
-mod error;
-mod points;
-mod rule;
-mod solve;
-mod track;
+mod integrands;
+mod legendre_rule;
+mod motion_kind;
+mod quadrature_error;
+mod quadrature_run;
+mod stretch;
+mod stretch_variable;
 
 use tripos_traits::{Lengths, System};
 
 use crate::error::SimError;
-use course::{Course, note_far};
 use energy::Energy;
-pub use error::NoQuadrature;
-pub use solve::solve;
-use track::Scratch;
+use motion_kind::{MotionKind, add_far_turning_point};
+pub use quadrature_error::NoQuadrature;
+pub use quadrature_run::run_by_quadrature;
+use stretch::Scratch;
 
 /// Motion by quadrature of equations with one speed, from one start.
 ///
@@ -57,16 +57,16 @@ use track::Scratch;
 /// #     fn has_potential_slope(&self) -> bool { true }
 /// #     fn potential_slope(&self, _: &[f64], a: f64, b: f64) -> f64 { 0.5 * (a + b) }
 /// # }
-/// use tripos_sim::quadrature::OneDegree;
+/// use tripos_sim::quadrature::MotionByQuadrature;
 ///
 /// // q″ = −q, V = q²/2, so V[a, b] = (a + b)/2.
-/// let motion = OneDegree::new(&Oscillator, &[], &[1.0], 0.0)?;
+/// let motion = MotionByQuadrature::new(&Oscillator, &[], &[1.0], 0.0)?;
 /// assert!((motion.period().unwrap() - std::f64::consts::TAU).abs() < 1e-15);
 /// assert!((motion.state(1000.0)?[0] - 1000_f64.cos()).abs() < 1e-13);
 /// # Ok::<(), tripos_sim::quadrature::NoQuadrature>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct OneDegree<'a> {
+pub struct MotionByQuadrature<'a> {
     /// Equations of motion with the energy of the start.
     energy: Energy<'a>,
     /// State (q, v) at the start, n + 1 entries.
@@ -76,14 +76,14 @@ pub struct OneDegree<'a> {
     /// Turning points below and above the start; `None` if none is known.
     turns: [Option<f64>; 2],
     /// Kind of the motion, with its integrated stretches.
-    course: Course,
+    course: MotionKind,
     /// Time τ of the start, s, counted from the turning point at which the first stretch begins.
     lead: f64,
     /// Integrals of the rates of all coordinates from τ = 0 to the start.
     sums: Vec<f64>,
 }
 
-impl<'a> OneDegree<'a> {
+impl<'a> MotionByQuadrature<'a> {
     /// Computes the motion of a system with one degree of freedom from coordinates `q` and speed `v`, with
     /// parameters `p`.
     ///
@@ -95,38 +95,38 @@ impl<'a> OneDegree<'a> {
     /// [`NoQuadrature`] if the equations are not of this kind, if the motion approaches an equilibrium for
     /// ever, or if its integrals are not resolved.
     pub fn new(system: &'a dyn System<f64>, p: &[f64], q: &[f64], v: f64) -> Result<Self, NoQuadrature> {
-        check(system, p, q, v)?;
+        check_one_degree(system, p, q, v)?;
         let energy = Energy::new(system, p, q, v)?;
         let mut rates = vec![0.0; q.len()];
         energy.rates(q, v, &mut rates);
-        let still = energy.rests();
+        let still = energy.motion_rests();
         let mut turns = [None; 2];
         if !still {
-            turns = [energy.turning(-1.0)?, energy.turning(1.0)?];
+            turns = [energy.turning_point(-1.0)?, energy.turning_point(1.0)?];
         }
         let start = [q, &[v]].concat();
         let sums = vec![0.0; q.len()];
-        let mut motion = Self { energy, start, rates, turns, course: Course::Rest, lead: 0.0, sums };
+        let mut motion = Self { energy, start, rates, turns, course: MotionKind::Rest, lead: 0.0, sums };
         if !still {
-            motion.plan(&[0.0])?;
+            motion.follow_motion(&[0.0])?;
         }
         Ok(motion)
     }
 
     /// Finds the kind of the motion and integrates it up to these times from the start, s. Error if the
     /// integrals are not resolved.
-    fn plan(&mut self, times: &[f64]) -> Result<(), NoQuadrature> {
+    fn follow_motion(&mut self, times: &[f64]) -> Result<(), NoQuadrature> {
         let n = self.start.len() - 1;
         let (q, v) = (&self.start[..n], self.start[n]);
         let mut scratch = Scratch::new(&self.energy, q);
         // Each round either meets a turning point that the searches missed, or is the last round.
         loop {
-            self.course = Course::new(&self.energy, q, v, &mut self.turns, &mut scratch)?;
+            self.course = MotionKind::new(&self.energy, q, v, &mut self.turns, &mut scratch)?;
             let mut follow = || {
-                self.course.explore(&self.energy, &mut scratch)?;
-                let lead = self.course.lead(&self.energy, v, &mut scratch)?;
+                self.course.search_missed_turning_point(&self.energy, &mut scratch)?;
+                let lead = self.course.time_of_start(&self.energy, v, &mut scratch)?;
                 for t in times {
-                    self.course.cover(&self.energy, lead + t, &mut scratch)?;
+                    self.course.integrate_to_time(&self.energy, lead + t, &mut scratch)?;
                 }
                 Ok(lead)
             };
@@ -136,13 +136,13 @@ impl<'a> OneDegree<'a> {
                     self.lead = lead;
                     break;
                 }
-                Err(obstacle) => note_far(&self.energy, &mut self.turns, obstacle)?,
+                Err(obstacle) => add_far_turning_point(&self.energy, &mut self.turns, obstacle)?,
             }
             if self.turns == known {
                 return Err(NoQuadrature::Asymptotic { at: self.start[0] });
             }
         }
-        if let Some(spot) = self.course.spot(self.lead) {
+        if let Some(spot) = self.course.point_of_motion(self.lead) {
             for i in 1..n {
                 self.sums[i] = spot.quadrature(i, n - 1);
             }
@@ -158,8 +158,8 @@ impl<'a> OneDegree<'a> {
     /// [`NoQuadrature`] if the integrals are not resolved up to these times.
     pub fn cover(&mut self, t0: f64, t1: f64) -> Result<(), NoQuadrature> {
         match self.course {
-            Course::Rest | Course::Swing { .. } | Course::Rotation { .. } => Ok(()),
-            _ => self.plan(&[t0, t1]),
+            MotionKind::Rest | MotionKind::Swing { .. } | MotionKind::Rotation { .. } => Ok(()),
+            _ => self.follow_motion(&[t0, t1]),
         }
     }
 
@@ -200,8 +200,8 @@ impl<'a> OneDegree<'a> {
             return Ok(());
         }
         let n = self.start.len() - 1;
-        let Some(spot) = self.course.spot(self.lead + t) else {
-            if !matches!(self.course, Course::Rest) {
+        let Some(spot) = self.course.point_of_motion(self.lead + t) else {
+            if !matches!(self.course, MotionKind::Rest) {
                 return Err(NoQuadrature::Uncovered { t });
             }
             for (y, rate) in y[1..n].iter_mut().zip(&self.rates[1..]) {
@@ -214,7 +214,7 @@ impl<'a> OneDegree<'a> {
         // v = q′/k, with k = q₀′ at v = 1.
         let mut rates = vec![0.0; n];
         self.energy.rates(&y[..n], 1.0, &mut rates);
-        let speed = place.reach * spot.track.pace(&spot.found) / rates[0];
+        let speed = place.reach * spot.track.rate_of_variable(&spot.found) / rates[0];
         y[n] = if spot.rising { speed } else { -speed };
         for (i, y) in y.iter_mut().enumerate().take(n).skip(1) {
             *y += spot.quadrature(i, n - 1) - self.sums[i];
@@ -225,13 +225,13 @@ impl<'a> OneDegree<'a> {
     /// Number of points at which the integrands of the quadrature were evaluated.
     #[must_use]
     pub fn evaluations(&self) -> u64 {
-        let attempts: u64 = self.course.tracks().iter().map(|track| u64::from(track.attempts)).sum();
-        attempts * rule::POINTS as u64
+        let attempts: u64 = self.course.stretches_of_motion().iter().map(|track| u64::from(track.attempts)).sum();
+        attempts * legendre_rule::POINTS as u64
     }
 }
 
 /// Refuses equations and starts to which quadrature does not apply, and lists of the wrong length.
-fn check(system: &dyn System<f64>, p: &[f64], q: &[f64], v: f64) -> Result<(), NoQuadrature> {
+fn check_one_degree(system: &dyn System<f64>, p: &[f64], q: &[f64], v: f64) -> Result<(), NoQuadrature> {
     let Lengths { parameters, coordinates, variables: speeds, .. } = system.lengths();
     if speeds != 1 || q.is_empty() {
         return Err(NoQuadrature::NotOneDegree { speeds });

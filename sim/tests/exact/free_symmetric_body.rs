@@ -74,7 +74,7 @@ fn its_angular_velocity_is_that_of_the_free_body() {
         };
         let body = FreeBody::new([transverse, transverse, axial], in_body(Dd::int(0)));
         for t in INSTANTS.map(dd) {
-            for (found, wanted) in in_body(t).into_iter().zip(body.rate(t)) {
+            for (found, wanted) in in_body(t).into_iter().zip(body.angular_velocity(t)) {
                 assert_close(found, wanted, 1e-27, "ω in the body");
             }
         }

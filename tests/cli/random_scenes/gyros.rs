@@ -8,7 +8,7 @@
 use crate::spoilt::Random;
 use nalgebra::{DMatrix, DVector, Matrix3, Rotation3, Unit, Vector3};
 use std::fmt::Write;
-use tripos_sim::{Failure, Method, Options, Output, integrate};
+use tripos_sim::{Failure, Method, Options, OutputOption, integrate};
 
 /// A step for ∂M/∂q, rad or m.
 const STEP: f64 = 1e-3;
@@ -358,7 +358,7 @@ impl Gyro {
         };
         let options = Options {
             method: Method::Dop853,
-            output: Output::At(instants.to_vec()),
+            output: OutputOption::At(instants.to_vec()),
             ..Options::tolerances(1e-11, 1e-11)
         };
         let end = instants.last().copied().expect("an instant");

@@ -3,12 +3,12 @@
 use nalgebra::{DMatrix, DVector};
 use std::path::Path;
 use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::value::evaluate::Tape;
+use tripos_derive::algebra::value::tape::Tape;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::mechanics::Equations;
 use tripos_derive::scene::{Scene, load};
 use tripos_derive::{Formulation, Model, derive};
-use tripos_sim::{Method, Options, Output, integrate};
+use tripos_sim::{Method, Options, OutputOption, integrate};
 
 /// Instants at which event functions are looked at.
 const INSTANTS: usize = 400;
@@ -75,7 +75,7 @@ impl Whole {
         };
         let options = Options {
             method: Method::Dop853,
-            output: Output::At(instants.to_vec()),
+            output: OutputOption::At(instants.to_vec()),
             ..Options::tolerances(1e-13, 1e-13)
         };
         let span = (instants[0], *instants.last().unwrap());

@@ -5,24 +5,25 @@
 //!   it may also be defined by an earlier elimination step.
 //! - No formula grows beyond its parts: parts that long formulas share have names of their own.
 
-use super::Derived;
+use super::SolvedFormulation;
 use rustc_hash::FxHashSet;
 use serde_json::{Value, json};
 use tripos_derive::Model;
 use tripos_derive::algebra::term::steps::Definition;
+use tripos_derive::algebra::text::display_tree::SharedNames;
 use tripos_derive::algebra::text::print::{long_parts, text_of, whole_view};
-use tripos_derive::algebra::text::view::Shared;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{DerivationInSteps, Equations, LineName, Step};
 
 /// Returns the JSON object of one formulation: its equations, definitions, accelerations and
 /// stages.
-pub fn formulation(model: &Model, Derived { derivation, solved }: &Derived) -> Value {
+pub fn formulation_json(model: &Model, SolvedFormulation { derivation, solved }: &SolvedFormulation) -> Value {
     let DerivationInSteps { arena, equations: e, steps } = derivation;
     let (solved, divisors) = solved.as_ref().map_or((&[][..], &[][..]), |solved| (&solved.steps, &solved.divisors));
     let values = |list: &[Definition]| list.iter().map(|step| step.value).collect::<Vec<_>>();
-    let shown = [shown(e, steps), values(&e.definitions)].concat();
-    let mut writer = Writer::new(arena, e, &[shown.as_slice(), values(solved).as_slice(), divisors].concat());
+    let shown = [formulas_in_derivation_json(e, steps), values(&e.definitions)].concat();
+    let mut writer =
+        JsonFormulaWriter::new(arena, e, &[shown.as_slice(), values(solved).as_slice(), divisors].concat());
     let named = writer.definitions(&e.definitions, &shown);
     let accelerations = writer.definitions(solved, divisors);
     let step = |step: &Step| {
@@ -48,25 +49,25 @@ pub fn formulation(model: &Model, Derived { derivation, solved }: &Derived) -> V
 }
 
 /// Lists every formula of the equations and stages, except those of accelerations and definitions.
-fn shown(e: &Equations, steps: &[Step]) -> Vec<Expr> {
+fn formulas_in_derivation_json(e: &Equations, steps: &[Step]) -> Vec<Expr> {
     let lists = [&e.unknowns, &e.forcing, &e.coordinate_rates, &e.divisors].into_iter().chain(&e.matrix).flatten();
     let lines = steps.iter().flat_map(|step| step.lines.iter().map(|(_, value)| value));
     lists.chain(lines).chain(&[e.kinetic_energy, e.potential_energy, e.power]).copied().collect()
 }
 
 /// Writer of formulas as text, which gives names to the shared parts of long formulas.
-struct Writer<'a> {
+struct JsonFormulaWriter<'a> {
     /// Arena that stores the terms (symbolic expressions).
     arena: &'a Arena,
     /// Names of the parts that formulas share, by term.
-    names: Shared,
+    names: SharedNames,
     /// Shared parts that have names, each after the parts that it contains.
     parts: Vec<Expr>,
     /// Parts whose definitions are already written.
     defined: FxHashSet<Expr>,
 }
 
-impl<'a> Writer<'a> {
+impl<'a> JsonFormulaWriter<'a> {
     /// Finds the shared parts of the given formulas and names them, such as `part_1_kane`.
     fn new(arena: &'a Arena, equations: &Equations, formulas: &[Expr]) -> Self {
         let parts = long_parts(arena, formulas);
@@ -111,7 +112,7 @@ impl<'a> Writer<'a> {
         if self.defined.len() == self.parts.len() {
             return;
         }
-        for part in self.arena.shown(formulas) {
+        for part in self.arena.terms_shown_in_text(formulas) {
             if let Some(name) = self.names.get(&part).filter(|_| !self.defined.contains(&part)) {
                 out.push(json!({ "name": name, "value": self.text(part) }));
                 self.defined.insert(part);

@@ -4,10 +4,10 @@
 //! Invariant: a document has the same layout in LaTeX, Markdown and Typst. Widths are estimates, in
 //! tenths of an em.
 
-use super::document::{Equation, Left, System};
-use super::formulas::{LATEX, Language};
+use super::derivation_document::{Equation, LeftSide, System};
+use super::document_formulas::{DocumentLanguage, LATEX};
+use tripos_derive::algebra::text::display_tree::DisplayTree;
 use tripos_derive::algebra::text::print::formula_width;
-use tripos_derive::algebra::text::view::View;
 
 /// Largest number of characters in the source of a formula that is printed. Nobody would read a
 /// longer formula.
@@ -29,7 +29,7 @@ const MATRIX: usize = 430;
 const TOO_LONG: &str = "an expression too long to print here";
 
 /// Equation laid out for a page, with its right side broken into lines.
-pub struct Laid {
+pub struct EquationLayout {
     /// Left side of the equation, in the document language.
     pub left: String,
     /// Lines of the right side, in the document language; `None` if it is too long to print.
@@ -50,7 +50,7 @@ pub struct RowMarks {
     pub words: fn(&str) -> String,
 }
 
-impl Laid {
+impl EquationLayout {
     /// Returns the text of the equation with the marks of a document language.
     pub fn row(&self, marks: &RowMarks) -> String {
         let next = format!("{}{}", marks.end, marks.deep);
@@ -64,7 +64,7 @@ impl Laid {
 }
 
 /// Lays equations out for a page, in a document language, with their right sides aligned.
-pub fn lay(list: &[Equation], language: &Language) -> Vec<Laid> {
+pub fn lay_out_equations(list: &[Equation], language: &DocumentLanguage) -> Vec<EquationLayout> {
     // Right sides are aligned: they begin behind the widest left side that shares its line.
     let column = list.iter().map(|(left, _)| left_width(left)).filter(|width| *width <= WIDE).max();
     let rest = LINE - column.unwrap_or(0).max(INDENT);
@@ -73,13 +73,13 @@ pub fn lay(list: &[Equation], language: &Language) -> Vec<Laid> {
         let lines = (language.lines)(right, rest);
         let lengths = lines.iter().map(String::len);
         let is_too_long = lengths.clone().sum::<usize>() > LONGEST || lengths.max() > Some(LONGEST_LINE);
-        Laid { left: (language.left)(left), lines: (!is_too_long).then_some(lines), is_wide }
+        EquationLayout { left: (language.left)(left), lines: (!is_too_long).then_some(lines), is_wide }
     };
     list.iter().map(one).collect()
 }
 
 /// Returns the estimated width of a left side, in tenths of an em, with 40 added for spacing.
-fn left_width(left: &Left) -> usize {
+fn left_width(left: &LeftSide) -> usize {
     let shown = (LATEX.left)(left);
     let shown =
         shown.replace("\\mathbf", "").replace("\\boldsymbol", "").replace("\\partial", "d").replace("\\frac", "");
@@ -89,7 +89,7 @@ fn left_width(left: &Left) -> usize {
 
 /// Choice of the layout of a linear system of equations of motion on a page.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub enum Extent {
+pub enum SystemLayout {
     /// The system M x = f is written with matrices, in one line.
     Whole,
     /// The matrix M gets its own line; the entries of f are listed as equations.
@@ -99,36 +99,36 @@ pub enum Extent {
 }
 
 /// Chooses the layout of a linear system by its estimated width.
-pub fn extent(system: &System) -> Extent {
-    let widest = |list: &mut dyn Iterator<Item = &View>| list.map(formula_width).max().unwrap_or(0);
+pub fn extent(system: &System) -> SystemLayout {
+    let widest = |list: &mut dyn Iterator<Item = &DisplayTree>| list.map(formula_width).max().unwrap_or(0);
     let columns = (0..system.unknowns.len()).map(|j| 10 + widest(&mut system.matrix.iter().map(|row| &row[j])));
     let matrix = columns.sum::<usize>() + 40;
     let all = matrix + widest(&mut system.unknowns.iter()) + widest(&mut system.forcing.iter()) + 40;
     match () {
-        () if all <= MATRIX => Extent::Whole,
-        () if matrix <= MATRIX => Extent::Matrix,
-        () => Extent::Entries,
+        () if all <= MATRIX => SystemLayout::Whole,
+        () if matrix <= MATRIX => SystemLayout::Matrix,
+        () => SystemLayout::Entries,
     }
 }
 
 /// Returns the entries of a linear system that a layout lists as equations. None are listed for
-/// `Extent::Whole`.
-pub fn entries(system: &System, extent: Extent) -> Vec<Equation> {
+/// `SystemLayout::WholeModel`.
+pub fn listed_system_entries(system: &System, extent: SystemLayout) -> Vec<Equation> {
     let mut entries = Vec::new();
-    if extent == Extent::Entries {
-        let entry = |(i, j): &(usize, usize)| (Left::Entry('M', vec![i + 1, j + 1]), system.matrix[*i][*j].clone());
+    if extent == SystemLayout::Entries {
+        let entry = |(i, j): &(usize, usize)| (LeftSide::Entry('M', vec![i + 1, j + 1]), system.matrix[*i][*j].clone());
         entries.extend(system.filled.iter().map(entry));
     }
-    if extent != Extent::Whole {
+    if extent != SystemLayout::Whole {
         let forcing = system.forcing.iter().enumerate();
-        entries.extend(forcing.map(|(i, entry)| (Left::Entry('f', vec![i + 1]), entry.clone())));
+        entries.extend(forcing.map(|(i, entry)| (LeftSide::Entry('f', vec![i + 1]), entry.clone())));
     }
     entries
 }
 
 /// Returns a unit with raised powers. The functions `words` and `power` write its parts in a
 /// document language.
-pub fn raised(unit: &str, words: fn(&str) -> String, power: fn(&str) -> String) -> String {
+pub fn unit_with_raised_powers(unit: &str, words: fn(&str) -> String, power: fn(&str) -> String) -> String {
     let unit = unit.replace('*', " ");
     let mut parts = unit.split('^');
     let mut out = words(parts.next().unwrap_or_default());

@@ -9,19 +9,19 @@
 //! All symbols, including coordinates and rates, are plain SymPy symbols. They can be replaced,
 //! differentiated by and compiled one by one.
 
-use super::Derived;
+use super::SolvedFormulation;
 use crate::failure::Failure;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::fmt::Write;
 use tripos_derive::Model;
 use tripos_derive::algebra::term::steps::Definition;
+use tripos_derive::algebra::text::display_tree::{DisplayTree, SharedNames};
 use tripos_derive::algebra::text::print::{sympy_of, whole_view};
-use tripos_derive::algebra::text::view::{Shared, View};
 use tripos_derive::algebra::{Arena, Expr};
 
 /// Words that cannot name variables in the Python program: Python's reserved words, and names that
 /// the program uses.
-const TAKEN: [&str; 42] = [
+const RESERVED_PYTHON_WORDS: [&str; 42] = [
     "False",
     "None",
     "True",
@@ -67,7 +67,7 @@ const TAKEN: [&str; 42] = [
 ];
 
 /// Text of the Python function `evaluated`, the last part of the program.
-const FUNCTION: &str = r#"
+const EVALUATION_FUNCTION: &str = r#"
 
 def evaluated(formulation, values):
     """Values of all symbols: the inputs, named terms, accelerations, and named terms that contain accelerations."""
@@ -81,16 +81,16 @@ def evaluated(formulation, values):
 ///
 /// # Errors
 /// [`Failure::Refused`] if a formula is too long to be written out.
-pub fn sympy(model: &Model, derived: &[Derived]) -> Result<String, Failure> {
+pub fn sympy(model: &Model, derived: &[SolvedFormulation]) -> Result<String, Failure> {
     let names = Names::new(model, derived);
     let mut out = format!("# {}: equations of motion, matrix * unknowns = forcing.\n", model.title);
     out += "# Of rates q1' is q1_dot, of q1'' q1_ddot. Terms that stand by a name are in `named`, each after those that it mentions.\n";
     out += "from types import SimpleNamespace\n\nimport sympy as sp\n";
-    names.declare(&mut out);
+    names.declare_sympy_symbols(&mut out);
     for derived in derived {
-        formulation(&mut out, model, derived, &names)?;
+        write_sympy_formulation(&mut out, model, derived, &names)?;
     }
-    Ok(out + FUNCTION)
+    Ok(out + EVALUATION_FUNCTION)
 }
 
 /// Names of the model's symbols in the Python program.
@@ -106,14 +106,14 @@ struct Names {
 
 impl Names {
     /// Names all symbols that the derived equations contain.
-    fn new(model: &Model, derived: &[Derived]) -> Self {
+    fn new(model: &Model, derived: &[SolvedFormulation]) -> Self {
         let positive = model.parameters.iter().filter(|p| p.positive).map(|p| p.name.clone()).collect();
         let mut names = Self { list: Vec::new(), by_name: FxHashMap::default(), positive };
         // Names without primes come first: `q1_dot` may be the name of a parameter.
         let mut all: Vec<String> = model.parameters.iter().map(|p| p.name.clone()).collect();
         all.extend(model.coordinates.iter().map(|c| c.name.clone()));
         all.extend(model.speeds.iter().map(|s| s.name.clone()));
-        for Derived { derivation, solved } in derived {
+        for SolvedFormulation { derivation, solved } in derived {
             let (arena, e) = (&derivation.arena, &derivation.equations);
             let named = e.definitions.iter().chain(solved.iter().flat_map(|solved| &solved.steps));
             let named: Vec<Expr> = named.flat_map(|step| [step.symbol, step.value]).collect();
@@ -126,16 +126,16 @@ impl Names {
         }
         let is_primed = |name: &String| name.ends_with('\'');
         let (primed, plain): (Vec<_>, Vec<_>) = all.into_iter().partition(is_primed);
-        let mut taken: FxHashSet<String> = TAKEN.iter().map(|word| (*word).to_owned()).collect();
+        let mut taken: FxHashSet<String> = RESERVED_PYTHON_WORDS.iter().map(|word| (*word).to_owned()).collect();
         for name in plain.into_iter().chain(primed) {
-            names.add(name, &mut taken);
+            names.add_sympy_name(name, &mut taken);
         }
         names
     }
 
     /// Adds a symbol of this name, unless it has a name in the program already. `taken` are the
     /// names in use.
-    fn add(&mut self, name: String, taken: &mut FxHashSet<String>) {
+    fn add_sympy_name(&mut self, name: String, taken: &mut FxHashSet<String>) {
         if self.by_name.contains_key(&name) {
             return;
         }
@@ -155,12 +155,12 @@ impl Names {
     }
 
     /// Returns the name of a symbol in the program; an unknown name is returned unchanged.
-    fn variable<'a>(&'a self, name: &'a str) -> &'a str {
+    fn sympy_name<'a>(&'a self, name: &'a str) -> &'a str {
         self.by_name.get(name).map_or(name, |at| &self.list[*at].1)
     }
 
     /// Writes the Python lines that declare the symbols, as positive or real.
-    fn declare(&self, out: &mut String) {
+    fn declare_sympy_symbols(&self, out: &mut String) {
         out.push('\n');
         for (name, variable) in &self.list {
             let kind = if self.positive.contains(name) { "positive" } else { "real" };
@@ -176,15 +176,20 @@ struct Writer<'a> {
     /// Names of the symbols in the Python program.
     names: &'a Names,
     /// Names in the program, by symbol of the arena.
-    symbols: Shared,
+    symbols: SharedNames,
 }
 
 /// Writes the Python statements that define one formulation.
 ///
 /// # Errors
 /// [`Failure::Refused`] if a formula is too long to be written out.
-fn formulation(out: &mut String, model: &Model, derived: &Derived, names: &Names) -> Result<(), Failure> {
-    let Derived { derivation, solved } = derived;
+fn write_sympy_formulation(
+    out: &mut String,
+    model: &Model,
+    derived: &SolvedFormulation,
+    names: &Names,
+) -> Result<(), Failure> {
+    let SolvedFormulation { derivation, solved } = derived;
     let (arena, e) = (&derivation.arena, &derivation.equations);
     let writer = Writer::new(arena, names);
     let this = e.formulation.name().replace('-', "_");
@@ -192,21 +197,21 @@ fn formulation(out: &mut String, model: &Model, derived: &Derived, names: &Names
     let _ = writeln!(out, "{this} = SimpleNamespace()");
     let named = writer.definitions(&e.definitions)?;
     let _ = writeln!(out, "{this}.named = [{named}]");
-    let _ = writeln!(out, "{this}.unknowns = {}", writer.column(&e.unknowns)?);
+    let _ = writeln!(out, "{this}.unknowns = {}", writer.sympy_column(&e.unknowns)?);
     let rows: Result<Vec<String>, Failure> =
-        e.matrix.iter().map(|row| Ok(format!("    [{}],\n", writer.list(row)?))).collect();
+        e.matrix.iter().map(|row| Ok(format!("    [{}],\n", writer.sympy_list(row)?))).collect();
     let rows = rows?.concat();
     let matrix = if rows.is_empty() { "sp.zeros(0, 0)".to_owned() } else { format!("sp.Matrix([\n{rows}])") };
     let _ = writeln!(out, "{this}.mass_matrix = {matrix}");
-    let _ = writeln!(out, "{this}.forcing = {}", writer.column(&e.forcing)?);
-    let _ = writeln!(out, "{this}.coordinates = {}", writer.column(&e.coordinates)?);
-    let _ = writeln!(out, "{this}.coordinate_rates = {}", writer.column(&e.coordinate_rates)?);
+    let _ = writeln!(out, "{this}.forcing = {}", writer.sympy_column(&e.forcing)?);
+    let _ = writeln!(out, "{this}.coordinates = {}", writer.sympy_column(&e.coordinates)?);
+    let _ = writeln!(out, "{this}.coordinate_rates = {}", writer.sympy_column(&e.coordinate_rates)?);
     for (name, value) in
         [("kinetic_energy", e.kinetic_energy), ("potential_energy", e.potential_energy), ("power", e.power)]
     {
         let _ = writeln!(out, "{this}.{name} = sp.sympify({})", writer.formula(value)?);
     }
-    let _ = writeln!(out, "{this}.singular_where = [{}]", writer.list(&e.divisors)?);
+    let _ = writeln!(out, "{this}.singular_where = [{}]", writer.sympy_list(&e.divisors)?);
     let steps = solved.as_ref().map_or(&[][..], |solved| &solved.steps);
     let _ = writeln!(out, "{this}.accelerations = [{}]", writer.definitions(steps)?);
     Ok(())
@@ -228,7 +233,7 @@ impl<'a> Writer<'a> {
     /// [`Failure::Refused`] if the expression is too long to be written out.
     fn formula(&self, e: Expr) -> Result<String, Failure> {
         let text = match whole_view(self.arena, e, &self.symbols) {
-            View::Name(name) => self.names.variable(&name).to_owned(),
+            DisplayTree::Name(name) => self.names.sympy_name(&name).to_owned(),
             view => sympy_of(&view),
         };
         if text.contains('…') {
@@ -243,15 +248,19 @@ impl<'a> Writer<'a> {
 
     /// Returns terms as Python expressions with commas between them.
     /// `Err` if an expression is too long to be written out.
-    fn list(&self, list: &[Expr]) -> Result<String, Failure> {
+    fn sympy_list(&self, list: &[Expr]) -> Result<String, Failure> {
         let list: Result<Vec<String>, Failure> = list.iter().map(|e| self.formula(*e)).collect();
         Ok(list?.join(", "))
     }
 
     /// Returns terms as a SymPy column vector.
     /// `Err` if an expression is too long to be written out.
-    fn column(&self, list: &[Expr]) -> Result<String, Failure> {
-        Ok(if list.is_empty() { "sp.zeros(0, 1)".to_owned() } else { format!("sp.Matrix([{}])", self.list(list)?) })
+    fn sympy_column(&self, list: &[Expr]) -> Result<String, Failure> {
+        Ok(if list.is_empty() {
+            "sp.zeros(0, 1)".to_owned()
+        } else {
+            format!("sp.Matrix([{}])", self.sympy_list(list)?)
+        })
     }
 
     /// Returns definitions as Python pairs of a symbol and its value, one per line.

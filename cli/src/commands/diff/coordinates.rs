@@ -2,7 +2,7 @@
 
 use super::{Comparison, CoordinateReport, verdicts};
 use crate::failure::Failure;
-use crate::judgement::Judged;
+use crate::judgement::JudgedPublication;
 use crate::workspace::model_file;
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -24,21 +24,21 @@ pub fn in_found_coordinates(model: &Mechanism, other: &Path) -> Result<Compariso
         let what = "--find-coordinates is about a publication, and this file is a model";
         return Err(Failure::request(what, "name a publication file, or leave out --find-coordinates"));
     }
-    let mut stated = Judged::new(model, &source)?;
+    let mut stated = JudgedPublication::new(model, &source)?;
     let search = find_coordinates(&stated.model, &mut stated.derivations, &stated.publication).map_err(|why| {
         let help = "state the coordinates of the publication in [coordinates]";
         Failure::request(format!("the coordinates cannot be searched for: {why}"), help)
     })?;
-    let report = CoordinateReport { text: words(&search), json: value(&search) };
+    let report = CoordinateReport { text: coordinate_search_text(&search), json: coordinate_search_json(&search) };
     let judged = match search.best.as_slice() {
-        [table] => Judged::new_in(model, &source, table)?,
-        _ => Judged::new(model, &source)?,
+        [table] => JudgedPublication::judge_in_coordinates(model, &source, table)?,
+        _ => JudgedPublication::new(model, &source)?,
     };
     Ok(verdicts(judged, Some(report)))
 }
 
 /// Returns the result of the search as text.
-fn words(search: &CoordinateSearch) -> String {
+fn coordinate_search_text(search: &CoordinateSearch) -> String {
     let CoordinateSearch { compared, as_stated, most, best, tried } = search;
     let mut out = format!("{tried} choices of coordinates were tried, in numbers, with {compared} formulas.\n");
     match best.as_slice() {
@@ -52,7 +52,7 @@ fn words(search: &CoordinateSearch) -> String {
             let _ = writeln!(
                 out,
                 "{most} of {compared} are right, {as_stated} before, in these coordinates:\n\n{}",
-                table(one)
+                coordinates_table(one)
             );
             out.push_str("The verdicts are proved in these coordinates.\n");
         }
@@ -63,7 +63,7 @@ fn words(search: &CoordinateSearch) -> String {
                 several.len()
             );
             for one in several {
-                let _ = writeln!(out, "\n{}", table(one));
+                let _ = writeln!(out, "\n{}", coordinates_table(one));
             }
             out.push_str("None of them is better. The verdicts are those in the coordinates stated.\n");
         }
@@ -73,13 +73,13 @@ fn words(search: &CoordinateSearch) -> String {
 }
 
 /// Returns the table `[coordinates]` as a publication file states it.
-fn table(table: &CoordinateTable) -> String {
+fn coordinates_table(table: &CoordinateTable) -> String {
     let lines = table.iter().map(|(name, formula)| format!("{name} = \"{formula}\"\n"));
     format!("[coordinates]\n{}", lines.collect::<String>())
 }
 
 /// Returns the result of the search as JSON.
-fn value(search: &CoordinateSearch) -> Value {
+fn coordinate_search_json(search: &CoordinateSearch) -> Value {
     let table = |table: &CoordinateTable| {
         let pairs = table.iter().map(|(name, formula)| (name.clone(), json!(formula)));
         Value::Object(pairs.collect())

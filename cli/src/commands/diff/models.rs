@@ -7,23 +7,23 @@
 use super::Comparison;
 use crate::failure::Failure;
 use crate::glossary::{names_json, names_text};
-use crate::phrases::{entries, shortened};
+use crate::phrases::{entry_count_words, shorten_formula};
 use crate::workspace::short_name;
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;
-use tripos_codegen::scene_files::{name_beside, scene_files};
+use tripos_codegen::scene_files::{scene_files, scene_path_from_model};
 use tripos_derive::Model;
 use tripos_derive::algebra::meaning::compare::Verdict;
-use tripos_derive::algebra::text::print::{text, whole_text};
+use tripos_derive::algebra::text::print::{print_text, print_whole_text};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diagnostic::{Diagnostics, Source};
 use tripos_derive::diff::{
-    Change, Declaration, Derived, Edit, ModelDifference, Property, Section, Setting, VariableChange, diff_models,
-    diff_scenes,
+    Declaration, DerivedModel, Edit, EntryChange, ModelDifference, Property, Section, SettingChange, VariableChange,
+    diff_models, diff_scenes,
 };
 use tripos_derive::mechanics::derive_all;
-use tripos_derive::plain::path_in_line;
+use tripos_derive::plain_text::path_in_line;
 use tripos_derive::prove::prove;
 
 /// Largest number of lines of each kind in the text. Further lines are only counted.
@@ -35,8 +35,8 @@ const SHOWN: usize = 16;
 /// # Errors
 /// `Failure` if a model cannot be derived, or a scene file cannot be read.
 pub fn diff(old: &Model, new: &Model) -> Result<Comparison, Failure> {
-    let (difference, arena) = compared(old, new, Scope::EquationsAndIntegrals)?;
-    let scenes = scenes(&old.source.path, &new.source.path)?;
+    let (difference, arena) = compare_derivations(old, new, Scope::EquationsAndIntegrals)?;
+    let scenes = scene_changes(&old.source.path, &new.source.path)?;
     Ok(Comparison {
         is_clean: difference.is_empty() && scenes.is_empty(),
         text: text_of(old, new, &arena, &difference, &scenes),
@@ -55,15 +55,15 @@ enum Scope {
 
 /// Derives both models and compares them. The returned arena holds the terms of the difference.
 /// `Err` if a model cannot be derived.
-fn compared(old: &Model, new: &Model, scope: Scope) -> Result<(ModelDifference, Arena), Diagnostics> {
+fn compare_derivations(old: &Model, new: &Model, scope: Scope) -> Result<(ModelDifference, Arena), Diagnostics> {
     let with_integrals = scope == Scope::EquationsAndIntegrals;
     let mut before = derive_all(old).map_err(|error| old.diagnose(&error))?;
     let mut after = derive_all(new).map_err(|error| new.diagnose(&error))?;
     let old_proof = with_integrals.then(|| prove(old, &mut before));
     let new_proof = with_integrals.then(|| prove(new, &mut after));
     let difference = diff_models(
-        &mut Derived { model: old, derivations: &mut before, proof: old_proof.as_ref() },
-        &mut Derived { model: new, derivations: &mut after, proof: new_proof.as_ref() },
+        &mut DerivedModel { model: old, derivations: &mut before, proof: old_proof.as_ref() },
+        &mut DerivedModel { model: new, derivations: &mut after, proof: new_proof.as_ref() },
     );
     difference.write_names(&mut after);
     Ok((difference, after.kinematics.arena))
@@ -75,10 +75,10 @@ fn compared(old: &Model, new: &Model, scope: Scope) -> Result<(ModelDifference, 
 /// # Errors
 /// [`Diagnostics`] if a model cannot be derived.
 pub fn changed_equations(old: &Model, new: &Model) -> Result<Option<String>, Diagnostics> {
-    let (difference, arena) = compared(old, new, Scope::Equations)?;
+    let (difference, arena) = compare_derivations(old, new, Scope::Equations)?;
     let mut out = String::new();
-    equations(&mut out, &arena, &difference);
-    Ok((!difference.has_same_equations()).then(|| out + &names_text(&arena, &shown(&difference))))
+    write_equation_changes(&mut out, &arena, &difference);
+    Ok((!difference.has_same_equations()).then(|| out + &names_text(&arena, &formulas_in_text(&difference))))
 }
 
 /// Change of one scene between two models.
@@ -96,20 +96,20 @@ enum SceneEdit {
     /// Only the old model has the scene.
     Removed,
     /// Both models have the scene, and these settings differ.
-    Changed(Vec<Setting>),
+    Changed(Vec<SettingChange>),
 }
 
 /// Returns the changes between the scenes of two models. Empty if a model has no scene: a model
 /// file without its folder does not mean that its scenes were removed.
 /// `Err` if a scene file cannot be read.
-fn scenes(old: &Path, new: &Path) -> Result<Vec<SceneChange>, Diagnostics> {
+fn scene_changes(old: &Path, new: &Path) -> Result<Vec<SceneChange>, Diagnostics> {
     let (before, after) = (scene_files(old), scene_files(new));
     let mut list = Vec::new();
     if before.is_empty() || after.is_empty() {
         return Ok(list);
     }
-    let find = |name: &str| before.iter().find(|path| name_beside(old, path) == name);
-    let names: Vec<String> = after.iter().map(|path| name_beside(new, path)).collect();
+    let find = |name: &str| before.iter().find(|path| scene_path_from_model(old, path) == name);
+    let names: Vec<String> = after.iter().map(|path| scene_path_from_model(new, path)).collect();
     for (path, name) in after.iter().zip(&names) {
         let kind = match find(name) {
             None => SceneEdit::Added,
@@ -119,13 +119,13 @@ fn scenes(old: &Path, new: &Path) -> Result<Vec<SceneChange>, Diagnostics> {
             list.push(SceneChange { name: name.clone(), kind });
         }
     }
-    let gone = before.iter().map(|path| name_beside(old, path)).filter(|name| !names.contains(name));
+    let gone = before.iter().map(|path| scene_path_from_model(old, path)).filter(|name| !names.contains(name));
     list.extend(gone.map(|name| SceneChange { name, kind: SceneEdit::Removed }));
     Ok(list)
 }
 
 /// Returns the word for the change of an entry: `undecided`, `different`, `added` or `removed`.
-fn word(change: &Change) -> &'static str {
+fn change_word(change: &EntryChange) -> &'static str {
     match (&change.verdict, change.old) {
         (Some(Verdict::Undecided(_)), _) => "undecided",
         (Some(_), _) => "different",
@@ -136,11 +136,11 @@ fn word(change: &Change) -> &'static str {
 
 /// Returns the comparison of two models as JSON.
 fn json_of(old: &Model, new: &Model, arena: &Arena, difference: &ModelDifference, scenes: &[SceneChange]) -> Value {
-    let shown = |e: Option<Expr>| e.map(|e| whole_text(arena, e));
-    let equation = |c: &Change| {
+    let shown = |e: Option<Expr>| e.map(|e| print_whole_text(arena, e));
+    let equation = |c: &EntryChange| {
         json!({
             "id": c.name,
-            "verdict": word(c),
+            "verdict": change_word(c),
             "old": shown(c.old),
             "new": shown(c.new),
             "difference": shown(c.difference),
@@ -190,7 +190,7 @@ fn scene_json(scene: &SceneChange) -> Value {
         SceneEdit::Added => json!({ "scene": name, "edit": "added" }),
         SceneEdit::Removed => json!({ "scene": name, "edit": "removed" }),
         SceneEdit::Changed(settings) => {
-            let of = |s: &Setting| json!({ "key": s.key, "old": s.old, "new": s.new });
+            let of = |s: &SettingChange| json!({ "key": s.key, "old": s.old, "new": s.new });
             json!({ "scene": name, "edit": "changed", "settings": settings.iter().map(of).collect::<Vec<_>>() })
         }
     }
@@ -199,32 +199,32 @@ fn scene_json(scene: &SceneChange) -> Value {
 /// Returns the comparison of two models as text.
 fn text_of(old: &Model, new: &Model, arena: &Arena, difference: &ModelDifference, scenes: &[SceneChange]) -> String {
     let mut out = format!("{} -> {}\n", path_in_line(&old.source.path), path_in_line(&new.source.path));
-    equations(&mut out, arena, difference);
+    write_equation_changes(&mut out, arena, difference);
     let renamed = !difference.variables.is_empty();
     for (what, names) in
         [("no longer found conserved", &difference.integrals_lost), ("now conserved", &difference.integrals_gained)]
     {
         if !names.is_empty() && !renamed {
             let _ = writeln!(out, "{what}:");
-            list(&mut out, names);
+            write_limited_lines(&mut out, names);
         }
     }
     for line in declaration_lines(&difference.declarations) {
-        let _ = writeln!(out, "{}", shortened(&line));
+        let _ = writeln!(out, "{}", shorten_formula(&line));
     }
     if !scenes.is_empty() {
         out.push_str("scenes differ:\n");
-        list(&mut out, &scenes.iter().map(scene_line).collect::<Vec<_>>());
+        write_limited_lines(&mut out, &scenes.iter().map(scene_line).collect::<Vec<_>>());
     }
     if difference.declarations.is_empty() && scenes.is_empty() {
         out.push_str("defaults, units, domain, elements and scenes: the same\n");
     }
-    out + &names_text(arena, &shown(difference))
+    out + &names_text(arena, &formulas_in_text(difference))
 }
 
 /// Writes lines about the changes of the equations of motion, at most 16 of each kind.
-fn equations(out: &mut String, arena: &Arena, difference: &ModelDifference) {
-    let (count, compared) = (difference.changes.len(), entries(difference.compared));
+fn write_equation_changes(out: &mut String, arena: &Arena, difference: &ModelDifference) {
+    let (count, compared) = (difference.changes.len(), entry_count_words(difference.compared));
     if difference.has_same_equations() {
         let _ = writeln!(out, "equations of motion: the same, {compared} compared by algebra");
     } else if !difference.variables.is_empty() {
@@ -233,7 +233,7 @@ fn equations(out: &mut String, arena: &Arena, difference: &ModelDifference) {
             "equations of motion: proved the same in other variables; {count} of {compared} read otherwise"
         );
         let line = |v: &VariableChange| format!("old {} {} is {}", v.kind.noun(), v.old, v.new);
-        list(out, &difference.variables.iter().map(line).collect::<Vec<_>>());
+        write_limited_lines(out, &difference.variables.iter().map(line).collect::<Vec<_>>());
         return;
     } else {
         let _ = writeln!(out, "equations of motion: {count} of {compared} changed");
@@ -244,11 +244,11 @@ fn equations(out: &mut String, arena: &Arena, difference: &ModelDifference) {
     for formulation in &difference.formulations_gained {
         let _ = writeln!(out, "  now derived: {}", formulation.name());
     }
-    list(out, &difference.changes.iter().map(|change| change_line(arena, change)).collect::<Vec<_>>());
+    write_limited_lines(out, &difference.changes.iter().map(|change| change_line(arena, change)).collect::<Vec<_>>());
 }
 
 /// Lists the formulas of the changes that the text shows.
-fn shown(difference: &ModelDifference) -> Vec<Expr> {
+fn formulas_in_text(difference: &ModelDifference) -> Vec<Expr> {
     let count = if difference.variables.is_empty() { SHOWN } else { 0 };
     let changes = difference.changes.iter().take(count);
     changes.flat_map(|change| [change.old, change.new, change.difference]).flatten().collect()
@@ -256,9 +256,9 @@ fn shown(difference: &ModelDifference) -> Vec<Expr> {
 
 /// Writes lines under a heading. Of more than 16 lines, only the first 16 are written, and the
 /// number of the rest.
-fn list(out: &mut String, lines: &[String]) {
+fn write_limited_lines(out: &mut String, lines: &[String]) {
     for line in lines.iter().take(SHOWN) {
-        let _ = writeln!(out, "  {}", shortened(line));
+        let _ = writeln!(out, "  {}", shorten_formula(line));
     }
     if let Some(more @ 1..) = lines.len().checked_sub(SHOWN) {
         let _ = writeln!(out, "  … and {more} more, which `tripos diff OLD NEW --json` has");
@@ -267,12 +267,12 @@ fn list(out: &mut String, lines: &[String]) {
 
 /// Returns the line about a changed entry: its difference, or its old and new value if that is
 /// shorter.
-fn change_line(arena: &Arena, change: &Change) -> String {
-    let (name, text) = (&change.name, |e| text(arena, e));
+fn change_line(arena: &Arena, change: &EntryChange) -> String {
+    let (name, text) = (&change.name, |e| print_text(arena, e));
     match (change.old, change.new, change.difference) {
         (Some(old), Some(new), Some(difference)) => {
             let (values, difference) = (format!("{} -> {}", text(old), text(new)), text(difference));
-            let is_undecided = if word(change) == "undecided" { " (undecided)" } else { "" };
+            let is_undecided = if change_word(change) == "undecided" { " (undecided)" } else { "" };
             if values.len() < difference.len() {
                 format!("{name}{is_undecided}: {values}")
             } else {
@@ -281,7 +281,7 @@ fn change_line(arena: &Arena, change: &Change) -> String {
         }
         (_, Some(new), _) => format!("{name}: added, {}", text(new)),
         (Some(old), ..) => format!("{name}: removed, {}", text(old)),
-        (None, None, _) => format!("{name}: {}", word(change)),
+        (None, None, _) => format!("{name}: {}", change_word(change)),
     }
 }
 
@@ -321,7 +321,7 @@ fn scene_line(scene: &SceneChange) -> String {
         SceneEdit::Added => format!("{name}: added"),
         SceneEdit::Removed => format!("{name}: removed"),
         SceneEdit::Changed(settings) => {
-            let of = |s: &Setting| format!("{} {} -> {}", s.key, value(&s.old), value(&s.new));
+            let of = |s: &SettingChange| format!("{} {} -> {}", s.key, value(&s.old), value(&s.new));
             format!("{name}: {}", settings.iter().map(of).collect::<Vec<_>>().join("; "))
         }
     }

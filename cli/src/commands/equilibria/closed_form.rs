@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 use std::fmt::Write;
-use tripos::studies::steady::{ClosedForm, Conditions, Formula, NamedFormula, Solved};
+use tripos::studies::steady::{ClosedForm, Conditions, Formula, NamedFormula, SolutionBranch};
 
 /// Largest number of solutions in the text for each kind of motion. JSON lists all solutions.
 const MOST_BRANCHES: usize = 6;
@@ -13,19 +13,19 @@ const MOST_LETTERS: usize = 240;
 pub fn text(found: &ClosedForm) -> String {
     let mut out = "in closed form\n".to_owned();
     for conditions in &found.list {
-        let _ = writeln!(out, "{}", heading(conditions));
+        let _ = writeln!(out, "{}", condition_heading(conditions));
         for velocity in conditions.along.iter().filter(|v| !v.is_rate) {
             let _ = writeln!(out, "    {}: the velocity along {}", velocity.name, velocity.along);
         }
         for equation in &conditions.equations {
-            let _ = writeln!(out, "    {} = 0", short(&equation.text));
+            let _ = writeln!(out, "    {} = 0", shorten_formula(&equation.text));
         }
         if conditions.too_large > 0 {
             let count = conditions.too_large;
             let _ = writeln!(
                 out,
                 "    {count} more {}",
-                plural(count, "equation that is too large", "equations that are too large")
+                plural_form(count, "equation that is too large", "equations that are too large")
             );
         }
         if !conditions.divided_by.is_empty() && conditions.too_large == 0 {
@@ -36,7 +36,7 @@ pub fn text(found: &ClosedForm) -> String {
         }
         if conditions.branches.len() > MOST_BRANCHES {
             let count = conditions.branches.len() - MOST_BRANCHES;
-            let _ = writeln!(out, "  and {count} more {}: --json has all", plural(count, "solution", "solutions"));
+            let _ = writeln!(out, "  and {count} more {}: --json has all", plural_form(count, "solution", "solutions"));
         }
         let _ = match (conditions.complete, conditions.branches.is_empty()) {
             (true, true) if !conditions.equations.is_empty() => writeln!(out, "  no solution there"),
@@ -49,7 +49,7 @@ pub fn text(found: &ClosedForm) -> String {
 }
 
 /// Returns the heading of a set of conditions: rest, or steady motion along symmetries.
-fn heading(conditions: &Conditions) -> String {
+fn condition_heading(conditions: &Conditions) -> String {
     let names: Vec<&str> = conditions.along.iter().map(|v| v.name.as_str()).collect();
     let what = if conditions.rest {
         "rest".to_owned()
@@ -63,12 +63,12 @@ fn heading(conditions: &Conditions) -> String {
 }
 
 /// Returns the singular for a count of 1, and otherwise the plural.
-fn plural(count: usize, one: &'static str, more: &'static str) -> &'static str {
+fn plural_form(count: usize, one: &'static str, more: &'static str) -> &'static str {
     if count == 1 { one } else { more }
 }
 
 /// Shortens a formula of more than 240 characters to its beginning, and states its length.
-fn short(text: &str) -> String {
+fn shorten_formula(text: &str) -> String {
     let letters = text.chars().count();
     if letters <= MOST_LETTERS {
         return text.to_owned();
@@ -79,27 +79,27 @@ fn short(text: &str) -> String {
 
 /// Returns the divisors as conditions `… != 0`.
 fn not_zero(list: &[Formula]) -> String {
-    let list: Vec<String> = list.iter().map(|e| format!("{} != 0", short(&e.text))).collect();
+    let list: Vec<String> = list.iter().map(|e| format!("{} != 0", shorten_formula(&e.text))).collect();
     list.join(", ")
 }
 
 /// Returns a solution of the conditions as text: solved unknowns, inequalities, and equations that
 /// remain.
-fn branch_text(branch: &Solved) -> String {
-    let equal = |told: &NamedFormula| format!("{} = {}", told.name.text, short(&told.value.text));
+fn branch_text(branch: &SolutionBranch) -> String {
+    let equal = |told: &NamedFormula| format!("{} = {}", told.name.text, shorten_formula(&told.value.text));
     let mut parts: Vec<String> = branch.solved.iter().map(equal).collect();
     if parts.is_empty() {
         parts.push("what is not solved for".to_owned());
     }
     let mut out = parts.join(", ");
-    let needs = branch.needs.iter().map(|need| short(&need.text));
+    let needs = branch.needs.iter().map(|need| shorten_formula(&need.text));
     let conditions: Vec<String> =
-        needs.chain(branch.divided_by.iter().map(|e| format!("{} != 0", short(&e.text)))).collect();
+        needs.chain(branch.divided_by.iter().map(|e| format!("{} != 0", shorten_formula(&e.text)))).collect();
     if !conditions.is_empty() {
         let _ = write!(out, ", if {}", conditions.join(", "));
     }
     if !branch.left.is_empty() {
-        let left: Vec<String> = branch.left.iter().map(|e| format!("{} = 0", short(&e.text))).collect();
+        let left: Vec<String> = branch.left.iter().map(|e| format!("{} = 0", shorten_formula(&e.text))).collect();
         let _ = write!(out, "; with {}, which is left", left.join(", "));
     }
     out
@@ -113,32 +113,32 @@ pub fn json(found: &ClosedForm) -> Value {
 /// Returns one set of conditions as JSON.
 fn json_of(conditions: &Conditions) -> Value {
     let along = conditions.along.iter().map(|v| json!({ "name": v.name, "along": v.along }));
-    let branch = |branch: &Solved| {
+    let branch = |branch: &SolutionBranch| {
         json!({
-            "solved": all_told(&branch.solved), "needs": all(&branch.needs),
-            "divided_by": all(&branch.divided_by), "left": all(&branch.left),
+            "solved": named_formulas_json(&branch.solved), "needs": formulas_json(&branch.needs),
+            "divided_by": formulas_json(&branch.divided_by), "left": formulas_json(&branch.left),
         })
     };
     json!({
         "rest": conditions.rest,
         "along": along.collect::<Vec<_>>(),
-        "speeds": all_told(&conditions.speeds),
+        "speeds": named_formulas_json(&conditions.speeds),
         "unknowns": conditions.unknowns,
-        "equations": all(&conditions.equations),
+        "equations": formulas_json(&conditions.equations),
         "too_large": conditions.too_large,
-        "divided_by": all(&conditions.divided_by),
+        "divided_by": formulas_json(&conditions.divided_by),
         "branches": conditions.branches.iter().map(branch).collect::<Vec<_>>(),
         "complete": conditions.complete,
     })
 }
 
 /// Returns formulas as JSON, each as text and in LaTeX.
-fn all(list: &[Formula]) -> Vec<Value> {
+fn formulas_json(list: &[Formula]) -> Vec<Value> {
     list.iter().map(|e| json!({ "formula": e.text, "latex": e.latex })).collect()
 }
 
 /// Returns named formulas as JSON, each with its name.
-fn all_told(list: &[NamedFormula]) -> Vec<Value> {
+fn named_formulas_json(list: &[NamedFormula]) -> Vec<Value> {
     let told = |told: &NamedFormula| {
         json!({
             "name": told.name.text, "formula": told.value.text,

@@ -1,25 +1,28 @@
 //! Output for a steady motion that is followed along one number, or over two numbers.
 
-use super::super::linearise::value_text;
-use super::figure;
+use super::super::linearise::eigenvalue_text;
+use super::equilibria_figure;
 use super::point_of;
 use super::range::Range;
-use crate::failure::{Failure, Output, print, print_json, say};
+use crate::failure::{Failure, Output, print, print_json, print_to_stderr};
 use crate::workspace::short_name;
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;
 use tripos::Mechanism;
-use tripos::studies::steady::{Course, Crossing, CrossingKind, Map, Point, follow, map};
+use tripos::studies::steady::{
+    Continuation, ContinuationMap, ContinuationPoint, CrossingKind, StabilityCrossing, continuation_map,
+    continue_steady_motion,
+};
 use tripos_derive::diagnostic::Source;
-use tripos_derive::scene::load_asked;
+use tripos_derive::scene::load_state_with_unknowns;
 
 /// Follows a steady motion along the values of a number, prints stability and eigenvalues, and
 /// draws them if `out` is given. Returns the exit status.
 ///
 /// # Errors
 /// [`Failure`] if there is no steady motion at the first value, or if the figure cannot be written.
-pub fn along(
+pub fn follow_along_number(
     model: &mut Mechanism,
     source: &Source,
     range: &Range,
@@ -27,8 +30,8 @@ pub fn along(
     output: Output,
 ) -> Result<u8, Failure> {
     let of_model = model.clone();
-    let mut asked_at = |value: f64| Ok(load_asked(source, model, &[(range.name.clone(), value)])?);
-    let course = follow(&of_model, &mut asked_at, &range.values)?;
+    let mut asked_at = |value: f64| Ok(load_state_with_unknowns(source, model, &[(range.name.clone(), value)])?);
+    let course = continue_steady_motion(&of_model, &mut asked_at, &range.values)?;
     if output == Output::Json {
         let mut value = json_of(&course);
         value["model"] = json!(short_name(model));
@@ -37,7 +40,7 @@ pub fn along(
     } else {
         print(&course_text(model, &range.name, &course))?;
     }
-    out.map_or(Ok(()), |out| figure::modes(out, &range.name, &course))?;
+    out.map_or(Ok(()), |out| equilibria_figure::draw_eigenvalues(out, &range.name, &course))?;
     Ok(0)
 }
 
@@ -46,7 +49,7 @@ pub fn along(
 ///
 /// # Errors
 /// [`Failure`] if there is no steady motion for any value, or if the figure cannot be written.
-pub fn over_two(
+pub fn map_over_two_numbers(
     model: &mut Mechanism,
     source: &Source,
     [first, second]: [&Range; 2],
@@ -54,9 +57,10 @@ pub fn over_two(
     output: Output,
 ) -> Result<u8, Failure> {
     let of_model = model.clone();
-    let mut asked_at =
-        |one: f64, two: f64| Ok(load_asked(source, model, &[(first.name.clone(), one), (second.name.clone(), two)])?);
-    let found = map(&of_model, &mut asked_at, &first.values, &second.values)?;
+    let mut asked_at = |one: f64, two: f64| {
+        Ok(load_state_with_unknowns(source, model, &[(first.name.clone(), one), (second.name.clone(), two)])?)
+    };
+    let found = continuation_map(&of_model, &mut asked_at, &first.values, &second.values)?;
     let names = [first.name.as_str(), second.name.as_str()];
     if output == Output::Json {
         let row = |(value, course): &(f64, _)| match course {
@@ -72,18 +76,18 @@ pub fn over_two(
     } else {
         print(&map_text(model, names, &found))?;
     }
-    out.map_or(Ok(()), |out| figure::map(out, names, &found))?;
+    out.map_or(Ok(()), |out| equilibria_figure::draw_stability_map(out, names, &found))?;
     Ok(0)
 }
 
 /// Returns a followed motion as JSON: points with eigenvalues, and crossings of the imaginary axis.
-fn json_of(course: &Course) -> Value {
-    let point = |point: &Point| {
+fn json_of(course: &Continuation) -> Value {
+    let point = |point: &ContinuationPoint| {
         let mut value = point_of(&point.about);
         value["value"] = json!(point.value);
         value
     };
-    let crossing = |c: &Crossing| json!({ "kind": c.kind.name(), "value": c.value, "frequency": c.frequency });
+    let crossing = |c: &StabilityCrossing| json!({ "kind": c.kind.name(), "value": c.value, "frequency": c.frequency });
     json!({
         "points": course.points.iter().map(point).collect::<Vec<_>>(),
         "crossings": course.crossings.iter().map(crossing).collect::<Vec<_>>(),
@@ -92,11 +96,11 @@ fn json_of(course: &Course) -> Value {
 }
 
 /// Returns a followed motion as text, a line for each value of the number `name`.
-fn course_text(model: &Mechanism, name: &str, course: &Course) -> String {
+fn course_text(model: &Mechanism, name: &str, course: &Continuation) -> String {
     let mut out = format!("{}, over {name}\n\n", model.title);
     for point in &course.points {
         let list = point.about.modes.iter().filter(|mode| mode.value[1] >= 0.0);
-        let list: Vec<String> = list.map(|mode| value_text(mode, 9)).collect();
+        let list: Vec<String> = list.map(|mode| eigenvalue_text(mode, 9)).collect();
         let _ = writeln!(out, "{name} = {}: {}; {}", point.value, point.about.stability.name(), list.join(", "));
     }
     if !course.crossings.is_empty() {
@@ -112,7 +116,7 @@ fn course_text(model: &Mechanism, name: &str, course: &Course) -> String {
 }
 
 /// Returns a line about a change of stability at a value of the number `name`.
-fn crossing_text(name: &str, crossing: &Crossing) -> String {
+fn crossing_text(name: &str, crossing: &StabilityCrossing) -> String {
     let value = crossing.value;
     match crossing.kind {
         CrossingKind::Real => format!("{name} = {value}: a real eigenvalue passes 0"),
@@ -124,7 +128,7 @@ fn crossing_text(name: &str, crossing: &Crossing) -> String {
 }
 
 /// Returns the map of stability changes as text, a line for each value of the second number.
-fn map_text(model: &Mechanism, [first, second]: [&str; 2], found: &Map) -> String {
+fn map_text(model: &Mechanism, [first, second]: [&str; 2], found: &ContinuationMap) -> String {
     let mut out = format!("{}, over {first} and {second}\n\n", model.title);
     for (value, course) in &found.rows {
         let line = match course {
@@ -136,7 +140,7 @@ fn map_text(model: &Mechanism, [first, second]: [&str; 2], found: &Map) -> Strin
                 course.crossings.iter().map(|crossing| crossing_text(first, crossing)).collect::<Vec<_>>().join("; ")
             }
             Err(error) => {
-                say(&format!("note: {second} = {value}: {}", error.first_line()));
+                print_to_stderr(&format!("note: {second} = {value}: {}", error.first_line()));
                 "no steady motion to begin with".to_owned()
             }
         };

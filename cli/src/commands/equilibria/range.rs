@@ -1,8 +1,8 @@
 //! Range of values of a number, read from an option `NAME=FROM:TO:COUNT`.
 
 use tripos::{Error, Mechanism};
-use tripos_derive::diagnostic::nearest;
-use tripos_derive::scene::Asked;
+use tripos_derive::diagnostic::nearest_name_advice;
+use tripos_derive::scene::StateWithUnknowns;
 
 /// Range of values of a number, along which a steady motion is followed.
 pub struct Range {
@@ -18,7 +18,7 @@ impl Range {
     /// # Errors
     /// [`Error::Request`] if the text has another form, the count is not 2 to 100000, or there is
     /// no such number.
-    pub fn new(model: &Mechanism, asked: &Asked, over: &str) -> Result<Self, Error> {
+    pub fn new(model: &Mechanism, asked: &StateWithUnknowns, over: &str) -> Result<Self, Error> {
         let how = "write NAME=FROM:TO:COUNT, such as v=0:10:11";
         let wrong = || Error::request(format!("`{over}` are no values to follow"), how);
         let (name, range) = over.split_once('=').ok_or_else(wrong)?;
@@ -38,7 +38,10 @@ impl Range {
             model.parameters.iter().map(|p| p.name.as_str()).chain(asked.names.iter().map(|own| own.name.as_str()));
         let known: Vec<&str> = known.chain(states).collect();
         if !known.contains(&name) {
-            return Err(Error::request(format!("there is no `{name}` to follow along"), nearest(name, known)));
+            return Err(Error::request(
+                format!("there is no `{name}` to follow along"),
+                nearest_name_advice(name, known),
+            ));
         }
         let value = |at: u32| from + (to - from) * f64::from(at) / f64::from(count - 1);
         Ok(Self { name: name.to_owned(), values: (0..count).map(value).collect() })

@@ -3,11 +3,11 @@
 //! Numbers have all their digits for programs, and six digits in LaTeX. If parameters remain
 //! symbols, the matrices are functions of them.
 
-use super::{kind_of, names, taking_part, value_text};
+use super::{eigenvalue_text, motion_kind_words, names, states_in_mode};
 use crate::arguments::Notation;
 use std::fmt::Write;
 use tripos::Mechanism;
-use tripos::studies::steady::{About, Entry, Letters, Wide};
+use tripos::studies::steady::{SteadyLinearSystem, SymbolicEntry, SymbolicLinearForm, WideMatrix};
 use tripos_derive::algebra::Arena;
 use tripos_derive::algebra::text::parse::parse_free;
 use tripos_derive::algebra::text::print::{latex, latex_of, python_of};
@@ -24,48 +24,57 @@ struct Written {
 
 /// Returns a linear system as text in a notation. `letters` holds the matrices with symbolic
 /// parameters, if there are any.
-pub fn written(model: &Mechanism, found: &About, letters: Option<&Letters>, notation: Notation) -> String {
+pub fn written(
+    model: &Mechanism,
+    found: &SteadyLinearSystem,
+    letters: Option<&SymbolicLinearForm>,
+    notation: Notation,
+) -> String {
     let (states, system) = (names(found, &found.system.kept), &found.system);
     let widths = [states.len(), found.inputs.len(), states.len(), found.inputs.len()];
-    let numbers = || [&system.a, &system.b, &system.c, &system.d].map(|wide| entries(wide, notation));
-    let in_letters = |letters: &Letters| [0, 1, 2, 3].map(|at| in_letters(letters, at, notation));
+    let numbers = || [&system.a, &system.b, &system.c, &system.d].map(|wide| numeric_entries(wide, notation));
+    let in_letters = |letters: &SymbolicLinearForm| [0, 1, 2, 3].map(|at| symbolic_entries(letters, at, notation));
     let named = letters.map_or_else(Vec::new, |letters| letters.names.clone());
     let matrices = letters.map_or_else(numbers, in_letters);
     let written = Written { matrices, widths, letters: named };
     match notation {
-        Notation::Python => written.python(&head(model, found, "#"), [&states, &found.inputs, &found.outputs]),
-        Notation::Matlab => written.matlab(&head(model, found, "%"), [&states, &found.inputs, &found.outputs]),
+        Notation::Python => {
+            written.python(&linear_system_comment(model, found, "#"), [&states, &found.inputs, &found.outputs])
+        }
+        Notation::Matlab => {
+            written.matlab(&linear_system_comment(model, found, "%"), [&states, &found.inputs, &found.outputs])
+        }
         Notation::Latex | Notation::Text => {
-            written.latex(&head(model, found, "%"), [&states, &found.inputs, &found.outputs])
+            written.latex(&linear_system_comment(model, found, "%"), [&states, &found.inputs, &found.outputs])
         }
     }
 }
 
 /// Returns the comment lines at the beginning: the state, and the eigenvalues with the states that
 /// take part in their modes.
-fn head(model: &Mechanism, found: &About, mark: &str) -> String {
-    let mut out = format!("{mark} {}: near {}, in SI units\n", model.title, kind_of(found));
+fn linear_system_comment(model: &Mechanism, found: &SteadyLinearSystem, mark: &str) -> String {
+    let mut out = format!("{mark} {}: near {}, in SI units\n", model.title, motion_kind_words(found));
     let at: Vec<String> = found.states().map(|(name, x)| format!("{name} = {x:?}")).collect();
     let _ = writeln!(out, "{mark} at {}", at.join(", "));
     for mode in found.modes.iter().filter(|mode| mode.value[1] >= 0.0) {
-        let parts: Vec<String> = taking_part(found, mode).into_iter().take(4).map(|(name, _)| name).collect();
-        let _ = writeln!(out, "{mark} eigenvalue {} 1/s: {}", value_text(mode, 12), parts.join(", "));
+        let parts: Vec<String> = states_in_mode(found, mode).into_iter().take(4).map(|(name, _)| name).collect();
+        let _ = writeln!(out, "{mark} eigenvalue {} 1/s: {}", eigenvalue_text(mode, 12), parts.join(", "));
     }
     out
 }
 
 /// Returns the entries of a numeric matrix as text.
-fn entries(wide: &Wide, notation: Notation) -> Vec<Vec<String>> {
-    let number = |x: &f64| if notation == Notation::Latex { six_digits(*x) } else { format!("{x:?}") };
+fn numeric_entries(wide: &WideMatrix, notation: Notation) -> Vec<Vec<String>> {
+    let number = |x: &f64| if notation == Notation::Latex { latex_number(*x) } else { format!("{x:?}") };
     wide.doubles().iter().map(|row| row.iter().map(number).collect()).collect()
 }
 
 /// Returns the entries of a matrix with symbolic parameters as text; `at` is 0 to 3 for A, B, C, D.
-fn in_letters(letters: &Letters, at: usize, notation: Notation) -> Vec<Vec<String>> {
+fn symbolic_entries(letters: &SymbolicLinearForm, at: usize, notation: Notation) -> Vec<Vec<String>> {
     let letter = letters.names.first().map_or("", String::as_str);
-    let entry = |e: &Entry| match notation {
+    let entry = |e: &SymbolicEntry| match notation {
         Notation::Python => python_of(&e.view(letter, &|x| format!("{x:?}"))),
-        Notation::Latex => latex_of(&e.view(letter, &six_digits)),
+        Notation::Latex => latex_of(&e.view(letter, &latex_number)),
         Notation::Matlab | Notation::Text => e.text(letter),
     };
     letters.matrices[at].iter().map(|row| row.iter().map(entry).collect()).collect()
@@ -73,7 +82,7 @@ fn in_letters(letters: &Letters, at: usize, notation: Notation) -> Vec<Vec<Strin
 
 /// Returns a number in LaTeX with six significant digits, without zeros at the end. Very large and
 /// very small numbers get a power of ten.
-fn six_digits(x: f64) -> String {
+fn latex_number(x: f64) -> String {
     if x.abs() <= 0.0 {
         return "0".to_owned();
     }
@@ -81,14 +90,14 @@ fn six_digits(x: f64) -> String {
     let (digits, power) = text.split_once('e').unwrap_or((&text, "0"));
     let power: i32 = power.parse().unwrap_or(0);
     if !(-4..6).contains(&power) {
-        return format!("{} \\cdot 10^{{{power}}}", trimmed(digits));
+        return format!("{} \\cdot 10^{{{power}}}", trim_zeros(digits));
     }
     let decimals = usize::try_from(5 - power).unwrap_or(0);
-    trimmed(&format!("{x:.decimals$}"))
+    trim_zeros(&format!("{x:.decimals$}"))
 }
 
 /// Removes zeros at the end of decimals.
-fn trimmed(text: &str) -> String {
+fn trim_zeros(text: &str) -> String {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text.to_owned() }
 }
 

@@ -1,27 +1,27 @@
 //! Figure of the motion of one scene on the page, drawn by the viewer of `tripos view`.
 
 use crate::failure::Failure;
-use crate::follow;
-use crate::page::{Moving, SceneSection, Standing, Viewer};
-use crate::view::{Home, Live, LiveView, STYLE, Seen, figure, script, turns_truly};
+use crate::interruption;
+use crate::page::{MotionFigure, SceneSection, Standing, Viewer};
+use crate::view::{LiveEquations, LiveView, STYLE, ViewContent, ViewPlace, figure, script, turns_truly};
 use tripos::Mechanism;
 use tripos::pictures::view::{Motion, View};
 use tripos_derive::scene::Scene;
 
 /// Returns the figure of the motion of the best scene. `None` if no scene was finished, or after an
 /// interruption.
-pub fn moving(model: &Mechanism, scenes: &[Scene], sections: &[SceneSection]) -> Option<Moving> {
-    if follow::is_interrupted() {
+pub fn page_motion_figure(model: &Mechanism, scenes: &[Scene], sections: &[SceneSection]) -> Option<MotionFigure> {
+    if interruption::is_interrupted() {
         return None;
     }
-    let scene = best(scenes, sections)?;
-    let viewer = viewer(model, &scenes[scene], &sections[scene].title).map_err(|failure| failure.first_line());
-    Some(Moving { scene, viewer })
+    let scene = scene_to_show(scenes, sections)?;
+    let viewer = motion_viewer(model, &scenes[scene], &sections[scene].title).map_err(|failure| failure.first_line());
+    Some(MotionFigure { scene, viewer })
 }
 
 /// Returns the index of the scene to show; `None` without a scene. Preferred are scenes whose run
 /// is right and reaches its end, then the longest.
-fn best(scenes: &[Scene], sections: &[SceneSection]) -> Option<usize> {
+fn scene_to_show(scenes: &[Scene], sections: &[SceneSection]) -> Option<usize> {
     let rank = |at: usize| {
         let first = sections[at].runs.iter().find(|run| run.printed.is_none());
         let standing = first.map_or(3, |run| match run.standing {
@@ -37,16 +37,16 @@ fn best(scenes: &[Scene], sections: &[SceneSection]) -> Option<usize> {
 
 /// Returns the viewer of a scene's motion as parts of an HTML page: figure, style and script.
 /// `Err` if the motion cannot be computed.
-fn viewer(model: &Mechanism, scene: &Scene, title: &str) -> Result<Viewer, Failure> {
+fn motion_viewer(model: &Mechanism, scene: &Scene, title: &str) -> Result<Viewer, Failure> {
     let motions = vec![Motion::of_scene(model, scene, None)?];
     let view = View::new(model, scene, &motions.iter().collect::<Vec<_>>())?;
-    let seen = Seen { mechanism: model, scene, view, motions, title: title.to_owned() };
-    let live = Live::of(&seen, None, Home::Page)?;
+    let seen = ViewContent { mechanism: model, scene, view, motions, title: title.to_owned() };
+    let live = LiveEquations::of(&seen, None, ViewPlace::Page)?;
     let shown = LiveView { seen: &seen, live: &live };
-    let is_fast = !turns_truly(&seen, Home::Page);
+    let is_fast = !turns_truly(&seen, ViewPlace::Page);
     let doubt = "a body turns so fast that the pictures show a wrong turning.";
     Ok(Viewer {
-        figure: figure(shown, Home::Page),
+        figure: figure(shown, ViewPlace::Page),
         style: STYLE,
         script: script(&[shown]),
         doubt: is_fast.then(|| doubt.to_owned()),

@@ -1,13 +1,13 @@
 //! Rows and facts of the page about a scene and each of its runs.
 
-use super::own::Own;
-use crate::page::{Fact, Nearest, RunRow, Standing};
-use tripos::{Course, Digits, Mechanism, Run, method_words, state_names};
+use super::reduced_run::ReducedRun;
+use crate::page::{RunRow, SceneFact, SingularityDistances, Standing};
+use tripos::{CorrectDigits, InvariantValues, Mechanism, Run, method_words, state_names};
 use tripos_derive::scene::Scene;
 use tripos_sim::Stop;
 
 /// Empty record of watched quantities, for a run without any.
-pub static UNWATCHED: Course = Course {
+pub static EMPTY_COURSE: InvariantValues = InvariantValues {
     t: Vec::new(),
     integrals: Vec::new(),
     determinant: Vec::new(),
@@ -22,7 +22,7 @@ pub fn title(scene: &Scene) -> String {
 }
 
 /// Returns the number, times and losses of a run's impacts in words; `None` if it has none.
-pub fn impacts(run: &Run) -> Option<(&'static str, Fact)> {
+pub fn impacts_words(run: &Run) -> Option<(&'static str, SceneFact)> {
     let list = run.impacts();
     let (first, last) = (list.first()?, list.last()?);
     let lost: f64 = list.iter().map(|impact| impact.loss).sum();
@@ -31,12 +31,12 @@ pub fn impacts(run: &Run) -> Option<(&'static str, Fact)> {
     } else {
         format!("{}, from {} s to {} s", list.len(), first.t, last.t)
     };
-    Some(("Impacts", Fact::Words(format!("{when}; they take {lost} J"))))
+    Some(("Impacts", SceneFact::Words(format!("{when}; they take {lost} J"))))
 }
 
 /// Returns the given data of a scene with their headings: parameters, start, span, integration and
 /// domain. Empty data are left out.
-pub fn facts(model: &Mechanism, scene: &Scene) -> Vec<(&'static str, Fact)> {
+pub fn scene_facts(model: &Mechanism, scene: &Scene) -> Vec<(&'static str, SceneFact)> {
     let values = |names: Vec<String>, values: &[f64]| names.into_iter().zip(values.iter().copied()).collect::<Vec<_>>();
     let parameters = values(model.parameters.iter().map(|p| p.name.clone()).collect(), &scene.parameters);
     let start = values(state_names(model), &[scene.q.as_slice(), &scene.u].concat());
@@ -49,12 +49,12 @@ pub fn facts(model: &Mechanism, scene: &Scene) -> Vec<(&'static str, Fact)> {
         ("Domain", domain),
     ];
     let words = words.into_iter().filter(|(_, words)| !words.is_empty());
-    let numbers = numbers.map(|(what, list)| (what, Fact::Values(list)));
-    numbers.chain(words.map(|(what, words)| (what, Fact::Words(words)))).collect()
+    let numbers = numbers.map(|(what, list)| (what, SceneFact::Values(list)));
+    numbers.chain(words.map(|(what, words)| (what, SceneFact::Words(words)))).collect()
 }
 
 /// Returns the row for a run in the page's table of runs.
-pub fn row(scene: &Scene, run: &Run, course: &Course, standing: Standing) -> RunRow {
+pub fn row(scene: &Scene, run: &Run, course: &InvariantValues, standing: Standing) -> RunRow {
     let solution = &run.solution;
     RunRow {
         title: run.by.title(),
@@ -67,14 +67,18 @@ pub fn row(scene: &Scene, run: &Run, course: &Course, standing: Standing) -> Run
         t_end: solution.t_end,
         arrived: solution.stop == Stop::End,
         stop: run.why.clone(),
-        digits: run.digits.as_ref().and_then(Digits::end).filter(|_| standing != Standing::Wrong),
+        digits: run
+            .digits
+            .as_ref()
+            .and_then(CorrectDigits::digits_at_end_least)
+            .filter(|_| standing != Standing::Wrong),
         standing,
         few_from: few_from(run),
         energy_drift: run.energy_drift,
         warnings: run.warnings.clone(),
         changes: course.largest_changes(),
-        nearest: Nearest {
-            determinant: range(&course.determinant),
+        nearest: SingularityDistances {
+            determinant: smallest_and_largest(&course.determinant),
             relative: course.least(&course.relative_determinant()),
             condition: course.least(&course.condition),
             divisors: course.divisors.iter().map(|values| course.least(values)).collect(),
@@ -90,12 +94,12 @@ fn few_from(run: &Run) -> Option<f64> {
 }
 
 /// Returns the row for the run by the scene's reduced equations in the page's table of runs.
-pub fn own_row(scene: &Scene, own: &Own, standing: Standing) -> RunRow {
-    row(scene, &own.run, own.course.as_ref().unwrap_or(&UNWATCHED), standing)
+pub fn reduced_run_row(scene: &Scene, own: &ReducedRun, standing: Standing) -> RunRow {
+    row(scene, &own.run, own.course.as_ref().unwrap_or(&EMPTY_COURSE), standing)
 }
 
 /// Returns the smallest and largest of the values, NaN excepted; `None` without other values.
-fn range(values: &[f64]) -> Option<(f64, f64)> {
+fn smallest_and_largest(values: &[f64]) -> Option<(f64, f64)> {
     let numbers = || values.iter().copied().filter(|x| !x.is_nan());
     Some((numbers().min_by(f64::total_cmp)?, numbers().max_by(f64::total_cmp)?))
 }

@@ -5,14 +5,14 @@
 //! differ.
 
 use crate::failure::Failure;
-use crate::output::{folder, table, text};
+use crate::output::{make_folder, write_csv_file, write_text_file};
 use crate::page::Figure;
 use crate::plot::{Panel, draw};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use tripos::{Error, Mechanism};
-use tripos_codegen::scene_files::name_beside;
-use tripos_derive::plain::is_forbidden;
+use tripos_codegen::scene_files::scene_path_from_model;
+use tripos_derive::plain_text::is_forbidden;
 use tripos_derive::scene::Scene;
 
 /// Returns the folder of a scene's tables, relative to the page's folder: the name of the scene's
@@ -21,7 +21,7 @@ use tripos_derive::scene::Scene;
 pub fn folder_of(model: &Mechanism, scene: &Scene) -> PathBuf {
     let (model, path) = (&model.source.path, &scene.source.path);
     let stem = folder_name(&path.file_stem().unwrap_or_default().to_string_lossy());
-    let is_beside = !name_beside(model, path).starts_with("scenes/");
+    let is_beside = !scene_path_from_model(model, path).starts_with("scenes/");
     let rival = model.with_file_name("scenes").join(path.file_name().unwrap_or_default());
     let mut name = stem;
     if is_beside && rival.is_file() {
@@ -38,7 +38,7 @@ fn folder_name(stem: &str) -> String {
 }
 
 /// Drawer of a scene's figures, which also writes their tables.
-pub struct Drawn<'a> {
+pub struct RunFigureWriter<'a> {
     /// Path of the page's folder.
     pub out: &'a Path,
     /// Folder of the scene's tables, relative to the folder of the page.
@@ -47,7 +47,7 @@ pub struct Drawn<'a> {
     pub names: BTreeMap<String, usize>,
 }
 
-impl Drawn<'_> {
+impl RunFigureWriter<'_> {
     /// Draws panels as a figure, and writes it to `NAME.svg` and its data to `NAME.csv`. The second
     /// figure of a name is `NAME-2`.
     ///
@@ -58,12 +58,12 @@ impl Drawn<'_> {
         let count = self.names.entry(name.to_owned()).or_default();
         *count += 1;
         let name = if *count == 1 { name.to_owned() } else { format!("{name}-{count}") };
-        let figure = drawing(caption, panels, columns)?;
+        let figure = run_figure(caption, panels, columns)?;
         let inside = self.out.join(&self.folder);
-        folder(&inside)?;
+        make_folder(&inside)?;
         let [csv, svg] = ["csv", "svg"].map(|ending| format!("{name}.{ending}"));
-        table(&inside.join(&csv), &["quantity", "equations", "t", "value"], panels.iter().flat_map(rows))?;
-        text(&inside.join(&svg), &figure.svg)?;
+        write_csv_file(&inside.join(&csv), &["quantity", "equations", "t", "value"], panels.iter().flat_map(rows))?;
+        write_text_file(&inside.join(&svg), &figure.svg)?;
         let link = |file: String| format!("{}/{file}", self.folder.display());
         Ok(Figure { data: vec![link(csv), link(svg)], ..figure })
     }
@@ -83,7 +83,7 @@ fn rows(panel: &Panel) -> impl Iterator<Item = Vec<String>> + '_ {
 ///
 /// # Errors
 /// [`Failure::Refused`] if the figure cannot be drawn.
-pub fn drawing(caption: &str, panels: &[Panel], columns: usize) -> Result<Figure, Failure> {
+pub fn run_figure(caption: &str, panels: &[Panel], columns: usize) -> Result<Figure, Failure> {
     let svg = draw(panels, columns)
         .map_err(|error| Error::Stopped(format!("the figure `{caption}` cannot be drawn: {error}")))?;
     Ok(Figure { caption: caption.to_owned(), svg, remark: None, data: Vec::new() })
@@ -91,7 +91,7 @@ pub fn drawing(caption: &str, panels: &[Panel], columns: usize) -> Result<Figure
 
 /// Returns the caption of a figure: the scene file's own caption, if there is one, then the
 /// computed sentence.
-pub fn after(own: &str, computed: &str) -> String {
+pub fn caption_with_sentence(own: &str, computed: &str) -> String {
     match own.trim_end_matches('.') {
         "" => computed.to_owned(),
         own => format!("{own}. {computed}"),

@@ -2,15 +2,15 @@
 //! digits.
 
 use crate::page::Standing;
-use tripos::studies::study::Study;
-use tripos::{Digits, Run, method_words};
+use tripos::studies::model_analysis::ModelAnalysis;
+use tripos::{CorrectDigits, Run, method_words};
 use tripos_derive::algebra::meaning::compare::Verdict;
 use tripos_derive::scene::Scene;
 use tripos_traits::largest;
 
 /// Returns the standing of printed equations, by the verdict on their accelerations. `None` if
 /// these equal the derived accelerations.
-fn of_printed(study: &Study, id: &str) -> Option<Standing> {
+fn printed_equations_standing(study: &ModelAnalysis, id: &str) -> Option<Standing> {
     let mut systems = study.published.iter().flat_map(|published| &published.difference.consequences);
     match systems.find(|system| system.system == id).map(|system| &system.accelerations) {
         Some(Verdict::Equal(_)) => None,
@@ -22,8 +22,8 @@ fn of_printed(study: &Study, id: &str) -> Option<Standing> {
 
 /// Returns the standing of a run: right, loose with its error, stopped, or by wrong or undecided
 /// equations.
-pub fn of(study: &Study, scene: &Scene, run: &Run) -> Standing {
-    if let Some(standing) = run.by.printed_id().and_then(|id| of_printed(study, id)) {
+pub fn run_standing(study: &ModelAnalysis, scene: &Scene, run: &Run) -> Standing {
+    if let Some(standing) = run.by.printed_id().and_then(|id| printed_equations_standing(study, id)) {
         return standing;
     }
     if run.failure().is_some() {
@@ -32,13 +32,13 @@ pub fn of(study: &Study, scene: &Scene, run: &Run) -> Standing {
     if run.warnings.is_empty() {
         return Standing::Right;
     }
-    Standing::Loose { how: method_words(scene), error: error(run) }
+    Standing::Loose { how: method_words(scene), error: run_error_at_end(run) }
 }
 
 /// Returns the error of a run at its end, the largest |e|/(1 + |value|), estimated by a second run.
 /// `Err` is the reason why it is unknown.
-fn error(run: &Run) -> Result<f64, String> {
-    let errors = run.digits.as_ref().and_then(Digits::errors_at_end);
+fn run_error_at_end(run: &Run) -> Result<f64, String> {
+    let errors = run.digits.as_ref().and_then(CorrectDigits::errors_at_end);
     let errors = errors.ok_or_else(|| "it was not assessed to its end".to_owned())?;
     let error = largest(errors.iter().zip(&run.end).map(|(error, value)| error / (1.0 + value.abs())));
     if error.is_finite() { Ok(error) } else { Err("something that is shown has no value there".to_owned()) }

@@ -3,22 +3,22 @@
 //!
 //! Invariant: every point of these figures is in a table in the scene's folder.
 
-use super::run_figures::after;
-use crate::chart::sentences::{TARGETS, caption, fastest, lead};
+use super::run_figures::caption_with_sentence;
+use crate::chart::sentences::{TARGETS, chart_caption, chart_recommendation, fastest};
 use crate::chart::{figure, files};
 use crate::failure::Failure;
-use crate::output::folder as make;
-use crate::page::{Advice, Choice, Figure};
-use crate::stability::{sentences, tables};
+use crate::output::make_folder as make;
+use crate::page::{Advice, Figure, RecommendedRun};
+use crate::stability::{sentences, write_stability_tables};
 use std::path::{Path, PathBuf};
 use tripos::Mechanism;
-use tripos::studies::case::Printed;
-use tripos::studies::chart::{Plan, session};
-use tripos::studies::stability::{Findings, Run, Study, conditioning, ladder};
+use tripos::studies::chart_case::PrintedEquationsChoice;
+use tripos::studies::stability::{Findings, StudyInputs, TopicStudy, conditioning, ladder};
+use tripos::studies::work_precision_chart::{ChartPlan, session};
 use tripos_derive::scene::{FigureKind, Scene};
 
 /// Measurements of a scene for its figures, made when a figure needs them.
-pub struct Measured<'a> {
+pub struct StudyFigures<'a> {
     /// Model of the mechanism in the scene.
     model: &'a Mechanism,
     /// Scene whose runs are measured.
@@ -35,7 +35,7 @@ pub struct Measured<'a> {
     pub not_drawn: Vec<String>,
 }
 
-impl<'a> Measured<'a> {
+impl<'a> StudyFigures<'a> {
     /// Prepares the measurements of a scene; nothing is measured yet.
     pub fn new(model: &'a Mechanism, scene: &'a Scene, out: &'a Path, folder: PathBuf) -> Self {
         Self { model, scene, out, folder, findings: Findings::default(), advice: None, not_drawn: Vec::new() }
@@ -54,7 +54,9 @@ impl<'a> Measured<'a> {
             FigureKind::Energy | FigureKind::States => Ok(None),
         };
         match result {
-            Ok(figure) => Ok(figure.map(|figure| Figure { caption: after(own, &figure.caption), ..figure })),
+            Ok(figure) => {
+                Ok(figure.map(|figure| Figure { caption: caption_with_sentence(own, &figure.caption), ..figure }))
+            }
             Err(Failure::Output(path, error)) => Err(Failure::Output(path, error)),
             // A figure that fails does not stop the page.
             Err(failure) => {
@@ -68,7 +70,7 @@ impl<'a> Measured<'a> {
     /// Makes the folder for a table, and returns it with the link from the page to the table
     /// `name`.
     /// `Err` if the folder cannot be made.
-    fn table(&self, name: &str) -> Result<(PathBuf, String), Failure> {
+    fn make_table_folder(&self, name: &str) -> Result<(PathBuf, String), Failure> {
         let folder = self.out.join(&self.folder);
         make(&folder)?;
         Ok((folder, format!("{}/{name}", self.folder.display())))
@@ -77,12 +79,13 @@ impl<'a> Measured<'a> {
     /// Measures speed against accuracy, and draws the speed chart.
     /// Never `None`. `Err` if the measurement fails or a table cannot be written.
     fn work_precision(&mut self) -> Result<Option<Figure>, Failure> {
-        let session = session::chart(self.model, self.scene, Printed::LeftOut, &Plan::quick(), &())?;
-        let (folder, link) = self.table("work_precision.csv")?;
-        files::write(&folder, &session.list, &session.watch.integrals)?;
+        let session =
+            session::chart_scene(self.model, self.scene, PrintedEquationsChoice::LeftOut, &ChartPlan::quick(), &())?;
+        let (folder, link) = self.make_table_folder("work_precision.csv")?;
+        files::write_chart_tables(&folder, &session.list, &session.watch.integrals)?;
         let choice = |target: f64| {
             let m = fastest(&session.list, target, |_| true)?;
-            Some(Choice {
+            Some(RecommendedRun {
                 equations: m.by.name(),
                 solve: m.way.solve(m.solve),
                 method: m.way.name(),
@@ -92,12 +95,12 @@ impl<'a> Measured<'a> {
             })
         };
         let rows = TARGETS.into_iter().map(|target| (target, choice(target))).collect();
-        self.advice = Some(Advice { lead: lead(&session.list), rows });
+        self.advice = Some(Advice { lead: chart_recommendation(&session.list), rows });
         let cut = session.cut.map_or_else(String::new, |cut| format!(" Note: {cut}."));
         let compared = session.compared.map_or_else(String::new, |said| format!(" {said}"));
-        let seen = caption(&session.list, session.until);
+        let seen = chart_caption(&session.list, session.until);
         let caption = format!("{seen}{compared} The reference: {}.{cut}", session.reference.how);
-        let svg = figure::chart(&session.list, session.reference.uncertainty)?;
+        let svg = figure::draw_speed_chart(&session.list, session.reference.uncertainty)?;
         Ok(Some(Figure { caption, svg, remark: None, data: vec![link] }))
     }
 
@@ -105,9 +108,9 @@ impl<'a> Measured<'a> {
     /// has no such passage.
     /// `Err` if the study fails or a table cannot be written.
     fn passages(&mut self) -> Result<Option<Figure>, Failure> {
-        let Some(svg) = self.study(FigureKind::Passages, ladder::study)? else { return Ok(None) };
-        let data = self.tables(&["passages.csv", "stability.csv"])?;
-        let remark = sentences::coordinate(self.model, &self.findings.passages);
+        let Some(svg) = self.draw_study(FigureKind::Passages, ladder::study_passages)? else { return Ok(None) };
+        let data = self.write_study_tables(&["passages.csv", "stability.csv"])?;
+        let remark = sentences::lagrange_coordinate_sentence(self.model, &self.findings.passages);
         Ok(Some(Figure { caption: sentences::passages(self.model, &self.findings), svg, remark, data }))
     }
 
@@ -115,27 +118,29 @@ impl<'a> Measured<'a> {
     /// near a singular place.
     /// `Err` if the study fails or a table cannot be written.
     fn conditioning(&mut self) -> Result<Option<Figure>, Failure> {
-        let Some(svg) = self.study(FigureKind::Conditioning, conditioning::study)? else { return Ok(None) };
-        let data = self.tables(&["stability.csv"])?;
+        let Some(svg) = self.draw_study(FigureKind::Conditioning, conditioning::study_conditioning)? else {
+            return Ok(None);
+        };
+        let data = self.write_study_tables(&["stability.csv"])?;
         Ok(Some(Figure { caption: sentences::conditioning(self.model, &self.findings), svg, remark: None, data }))
     }
 
     /// Writes the tables of all studies made so far, and returns the links to the tables with these
     /// names.
     /// `Err` if a table cannot be written.
-    fn tables(&self, names: &[&str]) -> Result<Vec<String>, Failure> {
-        let (folder, _) = self.table("")?;
-        tables(&self.findings, &folder)?;
-        names.iter().map(|name| Ok(self.table(name)?.1)).collect()
+    fn write_study_tables(&self, names: &[&str]) -> Result<Vec<String>, Failure> {
+        let (folder, _) = self.make_table_folder("")?;
+        write_stability_tables(&self.findings, &folder)?;
+        names.iter().map(|name| Ok(self.make_table_folder(name)?.1)).collect()
     }
 
     /// Runs a study of stability and draws its figure. `None` if the motion does not come near a
     /// place where the kinematic equations divide by zero.
     /// `Err` if the study fails.
-    fn study(&mut self, kind: FigureKind, run: Run) -> Result<Option<String>, Failure> {
+    fn draw_study(&mut self, kind: FigureKind, run: TopicStudy) -> Result<Option<String>, Failure> {
         let before = self.findings.figures.len();
-        run(&Study { model: self.model, scene: self.scene, quick: true, progress: &() }, &mut self.findings)?;
-        let svg = self.findings.figures.get(before).map(|(_, figure)| figure::drawn(figure)).transpose()?;
+        run(&StudyInputs { model: self.model, scene: self.scene, quick: true, progress: &() }, &mut self.findings)?;
+        let svg = self.findings.figures.get(before).map(|(_, figure)| figure::draw_figure_svg(figure)).transpose()?;
         if svg.is_none() {
             let why = "the motion does not come near a place where the kinematic equations divide by zero";
             self.not_drawn.push(format!("The figure `{}` cannot be drawn: {why}", kind.name()));

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::mpsc::{Receiver, channel};
 use std::time::{Duration, Instant};
-use tripos_derive::reference::environment_name;
+use tripos_derive::reference::reference_environment_name;
 
 /// Time limit for the import of SymPy. It takes one or two seconds, and more from a cold disk.
 const TIME_TO_IMPORT: Duration = Duration::from_secs(60);
@@ -16,13 +16,13 @@ const MOST_BYTES: u64 = 64 << 20;
 /// Finds the Python interpreter for the SymPy reference. Candidates are the variable
 /// `TRIPOS_PYTHON`, otherwise the environment made by the tests, otherwise `python3`. `Err` is the
 /// reason why none of them has the pinned SymPy.
-pub fn find(root: &Path) -> Result<PathBuf, String> {
+pub fn find_python(root: &Path) -> Result<PathBuf, String> {
     let requirements = root.join("tests/sympy/requirements.txt");
     let requirements =
         std::fs::read_to_string(&requirements).map_err(|error| format!("{}: {error}", requirements.display()))?;
     let mut why = String::new();
-    for python in candidates(root, &requirements) {
-        match check(&python, &requirements) {
+    for python in python_candidates(root, &requirements) {
+        match check_sympy_version(&python, &requirements) {
             Ok(()) => return Ok(python),
             Err(reason) => why = reason,
         }
@@ -31,7 +31,7 @@ pub fn find(root: &Path) -> Result<PathBuf, String> {
 }
 
 /// Lists the candidates for the Python interpreter.
-fn candidates(root: &Path, requirements: &str) -> Vec<PathBuf> {
+fn python_candidates(root: &Path, requirements: &str) -> Vec<PathBuf> {
     if let Some(python) = std::env::var_os("TRIPOS_PYTHON").filter(|path| !path.is_empty()) {
         return vec![python.into()];
     }
@@ -39,7 +39,7 @@ fn candidates(root: &Path, requirements: &str) -> Vec<PathBuf> {
     let program = std::env::current_exe().unwrap_or_default();
     let built = program.ancestors().find(|folder| folder.join("CACHEDIR.TAG").is_file());
     let python = if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" };
-    let environment = Path::new("tmp").join(environment_name(requirements)).join(python);
+    let environment = Path::new("tmp").join(reference_environment_name(requirements)).join(python);
     let targets = built.map(Path::to_owned).into_iter().chain([root.join("target")]);
     let mut list: Vec<PathBuf> = targets.map(|target| target.join(&environment)).filter(|path| path.exists()).collect();
     list.push("python3".into());
@@ -48,10 +48,10 @@ fn candidates(root: &Path, requirements: &str) -> Vec<PathBuf> {
 
 /// Checks that a Python interpreter imports the pinned version of SymPy. With another version the
 /// reference would have another text. `Err` is the reason.
-fn check(python: &Path, requirements: &str) -> Result<(), String> {
+fn check_sympy_version(python: &Path, requirements: &str) -> Result<(), String> {
     let name = python.display();
     let program = "import tomllib, sympy; print(sympy.__version__)";
-    let output = run(Command::new(python).args(["-c", program]), TIME_TO_IMPORT)
+    let output = run_with_time_limit(Command::new(python).args(["-c", program]), TIME_TO_IMPORT)
         .map_err(|why| format!("`{name}` cannot be run: {why}"))?;
     if !output.status.success() {
         return Err(format!("`{name}` has no SymPy: {}", output.last_line()));
@@ -86,13 +86,13 @@ impl Output {
 
 /// Runs a program to its end, or kills it after the time `limit`. `Err` is the reason why there is
 /// no output.
-pub fn run(command: &mut Command, limit: Duration) -> Result<Output, String> {
+pub fn run_with_time_limit(command: &mut Command, limit: Duration) -> Result<Output, String> {
     let end = Instant::now() + limit;
     let command = command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut child = command.spawn().map_err(|error| error.to_string())?;
     let (stdout, stderr) = (reader(child.stdout.take()), reader(child.stderr.take()));
     let late = || format!("it took more than {} s and was stopped", limit.as_secs_f64());
-    let Some(status) = wait(&mut child, end).map_err(|error| error.to_string())? else {
+    let Some(status) = wait_until(&mut child, end).map_err(|error| error.to_string())? else {
         // The program may have ended just now; in either case nothing of it remains.
         let _ = child.kill();
         let _ = child.wait();
@@ -110,7 +110,7 @@ pub fn run(command: &mut Command, limit: Duration) -> Result<Output, String> {
 /// Waits for a child process until the instant `end`. Returns its exit status, or `None` if it
 /// still runs.
 /// `Err` if the operating system cannot tell.
-fn wait(child: &mut Child, end: Instant) -> std::io::Result<Option<ExitStatus>> {
+fn wait_until(child: &mut Child, end: Instant) -> std::io::Result<Option<ExitStatus>> {
     loop {
         if let Some(status) = child.try_wait()? {
             return Ok(Some(status));
@@ -143,7 +143,7 @@ mod tests {
     use super::*;
 
     fn shell(script: &str, limit: Duration) -> Result<Output, String> {
-        run(Command::new("sh").args(["-c", script]), limit)
+        run_with_time_limit(Command::new("sh").args(["-c", script]), limit)
     }
 
     #[test]
@@ -166,8 +166,8 @@ mod tests {
 
     #[test]
     fn a_program_that_is_not_there_is_an_error() {
-        assert!(run(&mut Command::new("/no/such/python"), Duration::from_secs(1)).is_err());
-        let why = check(Path::new("/no/such/python"), "").unwrap_err();
+        assert!(run_with_time_limit(&mut Command::new("/no/such/python"), Duration::from_secs(1)).is_err());
+        let why = check_sympy_version(Path::new("/no/such/python"), "").unwrap_err();
         assert!(why.starts_with("`/no/such/python` cannot be run: "), "{why}");
     }
 }

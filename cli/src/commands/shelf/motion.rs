@@ -4,14 +4,14 @@
 //! runs of this scene: by Kane's equations, and by the printed equations as they stand.
 
 use crate::failure::Failure;
-use crate::judgement::Judged;
+use crate::judgement::JudgedPublication;
 use serde_json::{Value, json};
 use std::path::Path;
 use tripos::{EquationsName, Overrides, Scene};
-use tripos_codegen::scene_files::{name_beside, scene_files};
+use tripos_codegen::scene_files::{scene_files, scene_path_from_model};
 use tripos_derive::Formulation;
 use tripos_derive::algebra::meaning::compare::Verdict;
-use tripos_derive::plain::significant;
+use tripos_derive::plain_text::with_significant_digits;
 
 /// Number of significant digits of the shown values.
 const DIGITS: usize = 3;
@@ -43,7 +43,7 @@ impl Motion {
         let Self { system, scene, time, outcome } = self;
         match outcome {
             Outcome::Apart { coordinate, printed, right } => {
-                let [printed, right] = [printed, right].map(|x| significant(*x, DIGITS));
+                let [printed, right] = [printed, right].map(|x| with_significant_digits(*x, DIGITS));
                 format!("{system}: after {time} s of {scene}, {coordinate} is {printed} instead of {right}")
             }
             Outcome::Stopped(why) => format!("{system}: its run of {scene} does not reach {time} s: {why}"),
@@ -70,7 +70,7 @@ impl Motion {
 ///
 /// # Errors
 /// [`Failure`] if the scene cannot be read, or if the derived equations cannot run it to its end.
-pub fn motions(folder: &Path, judged: &Judged) -> Result<Vec<Motion>, Failure> {
+pub fn motions(folder: &Path, judged: &JudgedPublication) -> Result<Vec<Motion>, Failure> {
     let model = folder.join("model.toml");
     let wrong = judged.difference.consequences.iter().filter(|c| matches!(c.accelerations, Verdict::Different(_)));
     let systems: Vec<&str> = wrong.map(|c| c.system.as_str()).collect();
@@ -81,7 +81,10 @@ pub fn motions(folder: &Path, judged: &Judged) -> Result<Vec<Motion>, Failure> {
     let by = |by: EquationsName| Overrides { by: Some(by), ..Overrides::default() };
     let right = scene.simulate(&by(EquationsName::Derived(Formulation::Kane)))?;
     if let Some(why) = right.failure() {
-        return Err(Failure::request(format!("{}: {why}", name_beside(&model, &file)), "choose another start or span"));
+        return Err(Failure::request(
+            format!("{}: {why}", scene_path_from_model(&model, &file)),
+            "choose another start or span",
+        ));
     }
     let count = scene.mechanism().coordinates.len();
     let mut list = Vec::new();
@@ -89,9 +92,9 @@ pub fn motions(folder: &Path, judged: &Judged) -> Result<Vec<Motion>, Failure> {
         let run = scene.simulate(&by(EquationsName::Printed(system.to_owned())))?;
         let outcome = match run.failure() {
             Some(why) => Outcome::Stopped(why),
-            None => farthest(&right.names[..count], &right.states, &run.end, &right.end),
+            None => farthest_coordinate(&right.names[..count], &right.states, &run.end, &right.end),
         };
-        let (scene, time) = (name_beside(&model, &file), right.solution.t_end);
+        let (scene, time) = (scene_path_from_model(&model, &file), right.solution.t_end);
         list.push(Motion { system: system.to_owned(), scene, time, outcome });
     }
     Ok(list)
@@ -99,7 +102,7 @@ pub fn motions(folder: &Path, judged: &Judged) -> Result<Vec<Motion>, Failure> {
 
 /// Returns the coordinate whose final value by printed equations is farthest from the right value,
 /// relative to the coordinate's largest absolute value in the right motion.
-fn farthest(names: &[String], states: &[Vec<f64>], printed: &[f64], right: &[f64]) -> Outcome {
+fn farthest_coordinate(names: &[String], states: &[Vec<f64>], printed: &[f64], right: &[f64]) -> Outcome {
     let range = |at: usize| states.iter().map(|state| state[at].abs()).fold(f64::MIN_POSITIVE, f64::max);
     let off = |at: usize| (printed[at] - right[at]).abs() / range(at);
     let at = (0..names.len()).max_by(|a, b| off(*a).total_cmp(&off(*b))).unwrap_or(0);
@@ -108,13 +111,13 @@ fn farthest(names: &[String], states: &[Vec<f64>], printed: &[f64], right: &[f64
 
 #[cfg(test)]
 mod tests {
-    use super::{Outcome, farthest};
+    use super::{Outcome, farthest_coordinate};
 
     #[test]
     fn the_farthest_coordinate_is_farthest_in_relation_to_its_range() {
         let names = ["x".to_owned(), "theta".to_owned()];
         let states = [vec![100.0, 0.1], vec![90.0, 0.2]];
-        let found = farthest(&names, &states, &[95.0, 0.4], &[90.0, 0.2]);
+        let found = farthest_coordinate(&names, &states, &[95.0, 0.4], &[90.0, 0.2]);
         assert!(matches!(found, Outcome::Apart { coordinate, printed, right }
             if coordinate == "theta" && (printed, right) == (0.4, 0.2)));
     }

@@ -1,6 +1,6 @@
 //! Pieces of HTML from which the page is made.
 
-use tripos_derive::plain::significant;
+use tripos_derive::plain_text::with_significant_digits;
 
 /// Escapes a text for HTML: for the content of an element, or for an attribute in double quotes.
 pub fn escape(text: &str) -> String {
@@ -14,24 +14,24 @@ pub fn address(path: &str) -> String {
 }
 
 /// Returns the HTML id of a scene's section on the page. `scene` counts from 0, the id from 1.
-pub fn anchor(scene: usize) -> String {
+pub fn scene_anchor(scene: usize) -> String {
     format!("scene-{}", scene + 1)
 }
 
 /// Returns the HTML of a box that scrolls separately from the page and can be reached by keyboard.
 /// `content` is HTML.
-pub fn scroll(label: &str, content: &str) -> String {
+pub fn scrolling_box(label: &str, content: &str) -> String {
     format!("<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"{}\">\n{content}</div>\n", escape(label))
 }
 
 /// Returns the HTML of content that unfolds on demand. `summary` and `content` are HTML.
-pub fn folded(summary: &str, content: &str) -> String {
+pub fn folded_html(summary: &str, content: &str) -> String {
     format!("<details>\n<summary>{summary}</summary>\n{content}</details>\n")
 }
 
 /// Returns the HTML of a titled part of a section that unfolds on demand. `title` and `content` are
 /// HTML.
-pub fn part(id: &str, title: &str, content: &str) -> String {
+pub fn foldable_part(id: &str, title: &str, content: &str) -> String {
     format!("<details id=\"{id}\">\n<summary><h4>{title}</h4></summary>\n{content}</details>\n")
 }
 
@@ -41,7 +41,7 @@ pub fn link(place: &str, text: &str) -> String {
 }
 
 /// Lists names as in a sentence: `a, b and c`.
-pub fn listed<T: AsRef<str>>(names: &[T]) -> String {
+pub fn list_names<T: AsRef<str>>(names: &[T]) -> String {
     let names: Vec<&str> = names.iter().map(AsRef::as_ref).collect();
     match names.split_last() {
         Some((last, [])) => (*last).to_owned(),
@@ -51,13 +51,13 @@ pub fn listed<T: AsRef<str>>(names: &[T]) -> String {
 }
 
 /// Returns a number with its noun, with an `s` in the plural, such as `2 scenes`.
-pub fn count(n: usize, one: &str) -> String {
+pub fn counted_noun(n: usize, one: &str) -> String {
     format!("{n} {one}{}", if n == 1 { "" } else { "s" })
 }
 
 /// Returns a text as HTML. In numbers such as 1e-9 the hyphen becomes a minus sign, at which no
 /// line is broken.
-pub fn words(text: &str) -> String {
+pub fn words_html(text: &str) -> String {
     let mut pieces = text.split("e-");
     let mut out = pieces.next().unwrap_or_default().to_owned();
     for piece in pieces {
@@ -69,20 +69,20 @@ pub fn words(text: &str) -> String {
 }
 
 /// Joins the HTML pieces that the function `shape` makes of the items.
-pub fn each<T>(items: &[T], shape: impl Fn(&T) -> String) -> String {
+pub fn join_html<T>(items: &[T], shape: impl Fn(&T) -> String) -> String {
     items.iter().fold(String::new(), |out, item| out + &shape(item))
 }
 
 /// Returns the HTML of a table's head. `cells` are HTML.
-pub fn head(cells: &[&str]) -> String {
-    format!("<thead><tr>{}</tr></thead>\n", each(cells, |cell| format!("<th scope=\"col\">{cell}</th>")))
+pub fn table_head(cells: &[&str]) -> String {
+    format!("<thead><tr>{}</tr></thead>\n", join_html(cells, |cell| format!("<th scope=\"col\">{cell}</th>")))
 }
 
 /// Returns the HTML of a table with a caption and a head. `rows` and `columns` are HTML.
 pub fn table(caption: &str, columns: &[&str], rows: &[Vec<String>]) -> String {
-    let row = |cells: &Vec<String>| format!("<tr>{}</tr>\n", each(cells, |cell| format!("<td>{cell}</td>")));
-    let (head, rows) = (head(columns), each(rows, row));
-    scroll(caption, &format!("<table>\n<caption>{caption}</caption>\n{head}<tbody>\n{rows}</tbody>\n</table>\n"))
+    let row = |cells: &Vec<String>| format!("<tr>{}</tr>\n", join_html(cells, |cell| format!("<td>{cell}</td>")));
+    let (head, rows) = (table_head(columns), join_html(rows, row));
+    scrolling_box(caption, &format!("<table>\n<caption>{caption}</caption>\n{head}<tbody>\n{rows}</tbody>\n</table>\n"))
 }
 
 /// Returns the HTML of a number in mathematical notation: `1.2e-9` becomes 1.2 × 10⁻⁹.
@@ -96,13 +96,13 @@ pub fn number(text: &str) -> String {
 }
 
 /// Returns the HTML of an entry id, in which lines may be broken after hyphens.
-pub fn breakable(id: &str) -> String {
+pub fn breakable_id(id: &str) -> String {
     escape(id).replace('-', "-<wbr>")
 }
 
 /// Returns a number as text with `digits` significant digits, without zeros at the end.
-pub fn rounded(x: f64, digits: usize) -> String {
-    let text = significant(x, digits);
+pub fn rounded_number_html(x: f64, digits: usize) -> String {
+    let text = with_significant_digits(x, digits);
     match text.split_once('e') {
         Some((digits, power)) if digits.contains('.') => {
             format!("{}e{power}", digits.trim_end_matches('0').trim_end_matches('.'))

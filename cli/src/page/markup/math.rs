@@ -1,10 +1,10 @@
 //! Names and formulas of the page as MathML, broken over lines if they are wide.
 
-use crate::page::markup::html::{count, each, escape};
+use crate::page::markup::html::{counted_noun, escape, join_html};
 use tripos_derive::Model;
-use tripos_derive::algebra::form::simplify::cost;
+use tripos_derive::algebra::form::simplify::operation_count;
+use tripos_derive::algebra::text::display_tree::DisplayTree;
 use tripos_derive::algebra::text::print::{self, mathml_name};
-use tripos_derive::algebra::text::view::View;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{BalanceName, LineName, QuantityKind, RowName, Stage, VectorName};
 
@@ -19,7 +19,7 @@ const PIECE: usize = 120;
 
 /// Returns the number of characters of a formula as plain text; `None` if it is too long to show.
 pub fn length(arena: &Arena, e: Expr) -> Option<usize> {
-    let text = print::text(arena, e);
+    let text = print::print_text(arena, e);
     let length = text.chars().count();
     (length <= LONGEST && !text.contains('…')).then_some(length)
 }
@@ -34,22 +34,22 @@ pub fn is_short(arena: &Arena, e: Expr) -> bool {
 pub fn formula(arena: &Arena, e: Expr) -> String {
     match length(arena, e) {
         Some(_) => print::mathml(arena, e),
-        None => unprinted(arena, e),
+        None => too_long_formula_mathml(arena, e),
     }
 }
 
 /// Returns the MathML that replaces a formula that is too long to read: its number of operations.
-fn unprinted(arena: &Arena, e: Expr) -> String {
+fn too_long_formula_mathml(arena: &Arena, e: Expr) -> String {
     format!("<mtext>{}</mtext>", operations(arena, e))
 }
 
 /// Returns the words that replace a formula that is too long to read: its number of operations.
 fn operations(arena: &Arena, e: Expr) -> String {
-    format!("a term of {}", count(cost(arena, e), "operation"))
+    format!("a term of {}", counted_noun(operation_count(arena, e), "operation"))
 }
 
 /// Returns a paragraph that names the command by which formulas too long for the page are printed.
-pub fn unread(command: &str) -> String {
+pub fn long_formulas_note(command: &str) -> String {
     format!(
         "<p class=\"quiet\">A term that is too long to be read stands as the number of its operations; <code>{}</code> has it whole.</p>\n",
         escape(command)
@@ -57,27 +57,27 @@ pub fn unread(command: &str) -> String {
 }
 
 /// Left or right side of an equation whose formulas may be broken over lines.
-pub enum Side {
+pub enum EquationSide {
     /// MathML that is never broken over lines.
     Whole(String),
     /// Formula that may be broken over lines at its plus and minus signs.
-    Marks(View),
+    Marks(DisplayTree),
 }
 
-impl Side {
+impl EquationSide {
     /// Returns the side for a formula. A formula that is too long to read becomes its number of
     /// operations.
     pub fn of(arena: &Arena, e: Expr) -> Self {
         match length(arena, e) {
             Some(_) => Self::Marks(print::view_of(arena, e)),
-            None => Self::Whole(unprinted(arena, e)),
+            None => Self::Whole(too_long_formula_mathml(arena, e)),
         }
     }
 
     /// Returns the side for a formula in a sentence. A formula of more than 420 characters becomes
     /// its number of operations.
     pub fn short(arena: &Arena, e: Expr) -> Self {
-        if is_short(arena, e) { Self::of(arena, e) } else { Self::Whole(unprinted(arena, e)) }
+        if is_short(arena, e) { Self::of(arena, e) } else { Self::Whole(too_long_formula_mathml(arena, e)) }
     }
 
     /// Returns the MathML of the side as pieces. A line may end between two pieces.
@@ -96,7 +96,7 @@ impl Side {
 
 /// Returns the HTML of an equation between the given sides, or of a single formula. Lines may be
 /// broken after `=` and before signs; a wide formula also breaks inside parentheses.
-pub fn wrapped<'a>(sides: impl IntoIterator<Item = &'a Side>) -> String {
+pub fn breakable_equation<'a>(sides: impl IntoIterator<Item = &'a EquationSide>) -> String {
     let mut pieces: Vec<String> = Vec::new();
     for side in sides {
         if let Some(end) = pieces.last_mut() {
@@ -105,16 +105,16 @@ pub fn wrapped<'a>(sides: impl IntoIterator<Item = &'a Side>) -> String {
         }
         pieces.extend(side.pieces());
     }
-    pieces.iter().map(|piece| inline(piece)).collect::<Vec<_>>().join(" ")
+    pieces.iter().map(|piece| inline_math(piece)).collect::<Vec<_>>().join(" ")
 }
 
 /// Returns the HTML of three components as (x, y, z). If a component is wide, lines may be broken.
-pub fn tuple(arena: &Arena, components: &[Expr; 3]) -> String {
+pub fn vector_components_html(arena: &Arena, components: &[Expr; 3]) -> String {
     let comma = "<mo separator=\"true\">,</mo>";
-    let sides = components.map(|e| Side::of(arena, e));
-    if !sides.iter().any(Side::breaks) {
+    let sides = components.map(|e| EquationSide::of(arena, e));
+    if !sides.iter().any(EquationSide::breaks) {
         let inside = components.map(|e| formula(arena, e)).join(comma);
-        return inline(&format!("<mrow><mo>(</mo>{inside}<mo>)</mo></mrow>"));
+        return inline_math(&format!("<mrow><mo>(</mo>{inside}<mo>)</mo></mrow>"));
     }
     let mut pieces: Vec<String> = Vec::new();
     for side in &sides {
@@ -131,18 +131,18 @@ pub fn tuple(arena: &Arena, components: &[Expr; 3]) -> String {
     if let Some(end) = pieces.last_mut() {
         end.push_str("<mo form=\"postfix\" stretchy=\"false\">)</mo>");
     }
-    pieces.iter().map(|piece| inline(piece)).collect::<Vec<_>>().join(" ")
+    pieces.iter().map(|piece| inline_math(piece)).collect::<Vec<_>>().join(" ")
 }
 
 /// Returns the HTML of a formula in a sentence. A long formula becomes its number of operations.
-pub fn in_sentence(arena: &Arena, e: Expr) -> String {
-    if is_short(arena, e) { wrapped(&[Side::of(arena, e)]) } else { operations(arena, e) }
+pub fn formula_in_sentence(arena: &Arena, e: Expr) -> String {
+    if is_short(arena, e) { breakable_equation(&[EquationSide::of(arena, e)]) } else { operations(arena, e) }
 }
 
 /// Returns the HTML of the statement that a term is zero.
-pub fn vanishing(arena: &Arena, e: Expr) -> String {
+pub fn zero_statement(arena: &Arena, e: Expr) -> String {
     if is_short(arena, e) {
-        wrapped(&[Side::of(arena, e), Side::Whole("<mn>0</mn>".to_owned())])
+        breakable_equation(&[EquationSide::of(arena, e), EquationSide::Whole("<mn>0</mn>".to_owned())])
     } else {
         format!("{} vanishes", operations(arena, e))
     }
@@ -150,42 +150,44 @@ pub fn vanishing(arena: &Arena, e: Expr) -> String {
 
 /// Returns the number of visible characters of the longest term of a formula. A single term cannot
 /// be broken over lines.
-pub fn widest(view: &View) -> usize {
+pub fn widest(view: &DisplayTree) -> usize {
     match view {
-        View::Sum(terms) => terms.iter().map(|(_, term)| 1 + factor_width(term)).max().unwrap_or(0),
+        DisplayTree::Sum(terms) => terms.iter().map(|(_, term)| 1 + factor_width(term)).max().unwrap_or(0),
         view => width(view),
     }
 }
 
 /// Returns the number of visible characters of a formula on one line.
-fn width(view: &View) -> usize {
+fn width(view: &DisplayTree) -> usize {
     match view {
-        View::Number(text) | View::Name(text) | View::Word(text) | View::Shared(text) => text.chars().count(),
-        View::Pi | View::Cut => 1,
-        View::Sum(terms) => {
+        DisplayTree::Number(text) | DisplayTree::Name(text) | DisplayTree::Word(text) | DisplayTree::Shared(text) => {
+            text.chars().count()
+        }
+        DisplayTree::Pi | DisplayTree::Cut => 1,
+        DisplayTree::Sum(terms) => {
             let sign = |at: usize, negative: bool| usize::from(at > 0 || negative);
             terms.iter().enumerate().map(|(at, (negative, term))| sign(at, *negative) + factor_width(term)).sum()
         }
-        View::Product(factors) => factors.iter().map(factor_width).sum(),
-        View::Fraction(above, below) => width(above).max(width(below)),
-        View::Power(base, n) => factor_width(base) + n.to_string().len(),
-        View::Call(name, argument) => name.len() + factor_width(argument),
-        View::Root(argument) => 1 + width(argument),
+        DisplayTree::Product(factors) => factors.iter().map(factor_width).sum(),
+        DisplayTree::Fraction(above, below) => width(above).max(width(below)),
+        DisplayTree::Power(base, n) => factor_width(base) + n.to_string().len(),
+        DisplayTree::Call(name, argument) => name.len() + factor_width(argument),
+        DisplayTree::Root(argument) => 1 + width(argument),
     }
 }
 
 /// Returns the number of visible characters of a formula as a factor. A sum gets parentheses.
-fn factor_width(view: &View) -> usize {
-    width(view) + if matches!(view, View::Sum(_)) { 2 } else { 0 }
+fn factor_width(view: &DisplayTree) -> usize {
+    width(view) + if matches!(view, DisplayTree::Sum(_)) { 2 } else { 0 }
 }
 
 /// Returns the HTML of a formula in the verdicts on a publication. A long formula is shown as plain
 /// text, cut after 120 characters.
-pub fn value(arena: &Arena, e: Expr) -> String {
+pub fn formula_in_verdict(arena: &Arena, e: Expr) -> String {
     if is_short(arena, e) {
-        return wrapped(&[Side::of(arena, e)]);
+        return breakable_equation(&[EquationSide::of(arena, e)]);
     }
-    let text = print::text(arena, e);
+    let text = print::print_text(arena, e);
     let start: String = text.chars().take(120).collect();
     format!(
         "<code>{} …</code> <span class=\"quiet\">({} characters; <code>tripos diff --json</code> has it whole)</span>",
@@ -195,7 +197,7 @@ pub fn value(arena: &Arena, e: Expr) -> String {
 }
 
 /// Returns the MathML of a number with up to six significant digits.
-pub fn decimal(x: f64) -> String {
+pub fn number_mathml(x: f64) -> String {
     let short = format!("{x:.5e}").parse::<f64>().unwrap_or(x);
     let sign = if short < 0.0 { "<mo form=\"prefix\">−</mo>" } else { "" };
     let size = short.abs();
@@ -209,7 +211,7 @@ pub fn decimal(x: f64) -> String {
 }
 
 /// Returns the HTML of a formula within a sentence, from its MathML.
-pub fn inline(content: &str) -> String {
+pub fn inline_math(content: &str) -> String {
     format!("<math>{content}</math>")
 }
 
@@ -225,34 +227,34 @@ pub fn symbol(name: &str) -> String {
 
 /// Returns the MathML of a model symbol's name. It differs from names that would otherwise look
 /// equal.
-pub fn told_apart(model: &Model, name: &str) -> String {
+pub fn distinct_symbol_mathml(model: &Model, name: &str) -> String {
     match print::symbol_view(&model.arena, name) {
-        word @ View::Word(_) => print::mathml_of(&word),
-        View::Name(printed) => symbol(&printed),
+        word @ DisplayTree::Word(_) => print::mathml_of(&word),
+        DisplayTree::Name(printed) => symbol(&printed),
         _ => symbol(name),
     }
 }
 
 /// Returns the MathML of a vector's letter, bold and upright.
-fn vector(letter: &str) -> String {
+fn vector_letter_mathml(letter: &str) -> String {
     format!("<mi mathvariant=\"normal\" class=\"vector\">{}</mi>", escape(letter))
 }
 
 /// Returns the MathML of a unit vector of a frame, such as b₂ of frame B for the axis 1. Axes count
 /// from 0.
-pub fn basis(frame: &str, axis: usize) -> String {
-    format!("<msub>{}<mn>{}</mn></msub>", vector(&frame.to_lowercase()), axis + 1)
+pub fn unit_vector_mathml(frame: &str, axis: usize) -> String {
+    format!("<msub>{}<mn>{}</mn></msub>", vector_letter_mathml(&frame.to_lowercase()), axis + 1)
 }
 
 /// Returns the MathML of a vector of a point, frame or body relative to the inertial frame, such as
 /// ᴺωᶜ. `of` is its index in the model.
-fn motion(model: &Model, name: VectorName, of: usize) -> String {
+fn motion_vector_mathml(model: &Model, name: VectorName, of: usize) -> String {
     let letter = match name {
         VectorName::AngularVelocity => "ω",
         VectorName::AngularAcceleration => "α",
         other => other.name(),
     };
-    let (base, of) = (vector(letter), symbol(name.owner_name(model, of)));
+    let (base, of) = (vector_letter_mathml(letter), symbol(name.owner_name(model, of)));
     let inertial = symbol(&model.frames[0].name);
     format!("<mmultiscripts>{base}<mrow></mrow>{of}<mprescripts/><mrow></mrow>{inertial}</mmultiscripts>")
 }
@@ -260,41 +262,42 @@ fn motion(model: &Model, name: VectorName, of: usize) -> String {
 /// Returns the MathML of the name on the left side of a line of a derivation.
 pub fn line_name(model: &Model, name: &LineName) -> String {
     match name {
-        LineName::Quantity(kind) => quantity(model, kind),
-        LineName::ActiveForce(at) => force("F", &model.speeds[*at].name),
-        LineName::GeneralizedForce(at) => force("Q", &model.coordinates[*at].name),
+        LineName::Quantity(kind) => quantity_mathml(model, kind),
+        LineName::ActiveForce(at) => generalized_force_mathml("F", &model.speeds[*at].name),
+        LineName::GeneralizedForce(at) => generalized_force_mathml("Q", &model.coordinates[*at].name),
         LineName::Symbol(letter) => symbol(letter),
     }
 }
 
 /// Returns the MathML of the name of a kinematic or dynamic quantity, such as a component of a
 /// velocity.
-fn quantity(model: &Model, kind: &QuantityKind) -> String {
-    let basis = |frame: usize, axis| basis(&model.frames[frame].name, axis);
+fn quantity_mathml(model: &Model, kind: &QuantityKind) -> String {
+    let basis = |frame: usize, axis| unit_vector_mathml(&model.frames[frame].name, axis);
     match *kind {
         QuantityKind::Component { vector, of, frame, axis } => {
-            format!("<mrow>{}<mo>·</mo>{}</mrow>", motion(model, vector, of), basis(frame, axis))
+            format!("<mrow>{}<mo>·</mo>{}</mrow>", motion_vector_mathml(model, vector, of), basis(frame, axis))
         }
         QuantityKind::Partial { vector, of, frame, axis, speed } => format!(
             "<mrow><mfrac><mrow><mo form=\"prefix\">∂</mo>{}</mrow><mrow><mo form=\"prefix\">∂</mo>{}</mrow></mfrac>\
              <mo>·</mo>{}</mrow>",
-            motion(model, vector, of),
-            told_apart(model, &model.speeds[speed].name),
+            motion_vector_mathml(model, vector, of),
+            distinct_symbol_mathml(model, &model.speeds[speed].name),
             basis(frame, axis)
         ),
-        _ => told_apart(model, &kind.name(model)),
+        _ => distinct_symbol_mathml(model, &kind.name(model)),
     }
 }
 
 /// Returns the MathML of a generalized force, such as F or Q with the speed or coordinate as index.
-fn force(letter: &str, of: &str) -> String {
+fn generalized_force_mathml(letter: &str, of: &str) -> String {
     format!("<msub><mi>{letter}</mi><mrow>{}</mrow></msub>", symbol(of))
 }
 
 /// Returns the HTML heading of a stage of a derivation, with velocities typeset.
 pub fn stage_title(model: &Model, stage: Stage) -> String {
     let Stage::Velocities { vector, of, frame } = stage else { return escape(&stage.title(model)) };
-    let (of, frame) = (inline(&motion(model, vector, of)), inline(&symbol(&model.frames[frame].name)));
+    let (of, frame) =
+        (inline_math(&motion_vector_mathml(model, vector, of)), inline_math(&symbol(&model.frames[frame].name)));
     format!("Velocity and partial velocities: {of}, components in {frame}")
 }
 
@@ -302,10 +305,10 @@ pub fn stage_title(model: &Model, stage: Stage) -> String {
 /// along b₁`.
 pub fn row_name(model: &Model, row: &RowName) -> String {
     match row {
-        RowName::Speed(_) | RowName::Coordinate(_) => inline(&told_apart(model, &row.text(model))),
+        RowName::Speed(_) | RowName::Coordinate(_) => inline_math(&distinct_symbol_mathml(model, &row.text(model))),
         RowName::Balance(BalanceName { frame, axis, .. }) => {
-            let along = inline(&basis(&model.frames[*frame].name, *axis));
-            format!("{} along {along}", escape(&row.subject(model)))
+            let along = inline_math(&unit_vector_mathml(&model.frames[*frame].name, *axis));
+            format!("{} along {along}", escape(&row.balance_name_without_axis(model)))
         }
         RowName::Constraint(_) | RowName::Power(_) | RowName::Law { .. } | RowName::Along(_) | RowName::Printed(_) => {
             escape(&row.text(model))
@@ -316,28 +319,28 @@ pub fn row_name(model: &Model, row: &RowName) -> String {
 /// Returns the MathML of a matrix in square brackets, from MathML cells. The style sheet draws the
 /// brackets, because browsers without a mathematical font do not stretch them.
 pub fn matrix(rows: &[Vec<String>]) -> String {
-    let row = |cells: &Vec<String>| format!("<mtr>{}</mtr>\n", each(cells, |cell| format!("<mtd>{cell}</mtd>")));
-    format!("<mtable class=\"matrix\">\n{}</mtable>", each(rows, row))
+    let row = |cells: &Vec<String>| format!("<mtr>{}</mtr>\n", join_html(cells, |cell| format!("<mtd>{cell}</mtd>")));
+    format!("<mtable class=\"matrix\">\n{}</mtable>", join_html(rows, row))
 }
 
 /// Returns the HTML of equations `left = right` below one another, aligned at their equals signs.
 /// Wide sides may be broken over lines.
-pub fn lines(lines: &[(Side, Side)]) -> String {
-    format!("<table class=\"lines\">\n<tbody>\n{}</tbody>\n</table>\n", each(lines, line))
+pub fn aligned_equations(lines: &[(EquationSide, EquationSide)]) -> String {
+    format!("<table class=\"lines\">\n<tbody>\n{}</tbody>\n</table>\n", join_html(lines, aligned_equation_row))
 }
 
 /// Returns the HTML of one equation as a table row.
-fn line(sides: &(Side, Side)) -> String {
+fn aligned_equation_row(sides: &(EquationSide, EquationSide)) -> String {
     let (left, right) = sides;
     // A wide left side would push all equals signs to the right.
     if left.breaks() {
-        return format!("<tr><td class=\"wide\" colspan=\"2\">{}</td></tr>\n", wrapped([left, right]));
+        return format!("<tr><td class=\"wide\" colspan=\"2\">{}</td></tr>\n", breakable_equation([left, right]));
     }
     let mut pieces = right.pieces();
     if let Some(first) = pieces.first_mut() {
         *first = format!("<mo form=\"infix\">=</mo><mrow>{first}</mrow>");
     }
     let class = if right.breaks() { " class=\"wide\"" } else { "" };
-    let pieces = pieces.iter().map(|piece| inline(piece)).collect::<Vec<_>>().join(" ");
-    format!("<tr><td>{}</td><td{class}>{pieces}</td></tr>\n", wrapped([left]))
+    let pieces = pieces.iter().map(|piece| inline_math(piece)).collect::<Vec<_>>().join(" ");
+    format!("<tr><td>{}</td><td{class}>{pieces}</td></tr>\n", breakable_equation([left]))
 }

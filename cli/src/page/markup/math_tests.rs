@@ -1,6 +1,9 @@
 //! Formulas of a page: what may break, and what nobody would read.
 
-use crate::page::markup::math::{Side, formula, in_sentence, lines, tuple, vanishing, widest, wrapped};
+use crate::page::markup::math::{
+    EquationSide, aligned_equations, breakable_equation, formula, formula_in_sentence, vector_components_html, widest,
+    zero_statement,
+};
 use crate::page::markup::typeset::typeset;
 use crate::page::tests::unbalanced;
 use tripos_derive::algebra::Arena;
@@ -10,18 +13,18 @@ use tripos_derive::algebra::text::parse::parse_free;
 fn long_sums_may_stand_on_several_lines() {
     let sum = typeset("-a + (b - c)").unwrap().remove(0);
     assert_eq!(widest(&sum), 6, "+(b−c)");
-    let side = || Side::Whole("<mi>I</mi>".to_owned());
-    let pieces = wrapped(&[side(), Side::Marks(sum)]);
+    let side = || EquationSide::Whole("<mi>I</mi>".to_owned());
+    let pieces = breakable_equation(&[side(), EquationSide::Marks(sum)]);
     assert_eq!(pieces.matches("<math>").count(), 2, "what is narrow stays whole: {pieces}");
     let sum = typeset("-alpha_long + m*(beta_long - gamma_long*(delta_long + 1))").unwrap().remove(0);
-    let pieces = wrapped(&[side(), Side::Marks(sum.clone())]);
+    let pieces = breakable_equation(&[side(), EquationSide::Marks(sum.clone())]);
     assert_eq!(pieces.matches("<math>").count(), 4, "{pieces}");
     assert_eq!(unbalanced(&pieces), None);
     assert!(
         pieces.contains("<mi>I</mi><mo form=\"infix\" rspace=\"0\">=</mo></math> <math><mo form=\"prefix\">−</mo>"),
         "{pieces}"
     );
-    let rows = lines(&[(side(), Side::Marks(sum.clone())), (Side::Marks(sum), side())]);
+    let rows = aligned_equations(&[(side(), EquationSide::Marks(sum.clone())), (EquationSide::Marks(sum), side())]);
     assert_eq!(unbalanced(&rows), None);
     assert!(rows.contains("<td class=\"wide\"><math><mo form=\"infix\">=</mo>"), "{rows}");
     assert!(rows.contains("<td class=\"wide\" colspan=\"2\">"), "a wide left side pushes no equals signs: {rows}");
@@ -37,14 +40,14 @@ fn what_nobody_would_read_is_told_by_its_number_of_operations() {
         parse_free(&mut arena, &text.join(" + ")).unwrap()
     };
     let (short, medium, long) = (sum(10), sum(100), sum(300));
-    let zero = |e| vanishing(&arena, e);
+    let zero = |e| zero_statement(&arena, e);
     assert!(
         zero(short).ends_with("<mo form=\"infix\" rspace=\"0\">=</mo></math> <math><mn>0</mn></math>"),
         "{}",
         zero(short)
     );
     assert_eq!(zero(medium), "a term of 499 operations vanishes", "too long for a sentence");
-    assert_eq!(in_sentence(&arena, long), "a term of 1499 operations");
+    assert_eq!(formula_in_sentence(&arena, long), "a term of 1499 operations");
     assert!(formula(&arena, medium).contains("<msub><mi>q</mi><mn>99</mn></msub>"), "but not for a line of its own");
     assert_eq!(formula(&arena, long), "<mtext>a term of 1499 operations</mtext>");
 }
@@ -54,9 +57,9 @@ fn components_that_are_wide_stand_on_several_lines() {
     let mut arena = Arena::new();
     let [x, long] = ["x", "stiffness*(first_place - second_place) - damping*first_speed"]
         .map(|text| parse_free(&mut arena, text).unwrap());
-    let short = tuple(&arena, &[x, x, x]);
+    let short = vector_components_html(&arena, &[x, x, x]);
     assert_eq!(short.matches("<math>").count(), 1, "{short}");
-    let wide = tuple(&arena, &[x, long, x]);
+    let wide = vector_components_html(&arena, &[x, long, x]);
     assert_eq!(unbalanced(&wide), None);
     assert!(
         wide.matches("<math>").count() > 3 && wide.matches("<mo separator=\"true\">,</mo></math>").count() == 2,

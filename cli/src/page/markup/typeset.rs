@@ -4,9 +4,9 @@
 //! reader finds the printed formula again. Text that is no formula is left as text.
 
 use crate::page::markup::html::escape;
-use crate::page::markup::math::inline;
+use crate::page::markup::math::inline_math;
+use tripos_derive::algebra::text::display_tree::DisplayTree;
 use tripos_derive::algebra::text::print::mathml_of;
-use tripos_derive::algebra::text::view::View;
 
 /// Largest depth of nested parentheses. A deeper formula is shown as text.
 const DEEPEST: usize = 40;
@@ -22,7 +22,7 @@ const FUNCTIONS: [&str; 16] = [
 
 /// Parses the sides of `left = right`, or a single formula. `None` if the text is not in the
 /// language of model files.
-pub fn typeset(text: &str) -> Option<Vec<View>> {
+pub fn typeset(text: &str) -> Option<Vec<DisplayTree>> {
     text.split(" = ").map(formula).collect()
 }
 
@@ -40,7 +40,7 @@ pub fn typeset_words(text: &str) -> String {
             let content = joined.trim_end_matches([',', ';']);
             let is_marked = content.contains(|c: char| c.is_ascii_digit() || "*/^'".contains(c));
             let view = formula(content).filter(|_| is_marked)?;
-            Some((end, format!("{}{}", inline(&mathml_of(&view)), &joined[content.len()..])))
+            Some((end, format!("{}{}", inline_math(&mathml_of(&view)), &joined[content.len()..])))
         });
         let (end, html) = read.unwrap_or_else(|| (at + 1, escape(words[at])));
         out.push(html);
@@ -51,7 +51,7 @@ pub fn typeset_words(text: &str) -> String {
 
 /// Parses a formula without changing its terms. `None` if the text is not in the language of model
 /// files.
-fn formula(text: &str) -> Option<View> {
+fn formula(text: &str) -> Option<DisplayTree> {
     let mut parser = Parser { rest: text.trim(), depth: 0 };
     let view = parser.sum()?;
     parser.rest.is_empty().then_some(view)
@@ -82,7 +82,7 @@ impl<'a> Parser<'a> {
     }
 
     /// Parses a sum; `None` if the text is no formula or is nested too deeply.
-    fn sum(&mut self) -> Option<View> {
+    fn sum(&mut self) -> Option<DisplayTree> {
         self.depth += 1;
         if self.depth > DEEPEST {
             return None;
@@ -99,19 +99,19 @@ impl<'a> Parser<'a> {
         self.depth -= 1;
         Some(match terms.as_slice() {
             [(false, _)] => terms.remove(0).1,
-            _ => View::Sum(terms),
+            _ => DisplayTree::Sum(terms),
         })
     }
 
     /// Parses products and quotients from left to right; `None` if the text is no formula.
-    fn product(&mut self) -> Option<View> {
+    fn product(&mut self) -> Option<DisplayTree> {
         let mut factors = vec![self.factor()?];
         loop {
             if self.take('*') {
                 factors.push(self.factor()?);
             } else if self.take('/') {
                 let above = one(factors);
-                factors = vec![View::Fraction(Box::new(above), Box::new(self.factor()?))];
+                factors = vec![DisplayTree::Fraction(Box::new(above), Box::new(self.factor()?))];
             } else {
                 return Some(one(factors));
             }
@@ -119,47 +119,47 @@ impl<'a> Parser<'a> {
     }
 
     /// Parses a factor: an atom with an optional sign and power. `None` if the text is no formula.
-    fn factor(&mut self) -> Option<View> {
+    fn factor(&mut self) -> Option<DisplayTree> {
         if self.take('-') {
-            return Some(View::Sum(vec![(true, self.factor()?)]));
+            return Some(DisplayTree::Sum(vec![(true, self.factor()?)]));
         }
         let base = self.atom()?;
         if !self.take('^') {
             return Some(base);
         }
         let exponent = self.word(|c| c.is_ascii_digit()).parse().ok()?;
-        Some(View::Power(Box::new(base), exponent))
+        Some(DisplayTree::Power(Box::new(base), exponent))
     }
 
     /// Parses a number, a name, a function call or a formula in parentheses. `None` if the text
     /// begins with none of these.
-    fn atom(&mut self) -> Option<View> {
+    fn atom(&mut self) -> Option<DisplayTree> {
         if self.take('(') {
             let inner = self.sum()?;
             return self.take(')').then_some(inner);
         }
         if self.rest.starts_with(|c: char| c.is_ascii_digit() || c == '.') {
-            return Some(View::Number(self.word(|c| c.is_ascii_digit() || c == '.').to_owned()));
+            return Some(DisplayTree::Number(self.word(|c| c.is_ascii_digit() || c == '.').to_owned()));
         }
         let name = self.word(|c| c.is_ascii_alphanumeric() || c == '_' || c == '\'');
         if self.rest.starts_with('(') {
             let argument = Box::new(self.atom()?);
             return match FUNCTIONS.iter().find(|f| **f == name) {
-                Some(f) => Some(View::Call(f, argument)),
-                None => (name == "sqrt").then_some(View::Root(argument)),
+                Some(f) => Some(DisplayTree::Call(f, argument)),
+                None => (name == "sqrt").then_some(DisplayTree::Root(argument)),
             };
         }
         match name {
             "" => None,
-            "pi" => Some(View::Pi),
-            _ => Some(View::Name(name.to_owned())),
+            "pi" => Some(DisplayTree::Pi),
+            _ => Some(DisplayTree::Name(name.to_owned())),
         }
     }
 }
 
 /// Returns the product of factors, or the factor itself if there is only one.
-fn one(mut factors: Vec<View>) -> View {
-    if factors.len() == 1 { factors.remove(0) } else { View::Product(factors) }
+fn one(mut factors: Vec<DisplayTree>) -> DisplayTree {
+    if factors.len() == 1 { factors.remove(0) } else { DisplayTree::Product(factors) }
 }
 
 #[cfg(test)]

@@ -3,17 +3,17 @@
 
 use super::laws::law;
 use crate::page::content::Page;
-use crate::page::markup::html::{escape, folded, link, part, scroll};
+use crate::page::markup::html::{escape, foldable_part, folded_html, link, scrolling_box};
 use crate::page::markup::math::{
-    Side, formula, in_sentence, inline, is_short, length, line_name, lines, matrix, row_name, stage_title, unread,
-    wrapped,
+    EquationSide, aligned_equations, breakable_equation, formula, formula_in_sentence, inline_math, is_short, length,
+    line_name, long_formulas_note, matrix, row_name, stage_title,
 };
-use crate::phrases::NAMED;
+use crate::phrases::NAMED_TERMS_HEADING;
 use std::fmt::Write;
 use tripos_derive::algebra::term::steps::Definition;
-use tripos_derive::algebra::text::definitions::glossary;
+use tripos_derive::algebra::text::definitions::definitions_shown;
+use tripos_derive::algebra::text::display_tree::DisplayTree;
 use tripos_derive::algebra::text::print::{latex, view_of};
-use tripos_derive::algebra::text::view::View;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{DerivationInSteps, Equations, LineName, QuantityKind, Step};
 use tripos_derive::{Formulation, Model};
@@ -62,17 +62,17 @@ pub fn steps(
     let shown: String = steps.iter().map(|step| show_step(page.model, arena, step, shown)).collect();
     let mut values = steps.iter().flat_map(|step| step.lines.iter().map(|(_, value)| *value));
     let is_read = values.all(|e| length(arena, e).is_some());
-    let rest = if is_read { String::new() } else { unread(&command(page, formulation)) };
-    part(&place(formulation), &escape(formulation.title()), &(shown + &rest))
+    let rest = if is_read { String::new() } else { long_formulas_note(&derive_command(page, formulation)) };
+    foldable_part(&derivation_anchor(formulation), &escape(formulation.title()), &(shown + &rest))
 }
 
 /// Returns the HTML id of a formulation's derivation on the page.
-fn place(formulation: Formulation) -> String {
+fn derivation_anchor(formulation: Formulation) -> String {
     format!("{}-steps", formulation.name())
 }
 
 /// Returns the command that prints all formulas of a formulation in full length.
-fn command(page: &Page, formulation: Formulation) -> String {
+fn derive_command(page: &Page, formulation: Formulation) -> String {
     format!("tripos derive {} --by {} --format json", page.file, formulation.name())
 }
 
@@ -80,7 +80,7 @@ fn command(page: &Page, formulation: Formulation) -> String {
 /// the page are ignored.
 pub fn named_terms(arena: &Arena, shown: &[Expr]) -> String {
     let printed: Vec<Expr> = shown.iter().copied().filter(|e| length(arena, *e).is_some()).collect();
-    definitions(arena, &glossary(arena, &printed))
+    definitions(arena, &definitions_shown(arena, &printed))
 }
 
 /// Returns the HTML of definitions of named terms, folded; empty for an empty list.
@@ -88,16 +88,16 @@ fn definitions(arena: &Arena, list: &[Definition]) -> String {
     if list.is_empty() {
         return String::new();
     }
-    let line = |step: &Definition| (Side::of(arena, step.symbol), Side::of(arena, step.value));
+    let line = |step: &Definition| (EquationSide::of(arena, step.symbol), EquationSide::of(arena, step.value));
     let pairs: Vec<_> = list.iter().map(line).collect();
-    let content = scroll(NAMED, &lines(&pairs));
-    folded(&format!("{NAMED} <span class=\"quiet\">({} lines)</span>", pairs.len()), &content)
+    let content = scrolling_box(NAMED_TERMS_HEADING, &aligned_equations(&pairs));
+    folded_html(&format!("{NAMED_TERMS_HEADING} <span class=\"quiet\">({} lines)</span>", pairs.len()), &content)
 }
 
 /// Returns the HTML of a formulation's principle, with its law as a formula if it has one.
 fn principle(formulation: Formulation, model: &Model) -> String {
     let (principle, law) = (formulation.method().principle, law(formulation, model));
-    if law.is_empty() { format!("{principle}.") } else { format!("{principle} {}.", inline(&law)) }
+    if law.is_empty() { format!("{principle}.") } else { format!("{principle} {}.", inline_math(&law)) }
 }
 
 /// Returns the HTML of a stage of a derivation. A stage already in `shown`, or a long stage, is
@@ -107,8 +107,9 @@ fn show_step(model: &Model, arena: &Arena, step: &Step, shown: &mut Vec<String>)
         return String::new();
     }
     let mut title = stage_title(model, step.stage);
-    let pairs = step.lines.iter().map(|(name, e)| (Side::Whole(line_name(model, name)), Side::of(arena, *e)));
-    let mut content = scroll(&step.stage.title(model), &lines(&pairs.collect::<Vec<_>>()));
+    let pairs =
+        step.lines.iter().map(|(name, e)| (EquationSide::Whole(line_name(model, name)), EquationSide::of(arena, *e)));
+    let mut content = scrolling_box(&step.stage.title(model), &aligned_equations(&pairs.collect::<Vec<_>>()));
     let is_partial = |name: &LineName| matches!(name, LineName::Quantity(QuantityKind::Partial { .. }));
     if step.lines.iter().any(|(name, _)| is_partial(name)) {
         content += "<p class=\"quiet\">Partial derivatives that are not listed are zero.</p>\n";
@@ -123,7 +124,7 @@ fn show_step(model: &Model, arena: &Arena, step: &Step, shown: &mut Vec<String>)
     if repeated || step.lines.len() > MANY_LINES || size > LONG {
         let count = step.lines.len();
         let count = if repeated { String::new() } else { format!(" <span class=\"quiet\">({count} lines)</span>") };
-        folded(&format!("{title}{count}"), &content)
+        folded_html(&format!("{title}{count}"), &content)
     } else {
         format!("<h4>{title}</h4>\n{content}")
     }
@@ -134,18 +135,18 @@ fn show_step(model: &Model, arena: &Arena, step: &Step, shown: &mut Vec<String>)
 fn show_equations(page: &Page, derivation: &DerivationInSteps) -> String {
     let DerivationInSteps { arena, equations, .. } = derivation;
     let (mut out, mut known, mut more) = (String::new(), Vec::new(), String::new());
-    let (system, named) = system(arena, equations);
+    let (system, named) = linear_system_mathml(arena, equations);
     let math = format!("<math display=\"block\"><mrow>{system}</mrow></math>\n");
-    out += &scroll("System of equations in matrix form", &math);
+    out += &scrolling_box("System of equations in matrix form", &math);
     if !named.is_empty() {
         if equations.symmetric {
             known.push("The matrix is symmetric.".to_owned());
         }
-        let entries = scroll("Entries of the matrix and of the forcing", &lines(&named));
-        more += &folded(&format!("Its entries <span class=\"quiet\">({})</span>", named.len()), &entries);
+        let entries = scrolling_box("Entries of the matrix and of the forcing", &aligned_equations(&named));
+        more += &folded_html(&format!("Its entries <span class=\"quiet\">({})</span>", named.len()), &entries);
     }
     if !equations.divisors.is_empty() {
-        let divisors: Vec<_> = equations.divisors.iter().map(|e| in_sentence(arena, *e)).collect();
+        let divisors: Vec<_> = equations.divisors.iter().map(|e| formula_in_sentence(arena, *e)).collect();
         known.push(format!(
             "The kinematic equations divide by {}: where one vanishes the generalized speeds do not determine the rates of the \
              coordinates.",
@@ -155,9 +156,12 @@ fn show_equations(page: &Page, derivation: &DerivationInSteps) -> String {
     let entries: Vec<Expr> = equations.matrix.iter().flatten().chain(&equations.forcing).copied().collect();
     match entries.iter().map(|e| length(arena, *e)).sum::<Option<usize>>() {
         Some(size) if size <= TOO_LONG => {
-            more += &folded("Row by row", &scroll("Equations row by row", &row_by_row(page.model, arena, equations)));
+            more += &folded_html(
+                "Row by row",
+                &scrolling_box("Equations row by row", &row_by_row(page.model, arena, equations)),
+            );
             let source = format!("<pre><code>{}</code></pre>\n", escape(&latex_source(arena, equations)));
-            more += &folded("LaTeX source", &scroll("LaTeX source", &source));
+            more += &folded_html("LaTeX source", &scrolling_box("LaTeX source", &source));
         }
         _ => {
             let command = escape(&format!("tripos derive {} --by {}", page.file, equations.formulation.name()));
@@ -171,15 +175,15 @@ fn show_equations(page: &Page, derivation: &DerivationInSteps) -> String {
     }
     let is_read = entries.iter().all(|e| length(arena, *e).is_some());
     if !(is_read && equations.divisors.iter().all(|e| is_short(arena, *e))) {
-        out += &unread(&command(page, equations.formulation));
+        out += &long_formulas_note(&derive_command(page, equations.formulation));
     }
-    let steps = link(&place(equations.formulation), "How they are derived, step by step");
+    let steps = link(&derivation_anchor(equations.formulation), "How they are derived, step by step");
     out + &format!("<div class=\"side\">\n{more}<p>{steps}.</p>\n</div>\n")
 }
 
 /// Returns the largest length of an entry that is written inside the matrix, so that the system
 /// fits the page.
-fn widest(arena: &Arena, equations: &Equations) -> usize {
+fn longest_matrix_entry(arena: &Arena, equations: &Equations) -> usize {
     let named = "M12".len();
     let width = |e: Expr, limit: usize| length(arena, e).filter(|n| *n <= limit).unwrap_or(named);
     let fits = |limit: &usize| {
@@ -193,15 +197,15 @@ fn widest(arena: &Arena, equations: &Equations) -> usize {
 
 /// Returns the MathML of the linear system matrix · unknowns = forcing. The second result lists the
 /// entries that are too long for it, as (name, value).
-fn system(arena: &Arena, equations: &Equations) -> (String, Vec<(Side, Side)>) {
-    let wide = widest(arena, equations);
+fn linear_system_mathml(arena: &Arena, equations: &Equations) -> (String, Vec<(EquationSide, EquationSide)>) {
+    let wide = longest_matrix_entry(arena, equations);
     let mut named = Vec::new();
     let mut entry = |e: Expr, name: String, is_repeated: bool| {
         if length(arena, e).is_some_and(|length| length <= wide) {
             return formula(arena, e);
         }
         if !is_repeated {
-            named.push((Side::Whole(name.clone()), Side::of(arena, e)));
+            named.push((EquationSide::Whole(name.clone()), EquationSide::of(arena, e)));
         }
         name
     };
@@ -233,28 +237,28 @@ fn row_by_row(model: &Model, arena: &Arena, equations: &Equations) -> String {
     for ((row, name), forcing) in equations.matrix.iter().zip(&equations.rows).zip(&equations.forcing) {
         let terms = row.iter().zip(&equations.unknowns).filter(|(e, _)| **e != Expr::ZERO);
         let terms: Vec<Expr> = terms.map(|(e, x)| arena.mul(*e, *x)).collect();
-        let sides = [Side::Marks(joined(&arena, &terms)), Side::of(&arena, *forcing)];
+        let sides = [EquationSide::Marks(sum_formula(&arena, &terms)), EquationSide::of(&arena, *forcing)];
         let _ = writeln!(
             out,
             "<tr><th scope=\"row\">{}</th><td class=\"wide\">{}</td></tr>",
             row_name(model, name),
-            wrapped(&sides)
+            breakable_equation(&sides)
         );
     }
     out + "</tbody>\n</table>\n"
 }
 
 /// Returns the formula of the sum of `terms`, in the given order.
-fn joined(arena: &Arena, terms: &[Expr]) -> View {
+fn sum_formula(arena: &Arena, terms: &[Expr]) -> DisplayTree {
     let terms = terms.iter().flat_map(|term| match view_of(arena, *term) {
-        View::Sum(terms) => terms,
+        DisplayTree::Sum(terms) => terms,
         term => vec![(false, term)],
     });
-    let mut terms: Vec<(bool, View)> = terms.collect();
+    let mut terms: Vec<(bool, DisplayTree)> = terms.collect();
     match terms.as_slice() {
-        [] => View::Number("0".to_owned()),
+        [] => DisplayTree::Number("0".to_owned()),
         [(false, _)] => terms.remove(0).1,
-        _ => View::Sum(terms),
+        _ => DisplayTree::Sum(terms),
     }
 }
 

@@ -1,35 +1,42 @@
 //! Section of the page on the mechanism: parameters, coordinates, speeds, constraints, bodies and
 //! loads.
 
-use crate::page::markup::html::{escape, folded, number, table};
-use crate::page::markup::math::{Side, basis, formula, inline, matrix, symbol, told_apart, tuple, wrapped};
+use crate::page::markup::html::{escape, folded_html, number, table};
+use crate::page::markup::math::{
+    EquationSide, breakable_equation, distinct_symbol_mathml, formula, inline_math, matrix, symbol, unit_vector_mathml,
+    vector_components_html,
+};
 use std::fmt::Write;
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
 use tripos_derive::mechanics::moving_places;
-use tripos_derive::model::{MotionConstraintKind, Place, ReactionKind, Turn, Unit};
+use tripos_derive::model::{ForcePlace, MotionConstraintKind, ReactionKind, Turn, Unit};
 
 /// Largest number of parameters whose table is not folded.
 const SEEN: usize = 10;
 
 /// Returns the HTML section on the mechanism.
 pub fn section(model: &Model) -> String {
-    let mut out =
-        format!("<section id=\"mechanism\">\n<h2>Mechanism</h2>\n<p class=\"count\">{}.</p>\n", escape(&model.count()));
+    let mut out = format!(
+        "<section id=\"mechanism\">\n<h2>Mechanism</h2>\n<p class=\"count\">{}.</p>\n",
+        escape(&model.counts_in_words())
+    );
     let parameters = parameters(model);
     let parameters = match model.parameters.len() {
-        n if n > SEEN => folded(&format!("Parameters <span class=\"quiet\">({n})</span>"), &parameters),
+        n if n > SEEN => folded_html(&format!("Parameters <span class=\"quiet\">({n})</span>"), &parameters),
         _ => parameters,
     };
     let given = parameters + &coordinates(model) + &speeds(model) + &constraints(model);
     let _ = writeln!(out, "<div class=\"tables\">\n{given}</div>");
-    out +=
-        &folded("Frames, points, bodies and loads", &(frames(model) + &points(model) + &bodies(model) + &loads(model)));
+    out += &folded_html(
+        "Frames, points, bodies and loads",
+        &(frames(model) + &points(model) + &bodies(model) + &loads(model)),
+    );
     out + "</section>\n"
 }
 
 /// Returns the HTML of a unit. `plain` is shown for a quantity without a unit.
-fn unit(unit: &Unit, plain: &str) -> String {
+fn unit_html(unit: &Unit, plain: &str) -> String {
     let text = match unit.to_string().as_str() {
         "1" => plain.to_owned(),
         "kg*m/s^2" => "N".to_owned(),
@@ -55,41 +62,62 @@ fn parameters(model: &Model) -> String {
     let rows = model.parameters.iter().map(|p| {
         let value = p.value.as_ref().map_or_else(|| "—".to_owned(), |v| number(&v.to_f64().to_string()));
         let sign = if p.positive { "positive" } else { "" };
-        vec![inline(&told_apart(model, &p.name)), escape(&p.about), value, unit(&p.unit, "1"), sign.to_owned()]
+        vec![
+            inline_math(&distinct_symbol_mathml(model, &p.name)),
+            escape(&p.about),
+            value,
+            unit_html(&p.unit, "1"),
+            sign.to_owned(),
+        ]
     });
-    some("Parameters", &["Symbol", "Meaning", "Value", "Unit", "Known"], &rows.collect::<Vec<_>>())
+    table_unless_empty("Parameters", &["Symbol", "Meaning", "Value", "Unit", "Known"], &rows.collect::<Vec<_>>())
 }
 
 /// Returns the HTML table of the generalized coordinates.
 fn coordinates(model: &Model) -> String {
     let rows = model.coordinates.iter();
-    let rows = rows.map(|c| vec![inline(&told_apart(model, &c.name)), escape(&c.about), unit(&c.unit, "rad")]);
-    some("Generalized coordinates", &["Symbol", "Meaning", "Unit"], &rows.collect::<Vec<_>>())
+    let rows = rows.map(|c| {
+        vec![inline_math(&distinct_symbol_mathml(model, &c.name)), escape(&c.about), unit_html(&c.unit, "rad")]
+    });
+    table_unless_empty("Generalized coordinates", &["Symbol", "Meaning", "Unit"], &rows.collect::<Vec<_>>())
 }
 
 /// Returns the HTML table of the generalized speeds.
 fn speeds(model: &Model) -> String {
     let rows = model.speeds.iter().map(|s| {
-        let definition =
-            format!("<mrow>{}<mo>=</mo>{}</mrow>", told_apart(model, &s.name), formula(&model.arena, s.definition));
-        vec![inline(&definition)]
+        let definition = format!(
+            "<mrow>{}<mo>=</mo>{}</mrow>",
+            distinct_symbol_mathml(model, &s.name),
+            formula(&model.arena, s.definition)
+        );
+        vec![inline_math(&definition)]
     });
-    some("Generalized speeds", &["Definition"], &rows.collect::<Vec<_>>())
+    table_unless_empty("Generalized speeds", &["Definition"], &rows.collect::<Vec<_>>())
 }
 
 /// Returns the HTML tables of the constraints, the loops and the conditions of the domain.
 fn constraints(model: &Model) -> String {
-    let zero = |e: Expr| wrapped(&[Side::of(&model.arena, e), Side::Whole("<mn>0</mn>".to_owned())]);
+    let zero = |e: Expr| {
+        breakable_equation(&[EquationSide::of(&model.arena, e), EquationSide::Whole("<mn>0</mn>".to_owned())])
+    };
     let rows = model.constraints.iter().map(|c| {
-        let fixed = wrapped(&[Side::Whole(told_apart(model, &c.fixes)), Side::of(&model.arena, c.value)]);
-        let by =
-            c.enforced_by.map_or_else(|| "—".to_owned(), |at| inline(&told_apart(model, &model.reactions[at].name)));
+        let fixed = breakable_equation(&[
+            EquationSide::Whole(distinct_symbol_mathml(model, &c.fixes)),
+            EquationSide::of(&model.arena, c.value),
+        ]);
+        let by = c.enforced_by.map_or_else(
+            || "—".to_owned(),
+            |at| inline_math(&distinct_symbol_mathml(model, &model.reactions[at].name)),
+        );
         vec![escape(&c.name), zero(c.equation), fixed, by]
     });
-    let constraints =
-        some("Holonomic constraints", &["Name", "Equation", "Solved", "Enforced by"], &rows.collect::<Vec<_>>());
+    let constraints = table_unless_empty(
+        "Holonomic constraints",
+        &["Name", "Equation", "Solved", "Enforced by"],
+        &rows.collect::<Vec<_>>(),
+    );
     let loops = model.loops.iter().map(|c| vec![escape(&c.name), zero(c.equation)]);
-    let loops = some("Loops, which stay closed", &["Name", "Equation"], &loops.collect::<Vec<_>>());
+    let loops = table_unless_empty("Loops, which stay closed", &["Name", "Equation"], &loops.collect::<Vec<_>>());
     let of_motion = model.motion_constraints.iter().map(|c| {
         let states = match c.kind {
             MotionConstraintKind::Stated => "velocities",
@@ -97,15 +125,18 @@ fn constraints(model: &Model) -> String {
             MotionConstraintKind::Loop(_) => "the rate of a loop",
             MotionConstraintKind::Clock => "time, which goes on",
         };
-        let by =
-            c.enforced_by.map_or_else(|| "—".to_owned(), |at| inline(&told_apart(model, &model.reactions[at].name)));
+        let by = c.enforced_by.map_or_else(
+            || "—".to_owned(),
+            |at| inline_math(&distinct_symbol_mathml(model, &model.reactions[at].name)),
+        );
         vec![escape(&c.name), zero(c.equation), states.to_owned(), by]
     });
     let heads = ["Name", "Equation", "Of", "Enforced by"];
-    let of_motion = some("Motion constraints", &heads, &of_motion.collect::<Vec<_>>());
+    let of_motion = table_unless_empty("Motion constraints", &heads, &of_motion.collect::<Vec<_>>());
     let constraints = constraints + &loops + &of_motion;
     let rows = model.domain.iter().map(|c| vec![escape(&c.name), format!("<code>{}</code>", escape(&c.text))]);
-    constraints + &some("Domain, where the equations hold", &["Name", "Condition"], &rows.collect::<Vec<_>>())
+    constraints
+        + &table_unless_empty("Domain, where the equations hold", &["Name", "Condition"], &rows.collect::<Vec<_>>())
 }
 
 /// Returns the HTML table of the frames and their rotations.
@@ -113,54 +144,58 @@ fn frames(model: &Model) -> String {
     let rows = model.frames.iter().filter_map(|f| {
         let (parent, turn) = f.rotation.as_ref()?;
         let parent = &model.frames[*parent].name;
-        let by = |e: &Expr| inline(&formula(&model.arena, *e));
+        let by = |e: &Expr| inline_math(&formula(&model.arena, *e));
         let (about, by) = match turn {
-            Turn::About(axis, angle) => (inline(&basis(parent, *axis)), by(angle)),
+            Turn::About(axis, angle) => (inline_math(&unit_vector_mathml(parent, *axis)), by(angle)),
             Turn::Oriented(turn) if turn.spins.is_empty() => ("axes that stay as they are".to_owned(), "—".to_owned()),
             Turn::Oriented(_) => {
                 let all: Vec<String> = turn.quantities().iter().map(by).collect();
                 ("Euler parameters".to_owned(), all.join(", "))
             }
         };
-        Some(vec![inline(&symbol(&f.name)), inline(&symbol(parent)), about, by])
+        Some(vec![inline_math(&symbol(&f.name)), inline_math(&symbol(parent)), about, by])
     });
-    some("Frames", &["Frame", "Turned from", "About", "By the angle"], &rows.collect::<Vec<_>>())
+    table_unless_empty("Frames", &["Frame", "Turned from", "About", "By the angle"], &rows.collect::<Vec<_>>())
 }
 
 /// Returns the HTML table of the points and their positions.
 fn points(model: &Model) -> String {
     let rows = model.points.iter().filter_map(|p| {
         let placement = p.position?;
-        let parent = inline(&symbol(&model.points[placement.parent].name));
+        let parent = inline_math(&symbol(&model.points[placement.parent].name));
         let vector = components_in(model, placement.frame, &placement.components);
-        Some(vec![inline(&symbol(&p.name)), parent, vector])
+        Some(vec![inline_math(&symbol(&p.name)), parent, vector])
     });
-    some("Points", &["Point", "Placed from", "By the vector"], &rows.collect::<Vec<_>>())
+    table_unless_empty("Points", &["Point", "Placed from", "By the vector"], &rows.collect::<Vec<_>>())
 }
 
 /// Returns the HTML table of the bodies with mass and central inertia.
 fn bodies(model: &Model) -> String {
     let rows = model.bodies.iter().map(|b| {
-        let centre = inline(&symbol(&model.points[b.centre].name));
+        let centre = inline_math(&symbol(&model.points[b.centre].name));
         let (frame, inertia) = match &b.rigid {
             None => ("—".to_owned(), "particle".to_owned()),
             Some((frame, inertia)) => {
                 let rows = inertia.tensor.map(|row| row.map(|e| formula(&model.arena, e)).to_vec());
-                let basis = inline(&symbol(&model.frames[inertia.frame].name));
-                let tensor = inline(&matrix(&rows));
-                (inline(&symbol(&model.frames[*frame].name)), format!("{tensor} in {basis}"))
+                let basis = inline_math(&symbol(&model.frames[inertia.frame].name));
+                let tensor = inline_math(&matrix(&rows));
+                (inline_math(&symbol(&model.frames[*frame].name)), format!("{tensor} in {basis}"))
             }
         };
-        vec![escape(&b.name), centre, inline(&formula(&model.arena, b.mass)), frame, inertia]
+        vec![escape(&b.name), centre, inline_math(&formula(&model.arena, b.mass)), frame, inertia]
     });
-    some("Bodies", &["Body", "Mass centre", "Mass", "Frame", "Central inertia"], &rows.collect::<Vec<_>>())
+    table_unless_empty(
+        "Bodies",
+        &["Body", "Mass centre", "Mass", "Frame", "Central inertia"],
+        &rows.collect::<Vec<_>>(),
+    )
 }
 
 /// Returns the HTML table of the loads: gravity, forces, torques, potentials and reactions.
 fn loads(model: &Model) -> String {
     let mut rows = Vec::new();
-    let at = |place: Place| {
-        let point = inline(&symbol(&model.points[place.point].name));
+    let at = |place: ForcePlace| {
+        let point = inline_math(&symbol(&model.points[place.point].name));
         format!("{} at {point}", escape(&model.bodies[place.body].name))
     };
     let against = |on: String, other: Option<String>| match other {
@@ -169,7 +204,7 @@ fn loads(model: &Model) -> String {
     };
     let turned = |(frame, body): (usize, Option<usize>)| match body {
         Some(body) => escape(&model.bodies[body].name),
-        None => format!("frame {}", inline(&symbol(&model.frames[frame].name))),
+        None => format!("frame {}", inline_math(&symbol(&model.frames[frame].name))),
     };
     if let Some(g) = &model.gravity {
         let vector = components_in(model, g.frame, &g.acceleration);
@@ -185,7 +220,7 @@ fn loads(model: &Model) -> String {
     }
     for p in &model.potentials {
         let name = format!("{} (potential)", escape(&p.name));
-        rows.push(vec![name, "coordinates, by its slopes".to_owned(), inline(&formula(&model.arena, p.energy))]);
+        rows.push(vec![name, "coordinates, by its slopes".to_owned(), inline_math(&formula(&model.arena, p.energy))]);
     }
     for r in &model.reactions {
         let body = |body: usize| escape(&model.bodies[body].name);
@@ -195,13 +230,17 @@ fn loads(model: &Model) -> String {
         };
         let direction = components_in(model, r.frame, &r.direction);
         let kind = if r.is_stated { kind.to_owned() } else { format!("{kind}, found") };
-        rows.push(vec![format!("{} ({kind})", inline(&told_apart(model, &r.name))), on, format!("along {direction}")]);
+        rows.push(vec![
+            format!("{} ({kind})", inline_math(&distinct_symbol_mathml(model, &r.name))),
+            on,
+            format!("along {direction}"),
+        ]);
     }
-    some("Loads", &["Name", "On", "Vector"], &rows) + &moving(model)
+    table_unless_empty("Loads", &["Name", "On", "Vector"], &rows) + &moving_load_paragraphs(model)
 }
 
 /// Returns HTML paragraphs on the points of action that move relative to their bodies.
-fn moving(model: &Model) -> String {
+fn moving_load_paragraphs(model: &Model) -> String {
     let line = |text: String| format!("<p>{}</p>\n", escape(&text));
     match moving_places(model) {
         Ok(places) => places.iter().map(|place| line(place.text(model))).collect(),
@@ -211,10 +250,14 @@ fn moving(model: &Model) -> String {
 
 /// Returns the HTML of a vector's components as (x, y, z) in a frame.
 fn components_in(model: &Model, frame: usize, components: &[Expr; 3]) -> String {
-    format!("{} in {}", tuple(&model.arena, components), inline(&symbol(&model.frames[frame].name)))
+    format!(
+        "{} in {}",
+        vector_components_html(&model.arena, components),
+        inline_math(&symbol(&model.frames[frame].name))
+    )
 }
 
 /// Returns the HTML of a table; empty if it has no rows.
-fn some(caption: &str, head: &[&str], rows: &[Vec<String>]) -> String {
+fn table_unless_empty(caption: &str, head: &[&str], rows: &[Vec<String>]) -> String {
     if rows.is_empty() { String::new() } else { table(caption, head, rows) }
 }

@@ -2,15 +2,16 @@
 //! matrices.
 
 use crate::page::content::Page;
-use crate::page::markup::html::{each, escape, head, part, table, words};
+use crate::page::markup::html::{escape, foldable_part, join_html, table, table_head, words_html};
 use crate::page::markup::math::{
-    Side, decimal, in_sentence, inline, is_short, length, symbol, unread, vanishing, wrapped,
+    EquationSide, breakable_equation, formula_in_sentence, inline_math, is_short, length, long_formulas_note,
+    number_mathml, symbol, zero_statement,
 };
 use crate::page::model::derivation::named_terms;
 use std::fmt::Write;
 use tripos_derive::algebra::meaning::compare::{Verdict, Witness};
 use tripos_derive::algebra::{Arena, Expr};
-use tripos_derive::prove::{Integral, IntegralKind, Pair, Singularity, There};
+use tripos_derive::prove::{DeterminantAtZero, EquivalentPair, Integral, IntegralKind, Singularity};
 use tripos_derive::{Formulation, Model};
 
 /// Returns the HTML section on proofs.
@@ -24,7 +25,7 @@ pub fn section(page: &Page) -> String {
     );
     out += "<h3 id=\"equality\">The derivations say the same</h3>\n";
     if !proof.pairs.is_empty() {
-        let rows: Vec<_> = proof.pairs.iter().map(pair).collect();
+        let rows: Vec<_> = proof.pairs.iter().map(compared_pair_row).collect();
         out += &table("Formulations, pair by pair", &["Pair", "Verdict", "How one follows from the other"], &rows);
     }
     for (formulation, why) in &proof.missing {
@@ -35,9 +36,10 @@ pub fn section(page: &Page) -> String {
     } else {
         let is_of_load = |e: &Expr| proof.loads.iter().any(|load| load.value == *e);
         let speeds: Vec<_> =
-            proof.singular_where.iter().filter(|e| !is_of_load(e)).map(|e| vanishing(arena, *e)).collect();
-        let loads =
-            proof.loads.iter().map(|load| format!("{} ({})", vanishing(arena, load.value), words(&load.meaning())));
+            proof.singular_where.iter().filter(|e| !is_of_load(e)).map(|e| zero_statement(arena, *e)).collect();
+        let loads = proof.loads.iter().map(|load| {
+            format!("{} ({})", zero_statement(arena, load.value), words_html(&load.zero_divisor_meaning()))
+        });
         let loads: Vec<_> = loads.collect();
         let rates = (speeds, "there the generalized speeds do not determine the rates of the coordinates");
         for (list, why) in [rates, (loads, "there loads have no value")] {
@@ -47,16 +49,22 @@ pub fn section(page: &Page) -> String {
         }
     }
     if !proof.reactions.is_empty() {
-        let values = each(&proof.reactions, |reaction| {
-            format!("<div>{}</div>\n", wrapped(&[Side::Whole(symbol(&reaction.name)), Side::of(arena, reaction.value)]))
+        let values = join_html(&proof.reactions, |reaction| {
+            format!(
+                "<div>{}</div>\n",
+                breakable_equation(&[
+                    EquationSide::Whole(symbol(&reaction.name)),
+                    EquationSide::of(arena, reaction.value)
+                ])
+            )
         });
         let values = format!(
             "<p>From the equations that Kane's method leaves over.</p>\n<div class=\"formula\">\n{values}</div>\n"
         );
-        out += &part("reactions", "Reactions", &values);
+        out += &foldable_part("reactions", "Reactions", &values);
     }
     out += &integrals(model, arena, &proof.integrals, &proof.search.text(arena));
-    out += &singular(arena, &study.singular);
+    out += &singular_matrices_table(arena, &study.singular);
     let reactions = proof.reactions.iter().map(|reaction| reaction.value);
     let mut values = reactions.chain(proof.integrals.iter().map(|integral| integral.expression));
     let divisors = proof.integrals.iter().flat_map(|integral| integral.divisors(arena));
@@ -64,7 +72,7 @@ pub fn section(page: &Page) -> String {
     let shown = formulas(page);
     out += &named_terms(arena, &shown);
     if values.any(|e| length(arena, e).is_none()) || divisors.any(|e| !is_short(arena, e)) {
-        out += &unread(&format!("tripos prove {} --json", page.file));
+        out += &long_formulas_note(&format!("tripos prove {} --json", page.file));
     }
     out + "</section>\n"
 }
@@ -73,7 +81,7 @@ pub fn section(page: &Page) -> String {
 fn formulas(page: &Page) -> Vec<Expr> {
     let (proof, arena) = (&page.study.proof, &page.study.derivations.kinematics.arena);
     let reactions = proof.reactions.iter().map(|reaction| reaction.value);
-    let integrals = proof.integrals.iter().flat_map(|integral| integral.shown(arena));
+    let integrals = proof.integrals.iter().flat_map(|integral| integral.shown_formulas_of_integral(arena));
     let singular = page.study.singular.iter();
     let singular =
         singular.flat_map(|(_, s)| [s.determinant].into_iter().chain(s.at.iter().map(|place| place.divisor)));
@@ -86,34 +94,34 @@ fn formulas(page: &Page) -> Vec<Expr> {
 fn integrals(model: &Model, arena: &Arena, list: &[Integral], search: &str) -> String {
     let mut out = String::from("<h3 id=\"integrals\">First integrals</h3>\n");
     out += if list.is_empty() { "<p>None found.</p>\n" } else { "<p>Constant along every motion.</p>\n" };
-    let search = format!("<p class=\"quiet\">Search: {}.</p>\n", typed(search));
+    let search = format!("<p class=\"quiet\">Search: {}.</p>\n", text_with_dotted_rates(search));
     if list.is_empty() {
         return out + &search;
     }
     let name = |(at, integral): (usize, &Integral)| {
-        let (name, symbol) = (integral_name(model, arena, integral), inline(&integral_symbol(at)));
-        format!("<li>{symbol}: {name}, {}</li>\n", verdict(&integral.verdict))
+        let (name, symbol) = (integral_name(model, arena, integral), inline_math(&integral_symbol(at)));
+        format!("<li>{symbol}: {name}, {}</li>\n", verdict_html(&integral.verdict))
     };
     let names: String = list.iter().enumerate().map(name).collect();
     let formulas: String =
         list.iter().enumerate().map(|(at, integral)| first_integral(model, arena, at, integral)).collect();
     let _ = writeln!(out, "<ul class=\"plain\">\n{names}</ul>");
-    out + &part("integral-formulas", "As formulas", &(formulas + &search))
+    out + &foldable_part("integral-formulas", "As formulas", &(formulas + &search))
 }
 
 /// Returns the table cells of a compared pair of formulations.
-fn pair(pair: &Pair) -> Vec<String> {
+fn compared_pair_row(pair: &EquivalentPair) -> Vec<String> {
     let (left, right) = (escape(pair.left.title()), escape(pair.right.title()));
-    vec![format!("{left} ⇔ {right}"), verdict(&pair.verdict), typed(&pair.map.text())]
+    vec![format!("{left} ⇔ {right}"), verdict_html(&pair.verdict), text_with_dotted_rates(&pair.map.text())]
 }
 
 /// Returns the HTML of a verdict in words: the method of proof, a witness of a difference, or the
 /// reason for no decision.
-fn verdict(verdict: &Verdict) -> String {
+fn verdict_html(verdict: &Verdict) -> String {
     match verdict {
         Verdict::Equal(engine) => format!("proved <span class=\"quiet\">({})</span>", escape(&engine.to_string())),
         Verdict::Different(found) => {
-            format!("<strong class=\"wrong\">different</strong>: {}", witness(found, ["left", "right"]))
+            format!("<strong class=\"wrong\">different</strong>: {}", witness_html(found, ["left", "right"]))
         }
         Verdict::Undecided(why) => format!("<strong class=\"wrong\">undecided</strong>: {}", escape(why)),
     }
@@ -121,29 +129,32 @@ fn verdict(verdict: &Verdict) -> String {
 
 /// Returns the HTML of a witness: two values with the labels `left` and `right`, and the point at
 /// which they differ.
-pub fn witness(witness: &Witness, [left, right]: [&str; 2]) -> String {
+pub fn witness_html(witness: &Witness, [left, right]: [&str; 2]) -> String {
     let last = witness.at.len().saturating_sub(1);
     let at = witness.at.iter().enumerate().map(|(at, (name, x))| {
         let comma = if at < last { "," } else { "" };
-        format!("<span class=\"keep\">{}{comma}</span>", inline(&format!("{}<mo>=</mo>{}", symbol(name), decimal(*x))))
+        format!(
+            "<span class=\"keep\">{}{comma}</span>",
+            inline_math(&format!("{}<mo>=</mo>{}", symbol(name), number_mathml(*x)))
+        )
     });
     let at: Vec<String> = at.collect();
     let place = if at.is_empty() { String::new() } else { format!(" at {}", at.join(" ")) };
-    let value = |x: f64| inline(&decimal(x));
+    let value = |x: f64| inline_math(&number_mathml(x));
     format!("{left} {}, {right} {}{place}", value(witness.left), value(witness.right))
 }
 
 /// Returns the HTML of a plain text in which rates q' become q̇.
-fn typed(text: &str) -> String {
+fn text_with_dotted_rates(text: &str) -> String {
     escape(text).replace("q'", "q̇")
 }
 
 /// Returns the HTML of one first integral: name, verdict, formula and exceptions. `at` counts from
 /// 0.
 fn first_integral(model: &Model, arena: &Arena, at: usize, integral: &Integral) -> String {
-    let verdict = verdict(&integral.verdict);
+    let verdict = verdict_html(&integral.verdict);
     let divisors = integral.divisors(arena);
-    let places: Vec<String> = divisors.iter().map(|e| vanishing(arena, *e)).collect();
+    let places: Vec<String> = divisors.iter().map(|e| zero_statement(arena, *e)).collect();
     let places = if places.is_empty() {
         String::new()
     } else {
@@ -151,9 +162,9 @@ fn first_integral(model: &Model, arena: &Arena, at: usize, integral: &Integral) 
     };
     format!(
         "<h4>{}: {}, {verdict}</h4>\n<div class=\"formula\">{}</div>\n{places}",
-        inline(&integral_symbol(at)),
+        inline_math(&integral_symbol(at)),
         integral_name(model, arena, integral),
-        wrapped(&[Side::Whole(integral_symbol(at)), Side::of(arena, integral.expression)])
+        breakable_equation(&[EquationSide::Whole(integral_symbol(at)), EquationSide::of(arena, integral.expression)])
     )
 }
 
@@ -169,7 +180,7 @@ pub fn integral_name(model: &Model, arena: &Arena, integral: &Integral) -> Strin
     let kinds = integral.kinds.iter().zip(&integral.of_places).zip(integral.names(model, arena));
     let names = kinds.map(|((kind, of_place), words)| match kind {
         IntegralKind::Coordinate(at) if *of_place == Expr::ZERO => {
-            format!("momentum {}", inline(&momentum(&model.coordinates[*at].name)))
+            format!("momentum {}", inline_math(&momentum(&model.coordinates[*at].name)))
         }
         _ => escape(&words),
     });
@@ -188,7 +199,7 @@ fn momentum(coordinate: &str) -> String {
 
 /// Returns the HTML table of the determinants of the matrices and their zeros; empty for an empty
 /// list.
-fn singular(arena: &Arena, list: &[(Formulation, Singularity)]) -> String {
+fn singular_matrices_table(arena: &Arena, list: &[(Formulation, Singularity)]) -> String {
     if list.is_empty() {
         return String::new();
     }
@@ -196,22 +207,22 @@ fn singular(arena: &Arena, list: &[(Formulation, Singularity)]) -> String {
         format!(
             "<tr><th scope=\"row\">{}</th><td><div class=\"formula\">{}</div></td><td>{}</td></tr>\n",
             escape(formulation.title()),
-            in_sentence(arena, s.determinant),
-            zeros(arena, s)
+            formula_in_sentence(arena, s.determinant),
+            determinant_zeros(arena, s)
         )
     };
     format!(
         "<h3 id=\"singular\">Where the matrices are singular</h3>\n<p>A place where the matrix of the accelerations is singular is one thing, \
          a place where the kinematic equations divide by zero another.</p>\n<table class=\"effects\">\n<caption>Determinants, as \
          formulas</caption>\n<colgroup><col class=\"name\"><col><col class=\"name\"></colgroup>\n{}<tbody>\n{}</tbody>\n</table>\n",
-        head(&["Equations", "Determinant", "Where it is zero"]),
-        each(list, row)
+        table_head(&["Equations", "Determinant", "Where it is zero"]),
+        join_html(list, row)
     )
 }
 
 /// Returns the HTML of proved statements on where a determinant is zero, and where entries of its
 /// matrix divide by zero.
-pub fn zeros(arena: &Arena, singularity: &Singularity) -> String {
+pub fn determinant_zeros(arena: &Arena, singularity: &Singularity) -> String {
     if singularity.determinant == Expr::ZERO {
         return "everywhere".to_owned();
     }
@@ -220,11 +231,11 @@ pub fn zeros(arena: &Arena, singularity: &Singularity) -> String {
         statements.push("nowhere".to_owned());
     }
     for place in &singularity.at {
-        let (divisor, vanishing) = (in_sentence(arena, place.divisor), vanishing(arena, place.divisor));
+        let (divisor, vanishing) = (formula_in_sentence(arena, place.divisor), zero_statement(arena, place.divisor));
         match place.determinant {
-            There::Zero => statements.push(format!("wherever {vanishing}")),
-            There::NotZero if !singularity.never => statements.push(format!("not where {vanishing}")),
-            There::NotZero | There::Open => {}
+            DeterminantAtZero::Zero => statements.push(format!("wherever {vanishing}")),
+            DeterminantAtZero::NotZero if !singularity.never => statements.push(format!("not where {vanishing}")),
+            DeterminantAtZero::NotZero | DeterminantAtZero::Open => {}
         }
         if place.entries_divide {
             statements.push(format!("entries of the matrix divide by {divisor}"));

@@ -2,14 +2,14 @@
 //! symbol.
 
 use crate::page::markup::html::escape;
-use crate::page::markup::math::{inline, symbol};
+use crate::page::markup::math::{inline_math, symbol};
 
 /// Returns the HTML name of a printed entry: `kane-3.2-line1-b1` becomes "Kane (3.2), line 1, b₁".
 /// A part of the id in no known form is unchanged.
 pub fn entry_name(id: &str) -> String {
     let mut parts = Vec::new();
     for (at, part) in id.split('-').enumerate() {
-        let words = named(part, at == 0 && id.contains('-'));
+        let words = entry_name_part(part, at == 0 && id.contains('-'));
         match parts.last_mut() {
             // The number of an equation belongs to the word before it.
             Some(last) if words.starts_with('(') => *last = format!("{last} {words}"),
@@ -21,7 +21,7 @@ pub fn entry_name(id: &str) -> String {
 
 /// Returns the HTML of one part of an entry's id. `is_first` is true for the first of several
 /// parts, which gets a capital letter.
-fn named(part: &str, is_first: bool) -> String {
+fn entry_name_part(part: &str, is_first: bool) -> String {
     let letters = part.trim_end_matches(|c: char| c.is_ascii_digit());
     let digits = &part[letters.len()..];
     if part.contains('.') && part.chars().all(|c| c.is_ascii_digit() || c == '.') {
@@ -33,8 +33,8 @@ fn named(part: &str, is_first: bool) -> String {
             let mut rest = part.chars();
             rest.next().map_or_else(String::new, |first| escape(&(first.to_uppercase().to_string() + rest.as_str())))
         }
-        (name, n) if name.len() == 1 && !n.is_empty() => inline(&symbol(part)),
-        _ if part.ends_with('\'') => inline(&symbol(part)),
+        (name, n) if name.len() == 1 && !n.is_empty() => inline_math(&symbol(part)),
+        _ if part.ends_with('\'') => inline_math(&symbol(part)),
         _ => escape(part),
     }
 }

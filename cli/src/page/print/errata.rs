@@ -2,18 +2,18 @@
 //! mistakes, entries that follow from them, and all verdicts.
 
 use crate::page::content::Page;
-use crate::page::markup::html::{breakable, each, escape, folded, table};
-use crate::page::markup::math::{Side, inline, value, widest, wrapped};
+use crate::page::markup::html::{breakable_id, escape, folded_html, join_html, table};
+use crate::page::markup::math::{EquationSide, breakable_equation, formula_in_verdict, inline_math, widest};
 use crate::page::markup::typeset::{typeset, typeset_words};
 use crate::page::model::derivation::named_terms;
-use crate::page::model::proof::witness;
+use crate::page::model::proof::witness_html;
 use crate::page::print::entry::entry_name;
-use crate::page::print::motion;
-use crate::phrases::entries;
+use crate::page::print::printed_motion;
+use crate::phrases::entry_count_words;
 use std::fmt::Write;
-use tripos::studies::study::Published;
+use tripos::studies::model_analysis::JudgedPublication;
 use tripos_derive::algebra::Arena;
-use tripos_derive::diff::{Difference, Finding, Follower, Judgement, Link, Root};
+use tripos_derive::diff::{DependenceKind, DependentEntry, Difference, Finding, Judgement, RootMistake};
 
 /// Verdicts in the order of the table of counts, each with the heading of its column.
 const VERDICTS: [(&str, &str); 5] = [
@@ -25,17 +25,17 @@ const VERDICTS: [(&str, &str); 5] = [
 ];
 
 /// Links from a root mistake to wrong entries, each with the words before the list of entries.
-const LINKS: [(Link, &str); 3] = [
-    (Link::Repeated, "Repeated in"),
-    (Link::Follows, "From it follow"),
-    (Link::Contradicts, "It contradicts, directly or through others,"),
+const LINKS: [(DependenceKind, &str); 3] = [
+    (DependenceKind::Repeated, "Repeated in"),
+    (DependenceKind::Follows, "From it follow"),
+    (DependenceKind::Contradicts, "It contradicts, directly or through others,"),
 ];
 
 /// Largest number of visible characters of a printed term that fits on a line with its label.
 const WIDEST: usize = 80;
 
 /// Returns the HTML section on the errata of a publication.
-pub fn section(page: &Page, published: &Published) -> String {
+pub fn section(page: &Page, published: &JudgedPublication) -> String {
     let arena = &page.study.derivations.kinematics.arena;
     let difference = &published.difference;
     let mut out = format!(
@@ -47,16 +47,16 @@ pub fn section(page: &Page, published: &Published) -> String {
             reference => format!(" ({})", escape(reference)),
         }
     );
-    out += &counts(&difference.findings);
+    out += &verdict_counts_table(&difference.findings);
     if !difference.findings.iter().any(is_wrong) {
         out += "<p>Nothing is wrong.</p>\n";
     }
     out += &mistakes(arena, difference);
-    out += &undecided(arena, &difference.findings);
-    out += &scaled(arena, &difference.findings);
-    out += &all(&difference.findings);
-    out += &motion::consequences(page, published);
-    out += &named_terms(arena, &difference.shown());
+    out += &undecided_entries(arena, &difference.findings);
+    out += &scaled_entries(arena, &difference.findings);
+    out += &all_entries_list(&difference.findings);
+    out += &printed_motion::motion_consequences(page, published);
+    out += &named_terms(arena, &difference.shown_formulas());
     out + "</section>\n"
 }
 
@@ -72,7 +72,7 @@ fn mistakes(arena: &Arena, difference: &Difference) -> String {
     if roots.is_empty() {
         return String::new();
     }
-    let wrong = entries(difference.count("different"));
+    let wrong = entry_count_words(difference.count("different"));
     let count =
         if roots.len() == 1 { "1 root mistake is".to_owned() } else { format!("{} root mistakes are", roots.len()) };
     let items: String = roots.iter().enumerate().map(|(at, root)| mistake(arena, findings, at, root)).collect();
@@ -85,41 +85,42 @@ fn mistakes(arena: &Arena, difference: &Difference) -> String {
 
 /// Returns the HTML of one root mistake: description, entries that repeat it or follow from it, and
 /// an erratum for each entry.
-fn mistake(arena: &Arena, findings: &[Finding], at: usize, root: &Root) -> String {
+fn mistake(arena: &Arena, findings: &[Finding], at: usize, root: &RootMistake) -> String {
     let shown = std::iter::once((root.finding, None)).chain(root.followers.iter().map(|f| (f.finding, Some(f))));
-    let rows: String =
-        shown.map(|(finding, by)| entry(arena, &findings[finding], by.map(|f| source(findings, f)))).collect();
+    let rows: String = shown
+        .map(|(finding, by)| entry(arena, &findings[finding], by.map(|f| cause_of_entry_html(findings, f))))
+        .collect();
     format!(
         "<details id=\"{}\">\n<summary>{}. {}: {} <span class=\"quiet\">({})</span></summary>\n{}{}</details>\n",
         anchor(at),
         at + 1,
         entry_name(&findings[root.finding].id),
         typeset_words(&root.mistake),
-        entries(root.entries()),
-        each(&LINKS, |(link, words)| links(findings, root, *link, words)),
+        entry_count_words(root.entries()),
+        join_html(&LINKS, |(link, words)| linked_entries_sentence(findings, root, *link, words)),
         errata("Its entries", &rows),
     )
 }
 
 /// Returns the HTML of a sentence with the entries that have a certain link to a root mistake.
 /// Empty if there are none.
-fn links(findings: &[Finding], root: &Root, link: Link, words: &str) -> String {
-    let ids: Vec<String> = root.linked(link).map(|f| code(findings, f.finding)).collect();
+fn linked_entries_sentence(findings: &[Finding], root: &RootMistake, link: DependenceKind, words: &str) -> String {
+    let ids: Vec<String> = root.followers_by_link(link).map(|f| entry_id_html(findings, f.finding)).collect();
     if ids.is_empty() { String::new() } else { format!("<p>{words} {}.</p>\n", ids.join(", ")) }
 }
 
 /// Returns the HTML of an entry's id.
-fn code(findings: &[Finding], at: usize) -> String {
+fn entry_id_html(findings: &[Finding], at: usize) -> String {
     format!("<code>{}</code>", escape(&findings[at].id))
 }
 
 /// Returns the HTML of words for the entries from which a wrong entry follows.
-fn source(findings: &[Finding], follower: &Follower) -> String {
-    let ids = |list: &[usize]| list.iter().map(|at| code(findings, *at)).collect::<Vec<_>>().join(" and ");
+fn cause_of_entry_html(findings: &[Finding], follower: &DependentEntry) -> String {
+    let ids = |list: &[usize]| list.iter().map(|at| entry_id_html(findings, *at)).collect::<Vec<_>>().join(" and ");
     let words = match follower.link {
-        Link::Repeated => "repeats",
-        Link::Follows => "follows from",
-        Link::Contradicts => "contradicts",
+        DependenceKind::Repeated => "repeats",
+        DependenceKind::Follows => "follows from",
+        DependenceKind::Contradicts => "contradicts",
     };
     let also =
         if follower.also.is_empty() { String::new() } else { format!("; comes of {} as well", ids(&follower.also)) };
@@ -127,12 +128,12 @@ fn source(findings: &[Finding], follower: &Follower) -> String {
 }
 
 /// Returns the HTML of the entries whose verdict is undecided; empty if there are none.
-fn undecided(arena: &Arena, findings: &[Finding]) -> String {
+fn undecided_entries(arena: &Arena, findings: &[Finding]) -> String {
     let open: Vec<&Finding> = findings.iter().filter(|f| matches!(f.judgement, Judgement::Undecided(_))).collect();
     if open.is_empty() {
         return String::new();
     }
-    errata("What is not decided", &each(&open, |finding| entry(arena, finding, None)))
+    errata("What is not decided", &join_html(&open, |finding| entry(arena, finding, None)))
 }
 
 /// Returns the HTML of a table of errata. `caption` and `rows` are HTML.
@@ -149,7 +150,7 @@ fn is_wrong(finding: &Finding) -> bool {
 }
 
 /// Returns the HTML table with the number of entries for each verdict and section.
-fn counts(findings: &[Finding]) -> String {
+fn verdict_counts_table(findings: &[Finding]) -> String {
     let mut sections: Vec<&str> = Vec::new();
     for finding in findings {
         if !sections.contains(&finding.section.as_str()) {
@@ -173,23 +174,26 @@ fn counts(findings: &[Finding]) -> String {
 /// Returns the HTML of one erratum: the entry's id, printed and derived form, difference, witness
 /// and remarks. `source` names the entries from which it follows.
 fn entry(arena: &Arena, finding: &Finding, source: Option<String>) -> String {
-    let mut lines = vec![("printed", printed(&finding.printed))];
+    let mut lines = vec![("printed", printed_text_html(&finding.printed))];
     if let Some(derived) = finding.derived {
         // A row of a linear system has all of its terms on one side.
-        let zero =
-            if finding.printed.contains(" = ") { inline("<mo form=\"infix\">=</mo><mn>0</mn>") } else { String::new() };
-        lines.push(("derived", format!("{} {zero}", value(arena, derived))));
+        let zero = if finding.printed.contains(" = ") {
+            inline_math("<mo form=\"infix\">=</mo><mn>0</mn>")
+        } else {
+            String::new()
+        };
+        lines.push(("derived", format!("{} {zero}", formula_in_verdict(arena, derived))));
     }
     if let Some(difference) = finding.difference {
-        lines.push(("printed − derived", value(arena, difference)));
+        lines.push(("printed − derived", formula_in_verdict(arena, difference)));
     }
     if let Some(factor) = finding.factor {
-        lines.push(("factor", value(arena, factor)));
+        lines.push(("factor", formula_in_verdict(arena, factor)));
     }
     // If the finding has no derived form, a remark names the compared form, and no witness is
     // shown.
     if let (Some(found), true) = (&finding.witness, finding.derived.is_some()) {
-        lines.push(("for instance", witness(found, ["printed", "derived"])));
+        lines.push(("for instance", witness_html(found, ["printed", "derived"])));
     }
     if let Judgement::Undecided(why) = &finding.judgement {
         lines.push(("undecided", escape(why)));
@@ -199,7 +203,7 @@ fn entry(arena: &Arena, finding: &Finding, source: Option<String>) -> String {
     let head = format!(
         "<th scope=\"rowgroup\" rowspan=\"{}\"><code>{}</code><br><span class=\"quiet\">section {}</span></th>",
         lines.len(),
-        breakable(&finding.id),
+        breakable_id(&finding.id),
         escape(&finding.section),
     );
     let mut rows = String::new();
@@ -212,10 +216,10 @@ fn entry(arena: &Arena, finding: &Finding, source: Option<String>) -> String {
 
 /// Returns the HTML of a printed text: typeset if it is a formula that fits on a line, otherwise as
 /// code.
-fn printed(text: &str) -> String {
+fn printed_text_html(text: &str) -> String {
     match typeset(text) {
         Some(sides) if sides.iter().all(|side| widest(side) <= WIDEST) => {
-            wrapped(&sides.into_iter().map(Side::Marks).collect::<Vec<_>>())
+            breakable_equation(&sides.into_iter().map(EquationSide::Marks).collect::<Vec<_>>())
         }
         _ => format!("<code>{}</code>", escape(text)),
     }
@@ -223,31 +227,36 @@ fn printed(text: &str) -> String {
 
 /// Returns the HTML of the entries that are right up to a factor. They belong to rows of linear
 /// systems.
-fn scaled(arena: &Arena, findings: &[Finding]) -> String {
+fn scaled_entries(arena: &Arena, findings: &[Finding]) -> String {
     let list: Vec<&Finding> = findings.iter().filter(|f| f.judgement == Judgement::Scaled).collect();
     if list.is_empty() {
         return String::new();
     }
     let item = |finding: &&Finding| {
-        let by = finding.factor.map_or_else(|| escape(&finding.remarks.join("; ")), |factor| value(arena, factor));
-        format!("<li><code>{}</code> by {by}{}</li>\n", breakable(&finding.id), place(finding))
+        let by = finding
+            .factor
+            .map_or_else(|| escape(&finding.remarks.join("; ")), |factor| formula_in_verdict(arena, factor));
+        format!("<li><code>{}</code> by {by}{}</li>\n", breakable_id(&finding.id), validity_words(finding))
     };
-    let items = format!("<ul class=\"entries\">\n{}</ul>\n", each(&list, item));
-    folded(&format!("Equal up to a factor <span class=\"quiet\">({})</span>", entries(list.len())), &items)
+    let items = format!("<ul class=\"entries\">\n{}</ul>\n", join_html(&list, item));
+    folded_html(
+        &format!("Equal up to a factor <span class=\"quiet\">({})</span>", entry_count_words(list.len())),
+        &items,
+    )
 }
 
 /// Returns words for the domain in which an entry holds; empty if it holds everywhere.
-fn place(finding: &Finding) -> String {
+fn validity_words(finding: &Finding) -> String {
     finding.holds.words().map_or_else(String::new, |words| format!(" {words}"))
 }
 
 /// Returns the HTML list of all entries with their verdicts, folded.
-fn all(findings: &[Finding]) -> String {
+fn all_entries_list(findings: &[Finding]) -> String {
     let item = |finding: &Finding| {
         let word = finding.judgement.word();
         let word = if is_wrong(finding) { format!("<strong class=\"wrong\">{word}</strong>") } else { word.to_owned() };
-        format!("<li><code>{}</code> {word}{}</li>\n", breakable(&finding.id), place(finding))
+        format!("<li><code>{}</code> {word}{}</li>\n", breakable_id(&finding.id), validity_words(finding))
     };
-    let items = format!("<ul class=\"entries\">\n{}</ul>\n", each(findings, item));
-    folded(&format!("All entries <span class=\"quiet\">({})</span>", findings.len()), &items)
+    let items = format!("<ul class=\"entries\">\n{}</ul>\n", join_html(findings, item));
+    folded_html(&format!("All entries <span class=\"quiet\">({})</span>", findings.len()), &items)
 }

@@ -3,5 +3,5 @@
 
 mod entry;
 pub(super) mod errata;
-pub(super) mod motion;
+pub(super) mod printed_motion;
 pub(super) mod verdict;

@@ -7,14 +7,14 @@ use tripos_derive::diff::{Consequences, Difference};
 /// Returns sentences as HTML, each with the id of the section that contains its evidence. They
 /// state the number of wrong entries, the root mistakes, and the effect on the motion.
 pub fn abstract_of_verdict(difference: &Difference) -> Vec<(&'static str, String)> {
-    let counted = std::iter::once(("errata", entries(difference)));
-    let mistakes = mistakes(difference).map(|said| ("mistakes", said));
-    counted.chain(mistakes).chain(systems(difference).map(|said| ("effects", said))).collect()
+    let counted = std::iter::once(("errata", wrong_entries_sentence(difference)));
+    let mistakes = root_mistakes_sentence(difference).map(|said| ("mistakes", said));
+    counted.chain(mistakes).chain(printed_systems_sentence(difference).map(|said| ("effects", said))).collect()
 }
 
 /// Returns a sentence on the number of root mistakes, and on the mistake that causes most wrong
 /// entries. `None` without a mistake, or if the only mistake causes no other wrong entry.
-fn mistakes(difference: &Difference) -> Option<String> {
+fn root_mistakes_sentence(difference: &Difference) -> Option<String> {
     let Difference { roots, findings, .. } = difference;
     // If several mistakes cause equally many entries, the first is named.
     let largest = roots.iter().rev().max_by_key(|root| root.entries()).filter(|root| root.entries() > 1);
@@ -28,7 +28,7 @@ fn mistakes(difference: &Difference) -> Option<String> {
 }
 
 /// Returns a sentence on the numbers of wrong and undecided entries.
-fn entries(difference: &Difference) -> String {
+fn wrong_entries_sentence(difference: &Difference) -> String {
     let all = difference.findings.len();
     let (wrong, open) = (difference.count("different"), difference.count("undecided"));
     let entries = if all == 1 { "printed entry" } else { "printed entries" };
@@ -43,7 +43,7 @@ fn entries(difference: &Difference) -> String {
 
 /// Returns a sentence on the accelerations and the energy by the printed systems; `None` if no
 /// system is printed.
-fn systems(difference: &Difference) -> Option<String> {
+fn printed_systems_sentence(difference: &Difference) -> Option<String> {
     let list = &difference.consequences;
     let of = |is: &dyn Fn(&Consequences) -> bool| list.iter().filter(|system| is(system)).count();
     let wrong = of(&|system| matches!(system.accelerations, Verdict::Different(_)));

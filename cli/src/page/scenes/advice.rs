@@ -2,7 +2,7 @@
 
 use crate::chart::sentences::seconds;
 use crate::page::content::Advice;
-use crate::page::markup::html::{escape, number, rounded, table};
+use crate::page::markup::html::{escape, number, rounded_number_html, table};
 
 /// Column headings of the table of recommended runs.
 const HEAD: [&str; 7] = ["Error below", "Equations", "Accelerations", "Method", "Tolerance", "Time of a run", "Error"];
@@ -23,7 +23,7 @@ pub fn section(advice: &Advice, place: &str) -> String {
                     c.method.to_owned(),
                     c.tolerance.map_or_else(|| "–".to_owned(), size),
                     seconds(c.seconds),
-                    size(rounded(c.error, 2).parse().unwrap_or(c.error)),
+                    size(rounded_number_html(c.error, 2).parse().unwrap_or(c.error)),
                 ]),
                 None => cells.extend(["nothing measured here", "", "", "", "", ""].map(str::to_owned)),
             }

@@ -6,11 +6,11 @@
 //! run reaches its end.
 
 use crate::page::content::{RunRow, SceneSection, Standing};
-use crate::page::markup::html::{count, escape, listed, number, rounded, words};
+use crate::page::markup::html::{counted_noun, escape, list_names, number, rounded_number_html, words_html};
 use crate::page::scenes::runs::energy;
-use crate::page::scenes::singular::name;
+use crate::page::scenes::singular_matrices::run_name;
 use std::fmt::Write;
-use tripos_derive::plain::significant;
+use tripos_derive::plain_text::with_significant_digits;
 
 /// Largest number of printed runs that a sentence names. Further runs are counted.
 const NAMED: usize = 4;
@@ -29,7 +29,7 @@ pub enum Grade {
 }
 
 /// Returns the grade of a run: arrived, ended, loose or stopped.
-fn grade(run: &RunRow) -> Grade {
+fn run_grade(run: &RunRow) -> Grade {
     match run.standing {
         Standing::Stopped => Grade::Stopped,
         Standing::Loose { .. } => Grade::Loose,
@@ -44,48 +44,54 @@ fn derived_runs(scene: &SceneSection) -> Vec<&RunRow> {
 }
 
 /// Returns the worst grade among the derived runs; `None` if there is no such run.
-pub fn worst(scene: &SceneSection) -> Option<Grade> {
-    derived_runs(scene).into_iter().map(grade).max()
+pub fn worst_grade(scene: &SceneSection) -> Option<Grade> {
+    derived_runs(scene).into_iter().map(run_grade).max()
 }
 
 /// Returns the HTML sentence on the outcome of the derived runs.
-pub fn derived(scene: &SceneSection) -> String {
+pub fn derived_outcome(scene: &SceneSection) -> String {
     let runs = derived_runs(scene);
-    let Some(worst) = worst(scene) else { return "No derived equations ran.".to_owned() };
-    let some: Vec<&RunRow> = runs.iter().copied().filter(|run| grade(run) == worst).collect();
+    let Some(worst) = worst_grade(scene) else { return "No derived equations ran.".to_owned() };
+    let some: Vec<&RunRow> = runs.iter().copied().filter(|run| run_grade(run) == worst).collect();
     let run = some[0];
     let who = match (some.len(), runs.len()) {
         (1, 1) => "The derived run".to_owned(),
         (n, all) if n == all => format!("All {n} derived runs"),
         (n, all) => format!("{n} of {all} derived runs"),
     };
-    let t = number(&rounded(run.t_end, 5));
+    let t = number(&rounded_number_html(run.t_end, 5));
     let s = |one: &'static str, many: &'static str| if some.len() == 1 { one } else { many };
-    let why = words(run.stop.trim_end_matches('.'));
+    let why = words_html(run.stop.trim_end_matches('.'));
     match worst {
         Grade::Stopped => format!("{who} {} at t = {t} s: {why}.", s("stops", "stop")),
         Grade::Ended => format!("{who} {} at t = {t} s: {why}.", s("ends", "end")),
-        Grade::Loose => format!("{who} {} right but loose: {}.", s("is", "are"), loose(run)),
-        Grade::Arrived => format!("{who} {} t = {t} s{}.", s("reaches", "reach"), kept(&some)),
+        Grade::Loose => format!("{who} {} right but loose: {}.", s("is", "are"), loose_run_words(run)),
+        Grade::Arrived => format!("{who} {} t = {t} s{}.", s("reaches", "reach"), kept_accuracy_words(&some)),
     }
 }
 
 /// Returns words on why a run is loose: the time from which it has few digits, and its error.
 /// Otherwise its first warning.
-fn loose(run: &RunRow) -> String {
+fn loose_run_words(run: &RunRow) -> String {
     let Standing::Loose { how, error } = &run.standing else { return String::new() };
-    let few = run.few_from.map(|t| format!("fewer than three digits from t = {} s on", number(&rounded(t, 4))));
-    let error = error.as_ref().ok().map(|error| format!("an error of {} at the end", number(&significant(*error, 2))));
+    let few =
+        run.few_from.map(|t| format!("fewer than three digits from t = {} s on", number(&rounded_number_html(t, 4))));
+    let error = error
+        .as_ref()
+        .ok()
+        .map(|error| format!("an error of {} at the end", number(&with_significant_digits(*error, 2))));
     let left: Vec<String> = few.into_iter().chain(error).collect();
     match run.warnings.first() {
-        Some(warning) if run.few_from.is_none() => format!("{}; {}", words(how), words(warning.trim_end_matches('.'))),
-        _ if left.is_empty() => format!("{}; what that leaves is not known", words(how)),
-        _ => format!("{} leaves {}", words(how), listed(&left)),
+        Some(warning) if run.few_from.is_none() => {
+            format!("{}; {}", words_html(how), words_html(warning.trim_end_matches('.')))
+        }
+        _ if left.is_empty() => format!("{}; what that leaves is not known", words_html(how)),
+        _ => format!("{} leaves {}", words_html(how), list_names(&left)),
     }
 }
 
 /// Returns words on the digits and the energy that runs keep to their ends.
-fn kept(runs: &[&RunRow]) -> String {
+fn kept_accuracy_words(runs: &[&RunRow]) -> String {
     let digits = runs.iter().filter_map(|run| run.digits).reduce(f64::min);
     let drift = runs.iter().filter_map(|run| run.energy_drift).reduce(f64::max);
     let digits = digits.map(|digits| format!(" with {digits:.0} digits or more"));
@@ -100,7 +106,7 @@ fn kept(runs: &[&RunRow]) -> String {
 
 /// Returns the HTML sentence on the outcome of the printed equations; `None` if no printed
 /// equations ran.
-pub fn printed(scene: &SceneSection) -> Option<String> {
+pub fn printed_outcome(scene: &SceneSection) -> Option<String> {
     let runs: Vec<&RunRow> = scene.runs.iter().filter(|run| run.printed.is_some()).collect();
     if runs.is_empty() {
         return None;
@@ -110,30 +116,30 @@ pub fn printed(scene: &SceneSection) -> Option<String> {
     let of = |n: usize| if n == runs.len() { format!("all {n}") } else { format!("{n} of {}", runs.len()) };
     let mut out = match (wrong, runs.len()) {
         (0, 1) => "As printed, the one system is not wrong".to_owned(),
-        (0, all) => format!("As printed, none of {} is wrong", count(all, "system")),
+        (0, all) => format!("As printed, none of {} is wrong", counted_noun(all, "system")),
         (_, 1) => "As printed, the one system is wrong".to_owned(),
-        (1, all) => format!("As printed, 1 of {} is wrong, however its run ends", count(all, "system")),
+        (1, all) => format!("As printed, 1 of {} is wrong, however its run ends", counted_noun(all, "system")),
         _ => format!("As printed, {} systems are wrong, however their runs end", of(wrong)),
     };
     if !early.is_empty() {
-        let one = |run: &&RunRow| format!("{} at {} s", name(run), number(&rounded(run.t_end, 3)));
+        let one = |run: &&RunRow| format!("{} at {} s", run_name(run), number(&rounded_number_html(run.t_end, 3)));
         let mut list: Vec<String> = early.iter().take(NAMED).map(one).collect();
         if early.len() > NAMED {
             list.push(format!("{} more", early.len() - NAMED));
         }
         let ends = if early.len() == 1 { "ends" } else { "end" };
-        let _ = write!(out, "; {} {ends} early: {}", of(early.len()), listed(&list));
+        let _ = write!(out, "; {} {ends} early: {}", of(early.len()), list_names(&list));
     }
-    Some(out + "." + &far(&runs))
+    Some(out + "." + &worst_energy_drift_sentence(&runs))
 }
 
 /// Returns the HTML sentence on the wrong printed run that reaches its end with the largest energy
 /// drift. Empty if there is none.
-fn far(runs: &[&RunRow]) -> String {
+fn worst_energy_drift_sentence(runs: &[&RunRow]) -> String {
     let wrong = runs.iter().filter(|run| run.arrived && run.standing == Standing::Wrong);
     let known = wrong.filter_map(|run| Some((run, run.energy_drift.filter(|drift| drift.is_finite())?)));
     let Some((run, drift)) = known.max_by(|a, b| a.1.total_cmp(&b.1)) else { return String::new() };
-    format!(" {} arrives, with total energy off by {} J.", name(run), energy(drift))
+    format!(" {} arrives, with total energy off by {} J.", run_name(run), energy(drift))
 }
 
 /// Returns the HTML of a scene's title in quotation marks.

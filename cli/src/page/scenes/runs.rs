@@ -1,13 +1,13 @@
 //! Tables of a scene's runs, a row for each: results, and largest changes of first integrals.
 
 use crate::page::content::{Page, RunRow, SceneSection, Standing};
-use crate::page::markup::html::{escape, head, number, rounded, scroll, words};
-use crate::page::markup::math::inline;
+use crate::page::markup::html::{escape, number, rounded_number_html, scrolling_box, table_head, words_html};
+use crate::page::markup::math::inline_math;
 use crate::page::model::proof::{integral_name, integral_symbol};
-use crate::page::scenes::standing::{self, class};
+use crate::page::scenes::standing::{self, run_row_class};
 use std::fmt::Write;
 use tripos_derive::algebra::meaning::compare::Verdict;
-use tripos_derive::plain::significant;
+use tripos_derive::plain_text::with_significant_digits;
 
 /// Column headings of the table of a scene's runs.
 const HEAD: [&str; 8] = [
@@ -22,11 +22,11 @@ const HEAD: [&str; 8] = [
 ];
 
 /// Returns the HTML table of all runs of a scene, derived and printed.
-pub fn table(page: &Page, scene: &SceneSection) -> String {
+pub fn runs_table(page: &Page, scene: &SceneSection) -> String {
     let of = |printed: bool| scene.runs.iter().filter(move |row| row.printed.is_some() == printed);
     let rows_of = |printed: bool| -> String {
         let before = std::iter::once(None).chain(of(printed).map(Some));
-        before.zip(of(printed)).map(|(before, row)| run(row, before)).collect()
+        before.zip(of(printed)).map(|(before, row)| run_rows(row, before)).collect()
     };
     let mut rows = rows_of(false);
     let not_run = scene.not_run.iter().map(|(title, why)| {
@@ -49,9 +49,9 @@ pub fn table(page: &Page, scene: &SceneSection) -> String {
     let table = format!(
         "<table class=\"runs\">\n<caption>Runs</caption>\n{}<tbody>\n{rows}</tbody>\n\
          </table>\n",
-        head(&HEAD)
+        table_head(&HEAD)
     );
-    scroll(&format!("Runs of {}", scene.title), &table)
+    scrolling_box(&format!("Runs of {}", scene.title), &table)
 }
 
 /// Returns words for the number of wrong systems among the printed equations that ran. Empty if
@@ -67,46 +67,50 @@ fn how_many_are_wrong(scene: &SceneSection) -> String {
 }
 
 /// Returns the HTML table of the largest change of each first integral in each run.
-pub fn changes(page: &Page, scene: &SceneSection) -> String {
+pub fn integral_changes_table(page: &Page, scene: &SceneSection) -> String {
     let integrals = &page.study.proof.integrals;
-    let heads: Vec<String> = (0..integrals.len()).map(|at| inline(&integral_symbol(at))).collect();
+    let heads: Vec<String> = (0..integrals.len()).map(|at| inline_math(&integral_symbol(at))).collect();
     let columns: Vec<&str> = std::iter::once("Equations").chain(heads.iter().map(String::as_str)).collect();
     let row = |run: &RunRow| {
         let cell = |(at, change): (usize, &f64)| {
             let (open, close) =
-                if breaks(page, run, at) { ("<strong class=\"wrong\">", "</strong>") } else { ("", "") };
+                if violates_integral(page, run, at) { ("<strong class=\"wrong\">", "</strong>") } else { ("", "") };
             format!("<td class=\"n\">{open}{}{close}</td>", energy(*change))
         };
         let cells: String = run.changes.iter().enumerate().map(cell).collect();
-        format!("<tr{}><th scope=\"row\">{}</th>{cells}</tr>\n", class(run, ""), standing::name(run))
+        format!(
+            "<tr{}><th scope=\"row\">{}</th>{cells}</tr>\n",
+            run_row_class(run, ""),
+            standing::run_name_with_standing(run)
+        )
     };
     let named = |(at, integral): (usize, &tripos_derive::prove::Integral)| {
         format!(
             "{}: {}",
-            inline(&integral_symbol(at)),
+            inline_math(&integral_symbol(at)),
             integral_name(page.model, &page.study.derivations.kinematics.arena, integral)
         )
     };
     let names: Vec<String> = integrals.iter().enumerate().map(named).collect();
-    let marked = scene.runs.iter().any(|run| (0..integrals.len()).any(|at| breaks(page, run, at)));
+    let marked = scene.runs.iter().any(|run| (0..integrals.len()).any(|at| violates_integral(page, run, at)));
     let marked =
         if marked { " Marked: these equations do not conserve it, however well they are integrated." } else { "" };
     let table = format!(
         "<table class=\"runs extremes\">\n<caption>Largest |I(t) − I(t₀)|, in SI units</caption>\n{}<tbody>\n{}</tbody>\n</table>\n",
-        head(&columns),
+        table_head(&columns),
         scene.runs.iter().filter(|run| !run.changes.is_empty()).map(row).collect::<String>()
     );
     format!(
         "{}<p class=\"quiet\">{}. What the derived equations show here is the error of the integration: their exact \
          solutions keep all of these.{marked}</p>\n",
-        scroll("Largest change of each first integral", &table),
+        scrolling_box("Largest change of each first integral", &table),
         names.join("; ")
     )
 }
 
 /// True if the printed equations of a run are proved not to conserve the first integral with this
 /// index.
-fn breaks(page: &Page, run: &RunRow, integral: usize) -> bool {
+fn violates_integral(page: &Page, run: &RunRow, integral: usize) -> bool {
     let (Some(id), Some(published)) = (&run.printed, &page.study.published) else { return false };
     let system = published.difference.consequences.iter().find(|c| c.system == *id);
     let rate = system.and_then(|c| c.rates.get(integral));
@@ -115,7 +119,7 @@ fn breaks(page: &Page, run: &RunRow, integral: usize) -> bool {
 
 /// Returns the HTML rows of a run: its numbers, and if needed a row with remarks, the reason of an
 /// early end, and warnings. The reason is not repeated if the run `before` has the same.
-fn run(run: &RunRow, before: Option<&RunRow>) -> String {
+fn run_rows(run: &RunRow, before: Option<&RunRow>) -> String {
     let is_like_before = before.is_some_and(|before| !before.arrived && before.stop == run.stop);
     let result = match run.arrived {
         true => escape(&run.stop),
@@ -125,9 +129,9 @@ fn run(run: &RunRow, before: Option<&RunRow>) -> String {
     let mut out = format!(
         "<tr{}><th scope=\"row\">{}</th><td class=\"result\">{result}</td><td class=\"n\">{}</td><td class=\"n\">{}</td>\
          <td class=\"n\">{}</td><td class=\"n\">{} ({})</td><td class=\"n\">{}</td><td>{}, {}</td></tr>\n",
-        class(run, ""),
-        standing::name(run),
-        number(&rounded(run.t_end, 6)),
+        run_row_class(run, ""),
+        standing::run_name_with_standing(run),
+        number(&rounded_number_html(run.t_end, 6)),
         run.digits.map_or_else(|| "–".to_owned(), |digits| number(&format!("{digits:.1}"))),
         run.energy_drift.map_or_else(|| "–".to_owned(), energy),
         run.steps,
@@ -136,14 +140,17 @@ fn run(run: &RunRow, before: Option<&RunRow>) -> String {
         escape(run.method),
         escape(&run.code),
     );
-    let word = run.standing.word().map_or(String::new(), |word| format!("{}{}:", word[..1].to_uppercase(), &word[1..]));
-    let standing = run.standing.remark(run.t_end).map(|text| (word.as_str(), text));
+    let word = run
+        .standing
+        .standing_word()
+        .map_or(String::new(), |word| format!("{}{}:", word[..1].to_uppercase(), &word[1..]));
+    let standing = run.standing.standing_remark(run.t_end).map(|text| (word.as_str(), text));
     let ending = (!run.arrived && !is_like_before).then(|| ("How it ended:", run.stop.clone()));
     let warnings = run.warnings.iter().map(|warning| ("Warning:", warning.clone()));
-    let said = |(label, text): (&str, String)| format!("<strong>{label}</strong> {}", words(text.trim()));
+    let said = |(label, text): (&str, String)| format!("<strong>{label}</strong> {}", words_html(text.trim()));
     let all: Vec<String> = standing.into_iter().chain(ending).chain(warnings).map(said).collect();
     if !all.is_empty() {
-        let (class, columns, text) = (class(run, "remark"), HEAD.len(), all.join(". "));
+        let (class, columns, text) = (run_row_class(run, "remark"), HEAD.len(), all.join(". "));
         let _ = writeln!(out, "<tr{class}><td colspan=\"{columns}\" class=\"wide\">{text}</td></tr>");
     }
     out
@@ -154,5 +161,5 @@ pub fn energy(drift: f64) -> String {
     if !drift.is_finite() {
         return "<strong>not finite</strong>".to_owned();
     }
-    number(&significant(drift, 2))
+    number(&with_significant_digits(drift, 2))
 }

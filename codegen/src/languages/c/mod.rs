@@ -4,11 +4,11 @@
 
 mod names;
 
-use super::{Composite, Dialect, Module};
+use super::{CompositeFunction, Dialect, Module};
 use crate::plan::{Entry, Function, Language, Returns};
-use crate::syntax::{Comments, Syntax, Writer, assigned, constant, firm};
+use crate::syntax::{CodeWriter, Comments, Syntax, assignments, number_literal, with_firm_spaces};
 use std::fmt::Write;
-use tripos_derive::plain::{one_line, visible};
+use tripos_derive::plain_text::{one_line, with_visible_characters};
 
 /// Text of the header `tripos.h`, which all models share.
 const SHARED: &str = include_str!("tripos.h");
@@ -27,15 +27,15 @@ impl Syntax for C {
 
     /// Replaces backslashes, which could join lines, and breaks trigraphs, so that a text is safe
     /// in a comment.
-    fn harmless(&self, text: &str) -> String {
-        visible(&one_line(text)).replace('\\', "/").replace("??", "? ?")
+    fn escape_comment(&self, text: &str) -> String {
+        with_visible_characters(&one_line(text)).replace('\\', "/").replace("??", "? ?")
     }
 
-    fn whole(&self, digits: &str) -> String {
-        if digits.len() <= MOST_DIGITS { digits.to_owned() } else { self.decimal(&format!("{digits}.0")) }
+    fn integer_literal(&self, digits: &str) -> String {
+        if digits.len() <= MOST_DIGITS { digits.to_owned() } else { self.decimal_literal(&format!("{digits}.0")) }
     }
 
-    fn decimal(&self, text: &str) -> String {
+    fn decimal_literal(&self, text: &str) -> String {
         // A literal beyond the range of doubles would cause a compiler warning.
         match text.parse::<f64>() {
             Ok(0.0) => "TRIPOS_C(0.0)".to_owned(),
@@ -65,10 +65,10 @@ impl Syntax for C {
     }
 
     fn declare(&self, out: &mut String, indent: &str, list: &[(String, String)]) {
-        self.statement(out, indent, &format!("const tripos_real {};", assigned(list, ", ")));
+        self.statement(out, indent, &format!("const tripos_real {};", assignments(list, ", ")));
     }
 
-    fn circular(&self, sine: &str, cosine: &str, angle: &str) -> Option<Vec<String>> {
+    fn sine_and_cosine_statements(&self, sine: &str, cosine: &str, angle: &str) -> Option<Vec<String>> {
         let call = format!("tripos_sincos({angle}, &{sine}, &{cosine});");
         Some(vec![format!("tripos_real {sine}, {cosine};"), call])
     }
@@ -93,18 +93,18 @@ impl Dialect for C {
 
     fn files(&self, module: &Module<'_>) -> Vec<(String, String)> {
         let stem = stem(module);
-        vec![(format!("{stem}.h"), header(module)), (format!("{stem}.c"), source(module))]
+        vec![(format!("{stem}.h"), c_header_text(module)), (format!("{stem}.c"), c_source_text(module))]
     }
 
     fn shared_files(&self, origin: &str) -> Vec<(String, String)> {
-        let mut writer = Writer::new(self, Comments::Written);
+        let mut writer = CodeWriter::new(self, Comments::Written);
         writer.origin(origin);
-        writer.raw("//");
+        writer.write_unbroken("//");
         vec![("tripos.h".to_owned(), writer.out + SHARED)]
     }
 
-    fn composites(&self) -> &'static [Composite] {
-        &[Composite::Unknowns, Composite::Reactions, Composite::Project]
+    fn composites(&self) -> &'static [CompositeFunction] {
+        &[CompositeFunction::Unknowns, CompositeFunction::Reactions, CompositeFunction::Project]
     }
 }
 
@@ -115,17 +115,17 @@ fn stem(module: &Module<'_>) -> String {
 
 /// Returns the text of the C header: lengths of arrays, indices of the parameters, and
 /// declarations.
-fn header(module: &Module<'_>) -> String {
-    let (stem, mut writer) = (stem(module), Writer::new(&C, Comments::Written));
+fn c_header_text(module: &Module<'_>) -> String {
+    let (stem, mut writer) = (stem(module), CodeWriter::new(&C, Comments::Written));
     let upper = stem.to_ascii_uppercase();
     let usage = format!(
         "Arrays have the lengths that the declarations state; the parameters p are in the order of {upper}_P_*. \
          Matrices are row by row. No function allocates or keeps anything."
     );
     module.header(&mut writer, &module.title(), &usage);
-    writer.raw(&format!("#ifndef {upper}_H\n#define {upper}_H\n\n#include \"tripos.h\"\n"));
-    writer.raw("#ifdef __cplusplus\nextern \"C\" {\n#endif");
-    writer.gap();
+    writer.write_unbroken(&format!("#ifndef {upper}_H\n#define {upper}_H\n\n#include \"tripos.h\"\n"));
+    writer.write_unbroken("#ifdef __cplusplus\nextern \"C\" {\n#endif");
+    writer.write_empty_line();
     let (model, e) = (module.model(), module.equations());
     let lengths = [
         ("PARAMETERS", model.parameters.len()),
@@ -140,80 +140,80 @@ fn header(module: &Module<'_>) -> String {
     let further = further.map(|(title, names)| (title.to_ascii_uppercase().replace(' ', "_"), names.len()));
     let lengths: Vec<(String, usize)> =
         lengths.iter().map(|(name, length)| ((*name).to_owned(), *length)).chain(further).collect();
-    writer.raw("enum {");
+    writer.write_unbroken("enum {");
     for (at, (name, length)) in lengths.iter().enumerate() {
         let comma = if at + 1 < lengths.len() { "," } else { "" };
-        writer.raw(&format!("  {upper}_{name} = {length}{comma}"));
+        writer.write_unbroken(&format!("  {upper}_{name} = {length}{comma}"));
     }
-    writer.raw("};");
-    writer.gap();
+    writer.write_unbroken("};");
+    writer.write_empty_line();
     if !model.parameters.is_empty() {
         writer.comment("Places of the parameters in p.");
-        writer.raw("enum {");
+        writer.write_unbroken("enum {");
         writer.indent("  ");
         let words = module.parameter_words();
         for (at, (word, meaning)) in words.iter().zip(module.parameter_meanings()).enumerate() {
             writer.comment(&meaning);
             let comma = if at + 1 < words.len() { "," } else { "" };
-            writer.raw(&format!("{upper}_P_{word} = {at}{comma}"));
+            writer.write_unbroken(&format!("{upper}_P_{word} = {at}{comma}"));
         }
         writer.indent("");
-        writer.raw("};");
-        writer.gap();
+        writer.write_unbroken("};");
+        writer.write_empty_line();
         writer.comment("Fills p with the values of the model file; not numbers where it states none.");
-        writer.raw(&format!("void {stem}_defaults(tripos_real p[{}]);", model.parameters.len()));
+        writer.write_unbroken(&format!("void {stem}_defaults(tripos_real p[{}]);", model.parameters.len()));
     }
     for function in &module.plan.functions {
-        writer.gap();
+        writer.write_empty_line();
         writer.comment(&function.about);
         writer.comment(&format!("{}.", function.cost));
         writer.line(&format!("{};", signature(module, function)));
     }
     for composite in module.composites {
-        writer.gap();
+        writer.write_empty_line();
         let (about, signature) = composite_signature(module, *composite);
         writer.comment(about);
         writer.line(&format!("{signature};"));
     }
-    writer.gap();
-    writer.raw("#ifdef __cplusplus\n}\n#endif\n\n#endif");
+    writer.write_empty_line();
+    writer.write_unbroken("#ifdef __cplusplus\n}\n#endif\n\n#endif");
     writer.out
 }
 
 /// Returns the text of the C source: default parameters, planned functions, and composite functions
 /// that call them.
-fn source(module: &Module<'_>) -> String {
-    let (stem, mut writer) = (stem(module), Writer::new(&C, Comments::Written));
+fn c_source_text(module: &Module<'_>) -> String {
+    let (stem, mut writer) = (stem(module), CodeWriter::new(&C, Comments::Written));
     writer.comment(&module.title());
     writer.comment("");
     writer.origin(module.origin);
-    writer.gap();
-    writer.raw(&format!("#include \"{stem}.h\""));
+    writer.write_empty_line();
+    writer.write_unbroken(&format!("#include \"{stem}.h\""));
     if !module.model().parameters.is_empty() {
-        writer.gap();
-        writer.raw(&format!("void {stem}_defaults(tripos_real p[{}])\n{{", module.model().parameters.len()));
+        writer.write_empty_line();
+        writer.write_unbroken(&format!("void {stem}_defaults(tripos_real p[{}])\n{{", module.model().parameters.len()));
         writer.indent("  ");
         let meanings = module.parameter_meanings();
         for ((at, p), meaning) in module.model().parameters.iter().enumerate().zip(meanings) {
-            let value = p.value.as_ref().map_or_else(|| C.not_a_number().to_owned(), |value| constant(&C, value));
+            let value = p.value.as_ref().map_or_else(|| C.not_a_number().to_owned(), |value| number_literal(&C, value));
             writer.comment(&meaning);
             writer.line(&format!("p[{at}] = {value};"));
         }
         writer.indent("");
-        writer.raw("}");
+        writer.write_unbroken("}");
     }
     for planned in &module.plan.functions {
-        function(&mut writer, module, planned);
+        write_c_function(&mut writer, module, planned);
     }
     for composite in module.composites {
-        writer.gap();
+        writer.write_empty_line();
         let (_, signature) = composite_signature(module, *composite);
         writer.line(&signature);
-        writer.raw("{");
+        writer.write_unbroken("{");
         writer.indent("  ");
-        composite_body(&mut writer, module, *composite);
+        write_composite_c_body(&mut writer, module, *composite);
         writer.indent("");
-        writer.raw("}");
+        writer.write_unbroken("}");
     }
     writer.out
 }
@@ -245,23 +245,23 @@ fn signature(module: &Module<'_>, planned: &Function) -> String {
             Some(length) => format!("const tripos_real {name}[{length}]"),
             None => format!("tripos_real {name}"),
         })
-        .map(|argument| firm(&argument))
+        .map(|argument| with_firm_spaces(&argument))
         .collect();
-    arguments.extend(results.iter().map(|(name, _)| firm(&format!("tripos_real *TRIPOS_RESTRICT {name}"))));
+    arguments.extend(results.iter().map(|(name, _)| with_firm_spaces(&format!("tripos_real *TRIPOS_RESTRICT {name}"))));
     let returned = if is_number { "tripos_real" } else { "void" };
     format!("{returned} {}_{}({})", stem(module), planned.name, arguments.join(", "))
 }
 
 /// Writes the C definition of a planned function.
-fn function(writer: &mut Writer<'_>, module: &Module<'_>, planned: &Function) {
-    writer.gap();
+fn write_c_function(writer: &mut CodeWriter<'_>, module: &Module<'_>, planned: &Function) {
+    writer.write_empty_line();
     writer.line(&signature(module, planned));
-    writer.raw("{");
+    writer.write_unbroken("{");
     writer.indent("  ");
     for argument in planned.arguments.iter().filter(|argument| !argument.is_read()) {
         writer.line(&format!("(void){};", argument.name()));
     }
-    writer.unpack(&planned.arguments);
+    writer.declare_arguments(&planned.arguments);
     writer.program(planned, &planned.program, &[]);
     let text = |entry: &Entry| match entry {
         Entry::Zero => "0".to_owned(),
@@ -280,27 +280,27 @@ fn function(writer: &mut Writer<'_>, module: &Module<'_>, planned: &Function) {
         }
     }
     writer.indent("");
-    writer.raw("}");
+    writer.write_unbroken("}");
 }
 
 /// Returns the description and the C signature of a function that calls planned functions.
-fn composite_signature(module: &Module<'_>, composite: Composite) -> (&'static str, String) {
+fn composite_signature(module: &Module<'_>, composite: CompositeFunction) -> (&'static str, String) {
     let (stem, v) = (stem(module), module.variables_argument());
     let solving = format!(
         "int {stem}_{}({}, {}, {}, {})",
         composite.name(),
-        firm("const tripos_real *p"),
-        firm("const tripos_real *q"),
-        firm(&format!("const tripos_real *{v}")),
-        firm("tripos_real *TRIPOS_RESTRICT out")
+        with_firm_spaces("const tripos_real *p"),
+        with_firm_spaces("const tripos_real *q"),
+        with_firm_spaces(&format!("const tripos_real *{v}")),
+        with_firm_spaces("tripos_real *TRIPOS_RESTRICT out")
     );
     match composite {
-        Composite::Unknowns => (
+        CompositeFunction::Unknowns => (
             "Solves the linear system for its unknowns: the accelerations, then the reactions or multipliers. Returns 0, \
              or 1 where the matrix is singular.",
             solving,
         ),
-        Composite::Reactions => (
+        CompositeFunction::Reactions => (
             "Solves the linear system for its reactions alone, in their order among the unknowns. Returns 0, or 1 where \
              the matrix is singular.",
             solving,
@@ -315,19 +315,19 @@ fn composite_signature(module: &Module<'_>, composite: Composite) -> (&'static s
 
 /// Writes the body of a C function that calls planned functions: a linear solve, or a projection
 /// onto constraints.
-fn composite_body(writer: &mut Writer<'_>, module: &Module<'_>, composite: Composite) {
+fn write_composite_c_body(writer: &mut CodeWriter<'_>, module: &Module<'_>, composite: CompositeFunction) {
     let (stem, v, e) = (stem(module), module.variables_argument(), module.equations());
     let mut text = String::new();
     let n = e.unknowns.len();
     let system = format!("{stem}_mass_matrix(p, q, {v}, matrix);\n{stem}_forcing(p, q, {v}, right);\n");
-    if composite == Composite::Unknowns {
+    if composite == CompositeFunction::Unknowns {
         let _ = write!(
             text,
             "tripos_real matrix[{}], right[{}];\n{system}return tripos_solve({n}, matrix, right, out);",
             (n * n).max(1),
             n.max(1)
         );
-    } else if composite == Composite::Reactions {
+    } else if composite == CompositeFunction::Reactions {
         let _ = write!(
             text,
             "tripos_real matrix[{}], right[{n}], x[{n}];\nint k, failed;\n{system}\

@@ -3,13 +3,13 @@
 
 mod names;
 
-use super::module::table;
-use super::{Composite, Dialect, Module, SceneRun};
+use super::module_contents::result_matrix_size;
+use super::{CompositeFunction, Dialect, Module, SceneRun};
 use crate::lines::wrap;
 use crate::plan::{Argument, Entry, Function, Language};
-use crate::syntax::{Comments, Syntax, WIDTH, Writer, constant};
+use crate::syntax::{CodeWriter, Comments, Syntax, WIDTH, number_literal};
 use std::fmt::Write;
-use tripos_derive::plain::{one_line, visible};
+use tripos_derive::plain_text::{one_line, with_visible_characters};
 
 /// Largest number of bytes in the name of a MATLAB function.
 const LONGEST: usize = 63;
@@ -20,7 +20,7 @@ const LONGEST_FUNCTION: usize = 24;
 
 /// Largest residual of a satisfied constraint, relative to the sizes of its terms. A larger
 /// residual makes the projected state NaN.
-const CLOSED: &str = "1e-12";
+const LARGEST_CLOSED_RESIDUAL: &str = "1e-12";
 
 /// MATLAB and Octave as a language for formulas and as a target for modules.
 pub struct Matlab;
@@ -30,8 +30,8 @@ impl Syntax for Matlab {
         "%"
     }
 
-    fn harmless(&self, text: &str) -> String {
-        visible(&one_line(text)).into_owned()
+    fn escape_comment(&self, text: &str) -> String {
+        with_visible_characters(&one_line(text)).into_owned()
     }
 
     fn operators(&self) -> [&'static str; 2] {
@@ -105,7 +105,12 @@ impl Dialect for Matlab {
         let mut files = vec![(format!("{stem}_parameters.m"), parameters(module, &stem))];
         let planned = module.plan.functions.iter();
         files.extend(planned.map(|f| (format!("{stem}_{}.m", f.name), function(module, &stem, f))));
-        files.extend(module.composites.iter().map(|c| (format!("{stem}_{}.m", c.name()), composed(module, &stem, *c))));
+        files.extend(
+            module
+                .composites
+                .iter()
+                .map(|c| (format!("{stem}_{}.m", c.name()), matlab_composite_file(module, &stem, *c))),
+        );
         files
     }
 
@@ -115,11 +120,11 @@ impl Dialect for Matlab {
 
     fn script(&self, module: &Module<'_>, run: &SceneRun) -> Option<(String, String)> {
         let stem = stem(module.model_word, module.equations_word);
-        Some((format!("{stem}_simulate.m"), script(module, &stem, run)))
+        Some((format!("{stem}_simulate.m"), matlab_simulation_script(module, &stem, run)))
     }
 
-    fn composites(&self) -> &'static [Composite] {
-        use Composite::{Project, Reactions, StateDerivative, StateForcing, StateMass, Unknowns};
+    fn composites(&self) -> &'static [CompositeFunction] {
+        use CompositeFunction::{Project, Reactions, StateDerivative, StateForcing, StateMass, Unknowns};
         &[Unknowns, Reactions, StateDerivative, StateMass, StateForcing, Project]
     }
 }
@@ -139,15 +144,15 @@ fn stem(model: &str, equations: &str) -> String {
 
 /// Returns the MATLAB string literal for a text.
 fn string(text: &str) -> String {
-    format!("'{}'", visible(&one_line(text)).replace('\'', "''"))
+    format!("'{}'", with_visible_characters(&one_line(text)).replace('\'', "''"))
 }
 
 /// Starts a function file: the origin, the first line with the signature, and comments.
-fn opened(module: &Module<'_>, signature: &str, comments: &[&str]) -> Writer<'static> {
-    let mut writer = Writer::new(&Matlab, Comments::Written);
+fn start_matlab_file(module: &Module<'_>, signature: &str, comments: &[&str]) -> CodeWriter<'static> {
+    let mut writer = CodeWriter::new(&Matlab, Comments::Written);
     // The origin comes first, so that programs find it. A function file may begin with comments.
     writer.origin(module.origin);
-    writer.raw(&format!("function {signature}"));
+    writer.write_unbroken(&format!("function {signature}"));
     for text in comments {
         writer.comment(text);
     }
@@ -162,33 +167,33 @@ fn parameters(module: &Module<'_>, stem: &str) -> String {
     let about =
         "Parameters in their order, with the values of the model file (NaN where it states none), names and units.";
     let signature = format!("[p, names, units] = {stem}_parameters()");
-    let mut writer = opened(module, &signature, &[about]);
+    let mut writer = start_matlab_file(module, &signature, &[about]);
     writer.indent("");
     let usage = "Functions take parameters p, coordinates q and motion variables as columns; with several columns, they \
                  compute several states at once, along the last dimension of the results.";
     module.header(&mut writer, about, usage);
     writer.indent("  ");
     let model = module.model();
-    writer.raw(&format!("p = zeros({}, 1);", model.parameters.len()));
+    writer.write_unbroken(&format!("p = zeros({}, 1);", model.parameters.len()));
     for ((at, p), meaning) in model.parameters.iter().enumerate().zip(module.parameter_meanings()) {
         writer.comment(&meaning);
-        let value = p.value.as_ref().map_or_else(|| "NaN".to_owned(), |value| constant(&Matlab, value));
-        writer.raw(&format!("p({}) = {value};", at + 1));
+        let value = p.value.as_ref().map_or_else(|| "NaN".to_owned(), |value| number_literal(&Matlab, value));
+        writer.write_unbroken(&format!("p({}) = {value};", at + 1));
     }
     let mut list = |name: &str, texts: &mut dyn Iterator<Item = String>| {
-        writer.raw(&format!("{name} = {{ ..."));
-        texts.for_each(|text| writer.raw(&format!("  {}, ...", string(&text))));
-        writer.raw("};");
+        writer.write_unbroken(&format!("{name} = {{ ..."));
+        texts.for_each(|text| writer.write_unbroken(&format!("  {}, ...", string(&text))));
+        writer.write_unbroken("};");
     };
     list("names", &mut model.parameters.iter().map(|p| p.name.clone()));
     list("units", &mut model.parameters.iter().map(|p| p.unit.to_string()));
-    closed(writer)
+    end_matlab_file(writer)
 }
 
 /// Ends a function file and returns its text.
-fn closed(mut writer: Writer<'_>) -> String {
+fn end_matlab_file(mut writer: CodeWriter<'_>) -> String {
     writer.indent("");
-    writer.raw("end");
+    writer.write_unbroken("end");
     writer.out
 }
 
@@ -198,29 +203,29 @@ fn function(module: &Module<'_>, stem: &str, planned: &Function) -> String {
     let is_pair = planned.returns.first().is_some();
     let results = if is_pair { "[out, out_2]" } else { "out" };
     let signature = format!("{results} = {stem}_{}({})", planned.name, names.join(", "));
-    let mut writer = opened(module, &signature, &[&planned.about, &format!("{}.", planned.cost)]);
+    let mut writer = start_matlab_file(module, &signature, &[&planned.about, &format!("{}.", planned.cost)]);
     for (name, length) in module.argument_lengths(planned) {
         if let Some(length) = length.filter(|length| *length > 0) {
-            writer.raw(&format!(
+            writer.write_unbroken(&format!(
                 "assert(size({name}, 1) == {length}, '{name} needs {length} rows, one for each entry');"
             ));
         }
     }
     let widths: Vec<String> = names.iter().map(|name| format!("size({name}, 2)")).collect();
     writer.line(&format!("N = max([{}]);", widths.join(", ")));
-    writer.unpack(&planned.arguments);
+    writer.declare_arguments(&planned.arguments);
     writer.program(planned, &planned.program, &[]);
     let entries = &planned.entries;
     let mut filled = |name: &str, entries: &[(usize, &Entry)]| {
-        writer.raw(&format!("{name} = zeros({}, N);", entries.len()));
+        writer.write_unbroken(&format!("{name} = zeros({}, N);", entries.len()));
         for (place, entry) in entries {
             if let Entry::Variable(variable) = entry {
-                writer.raw(&format!("{name}({}, :) = {variable};", place + 1));
+                writer.write_unbroken(&format!("{name}({}, :) = {variable};", place + 1));
             }
         }
     };
     let (first, second) = entries.split_at(planned.returns.first().unwrap_or(entries.len()));
-    let shape = table(planned);
+    let shape = result_matrix_size(planned);
     // Entries of a matrix are stored column by column.
     let place = |at: usize| match shape {
         Some([rows, columns]) => at % columns.max(1) * rows + at / columns.max(1),
@@ -231,18 +236,18 @@ fn function(module: &Module<'_>, stem: &str, planned: &Function) -> String {
         filled("out_2", &second.iter().enumerate().collect::<Vec<_>>());
     }
     if let Some([rows, columns]) = shape {
-        writer.raw(&format!("out = reshape(out, {rows}, {columns}, N);"));
+        writer.write_unbroken(&format!("out = reshape(out, {rows}, {columns}, N);"));
     }
-    closed(writer)
+    end_matlab_file(writer)
 }
 
 /// Returns the text of the file of a function that calls planned functions.
-fn composed(module: &Module<'_>, stem: &str, composite: Composite) -> String {
+fn matlab_composite_file(module: &Module<'_>, stem: &str, composite: CompositeFunction) -> String {
     let (v, e) = (module.variables_argument(), module.equations());
     let n = e.coordinates.len();
     let of_state = format!("q = state(1:{n}, :);\n{v} = state({}:end, :);\n", n + 1);
     let (signature, about, body) = match composite {
-        Composite::Unknowns => (
+        CompositeFunction::Unknowns => (
             format!("out = {stem}_unknowns(p, q, {v})"),
             "Accelerations, then reactions or multipliers: the solution of the linear system.",
             format!(
@@ -250,7 +255,7 @@ fn composed(module: &Module<'_>, stem: &str, composite: Composite) -> String {
                  for k = 1:size(right, 2)\n  out(:, k) = matrix(:, :, k) \\ right(:, k);\nend\n"
             ),
         ),
-        Composite::Reactions => (
+        CompositeFunction::Reactions => (
             format!("out = {stem}_reactions(p, q, {v})"),
             "Reactions, in the order of the unknowns after the accelerations.",
             format!(
@@ -259,17 +264,17 @@ fn composed(module: &Module<'_>, stem: &str, composite: Composite) -> String {
                 e.variables.len() + 1
             ),
         ),
-        Composite::StateDerivative => (
+        CompositeFunction::StateDerivative => (
             format!("out = {stem}_state_derivative(t, state, p)"),
             "Derivative of the state: ode45(@(t, state) f(t, state, p), span, start).",
             format!("{of_state}[q_rates, v_rates] = {stem}_derivative(p, q, {v});\nout = [q_rates; v_rates];\n"),
         ),
-        Composite::StateMass => (
+        CompositeFunction::StateMass => (
             format!("out = {stem}_state_mass(t, state, p)"),
             "Matrix of the state's linear system, for odeset('Mass', ...); the right-hand side is `state_forcing`.",
             format!("{of_state}out = blkdiag(eye({n}), {stem}_mass_matrix(p, q, {v}));\n"),
         ),
-        Composite::StateForcing => (
+        CompositeFunction::StateForcing => (
             format!("out = {stem}_state_forcing(t, state, p)"),
             "Right-hand side of the state's linear system; its matrix is `state_mass`.",
             format!("{of_state}out = [{stem}_coordinate_rates(p, q, {v}); {stem}_forcing(p, q, {v})];\n"),
@@ -283,20 +288,20 @@ fn composed(module: &Module<'_>, stem: &str, composite: Composite) -> String {
                  q(:, k) = q(:, k) - step(1:{n});\n    {v}(:, k) = {v}(:, k) - step({}:end);\n    \
                  if norm(step) <= 1e-15 * (1 + norm([q(:, k); {v}(:, k)]))\n      break\n    end\n  end\n  \
                  sizes = abs({stem}_constraint_slopes(p, q(:, k), {v}(:, k))) * (1 + abs([q(:, k); {v}(:, k)]));\n  \
-                 if ~all(abs({stem}_constraints(p, q(:, k), {v}(:, k))) <= {CLOSED} * sizes)\n    \
+                 if ~all(abs({stem}_constraints(p, q(:, k), {v}(:, k))) <= {LARGEST_CLOSED_RESIDUAL} * sizes)\n    \
                  q(:, k) = NaN;\n    {v}(:, k) = NaN;\n  end\nend\n",
                 n + 1
             ),
         ),
     };
-    let mut writer = opened(module, &signature, &[about]);
-    body.lines().for_each(|line| writer.raw(line));
-    closed(writer)
+    let mut writer = start_matlab_file(module, &signature, &[about]);
+    body.lines().for_each(|line| writer.write_unbroken(line));
+    end_matlab_file(writer)
 }
 
 /// Returns the text of the script that runs a scene by `ode45` and draws the states.
-fn script(module: &Module<'_>, stem: &str, run: &SceneRun) -> String {
-    let mut writer = Writer::new(&Matlab, Comments::Written);
+fn matlab_simulation_script(module: &Module<'_>, stem: &str, run: &SceneRun) -> String {
+    let mut writer = CodeWriter::new(&Matlab, Comments::Written);
     writer.origin(module.origin);
     writer.comment(&format!("Runs the scene {} by ode45, and draws the states.", run.name));
     writer.comment("");
@@ -310,26 +315,28 @@ fn script(module: &Module<'_>, stem: &str, run: &SceneRun) -> String {
     writer.line(&format!("q = {};", column(&run.q)));
     writer.line(&format!("u = {};", column(&run.u)));
     let is_in_rates = module.equations().formulation.is_in_rates();
-    writer.raw(&if is_in_rates {
+    writer.write_unbroken(&if is_in_rates {
         format!("state = [q; {stem}_motion_variables(p, q, u)];")
     } else {
         "state = [q; u];".into()
     });
     let tolerance = run.rtol.max(1e-13);
-    writer.raw(&format!("options = odeset('RelTol', {tolerance:?}, 'AbsTol', {tolerance:?});"));
+    writer.write_unbroken(&format!("options = odeset('RelTol', {tolerance:?}, 'AbsTol', {tolerance:?});"));
     let (start, end) = run.span;
     let f = format!("@(t, state) {stem}_state_derivative(t, state, p)");
-    writer.raw(&format!("[t, states] = ode45({f}, [{start:?}, {end:?}], state, options);"));
+    writer.write_unbroken(&format!("[t, states] = ode45({f}, [{start:?}, {end:?}], state, options);"));
     let before = if end < start { '>' } else { '<' };
-    writer.raw(&format!("if t(end) {before} {end:?} || any(isnan(states(end, :)))"));
-    writer.raw("  error('the run ends at t = %g s', t(end));\nend");
+    writer.write_unbroken(&format!("if t(end) {before} {end:?} || any(isnan(states(end, :)))"));
+    writer.write_unbroken("  error('the run ends at t = %g s', t(end));\nend");
     let names = module.model().coordinates.iter().map(|c| c.name.clone());
     let variables = module.equations().variables.iter();
     let variables = variables.filter_map(|v| module.planner.arena.symbol_name(*v)).map(str::to_owned);
     let names: Vec<String> = names.chain(variables).map(|name| string(&name)).collect();
     // Octave cannot draw without a display.
-    writer.raw("if ~exist('OCTAVE_VERSION', 'builtin') || ~isunix() || ismac() || ~isempty(getenv('DISPLAY'))");
-    writer.raw(&format!("  plot(t, states); legend({}); xlabel('t, s');", names.join(", ")));
-    writer.raw("end\ndisp(states(end, :));");
+    writer.write_unbroken(
+        "if ~exist('OCTAVE_VERSION', 'builtin') || ~isunix() || ismac() || ~isempty(getenv('DISPLAY'))",
+    );
+    writer.write_unbroken(&format!("  plot(t, states); legend({}); xlabel('t, s');", names.join(", ")));
+    writer.write_unbroken("end\ndisp(states(end, :));");
     writer.out
 }

@@ -2,10 +2,10 @@
 
 use super::super::Module;
 use crate::lines::wrap;
-use crate::syntax::{FIRM_SPACE, Syntax, WIDTH, Writer, constant, firm};
+use crate::syntax::{CodeWriter, FIRM_SPACE, Syntax, WIDTH, number_literal, with_firm_spaces};
 use std::fmt::Write;
 use tripos_derive::algebra::Rational;
-use tripos_derive::plain::{one_line, visible};
+use tripos_derive::plain_text::{one_line, with_visible_characters};
 
 /// Largest number of digits of a whole number that is written as a Python integer. A longer number
 /// is written as a float.
@@ -13,15 +13,15 @@ const MOST_DIGITS: usize = 15;
 
 /// Makes a text safe in a Python comment. The comment cannot declare an encoding, which Python
 /// would obey in the first two lines.
-pub fn harmless(text: &str) -> String {
-    visible(&one_line(text)).replace("coding:", "coding :").replace("coding=", "coding =")
+pub fn escape_python_comment(text: &str) -> String {
+    with_visible_characters(&one_line(text)).replace("coding:", "coding :").replace("coding=", "coding =")
 }
 
 /// Returns the Python string literal for a text. Its spaces are replaced by a mark at which no line
 /// is broken.
 pub fn string(text: &str) -> String {
     let mut out = String::from("\"");
-    for c in visible(text).chars() {
+    for c in with_visible_characters(text).chars() {
         match c {
             '"' | '\\' => out.extend(['\\', c]),
             '\n' => out.push_str("\\n"),
@@ -29,12 +29,13 @@ pub fn string(text: &str) -> String {
         }
     }
     out.push('"');
-    firm(&out)
+    with_firm_spaces(&out)
 }
 
 /// Returns a Python docstring with this text, broken into lines.
 pub fn docstring(text: &str) -> String {
-    let lines: Vec<String> = text.split('\n').flat_map(|line| wrap(&visible(line), WIDTH - 10)).collect();
+    let lines: Vec<String> =
+        text.split('\n').flat_map(|line| wrap(&with_visible_characters(line), WIDTH - 10)).collect();
     let escaped = lines.join("\n").replace('\\', "\\\\").replace('"', "\\\"");
     let lines: Vec<&str> = escaped.split('\n').collect();
     match lines.as_slice() {
@@ -45,7 +46,7 @@ pub fn docstring(text: &str) -> String {
 
 /// Returns the Python literal of a whole number. A long number becomes a float, because arrays
 /// cannot hold long integers.
-pub fn float(digits: &str) -> String {
+pub fn python_number_literal(digits: &str) -> String {
     if digits.len() <= MOST_DIGITS {
         return digits.to_owned();
     }
@@ -54,67 +55,67 @@ pub fn float(digits: &str) -> String {
 }
 
 /// Writes one Python statement that assigns values to several variables.
-pub fn declare(out: &mut String, indent: &str, list: &[(String, String)]) {
+pub fn write_python_declarations(out: &mut String, indent: &str, list: &[(String, String)]) {
     let names: Vec<&str> = list.iter().map(|(name, _)| name.as_str()).collect();
     let values: Vec<&str> = list.iter().map(|(_, value)| value.as_str()).collect();
-    assign(out, indent, &names, &values.join(", "));
+    write_python_assignment(out, indent, &names, &values.join(", "));
 }
 
 /// Writes a Python statement that assigns an expression to variables. A long list of names gets
 /// lines of its own.
-pub fn assign(out: &mut String, indent: &str, names: &[&str], expression: &str) {
+pub fn write_python_assignment(out: &mut String, indent: &str, names: &[&str], expression: &str) {
     let list = names.join(", ");
     let is_long = indent.len() + list.len() + 3 + expression.len() > WIDTH;
     if is_long && names.len() > 1 && list.len() + 3 > WIDTH / 2 {
         let _ = writeln!(out, "{indent}(");
-        block(out, indent, &list);
+        write_python_lines(out, indent, &list);
         let _ = writeln!(out, "{indent}) = (");
-        block(out, indent, expression);
+        write_python_lines(out, indent, expression);
         let _ = writeln!(out, "{indent})");
     } else {
-        value(out, indent, &format!("{list} = "), expression);
+        write_python_expression(out, indent, &format!("{list} = "), expression);
     }
 }
 
 /// Writes a statement that begins with `beginning` and ends with an expression, in parentheses if
 /// it needs several lines.
-pub fn value(out: &mut String, indent: &str, beginning: &str, expression: &str) {
+pub fn write_python_expression(out: &mut String, indent: &str, beginning: &str, expression: &str) {
     if indent.len() + beginning.len() + expression.len() <= WIDTH {
         let _ = writeln!(out, "{indent}{beginning}{expression}");
         return;
     }
     let _ = writeln!(out, "{indent}{beginning}(");
-    block(out, indent, expression);
+    write_python_lines(out, indent, expression);
     let _ = writeln!(out, "{indent})");
 }
 
 /// Writes a text in lines of limited width, indented by four more spaces.
-fn block(out: &mut String, indent: &str, text: &str) {
+fn write_python_lines(out: &mut String, indent: &str, text: &str) {
     for part in wrap(text, WIDTH - indent.len() - 4) {
         let _ = writeln!(out, "{indent}    {part}");
     }
 }
 
 /// Writes a list of entries between an opening and an ending bracket, on as many lines as it needs.
-pub fn array_of_entries(writer: &mut Writer<'_>, opening: &str, entries: &[String], ending: &str) {
+pub fn array_of_entries(writer: &mut CodeWriter<'_>, opening: &str, entries: &[String], ending: &str) {
     let list = entries.join(", ");
     let soft = |text: &str| text.replace(FIRM_SPACE, " ");
     if opening.len() + list.len() + ending.len() + 4 <= WIDTH {
-        writer.raw(&soft(&format!("{opening}{list}{ending}")));
+        writer.write_unbroken(&soft(&format!("{opening}{list}{ending}")));
         return;
     }
-    writer.raw(opening);
+    writer.write_unbroken(opening);
     for part in wrap(&list, WIDTH - 8) {
-        writer.raw(&soft(&format!("    {part}")));
+        writer.write_unbroken(&soft(&format!("    {part}")));
     }
-    writer.raw(ending);
+    writer.write_unbroken(ending);
 }
 
 /// Writes the names and default values of a module as Python lists. `missing` is the text for a
 /// parameter whose value the model file does not state.
-pub fn names_and_values(writer: &mut Writer<'_>, module: &Module<'_>, missing: &str) {
+pub fn names_and_values(writer: &mut CodeWriter<'_>, module: &Module<'_>, missing: &str) {
     let (model, e) = (module.model(), module.equations());
-    let list = |writer: &mut Writer<'_>, name: &str, entries: &[String]| {
+    let list = |writer: &mut CodeWriter<'_>, name: &str, entries: &[String]| {
         array_of_entries(writer, &format!("{name} = ["), entries, "]");
     };
     module.parameter_meanings().iter().for_each(|meaning| writer.comment(meaning));
@@ -124,7 +125,7 @@ pub fn names_and_values(writer: &mut Writer<'_>, module: &Module<'_>, missing: &
     writer.comment("Values that the model file states.");
     let syntax: &dyn Syntax = writer.syntax;
     let value = |p: &tripos_derive::model::Parameter| {
-        p.value.as_ref().map_or_else(|| missing.to_owned(), |value| constant(syntax, value))
+        p.value.as_ref().map_or_else(|| missing.to_owned(), |value| number_literal(syntax, value))
     };
     list(writer, "DEFAULTS", &model.parameters.iter().map(value).collect::<Vec<_>>());
     let inputs = model.parameters.iter().filter(|p| p.is_input);

@@ -1,15 +1,15 @@
 //! Generated Rust function `taylor`, which computes the Taylor coefficients of a motion in time.
 
-mod lines;
+mod taylor_statements;
 
-use super::expression::{expression, ident};
-use super::function::{Parameters, section, signature, statements, unpack};
-use crate::plan::{Explanation, TaylorPlan};
+use super::expression::{expression, rust_identifier};
+use super::rust_function::{Parameters, section, signature, statements, unpack};
+use crate::plan::{LineComments, TaylorPlan};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 use rustc_hash::FxHashMap;
 use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::text::view::view;
+use tripos_derive::algebra::text::display_tree::display_tree;
 
 /// Place of the text of the function `taylor`, as seen from a file that uses it.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -43,13 +43,13 @@ pub fn imports(plan: &TaylorPlan<'_>, text: TaylorText) -> TokenStream {
 pub fn function(plan: &TaylorPlan<'_>, parameters: &Parameters) -> TokenStream {
     let (list, text) = (plan.list, Text { plan });
     let (p, unpack_p) = (signature(&plan.parameters, parameters), unpack(&plan.parameters, parameters));
-    let first = (0..list.states.len()).map(|place| ident(plan.start(place).as_deref().unwrap_or("_")));
+    let first = (0..list.states.len()).map(|place| rust_identifier(plan.start(place).as_deref().unwrap_or("_")));
     let read = plan.constants.names_read(0..usize::MAX);
     let shared = statements(&plan.constants.lines, &|name| read.contains(name), plan.explanation);
-    let constants = section("Constant in time.", &plan.constants.outputs, Explanation::Formulas);
-    let [start, orders] = [text.start(), text.orders()];
+    let constants = section("Constant in time.", &plan.constants.outputs, LineComments::Formulas);
+    let [start, orders] = [text.order_zero_statements(), text.higher_order_statements()];
     let [states, width] = [list.states.len(), plan.width()].map(Literal::usize_unsuffixed);
-    let work = ident(if list.convolutions() > 0 { "history" } else { "_history" });
+    let work = rust_identifier(if list.convolutions() > 0 { "history" } else { "_history" });
     let plural = |n: usize, what: &str| if n == 1 { format!("1 {what}") } else { format!("{n} {what}s") };
     let convolutions = plural(list.convolutions(), "convolution");
     let counts = format!(" {convolutions} and {} an order.", plural(list.linear_operations(), "linear operation"));
@@ -76,40 +76,40 @@ struct Text<'a> {
 
 impl Text<'_> {
     /// Returns the variable of a series' coefficient of order 0.
-    fn first(&self, at: usize) -> TokenStream {
-        ident(&format!("{}_0", self.plan.names[at]))
+    fn order_zero_variable(&self, at: usize) -> TokenStream {
+        rust_identifier(&format!("{}_0", self.plan.names[at]))
     }
 
     /// Returns the variable of a series' coefficient of order 1.
-    fn at_one(&self, at: usize) -> TokenStream {
-        ident(&format!("{}_1", self.plan.names[at]))
+    fn order_one_variable(&self, at: usize) -> TokenStream {
+        rust_identifier(&format!("{}_1", self.plan.names[at]))
     }
 
     /// Returns the variable of a series' coefficient of order k − 1.
-    fn last(&self, at: usize) -> TokenStream {
-        ident(&format!("{}_last", self.plan.names[at]))
+    fn previous_order_variable(&self, at: usize) -> TokenStream {
+        rust_identifier(&format!("{}_last", self.plan.names[at]))
     }
 
     /// Returns the variable of a series' coefficient of order k.
-    fn now(&self, at: usize) -> TokenStream {
-        ident(&self.plan.names[at])
+    fn current_order_variable(&self, at: usize) -> TokenStream {
+        rust_identifier(&self.plan.names[at])
     }
 
     /// Returns the variable of the reciprocal of a series' coefficient of order 0.
-    fn over(&self, at: usize) -> TokenStream {
-        ident(&self.plan.over[&at])
+    fn reciprocal_variable(&self, at: usize) -> TokenStream {
+        rust_identifier(&self.plan.over[&at])
     }
 
     /// Returns the variable of 1/(2 z), where z is the coefficient of order 0 of a square root.
     fn over_twice(&self, at: usize) -> TokenStream {
-        ident(&self.plan.over_twice[&at])
+        rust_identifier(&self.plan.over_twice[&at])
     }
 
     /// Returns the expression for a constant factor: its variable, or a number.
     fn weight(&self, e: Expr) -> TokenStream {
         match self.plan.weights.get(&e).or_else(|| self.plan.variables.of.get(&e)) {
-            Some(name) => ident(name),
-            None => expression(&view(self.plan.arena, e, &FxHashMap::default(), usize::MAX)),
+            Some(name) => rust_identifier(name),
+            None => expression(&display_tree(self.plan.arena, e, &FxHashMap::default(), usize::MAX)),
         }
     }
 }

@@ -6,7 +6,7 @@
 //! A fraction is identically zero exactly if its numerator is zero. Two equal fractions may still
 //! have different denominators, since factors are found by trial division and not by factorization.
 
-use super::ring::{Poly, Ring};
+use super::ring::{Ring, RingPolynomial};
 use crate::algebra::Rational;
 use std::rc::Rc;
 
@@ -14,14 +14,14 @@ use std::rc::Rc;
 #[derive(Clone, PartialEq, Eq, Default)]
 pub struct Fraction {
     /// Polynomial in the numerator of the fraction.
-    pub numerator: Poly,
+    pub numerator: RingPolynomial,
     /// Factors of the denominator, as pairs (polynomial, exponent) with exponents of at least 1.
-    pub denominator: Vec<(Poly, u32)>,
+    pub denominator: Vec<(RingPolynomial, u32)>,
 }
 
 impl Fraction {
     /// Creates the fraction with the given numerator and the denominator 1.
-    pub fn whole(numerator: Poly) -> Self {
+    pub fn from_polynomial(numerator: RingPolynomial) -> Self {
         Self { numerator, denominator: Vec::new() }
     }
 
@@ -39,7 +39,7 @@ impl Fraction {
         }
         let whole = self.denominator.is_empty() && other.denominator.is_empty();
         let product = Self { numerator, denominator };
-        if whole { Some(product) } else { product.cancelled(ring) }
+        if whole { Some(product) } else { product.cancel_common_factors(ring) }
     }
 
     /// Linear combination Σ k · fraction over the pairs (fraction, k), with a common denominator.
@@ -47,7 +47,7 @@ impl Fraction {
     pub fn sum(ring: &mut Ring, parts: &[(&Self, Rational)]) -> Option<Self> {
         let common = common_denominator(parts.iter().map(|(part, _)| *part));
         if common.is_empty() {
-            return Some(Self::whole(ring.sum(parts.iter().map(|(part, k)| (&part.numerator, k.clone())))?));
+            return Some(Self::from_polynomial(ring.sum(parts.iter().map(|(part, k)| (&part.numerator, k.clone())))?));
         }
         // Fractions with equal denominators are added first, so that few products are formed.
         let mut groups: Vec<Group<'_>> = Vec::new();
@@ -60,10 +60,10 @@ impl Fraction {
         let mut numerators = Vec::new();
         for (denominator, group) in groups {
             let numerator = ring.sum(group.into_iter())?;
-            numerators.push(raised(ring, &numerator, denominator, &common)?);
+            numerators.push(numerator_over(ring, &numerator, denominator, &common)?);
         }
         let numerator = ring.sum(numerators.iter().map(|n| (n, Rational::ONE)))?;
-        Self { numerator, denominator: common }.cancelled(ring)
+        Self { numerator, denominator: common }.cancel_common_factors(ring)
     }
 
     /// Power of the fraction with an exponent of either sign. `None` for a negative power of 0, or
@@ -73,7 +73,7 @@ impl Fraction {
         let n = n.unsigned_abs();
         let numerator = ring.pow(&base.numerator, n)?;
         let denominator = base.denominator.into_iter().map(|(factor, k)| (factor, k * n)).collect();
-        Self { numerator, denominator }.cancelled(ring)
+        Self { numerator, denominator }.cancel_common_factors(ring)
     }
 
     /// Reciprocal of the fraction; `None` for 0, or if the ring's budget of multiplications is used
@@ -82,7 +82,7 @@ impl Fraction {
         if self.is_zero() {
             return None;
         }
-        let mut numerator = Poly::constant(&Rational::ONE);
+        let mut numerator = RingPolynomial::constant(&Rational::ONE);
         for (factor, n) in &self.denominator {
             let power = ring.pow(factor, *n)?;
             numerator = ring.mul(&numerator, &power)?;
@@ -91,25 +91,25 @@ impl Fraction {
         let mut denominator = Vec::new();
         let common = rest.common_powers();
         for at in 0..ring.size() {
-            if common.of(at) > 0 {
+            if common.exponent_of(at) > 0 {
                 let generator = Ring::variable(at);
-                for _ in 0..common.of(at) {
+                for _ in 0..common.exponent_of(at) {
                     rest = ring.divide(&rest, &generator)?;
                 }
-                denominator.push((generator, u32::from(common.of(at))));
+                denominator.push((generator, u32::from(common.exponent_of(at))));
             }
         }
         let (more, rest) = rest.split_content();
         if rest.as_constant().is_none() {
             denominator.push((rest, 1));
         }
-        let k = content.mul(&more).recip()?;
-        Self { numerator: numerator.scaled(&k), denominator }.cancelled(ring)
+        let k = content.mul(&more).reciprocal()?;
+        Self { numerator: numerator.scaled(&k), denominator }.cancel_common_factors(ring)
     }
 
     /// Cancels common factors of numerator and denominator, as far as trial division finds them.
     /// `None` if the ring's budget of multiplications is used up.
-    fn cancelled(mut self, ring: &mut Ring) -> Option<Self> {
+    fn cancel_common_factors(mut self, ring: &mut Ring) -> Option<Self> {
         if self.numerator.is_zero() {
             return Some(Self::default());
         }
@@ -127,18 +127,18 @@ impl Fraction {
 }
 
 /// Fractions with equal denominators: the denominator, and pairs (numerator, coefficient).
-type Group<'a> = (&'a [(Poly, u32)], Vec<(&'a Poly, Rational)>);
+type Group<'a> = (&'a [(RingPolynomial, u32)], Vec<(&'a RingPolynomial, Rational)>);
 
 /// Numerators of the given fractions over their common denominator, in the same order. `None` if
 /// the ring's budget of multiplications is used up.
-pub fn over_common_denominator(ring: &mut Ring, list: &[Rc<Fraction>]) -> Option<Vec<Poly>> {
+pub fn over_common_denominator(ring: &mut Ring, list: &[Rc<Fraction>]) -> Option<Vec<RingPolynomial>> {
     let common = common_denominator(list.iter().map(Rc::as_ref));
-    list.iter().map(|part| raised(ring, &part.numerator, &part.denominator, &common)).collect()
+    list.iter().map(|part| numerator_over(ring, &part.numerator, &part.denominator, &common)).collect()
 }
 
 /// Common denominator of fractions: each factor with its largest exponent.
-fn common_denominator<'a>(list: impl Iterator<Item = &'a Fraction>) -> Vec<(Poly, u32)> {
-    let mut common: Vec<(Poly, u32)> = Vec::new();
+fn common_denominator<'a>(list: impl Iterator<Item = &'a Fraction>) -> Vec<(RingPolynomial, u32)> {
+    let mut common: Vec<(RingPolynomial, u32)> = Vec::new();
     for (factor, n) in list.flat_map(|part| &part.denominator) {
         match common.iter_mut().find(|(known, _)| known == factor) {
             Some((_, most)) => *most = (*most).max(*n),
@@ -150,7 +150,12 @@ fn common_denominator<'a>(list: impl Iterator<Item = &'a Fraction>) -> Vec<(Poly
 
 /// Numerator of a fraction over the denominator `common`, given its numerator over `denominator`.
 /// `None` if the ring's budget of multiplications is used up.
-fn raised(ring: &mut Ring, numerator: &Poly, denominator: &[(Poly, u32)], common: &[(Poly, u32)]) -> Option<Poly> {
+fn numerator_over(
+    ring: &mut Ring,
+    numerator: &RingPolynomial,
+    denominator: &[(RingPolynomial, u32)],
+    common: &[(RingPolynomial, u32)],
+) -> Option<RingPolynomial> {
     let mut numerator = numerator.clone();
     for (factor, most) in common {
         let have = denominator.iter().find(|(known, _)| known == factor).map_or(0, |(_, n)| *n);
@@ -161,7 +166,7 @@ fn raised(ring: &mut Ring, numerator: &Poly, denominator: &[(Poly, u32)], common
 }
 
 /// Multiplies a factored denominator by factor^n.
-fn add_factor(denominator: &mut Vec<(Poly, u32)>, factor: &Poly, n: u32) {
+fn add_factor(denominator: &mut Vec<(RingPolynomial, u32)>, factor: &RingPolynomial, n: u32) {
     match denominator.iter_mut().find(|(known, _)| known == factor) {
         Some((_, most)) => *most += n,
         None => denominator.push((factor.clone(), n)),

@@ -16,12 +16,12 @@ pub type Monomial = Vec<(Expr, i32)>;
 /// Laurent polynomial Σ coefficient · monomial with rational coefficients, in terms of the arena as
 /// atoms.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Polynomial {
+pub struct LaurentPolynomial {
     /// Rational coefficient of each monomial of the polynomial, never zero.
     pub terms: BTreeMap<Monomial, Rational>,
 }
 
-impl Polynomial {
+impl LaurentPolynomial {
     /// Creates the polynomial coefficient · monomial.
     #[must_use]
     pub fn monomial(monomial: Monomial, coefficient: &Rational) -> Self {
@@ -72,7 +72,7 @@ impl Polynomial {
         let mut result = Self::default();
         for (a, x) in &self.terms {
             for (b, y) in &other.terms {
-                result.add_term(multiply(a, b), &x.mul(y));
+                result.add_term(multiply_monomials(a, b), &x.mul(y));
             }
         }
         Some(result)
@@ -102,7 +102,7 @@ impl Polynomial {
     /// Replaces powers f^k, k ≥ 2, by (1 − g²)^⌊k/2⌋ · f^(k mod 2). `f` and `g` are the sine and
     /// cosine of an angle, in either order. `None` if the result has more than `limit` terms.
     #[must_use]
-    pub fn pythagoras(&self, f: Expr, g: Expr, limit: usize) -> Option<Self> {
+    pub fn replace_squares(&self, f: Expr, g: Expr, limit: usize) -> Option<Self> {
         // A power becomes as many terms as half its exponent, so high powers in many terms are left
         // alone.
         let halves = self.terms.keys().flatten().filter(|(e, _)| *e == f).map(|(_, n)| n.unsigned_abs() as usize / 2);
@@ -163,7 +163,7 @@ impl Polynomial {
 
 /// Product of two monomials, each given as pairs (atom, exponent) sorted by atom.
 #[must_use]
-pub fn multiply(a: &[(Expr, i32)], b: &[(Expr, i32)]) -> Monomial {
+pub fn multiply_monomials(a: &[(Expr, i32)], b: &[(Expr, i32)]) -> Monomial {
     let mut result = Vec::with_capacity(a.len() + b.len());
     let (mut i, mut j) = (0, 0);
     while i < a.len() || j < b.len() {

@@ -1,7 +1,7 @@
 //! Polynomial ring over ℚ in numbered generators, modulo the known squares of sines and square
 //! roots.
 //!
-//! Invariant of every [`Poly`] of a [`Ring`]: terms are in descending lexicographic order, and no
+//! Invariant of every [`RingPolynomial`] of a [`Ring`]: terms are in descending lexicographic order, and no
 //! coefficient is zero. A generator with a known square (sin² = 1 − cos², √x² = x) has no exponent
 //! above 1.
 //! In such a ring a polynomial is identically zero exactly if it has no terms, as long as the
@@ -34,12 +34,12 @@ impl Powers {
     pub const ONE: Self = Self([0; GENERATORS]);
 
     /// Exponent, in the monomial, of a generator: a variable of the ring, given by its number.
-    pub fn of(&self, generator: usize) -> u8 {
+    pub fn exponent_of(&self, generator: usize) -> u8 {
         self.0[generator]
     }
 
     /// Returns the monomial with the exponent of one generator (a variable of the ring) replaced.
-    fn with(mut self, generator: usize, exponent: u8) -> Self {
+    fn with_exponent(mut self, generator: usize, exponent: u8) -> Self {
         self.0[generator] = exponent;
         self
     }
@@ -63,7 +63,7 @@ impl Powers {
     }
 
     /// Square root of the monomial; `None` if an exponent is odd.
-    pub fn halved(&self) -> Option<Self> {
+    pub fn square_root_of_monomial(&self) -> Option<Self> {
         let mut result = *self;
         for n in &mut result.0 {
             if *n % 2 == 1 {
@@ -97,12 +97,12 @@ impl Powers {
 
 /// Polynomial of a [`Ring`], with rational coefficients.
 #[derive(Clone, PartialEq, Eq, Hash, Default)]
-pub struct Poly {
+pub struct RingPolynomial {
     /// Terms as pairs (exponents, coefficient), in descending order: the leading term comes first.
     pub terms: Vec<(Powers, Rational)>,
 }
 
-impl Poly {
+impl RingPolynomial {
     /// Creates a constant polynomial.
     pub fn constant(value: &Rational) -> Self {
         if value.is_zero() { Self::default() } else { Self { terms: vec![(Powers::ONE, value.clone())] } }
@@ -131,9 +131,9 @@ impl Poly {
     /// has integer coefficients without a common factor, the first of them positive.
     pub fn split_content(&self) -> (Rational, Self) {
         let Some((_, first)) = self.terms.first() else { return (Rational::ONE, Self::default()) };
-        let size = self.terms.iter().fold(Rational::ZERO, |g, (_, k)| g.common_content(k));
+        let size = self.terms.iter().fold(Rational::ZERO, |g, (_, k)| g.greatest_common_divisor(k));
         let content = if first.is_negative() { size.neg() } else { size };
-        let inverse = content.recip().expect("a coefficient is not zero");
+        let inverse = content.reciprocal().expect("a coefficient is not zero");
         (content, self.scaled(&inverse))
     }
 
@@ -146,7 +146,7 @@ impl Poly {
 
     /// True if the generator, a variable of the ring given by its number, occurs in the polynomial.
     fn mentions(&self, generator: usize) -> bool {
-        self.terms.iter().any(|(m, _)| m.of(generator) > 0)
+        self.terms.iter().any(|(m, _)| m.exponent_of(generator) > 0)
     }
 }
 
@@ -159,7 +159,7 @@ pub enum Square {
     /// becomes 1 − cos².
     Sine(usize),
     /// The generator is the square root of the polynomial, which replaces its square.
-    Root(Poly),
+    Root(RingPolynomial),
 }
 
 /// Polynomial ring over the rational numbers: its generators (the variables), and a budget of
@@ -209,12 +209,12 @@ impl Ring {
 
     /// Creates the polynomial that is a single generator: a variable of the ring, given by its
     /// number.
-    pub fn variable(generator: usize) -> Poly {
-        Poly { terms: vec![(Powers::ONE.with(generator, 1), Rational::ONE)] }
+    pub fn variable(generator: usize) -> RingPolynomial {
+        RingPolynomial { terms: vec![(Powers::ONE.with_exponent(generator, 1), Rational::ONE)] }
     }
 
     /// Subtracts work from the budget; `None` if the budget does not suffice.
-    fn spend(&mut self, work: usize) -> Option<()> {
+    fn count_work(&mut self, work: usize) -> Option<()> {
         let left = self.budget.checked_sub(work as u64);
         self.budget = left.unwrap_or(0);
         left.map(|_| ())
@@ -222,33 +222,33 @@ impl Ring {
 
     /// Linear combination Σ k · p over the pairs (p, k); `None` if the ring's budget of
     /// multiplications is used up.
-    pub fn sum<'a>(&mut self, parts: impl Iterator<Item = (&'a Poly, Rational)>) -> Option<Poly> {
+    pub fn sum<'a>(&mut self, parts: impl Iterator<Item = (&'a RingPolynomial, Rational)>) -> Option<RingPolynomial> {
         let mut sum: FxHashMap<Powers, Rational> = FxHashMap::default();
         for (part, k) in parts {
-            self.spend(part.terms.len())?;
+            self.count_work(part.terms.len())?;
             for (m, c) in &part.terms {
-                collect(&mut sum, *m, c.mul(&k));
+                add_like_term(&mut sum, *m, c.mul(&k));
             }
         }
-        Some(sorted(sum))
+        Some(polynomial_of_sum(sum))
     }
 
     /// Product a · b of two polynomials; `None` if the ring's budget of multiplications is used up
     /// or an exponent exceeds 255.
-    pub fn mul(&mut self, a: &Poly, b: &Poly) -> Option<Poly> {
+    pub fn mul(&mut self, a: &RingPolynomial, b: &RingPolynomial) -> Option<RingPolynomial> {
         for (one, other) in [(a, b), (b, a)] {
             if let Some(k) = one.as_constant() {
                 return Some(other.scaled(k));
             }
         }
-        self.spend(a.terms.len().checked_mul(b.terms.len())?)?;
+        self.count_work(a.terms.len().checked_mul(b.terms.len())?)?;
         let mut product: FxHashMap<Powers, Rational> = FxHashMap::default();
         for (m, c) in &a.terms {
             for (n, d) in &b.terms {
                 self.reduce_into(&mut product, m.times(n)?, c.mul(d))?;
             }
         }
-        Some(sorted(product))
+        Some(polynomial_of_sum(product))
     }
 
     /// Adds the term k · powers to a sum, with known squares of generators replaced. `None` if the
@@ -256,26 +256,29 @@ impl Ring {
     fn reduce_into(&mut self, sum: &mut FxHashMap<Powers, Rational>, powers: Powers, k: Rational) -> Option<()> {
         let mut pending = vec![(powers, k)];
         while let Some((powers, k)) = pending.pop() {
-            self.spend(1)?;
+            self.count_work(1)?;
             let square = self
                 .generators
                 .iter()
                 .enumerate()
-                .find(|(at, (_, square))| powers.of(*at) > 1 && !matches!(square, Square::Free));
+                .find(|(at, (_, square))| powers.exponent_of(*at) > 1 && !matches!(square, Square::Free));
             match square {
-                None => collect(sum, powers, k),
+                None => add_like_term(sum, powers, k),
                 Some((at, (_, square))) => {
-                    let rest = powers.with(at, powers.of(at) - 2);
+                    let rest = powers.with_exponent(at, powers.exponent_of(at) - 2);
                     match square {
                         Square::Free => unreachable!("a free generator has no known square"),
                         // sin² = 1 − cos².
                         Square::Sine(cosine) => {
-                            pending.push((rest.with(*cosine, rest.of(*cosine).checked_add(2)?), k.neg()));
+                            pending.push((
+                                rest.with_exponent(*cosine, rest.exponent_of(*cosine).checked_add(2)?),
+                                k.neg(),
+                            ));
                             pending.push((rest, k));
                         }
                         Square::Root(radicand) => {
                             let radicand = radicand.clone();
-                            self.spend(radicand.terms.len())?;
+                            self.count_work(radicand.terms.len())?;
                             for (m, c) in &radicand.terms {
                                 pending.push((rest.times(m)?, k.mul(c)));
                             }
@@ -289,8 +292,8 @@ impl Ring {
 
     /// Power p^n of a polynomial; `None` if the ring's budget of multiplications is used up or an
     /// exponent exceeds 255.
-    pub fn pow(&mut self, p: &Poly, n: u32) -> Option<Poly> {
-        let (mut result, mut power, mut left) = (Poly::constant(&Rational::ONE), p.clone(), n);
+    pub fn pow(&mut self, p: &RingPolynomial, n: u32) -> Option<RingPolynomial> {
+        let (mut result, mut power, mut left) = (RingPolynomial::constant(&Rational::ONE), p.clone(), n);
         while left > 0 {
             if left & 1 == 1 {
                 result = self.mul(&result, &power)?;
@@ -308,7 +311,7 @@ impl Ring {
     ///
     /// Every polynomial is p + q · sin, with unique p and q that contain no sine. So a / b is a
     /// polynomial exactly if the norm b · b̄, which contains no sine, divides a · b̄ term by term.
-    pub fn divide(&mut self, a: &Poly, b: &Poly) -> Option<Poly> {
+    pub fn divide(&mut self, a: &RingPolynomial, b: &RingPolynomial) -> Option<RingPolynomial> {
         let (mut above, mut below) = (a.clone(), b.clone());
         // Generators are removed from the latest to the first: a root's radicand has only earlier
         // generators.
@@ -326,16 +329,16 @@ impl Ring {
     /// Square root of a polynomial: p with p² = `square`, found from the leading term on. `None` if
     /// no polynomial without sines and roots has this square, or the ring's budget of
     /// multiplications is used up.
-    pub fn square_root(&mut self, square: &Poly) -> Option<Poly> {
+    pub fn square_root(&mut self, square: &RingPolynomial) -> Option<RingPolynomial> {
         let (lead, k) = square.terms.first()?;
-        let half = lead.halved()?;
-        let first = Poly { terms: vec![(half, root_of(k)?)] };
+        let half = lead.square_root_of_monomial()?;
+        let first = RingPolynomial { terms: vec![(half, root_of(k)?)] };
         let mut root = first.clone();
         for _ in 0..MOST_ROOT_TERMS {
             let whole = self.mul(&root, &root)?;
             let rest = self.sum([(square, Rational::ONE), (&whole, Rational::MINUS_ONE)].into_iter())?;
             let Some(next) = rest.terms.first() else { return Some(root) };
-            let next = Poly { terms: vec![next.clone()] };
+            let next = RingPolynomial { terms: vec![next.clone()] };
             let step = self.divide(&next, &first)?;
             root = self.sum([(&root, Rational::ONE), (&step, Rational::fraction(1, 2)?)].into_iter())?;
         }
@@ -345,21 +348,21 @@ impl Ring {
     /// Exact quotient by a polynomial `below` without known squares, found from the leading term
     /// on. `None` if the quotient is not a polynomial or the ring's budget of multiplications is
     /// used up.
-    fn divide_plainly(&mut self, mut above: Poly, below: &Poly) -> Option<Poly> {
+    fn divide_plainly(&mut self, mut above: RingPolynomial, below: &RingPolynomial) -> Option<RingPolynomial> {
         let (lead, k) = below.terms.first()?;
-        let inverse = k.recip()?;
+        let inverse = k.reciprocal()?;
         let mut quotient = Vec::new();
         while let Some((m, c)) = above.terms.first() {
             let step = (m.over(lead)?, c.mul(&inverse));
-            self.spend(below.terms.len() + above.terms.len())?;
+            self.count_work(below.terms.len() + above.terms.len())?;
             let mut sum: FxHashMap<Powers, Rational> = above.terms.into_iter().collect();
             for (n, d) in &below.terms {
-                collect(&mut sum, step.0.times(n)?, step.1.mul(d).neg());
+                add_like_term(&mut sum, step.0.times(n)?, step.1.mul(d).neg());
             }
-            above = sorted(sum);
+            above = polynomial_of_sum(sum);
             quotient.push(step);
         }
-        Some(Poly { terms: quotient })
+        Some(RingPolynomial { terms: quotient })
     }
 }
 
@@ -376,13 +379,13 @@ fn root_of(k: &Rational) -> Option<Rational> {
 }
 
 /// Returns the polynomial with the sign of one generator (a variable of the ring) changed.
-fn conjugate(p: &Poly, generator: usize) -> Poly {
-    let flip = |(m, k): &(Powers, Rational)| (*m, if m.of(generator) % 2 == 1 { k.neg() } else { k.clone() });
-    Poly { terms: p.terms.iter().map(flip).collect() }
+fn conjugate(p: &RingPolynomial, generator: usize) -> RingPolynomial {
+    let flip = |(m, k): &(Powers, Rational)| (*m, if m.exponent_of(generator) % 2 == 1 { k.neg() } else { k.clone() });
+    RingPolynomial { terms: p.terms.iter().map(flip).collect() }
 }
 
 /// Adds the term k · powers to a sum of like terms.
-fn collect(sum: &mut FxHashMap<Powers, Rational>, powers: Powers, k: Rational) {
+fn add_like_term(sum: &mut FxHashMap<Powers, Rational>, powers: Powers, k: Rational) {
     match sum.entry(powers) {
         std::collections::hash_map::Entry::Vacant(place) => {
             place.insert(k);
@@ -395,8 +398,8 @@ fn collect(sum: &mut FxHashMap<Powers, Rational>, powers: Powers, k: Rational) {
 }
 
 /// Converts a sum of like terms to a polynomial with its terms in descending order.
-fn sorted(sum: FxHashMap<Powers, Rational>) -> Poly {
+fn polynomial_of_sum(sum: FxHashMap<Powers, Rational>) -> RingPolynomial {
     let mut terms: Vec<_> = sum.into_iter().filter(|(_, k)| !k.is_zero()).collect();
     terms.sort_unstable_by_key(|(m, _)| Reverse(*m));
-    Poly { terms }
+    RingPolynomial { terms }
 }

@@ -20,9 +20,9 @@
 
 mod angles;
 mod divisors;
+mod equivalence;
 mod network;
 mod rebuild;
-mod same;
 
 use super::simplify::Simplifier;
 use crate::algebra::term::steps::Definition;
@@ -31,12 +31,12 @@ use angles::Composed;
 use divisors::Extraction;
 use network::Network;
 
-pub use rebuild::{Shared, is_shared_symbol};
-pub use same::is_same;
+pub use equivalence::is_equivalent_after_sharing;
+pub use rebuild::{SharedComputation, is_shared_symbol};
 
 /// Options for preparing values before the search for common divisors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Reading {
+pub struct SharingOptions {
     /// Extent to which products in the values are multiplied out.
     pub products: Products,
     /// Treatment of sines and cosines whose angle is a sum of other angles.
@@ -69,7 +69,7 @@ pub enum Products {
     Sines,
 }
 
-impl Reading {
+impl SharingOptions {
     /// All twelve readings: every treatment of products with every treatment of angles.
     pub const ALL: [Self; 12] = {
         let mut all = [Self { products: Products::Factored, angles: Angles::Kept }; 12];
@@ -83,7 +83,7 @@ impl Reading {
     };
 
     /// Three readings that most often give the fewest operations.
-    pub const SAMPLE: [Self; 3] = [
+    pub const COMMON_OPTIONS: [Self; 3] = [
         Self { products: Products::Factored, angles: Angles::Kept },
         Self { products: Products::Expanded, angles: Angles::Kept },
         Self { products: Products::Expanded, angles: Angles::Open },
@@ -105,7 +105,7 @@ impl Products {
             for angle in polynomial.angles(arena) {
                 let (sine, cosine) = (arena.apply(Function::Sin, angle), arena.apply(Function::Cos, angle));
                 let (from, to) = if self == Self::Cosines { (sine, cosine) } else { (cosine, sine) };
-                if let Some(traded) = polynomial.pythagoras(from, to, Self::LIMIT) {
+                if let Some(traded) = polynomial.replace_squares(from, to, Self::LIMIT) {
                     polynomial = traded;
                 }
             }
@@ -119,17 +119,17 @@ impl Products {
 ///
 /// `None` if the reading asks for composed angles and no angle can be composed, or if an exponent
 /// becomes too large for the arena.
-pub fn share(
+pub fn share_common_parts(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
-    reading: Reading,
+    reading: SharingOptions,
     steps: &[Definition],
     values: &[Expr],
-) -> Option<Shared> {
+) -> Option<SharedComputation> {
     let (steps, values) = match reading.angles {
         Angles::Kept => (steps.to_vec(), values.to_vec()),
-        Angles::Composed => angles::compose(arena, &Composed::Named, steps, values)?,
-        Angles::Open => angles::compose(arena, &Composed::Open, steps, values)?,
+        Angles::Composed => angles::compose_angles(arena, &Composed::Named, steps, values)?,
+        Angles::Open => angles::compose_angles(arena, &Composed::Open, steps, values)?,
     };
     let steps: Vec<Definition> = steps
         .iter()

@@ -7,9 +7,9 @@
 //! is never longer. A term that would expand beyond [`Simplifier::LIMIT`] terms, or has more than
 //! [`Simplifier::PARTS`] subterms, is returned unchanged.
 
-use super::atoms::{SumAtoms, atom, differ_beside_angles, is_circular, is_plain_product};
-use super::normal::Normalizer;
-use super::polynomial::{Monomial, Polynomial, monomial_expr};
+use super::normal_form::Normalizer;
+use super::polynomial::{LaurentPolynomial, Monomial, monomial_expr};
+use super::sum_atoms::{SumAtoms, atom_polynomial, differ_beyond_angles, is_plain_product, is_sine_or_cosine};
 use crate::algebra::term::elementary::angle_atoms;
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use rustc_hash::FxHashMap;
@@ -43,46 +43,46 @@ impl Simplifier {
         if is_plain_product(arena, e) {
             return e;
         }
-        let result = self.shortest(arena, e);
+        let result = self.shortest_form(arena, e);
         self.memo.insert(e, result);
         self.memo.insert(result, result);
         result
     }
 
     /// Shortest of all candidate forms of a term, the term itself included.
-    fn shortest(&mut self, arena: &mut Arena, e: Expr) -> Expr {
-        let Some(expanded) = self.expanded(arena, e) else { return e };
+    fn shortest_form(&mut self, arena: &mut Arena, e: Expr) -> Expr {
+        let Some(expanded) = self.expand(arena, e) else { return e };
         let reduced = reduce(arena, &expanded);
         if reduced.terms.is_empty() {
             return Expr::ZERO;
         }
         let fraction = if divides_by_sums(arena, &reduced) {
-            as_fraction(arena, e, Self::FRACTION_BUDGET)
-        } else if mixes_angles(arena, &reduced) && !differ_beside_angles(arena, &reduced) {
-            as_fraction(arena, e, Self::ANGLE_BUDGET)
+            fraction_in_short_form(arena, e, Self::FRACTION_BUDGET)
+        } else if mixes_angles(arena, &reduced) && !differ_beyond_angles(arena, &reduced) {
+            fraction_in_short_form(arena, e, Self::ANGLE_BUDGET)
         } else {
             None
         };
-        let mut best = (cost(arena, e), e);
+        let mut best = (operation_count(arena, e), e);
         let both = [&reduced, &expanded];
         for polynomial in &both[..if reduced == expanded { 1 } else { 2 }] {
             for candidate in [factor(arena, &polynomial.terms), common_factor_only(arena, polynomial)] {
-                let candidate = (cost(arena, candidate), candidate);
+                let candidate = (operation_count(arena, candidate), candidate);
                 if candidate.0 < best.0 {
                     best = candidate;
                 }
             }
         }
         match fraction {
-            Some(fraction) if fraction == Expr::ZERO || cost(arena, fraction) < best.0 => fraction,
+            Some(fraction) if fraction == Expr::ZERO || operation_count(arena, fraction) < best.0 => fraction,
             _ => best.1,
         }
     }
 
     /// Expands the term `e` to a Laurent polynomial in symbols, function values and inverse sums.
     /// `None` beyond `LIMIT` terms or `PARTS` subterms.
-    pub fn polynomial(&mut self, arena: &mut Arena, e: Expr) -> Option<Polynomial> {
-        let parts = arena.shown(&[e]);
+    pub fn polynomial(&mut self, arena: &mut Arena, e: Expr) -> Option<LaurentPolynomial> {
+        let parts = arena.terms_shown_in_text(&[e]);
         if parts.len() > Self::PARTS {
             return None;
         }
@@ -91,15 +91,15 @@ impl Simplifier {
 
     /// Expands a term to a polynomial, but keeps sums of symbols whose expansion cannot cancel a
     /// term. `None` beyond `LIMIT` terms or `PARTS` subterms.
-    fn expanded(&mut self, arena: &mut Arena, e: Expr) -> Option<Polynomial> {
-        let parts = arena.shown(&[e]);
+    fn expand(&mut self, arena: &mut Arena, e: Expr) -> Option<LaurentPolynomial> {
+        let parts = arena.terms_shown_in_text(&[e]);
         if parts.len() > Self::PARTS {
             return None;
         }
         let sums = SumAtoms::new(arena, &parts);
         if !sums.is_empty()
             && let Some(polynomial) = self.polynomial_over(arena, &parts, &sums)
-            && sums.stay_apart(arena, &polynomial)
+            && sums.expansion_cannot_shorten(arena, &polynomial)
         {
             return Some(polynomial);
         }
@@ -109,22 +109,22 @@ impl Simplifier {
     /// Expands the last term of `parts` to a Laurent polynomial in symbols, function values,
     /// inverse sums and the atoms `sums`. `parts` must hold all its subterms, operands first.
     /// `None` beyond [`Self::LIMIT`] terms.
-    fn polynomial_over(&mut self, arena: &mut Arena, parts: &[Expr], sums: &SumAtoms) -> Option<Polynomial> {
-        let mut forms: FxHashMap<Expr, Polynomial> = FxHashMap::default();
+    fn polynomial_over(&mut self, arena: &mut Arena, parts: &[Expr], sums: &SumAtoms) -> Option<LaurentPolynomial> {
+        let mut forms: FxHashMap<Expr, LaurentPolynomial> = FxHashMap::default();
         for &part in parts {
             let form = match arena.node(part).clone() {
-                _ if sums.contains(part) => atom(part),
-                Node::Number(value) => Polynomial::constant(&value),
-                Node::Symbol(_) | Node::Pi | Node::Named(..) => atom(part),
+                _ if sums.contains(part) => atom_polynomial(part),
+                Node::Number(value) => LaurentPolynomial::constant(&value),
+                Node::Symbol(_) | Node::Pi | Node::Named(..) => atom_polynomial(part),
                 Node::Sum(constant, terms) => {
-                    let mut sum = Polynomial::constant(&constant);
+                    let mut sum = LaurentPolynomial::constant(&constant);
                     for (term, k) in &terms {
                         sum.add_scaled(&forms[term], k);
                     }
                     sum
                 }
                 Node::Product(factors) => {
-                    let mut product = Polynomial::constant(&Rational::ONE);
+                    let mut product = LaurentPolynomial::constant(&Rational::ONE);
                     for (base, n) in &factors {
                         let power = if *n < 0 && forms[base].terms.len() != 1 {
                             self.inverse_power(arena, &forms[base], *n)?
@@ -136,9 +136,9 @@ impl Simplifier {
                     product
                 }
                 Node::Apply(f, argument) => {
-                    let argument = self.shorten(arena, &forms[&argument]);
+                    let argument = self.short_form(arena, &forms[&argument]);
                     let value = arena.apply(f, argument);
-                    as_monomials(arena, value)
+                    sum_of_monomials(arena, value)
                 }
             };
             if form.terms.len() > Self::LIMIT {
@@ -151,39 +151,39 @@ impl Simplifier {
 
     /// Short form of a polynomial as a term: squares are reduced and common factors taken out, if
     /// that saves operations.
-    fn shorten(&mut self, arena: &mut Arena, polynomial: &Polynomial) -> Expr {
+    fn short_form(&mut self, arena: &mut Arena, polynomial: &LaurentPolynomial) -> Expr {
         let e = polynomial.expand(arena);
         if let Some(&done) = self.memo.get(&e) {
             return done;
         }
         let reduced = reduce(arena, polynomial);
         let factored = factor(arena, &reduced.terms);
-        let result = if cost(arena, factored) < cost(arena, e) { factored } else { e };
+        let result = if operation_count(arena, factored) < operation_count(arena, e) { factored } else { e };
         self.memo.insert(e, result);
         result
     }
 
     /// Negative power of a polynomial with several terms, whose simplified sum becomes an atom.
     /// `None` if the sum is the number 0.
-    fn inverse_power(&mut self, arena: &mut Arena, base: &Polynomial, n: i32) -> Option<Polynomial> {
-        let base = self.shorten(arena, base);
+    fn inverse_power(&mut self, arena: &mut Arena, base: &LaurentPolynomial, n: i32) -> Option<LaurentPolynomial> {
+        let base = self.short_form(arena, base);
         // The divisor is identically zero: nothing can be simplified, and the zero test of the
         // caller will find it.
         let power = arena.pow(base, n).ok()?;
-        Some(as_monomials(arena, power))
+        Some(sum_of_monomials(arena, power))
     }
 }
 
 /// True if a polynomial of several terms divides by a sum. A common denominator may then be
 /// shorter.
-fn divides_by_sums(arena: &Arena, polynomial: &Polynomial) -> bool {
+fn divides_by_sums(arena: &Arena, polynomial: &LaurentPolynomial) -> bool {
     let inverse_sum = |(e, n): &(Expr, i32)| *n < 0 && matches!(arena.node(*e), Node::Sum(..));
     polynomial.terms.len() > 1 && polynomial.terms.keys().flatten().any(inverse_sum)
 }
 
 /// True if an angle of the polynomial occurs both alone and in a multiple or a sum. Terms with sin
 /// 2q and sin q, for example, may cancel.
-fn mixes_angles(arena: &Arena, polynomial: &Polynomial) -> bool {
+fn mixes_angles(arena: &Arena, polynomial: &LaurentPolynomial) -> bool {
     let mut seen: BTreeMap<Expr, Expr> = BTreeMap::new();
     polynomial
         .angles(arena)
@@ -193,10 +193,10 @@ fn mixes_angles(arena: &Arena, polynomial: &Polynomial) -> bool {
 
 /// Normal form of the term `e` as a fraction, with numerator and factors of the denominator in
 /// short form. `None` if the budget of multiplications is used up.
-fn as_fraction(arena: &mut Arena, e: Expr, budget: u64) -> Option<Expr> {
+fn fraction_in_short_form(arena: &mut Arena, e: Expr, budget: u64) -> Option<Expr> {
     let mut normalizer = Normalizer::new(budget);
-    let form = normalizer.fraction(arena, e)?;
-    let short = |arena: &mut Arena, p: &Polynomial| {
+    let form = normalizer.normal_form(arena, e)?;
+    let short = |arena: &mut Arena, p: &LaurentPolynomial| {
         let reduced = reduce(arena, p);
         factor(arena, &reduced.terms)
     };
@@ -209,29 +209,29 @@ fn as_fraction(arena: &mut Arena, e: Expr, budget: u64) -> Option<Expr> {
 }
 
 /// Reads a term as a sum of monomials in its factors, without expanding it.
-fn as_monomials(arena: &Arena, e: Expr) -> Polynomial {
+fn sum_of_monomials(arena: &Arena, e: Expr) -> LaurentPolynomial {
     let monomial = |e: Expr| match arena.node(e) {
         Node::Product(factors) => factors.to_vec(),
         _ => vec![(e, 1)],
     };
     match arena.node(e) {
-        Node::Number(value) => Polynomial::constant(value),
+        Node::Number(value) => LaurentPolynomial::constant(value),
         Node::Sum(constant, terms) => {
-            let mut sum = Polynomial::constant(constant);
+            let mut sum = LaurentPolynomial::constant(constant);
             for (term, k) in terms {
                 sum.add_term(monomial(*term), k);
             }
             sum
         }
-        _ => Polynomial::monomial(monomial(e), &Rational::ONE),
+        _ => LaurentPolynomial::monomial(monomial(e), &Rational::ONE),
     }
 }
 
 /// Replaces sin² or cos² by 1 − cos² or 1 − sin² where a shorter polynomial results, angle by
 /// angle. A polynomial that is zero by sin² + cos² = 1 becomes empty.
-fn reduce(arena: &mut Arena, polynomial: &Polynomial) -> Polynomial {
+fn reduce(arena: &mut Arena, polynomial: &LaurentPolynomial) -> LaurentPolynomial {
     let mut best = polynomial.clone();
-    if !polynomial.terms.keys().flatten().any(|(e, n)| *n >= 2 && is_circular(arena, *e)) {
+    if !polynomial.terms.keys().flatten().any(|(e, n)| *n >= 2 && is_sine_or_cosine(arena, *e)) {
         return best;
     }
     let mut canonical = polynomial.clone();
@@ -239,7 +239,7 @@ fn reduce(arena: &mut Arena, polynomial: &Polynomial) -> Polynomial {
         let (sine, cosine) = (arena.apply(Function::Sin, angle), arena.apply(Function::Cos, angle));
         for (from, to) in [(sine, cosine), (cosine, sine)] {
             if best.has_square(from)
-                && let Some(traded) = best.pythagoras(from, to, Simplifier::LIMIT)
+                && let Some(traded) = best.replace_squares(from, to, Simplifier::LIMIT)
                 && size(arena, &traded) < size(arena, &best)
                 && (traded.terms.len() < best.terms.len() || !best.divides_by(from, to))
             {
@@ -247,7 +247,7 @@ fn reduce(arena: &mut Arena, polynomial: &Polynomial) -> Polynomial {
             }
         }
         if canonical.has_square(sine)
-            && let Some(traded) = canonical.pythagoras(sine, cosine, Simplifier::LIMIT)
+            && let Some(traded) = canonical.replace_squares(sine, cosine, Simplifier::LIMIT)
         {
             canonical = traded;
         }
@@ -257,16 +257,16 @@ fn reduce(arena: &mut Arena, polynomial: &Polynomial) -> Polynomial {
 
 /// Measure that replacing squares should lessen: number of terms, then number of different sines
 /// and cosines.
-fn size(arena: &Arena, polynomial: &Polynomial) -> (usize, usize) {
+fn size(arena: &Arena, polynomial: &LaurentPolynomial) -> (usize, usize) {
     let circular: std::collections::BTreeSet<Expr> =
-        polynomial.terms.keys().flatten().map(|(e, _)| *e).filter(|e| is_circular(arena, *e)).collect();
+        polynomial.terms.keys().flatten().map(|(e, _)| *e).filter(|e| is_sine_or_cosine(arena, *e)).collect();
     (polynomial.terms.len(), circular.len())
 }
 
 /// Factors a sum of monomials: takes out common factors, then the atom that most terms share,
 /// repeatedly. Returns the product as a term.
 fn factor(arena: &mut Arena, terms: &BTreeMap<Monomial, Rational>) -> Expr {
-    let polynomial = Polynomial { terms: terms.clone() };
+    let polynomial = LaurentPolynomial { terms: terms.clone() };
     let (monomial, content, rest) = extract_common(&polynomial);
     let inner = if rest.terms.len() < 2 {
         rest.expand(arena)
@@ -278,18 +278,18 @@ fn factor(arena: &mut Arena, terms: &BTreeMap<Monomial, Rational>) -> Expr {
     } else {
         rest.expand(arena)
     };
-    join(arena, &monomial, &content, inner)
+    scale_by_monomial(arena, &monomial, &content, inner)
 }
 
 /// Takes the common factor out of a polynomial and expands the rest. Returns the product as a term.
-fn common_factor_only(arena: &mut Arena, polynomial: &Polynomial) -> Expr {
+fn common_factor_only(arena: &mut Arena, polynomial: &LaurentPolynomial) -> Expr {
     let (monomial, content, rest) = extract_common(polynomial);
     let inner = rest.expand(arena);
-    join(arena, &monomial, &content, inner)
+    scale_by_monomial(arena, &monomial, &content, inner)
 }
 
 /// Product monomial · content · inner as a term.
-fn join(arena: &mut Arena, monomial: &Monomial, content: &Rational, inner: Expr) -> Expr {
+fn scale_by_monomial(arena: &mut Arena, monomial: &Monomial, content: &Rational, inner: Expr) -> Expr {
     let outer = monomial_expr(arena, monomial);
     let product = arena.mul(outer, inner);
     arena.scale(product, content)
@@ -297,14 +297,14 @@ fn join(arena: &mut Arena, monomial: &Monomial, content: &Rational, inner: Expr)
 
 /// Splits a polynomial into monomial · content · rest, where the terms of the rest have no common
 /// factor.
-fn extract_common(polynomial: &Polynomial) -> (Monomial, Rational, Polynomial) {
+fn extract_common(polynomial: &LaurentPolynomial) -> (Monomial, Rational, LaurentPolynomial) {
     let Some(first) = polynomial.terms.keys().next() else {
-        return (Vec::new(), Rational::ONE, Polynomial::default());
+        return (Vec::new(), Rational::ONE, LaurentPolynomial::default());
     };
     let mut common = first.clone();
     let mut content = Rational::ZERO;
     for (monomial, k) in &polynomial.terms {
-        content = content.common_content(k);
+        content = content.greatest_common_divisor(k);
         for (atom, n) in &mut common {
             let m = monomial.iter().find(|(e, _)| e == atom).map_or(0, |(_, m)| *m);
             // The part of the exponent that both monomials share, with the sign of the exponent.
@@ -314,8 +314,8 @@ fn extract_common(polynomial: &Polynomial) -> (Monomial, Rational, Polynomial) {
     common.retain(|(_, n)| *n != 0);
     let negative = polynomial.terms.values().next().is_some_and(Rational::is_negative);
     let content = if negative { content.neg() } else { content };
-    let inverse = content.recip().unwrap_or(Rational::ONE);
-    let mut rest = Polynomial::default();
+    let inverse = content.reciprocal().unwrap_or(Rational::ONE);
+    let mut rest = LaurentPolynomial::default();
     for (monomial, k) in &polynomial.terms {
         let mut left: Monomial = monomial
             .iter()
@@ -329,7 +329,7 @@ fn extract_common(polynomial: &Polynomial) -> (Monomial, Rational, Polynomial) {
 
 /// Atom that most terms of the polynomial share, and true if they share it with positive exponents.
 /// Ties take the first. `None` if no two terms share an atom.
-fn most_shared(polynomial: &Polynomial) -> Option<(Expr, bool)> {
+fn most_shared(polynomial: &LaurentPolynomial) -> Option<(Expr, bool)> {
     let mut counts: BTreeMap<(Expr, bool), usize> = BTreeMap::new();
     for (atom, n) in polynomial.terms.keys().flatten() {
         *counts.entry((*atom, *n > 0)).or_default() += 1;
@@ -341,16 +341,16 @@ fn most_shared(polynomial: &Polynomial) -> Option<(Expr, bool)> {
 /// Number of arithmetic operations in a term, the measure of short forms; a function counts as 4. A
 /// shared subterm counts once, a named term not at all.
 #[must_use]
-pub fn cost(arena: &Arena, e: Expr) -> usize {
-    cost_of_all(arena, &[e])
+pub fn operation_count(arena: &Arena, e: Expr) -> usize {
+    operation_count_of_all(arena, &[e])
 }
 
 /// Number of arithmetic operations in several terms together; a function counts as 4. A shared
 /// subterm counts once, a named term not at all.
 #[must_use]
-pub fn cost_of_all(arena: &Arena, list: &[Expr]) -> usize {
+pub fn operation_count_of_all(arena: &Arena, list: &[Expr]) -> usize {
     arena
-        .shown(list)
+        .terms_shown_in_text(list)
         .into_iter()
         .map(|part| match arena.node(part) {
             Node::Number(_) | Node::Symbol(_) | Node::Pi | Node::Named(..) => 0,
@@ -372,7 +372,7 @@ pub fn cost_of_all(arena: &Arena, list: &[Expr]) -> usize {
 mod tests {
     use super::*;
     use crate::algebra::text::parse::parse_free;
-    use crate::algebra::text::print::text;
+    use crate::algebra::text::print::print_text;
 
     fn simplified(input: &str) -> String {
         let mut arena = Arena::new();
@@ -381,7 +381,7 @@ mod tests {
         }
         let e = parse_free(&mut arena, input).unwrap();
         let e = Simplifier::default().simplify(&mut arena, e);
-        text(&arena, e)
+        print_text(&arena, e)
     }
 
     #[test]

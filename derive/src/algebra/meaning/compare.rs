@@ -12,27 +12,27 @@
 //! assert!(matches!(Comparer::default().compare(&mut arena, a, b), Verdict::Equal(_)));
 //! ```
 //!
-//! A [`Comparer`] compares terms in all states, or only in permitted states ([`super::permitted`]):
+//! A [`Comparer`] compares terms in all states, or only in permitted states ([`super::permitted_states`]):
 //! those on constraints and in a domain.
 //!
-//! Two engines decide. [`crate::algebra::value::modular`] evaluates exactly at random points of
+//! Two engines decide. [`crate::algebra::value::zero_test`] evaluates exactly at random points of
 //! random prime fields: a single non-zero value proves that the sides differ. If it finds zeros
-//! only, [`crate::algebra::form::normal`] proves equality. Terms that are too large for the normal
+//! only, [`crate::algebra::form::normal_form`] proves equality. Terms that are too large for the normal
 //! form are equal with the error bound of the first engine.
 //! Floating point decides nothing: it only finds a state that shows a difference which is already
 //! proved. With roots or functions without rules, a difference counts only if a real state proves
 //! it, by intervals rounded outwards (module `interval`). For example, √x² is x for some x and not
 //! for others.
 
-use super::permitted::{Holds, Permitted, View};
+use super::permitted_states::{PermittedStates, RewrittenSides, StatesOfValidity};
 use super::signs::Signs;
-use super::witness::{Asked, witness};
-use crate::algebra::form::normal::{Normalizer, Zero};
+use super::witness::{WitnessRequest, find_witness};
+use crate::algebra::form::normal_form::{Normalizer, Zero};
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::term::elementary::angle_atoms;
-use crate::algebra::text::print::text;
-use crate::algebra::value::modular::{ZeroTest, bounded_zero_test, has_roots, zero_test};
+use crate::algebra::text::print::print_text;
 use crate::algebra::value::points::is_exponential;
+use crate::algebra::value::zero_test::{ZeroTest, bounded_zero_test, has_roots, zero_test};
 use crate::algebra::{Arena, Expr, Function, Node};
 use std::fmt;
 
@@ -106,12 +106,12 @@ pub struct Comparer {
     /// do not add up to hours.
     budget: u64,
     /// Permitted states, in which the terms are compared.
-    permitted: Permitted,
+    permitted: PermittedStates,
 }
 
 impl Default for Comparer {
     fn default() -> Self {
-        Self::within(Permitted::default())
+        Self::in_permitted_states(PermittedStates::default())
     }
 }
 
@@ -119,40 +119,40 @@ impl Comparer {
     /// Creates a comparer for permitted states. Equal terms are equal in all permitted states, and
     /// different terms differ in at least one.
     #[must_use]
-    pub fn within(permitted: Permitted) -> Self {
+    pub fn in_permitted_states(permitted: PermittedStates) -> Self {
         Self { normalizer: Normalizer::default(), budget: 10 * Normalizer::BUDGET, permitted }
     }
 
     /// Permitted states in which the comparer compares terms.
-    pub fn permitted(&mut self) -> &mut Permitted {
+    pub fn permitted(&mut self) -> &mut PermittedStates {
         &mut self.permitted
     }
 
     /// Compares two terms, in whatever form they are written: they are equal if they agree in all
     /// permitted states in which both have values.
     pub fn compare(&mut self, arena: &mut Arena, left: Expr, right: Expr) -> Verdict {
-        self.compare_where(arena, left, right).0
+        self.compare_with_states(arena, left, right).0
     }
 
     /// Compares two terms like [`Self::compare`], and also returns the states in which an equality
     /// holds.
-    pub fn compare_where(&mut self, arena: &mut Arena, left: Expr, right: Expr) -> (Verdict, Holds) {
-        let (everywhere, difference) = self.settle(arena, left, right);
+    pub fn compare_with_states(&mut self, arena: &mut Arena, left: Expr, right: Expr) -> (Verdict, StatesOfValidity) {
+        let (everywhere, difference) = self.decide_difference(arena, left, right);
         if let Answer::Zero(engine) = everywhere {
-            return (Verdict::Equal(engine), Holds::EVERYWHERE);
+            return (Verdict::Equal(engine), StatesOfValidity::EVERYWHERE);
         }
         if self.permitted.is_everything() {
             let signs = Signs::default();
             let defined = arena.restrictions().to_vec();
             let shown_symbols = symbols_in(arena, &[left, right, difference]).into_iter().map(|s| (s, s)).collect();
             let sides = [left, right, difference];
-            let asked = Asked { sides, defined, positive: &[], signs: &signs, shown: shown_symbols };
-            return (shown(arena, &asked, everywhere), Holds::EVERYWHERE);
+            let asked = WitnessRequest { sides, defined, positive: &[], signs: &signs, shown: shown_symbols };
+            return (verdict_by_witness(arena, &asked, everywhere), StatesOfValidity::EVERYWHERE);
         }
         let verdict = self.where_permitted(arena, left, right, everywhere);
         match verdict {
             Ok((engine, holds)) => (Verdict::Equal(engine), holds),
-            Err(verdict) => (verdict, Holds::EVERYWHERE),
+            Err(verdict) => (verdict, StatesOfValidity::EVERYWHERE),
         }
     }
 
@@ -165,52 +165,56 @@ impl Comparer {
         left: Expr,
         right: Expr,
         everywhere: Answer,
-    ) -> Result<(Engine, Holds), Verdict> {
-        let Some(views) = self.permitted.views(arena, left, right) else {
+    ) -> Result<(Engine, StatesOfValidity), Verdict> {
+        let Some(views) = self.permitted.rewritten_sides(arena, left, right) else {
             return Err(Verdict::Undecided("the formula divides by a term that the constraints make zero".to_owned()));
         };
         let difference = arena.sub(left, right);
         let (mut answer, mut sides) = (everywhere, [left, right, difference]);
-        for View { holds, sides: (left, right) } in views {
-            let (found, difference) = self.settle(arena, left, right);
+        for RewrittenSides { holds, sides: (left, right) } in views {
+            let (found, difference) = self.decide_difference(arena, left, right);
             if let Answer::Zero(engine) = found {
                 return Ok((engine, holds));
             }
             (answer, sides) = (found, [left, right, difference]);
         }
-        if let Some(why) = self.permitted.open() {
+        if let Some(why) = self.permitted.unsolved_equation() {
             return Err(Verdict::Undecided(why.to_owned()));
         }
         let defined = arena.restrictions().to_vec();
-        let defined = defined.into_iter().map(|e| self.permitted.put(arena, e)).collect();
+        let defined = defined.into_iter().map(|e| self.permitted.write_in_free_symbols(arena, e)).collect();
         // A state also shows the free symbols on which its dependent symbols depend, so that a
         // reader can check it.
         let mentioned = symbols_in(arena, &[left, right]);
-        let values: Vec<Expr> = mentioned.iter().map(|s| self.permitted.put(arena, *s)).collect();
-        let free = if self.permitted.is_told() { symbols_in(arena, &values) } else { Vec::new() };
+        let values: Vec<Expr> = mentioned.iter().map(|s| self.permitted.write_in_free_symbols(arena, *s)).collect();
+        let free = if self.permitted.shows_free_symbols() { symbols_in(arena, &values) } else { Vec::new() };
         let mut all = [mentioned, free].concat();
         all.sort_unstable();
         all.dedup();
-        let shown_symbols = all.into_iter().map(|s| (s, self.permitted.put(arena, s))).collect();
+        let shown_symbols = all.into_iter().map(|s| (s, self.permitted.write_in_free_symbols(arena, s))).collect();
         let (positive, signs) = (self.permitted.free_conditions(), self.permitted.free_signs());
-        Err(shown(arena, &Asked { sides, defined, positive, signs, shown: shown_symbols }, answer))
+        Err(verdict_by_witness(
+            arena,
+            &WitnessRequest { sides, defined, positive, signs, shown: shown_symbols },
+            answer,
+        ))
     }
 
     /// Decides by exact algebra if left − right is zero. Returns the answer and the difference with
     /// expanded angles.
-    fn settle(&mut self, arena: &mut Arena, left: Expr, right: Expr) -> (Answer, Expr) {
+    fn decide_difference(&mut self, arena: &mut Arena, left: Expr, right: Expr) -> (Answer, Expr) {
         let difference = arena.sub(left, right);
         if difference == Expr::ZERO {
             return (Answer::Zero(Engine::NormalForm), difference);
         }
-        let difference = self.with_plain_angles(arena, difference);
+        let difference = self.expand_angles(arena, difference);
         let (zero, exponent) = bounded_zero_test(arena, difference);
         if zero == ZeroTest::NonZero {
             return (Answer::NonZero, difference);
         }
         let granted = self.budget.min(Normalizer::BUDGET);
-        self.normalizer.allow(granted);
-        let form = self.normalizer.zero(arena, difference);
+        self.normalizer.set_budget(granted);
+        let form = self.normalizer.zero_by_normal_form(arena, difference);
         self.budget -= granted - self.normalizer.ring().budget;
         let answer = match (form, zero) {
             (Zero::Yes, _) => Answer::Zero(Engine::NormalForm),
@@ -232,8 +236,8 @@ impl Comparer {
     ///
     /// The step has its own budget, since no comparison is possible without it, and angles are
     /// short.
-    pub(crate) fn with_plain_angles(&mut self, arena: &mut Arena, e: Expr) -> Expr {
-        self.normalizer.allow(ANGLES);
+    pub(crate) fn expand_angles(&mut self, arena: &mut Arena, e: Expr) -> Expr {
+        self.normalizer.set_budget(ANGLES);
         let mut pairs = Vec::new();
         for part in arena.reachable(&[e]) {
             let Node::Apply(f @ (Function::Sin | Function::Cos), argument) = *arena.node(part) else { continue };
@@ -241,7 +245,7 @@ impl Comparer {
             if angle_atoms(arena, argument).iter().all(|(atom, _)| is_plain(atom)) {
                 continue;
             }
-            if let Some(form) = self.normalizer.fraction(arena, argument) {
+            if let Some(form) = self.normalizer.normal_form(arena, argument) {
                 let expanded = self.normalizer.expression(arena, &form);
                 pairs.push((part, arena.apply(f, expanded)));
             }
@@ -264,7 +268,7 @@ fn reason(arena: &Arena, difference: Expr) -> String {
     });
     for divisor in divisors {
         if zero_test(arena, divisor) == ZeroTest::Zero {
-            return format!("the formula divides by {}, which is zero everywhere", text(arena, divisor));
+            return format!("the formula divides by {}, which is zero everywhere", print_text(arena, divisor));
         }
     }
     let opaque = parts.iter().find_map(|p| match arena.node(*p) {
@@ -281,12 +285,12 @@ fn reason(arena: &Arena, difference: Expr) -> String {
 
 /// Verdict on two sides that are not proved equal: a state that shows their difference, or the
 /// reason why the question is undecided.
-fn shown(arena: &Arena, asked: &Asked<'_>, zero: Answer) -> Verdict {
+fn verdict_by_witness(arena: &Arena, asked: &WitnessRequest<'_>, zero: Answer) -> Verdict {
     let roots = has_roots(arena, &arena.reachable(&[asked.sides[2]]));
     if let Answer::Disputed = zero {
         return Verdict::Undecided("the two engines disagree: a defect of the program, please report it".to_owned());
     }
-    match (witness(arena, asked), zero) {
+    match (find_witness(arena, asked), zero) {
         (Some((witness, true)), _) => Verdict::Different(witness),
         (Some((witness, false)), Answer::NonZero) if !roots => Verdict::Different(witness),
         // If exact arithmetic does not decide, only a real state does whose interval excludes 0.

@@ -4,7 +4,7 @@
 //! them. The terms belong to the arena in which they were compared.
 
 use super::compare::Engine;
-use crate::algebra::value::modular::{Trial, trials};
+use crate::algebra::value::zero_test::{Trial, zero_test_points};
 use crate::algebra::{Arena, Expr};
 
 /// Two terms that are equal for all values of their symbols for which both have a value, with the
@@ -26,6 +26,6 @@ impl Identity {
     #[must_use]
     pub fn trials(&self, arena: &mut Arena) -> Vec<Trial> {
         let difference = arena.sub(self.left, self.right);
-        trials(arena, difference)
+        zero_test_points(arena, difference)
     }
 }

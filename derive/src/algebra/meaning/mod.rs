@@ -2,7 +2,7 @@
 
 pub mod compare;
 pub mod identity;
-pub mod permitted;
+pub mod permitted_states;
 mod samples;
 pub(crate) mod signs;
 pub(super) mod witness;

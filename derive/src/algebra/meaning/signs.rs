@@ -5,9 +5,9 @@
 //! symbols and from terms known to be positive. Any other sign is [`Sign::Unknown`], and the term
 //! stays as it was written.
 
-use crate::algebra::form::normal::Normalizer;
+use crate::algebra::form::normal_form::Normalizer;
 use crate::algebra::term::calculus::Substitution;
-use crate::algebra::value::interval::{Interval, enclose};
+use crate::algebra::value::interval::{PointInterval, enclose_in_interval};
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use rustc_hash::FxHashMap;
 
@@ -103,7 +103,7 @@ impl Signs {
     pub fn new(arena: &mut Arena, positive: &[Expr]) -> Self {
         let mut signs = Self { positive: positive.to_vec(), bounds: Vec::new() };
         for term in positive {
-            signs.bound(arena, *term);
+            signs.add_bound_from(arena, *term);
         }
         signs
     }
@@ -119,14 +119,14 @@ impl Signs {
     }
 
     /// Adds the bound of a term that follows from a positive sum of the form constant + k · term.
-    fn bound(&mut self, arena: &mut Arena, positive: Expr) {
+    fn add_bound_from(&mut self, arena: &mut Arena, positive: Expr) {
         let (constant, terms) = match arena.node(positive).clone() {
             Node::Sum(constant, terms) => (constant, terms.to_vec()),
             _ => (Rational::ZERO, vec![(positive, Rational::ONE)]),
         };
         let (fixed, moving): (Vec<_>, Vec<_>) = terms.into_iter().partition(|(term, _)| *arena.node(*term) == Node::Pi);
         let [(term, k)] = moving.as_slice() else { return };
-        let Some(inverse) = k.recip() else { return };
+        let Some(inverse) = k.reciprocal() else { return };
         // The bound is term > −constant/k, or term < −constant/k if k is negative.
         let constant = arena.number(constant);
         let fixed: Vec<_> = fixed.into_iter().chain([(constant, Rational::ONE)]).collect();
@@ -135,15 +135,15 @@ impl Signs {
         match *arena.node(*term) {
             Node::Apply(Function::Abs, inner) if k.is_negative() => {
                 let low = arena.neg(limit);
-                self.narrow(inner, Some(low), Some(limit));
+                self.add_bounds(inner, Some(low), Some(limit));
             }
-            _ if k.is_negative() => self.narrow(*term, None, Some(limit)),
-            _ => self.narrow(*term, Some(limit), None),
+            _ if k.is_negative() => self.add_bounds(*term, None, Some(limit)),
+            _ => self.add_bounds(*term, Some(limit), None),
         }
     }
 
     /// Adds bounds of a term; a bound that is already known is kept.
-    fn narrow(&mut self, of: Expr, low: Option<Expr>, high: Option<Expr>) {
+    fn add_bounds(&mut self, of: Expr, low: Option<Expr>, high: Option<Expr>) {
         match self.bounds.iter_mut().find(|b| b.of == of) {
             Some(known) => {
                 known.low = known.low.or(low);
@@ -155,7 +155,7 @@ impl Signs {
 
     /// Rewrites a term by known signs: roots of squares, absolute values and sign functions are
     /// resolved if the sign of their argument is known.
-    pub fn resolved(&self, arena: &mut Arena, e: Expr) -> Expr {
+    pub fn resolve_roots_and_signs(&self, arena: &mut Arena, e: Expr) -> Expr {
         let is_bent = |f: Function| matches!(f, Function::Sqrt | Function::Abs | Function::Sign);
         let bent: Vec<Expr> = arena.reachable(&[e]);
         let bent = bent.into_iter().filter(|part| matches!(arena.node(*part), Node::Apply(f, _) if is_bent(*f)));
@@ -199,7 +199,7 @@ impl Signs {
         let (mut outside, mut inside) = (Vec::new(), Vec::new());
         for (base, n) in factors {
             let half = n.div_euclid(2);
-            match (half, self.size(arena, base)) {
+            match (half, self.absolute_value(arena, base)) {
                 (0, _) | (_, None) => inside.push((base, n)),
                 (_, Some(size)) => {
                     outside.push((size, half));
@@ -211,7 +211,7 @@ impl Signs {
         for (base, n) in &mut inside {
             if *n == 1
                 && let Some(root) = square_root(arena, *base)
-                && let Some(size) = self.size(arena, root)
+                && let Some(size) = self.absolute_value(arena, root)
             {
                 outside.push((size, 1));
                 *n = 0;
@@ -225,7 +225,7 @@ impl Signs {
     }
 
     /// Absolute value |e| as `e` or −`e`; `None` if the sign of `e` is unknown.
-    fn size(&self, arena: &mut Arena, e: Expr) -> Option<Expr> {
+    fn absolute_value(&self, arena: &mut Arena, e: Expr) -> Option<Expr> {
         match self.sign(arena, e) {
             Sign::Positive | Sign::NotNegative => Some(e),
             Sign::Negative | Sign::NotPositive => Some(arena.neg(e)),
@@ -238,9 +238,9 @@ impl Signs {
         let roots: Vec<Expr> = self.positive.iter().copied().chain([e]).collect();
         let mut known: FxHashMap<Expr, Sign> = FxHashMap::default();
         for part in arena.reachable(&roots) {
-            let mut sign = self.by_form(arena, part, &known);
+            let mut sign = self.sign_by_form(arena, part, &known);
             if sign == Sign::Unknown {
-                sign = self.by_known(arena, part, &known);
+                sign = self.sign_by_known_terms(arena, part, &known);
             }
             known.insert(part, sign);
         }
@@ -248,12 +248,12 @@ impl Signs {
     }
 
     /// Sign of a term that follows from the signs of its operands; `known` has these signs.
-    fn by_form(&self, arena: &mut Arena, e: Expr, known: &FxHashMap<Expr, Sign>) -> Sign {
+    fn sign_by_form(&self, arena: &mut Arena, e: Expr, known: &FxHashMap<Expr, Sign>) -> Sign {
         match arena.node(e).clone() {
             Node::Number(value) => Sign::of_number(&value),
             Node::Pi => Sign::Positive,
             Node::Symbol(_) if arena.is_positive(e) => Sign::Positive,
-            Node::Symbol(_) => self.by_bounds(arena, e),
+            Node::Symbol(_) => self.sign_by_bounds(arena, e),
             Node::Sum(constant, terms) => sign_of_sum(&constant, &terms, known),
             Node::Product(factors) => factors.iter().fold(Sign::Positive, |sign, (base, n)| {
                 let of_base = known[base];
@@ -270,14 +270,14 @@ impl Signs {
                 Function::Sqrt | Function::Abs if known[&argument].is_strict() => Sign::Positive,
                 Function::Sqrt | Function::Abs => Sign::NotNegative,
                 Function::Sinh | Function::Tanh | Function::Atan | Function::Asin | Function::Sign => known[&argument],
-                Function::Sin | Function::Cos => self.of_wave(arena, f, argument),
+                Function::Sin | Function::Cos => self.sign_of_wave(arena, f, argument),
                 Function::Log | Function::Acos => Sign::Unknown,
             },
         }
     }
 
     /// Sign of a term that follows from its constant bounds.
-    fn by_bounds(&self, arena: &Arena, e: Expr) -> Sign {
+    fn sign_by_bounds(&self, arena: &Arena, e: Expr) -> Sign {
         let Some(bounds) = self.bounds_of(e) else { return Sign::Unknown };
         if bounds.low.is_some_and(|low| is_at_least(arena, low, Expr::ZERO)) {
             return Sign::Positive;
@@ -290,7 +290,7 @@ impl Signs {
 
     /// Sign of a cosine or a sine from the bounds of its angle. It is known for a cosine between
     /// −π/2 and π/2, and for a sine between 0 and π or between −π and 0.
-    fn of_wave(&self, arena: &mut Arena, f: Function, argument: Expr) -> Sign {
+    fn sign_of_wave(&self, arena: &mut Arena, f: Function, argument: Expr) -> Sign {
         let Some(Bounds { low: Some(low), high: Some(high), .. }) = self.bounds_of(argument).cloned() else {
             return Sign::Unknown;
         };
@@ -308,7 +308,7 @@ impl Signs {
 
     /// Sign of a term that is a multiple of a positive term plus a rest of the same sign; unknown
     /// for other terms.
-    fn by_known(&self, arena: &mut Arena, e: Expr, known: &FxHashMap<Expr, Sign>) -> Sign {
+    fn sign_by_known_terms(&self, arena: &mut Arena, e: Expr, known: &FxHashMap<Expr, Sign>) -> Sign {
         for positive in &self.positive {
             let Some(k) = common_multiple(arena, e, *positive) else { continue };
             let rest = arena.linear_combination(&[(e, Rational::ONE), (*positive, k.neg())]);
@@ -353,7 +353,7 @@ fn common_multiple(arena: &Arena, e: Expr, positive: Expr) -> Option<Rational> {
     let own = terms(e);
     terms(positive).into_iter().find_map(|(term, k)| {
         let (_, other) = own.iter().find(|(known, _)| *known == term)?;
-        Some(other.mul(&k.recip()?))
+        Some(other.mul(&k.reciprocal()?))
     })
 }
 
@@ -363,8 +363,10 @@ fn is_at_least(arena: &Arena, a: Expr, b: Expr) -> bool {
         return true;
     }
     let at = FxHashMap::default();
-    let (Some(a), Some(b)) = (enclose(arena, a, &at), enclose(arena, b, &at)) else { return false };
-    Interval::is_above(a, b)
+    let (Some(a), Some(b)) = (enclose_in_interval(arena, a, &at), enclose_in_interval(arena, b, &at)) else {
+        return false;
+    };
+    PointInterval::is_above(a, b)
 }
 
 /// Square root of a sum as a polynomial p with p² = e, of either sign; `None` if no such polynomial
@@ -374,7 +376,7 @@ fn square_root(arena: &mut Arena, e: Expr) -> Option<Expr> {
         return None;
     }
     let mut normalizer = Normalizer::new(ROOT);
-    let form = normalizer.fraction(arena, e)?;
+    let form = normalizer.normal_form(arena, e)?;
     if !form.denominator.is_empty() {
         return None;
     }
@@ -386,7 +388,7 @@ fn square_root(arena: &mut Arena, e: Expr) -> Option<Expr> {
 mod tests {
     use super::*;
     use crate::algebra::text::parse::parse_free;
-    use crate::algebra::text::print::text;
+    use crate::algebra::text::print::print_text;
 
     /// Resolves the roots and absolute values of a text where r and l + x are positive, h > 1/10, and q and p are
     /// angles of bounded size.
@@ -398,8 +400,8 @@ mod tests {
         let known = known.map(|k| parse_free(&mut arena, k).unwrap());
         let signs = Signs::new(&mut arena, &known);
         let e = parse_free(&mut arena, e).unwrap();
-        let e = signs.resolved(&mut arena, e);
-        text(&arena, e)
+        let e = signs.resolve_roots_and_signs(&mut arena, e);
+        print_text(&arena, e)
     }
 
     #[test]

@@ -2,9 +2,9 @@
 //! people can type.
 
 use super::signs::{Bounds, Signs};
-use crate::algebra::value::evaluate::Tape;
 use crate::algebra::value::field::Generator;
-use crate::algebra::value::interval::{Interval, enclose};
+use crate::algebra::value::interval::{PointInterval, enclose_in_interval};
+use crate::algebra::value::tape::Tape;
 use crate::algebra::{Arena, Expr};
 use rustc_hash::FxHashMap;
 
@@ -29,7 +29,7 @@ const MOST_STATES: usize = 2000;
 
 /// Requirements on a witness: a state at which the two sides of a comparison differ.
 #[derive(Clone, Debug)]
-pub struct Asked<'a> {
+pub struct WitnessRequest<'a> {
     /// Left side, right side, and their difference, as terms.
     pub sides: [Expr; 3],
     /// Terms that must have a value at the witness state.
@@ -46,7 +46,7 @@ pub struct Asked<'a> {
 /// that excludes 0 proves that they differ.
 /// All terms of `defined` have a value at the state, including terms that cancelled. `None` if no
 /// state was found.
-pub fn witness(arena: &Arena, asked: &Asked<'_>) -> Option<(Witness, bool)> {
+pub fn find_witness(arena: &Arena, asked: &WitnessRequest<'_>) -> Option<(Witness, bool)> {
     let symbols_of = |roots: &[Expr]| {
         let parts = arena.reachable(roots).into_iter();
         parts.filter(|e| arena.symbol_name(*e).is_some()).collect::<Vec<_>>()
@@ -74,11 +74,11 @@ pub fn witness(arena: &Arena, asked: &Asked<'_>) -> Option<(Witness, bool)> {
             continue;
         }
         let at: FxHashMap<Expr, f64> = symbols.iter().copied().zip(values).collect();
-        let is_inside = |e: &Expr| enclose(arena, *e, &at).is_some_and(Interval::is_positive);
+        let is_inside = |e: &Expr| enclose_in_interval(arena, *e, &at).is_some_and(PointInterval::is_positive);
         if !positive.iter().all(is_inside) {
             continue;
         }
-        let proved = enclose(arena, asked.sides[2], &at).is_some_and(Interval::excludes_zero);
+        let proved = enclose_in_interval(arena, asked.sides[2], &at).is_some_and(PointInterval::excludes_zero);
         let share = difference.abs() / left.abs().max(right.abs()).max(f64::MIN_POSITIVE);
         if best.as_ref().is_none_or(|(most, _)| (proved, share) > *most) {
             let names = asked.shown.iter().filter_map(|(s, _)| arena.symbol_name(*s)).map(str::to_owned);

@@ -12,11 +12,11 @@
 //! first, if there are any.
 
 use super::linear::Singular;
-use crate::algebra::form::sharing::{Reading, share};
-use crate::algebra::form::simplify::{Simplifier, cost, cost_of_all};
+use crate::algebra::form::sharing::{SharingOptions, share_common_parts};
+use crate::algebra::form::simplify::{Simplifier, operation_count, operation_count_of_all};
 use crate::algebra::term::steps::{Definition, fresh_symbol};
-use crate::algebra::value::modular::{ZeroTest, zero_test};
 use crate::algebra::value::range::never_zero;
+use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr, Node};
 
 /// Number of operations above which an entry gets its own name, for each trial. The first trial
@@ -59,7 +59,7 @@ pub fn eliminate(
     system: LinearSystem<'_>,
 ) -> Result<Elimination, Singular> {
     if system.is_large {
-        let steps = solve(arena, simplifier, system, 0)?;
+        let steps = eliminate_once(arena, simplifier, system, 0)?;
         let divisors = divisors(arena, &steps.iter().map(|step| step.value).collect::<Vec<_>>());
         return Ok(Elimination { steps, divisors });
     }
@@ -67,7 +67,7 @@ pub fn eliminate(
     for longest in LONGEST {
         // Each trial has its own arena, so that the names of rejected trials stay free.
         let (mut arena, mut simplifier) = (arena.clone(), simplifier.clone());
-        let steps = solve(&mut arena, &mut simplifier, system, longest)?;
+        let steps = eliminate_once(&mut arena, &mut simplifier, system, longest)?;
         let total = least_cost(&arena, &steps, system.unknowns);
         let has_names = steps.len() > system.unknowns.len();
         if best.as_ref().is_none_or(|(least, ..)| total < *least) {
@@ -87,37 +87,37 @@ pub fn eliminate(
 
 /// Number of operations of a solution after common parts are shared, as in the generated code.
 fn least_cost(arena: &Arena, steps: &[Definition], unknowns: &[Expr]) -> usize {
-    let counts = Reading::SAMPLE.into_iter().filter_map(|reading| {
+    let counts = SharingOptions::COMMON_OPTIONS.into_iter().filter_map(|reading| {
         let mut arena = arena.clone();
-        let shared = share(&mut arena, &mut Simplifier::default(), reading, steps, unknowns)?;
+        let shared = share_common_parts(&mut arena, &mut Simplifier::default(), reading, steps, unknowns)?;
         let values: Vec<Expr> = shared.steps.iter().map(|step| step.value).chain(shared.values).collect();
-        Some(cost_of_all(&arena, &values))
+        Some(operation_count_of_all(&arena, &values))
     });
     counts.min().unwrap_or(0)
 }
 
 /// Solves a system by a single elimination, in which entries of more than `longest` operations get
 /// names. Error if the matrix is singular.
-fn solve(
+fn eliminate_once(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
     system: LinearSystem<'_>,
     longest: usize,
 ) -> Result<Vec<Definition>, Singular> {
-    let mut work = Work::new(arena, simplifier, system, longest);
+    let mut work = EliminationState::new(arena, simplifier, system, longest);
     while work.order.len() < system.right.len() {
         let Some((row, column)) = work.pivot() else {
             let row = work.rows.iter().position(|active| *active).unwrap_or(0);
             return Err(Singular { rank: work.order.len(), row });
         };
-        work.clear(row, column);
+        work.eliminate_column(row, column);
     }
     work.substitute_back(system.unknowns);
     Ok(work.steps)
 }
 
 /// State of an elimination after some of its pivots.
-struct Work<'a> {
+struct EliminationState<'a> {
     /// Arena of the terms.
     arena: &'a mut Arena,
     /// Simplifier of the entries.
@@ -140,7 +140,7 @@ struct Work<'a> {
     longest: usize,
 }
 
-impl<'a> Work<'a> {
+impl<'a> EliminationState<'a> {
     /// Prepares the elimination of a system, with every entry in short form.
     fn new(arena: &'a mut Arena, simplifier: &'a mut Simplifier, system: LinearSystem<'_>, longest: usize) -> Self {
         let n = system.right.len();
@@ -158,14 +158,14 @@ impl<'a> Work<'a> {
         };
         for i in 0..n {
             for j in 0..n {
-                work.matrix[i][j] = work.short(system.matrix[i][j]);
+                work.matrix[i][j] = work.short_entry(system.matrix[i][j]);
             }
         }
         work
     }
 
     /// Short form of an entry; the literal 0 if the entry is identically 0.
-    fn short(&mut self, e: Expr) -> Expr {
+    fn short_entry(&mut self, e: Expr) -> Expr {
         let e = self.simplifier.simplify(self.arena, e);
         let zero = matches!(self.arena.node(e), Node::Sum(..)) && zero_test(self.arena, e) == ZeroTest::Zero;
         if zero { Expr::ZERO } else { e }
@@ -173,8 +173,8 @@ impl<'a> Work<'a> {
 
     /// Returns the entry `e`, or a new symbol for it, defined by a step, if `e` has more than
     /// `longest` operations.
-    fn named(&mut self, e: Expr, name: &str) -> Expr {
-        if cost(self.arena, e) <= self.longest {
+    fn name_entry(&mut self, e: Expr, name: &str) -> Expr {
+        if operation_count(self.arena, e) <= self.longest {
             return e;
         }
         let symbol = fresh_symbol(self.arena, &format!("{name}{}", self.steps.len() + 1));
@@ -197,7 +197,7 @@ impl<'a> Work<'a> {
             }
             let right = columns.iter().filter(|j| filled(row, **j)).count() - 1;
             let below = rows.iter().filter(|i| filled(**i, column)).count() - 1;
-            let key = (!never_zero(self.arena, entry), right * below, cost(self.arena, entry), row, column);
+            let key = (!never_zero(self.arena, entry), right * below, operation_count(self.arena, entry), row, column);
             if best.is_none_or(|least| key < least) && zero_test(self.arena, entry) != ZeroTest::Zero {
                 best = Some(key);
             }
@@ -207,9 +207,9 @@ impl<'a> Work<'a> {
 
     /// Eliminates the pivot's column c from all remaining rows: a_ij becomes a_ij − (a_ic / d)
     /// a_rj, with the pivot d in row r.
-    fn clear(&mut self, row: usize, column: usize) {
+    fn eliminate_column(&mut self, row: usize, column: usize) {
         let n = self.right.len();
-        let d = self.named(self.matrix[row][column], "d");
+        let d = self.name_entry(self.matrix[row][column], "d");
         self.matrix[row][column] = d;
         self.rows[row] = false;
         self.columns[column] = false;
@@ -219,16 +219,16 @@ impl<'a> Work<'a> {
                 continue;
             }
             let factor = self.arena.div(self.matrix[i][column], d).expect("a pivot is not zero");
-            let factor = self.short(factor);
-            let factor = self.named(factor, "l");
+            let factor = self.short_entry(factor);
+            let factor = self.name_entry(factor, "l");
             for j in (0..n).filter(|j| self.columns[*j]).collect::<Vec<_>>() {
                 if self.matrix[row][j] == Expr::ZERO || (self.symmetric && j < i) {
                     continue;
                 }
                 let product = self.arena.mul(factor, self.matrix[row][j]);
                 let difference = self.arena.sub(self.matrix[i][j], product);
-                let entry = self.short(difference);
-                self.matrix[i][j] = self.named(entry, "s");
+                let entry = self.short_entry(difference);
+                self.matrix[i][j] = self.name_entry(entry, "s");
                 if self.symmetric {
                     self.matrix[j][i] = self.matrix[i][j];
                 }
@@ -236,7 +236,7 @@ impl<'a> Work<'a> {
             let product = self.arena.mul(factor, self.right[row]);
             let difference = self.arena.sub(self.right[i], product);
             let entry = self.simplifier.simplify(self.arena, difference);
-            self.right[i] = self.named(entry, "r");
+            self.right[i] = self.name_entry(entry, "r");
         }
     }
 

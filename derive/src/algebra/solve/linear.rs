@@ -3,7 +3,7 @@
 
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::term::calculus::{Differential, Gradient, Substitution};
-use crate::algebra::value::modular::{ZeroTest, zero_test};
+use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr, Function, Node};
 
 /// Error: an expression is not linear in the given symbols.
@@ -56,16 +56,16 @@ impl LinearForm {
         if !self.symbols.iter().any(|s| parts.binary_search(s).is_ok()) {
             return Ok((vec![Expr::ZERO; self.symbols.len()], e));
         }
-        if let Some(form) = self.linear_by_form(arena, e, &parts) {
+        if let Some(form) = self.coefficients_by_form(arena, e, &parts) {
             return Ok(form);
         }
-        self.linear_by_meaning(arena, e)
+        self.coefficients_by_zero_tests(arena, e)
     }
 
     /// Splits an expression that is linear by form: its derivatives contain none of the symbols,
     /// which needs no further proof. `None` if it is not linear by form, or if it contains a sign
     /// function, which jumps and has no derivative.
-    fn linear_by_form(&mut self, arena: &mut Arena, e: Expr, parts: &[Expr]) -> Option<(Vec<Expr>, Expr)> {
+    fn coefficients_by_form(&mut self, arena: &mut Arena, e: Expr, parts: &[Expr]) -> Option<(Vec<Expr>, Expr)> {
         if parts.iter().any(|part| matches!(arena.node(*part), Node::Apply(Function::Sign, _))) {
             return None;
         }
@@ -82,7 +82,7 @@ impl LinearForm {
 
     /// Splits an expression that is linear after simplification only, as proved by zero tests.
     /// Error if it is not linear.
-    fn linear_by_meaning(&mut self, arena: &mut Arena, e: Expr) -> Result<(Vec<Expr>, Expr), NotLinear> {
+    fn coefficients_by_zero_tests(&mut self, arena: &mut Arena, e: Expr) -> Result<(Vec<Expr>, Expr), NotLinear> {
         let mut coefficients = Vec::with_capacity(self.symbols.len());
         for at in 0..self.symbols.len() {
             let slope = self.partials[at].apply(arena, e);
@@ -119,7 +119,7 @@ impl LinearForm {
 
 /// Writes a row of a linear system as the term Σ entry · unknown − right, which must vanish. The
 /// right-hand side is the last entry of the row.
-pub fn row_term(arena: &mut Arena, unknowns: &[Expr], row: &[Expr]) -> Expr {
+pub fn linear_row_term(arena: &mut Arena, unknowns: &[Expr], row: &[Expr]) -> Expr {
     let mut terms: Vec<Expr> = row.iter().zip(unknowns).map(|(a, x)| arena.mul(*a, *x)).collect();
     terms.push(arena.neg(row[row.len() - 1]));
     arena.sum(&terms)
@@ -143,7 +143,7 @@ pub struct Singular {
 ///
 /// # Errors
 /// [`Singular`] if A is singular for all values of its symbols.
-pub fn solve(
+pub fn solve_linear(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
     a: &[Vec<Expr>],
@@ -188,7 +188,7 @@ pub fn solve(
 /// Determinant of a square matrix, simplified; 0 if the matrix is singular for all values of its
 /// symbols.
 ///
-/// The method is elimination with simple pivots, as in [`solve`]; their divisions cancel in the
+/// The method is elimination with simple pivots, as in [`solve_linear`]; their divisions cancel in the
 /// product.
 pub fn determinant(arena: &mut Arena, simplifier: &mut Simplifier, a: &[Vec<Expr>]) -> Expr {
     let n = a.len();

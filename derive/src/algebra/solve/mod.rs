@@ -1,10 +1,10 @@
 //! Solvers of equations: linear systems, minimization of quadratic forms, linear relations, closed
 //! forms, antiderivatives.
 
-pub mod blocks;
+pub mod antiderivative;
+pub mod block_systems;
 pub mod closed;
 pub mod elimination;
-pub mod least;
 pub mod linear;
-pub mod primitive;
-pub mod relations;
+pub mod linear_relations;
+pub mod quadratic_minimum;

@@ -13,14 +13,14 @@ use rustc_hash::{FxHashMap, FxHashSet};
 /// Computes Σ weight · ∂e/∂x over the pairs (e, weight), for each variable x: the transposed
 /// Jacobian times the weights. The result has one sum per variable, in their order.
 /// The weight of a named term gets a name too: `letter`, an underscore and the term's name.
-pub fn transposed_product(arena: &mut Arena, pairs: &[(Expr, Expr)], variables: &[Expr], letter: &str) -> Vec<Expr> {
+pub fn adjoint_product(arena: &mut Arena, pairs: &[(Expr, Expr)], variables: &[Expr], letter: &str) -> Vec<Expr> {
     let roots: Vec<Expr> = pairs.iter().map(|(e, _)| *e).collect();
     let mut varying: FxHashSet<Expr> = variables.iter().copied().collect();
     let mut named: Vec<Expr> = Vec::new();
     for e in arena.reachable(&roots) {
         if arena.operands(e).any(|operand| varying.contains(&operand)) {
             varying.insert(e);
-            if arena.behind(e).is_some() {
+            if arena.named_term_value(e).is_some() {
                 named.push(e);
             }
         }
@@ -42,7 +42,7 @@ pub fn transposed_product(arena: &mut Arena, pairs: &[(Expr, Expr)], variables: 
         let sum = arena.sum(&shares);
         let wanted = format!("{letter}_{}", arena.name_of(*e).unwrap_or_default());
         let weight = arena.name(sum, &wanted);
-        if let Some(term) = arena.behind(*e).filter(|_| weight != Expr::ZERO) {
+        if let Some(term) = arena.named_term_value(*e).filter(|_| weight != Expr::ZERO) {
             spread(arena, &mut weights, term, weight);
         }
     }

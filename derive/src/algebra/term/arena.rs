@@ -4,7 +4,7 @@
 //! comparison of terms compares two integers. Operands have smaller handles than the terms built
 //! from them, so every pass is a loop over handles and cannot overflow the stack.
 //! Equal handles mean equal form. If terms of different form are identically equal is decided in
-//! [`crate::algebra::value::modular`].
+//! [`crate::algebra::value::zero_test`].
 //!
 //! The constructors keep a light canonical form: like terms are collected, powers of one base are
 //! merged, coefficients are exact. tan x is sin x · (cos x)⁻¹, so that it cancels against cosines.
@@ -369,19 +369,19 @@ impl Arena {
     /// All terms that the text of `roots` shows, the roots included, in the order of handles. Terms
     /// that only occur behind a written name are left out.
     #[must_use]
-    pub fn shown(&self, roots: &[Expr]) -> Vec<Expr> {
-        self.walk(roots, |_| false, |e| self.written_name(e).is_some())
+    pub fn terms_shown_in_text(&self, roots: &[Expr]) -> Vec<Expr> {
+        self.subterms_until(roots, |_| false, |e| self.written_name(e).is_some())
     }
 
     /// Subterms of the terms `roots`, the roots included, in the order of handles. Left out are
     /// terms for which `known` is true, and terms that occur only inside of known terms.
     pub(crate) fn reachable_until(&self, roots: &[Expr], known: impl Fn(Expr) -> bool) -> Vec<Expr> {
-        self.walk(roots, known, |_| false)
+        self.subterms_until(roots, known, |_| false)
     }
 
     /// Subterms of the terms `roots`, in the order of handles. Left out are terms for which `known`
     /// is true. The operands of terms for which `is_end` is true are not visited.
-    fn walk(&self, roots: &[Expr], known: impl Fn(Expr) -> bool, is_end: impl Fn(Expr) -> bool) -> Vec<Expr> {
+    fn subterms_until(&self, roots: &[Expr], known: impl Fn(Expr) -> bool, is_end: impl Fn(Expr) -> bool) -> Vec<Expr> {
         // A bit for each handle up to the largest root: operands have smaller ones.
         let words = roots.iter().map(|e| e.index() / 64 + 1).max().unwrap_or(0);
         let mut seen = vec![0_u64; words];
@@ -407,7 +407,7 @@ impl Arena {
             }
         }
         if !sorted {
-            in_order(&mut all, &seen);
+            sort_handles(&mut all, &seen);
         }
         all
     }
@@ -422,7 +422,7 @@ impl Arena {
 
 /// Sorts a list of handles. `seen` has a bit set for each of them: few handles are sorted by
 /// comparison, many by reading the bits.
-fn in_order(all: &mut Vec<Expr>, seen: &[u64]) {
+fn sort_handles(all: &mut Vec<Expr>, seen: &[u64]) {
     if all.len() < seen.len() / 4 {
         return all.sort_unstable();
     }

@@ -7,7 +7,7 @@ use std::rc::Rc;
 
 /// Rebuilds the term `e` from new operands, which `map` gives for the old operands. `None` if a
 /// divisor became the literal 0.
-fn rebuild(arena: &mut Arena, e: Expr, map: &FxHashMap<Expr, Expr>) -> Option<Expr> {
+fn rebuild_with_operands(arena: &mut Arena, e: Expr, map: &FxHashMap<Expr, Expr>) -> Option<Expr> {
     Some(match arena.node(e).clone() {
         Node::Number(_) | Node::Symbol(_) | Node::Pi => e,
         Node::Sum(constant, terms) => {
@@ -37,7 +37,7 @@ fn rebuild(arena: &mut Arena, e: Expr, map: &FxHashMap<Expr, Expr>) -> Option<Ex
             if map[&term] == term {
                 e
             } else {
-                arena.name_again(e, map[&term])
+                arena.name_like(e, map[&term])
             }
         }
     })
@@ -82,7 +82,7 @@ impl Substitution {
             return done;
         }
         for part in arena.reachable_until(&[e], |part| self.map.contains_key(&part)) {
-            let new = rebuild(arena, part, &self.map);
+            let new = rebuild_with_operands(arena, part, &self.map);
             if new.is_none() {
                 self.undefined = self.undefined.or(Some(part));
             }
@@ -99,7 +99,7 @@ impl Substitution {
 }
 
 /// Replaces all named terms within `e` by the expressions that the names abbreviate.
-pub fn without_names(arena: &mut Arena, e: Expr) -> Expr {
+pub fn expand_names(arena: &mut Arena, e: Expr) -> Expr {
     let mut put = Substitution::default();
     for part in arena.reachable(&[e]) {
         if let Node::Named(_, term) = *arena.node(part) {
@@ -145,14 +145,14 @@ impl Differential {
             return done;
         }
         for part in arena.reachable_until(&[e], |part| self.map.contains_key(&part)) {
-            let derivative = self.one(arena, part);
+            let derivative = self.derivative_of_node(arena, part);
             self.map.insert(part, derivative);
         }
         self.map[&e]
     }
 
     /// Derivative of a term from the derivatives of its operands, which must be in `map`.
-    fn one(&self, arena: &mut Arena, e: Expr) -> Expr {
+    fn derivative_of_node(&self, arena: &mut Arena, e: Expr) -> Expr {
         if arena.operands(e).all(|operand| self.map[&operand] == Expr::ZERO) {
             return Expr::ZERO;
         }
@@ -185,7 +185,7 @@ impl Differential {
                 let outer = derivative_of(arena, f, argument, e);
                 arena.mul(outer, inner)
             }
-            Node::Named(_, term) => arena.name_again(e, self.map[&term]),
+            Node::Named(_, term) => arena.name_like(e, self.map[&term]),
         }
     }
 }
@@ -223,14 +223,14 @@ impl Gradient {
             return done.clone();
         }
         for part in arena.reachable_until(&[e], |part| self.map.contains_key(&part)) {
-            let slopes = self.one(arena, part);
+            let slopes = self.gradient_of_node(arena, part);
             self.map.insert(part, slopes);
         }
         self.map[&e].clone()
     }
 
     /// Gradient of a term from the gradients of its operands, which must be in `map`.
-    fn one(&self, arena: &mut Arena, e: Expr) -> Slopes {
+    fn gradient_of_node(&self, arena: &mut Arena, e: Expr) -> Slopes {
         if arena.operands(e).all(|operand| self.map[&operand].is_empty()) {
             return self.nothing.clone();
         }
@@ -262,7 +262,7 @@ impl Gradient {
             }
             Node::Named(_, term) => {
                 let slopes = self.map[&term].clone();
-                return slopes.iter().map(|(at, slope)| (*at, arena.name_again(e, *slope))).collect();
+                return slopes.iter().map(|(at, slope)| (*at, arena.name_like(e, *slope))).collect();
             }
         }
         shares.sort_by_key(|(at, ..)| *at);

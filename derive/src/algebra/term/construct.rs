@@ -96,13 +96,13 @@ impl Arena {
                 return (Rational::ONE, e);
             }
             Node::Sum(constant, terms) => {
-                let all = terms.iter().fold(constant.clone(), |g, (_, k)| g.common_content(k));
+                let all = terms.iter().fold(constant.clone(), |g, (_, k)| g.greatest_common_divisor(k));
                 let all = if all.is_negative() { all.neg() } else { all };
                 if terms[0].1.is_negative() { all.neg() } else { all }
             }
             _ => return (Rational::ONE, e),
         };
-        let inverse = content.recip().expect("the content of a non-zero sum is not zero");
+        let inverse = content.reciprocal().expect("the content of a non-zero sum is not zero");
         (content, self.scale(e, &inverse))
     }
 

@@ -11,7 +11,7 @@ impl Arena {
     /// Builds the function value f(argument). Values at 0 and at multiples of π/2, and the
     /// symmetries of even and odd functions, are resolved.
     pub fn apply(&mut self, f: Function, argument: Expr) -> Expr {
-        canonical(self, f, argument)
+        canonical_function_value(self, f, argument)
     }
 
     /// Sine of the term e, an angle in radians.
@@ -26,9 +26,9 @@ impl Arena {
 }
 
 /// Function value f(argument) in canonical form: known values and symmetries are resolved.
-fn canonical(arena: &mut Arena, f: Function, argument: Expr) -> Expr {
+fn canonical_function_value(arena: &mut Arena, f: Function, argument: Expr) -> Expr {
     match f {
-        Function::Sin | Function::Cos => circular(arena, f, argument),
+        Function::Sin | Function::Cos => canonical_sine_or_cosine(arena, f, argument),
         Function::Sqrt => square_root(arena, argument),
         // odd: f(−x) = −f(x), even: f(−x) = f(x); both fix the value at 0.
         Function::Asin | Function::Atan | Function::Sinh | Function::Tanh | Function::Sign => {
@@ -74,7 +74,7 @@ fn with_positive_sign(arena: &mut Arena, e: Expr) -> (Expr, bool) {
 
 /// Splits an angle into a rational multiple of π and a rest: angle = multiple · π + rest. Returns
 /// (multiple, rest).
-pub fn split_pi(arena: &mut Arena, argument: Expr) -> (Rational, Expr) {
+pub fn split_multiple_of_pi(arena: &mut Arena, argument: Expr) -> (Rational, Expr) {
     let pi = arena.pi();
     if argument == pi {
         return (Rational::ONE, Expr::ZERO);
@@ -98,7 +98,7 @@ const MANY_TURNS: f64 = 1e6;
 
 /// Subtracts whole turns from an angle that is given as a multiple of π. The result is a multiple
 /// from 0 to 2.
-fn less_whole_turns(turns: &Rational) -> Rational {
+fn without_whole_turns(turns: &Rational) -> Rational {
     let halves = turns.to_big() / BigRational::from_integer(2.into());
     turns.add(&Rational::from_big(halves.floor()).mul(&Rational::integer(-2)))
 }
@@ -114,7 +114,7 @@ const MOST_MULTIPLE: i64 = 4;
 /// sin(atan x) = x/√(1 + x²). The result is algebraic in x.
 /// `None` if the angle contains no such function, or more than `MOST_INVERSE` of them, or too large
 /// a multiple.
-fn of_inverse(arena: &mut Arena, f: Function, argument: Expr) -> Option<Expr> {
+fn wave_of_inverse(arena: &mut Arena, f: Function, argument: Expr) -> Option<Expr> {
     let is_inverse =
         |e: Expr| matches!(arena.node(e), Node::Apply(Function::Asin | Function::Acos | Function::Atan, _));
     let atoms = match arena.node(argument) {
@@ -153,14 +153,14 @@ fn sine_and_cosine(arena: &mut Arena, inverse: Function, x: Expr) -> (Expr, Expr
 }
 
 /// Sine or cosine in canonical form: quarter turns, special angles and signs are resolved.
-fn circular(arena: &mut Arena, f: Function, argument: Expr) -> Expr {
-    if let Some(value) = of_inverse(arena, f, argument) {
+fn canonical_sine_or_cosine(arena: &mut Arena, f: Function, argument: Expr) -> Expr {
+    if let Some(value) = wave_of_inverse(arena, f, argument) {
         return value;
     }
-    let (mut turns, rest) = split_pi(arena, argument);
+    let (mut turns, rest) = split_multiple_of_pi(arena, argument);
     let mut argument = argument;
     if turns.to_f64().abs() > MANY_TURNS {
-        turns = less_whole_turns(&turns);
+        turns = without_whole_turns(&turns);
         let pi = arena.pi();
         argument = arena.linear_combination(&[(rest, Rational::ONE), (pi, turns.clone())]);
     }
@@ -276,7 +276,7 @@ const MOST_TURNS: u64 = 16;
 
 /// Expands sines and cosines in a term by the addition theorems: those of sums and whole multiples
 /// of angles become those of single angles.
-pub fn single_angles(arena: &mut Arena, e: Expr) -> Expr {
+pub fn expand_multiple_angles(arena: &mut Arena, e: Expr) -> Expr {
     let mut put = Substitution::default();
     for part in arena.reachable(&[e]) {
         let Node::Apply(f @ (Function::Sin | Function::Cos), argument) = *arena.node(part) else { continue };
@@ -293,7 +293,7 @@ pub fn single_angles(arena: &mut Arena, e: Expr) -> Expr {
                 s = arena.neg(s);
             }
             for _ in 0..times.unsigned_abs() {
-                (sine, cosine) = turned(arena, (sine, cosine), (s, c));
+                (sine, cosine) = sine_and_cosine_of_sum(arena, (sine, cosine), (s, c));
             }
         }
         put.set(part, if f == Function::Sin { sine } else { cosine });
@@ -302,7 +302,7 @@ pub fn single_angles(arena: &mut Arena, e: Expr) -> Expr {
 }
 
 /// Pair (sin, cos) of the sum of two angles, each given as (sin, cos).
-fn turned(arena: &mut Arena, a: (Expr, Expr), b: (Expr, Expr)) -> (Expr, Expr) {
+fn sine_and_cosine_of_sum(arena: &mut Arena, a: (Expr, Expr), b: (Expr, Expr)) -> (Expr, Expr) {
     let (sc, cs, cc, ss) = (arena.mul(a.0, b.1), arena.mul(a.1, b.0), arena.mul(a.1, b.1), arena.mul(a.0, b.0));
     (arena.add(sc, cs), arena.sub(cc, ss))
 }

@@ -52,7 +52,7 @@ pub trait Fold {
 /// List of given terms and all their subterms, each once, operands before the terms built from
 /// them.
 #[derive(Clone, Debug)]
-pub struct Needed {
+pub struct FoldOrder {
     /// Collected terms with all their subterms, sorted by handle.
     nodes: Vec<Expr>,
     /// Position of each term in `nodes`. It is left empty for short lists, where a binary search is
@@ -61,15 +61,15 @@ pub struct Needed {
 }
 
 /// Number of nodes up to which a binary search is as fast as a look-up in a table.
-const FEW: usize = 48;
+const LARGEST_SEARCHED_LIST: usize = 48;
 
-impl Needed {
+impl FoldOrder {
     /// Collects the given terms and all their subterms.
     #[must_use]
     pub fn new(arena: &Arena, terms: &[Expr]) -> Self {
         let nodes = arena.reachable(terms);
         let mut places = FxHashMap::default();
-        if nodes.len() > FEW {
+        if nodes.len() > LARGEST_SEARCHED_LIST {
             places = FxHashMap::with_capacity_and_hasher(nodes.len(), FxBuildHasher);
             places.extend(nodes.iter().copied().zip(0..));
         }
@@ -78,7 +78,7 @@ impl Needed {
 
     /// Position of a term in the list of nodes; `None` if the term was not collected.
     fn place(&self, term: Expr) -> Option<usize> {
-        if self.nodes.len() > FEW {
+        if self.nodes.len() > LARGEST_SEARCHED_LIST {
             return self.places.get(&term).map(|place| *place as usize);
         }
         self.nodes.binary_search(&term).ok()
@@ -118,7 +118,7 @@ impl Needed {
 /// of its subterms.
 pub fn fold<F: Fold>(arena: &Arena, term: Expr, rules: &mut F) -> Option<F::Value> {
     // Operands have smaller handles: the term itself comes last.
-    let needed = Needed::new(arena, &[term]);
+    let needed = FoldOrder::new(arena, &[term]);
     needed.fold(arena, rules)?.list.pop()
 }
 
@@ -126,7 +126,7 @@ pub fn fold<F: Fold>(arena: &Arena, term: Expr, rules: &mut F) -> Option<F::Valu
 #[derive(Clone, Debug)]
 pub struct Values<'a, V> {
     /// Evaluated terms, with their positions in the list of values.
-    needed: &'a Needed,
+    needed: &'a FoldOrder,
     /// Value of each term of `needed`, in the same order.
     list: Vec<V>,
 }

@@ -18,7 +18,7 @@ use crate::algebra::{Arena, Expr, Node, Rational};
 impl Names {
     /// Appends the part of the document that is being written to a wanted name, as `name_part`.
     /// Without a part, the name is returned unchanged.
-    pub(in crate::algebra) fn in_part(&self, wanted: &str) -> String {
+    pub(in crate::algebra) fn name_in_part(&self, wanted: &str) -> String {
         self.part.as_ref().map_or_else(|| wanted.to_owned(), |part| format!("{wanted}_{part}"))
     }
 }
@@ -28,7 +28,7 @@ impl Arena {
     /// numerical factor of `e`. Returns `e` itself if it is neither a sum nor a product, so that a
     /// name would save nothing.
     pub fn name(&mut self, e: Expr, wanted: &str) -> Expr {
-        let (content, bare) = self.bare(e);
+        let (content, bare) = self.split_factor(e);
         if !matches!(self.node(bare), Node::Sum(..) | Node::Product(_)) {
             return e;
         }
@@ -57,14 +57,14 @@ impl Arena {
 
     /// Gives the term `e` the label of the named term `before`, which it replaces. Returns `e`
     /// unchanged if `before` has no name.
-    pub fn name_again(&mut self, before: Expr, e: Expr) -> Expr {
+    pub fn name_like(&mut self, before: Expr, e: Expr) -> Expr {
         let wanted = self.name_of(before).map(str::to_owned);
         wanted.map_or(e, |wanted| self.name(e, &wanted))
     }
 
     /// Splits `e` into a rational factor and a term without a numerical factor; their product is
     /// `e`.
-    fn bare(&mut self, e: Expr) -> (Rational, Expr) {
+    fn split_factor(&mut self, e: Expr) -> (Rational, Expr) {
         if let Node::Sum(constant, terms) = self.node(e)
             && constant.is_zero()
             && let [(term, k)] = &**terms
@@ -76,7 +76,7 @@ impl Arena {
 
     /// Expression that the named term `e` abbreviates; `None` if `e` is not a named term.
     #[must_use]
-    pub fn behind(&self, e: Expr) -> Option<Expr> {
+    pub fn named_term_value(&self, e: Expr) -> Option<Expr> {
         match self.node(e) {
             Node::Named(_, term) => Some(*term),
             _ => None,

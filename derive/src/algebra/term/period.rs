@@ -11,18 +11,18 @@ use rustc_hash::FxHashMap;
 /// period is 1 if no term mentions x; `None` if the form shows no period.
 ///
 /// ```
-/// use tripos_derive::algebra::term::period::turns;
+/// use tripos_derive::algebra::term::period::period_in_turns;
 /// use tripos_derive::algebra::text::parse::parse_free;
 /// use tripos_derive::algebra::{Arena, Rational};
 ///
 /// let arena = &mut Arena::new();
 /// let x = arena.symbol("x");
-/// let of = |arena: &mut Arena, text| { let e = parse_free(arena, text).unwrap(); turns(arena, &[e], x) };
+/// let of = |arena: &mut Arena, text| { let e = parse_free(arena, text).unwrap(); period_in_turns(arena, &[e], x) };
 /// assert_eq!(of(arena, "sin(3*x/2 + a)/(2 + cos(x))"), Some(Rational::integer(2)));
 /// assert_eq!(of(arena, "cos(4*x)^2 + sin(6*x)"), Rational::fraction(1, 2));
 /// assert_eq!(of(arena, "x + sin(x)"), None);
 /// ```
-pub fn turns(arena: &mut Arena, terms: &[Expr], x: Expr) -> Option<Rational> {
+pub fn period_in_turns(arena: &mut Arena, terms: &[Expr], x: Expr) -> Option<Rational> {
     let mut slope = Differential::partial(x);
     let mut repeats: FxHashMap<Expr, bool> = FxHashMap::default();
     // Each factor k gives the period 1/k, and r is the least common multiple of all these periods:

@@ -227,7 +227,7 @@ impl Rational {
 
     /// Reciprocal of the number; `None` for 0.
     #[must_use]
-    pub fn recip(&self) -> Option<Self> {
+    pub fn reciprocal(&self) -> Option<Self> {
         match &self.0 {
             Repr::Small(0, _) => None,
             Repr::Small(n, d) => Some(Self::from_wide(i128::from(*d), i128::from(*n))),
@@ -241,7 +241,7 @@ impl Rational {
     pub fn pow(&self, n: i32) -> Option<Self> {
         match n {
             1 => return Some(self.clone()),
-            -1 => return self.recip(),
+            -1 => return self.reciprocal(),
             _ if n > 0 && self.is_one() => return Some(Self::ONE),
             _ => {}
         }
@@ -262,7 +262,7 @@ impl Rational {
     /// numerators over lcm of the denominators. If either number is 0, it is the absolute value of
     /// the other.
     #[must_use]
-    pub fn common_content(&self, other: &Self) -> Self {
+    pub fn greatest_common_divisor(&self, other: &Self) -> Self {
         if self.is_zero() || other.is_zero() {
             let value = self.add(other);
             return if value.is_negative() { value.neg() } else { value };
@@ -326,7 +326,10 @@ mod tests {
     #[test]
     fn i64_min_has_an_opposite() {
         assert_eq!(Rational::integer(i64::MIN).neg().to_string(), "9223372036854775808");
-        assert_eq!(Rational::integer(i64::MIN).recip().unwrap().recip().unwrap(), Rational::integer(i64::MIN));
+        assert_eq!(
+            Rational::integer(i64::MIN).reciprocal().unwrap().reciprocal().unwrap(),
+            Rational::integer(i64::MIN)
+        );
     }
 
     #[test]
@@ -341,7 +344,7 @@ mod tests {
     fn what_no_double_can_hold_is_zero_or_infinite() {
         let tiny = Rational::integer(10).pow(-400).unwrap();
         assert_eq!(tiny.to_f64().to_bits(), 0.0_f64.to_bits());
-        assert!(tiny.recip().unwrap().to_f64().is_infinite());
+        assert!(tiny.reciprocal().unwrap().to_f64().is_infinite());
         assert!((Rational::integer(10).pow(300).unwrap().to_f64() / 1e300 - 1.0).abs() < 1e-15);
     }
 

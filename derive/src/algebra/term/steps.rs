@@ -16,7 +16,7 @@ pub struct Definition {
 
 /// Steps that the given expressions need, directly or through other steps, in the order of `steps`.
 #[must_use]
-pub fn needed(arena: &Arena, steps: &[Definition], expressions: &[Expr]) -> Vec<Definition> {
+pub fn needed_steps(arena: &Arena, steps: &[Definition], expressions: &[Expr]) -> Vec<Definition> {
     let mut wanted: FxHashSet<Expr> = arena.reachable(expressions).into_iter().collect();
     let mut list: Vec<Definition> = Vec::new();
     for step in steps.iter().rev() {
@@ -31,7 +31,7 @@ pub fn needed(arena: &Arena, steps: &[Definition], expressions: &[Expr]) -> Vec<
 
 /// Adds the steps to the substitution `put`, which then replaces each step's symbol by its value.
 /// Values are inserted as named terms, so that nothing is written out.
-pub fn put_in(arena: &mut Arena, put: &mut Substitution, steps: &[Definition]) {
+pub fn substitute_steps(arena: &mut Arena, put: &mut Substitution, steps: &[Definition]) {
     for step in steps {
         let value = put.apply(arena, step.value);
         let value = arena.name(value, "step");
@@ -43,7 +43,7 @@ pub fn put_in(arena: &mut Arena, put: &mut Substitution, steps: &[Definition]) {
 /// Within a part of a document ([`crate::algebra::text::definitions`]), the name of the part is
 /// appended first.
 pub fn fresh_symbol(arena: &mut Arena, wanted: &str) -> Expr {
-    let wanted = arena.names.in_part(wanted);
+    let wanted = arena.names.name_in_part(wanted);
     unused_symbol(arena, &wanted)
 }
 

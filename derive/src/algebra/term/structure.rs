@@ -8,24 +8,24 @@ use rustc_hash::FxHashMap;
 /// Equal structures have equal hashes in any arena; different structures hardly ever do. Hashes
 /// give an order that does not depend on when terms were built. No decision on equality may rest on
 /// them.
-pub(in crate::algebra) fn structures(arena: &Arena, terms: &[Expr]) -> FxHashMap<Expr, u64> {
+pub(in crate::algebra) fn structure_hashes(arena: &Arena, terms: &[Expr]) -> FxHashMap<Expr, u64> {
     let mut known: FxHashMap<Expr, u64> = FxHashMap::default();
     for e in terms {
         let number = match arena.node(*e) {
-            Node::Number(value) => text(1, &value.to_string()),
-            Node::Symbol(_) => text(2, arena.symbol_name(*e).unwrap_or_default()),
-            Node::Pi => mixed(3, 0),
+            Node::Number(value) => hash_of_text(1, &value.to_string()),
+            Node::Symbol(_) => hash_of_text(2, arena.symbol_name(*e).unwrap_or_default()),
+            Node::Pi => mix_hashes(3, 0),
             // Operands of sums and products stand in the order of the arena, on which the number must not depend.
             Node::Sum(constant, terms) => {
-                let parts = terms.iter().map(|(term, k)| mixed(known[term], text(4, &k.to_string())));
-                mixed(text(5, &constant.to_string()), parts.fold(0, u64::wrapping_add))
+                let parts = terms.iter().map(|(term, k)| mix_hashes(known[term], hash_of_text(4, &k.to_string())));
+                mix_hashes(hash_of_text(5, &constant.to_string()), parts.fold(0, u64::wrapping_add))
             }
             Node::Product(factors) => {
-                let parts = factors.iter().map(|(base, n)| mixed(known[base], text(6, &n.to_string())));
-                mixed(7, parts.fold(0, u64::wrapping_add))
+                let parts = factors.iter().map(|(base, n)| mix_hashes(known[base], hash_of_text(6, &n.to_string())));
+                mix_hashes(7, parts.fold(0, u64::wrapping_add))
             }
-            Node::Apply(f, argument) => mixed(text(8, f.name()), known[argument]),
-            Node::Named(_, term) => mixed(9, known[term]),
+            Node::Apply(f, argument) => mix_hashes(hash_of_text(8, f.name()), known[argument]),
+            Node::Named(_, term) => mix_hashes(9, known[term]),
         };
         known.insert(*e, number);
     }
@@ -33,7 +33,7 @@ pub(in crate::algebra) fn structures(arena: &Arena, terms: &[Expr]) -> FxHashMap
 }
 
 /// Hash of two numbers combined (the last step of SplitMix64).
-fn mixed(a: u64, b: u64) -> u64 {
+fn mix_hashes(a: u64, b: u64) -> u64 {
     let mut x = a.rotate_left(23) ^ b.wrapping_add(0x9e37_79b9_7f4a_7c15);
     x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
@@ -41,6 +41,6 @@ fn mixed(a: u64, b: u64) -> u64 {
 }
 
 /// Hash of a text; `kind` separates the kinds of nodes that it may stand for.
-fn text(kind: u64, words: &str) -> u64 {
-    words.bytes().fold(mixed(kind, 0), |sum, byte| mixed(sum, u64::from(byte)))
+fn hash_of_text(kind: u64, words: &str) -> u64 {
+    words.bytes().fold(mix_hashes(kind, 0), |sum, byte| mix_hashes(sum, u64::from(byte)))
 }

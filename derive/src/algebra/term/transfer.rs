@@ -22,16 +22,16 @@ impl<'a> Transfer<'a> {
 
     /// Creates a transfer of terms of `from` into the arena of a different model. The suffix marks
     /// the labels of named terms that have no name there.
-    pub fn of_other_model(from: &'a Arena, suffix: &'static str) -> Self {
+    pub fn to_other_model(from: &'a Arena, suffix: &'static str) -> Self {
         Self { suffix, ..Self::new(from) }
     }
 
     /// Copies the term `e` of the source arena into `arena` and returns its handle there. Repeated
     /// calls for a term give the same handle.
-    pub fn term(&mut self, arena: &mut Arena, e: Expr) -> Expr {
+    pub fn transfer_term(&mut self, arena: &mut Arena, e: Expr) -> Expr {
         for part in self.from.reachable(&[e]) {
             if !self.done.contains_key(&part) {
-                let new = self.one(arena, part);
+                let new = self.transfer_node(arena, part);
                 self.done.insert(part, new);
             }
         }
@@ -39,7 +39,7 @@ impl<'a> Transfer<'a> {
     }
 
     /// Copies a single node; its operands must have been copied before.
-    fn one(&self, arena: &mut Arena, e: Expr) -> Expr {
+    fn transfer_node(&self, arena: &mut Arena, e: Expr) -> Expr {
         match self.from.node(e) {
             Node::Number(value) => arena.number(value.clone()),
             Node::Symbol(_) => arena.symbol(self.from.symbol_name(e).unwrap_or_default()),

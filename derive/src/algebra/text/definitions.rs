@@ -14,7 +14,7 @@
 use crate::algebra::term::arena::NameSymbol;
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::term::steps::{Definition, unused_symbol};
-use crate::algebra::term::structure::structures;
+use crate::algebra::term::structure::structure_hashes;
 use crate::algebra::term::transfer::Transfer;
 use crate::algebra::{Arena, Expr};
 
@@ -22,11 +22,11 @@ use crate::algebra::{Arena, Expr};
 /// symbol. Returns the steps and the values.
 /// An added step comes before the first step that needs it. A given step may itself define a named
 /// term by an equal formula, which is then kept as its value.
-pub fn written(arena: &mut Arena, steps: &[Definition], values: &[Expr]) -> (Vec<Definition>, Vec<Expr>) {
+pub fn define_named_terms(arena: &mut Arena, steps: &[Definition], values: &[Expr]) -> (Vec<Definition>, Vec<Expr>) {
     let mut writing = Writing::default();
     for step in steps {
         let value = writing.term(arena, step.value);
-        let symbol = writing.stated(arena, step.symbol);
+        let symbol = writing.symbol_defined_by_step(arena, step.symbol);
         writing.steps.push(Definition { symbol, value });
     }
     let values = values.iter().map(|e| writing.term(arena, *e)).collect();
@@ -37,26 +37,28 @@ pub fn written(arena: &mut Arena, steps: &[Definition], values: &[Expr]) -> (Vec
 /// unchanged; documents show them with these symbols.
 /// Names that are written later without a part of their own belong to `part`. All values of a part
 /// must be given at once, since the numbers in their names depend on one another.
-pub fn write_down(arena: &mut Arena, part: &str, values: &[Expr]) {
+pub fn define_names_in_part(arena: &mut Arena, part: &str, values: &[Expr]) {
     arena.names.part = Some(part.to_owned());
     let mut named: Vec<Expr> = arena.reachable(values);
-    let structure = structures(arena, &named);
-    named.retain(|e| arena.behind(*e).is_some() && !arena.names.symbols.get(e).is_some_and(|s| s.everywhere));
+    let structure = structure_hashes(arena, &named);
+    named.retain(|e| arena.named_term_value(*e).is_some() && !arena.names.symbols.get(e).is_some_and(|s| s.everywhere));
     named.sort_by_key(|e| structure[e]);
     for e in named {
         // A term that already has a name from another part is counted too. So the numbers of this
         // part do not depend on other parts being written.
-        number(arena, e);
+        next_symbol(arena, e);
     }
 }
 
 /// Definitions of all named terms that the terms `shown` contain, directly or within other
 /// definitions. Each comes after the definitions that it uses.
 #[must_use]
-pub fn glossary(arena: &Arena, shown: &[Expr]) -> Vec<Definition> {
+pub fn definitions_shown(arena: &Arena, shown: &[Expr]) -> Vec<Definition> {
     let named = arena.reachable(shown).into_iter();
     named
-        .filter_map(|e| Some(Definition { symbol: arena.names.symbols.get(&e)?.symbol, value: arena.behind(e)? }))
+        .filter_map(|e| {
+            Some(Definition { symbol: arena.names.symbols.get(&e)?.symbol, value: arena.named_term_value(e)? })
+        })
         .collect()
 }
 
@@ -72,8 +74,8 @@ struct Writing {
 impl Writing {
     /// Symbol that a given step defines: the symbol of a named term, or the term itself if it is a
     /// plain symbol.
-    fn stated(&mut self, arena: &mut Arena, e: Expr) -> Expr {
-        if arena.behind(e).is_none() {
+    fn symbol_defined_by_step(&mut self, arena: &mut Arena, e: Expr) -> Expr {
+        if arena.named_term_value(e).is_none() {
             return e;
         }
         let symbol = symbol_of(arena, e);
@@ -85,7 +87,7 @@ impl Writing {
     /// symbols.
     fn term(&mut self, arena: &mut Arena, e: Expr) -> Expr {
         for part in arena.reachable_until(&[e], |part| self.symbols.knows(part)) {
-            if let Some(value) = arena.behind(part) {
+            if let Some(value) = arena.named_term_value(part) {
                 let value = self.symbols.apply(arena, value);
                 let symbol = symbol_of(arena, part);
                 self.steps.push(Definition { symbol, value });
@@ -100,14 +102,14 @@ impl Writing {
 fn symbol_of(arena: &mut Arena, named: Expr) -> Expr {
     match arena.names.symbols.get(&named) {
         Some(known) => known.symbol,
-        None => number(arena, named),
+        None => next_symbol(arena, named),
     }
 }
 
 /// Gives a named term a symbol: its label and the part's name, then the next number among the terms
 /// of that label in this part. A term that already has a symbol keeps it.
-fn number(arena: &mut Arena, named: Expr) -> Expr {
-    let wanted = arena.names.in_part(arena.label_of(named).unwrap_or_default());
+fn next_symbol(arena: &mut Arena, named: Expr) -> Expr {
+    let wanted = arena.names.name_in_part(arena.label_of(named).unwrap_or_default());
     let count = arena.names.written.entry(wanted.clone()).or_insert(0);
     *count += 1;
     let wanted = if *count == 1 { wanted } else { format!("{wanted}_{count}") };
@@ -123,14 +125,14 @@ fn number(arena: &mut Arena, named: Expr) -> Expr {
 /// Copies the names written in another arena of the same model into `arena`. In `from`, a term may
 /// have the opposite sign, which depends on the terms built before. It is then a different term,
 /// and no term of `arena` gets its name.
-pub fn adopt(arena: &mut Arena, from: &Arena) {
+pub fn copy_definitions(arena: &mut Arena, from: &Arena) {
     let mut known: Vec<_> = from.names.symbols.iter().collect();
     known.sort_unstable_by_key(|(e, _)| **e);
     let mut transfer = Transfer::new(from);
     for (e, stated) in known {
         let symbol = arena.symbol(from.symbol_name(stated.symbol).unwrap_or_default());
-        let here = transfer.term(arena, *e);
-        if arena.behind(here).is_some() {
+        let here = transfer.transfer_term(arena, *e);
+        if arena.named_term_value(here).is_some() {
             arena.names.symbols.entry(here).or_insert(NameSymbol { symbol, everywhere: stated.everywhere });
         }
     }

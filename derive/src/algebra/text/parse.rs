@@ -7,23 +7,23 @@
 //! operand.
 
 mod calls;
+mod coefficient_size;
 mod cursor;
 mod domain;
 mod error;
 mod interaction;
 mod number;
-mod size;
 mod velocity;
 
 pub use error::ParseError;
 pub use interaction::InteractionName;
-pub use velocity::{VelocityName, VelocityOf, canonical as velocity_name};
+pub use velocity::{VelocityName, VelocityOf, canonical_velocity_name as velocity_name};
 
 use crate::algebra::{Arena, Expr, Function, Node, PowerError, Rational};
+use coefficient_size::{coefficient_bits, coefficient_denominator};
 use error::error;
 use number::decimal;
 use rustc_hash::FxHashSet;
-use size::{below_of, largest_number};
 
 /// Deepest nesting of parentheses and functions that the parser accepts.
 pub const MAX_DEPTH: usize = 200;
@@ -68,7 +68,7 @@ pub fn parse_published(
     resolve: &mut Resolve<'_>,
     rate: &mut ResolveRate<'_>,
 ) -> Result<Expr, ParseError> {
-    Parser { primes, rate: Some(rate), ..Parser::new(arena, text, resolve) }.whole()
+    Parser { primes, rate: Some(rate), ..Parser::new(arena, text, resolve) }.parse_whole()
 }
 
 /// Parses a formula in which names may end in up to `primes` primes, such as the second derivative
@@ -82,7 +82,7 @@ pub fn parse_primed(
     primes: usize,
     resolve: &mut Resolve<'_>,
 ) -> Result<Expr, ParseError> {
-    Parser { primes, ..Parser::new(arena, text, resolve) }.whole()
+    Parser { primes, ..Parser::new(arena, text, resolve) }.parse_whole()
 }
 
 /// Parses one expression that may contain components of velocities, and of forces and torques
@@ -99,7 +99,7 @@ pub fn parse_with_quantities<'a>(
     interaction: &mut ResolveInteraction<'a>,
 ) -> Result<Expr, ParseError> {
     let (velocity, interaction) = (Some(velocity), Some(interaction));
-    Parser { velocity, interaction, ..Parser::new(arena, text, resolve) }.whole()
+    Parser { velocity, interaction, ..Parser::new(arena, text, resolve) }.parse_whole()
 }
 
 /// Parses one expression in which every name is a symbol; new symbols are declared in the order in
@@ -119,7 +119,7 @@ pub fn is_reserved(name: &str) -> bool {
 }
 
 /// Functions of several arguments. Without parentheses they are ordinary names.
-const OF_SEVERAL: [&str; 3] = ["min", "max", "atan2"];
+const SEVERAL_ARGUMENTS: [&str; 3] = ["min", "max", "atan2"];
 
 /// True if `name` is a function of one argument in the expression language.
 fn is_function(name: &str) -> bool {
@@ -164,7 +164,7 @@ impl<'a, 'b> Parser<'a, 'b> {
 
 impl Parser<'_, '_> {
     /// Parses the whole text as one expression. Error if text is left over.
-    fn whole(mut self) -> Result<Expr, ParseError> {
+    fn parse_whole(mut self) -> Result<Expr, ParseError> {
         self.skip_space();
         if self.at == self.text.len() {
             let help = "write 0 if nothing is meant";
@@ -206,7 +206,7 @@ impl Parser<'_, '_> {
 
     /// Adds the cost of exact arithmetic with numbers of `bits` bits to the total. Error if the
     /// total is too high.
-    fn spend(&mut self, bits: u64, start: usize) -> Result<(), ParseError> {
+    fn count_cost(&mut self, bits: u64, start: usize) -> Result<(), ParseError> {
         self.work = self.work.saturating_add(bits.saturating_mul(bits));
         if self.work <= MAX_WORK {
             return Ok(());
@@ -224,12 +224,12 @@ impl Parser<'_, '_> {
         let mut common = 0;
         loop {
             let term = self.term()?;
-            let (above, below) = largest_number(self.arena, term);
+            let (above, below) = coefficient_bits(self.arena, term);
             // Different denominators multiply in a sum; numerators hardly grow.
-            if below > 1 && denominators.insert(below_of(self.arena, term)) {
+            if below > 1 && denominators.insert(coefficient_denominator(self.arena, term)) {
                 common += below;
             }
-            self.spend(common + above, start)?;
+            self.count_cost(common + above, start)?;
             terms.push((term, sign));
             sign = match self.peek() {
                 Some(b'+') => Rational::ONE,
@@ -246,7 +246,7 @@ impl Parser<'_, '_> {
     fn term(&mut self) -> Result<Expr, ParseError> {
         let start = self.at;
         let mut factors = vec![(self.signed()?, 1)];
-        let (above, below) = largest_number(self.arena, factors[0].0);
+        let (above, below) = coefficient_bits(self.arena, factors[0].0);
         let mut bits = (above - 1) + (below - 1);
         loop {
             let exponent = match self.peek() {
@@ -266,9 +266,9 @@ impl Parser<'_, '_> {
                 return Err(error(operand..self.at, "division by zero", Some("this divisor is zero")));
             }
             factors.push((factor, exponent));
-            let (above, below) = largest_number(self.arena, factor);
+            let (above, below) = coefficient_bits(self.arena, factor);
             bits += (above - 1) + (below - 1);
-            self.spend(bits, start)?;
+            self.count_cost(bits, start)?;
         }
         if factors.len() == 1 {
             return Ok(factors[0].0);
@@ -317,7 +317,7 @@ impl Parser<'_, '_> {
             return Ok(base);
         }
         let from = self.at;
-        self.enter(from)?;
+        self.enter_nesting(from)?;
         let exponent = self.signed()?;
         self.depth -= 1;
         let halves = self.arena.as_number(exponent).map(|n| n.mul(&Rational::integer(2)));
@@ -339,7 +339,7 @@ impl Parser<'_, '_> {
     }
 
     /// Counts one more level of nesting. Error if the nesting is too deep.
-    fn enter(&mut self, start: usize) -> Result<(), ParseError> {
+    fn enter_nesting(&mut self, start: usize) -> Result<(), ParseError> {
         self.depth += 1;
         if self.depth > MAX_DEPTH {
             let message = format!("nesting deeper than {MAX_DEPTH}");
@@ -351,7 +351,7 @@ impl Parser<'_, '_> {
     /// Parses the rest of a parenthesis, whose opening mark was at byte `open`. Error if it is
     /// never closed.
     fn parenthesized(&mut self, open: usize) -> Result<Expr, ParseError> {
-        self.enter(open)?;
+        self.enter_nesting(open)?;
         let e = self.sum()?;
         self.depth -= 1;
         if !self.take(b')') {
@@ -411,7 +411,7 @@ impl Parser<'_, '_> {
         if called && name == "distance" && self.velocity.is_some() {
             return self.distance(start);
         }
-        if called && OF_SEVERAL.contains(&name) {
+        if called && SEVERAL_ARGUMENTS.contains(&name) {
             return self.of_several(name, start);
         }
         if called && velocity::is_velocity(name) && self.velocity.is_some() {

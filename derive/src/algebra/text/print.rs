@@ -2,29 +2,29 @@
 //! `MathML`; and as Python source.
 //!
 //! A formula printed for people is cut after `BUDGET` nodes, since nobody reads further;
-//! [`whole_text`] is for programs.
+//! [`print_whole_text`] is for programs.
 
 mod latex;
-mod lines;
+mod line_breaks;
+mod long_parts;
 mod mathml;
 mod name;
-mod parts;
 mod python;
 mod typst;
 
 pub use latex::latex_name;
-pub use lines::{formula_width, latex_lines, mathml_pieces, typst_lines};
+pub use line_breaks::{formula_width, latex_lines, mathml_pieces, typst_lines};
+pub use long_parts::{long_parts, printed_length};
 pub use mathml::mathml_name;
 pub(in crate::algebra::text) use name::greek_name;
 pub use name::name_parts;
-pub use parts::{length, long_parts};
 pub use typst::typst_name;
 
-use super::view::{Shared, View, view};
+use super::display_tree::{DisplayTree, SharedNames, display_tree};
 use crate::algebra::{Arena, Expr};
 use latex::write_latex;
 use mathml::write_mathml;
-use name::twin;
+use name::name_printed_alike;
 use python::{NUMPY, SYMPY};
 use rustc_hash::FxHashMap;
 use typst::write_typst;
@@ -34,13 +34,13 @@ pub const BUDGET: usize = 20_000;
 
 /// Prints an expression as plain text in the language of model files, cut after `BUDGET` nodes.
 #[must_use]
-pub fn text(arena: &Arena, e: Expr) -> String {
-    text_of(&view(arena, e, &FxHashMap::default(), BUDGET))
+pub fn print_text(arena: &Arena, e: Expr) -> String {
+    text_of(&display_tree(arena, e, &FxHashMap::default(), BUDGET))
 }
 
 /// Prints a display tree as plain text in the language of model files.
 #[must_use]
-pub fn text_of(view: &View) -> String {
+pub fn text_of(view: &DisplayTree) -> String {
     let mut out = String::new();
     write_text(view, &mut out);
     out
@@ -48,7 +48,7 @@ pub fn text_of(view: &View) -> String {
 
 /// Prints a display tree as a Python expression, with functions of `NumPy` such as `np.sin`.
 #[must_use]
-pub fn python_of(view: &View) -> String {
+pub fn python_of(view: &DisplayTree) -> String {
     let mut out = String::new();
     write_line(view, &NUMPY, &mut out);
     out
@@ -57,16 +57,16 @@ pub fn python_of(view: &View) -> String {
 /// Prints a display tree as a Python expression, with functions of `SymPy` such as `sp.sin`.
 /// Quotients of integers stay exact (`sp.Rational`).
 #[must_use]
-pub fn sympy_of(view: &View) -> String {
+pub fn sympy_of(view: &DisplayTree) -> String {
     let mut out = String::new();
     write_line(view, &SYMPY, &mut out);
     out
 }
 
-/// Prints an expression as plain text for programs, like [`text`]. It is cut only after two million
+/// Prints an expression as plain text for programs, like [`print_text`]. It is cut only after two million
 /// nodes, a size that shared terms can reach.
 #[must_use]
-pub fn whole_text(arena: &Arena, e: Expr) -> String {
+pub fn print_whole_text(arena: &Arena, e: Expr) -> String {
     let mut out = String::new();
     write_text(&whole_view(arena, e, &FxHashMap::default()), &mut out);
     out
@@ -75,8 +75,8 @@ pub fn whole_text(arena: &Arena, e: Expr) -> String {
 /// Builds the display tree of the term `e`, cut only after two million nodes. Terms in `shared`,
 /// other than `e` itself, are shown by their names.
 #[must_use]
-pub fn whole_view(arena: &Arena, e: Expr, shared: &Shared) -> View {
-    view(arena, e, shared, 100 * BUDGET)
+pub fn whole_view(arena: &Arena, e: Expr, shared: &SharedNames) -> DisplayTree {
+    display_tree(arena, e, shared, 100 * BUDGET)
 }
 
 /// Prints an expression in LaTeX for math mode, cut after `BUDGET` nodes.
@@ -87,7 +87,7 @@ pub fn latex(arena: &Arena, e: Expr) -> String {
 
 /// Prints a display tree in LaTeX for math mode.
 #[must_use]
-pub fn latex_of(view: &View) -> String {
+pub fn latex_of(view: &DisplayTree) -> String {
     let mut out = String::new();
     write_latex(view, &mut out);
     out
@@ -95,7 +95,7 @@ pub fn latex_of(view: &View) -> String {
 
 /// Prints a display tree in Typst for math mode.
 #[must_use]
-pub fn typst_of(view: &View) -> String {
+pub fn typst_of(view: &DisplayTree) -> String {
     let mut out = String::new();
     write_typst(view, &mut out);
     out
@@ -110,7 +110,7 @@ pub fn mathml(arena: &Arena, e: Expr) -> String {
 
 /// Prints a display tree in presentation `MathML`: one `mrow` element, to be put inside `math`.
 #[must_use]
-pub fn mathml_of(view: &View) -> String {
+pub fn mathml_of(view: &DisplayTree) -> String {
     let mut out = String::from("<mrow>");
     write_mathml(view, &mut out);
     out.push_str("</mrow>");
@@ -120,8 +120,8 @@ pub fn mathml_of(view: &View) -> String {
 /// Builds the display tree of a term, cut after `BUDGET` nodes. A symbol that would look like
 /// another with its subscript is printed as a word.
 #[must_use]
-pub fn view_of(arena: &Arena, e: Expr) -> View {
-    told_apart(arena, view(arena, e, &FxHashMap::default(), BUDGET))
+pub fn view_of(arena: &Arena, e: Expr) -> DisplayTree {
+    with_distinct_names(arena, display_tree(arena, e, &FxHashMap::default(), BUDGET))
 }
 
 impl Arena {
@@ -134,7 +134,7 @@ impl Arena {
 
 impl Arena {
     /// Shows all symbols in documents by their own names again, and so undoes [`Arena::print_as`].
-    pub fn print_plainly(&mut self) {
+    pub fn clear_printed_names(&mut self) {
         self.names.printed.clear();
     }
 }
@@ -153,26 +153,30 @@ pub fn printed_name(arena: &Arena, name: &str) -> String {
 /// Display tree of a symbol, by its printed name. It is a whole word if another symbol would look
 /// the same.
 #[must_use]
-pub fn symbol_view(arena: &Arena, name: &str) -> View {
+pub fn symbol_view(arena: &Arena, name: &str) -> DisplayTree {
     if arena.names.printed.contains_key(name.trim_end_matches('\'')) {
-        return View::Name(printed_name(arena, name));
+        return DisplayTree::Name(printed_name(arena, name));
     }
-    let looks_like_another = twin(name).is_some_and(|other| arena.find_symbol(&other).is_some());
-    if looks_like_another { View::Word(name.to_owned()) } else { View::Name(name.to_owned()) }
+    let looks_like_another = name_printed_alike(name).is_some_and(|other| arena.find_symbol(&other).is_some());
+    if looks_like_another { DisplayTree::Word(name.to_owned()) } else { DisplayTree::Name(name.to_owned()) }
 }
 
 /// Replaces the names in a display tree by printed names; symbols that would look alike become
 /// words.
-fn told_apart(arena: &Arena, view: View) -> View {
-    let boxed = |part: Box<View>| Box::new(told_apart(arena, *part));
+fn with_distinct_names(arena: &Arena, view: DisplayTree) -> DisplayTree {
+    let boxed = |part: Box<DisplayTree>| Box::new(with_distinct_names(arena, *part));
     match view {
-        View::Name(name) => symbol_view(arena, &name),
-        View::Sum(terms) => View::Sum(terms.into_iter().map(|(sign, term)| (sign, told_apart(arena, term))).collect()),
-        View::Product(factors) => View::Product(factors.into_iter().map(|factor| told_apart(arena, factor)).collect()),
-        View::Fraction(above, below) => View::Fraction(boxed(above), boxed(below)),
-        View::Power(base, n) => View::Power(boxed(base), n),
-        View::Call(name, argument) => View::Call(name, boxed(argument)),
-        View::Root(argument) => View::Root(boxed(argument)),
+        DisplayTree::Name(name) => symbol_view(arena, &name),
+        DisplayTree::Sum(terms) => {
+            DisplayTree::Sum(terms.into_iter().map(|(sign, term)| (sign, with_distinct_names(arena, term))).collect())
+        }
+        DisplayTree::Product(factors) => {
+            DisplayTree::Product(factors.into_iter().map(|factor| with_distinct_names(arena, factor)).collect())
+        }
+        DisplayTree::Fraction(above, below) => DisplayTree::Fraction(boxed(above), boxed(below)),
+        DisplayTree::Power(base, n) => DisplayTree::Power(boxed(base), n),
+        DisplayTree::Call(name, argument) => DisplayTree::Call(name, boxed(argument)),
+        DisplayTree::Root(argument) => DisplayTree::Root(boxed(argument)),
         other => other,
     }
 }
@@ -194,22 +198,24 @@ struct Spelling {
 const TEXT: Spelling = Spelling { pi: "pi", power: "^", function: str::to_owned, quotient: None };
 
 /// Appends a display tree to `out` as text of model files.
-fn write_text(view: &View, out: &mut String) {
+fn write_text(view: &DisplayTree, out: &mut String) {
     write_line(view, &TEXT, out);
 }
 
 /// Appends a display tree to `out` on one line, in the given spelling, with parentheses where
 /// needed.
-fn write_line(view: &View, spelling: &Spelling, out: &mut String) {
-    let part = |view: &View, needs_parentheses: bool, out: &mut String| {
+fn write_line(view: &DisplayTree, spelling: &Spelling, out: &mut String) {
+    let part = |view: &DisplayTree, needs_parentheses: bool, out: &mut String| {
         out.push_str(if needs_parentheses { "(" } else { "" });
         write_line(view, spelling, out);
         out.push_str(if needs_parentheses { ")" } else { "" });
     };
     match view {
-        View::Number(text) | View::Name(text) | View::Word(text) | View::Shared(text) => out.push_str(text),
-        View::Pi => out.push_str(spelling.pi),
-        View::Sum(terms) => {
+        DisplayTree::Number(text) | DisplayTree::Name(text) | DisplayTree::Word(text) | DisplayTree::Shared(text) => {
+            out.push_str(text);
+        }
+        DisplayTree::Pi => out.push_str(spelling.pi),
+        DisplayTree::Sum(terms) => {
             for (at, (negative, term)) in terms.iter().enumerate() {
                 out.push_str(match (at, negative) {
                     (0, false) => "",
@@ -220,48 +226,49 @@ fn write_line(view: &View, spelling: &Spelling, out: &mut String) {
                 part(term, term.is_loose(), out);
             }
         }
-        View::Product(factors) => {
+        DisplayTree::Product(factors) => {
             for (at, factor) in factors.iter().enumerate() {
                 if at > 0 {
                     out.push('*');
                 }
-                part(factor, factor.is_loose() || matches!(factor, View::Fraction(..)), out);
+                part(factor, factor.is_loose() || matches!(factor, DisplayTree::Fraction(..)), out);
             }
         }
-        View::Fraction(above, below) => {
-            if let (Some(quotient), View::Number(above), View::Number(below)) = (spelling.quotient, &**above, &**below)
+        DisplayTree::Fraction(above, below) => {
+            if let (Some(quotient), DisplayTree::Number(above), DisplayTree::Number(below)) =
+                (spelling.quotient, &**above, &**below)
             {
                 out.extend([quotient, "(", above, ", ", below, ")"]);
                 return;
             }
             part(above, above.is_loose(), out);
             out.push('/');
-            part(below, below.is_loose() || matches!(**below, View::Product(_)), out);
+            part(below, below.is_loose() || matches!(**below, DisplayTree::Product(_)), out);
         }
-        View::Power(base, n) => {
+        DisplayTree::Power(base, n) => {
             let plain = matches!(
                 **base,
-                View::Name(_)
-                    | View::Word(_)
-                    | View::Shared(_)
-                    | View::Call(..)
-                    | View::Root(_)
-                    | View::Number(_)
-                    | View::Pi
+                DisplayTree::Name(_)
+                    | DisplayTree::Word(_)
+                    | DisplayTree::Shared(_)
+                    | DisplayTree::Call(..)
+                    | DisplayTree::Root(_)
+                    | DisplayTree::Number(_)
+                    | DisplayTree::Pi
             );
             part(base, !plain, out);
             out.push_str(spelling.power);
             out.push_str(&n.to_string());
         }
-        View::Call(name, argument) => {
+        DisplayTree::Call(name, argument) => {
             out.push_str(&(spelling.function)(name));
             part(argument, true, out);
         }
-        View::Root(argument) => {
+        DisplayTree::Root(argument) => {
             out.push_str(&(spelling.function)("sqrt"));
             part(argument, true, out);
         }
-        View::Cut => out.push('…'),
+        DisplayTree::Cut => out.push('…'),
     }
 }
 
@@ -292,7 +299,7 @@ mod tests {
             ("cos(q2)/sin(q2)", "1/tan(q2)"),
         ] {
             let e = parse_free(&mut arena, input).unwrap();
-            let printed = text(&arena, e);
+            let printed = print_text(&arena, e);
             assert_eq!(parse_free(&mut arena, &printed).unwrap(), e, "{printed} parses back");
             assert_eq!(printed, expected);
         }
@@ -304,7 +311,7 @@ mod tests {
         let e = parse_free(&mut arena, "l1*l_1*m_p^2").unwrap();
         assert_eq!(latex(&arena, e), "l_{1} \\, \\mathrm{l\\_1} \\, m_{p}^{2}");
         assert!(mathml(&arena, e).contains("<mi>l_1</mi>"));
-        assert_eq!(text(&arena, e), "l1*l_1*m_p^2");
+        assert_eq!(print_text(&arena, e), "l1*l_1*m_p^2");
     }
 
     #[test]

@@ -98,7 +98,7 @@ impl Field {
     }
 
     /// Power aⁿ modulo the prime, for n of either sign; `None` for a negative power of 0.
-    pub fn power(self, a: u64, n: i32) -> Option<u64> {
+    pub fn signed_power(self, a: u64, n: i32) -> Option<u64> {
         let base = if n < 0 { self.inverse(a)? } else { a };
         Some(self.pow(base, u64::from(n.unsigned_abs())))
     }
@@ -111,7 +111,7 @@ impl Field {
     }
 
     /// Residue of a rational number modulo the prime; `None` if the prime divides its denominator.
-    pub fn rational(self, value: &Rational) -> Option<u64> {
+    pub fn residue_of_rational(self, value: &Rational) -> Option<u64> {
         if let Some((n, d)) = value.small() {
             let above = n.unsigned_abs() % self.prime;
             let above = if n < 0 { self.sub(0, above) } else { above };

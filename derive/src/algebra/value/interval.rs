@@ -3,8 +3,8 @@
 //!
 //! If the interval of a difference excludes 0, the two sides are proved to differ at that point.
 
-use super::evaluate::Tape;
-use super::modular::{ZeroTest, zero_test};
+use super::tape::Tape;
+use super::zero_test::{ZeroTest, zero_test};
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::term::fold::{Fold, Values, fold};
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
@@ -12,7 +12,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 
 /// Interval of real numbers from lo to hi, lo ≤ hi, both finite.
 #[derive(Clone, Copy, Debug)]
-pub struct Interval {
+pub struct PointInterval {
     /// Lower end of the interval.
     lo: f64,
     /// Upper end of the interval.
@@ -26,7 +26,7 @@ const LIBRARY: f64 = 100.0 * f64::EPSILON;
 /// multiplication.
 const MOST_POWER: u32 = 2000;
 
-impl Interval {
+impl PointInterval {
     /// Creates an interval, widened at both ends by one unit in the last place. `None` if an end
     /// exceeds the range of doubles.
     fn new(lo: f64, hi: f64) -> Option<Self> {
@@ -41,7 +41,7 @@ impl Interval {
 
     /// True if all numbers of the interval agree to the given relative precision. A number agrees
     /// with 0 only if it is 0.
-    pub fn is_known_to(self, precision: f64) -> bool {
+    pub fn is_within_precision(self, precision: f64) -> bool {
         self.hi - self.lo <= precision * self.lo.abs().min(self.hi.abs())
     }
 
@@ -102,14 +102,14 @@ impl Interval {
     }
 
     /// Interval of |x|, for x in the interval.
-    fn size(self) -> Self {
+    fn absolute_value(self) -> Self {
         let (a, b) = (self.lo.abs(), self.hi.abs());
         Self { lo: if self.excludes_zero() { a.min(b) } else { 0.0 }, hi: a.max(b) }
     }
 
     /// Interval of a function such as sine, computed from its value at the middle. The function and
     /// its slope must be at most 1 in size.
-    fn wave(self, f: impl Fn(f64) -> f64) -> Option<Self> {
+    fn enclose_wave(self, f: impl Fn(f64) -> f64) -> Option<Self> {
         let value = f(f64::midpoint(self.lo, self.hi));
         let radius = self.hi - self.lo + LIBRARY * value.abs();
         Self::new(value - radius, value + radius)
@@ -117,7 +117,7 @@ impl Interval {
 
     /// Interval of an increasing function f, from its values at both ends. `None` beyond the range
     /// of doubles.
-    fn rising(self, f: impl Fn(f64) -> f64) -> Option<Self> {
+    fn enclose_increasing(self, f: impl Fn(f64) -> f64) -> Option<Self> {
         let (lo, hi) = (f(self.lo), f(self.hi));
         Self::new(lo - LIBRARY * lo.abs(), hi + LIBRARY * hi.abs())
     }
@@ -126,20 +126,22 @@ impl Interval {
     /// domain of f, or the result exceeds the range of doubles.
     fn apply(self, f: Function) -> Option<Self> {
         match f {
-            Function::Sin => self.wave(f64::sin),
-            Function::Cos => self.wave(f64::cos),
+            Function::Sin => self.enclose_wave(f64::sin),
+            Function::Cos => self.enclose_wave(f64::cos),
             Function::Sqrt if self.lo >= 0.0 => Self::new(self.lo.sqrt(), self.hi.sqrt()),
-            Function::Exp => self.rising(f64::exp),
-            Function::Sinh => self.rising(f64::sinh),
+            Function::Exp => self.enclose_increasing(f64::exp),
+            Function::Sinh => self.enclose_increasing(f64::sinh),
             // cosh x = cosh |x|, which increases with |x|.
-            Function::Cosh => self.size().rising(f64::cosh),
-            Function::Asin if self.lo >= -1.0 && self.hi <= 1.0 => self.rising(f64::asin),
+            Function::Cosh => self.absolute_value().enclose_increasing(f64::cosh),
+            Function::Asin if self.lo >= -1.0 && self.hi <= 1.0 => self.enclose_increasing(f64::asin),
             // acos decreases: −acos increases.
-            Function::Acos if self.lo >= -1.0 && self.hi <= 1.0 => self.rising(|x| -x.acos()).map(Self::negated),
-            Function::Log if self.lo > 0.0 => self.rising(f64::ln),
-            Function::Atan => self.rising(f64::atan),
-            Function::Tanh => self.rising(f64::tanh),
-            Function::Abs => Some(self.size()),
+            Function::Acos if self.lo >= -1.0 && self.hi <= 1.0 => {
+                self.enclose_increasing(|x| -x.acos()).map(Self::negated)
+            }
+            Function::Log if self.lo > 0.0 => self.enclose_increasing(f64::ln),
+            Function::Atan => self.enclose_increasing(f64::atan),
+            Function::Tanh => self.enclose_increasing(f64::tanh),
+            Function::Abs => Some(self.absolute_value()),
             Function::Sign if self.excludes_zero() => Some(Self::point(self.lo.signum())),
             _ => None,
         }
@@ -152,7 +154,7 @@ const KNOWN: f64 = 1e-8;
 /// Power of ten of the first number in the term that is beyond the range of normal doubles; `None`
 /// if every number fits.
 #[must_use]
-pub fn beyond_doubles(arena: &Arena, e: Expr) -> Option<f64> {
+pub fn number_beyond_doubles(arena: &Arena, e: Expr) -> Option<f64> {
     let fits = |value: &&Rational| {
         let size = value.to_f64().abs();
         value.is_zero() || (size.is_normal() && size.recip().is_normal())
@@ -190,9 +192,9 @@ pub fn lost_constant(arena: &Arena, e: Expr) -> Option<Expr> {
             continue;
         }
         constant.insert(part);
-        let is_known = match enclose(arena, part, &FxHashMap::default()) {
+        let is_known = match enclose_in_interval(arena, part, &FxHashMap::default()) {
             _ if matches!(arena.node(part), Node::Number(_) | Node::Pi) => true,
-            Some(found) => found.is_known_to(KNOWN),
+            Some(found) => found.is_within_precision(KNOWN),
             // The value lies at the edge of a function's domain; a value beyond the range of
             // doubles is reported elsewhere.
             None => Tape::new(arena, &[], &[part]).is_ok_and(|tape| !tape.evaluate(&[])[0].is_finite()),
@@ -221,32 +223,38 @@ pub fn without_lost_zeros(arena: &mut Arena, mut e: Expr) -> Expr {
 /// Interval that contains the value of the term `e` at a point; `at` gives the value of each
 /// symbol. `None` if a symbol has no value, or if a divisor or an argument is not known to be in
 /// its domain.
-pub fn enclose(arena: &Arena, e: Expr, at: &FxHashMap<Expr, f64>) -> Option<Interval> {
-    fold(arena, e, &mut Enclosure(at))
+pub fn enclose_in_interval(arena: &Arena, e: Expr, at: &FxHashMap<Expr, f64>) -> Option<PointInterval> {
+    fold(arena, e, &mut IntervalRules(at))
 }
 
 /// Rules that enclose the value of each term in an interval, with the values of the symbols.
-struct Enclosure<'a>(&'a FxHashMap<Expr, f64>);
+struct IntervalRules<'a>(&'a FxHashMap<Expr, f64>);
 
-impl Fold for Enclosure<'_> {
-    type Value = Interval;
-    fn number(&mut self, value: &Rational) -> Option<Interval> {
-        Interval::rational(value)
+impl Fold for IntervalRules<'_> {
+    type Value = PointInterval;
+    fn number(&mut self, value: &Rational) -> Option<PointInterval> {
+        PointInterval::rational(value)
     }
-    fn pi(&mut self) -> Option<Interval> {
-        Interval::new(std::f64::consts::PI, std::f64::consts::PI)
+    fn pi(&mut self) -> Option<PointInterval> {
+        PointInterval::new(std::f64::consts::PI, std::f64::consts::PI)
     }
-    fn symbol(&mut self, symbol: Expr) -> Option<Interval> {
-        self.0.get(&symbol).map(|value| Interval::point(*value))
+    fn symbol(&mut self, symbol: Expr) -> Option<PointInterval> {
+        self.0.get(&symbol).map(|value| PointInterval::point(*value))
     }
-    fn sum(&mut self, constant: &Rational, terms: &[(Expr, Rational)], of: &Values<'_, Interval>) -> Option<Interval> {
-        let add = |sum: Interval, (term, k): &(Expr, Rational)| sum.add(of[*term].mul(Interval::rational(k)?)?);
-        terms.iter().try_fold(Interval::rational(constant)?, add)
+    fn sum(
+        &mut self,
+        constant: &Rational,
+        terms: &[(Expr, Rational)],
+        of: &Values<'_, PointInterval>,
+    ) -> Option<PointInterval> {
+        let add =
+            |sum: PointInterval, (term, k): &(Expr, Rational)| sum.add(of[*term].mul(PointInterval::rational(k)?)?);
+        terms.iter().try_fold(PointInterval::rational(constant)?, add)
     }
-    fn product(&mut self, factors: &[(Expr, i32)], of: &Values<'_, Interval>) -> Option<Interval> {
-        factors.iter().try_fold(Interval::point(1.0), |product, (base, n)| product.mul(of[*base].power(*n)?))
+    fn product(&mut self, factors: &[(Expr, i32)], of: &Values<'_, PointInterval>) -> Option<PointInterval> {
+        factors.iter().try_fold(PointInterval::point(1.0), |product, (base, n)| product.mul(of[*base].power(*n)?))
     }
-    fn apply(&mut self, f: Function, argument: Expr, of: &Values<'_, Interval>) -> Option<Interval> {
+    fn apply(&mut self, f: Function, argument: Expr, of: &Values<'_, PointInterval>) -> Option<PointInterval> {
         of[argument].apply(f)
     }
 }
@@ -255,17 +263,17 @@ impl Fold for Enclosure<'_> {
 mod tests {
     use super::*;
     use crate::algebra::text::parse::parse_free;
-    use crate::algebra::value::evaluate::Numeric;
     use crate::algebra::value::field::Generator;
+    use crate::algebra::value::tape::Numeric;
 
     fn excludes_zero(text: &str) -> bool {
         let mut arena = Arena::new();
         let e = parse_free(&mut arena, text).unwrap();
         let at = ["x", "y"].map(|name| arena.symbol(name)).into_iter().zip([0.7, -1.9]).collect();
-        enclose(&arena, e, &at).is_some_and(Interval::excludes_zero)
+        enclose_in_interval(&arena, e, &at).is_some_and(PointInterval::excludes_zero)
     }
 
-    fn contains(interval: Interval, x: &Rational) -> bool {
+    fn contains(interval: PointInterval, x: &Rational) -> bool {
         let end = |x: f64| Rational::from_f64_exact(x).unwrap();
         end(interval.lo) <= *x && *x <= end(interval.hi)
     }
@@ -283,7 +291,7 @@ mod tests {
         for n in -40_i32..=40 {
             for _ in 0..20 {
                 let x = number(&mut generator, 3.0);
-                let (exact, point) = (Rational::from_f64_exact(x).unwrap(), Interval::point(x));
+                let (exact, point) = (Rational::from_f64_exact(x).unwrap(), PointInterval::point(x));
                 let Some(power) = point.power(n) else {
                     assert!(x == 0.0 && n < 0, "{x}^{n}");
                     continue;
@@ -297,7 +305,7 @@ mod tests {
 
     #[test]
     fn a_power_too_high_to_multiply_out_has_no_enclosure() {
-        let above_one = Interval::new(1.0001, 1.0001).unwrap();
+        let above_one = PointInterval::new(1.0001, 1.0001).unwrap();
         assert!(above_one.power(2000).is_some_and(|x| x.lo > 1.22 && x.hi < 1.2215));
         assert!(above_one.power(-2000).is_some_and(|x| x.lo > 0.818 && x.hi < 0.82));
         for n in [2001, -2001, i32::MAX, i32::MIN] {
@@ -317,7 +325,7 @@ mod tests {
                 let x = number(&mut generator, [1e-9, 0.9, 10.0][at % 3]);
                 let width = [0.0, 1e-9, 0.1, 5.0][at % 4];
                 let (left, right) = (number(&mut generator, width).abs(), number(&mut generator, width).abs());
-                let Some(interval) = Interval::new(x - left, x + right).and_then(|i| i.apply(f)) else { continue };
+                let Some(interval) = PointInterval::new(x - left, x + right).and_then(|i| i.apply(f)) else { continue };
                 let value = x.apply(f);
                 assert!(interval.lo <= value && value <= interval.hi, "{name}({x}) = {value}: {interval:?}");
                 found += 1;
@@ -333,7 +341,7 @@ mod tests {
         for _ in 0..1000 {
             let x = number(&mut generator, 1.5);
             let after = |first: Function, second: Function, x: f64| {
-                Interval::point(x).apply(first).and_then(|y| y.apply(second))
+                PointInterval::point(x).apply(first).and_then(|y| y.apply(second))
             };
             for (first, second, x) in [
                 (Function::Sin, Function::Asin, x),
@@ -344,7 +352,7 @@ mod tests {
                 let Some(back) = after(first, second, x) else { continue };
                 assert!(back.lo <= x && x <= back.hi, "{} {} of {x}: {back:?}", second.name(), first.name());
             }
-            let point = Interval::point(x);
+            let point = PointInterval::point(x);
             let of = |f: Function| point.apply(f).unwrap();
             // cosh x + sinh x = exp x;  tanh x · cosh x = sinh x
             let e = of(Function::Cosh).add(of(Function::Sinh)).unwrap();

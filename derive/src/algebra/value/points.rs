@@ -3,13 +3,13 @@
 //! Residues depend on the point and on the names of symbols, never on handles, so that they repeat
 //! in every build.
 
-mod draw;
+mod point_search;
 
-pub(in crate::algebra) use draw::Draw;
+pub(in crate::algebra) use point_search::Draw;
 
 use super::field::{Field, Generator};
 use crate::algebra::term::elementary::angle_atoms;
-use crate::algebra::term::fold::{Fold, Needed, Values};
+use crate::algebra::term::fold::{Fold, FoldOrder, Values};
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use num_integer::Integer;
 use rustc_hash::{FxHashMap, FxHashSet, FxHasher};
@@ -54,7 +54,7 @@ impl Point {
 
     /// Residues (sin, cos) of the base angle named by `key`; angles are whole multiples of it.
     /// `None` if they do not exist at the point.
-    fn base(&self, key: u64) -> Option<(u64, u64)> {
+    fn base_angle(&self, key: u64) -> Option<(u64, u64)> {
         let f = self.field;
         let t = self.residue(("angle", key));
         let t2 = f.mul(t, t);
@@ -63,7 +63,7 @@ impl Point {
     }
 
     /// Residues (sin, cos) of the angle π/12: (√6 − √2)/4 and (√6 + √2)/4.
-    fn twelfth(&self) -> Option<(u64, u64)> {
+    fn sine_and_cosine_of_pi_12(&self) -> Option<(u64, u64)> {
         let f = self.field;
         let (two, three) = (f.root(2)?, f.root(3)?);
         let (six, quarter) = (f.mul(two, three), f.inverse(4)?);
@@ -71,21 +71,21 @@ impl Point {
     }
 
     /// Residues (sin, cos) of k times an angle, from the pair `unit` of the angle.
-    fn multiple(&self, unit: (u64, u64), k: i64) -> (u64, u64) {
+    fn sine_and_cosine_of_multiple(&self, unit: (u64, u64), k: i64) -> (u64, u64) {
         let f = self.field;
         let (mut result, mut power, mut left) = ((0, 1), unit, k.unsigned_abs());
         while left > 0 {
             if left & 1 == 1 {
-                result = self.turn(result, power);
+                result = self.sine_and_cosine_of_sum(result, power);
             }
-            power = self.turn(power, power);
+            power = self.sine_and_cosine_of_sum(power, power);
             left >>= 1;
         }
         if k < 0 { (f.sub(0, result.0), result.1) } else { result }
     }
 
     /// Residues (sin, cos) of the sum of two angles, each given as (sin, cos).
-    fn turn(&self, a: (u64, u64), b: (u64, u64)) -> (u64, u64) {
+    fn sine_and_cosine_of_sum(&self, a: (u64, u64), b: (u64, u64)) -> (u64, u64) {
         let f = self.field;
         (f.add(f.mul(a.0, b.1), f.mul(a.1, b.0)), f.sub(f.mul(a.1, b.1), f.mul(a.0, b.0)))
     }
@@ -139,7 +139,7 @@ impl Point {
                 return None;
             }
             let (base, parts) = if *arena.node(atom) == Node::Pi && 12 % denominator == 0 {
-                (self.twelfth()?, 12)
+                (self.sine_and_cosine_of_pi_12()?, 12)
             } else {
                 // The base angle atom/denominator is named by its residue, so angles that are
                 // identically equal are equal here. A constant part counts as a multiple of the
@@ -148,13 +148,13 @@ impl Point {
                 let name = f.mul(value, f.inverse(u64::try_from(denominator).ok()?)?);
                 let base = match bases.get(&name) {
                     Some(known) => *known,
-                    None => self.base(name)?,
+                    None => self.base_angle(name)?,
                 };
                 bases.insert(name, base);
                 (base, denominator)
             };
             let multiple = k.mul(&Rational::integer(parts)).to_i64()?;
-            angle = self.turn(angle, self.multiple(base, multiple));
+            angle = self.sine_and_cosine_of_sum(angle, self.sine_and_cosine_of_multiple(base, multiple));
         }
         Some(angle)
     }
@@ -200,9 +200,9 @@ pub(in crate::algebra) fn is_exponential(function: Function) -> bool {
 
 /// Residue of every needed term at a point; `None` if an inverse or a square root does not exist
 /// there.
-pub(in crate::algebra) fn values_at<'n>(
+pub(in crate::algebra) fn residues_at_point<'n>(
     arena: &Arena,
-    needed: &'n Needed,
+    needed: &'n FoldOrder,
     denominators: &FxHashMap<Expr, i64>,
     point: &Point,
 ) -> Option<Values<'n, u64>> {
@@ -241,7 +241,7 @@ impl<'a> Residues<'a> {
 
     /// Residues (sine, cosine) of an angle whose sine or cosine was already computed; `None` for
     /// any other angle.
-    pub(in crate::algebra) fn known_circle(&self, argument: Expr) -> Option<(u64, u64)> {
+    pub(in crate::algebra) fn known_sine_and_cosine(&self, argument: Expr) -> Option<(u64, u64)> {
         self.angles.get(&argument).copied()
     }
 
@@ -267,7 +267,7 @@ impl<'a> Residues<'a> {
 
     /// Residues (sine, cosine) of an angle, computed once and remembered; `None` if the point has
     /// no value for the angle.
-    fn circle(&mut self, argument: Expr, of: &Values<'_, u64>) -> Option<(u64, u64)> {
+    fn sine_and_cosine(&mut self, argument: Expr, of: &Values<'_, u64>) -> Option<(u64, u64)> {
         if let Some(known) = self.angles.get(&argument) {
             return Some(*known);
         }
@@ -280,7 +280,7 @@ impl<'a> Residues<'a> {
 impl Fold for Residues<'_> {
     type Value = u64;
     fn number(&mut self, value: &Rational) -> Option<u64> {
-        self.point.field.rational(value)
+        self.point.field.residue_of_rational(value)
     }
     fn pi(&mut self) -> Option<u64> {
         Some(self.point.residue("pi"))
@@ -295,18 +295,18 @@ impl Fold for Residues<'_> {
     }
     fn sum(&mut self, constant: &Rational, terms: &[(Expr, Rational)], of: &Values<'_, u64>) -> Option<u64> {
         let f = self.point.field;
-        let add = |sum, (term, k): &(Expr, Rational)| Some(f.add(sum, f.mul(f.rational(k)?, of[*term])));
-        terms.iter().try_fold(f.rational(constant)?, add)
+        let add = |sum, (term, k): &(Expr, Rational)| Some(f.add(sum, f.mul(f.residue_of_rational(k)?, of[*term])));
+        terms.iter().try_fold(f.residue_of_rational(constant)?, add)
     }
     fn product(&mut self, factors: &[(Expr, i32)], of: &Values<'_, u64>) -> Option<u64> {
         let f = self.point.field;
-        factors.iter().try_fold(1, |product, (base, n)| Some(f.mul(product, f.power(of[*base], *n)?)))
+        factors.iter().try_fold(1, |product, (base, n)| Some(f.mul(product, f.signed_power(of[*base], *n)?)))
     }
     fn apply(&mut self, function: Function, argument: Expr, of: &Values<'_, u64>) -> Option<u64> {
         let (f, x) = (self.point.field, of[argument]);
         match function {
-            Function::Sin => Some(self.circle(argument, of)?.0),
-            Function::Cos => Some(self.circle(argument, of)?.1),
+            Function::Sin => Some(self.sine_and_cosine(argument, of)?.0),
+            Function::Cos => Some(self.sine_and_cosine(argument, of)?.1),
             Function::Sqrt => f.root(x),
             // |x| = √x²: x or −x, whichever is a square. So |a| |b| = |a b|.
             Function::Abs => f.root(f.mul(x, x)),
@@ -336,9 +336,9 @@ pub(in crate::algebra) fn residues(
 }
 
 /// Random point of a prime field at which given terms have residues.
-pub struct Drawn(Point);
+pub struct PointWithResidues(Point);
 
-impl Drawn {
+impl PointWithResidues {
     /// Finds a random point at which all given terms have residues. Returns it with the residues,
     /// in the order of the terms. `None` if no point was found.
     pub fn new(arena: &Arena, terms: &[Expr]) -> Option<(Self, Vec<u64>)> {
@@ -358,9 +358,9 @@ impl Drawn {
     /// Residues of further terms at the point, in their order; `None` if a term has no residue.
     /// Sines of fractions of an angle are consistent only within one call.
     pub fn values(&self, arena: &Arena, terms: &[Expr]) -> Option<Vec<u64>> {
-        let needed = Needed::new(arena, terms);
+        let needed = FoldOrder::new(arena, terms);
         let denominators = angle_denominators(arena, needed.nodes());
-        let values = values_at(arena, &needed, &denominators, &self.0)?;
+        let values = residues_at_point(arena, &needed, &denominators, &self.0)?;
         Some(terms.iter().map(|e| values[*e]).collect())
     }
 }
@@ -373,7 +373,7 @@ pub struct Sampler<'a> {
     /// Terms that the sampler evaluates.
     terms: Vec<Expr>,
     /// The terms with all their subterms, in the order of evaluation.
-    needed: Needed,
+    needed: FoldOrder,
     /// Least common denominator of the coefficients of each atom inside angles; an angle is a sum Σ
     /// k · atom.
     denominators: FxHashMap<Expr, i64>,
@@ -384,8 +384,9 @@ pub struct Sampler<'a> {
 impl<'a> Sampler<'a> {
     /// Creates a sampler that evaluates the given terms.
     pub fn new(arena: &'a Arena, terms: Vec<Expr>) -> Self {
-        let needed = Needed::new(arena, &terms);
-        let (denominators, generator) = (angle_denominators(arena, needed.nodes()), seeded(arena, &needed));
+        let needed = FoldOrder::new(arena, &terms);
+        let (denominators, generator) =
+            (angle_denominators(arena, needed.nodes()), generator_for_terms(arena, &needed));
         Self { arena, terms, needed, denominators, generator }
     }
 
@@ -412,7 +413,7 @@ impl<'a> Sampler<'a> {
 
 /// Generator of random numbers, seeded with the structure of the terms and the names of their
 /// symbols, not with handles.
-pub(in crate::algebra) fn seeded(arena: &Arena, needed: &Needed) -> Generator {
+pub(in crate::algebra) fn generator_for_terms(arena: &Arena, needed: &FoldOrder) -> Generator {
     let hashes = needed.fold(arena, &mut Hashes(arena));
     Generator(hashes.iter().flat_map(Values::iter).fold(0, |all: u64, (_, hash)| all.wrapping_add(*hash)))
 }
@@ -433,10 +434,10 @@ impl Fold for Hashes<'_> {
     }
     fn sum(&mut self, constant: &Rational, terms: &[(Expr, Rational)], of: &Values<'_, u64>) -> Option<u64> {
         // The hash does not depend on the order of terms, because handles differ from run to run.
-        Some(hash_of((("sum", constant), unordered(terms.iter().map(|(term, k)| (of[*term], k))))))
+        Some(hash_of((("sum", constant), order_independent_hash(terms.iter().map(|(term, k)| (of[*term], k))))))
     }
     fn product(&mut self, factors: &[(Expr, i32)], of: &Values<'_, u64>) -> Option<u64> {
-        Some(hash_of(("product", unordered(factors.iter().map(|(base, n)| (of[*base], n))))))
+        Some(hash_of(("product", order_independent_hash(factors.iter().map(|(base, n)| (of[*base], n))))))
     }
     fn apply(&mut self, f: Function, argument: Expr, of: &Values<'_, u64>) -> Option<u64> {
         Some(hash_of((f, of[argument])))
@@ -451,6 +452,6 @@ fn hash_of(key: impl Hash) -> u64 {
 }
 
 /// Hash of a set of items that does not depend on their order.
-fn unordered(items: impl Iterator<Item = impl Hash>) -> u64 {
+fn order_independent_hash(items: impl Iterator<Item = impl Hash>) -> u64 {
     items.fold(0, |sum: u64, item| sum.wrapping_add(hash_of(item)))
 }

@@ -78,7 +78,7 @@ impl Range {
     }
 
     /// Returns the range, marked as never 0 if `other` is never 0.
-    fn without_zero_like(self, other: &Self) -> Self {
+    fn without_zero_if(self, other: &Self) -> Self {
         if other.nonzero { self.without_zero() } else { self }
     }
 
@@ -135,16 +135,16 @@ impl Range {
         }
         let to = |bound: &Option<Rational>| bound.as_ref().and_then(|bound| bound.pow(n));
         if n % 2 == 1 {
-            return Self::new(to(&self.low), to(&self.high)).without_zero_like(self);
+            return Self::new(to(&self.low), to(&self.high)).without_zero_if(self);
         }
         if self.neg().is_nonnegative() {
             return self.neg().pow(n);
         }
         if self.is_nonnegative() {
-            return Self::new(to(&self.low), to(&self.high)).without_zero_like(self);
+            return Self::new(to(&self.low), to(&self.high)).without_zero_if(self);
         }
         let high = to(&self.low).zip(to(&self.high)).map(|(a, b)| a.max(b));
-        Self::new(Some(Rational::ZERO), high).without_zero_like(self)
+        Self::new(Some(Rational::ZERO), high).without_zero_if(self)
     }
 
     /// Range of 1/x for the x ≠ 0 of the range; it never contains 0.
@@ -155,8 +155,8 @@ impl Range {
         if !self.is_nonnegative() {
             return Self { nonzero: true, ..Self::default() };
         }
-        let low = self.high.as_ref().and_then(Rational::recip).unwrap_or(Rational::ZERO);
-        Self::new(Some(low), self.low.as_ref().and_then(Rational::recip)).without_zero()
+        let low = self.high.as_ref().and_then(Rational::reciprocal).unwrap_or(Rational::ZERO);
+        Self::new(Some(low), self.low.as_ref().and_then(Rational::reciprocal)).without_zero()
     }
 }
 
@@ -165,11 +165,11 @@ fn of_function(f: Function, argument: &Range) -> Range {
     let bounds = |low: i64, high: Option<i64>| Range::new(Some(Rational::integer(low)), high.map(Rational::integer));
     match f {
         Function::Sin | Function::Cos => bounds(-1, Some(1)),
-        Function::Sqrt | Function::Abs => bounds(0, None).without_zero_like(argument),
+        Function::Sqrt | Function::Abs => bounds(0, None).without_zero_if(argument),
         Function::Exp => bounds(0, None).without_zero(),
         Function::Cosh => bounds(1, None),
-        Function::Tanh | Function::Sign => bounds(-1, Some(1)).without_zero_like(argument),
-        Function::Asin | Function::Atan | Function::Sinh => Range::default().without_zero_like(argument),
+        Function::Tanh | Function::Sign => bounds(-1, Some(1)).without_zero_if(argument),
+        Function::Asin | Function::Atan | Function::Sinh => Range::default().without_zero_if(argument),
         Function::Log | Function::Acos => Range::default(),
     }
 }

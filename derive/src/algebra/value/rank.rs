@@ -27,8 +27,8 @@ pub struct Rank {
 #[must_use]
 pub fn rank(arena: &Arena, matrix: &[Vec<Expr>]) -> Option<Rank> {
     let mut best: Option<Rank> = None;
-    for (field, rows) in in_fields(arena, matrix) {
-        let (basis, dependent) = eliminate(field, rows);
+    for (field, rows) in residue_matrices(arena, matrix) {
+        let (basis, dependent) = eliminate_residues(field, rows);
         best = best.max(Some(Rank { rank: basis.len(), dependent }));
         // A point cannot show more than full rank, so the search ends there.
         if dependent.is_none() {
@@ -41,10 +41,10 @@ pub fn rank(arena: &Arena, matrix: &[Vec<Expr>]) -> Option<Rank> {
 /// Row indices of a largest independent set of rows, and the pivot column of each. The set has each
 /// row that does not depend on earlier rows. `None` if no point could be evaluated.
 #[must_use]
-pub fn echelon(arena: &Arena, matrix: &[Vec<Expr>]) -> Option<(Vec<usize>, Vec<usize>)> {
+pub fn pivot_rows_and_columns(arena: &Arena, matrix: &[Vec<Expr>]) -> Option<(Vec<usize>, Vec<usize>)> {
     let mut best: Option<Vec<(usize, usize)>> = None;
-    for (field, rows) in in_fields(arena, matrix) {
-        let (basis, _) = eliminate(field, rows);
+    for (field, rows) in residue_matrices(arena, matrix) {
+        let (basis, _) = eliminate_residues(field, rows);
         if best.as_ref().is_none_or(|known| known.len() < basis.len()) {
             best = Some(basis);
         }
@@ -56,14 +56,19 @@ pub fn echelon(arena: &Arena, matrix: &[Vec<Expr>]) -> Option<(Vec<usize>, Vec<u
 /// `None` if no point could be evaluated.
 #[must_use]
 pub fn independent_rows(arena: &Arena, matrix: &[Vec<Expr>]) -> Option<Vec<usize>> {
-    echelon(arena, matrix).map(|(rows, _)| rows)
+    pivot_rows_and_columns(arena, matrix).map(|(rows, _)| rows)
 }
 
 /// True if `row` is a linear combination of the independent `rows` with coefficients that do not
 /// depend on the symbols `moving`. Then it follows from the rows in every configuration.
 /// False if it is no such combination, or if no random point could be evaluated.
 #[must_use]
-pub(crate) fn follows_everywhere(arena: &Arena, rows: &[Vec<Expr>], row: &[Expr], moving: &FxHashSet<Expr>) -> bool {
+pub(crate) fn is_combination_everywhere(
+    arena: &Arena,
+    rows: &[Vec<Expr>],
+    row: &[Expr],
+    moving: &FxHashSet<Expr>,
+) -> bool {
     let all: Vec<Expr> = rows.iter().flatten().chain(row).copied().collect();
     let mut sampler = Sampler::new(arena, all);
     for _ in 0..DRAWS {
@@ -71,7 +76,7 @@ pub(crate) fn follows_everywhere(arena: &Arena, rows: &[Vec<Expr>], row: &[Expr]
         let places = [sampler.seed(), sampler.seed()];
         let shares = places.map(|place| {
             let values = sampler.at(field, seed, &[(moving, place)])?;
-            Some(shares(field, &values, rows.len(), row.len()))
+            Some(row_combination(field, &values, rows.len(), row.len()))
         });
         if let [Some(here), Some(there)] = shares {
             return here.is_some() && here == there;
@@ -87,7 +92,7 @@ const DRAWS: usize = 40;
 /// Coefficients of the linear combination of the first `count` rows that equals the row after them,
 /// modulo a prime. `values` holds all rows of length `width`, concatenated.
 /// `None` if the row is no such combination, or if the first rows are dependent.
-fn shares(field: Field, values: &[u64], count: usize, width: usize) -> Option<Vec<u64>> {
+fn row_combination(field: Field, values: &[u64], count: usize, width: usize) -> Option<Vec<u64>> {
     let mut basis = Basis::new(field);
     // Each row is extended by a unit vector of its own. The remainder of the last row then shows
     // how much of each row was subtracted.
@@ -96,7 +101,7 @@ fn shares(field: Field, values: &[u64], count: usize, width: usize) -> Option<Ve
         values[at * width..(at + 1) * width].iter().copied().chain(own).collect::<Vec<u64>>()
     };
     for at in 0..count {
-        basis.take(tagged(at))?;
+        basis.add_row(tagged(at))?;
     }
     let left = basis.reduce(tagged(count));
     left[..width].iter().all(|x| *x == 0).then(|| left[width..].to_vec())
@@ -104,7 +109,7 @@ fn shares(field: Field, values: &[u64], count: usize, width: usize) -> Option<Ve
 
 /// Residues of a matrix at four random points, each modulo another prime, as (field, rows). Each
 /// point is computed only when the iterator reaches it.
-pub(crate) fn in_fields<'a>(
+pub(crate) fn residue_matrices<'a>(
     arena: &'a Arena,
     matrix: &'a [Vec<Expr>],
 ) -> impl Iterator<Item = (Field, Vec<Vec<u64>>)> + 'a {
@@ -179,7 +184,7 @@ impl Basis {
 
     /// Adds a row to the basis if it is independent of the rows there, and returns its pivot
     /// column. `None` if the row is dependent; the basis then stays unchanged.
-    pub fn take(&mut self, row: Vec<u64>) -> Option<usize> {
+    pub fn add_row(&mut self, row: Vec<u64>) -> Option<usize> {
         let f = self.field;
         let mut row = self.reduce(row);
         let column = row.iter().position(|x| *x != 0)?;
@@ -194,10 +199,10 @@ impl Basis {
 
 /// Eliminates a matrix over a field. Returns its independent rows as pairs (row, pivot column), and
 /// the first row that depends on earlier rows, or `None`.
-fn eliminate(f: Field, rows: Vec<Vec<u64>>) -> (Vec<(usize, usize)>, Option<usize>) {
+fn eliminate_residues(f: Field, rows: Vec<Vec<u64>>) -> (Vec<(usize, usize)>, Option<usize>) {
     let (mut basis, mut independent, mut dependent) = (Basis::new(f), Vec::new(), None);
     for (at, row) in rows.into_iter().enumerate() {
-        match basis.take(row) {
+        match basis.add_row(row) {
             Some(column) => independent.push((at, column)),
             None => dependent = dependent.or(Some(at)),
         }

@@ -33,7 +33,7 @@ impl Dual {
 
     /// Dual number self − factor · other, in the field `f`.
     #[must_use]
-    pub fn minus(self, f: Field, factor: Self, other: Self) -> Self {
+    pub fn minus_product(self, f: Field, factor: Self, other: Self) -> Self {
         let across = f.add(f.mul(factor.value, other.slope), f.mul(factor.slope, other.value));
         Self { value: f.sub(self.value, f.mul(factor.value, other.value)), slope: f.sub(self.slope, across) }
     }
@@ -41,7 +41,7 @@ impl Dual {
     /// Quotient self/other of dual numbers in the field `f`; `None` if the value of `other` is
     /// zero.
     #[must_use]
-    pub fn over(self, f: Field, other: Self) -> Option<Self> {
+    pub fn quotient(self, f: Field, other: Self) -> Option<Self> {
         let inverse = f.inverse(other.value)?;
         let value = f.mul(self.value, inverse);
         // (a/b)' = (a' − (a/b) b')/b.
@@ -114,7 +114,7 @@ impl Fold for Slopes<'_> {
         let f = self.field;
         let add = |sum, (term, k): &(Expr, Rational)| match of[*term] {
             0 => Some(sum),
-            slope => Some(f.add(sum, f.mul(f.rational(k)?, slope))),
+            slope => Some(f.add(sum, f.mul(f.residue_of_rational(k)?, slope))),
         };
         terms.iter().try_fold(0, add)
     }
@@ -123,12 +123,12 @@ impl Fold for Slopes<'_> {
         // d Π b^n = Σ n b^(n−1) db · Π of the other factors.
         let mut sum = 0;
         for (at, (base, n)) in factors.iter().enumerate().filter(|(_, (base, _))| of[*base] != 0) {
-            let times = f.rational(&Rational::integer(i64::from(*n)))?;
-            let own = f.mul(f.mul(times, f.power(self.values[*base], n - 1)?), of[*base]);
+            let times = f.residue_of_rational(&Rational::integer(i64::from(*n)))?;
+            let own = f.mul(f.mul(times, f.signed_power(self.values[*base], n - 1)?), of[*base]);
             let others = factors.iter().enumerate().filter(|(other, _)| *other != at);
             let share = others
                 .map(|(_, factor)| factor)
-                .try_fold(own, |product, (base, n)| Some(f.mul(product, f.power(self.values[*base], *n)?)))?;
+                .try_fold(own, |product, (base, n)| Some(f.mul(product, f.signed_power(self.values[*base], *n)?)))?;
             sum = f.add(sum, share);
         }
         Some(sum)
@@ -149,8 +149,8 @@ impl Slopes<'_> {
         let other = |function| self.residues.exponential(function, argument, self.values);
         let square = f.mul(x, x);
         match function {
-            Function::Sin => Some(self.residues.known_circle(argument)?.1),
-            Function::Cos => Some(f.sub(0, self.residues.known_circle(argument)?.0)),
+            Function::Sin => Some(self.residues.known_sine_and_cosine(argument)?.1),
+            Function::Cos => Some(f.sub(0, self.residues.known_sine_and_cosine(argument)?.0)),
             Function::Sqrt => f.inverse(f.mul(2, f.root(x)?)),
             Function::Exp => other(Function::Exp),
             Function::Log => f.inverse(x),
@@ -205,8 +205,8 @@ mod tests {
     fn quotients_undo_products() {
         let f = Field::random(&mut Generator(3));
         let (a, b) = (Dual { value: 5, slope: 7 }, Dual { value: 11, slope: 13 });
-        let quotient = a.over(f, b).unwrap();
-        assert!(a.minus(f, quotient, b).is_zero());
-        assert_eq!(a.over(f, Dual { value: 0, slope: 1 }), None);
+        let quotient = a.quotient(f, b).unwrap();
+        assert!(a.minus_product(f, quotient, b).is_zero());
+        assert_eq!(a.quotient(f, Dual { value: 0, slope: 1 }), None);
     }
 }

@@ -6,12 +6,12 @@
 //! loses rank where one of its blocks does.
 
 use crate::algebra::form::simplify::Simplifier;
-use crate::algebra::term::contract::contract;
-use crate::algebra::text::print::text;
-use crate::algebra::value::evaluate::Tape;
+use crate::algebra::term::contraction::contract_products;
+use crate::algebra::text::print::print_text;
 use crate::algebra::value::range::never_zero;
+use crate::algebra::value::tape::Tape;
 use crate::algebra::{Arena, Expr, Node};
-use crate::mechanics::bare;
+use crate::mechanics::divisor_without_number;
 use rustc_hash::FxHashSet;
 
 /// Largest number of rows of a minor that is expanded.
@@ -40,7 +40,7 @@ pub struct Matrix<'a> {
 }
 
 /// Poses where the rows of a constraint matrix lose rank, as common zeros of formulas.
-pub struct Surfaces {
+pub struct RankLossSurfaces {
     /// Formulas that are all zero exactly in the poses where rank is lost. Empty if it is proved that
     /// no such pose exists.
     pub all_zero: Vec<Expr>,
@@ -54,10 +54,10 @@ pub struct Surfaces {
 
 /// Finds the poses where the rows of a constraint matrix lose rank; `None` if there are too many
 /// minors.
-pub fn surfaces(arena: &mut Arena, matrix: &Matrix<'_>) -> Option<Surfaces> {
-    let mut found = Surfaces { all_zero: Vec::new(), never: Vec::new(), taken: Vec::new() };
+pub fn rank_loss_surfaces(arena: &mut Arena, matrix: &Matrix<'_>) -> Option<RankLossSurfaces> {
+    let mut found = RankLossSurfaces { all_zero: Vec::new(), never: Vec::new(), taken: Vec::new() };
     let mut sets: Vec<Vec<Expr>> = Vec::new();
-    for part in parts(matrix) {
+    for part in independent_blocks(matrix) {
         let mut simplifier = Simplifier::default();
         let minors = minors(arena, &mut simplifier, matrix.rows, &part)?;
         let mut minors: Vec<Vec<(Expr, i32)>> =
@@ -66,7 +66,7 @@ pub fn surfaces(arena: &mut Arena, matrix: &Matrix<'_>) -> Option<Surfaces> {
         minors.dedup();
         let common = take_common(&mut minors);
         let mut left: Vec<Expr> = minors.iter().map(|factors| product(arena, factors)).collect();
-        if let Some(proof) = not_all_zero(arena, &mut simplifier, &left, matrix, &mut found.taken) {
+        if let Some(proof) = prove_minors_not_all_zero(arena, &mut simplifier, &left, matrix, &mut found.taken) {
             if common.is_empty() {
                 found.never.push(proof);
                 continue;
@@ -78,13 +78,13 @@ pub fn surfaces(arena: &mut Arena, matrix: &Matrix<'_>) -> Option<Surfaces> {
     }
     found.taken.sort_unstable();
     found.taken.dedup();
-    found.all_zero = any_of(arena, sets)?;
+    found.all_zero = products_zero_where_any_set_is(arena, sets)?;
     Some(found)
 }
 
 /// Formulas that are all zero exactly where all formulas of at least one of the sets are zero:
 /// their products. `None` if there are too many products.
-fn any_of(arena: &mut Arena, sets: Vec<Vec<Expr>>) -> Option<Vec<Expr>> {
+fn products_zero_where_any_set_is(arena: &mut Arena, sets: Vec<Vec<Expr>>) -> Option<Vec<Expr>> {
     let mut all: Vec<Expr> = Vec::new();
     for set in sets {
         if all.is_empty() {
@@ -115,7 +115,7 @@ struct Part {
 
 /// Splits a constraint matrix into blocks that share no column. Blocks without an independent row
 /// are left out.
-fn parts(matrix: &Matrix<'_>) -> Vec<Part> {
+fn independent_blocks(matrix: &Matrix<'_>) -> Vec<Part> {
     let mut list: Vec<Part> = Vec::new();
     for (at, row) in matrix.rows.iter().enumerate() {
         let columns: Vec<usize> = (0..row.len()).filter(|column| row[*column] != Expr::ZERO).collect();
@@ -184,8 +184,8 @@ fn minor(arena: &mut Arena, rows: &[Vec<Expr>], chosen: &[usize], columns: &[usi
 /// Factors of a minor that may be zero in a pose, each with the power 1. Factors without
 /// coordinates that are nonzero at the default values are left out and added to `taken`.
 fn moving_factors(arena: &mut Arena, matrix: &Matrix<'_>, minor: Expr, taken: &mut Vec<Expr>) -> Vec<(Expr, i32)> {
-    let minor = contract(arena, minor);
-    let minor = bare(arena, minor);
+    let minor = contract_products(arena, minor);
+    let minor = divisor_without_number(arena, minor);
     let factors = match arena.node(minor) {
         Node::Product(factors) => factors.to_vec(),
         _ => vec![(minor, 1)],
@@ -229,7 +229,7 @@ fn product(arena: &mut Arena, factors: &[(Expr, i32)]) -> Expr {
 /// Proves that terms are never zero at once, and returns the proof in words; `None` if no proof is
 /// found. Either one term is never zero, or the sum of all squares is never zero. A multiple of a
 /// term that is zero in closed poses may be subtracted from the sum.
-fn not_all_zero(
+fn prove_minors_not_all_zero(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
     terms: &[Expr],
@@ -240,24 +240,25 @@ fn not_all_zero(
         return Some("one of its minors is a constant".to_owned());
     }
     if let Some(term) = terms.iter().find(|term| never_zero(arena, **term)) {
-        return Some(shown(arena, "one of its minors", *term));
+        return Some(never_zero_sentence(arena, "one of its minors", *term));
     }
     let squares: Vec<Expr> = terms.iter().map(|term| arena.square(*term)).collect();
     let sum = arena.sum(&squares);
     let sum = simplifier.simplify(arena, sum);
     let what = "the sum of the squares of its minors";
     if is_nonzero(arena, matrix, sum, taken) {
-        return Some(shown(arena, what, sum));
+        return Some(never_zero_sentence(arena, what, sum));
     }
     matrix.loops.iter().find_map(|equation| {
-        let left = less_multiple(arena, simplifier, sum, *equation)?;
-        is_nonzero(arena, matrix, left, taken).then(|| shown(arena, &format!("{what}, in closed poses"), left))
+        let left = sum_less_multiple(arena, simplifier, sum, *equation)?;
+        is_nonzero(arena, matrix, left, taken)
+            .then(|| never_zero_sentence(arena, &format!("{what}, in closed poses"), left))
     })
 }
 
 /// Sentence that a term is never 0; `what` names the term. A long formula is left out.
-fn shown(arena: &Arena, what: &str, e: Expr) -> String {
-    let formula = text(arena, e);
+fn never_zero_sentence(arena: &Arena, what: &str, e: Expr) -> String {
+    let formula = print_text(arena, e);
     if formula.len() > LONGEST { format!("{what} is never 0") } else { format!("{what}, {formula}, is never 0") }
 }
 
@@ -275,7 +276,7 @@ fn is_nonzero(arena: &Arena, matrix: &Matrix<'_>, e: Expr, taken: &mut Vec<Expr>
 
 /// Sum less the multiple of another sum that cancels one of their common terms. `None` if they have
 /// no common term.
-fn less_multiple(arena: &mut Arena, simplifier: &mut Simplifier, sum: Expr, other: Expr) -> Option<Expr> {
+fn sum_less_multiple(arena: &mut Arena, simplifier: &mut Simplifier, sum: Expr, other: Expr) -> Option<Expr> {
     let terms = |arena: &Arena, e: Expr| match arena.node(e) {
         Node::Sum(_, terms) => terms.to_vec(),
         _ => Vec::new(),
@@ -285,7 +286,7 @@ fn less_multiple(arena: &mut Arena, simplifier: &mut Simplifier, sum: Expr, othe
         let (_, k) = of_sum.iter().find(|(own, _)| own == term)?;
         Some((k.clone(), by.clone()))
     })?;
-    let multiple = k.mul(&by.recip()?);
+    let multiple = k.mul(&by.reciprocal()?);
     let shift = arena.scale(other, &multiple);
     let left = arena.sub(sum, shift);
     Some(simplifier.simplify(arena, left))

@@ -5,7 +5,7 @@ use crate::model::Model;
 use crate::prove::Proof;
 
 /// Model with its derived equations and its proof, for comparison with another model.
-pub struct Derived<'a> {
+pub struct DerivedModel<'a> {
     /// Model whose equations are compared with those of another model.
     pub model: &'a Model,
     /// Equations of motion of the model, by each formulation.

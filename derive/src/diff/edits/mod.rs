@@ -1,7 +1,7 @@
 //! Comparison of two versions of a model or a scene.
 
-pub(super) mod declarations;
+pub(super) mod declaration_changes;
 pub(super) mod derived_model;
-pub(super) mod models;
-pub(super) mod scenes;
-pub(super) mod variables;
+pub(super) mod model_changes;
+pub(super) mod scene_changes;
+pub(super) mod variable_changes;

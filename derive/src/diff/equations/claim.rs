@@ -1,6 +1,6 @@
 //! Claims of printed entries, as data for tracing wrong entries to one another.
 
-use super::rows::{Match, Row};
+use super::row_judgement::{Row, RowMatchResult};
 use crate::algebra::Expr;
 use crate::mechanics::{Formulation, QuantityKind, RowName};
 
@@ -57,7 +57,7 @@ pub enum Claim {
 /// Printed system with the derived rows with which it was matched. Columns follow the order of the
 /// derived unknowns.
 #[derive(Clone, Debug)]
-pub struct Table {
+pub struct MatchedSystem {
     /// Formulation whose derived system was compared with the printed system.
     pub formulation: Formulation,
     /// Name of each row of the derived system, such as its speed or coordinate.
@@ -69,17 +69,17 @@ pub struct Table {
     /// Rows of the printed system, in its own order; columns follow `unknowns`.
     pub printed: Vec<Row>,
     /// Match of each printed row with the derived rows, in the order of `printed`.
-    pub matches: Vec<Match>,
+    pub matches: Vec<RowMatchResult>,
 }
 
-impl Table {
+impl MatchedSystem {
     /// Index of the derived row of which the printed row `row` is a multiple, and the factor
     /// printed ÷ derived.
     /// Returns `None` for a printed row that is a combination of several derived rows.
-    pub fn matched(&self, row: usize) -> Option<(usize, Expr)> {
+    pub fn matched_derived_row(&self, row: usize) -> Option<(usize, Expr)> {
         match &self.matches[row] {
-            Match::Row { at, factor } => Some((*at, *factor)),
-            Match::Combination { .. } => None,
+            RowMatchResult::Row { at, factor } => Some((*at, *factor)),
+            RowMatchResult::Combination { .. } => None,
         }
     }
 }

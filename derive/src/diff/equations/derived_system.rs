@@ -1,16 +1,16 @@
 //! Derived system of equations with which a printed system is compared.
 
-use super::claim::Table;
-use super::rows::{Match, Row};
+use super::claim::MatchedSystem;
+use super::row_judgement::{Row, RowMatchResult};
 use crate::algebra::Expr;
 use crate::algebra::solve::linear::LinearForm;
-use crate::mechanics::{Formulation, Kinematics, Quantities, RowName, balances};
+use crate::mechanics::{Formulation, Kinematics, Quantities, RowName, newton_euler_balances};
 use crate::model::{Model, MotionConstraintKind};
 
 /// Linear system whose columns are in the order of the derived unknowns; each row ends with its
 /// right-hand side.
 #[derive(Clone)]
-pub struct Ordered {
+pub struct DerivedSystem {
     /// Name of each row, such as its speed, coordinate or balance.
     pub names: Vec<RowName>,
     /// Symbols of the unknowns (accelerations, multipliers, reactions), in the order of the
@@ -23,7 +23,11 @@ pub struct Ordered {
 /// Derived system of the formulation `system`. Newton–Euler balances have components in `frame` if
 /// it is stated.
 /// The error is the reason why the formulation has no system.
-pub fn derived(quantities: &mut Quantities<'_>, system: Formulation, frame: Option<usize>) -> Result<Ordered, String> {
+pub fn derived_system(
+    quantities: &mut Quantities<'_>,
+    system: Formulation,
+    frame: Option<usize>,
+) -> Result<DerivedSystem, String> {
     let model = quantities.model;
     let found = quantities.derivations.list.iter().find(|(f, _)| *f == system).map(|(_, result)| result.clone());
     let equations = match found {
@@ -32,12 +36,12 @@ pub fn derived(quantities: &mut Quantities<'_>, system: Formulation, frame: Opti
         None => return Err(format!("{} was not derived", system.name())),
     };
     let unknowns = equations.unknowns.clone();
-    if let (true, Some(frame)) = (system.carries_reactions(), frame) {
+    if let (true, Some(frame)) = (system.has_reactions(), frame) {
         let kinematics = &mut quantities.derivations.kinematics;
         let velocities = kinematics.in_speeds(model);
         let mut form = LinearForm::new(&unknowns);
         let (mut names, mut rows) = (Vec::new(), Vec::new());
-        for balance in balances(model, kinematics, &velocities, Some(frame)) {
+        for balance in newton_euler_balances(model, kinematics, &velocities, Some(frame)) {
             let Kinematics { arena, simplifier, .. } = kinematics;
             let (mut row, rest) = form
                 .coefficients(arena, balance.residual)
@@ -55,25 +59,25 @@ pub fn derived(quantities: &mut Quantities<'_>, system: Formulation, frame: Opti
             names.push(name);
             rows.push(row);
         }
-        return Ok(Ordered { names, unknowns, rows });
+        return Ok(DerivedSystem { names, unknowns, rows });
     }
     let rows = equations.matrix.into_iter().zip(equations.forcing).map(|(mut row, right)| {
         row.push(right);
         row.into_iter().map(|e| quantities.at_clock(e)).collect()
     });
     let rows = rows.collect();
-    Ok(Ordered { names: equations.rows, unknowns, rows })
+    Ok(DerivedSystem { names: equations.rows, unknowns, rows })
 }
 
 /// True if an unknown is the second derivative of time, or the multiplier of the clock constraint
 /// t' = 1.
-pub fn is_of_time(model: &Model, unknown: Expr) -> bool {
+pub fn is_unknown_of_time(model: &Model, unknown: Expr) -> bool {
     let is_second_rate = model.time().is_some_and(|at| model.coordinates[at].second_rate == unknown);
     let mut constraints = model.motion_constraints.iter();
     is_second_rate || constraints.any(|c| c.kind == MotionConstraintKind::Clock && c.multiplier == unknown)
 }
 
-impl Ordered {
+impl DerivedSystem {
     /// Removes the rows and unknowns of time, which is a coordinate of the model but not of
     /// publications.
     pub fn without_time(self, model: &Model) -> Self {
@@ -84,7 +88,7 @@ impl Ordered {
         };
         let Self { names, unknowns, rows } = self;
         let right = unknowns.len();
-        let kept: Vec<usize> = (0..right).filter(|at| !is_of_time(model, unknowns[*at])).collect();
+        let kept: Vec<usize> = (0..right).filter(|at| !is_unknown_of_time(model, unknowns[*at])).collect();
         let of_motion = names.into_iter().zip(rows).filter(|(name, _)| !is_row_of_time(name));
         let (names, rows) =
             of_motion.map(|(name, row)| (name, kept.iter().chain([&right]).map(|at| row[*at]).collect())).unzip();
@@ -92,8 +96,13 @@ impl Ordered {
     }
 
     /// Combines this derived system with the printed rows and their matches in one table.
-    pub fn beside(self, formulation: Formulation, printed: Vec<Row>, matches: Vec<Match>) -> Table {
+    pub fn into_matched_system(
+        self,
+        formulation: Formulation,
+        printed: Vec<Row>,
+        matches: Vec<RowMatchResult>,
+    ) -> MatchedSystem {
         let Self { names, unknowns, rows } = self;
-        Table { formulation, names, unknowns, derived: rows, printed, matches }
+        MatchedSystem { formulation, names, unknowns, derived: rows, printed, matches }
     }
 }

@@ -2,7 +2,7 @@
 
 pub(super) mod claim;
 pub(super) mod derived_system;
-mod independence;
-mod matching;
-pub(super) mod multipliers;
-pub mod rows;
+pub(super) mod lagrange_multipliers;
+mod row_independence;
+pub mod row_judgement;
+mod row_matching;

@@ -2,9 +2,9 @@
 
 use crate::algebra::Expr;
 use crate::algebra::meaning::compare::{Verdict, Witness};
-use crate::algebra::meaning::permitted::Holds;
+use crate::algebra::meaning::permitted_states::StatesOfValidity;
 use crate::diff::equations::claim::Claim;
-use crate::diff::repairs::Slip;
+use crate::diff::repairs::MistakeKind;
 
 /// Remark on an entry that equals the derived value only to the digits printed.
 pub(in crate::diff) const ROUNDED: &str =
@@ -42,7 +42,7 @@ impl Judgement {
 impl Finding {
     /// Changes the judgement to "equal" for an entry whose difference `up_to` does not count, and
     /// adds a remark on it.
-    pub(in crate::diff) fn accepted(self, up_to: &'static str, remark: String) -> Self {
+    pub(in crate::diff) fn accept_with_remark(self, up_to: &'static str, remark: String) -> Self {
         Self {
             judgement: Judgement::Equal,
             up_to: Some(up_to),
@@ -69,14 +69,14 @@ pub(in crate::diff) struct Mistake {
     /// Wrong part and right part; `None` unless this change is the whole mistake.
     pub(in crate::diff) change: Option<(Expr, Expr)>,
     /// Kind of the mistake; `None` unless there is exactly one mistake of a known kind.
-    pub(in crate::diff) slip: Option<Slip>,
+    pub(in crate::diff) slip: Option<MistakeKind>,
     /// Names of the wrong abbreviations; empty unless their formulas contain all mistakes.
     pub(in crate::diff) abbreviations: Vec<String>,
 }
 
 impl Mistake {
     /// Mistake in one part; `change` is the wrong part with the right part.
-    pub(in crate::diff) fn of_one(words: Vec<String>, change: (Expr, Expr), slip: Option<Slip>) -> Self {
+    pub(in crate::diff) fn of_single_part(words: Vec<String>, change: (Expr, Expr), slip: Option<MistakeKind>) -> Self {
         Self { words, change: Some(change), slip, ..Self::default() }
     }
 }
@@ -92,7 +92,7 @@ pub struct Finding {
     pub judgement: Judgement,
     /// Region of states in which the printed value equals the derived one; everywhere, unless the
     /// judgement limits it.
-    pub holds: Holds,
+    pub holds: StatesOfValidity,
     /// Difference that an accepted entry may have, in words, such as "up to a constant"; `None` for
     /// exact equality.
     pub up_to: Option<&'static str>,
@@ -114,7 +114,7 @@ pub struct Finding {
     /// mistake.
     pub change: Option<(Expr, Expr)>,
     /// Kind of the mistake; `None` unless there is exactly one mistake of a known kind.
-    pub slip: Option<Slip>,
+    pub slip: Option<MistakeKind>,
     /// Names of the wrong abbreviations; empty unless their formulas contain all mistakes.
     pub abbreviations: Vec<String>,
     /// Places of the mistakes within a row, such as "the right-hand side"; empty for other entries.
@@ -147,7 +147,7 @@ impl Finding {
             id: id.to_owned(),
             section: section.to_owned(),
             judgement,
-            holds: Holds::EVERYWHERE,
+            holds: StatesOfValidity::EVERYWHERE,
             up_to: None,
             printed: printed.to_owned(),
             derived: None,
@@ -164,7 +164,7 @@ impl Finding {
     }
 
     /// Formulas of the finding that documents show: derived value, factor and difference.
-    pub fn shown(&self) -> impl Iterator<Item = Expr> {
+    pub fn shown_formulas(&self) -> impl Iterator<Item = Expr> {
         [self.derived, self.factor, self.difference].into_iter().flatten()
     }
 
@@ -178,7 +178,7 @@ impl Finding {
     }
 
     /// Adds the derived value and the verdict of the comparison with it.
-    pub(in crate::diff) fn judged(mut self, verdict: Verdict, holds: Holds, derived: Expr) -> Self {
+    pub(in crate::diff) fn with_verdict(mut self, verdict: Verdict, holds: StatesOfValidity, derived: Expr) -> Self {
         self.derived = Some(derived);
         self.holds = holds;
         match verdict {

@@ -1,12 +1,12 @@
 //! Judgement of single printed formulas and numbers.
 
-pub(super) mod constant;
-mod energies;
-pub(super) mod entries;
+pub(super) mod constant_terms;
+pub(super) mod entry_judge;
+pub(super) mod expansion_near_point;
 pub(super) mod finding;
-pub(super) mod initial;
-pub(super) mod near;
+mod free_parts_of_energies;
+pub(super) mod printed_numbers;
 pub(super) mod ratio;
-pub(super) mod rounding;
+pub(super) mod rounded_numbers;
 pub(super) mod swapped_lists;
-pub(super) mod terms;
+pub(super) mod wrong_terms;

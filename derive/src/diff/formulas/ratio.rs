@@ -3,7 +3,7 @@
 use crate::algebra::Expr;
 use crate::algebra::meaning::compare::Comparer;
 use crate::algebra::term::calculus::{Differential, Substitution};
-use crate::algebra::value::modular::{ZeroTest, zero_test};
+use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::mechanics::{Kinematics, Quantities};
 
 /// Ratio a / b, simplified; `None` unless a and b are non-zero and the ratio depends on parameters

@@ -5,13 +5,13 @@
 //! is one mistake, not one for each number.
 
 use super::finding::Judgement;
-use super::initial::judge;
+use super::printed_numbers::judge_printed_number;
 use crate::model::Model;
 use crate::publication::{Entry, EntryKind, Initial, Publication};
 use std::collections::BTreeSet;
 
 /// Two lists of numbers of one set that are each printed in place of the other.
-pub struct Swapped {
+pub struct SwappedLists {
     /// Ids of the entries of all numbers in both lists.
     pub entries: Vec<String>,
     /// Description of the mistake, with the names of the numbers.
@@ -22,16 +22,16 @@ pub struct Swapped {
 const MOST_NUMBERS: usize = 200;
 
 /// Finds exchanged lists of rates and speeds, at most one pair of lists for each set of numbers.
-pub fn swapped_lists(model: &Model, publication: &Publication) -> Vec<Swapped> {
-    if numbers(publication).count() > MOST_NUMBERS || contradictions(model, publication) == 0 {
+pub fn swapped_lists(model: &Model, publication: &Publication) -> Vec<SwappedLists> {
+    if number_entries(publication).count() > MOST_NUMBERS || count_contradictions(model, publication) == 0 {
         return Vec::new();
     }
-    let sets: BTreeSet<&str> = numbers(publication).map(|(_, initial)| initial.set.as_str()).collect();
-    sets.into_iter().filter_map(|set| in_set(model, publication, set)).collect()
+    let sets: BTreeSet<&str> = number_entries(publication).map(|(_, initial)| initial.set.as_str()).collect();
+    sets.into_iter().filter_map(|set| swapped_lists_in_set(model, publication, set)).collect()
 }
 
 /// Entries of a publication that state a number of a parameter or of a start.
-fn numbers(publication: &Publication) -> impl Iterator<Item = (&Entry, &Initial)> {
+fn number_entries(publication: &Publication) -> impl Iterator<Item = (&Entry, &Initial)> {
     publication.entries.iter().filter_map(|entry| match &entry.kind {
         EntryKind::Initial(initial) => Some((entry, initial)),
         _ => None,
@@ -39,13 +39,15 @@ fn numbers(publication: &Publication) -> impl Iterator<Item = (&Entry, &Initial)
 }
 
 /// Number of printed numbers that other printed numbers contradict.
-fn contradictions(model: &Model, publication: &Publication) -> usize {
-    numbers(publication).filter(|(e, _)| judge(model, publication, e).finding.judgement == Judgement::Different).count()
+fn count_contradictions(model: &Model, publication: &Publication) -> usize {
+    number_entries(publication)
+        .filter(|(e, _)| judge_printed_number(model, publication, e).finding.judgement == Judgement::Different)
+        .count()
 }
 
 /// Exchanged lists of rates and speeds in one set; `None` unless the exchange removes every
 /// contradiction.
-fn in_set(model: &Model, publication: &Publication, set: &str) -> Option<Swapped> {
+fn swapped_lists_in_set(model: &Model, publication: &Publication, set: &str) -> Option<SwappedLists> {
     let place = |symbol| {
         publication
             .entries
@@ -70,7 +72,7 @@ fn in_set(model: &Model, publication: &Publication, set: &str) -> Option<Swapped
             }
         }
     }
-    if pairs.len() < 2 || contradictions(model, &turned) > 0 {
+    if pairs.len() < 2 || count_contradictions(model, &turned) > 0 {
         return None;
     }
     // Equal numbers are right in either list.
@@ -91,5 +93,5 @@ fn in_set(model: &Model, publication: &Publication, set: &str) -> Option<Swapped
     let (rates, speeds): (Vec<usize>, Vec<usize>) = pairs.iter().filter(moved).copied().unzip();
     let words = format!("the values of {} and those of {} are exchanged", names(rates), names(speeds));
     let entries = pairs.iter().flat_map(|(a, b)| [*a, *b]).map(|at| publication.entries[at].id.clone()).collect();
-    Some(Swapped { entries, words })
+    Some(SwappedLists { entries, words })
 }

@@ -1,19 +1,19 @@
 //! Effects of printed systems on the motion: determinants, drift of first integrals, differences of
 //! accelerations.
 
-use super::motion::{Motion, Solved};
-use super::systems::MatchedMotion;
+use super::linear_systems::MatchedMotion;
+use super::printed_motion::{MotionSystem, SolvedMotion};
 use crate::algebra::Expr;
 use crate::algebra::meaning::compare::{Comparer, Verdict};
 use crate::algebra::solve::linear::determinant;
-use crate::diff::equations::rows::Match;
+use crate::diff::equations::row_judgement::RowMatchResult;
 use crate::mechanics::{Derivations, Formulation, Kinematics};
 use crate::model::Model;
 use crate::prove::{Integral, Proof};
 
 /// Time derivative that printed equations give to a first integral of the derived equations.
 #[derive(Clone, Debug)]
-pub struct Rate {
+pub struct IntegralRate {
     /// First integral of the derived equations, constant in the true motion.
     pub integral: Integral,
     /// Time derivative of the integral along the printed equations, in q and u; 0 if they conserve
@@ -35,14 +35,14 @@ pub struct Consequences {
     pub determinant: Option<(Expr, Expr, Verdict)>,
     /// Time derivatives of the first integrals; empty if the system is singular everywhere or too
     /// large to solve.
-    pub rates: Vec<Rate>,
+    pub rates: Vec<IntegralRate>,
     /// Verdict on the claim that the printed system gives the derived accelerations.
     pub accelerations: Verdict,
 }
 
 impl Consequences {
     /// Determinants and integral rates that documents show.
-    pub fn shown(&self) -> impl Iterator<Item = Expr> {
+    pub fn shown_formulas(&self) -> impl Iterator<Item = Expr> {
         let determinants = self.determinant.iter().flat_map(|(printed, derived, _)| [*printed, *derived]);
         determinants.chain(self.rates.iter().map(|rate| rate.rate))
     }
@@ -64,7 +64,7 @@ const MOST_UNKNOWNS: usize = 12;
 
 /// Finds the consequences of every printed system for the motion, and compares the accelerations of
 /// every pair.
-pub fn draw(
+pub fn find_consequences(
     model: &Model,
     derivations: &mut Derivations,
     comparer: &mut Comparer,
@@ -74,7 +74,7 @@ pub fn draw(
     let truth = derivations.get(Formulation::Kane).cloned();
     let Kinematics { arena, simplifier, .. } = &mut derivations.kinematics;
     let truth = truth.and_then(|kane| {
-        let motion = Motion {
+        let motion = MotionSystem {
             id: Formulation::Kane.name().to_owned(),
             in_rates: false,
             coordinate_rates: kane.coordinate_rates.clone(),
@@ -84,11 +84,11 @@ pub fn draw(
         motion.solve(model, arena, simplifier)
     });
     let mut list = Vec::new();
-    let mut solutions: Vec<(String, Solved)> = Vec::new();
+    let mut solutions: Vec<(String, SolvedMotion)> = Vec::new();
     for matched in motions {
         let motion = &matched.motion;
         let derivations = &mut *derivations;
-        let determinant = judged_determinant(derivations, comparer, matched);
+        let determinant = judge_determinant(derivations, comparer, matched);
         let Kinematics { arena, simplifier, .. } = &mut derivations.kinematics;
         let small = motion.matrix.len() <= MOST_UNKNOWNS;
         let solved = if small { motion.solve(model, arena, simplifier) } else { None };
@@ -102,7 +102,7 @@ pub fn draw(
         for integral in &proof.integrals {
             let rate = solved.rate(model, arena, simplifier, integral.expression);
             let verdict = comparer.is_zero(arena, rate);
-            rates.push(Rate { integral: integral.clone(), rate, verdict });
+            rates.push(IntegralRate { integral: integral.clone(), rate, verdict });
         }
         let accelerations = match &truth {
             Some(truth) => same_motion(derivations, comparer, &solved, truth),
@@ -123,7 +123,7 @@ pub fn draw(
 
 /// Verdict on the claim that two solved systems give the same rates q̇ and u̇ and the same
 /// violation of constraints.
-fn same_motion(derivations: &mut Derivations, comparer: &mut Comparer, a: &Solved, b: &Solved) -> Verdict {
+fn same_motion(derivations: &mut Derivations, comparer: &mut Comparer, a: &SolvedMotion, b: &SolvedMotion) -> Verdict {
     let arena = &mut derivations.kinematics.arena;
     let pairs = a.coordinate_rates.iter().zip(&b.coordinate_rates).chain(a.speed_rates.iter().zip(&b.speed_rates));
     let mut verdicts: Vec<Verdict> = pairs.map(|(x, y)| comparer.compare(arena, *x, *y)).collect();
@@ -132,14 +132,14 @@ fn same_motion(derivations: &mut Derivations, comparer: &mut Comparer, a: &Solve
         let [x, y] = [a, b].map(|solved| solved.off_constraints.get(at).copied().unwrap_or(Expr::ZERO));
         verdicts.push(comparer.compare(arena, x, y));
     }
-    crate::prove::all(verdicts)
+    crate::prove::combined_verdict(verdicts)
 }
 
 /// Compares the determinant of the printed matrix with that of the derived rows times their
 /// factors.
 /// Returns (printed, expected, verdict). `None` unless each printed row matches a different single
 /// derived row.
-fn judged_determinant(
+fn judge_determinant(
     derivations: &mut Derivations,
     comparer: &mut Comparer,
     matched: &MatchedMotion,
@@ -154,7 +154,7 @@ fn judged_determinant(
     let mut rows = Vec::new();
     let mut taken = vec![false; matched.matrix.len()];
     for by in &matched.rows {
-        let Match::Row { at, factor } = by else { return None };
+        let RowMatchResult::Row { at, factor } = by else { return None };
         if std::mem::replace(&mut taken[*at], true) {
             return None;
         }

@@ -1,23 +1,26 @@
 //! Judgement of printed programs (listings) that compute the time derivative of a state.
 
-use super::findings::stated;
-use super::motion::Motion;
-use super::systems::{Judged, MatchedMotion};
+use super::linear_systems::{JudgedSystem, MatchedMotion};
+use super::printed_motion::MotionSystem;
+use super::row_findings::unjudged_finding;
 use crate::diff::equations::claim::Claim;
-use crate::diff::equations::derived_system::{Ordered, derived};
-use crate::diff::equations::rows::Row;
-use crate::diff::formulas::entries::{Judge, Printed, Reading};
+use crate::diff::equations::derived_system::{DerivedSystem, derived_system};
+use crate::diff::equations::row_judgement::Row;
+use crate::diff::formulas::entry_judge::{EntryJudge, FormulaReading, PrintedFormulaValue};
 use crate::diff::formulas::finding::{Finding, Judgement, TracedFinding};
 
 use crate::algebra::Expr;
-use crate::algebra::solve::linear::solve;
+use crate::algebra::solve::linear::solve_linear;
 use crate::mechanics::{Kinematics, Quantities, QuantityKind};
-use crate::publication::{Entry, Listing, Names, has_decimals};
+use crate::publication::{Entry, Listing, QuantityNames, has_decimals};
 
 /// Places of the model's coordinates and of its motion variables (q̇ or u) in the state of a
 /// printed program (listing).
 /// Each place is an index into the state; `None` for a variable that the state lacks.
-fn places(quantities: &Quantities<'_>, listing: &Listing) -> (Vec<Option<usize>>, Vec<Option<usize>>) {
+fn variable_places_in_listing(
+    quantities: &Quantities<'_>,
+    listing: &Listing,
+) -> (Vec<Option<usize>>, Vec<Option<usize>>) {
     let model = quantities.model;
     let variables = listing.formulation.variables(model);
     let place = |symbol: &Expr| listing.state.iter().position(|s| s == symbol);
@@ -36,13 +39,13 @@ fn column_of(listing: &Listing, at: usize) -> usize {
 /// lacks no variable. The error is the reason why a printed term has no value.
 pub fn listing_motion(
     quantities: &mut Quantities<'_>,
-    names: &Names,
+    names: &QuantityNames,
     entry: &Entry,
     listing: &Listing,
-) -> Result<(Motion, bool), String> {
+) -> Result<(MotionSystem, bool), String> {
     let in_rates = listing.formulation.is_in_rates();
-    let reading = Reading::of(listing.formulation);
-    let (coordinates, variables) = places(quantities, listing);
+    let reading = FormulaReading::of(listing.formulation);
+    let (coordinates, variables) = variable_places_in_listing(quantities, listing);
     let mut resolved = |e: Expr| reading.value(quantities, names, e);
     let derivative: Vec<Expr> = listing.derivative.iter().map(|e| resolved(*e)).collect::<Result<_, _>>()?;
     let of_state = |at: &Option<usize>| at.map_or(Expr::ZERO, |at| derivative[at]);
@@ -62,16 +65,16 @@ pub fn listing_motion(
     };
     let coordinate_rates = coordinates.iter().map(of_state).collect();
     let whole = coordinates.iter().chain(&variables).all(Option::is_some);
-    Ok((Motion { id: entry.id.clone(), in_rates, coordinate_rates, matrix, right }, whole))
+    Ok((MotionSystem { id: entry.id.clone(), in_rates, coordinate_rates, matrix, right }, whole))
 }
 
-impl Judge<'_, '_> {
+impl EntryJudge<'_, '_> {
     /// Judges a printed program: its q̇ by the kinematic equations, then its matrix row by row or
     /// its accelerations.
-    pub fn listing(&mut self, entry: &Entry, listing: &Listing) -> Judged {
+    pub fn judge_listing(&mut self, entry: &Entry, listing: &Listing) -> JudgedSystem {
         let undecided = |why: String| {
-            let finding = Finding { judgement: Judgement::Undecided(why), ..stated(&entry.id, entry, "") };
-            Judged { findings: vec![finding.with_claim(Claim::Other)], table: None, motion: None }
+            let finding = Finding { judgement: Judgement::Undecided(why), ..unjudged_finding(&entry.id, entry, "") };
+            JudgedSystem { findings: vec![finding.with_claim(Claim::Other)], table: None, motion: None }
         };
         let (motion, whole) = match listing_motion(self.quantities, self.names, entry, listing) {
             Ok(found) => found,
@@ -79,31 +82,31 @@ impl Judge<'_, '_> {
         };
         // A program that eliminates the reactions is compared with equations without reactions.
         let alike = listing.formulation.without_reactions();
-        let order = match derived(self.quantities, alike, None) {
+        let order = match derived_system(self.quantities, alike, None) {
             Ok(order) => order,
             Err(why) => return undecided(why),
         };
-        let reading = Reading::of(listing.formulation);
+        let reading = FormulaReading::of(listing.formulation);
         let model = self.quantities.model;
         let rates = if motion.in_rates { model.q_dot() } else { model.kinematic_equations.rates.clone() };
         let mut findings = Vec::new();
-        let (coordinates, variables) = places(self.quantities, listing);
+        let (coordinates, variables) = variable_places_in_listing(self.quantities, listing);
         for (i, rate) in rates.iter().enumerate() {
             let Some(at) = coordinates[i] else { continue };
             let (id, text) = (listing.derivative_id(&entry.id, at), &listing.derivative_texts[at]);
-            let finding = stated(&id, entry, text);
-            let own = Printed { raw: listing.derivative[at], value: motion.coordinate_rates[i], reading };
+            let finding = unjudged_finding(&id, entry, text);
+            let own = PrintedFormulaValue { raw: listing.derivative[at], value: motion.coordinate_rates[i], reading };
             findings.push(self.value(finding, &QuantityKind::Rate(i), own, *rate));
         }
         let (mut rows, mut matches) = (Vec::new(), Vec::new());
         let Some(texts) = &listing.matrix_texts else {
-            findings.extend(self.accelerations(entry, listing, &motion, &order));
+            findings.extend(self.judge_listing_accelerations(entry, listing, &motion, &order));
             let motion = whole.then_some(MatchedMotion { motion, matrix: Vec::new(), rows: Vec::new() });
-            return self.kept(Judged { findings, table: None, motion });
+            return self.restrict_system_near_point(JudgedSystem { findings, table: None, motion });
         };
         let stated_rows =
             motion.matrix.iter().zip(&motion.right).map(|(row, right)| [row.as_slice(), &[*right]].concat());
-        let (order, stated_rows) = match self.near(order, stated_rows.collect()) {
+        let (order, stated_rows) = match self.expand_system_near_point(order, stated_rows.collect()) {
             Ok(both) => both,
             Err(why) => return undecided(why),
         };
@@ -111,7 +114,11 @@ impl Judge<'_, '_> {
             let at_right = listing.moving[i];
             let right = &listing.derivative_texts[at_right];
             let has_decimals = texts.iter().chain([right]).any(|text| has_decimals(text));
-            let judged = if has_decimals { self.row_with_decimals(&row, &order, i) } else { self.row(&row, &order, i) };
+            let judged = if has_decimals {
+                self.judge_row_with_decimals(&row, &order, i)
+            } else {
+                self.judge_row(&row, &order, i)
+            };
             for (j, at) in variables.iter().enumerate() {
                 let Some(column) = at.map(|at| column_of(listing, at)) else { continue };
                 let text = &texts[column];
@@ -120,42 +127,42 @@ impl Judge<'_, '_> {
                     let id = listing.matrix_id(&entry.id, i, column);
                     let claim = Claim::Entry { table: self.earlier.len(), row: i, column: j };
                     let raw = listing.matrix.as_ref().map_or(row[j], |matrix| matrix[i][column]);
-                    let own = Printed { raw, value: row[j], reading };
-                    let finding = self.entry_finding(stated(&id, entry, text), own, &judged, j);
+                    let own = PrintedFormulaValue { raw, value: row[j], reading };
+                    let finding = self.entry_finding(unjudged_finding(&id, entry, text), own, &judged, j);
                     findings.push(finding.with_claim(claim));
                 }
             }
             let id = listing.derivative_id(&entry.id, at_right);
             let column = row.len() - 1;
             let claim = Claim::Entry { table: self.earlier.len(), row: i, column };
-            let own = Printed { raw: listing.derivative[at_right], value: row[column], reading };
-            let finding = self.entry_finding(stated(&id, entry, right), own, &judged, column);
+            let own = PrintedFormulaValue { raw: listing.derivative[at_right], value: row[column], reading };
+            let finding = self.entry_finding(unjudged_finding(&id, entry, right), own, &judged, column);
             findings.push(finding.with_claim(claim));
             rows.push(row);
             matches.push(judged.by);
         }
         let matrix = order.rows.iter().map(|row| row[..row.len() - 1].to_vec()).collect();
         let motion = whole.then(|| MatchedMotion { motion, matrix, rows: matches.clone() });
-        let table = Some(order.beside(alike, rows, matches));
-        self.kept(Judged { findings, table, motion })
+        let table = Some(order.into_matched_system(alike, rows, matches));
+        self.restrict_system_near_point(JudgedSystem { findings, table, motion })
     }
 
     /// Judges accelerations that a program states directly, against those from the solved derived
     /// system.
-    fn accelerations(
+    fn judge_listing_accelerations(
         &mut self,
         entry: &Entry,
         listing: &Listing,
-        motion: &Motion,
-        order: &Ordered,
+        motion: &MotionSystem,
+        order: &DerivedSystem,
     ) -> Vec<TracedFinding> {
         let Kinematics { arena, simplifier, .. } = &mut self.quantities.derivations.kinematics;
         let a: Vec<Row> = order.rows.iter().map(|row| row[..row.len() - 1].to_vec()).collect();
         let b: Vec<Row> = order.rows.iter().map(|row| vec![row[row.len() - 1]]).collect();
-        let solution = solve(arena, simplifier, &a, &b);
+        let solution = solve_linear(arena, simplifier, &a, &b);
         let mut findings = Vec::new();
         let kind = if motion.in_rates { QuantityKind::SecondRate } else { QuantityKind::SpeedRate };
-        let (_, variables) = places(self.quantities, listing);
+        let (_, variables) = variable_places_in_listing(self.quantities, listing);
         let mut places: Vec<(usize, usize)> =
             variables.into_iter().enumerate().filter_map(|(i, at)| Some((i, at?))).collect();
         // A mistake of an abbreviation is clearest in an entry that consists of the abbreviation
@@ -163,11 +170,11 @@ impl Judge<'_, '_> {
         places.sort_by_key(|(_, at)| !self.book.is_name(listing.derivative[*at]));
         for (i, at) in places {
             let (id, text) = (listing.derivative_id(&entry.id, at), &listing.derivative_texts[at]);
-            let finding = stated(&id, entry, text);
+            let finding = unjudged_finding(&id, entry, text);
             let found = match &solution {
                 Ok((values, _)) => {
-                    let reading = Reading::of(listing.formulation);
-                    let own = Printed { raw: listing.derivative[at], value: motion.right[i], reading };
+                    let reading = FormulaReading::of(listing.formulation);
+                    let own = PrintedFormulaValue { raw: listing.derivative[at], value: motion.right[i], reading };
                     let mut found = self.value(finding, &kind(i), own, values[i][0]);
                     if let Claim::Value { by, .. } = &mut found.claim {
                         *by = Some(listing.formulation);

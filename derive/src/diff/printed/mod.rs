@@ -1,10 +1,10 @@
 //! Printed linear systems and printed programs (listings), judged and solved for their motion.
 
 pub(super) mod consequences;
-mod findings;
-mod held_time;
+pub(super) mod linear_systems;
 pub(super) mod listings;
-pub mod motion;
+mod partial_time_derivative;
 pub(super) mod printed_equations;
-pub(super) mod systems;
+pub mod printed_motion;
+mod row_findings;
 mod whole_rows;

@@ -1,7 +1,7 @@
 //! Printed systems and programs (listings) of a publication as equations of motion that can be
 //! written as code and run.
 
-use crate::diff::motions;
+use crate::diff::printed_motions;
 use crate::mechanics::{Derivations, Equations, EquationsOrigin, RowName};
 use crate::model::Model;
 use crate::publication::{EntryKind, Publication};
@@ -13,7 +13,7 @@ use crate::publication::{EntryKind, Publication};
 /// measured. An incomplete system, such as a system that lacks unknowns, is left out.
 pub fn printed_equations(model: &Model, derivations: &mut Derivations, publication: &Publication) -> Vec<Equations> {
     let mut list = Vec::new();
-    for motion in motions(model, derivations, publication) {
+    for motion in printed_motions(model, derivations, publication) {
         let Some(entry) = publication.entries.iter().find(|entry| entry.id == motion.id) else { continue };
         let formulation = match &entry.kind {
             EntryKind::System(system) => system.formulation,

@@ -5,16 +5,16 @@
 //! it is no multiple of a derived row, so it is compared with the value of the unknown that all
 //! derived rows give together.
 
-use crate::diff::equations::derived_system::Ordered;
-use crate::diff::equations::rows::{Match, Row, RowJudgement};
-use crate::diff::formulas::entries::{Judge, Printed};
+use crate::diff::equations::derived_system::DerivedSystem;
+use crate::diff::equations::row_judgement::{Row, RowJudgement, RowMatchResult};
+use crate::diff::formulas::entry_judge::{EntryJudge, PrintedFormulaValue};
 use crate::diff::formulas::finding::{Finding, Judgement, Mistake};
 
 use crate::algebra::meaning::compare::{Verdict, Witness};
-use crate::algebra::solve::linear::solve;
+use crate::algebra::solve::linear::solve_linear;
 use crate::algebra::term::calculus::Substitution;
-use crate::algebra::text::print::text;
-use crate::algebra::value::rank::echelon;
+use crate::algebra::text::print::print_text;
+use crate::algebra::value::rank::pivot_rows_and_columns;
 use crate::algebra::{Expr, Node};
 use crate::mechanics::Kinematics;
 use crate::publication::has_right_side;
@@ -40,9 +40,9 @@ pub(super) enum WholeRow {
 }
 
 /// Derived rows with the values of their unknowns, which are computed when first needed.
-pub(super) struct Solving<'a> {
+pub(super) struct SolvedUnknowns<'a> {
     /// Derived rows of the system, exact even if the entry holds only near a point.
-    pub order: &'a Ordered,
+    pub order: &'a DerivedSystem,
     /// Values of the unknowns, empty until computed; `None` inside if the rows do not determine
     /// them or have many unknowns.
     pub values: OnceCell<Option<Vec<Expr>>>,
@@ -51,36 +51,37 @@ pub(super) struct Solving<'a> {
 impl WholeRow {
     /// Match of the row for further use: the match `entries` if one mistake explains the row, else
     /// no single derived row.
-    pub fn matched(&self, entries: Match) -> Match {
+    pub fn row_match(&self, entries: RowMatchResult) -> RowMatchResult {
         match self {
             Self::Changed(..) => entries,
-            Self::Holds | Self::Solved(_) => Match::Combination { multipliers: Vec::new() },
+            Self::Holds | Self::Solved(_) => RowMatchResult::Combination { multipliers: Vec::new() },
         }
     }
 }
 
-impl Judge<'_, '_> {
+impl EntryJudge<'_, '_> {
     /// Reads a wrong row as one formula.
     /// Returns `None` if the entries alone show the mistake, or if no entry is proved wrong.
     pub(super) fn whole_row(
         &mut self,
         finding: &Finding,
-        row: &[Printed],
-        order: &Ordered,
-        solving: &Solving<'_>,
+        row: &[PrintedFormulaValue],
+        order: &DerivedSystem,
+        solving: &SolvedUnknowns<'_>,
         judged: &RowJudgement,
     ) -> Option<WholeRow> {
         let wrong = judged.entries.iter().filter(|verdict| !verdict.is_equal()).count();
         if wrong == 0 {
             return None;
         }
-        let solved = self.solved(finding, row, order, solving);
+        let solved = self.finding_of_solved_unknown(finding, row, order, solving);
         if solved.as_ref().is_some_and(|found| found.judgement == Judgement::Equal) {
             return solved.map(|found| WholeRow::Solved(Box::new(found)));
         }
         // A stated reaction or multiplier is meant as a value. A stated acceleration may also be a
         // balance.
-        let is_force = alone(row).is_some_and(|at| !self.quantities.mentions_accelerations(order.unknowns[at]));
+        let is_force =
+            only_unknown_of_row(row).is_some_and(|at| !self.quantities.mentions_accelerations(order.unknowns[at]));
         if is_force && solved.is_some() {
             return solved.map(|found| WholeRow::Solved(Box::new(found)));
         }
@@ -92,13 +93,13 @@ impl Judge<'_, '_> {
         if !is_different || (wrong == 1 && !has_unknowns) {
             return None;
         }
-        let of = |part: fn(&Printed) -> Expr| row.iter().map(part).collect::<Row>();
+        let of = |part: fn(&PrintedFormulaValue) -> Expr| row.iter().map(part).collect::<Row>();
         let (raw, value) = (of(|printed| printed.raw), of(|printed| printed.value));
-        let [raw, value] = [&raw, &value].map(|row| self.as_term(row, &order.unknowns));
-        let whole = Printed { raw, value, reading: row[0].reading };
-        for expected in self.meant(order, judged) {
-            let term = self.as_term(&expected, &order.unknowns);
-            if let Some(mistake) = self.slip(whole, term) {
+        let [raw, value] = [&raw, &value].map(|row| self.row_as_term(row, &order.unknowns));
+        let whole = PrintedFormulaValue { raw, value, reading: row[0].reading };
+        for expected in self.rows_possibly_meant(order, judged) {
+            let term = self.row_as_term(&expected, &order.unknowns);
+            if let Some(mistake) = self.find_slip(whole, term) {
                 return Some(WholeRow::Changed(mistake, expected));
             }
         }
@@ -108,7 +109,7 @@ impl Judge<'_, '_> {
     /// Rows that the author of a wrong row may have meant: the matched row, then derived rows
     /// divided by a coefficient.
     /// A coefficient is used as a divisor if it depends only on parameters.
-    fn meant(&mut self, order: &Ordered, judged: &RowJudgement) -> Vec<Row> {
+    fn rows_possibly_meant(&mut self, order: &DerivedSystem, judged: &RowJudgement) -> Vec<Row> {
         let mut list = vec![judged.expected.clone()];
         let parameters = self.quantities.model.p();
         let Kinematics { arena, simplifier, .. } = &mut self.quantities.derivations.kinematics;
@@ -135,7 +136,7 @@ impl Judge<'_, '_> {
 
     /// True if a row that is not linear in the unknowns holds with the values of the unknowns from
     /// the derived rows.
-    fn holds_with_solutions(&mut self, row: &[Printed], solving: &Solving<'_>) -> bool {
+    fn holds_with_solutions(&mut self, row: &[PrintedFormulaValue], solving: &SolvedUnknowns<'_>) -> bool {
         let order = solving.order;
         let values: Row = row.iter().map(|printed| printed.value).collect();
         let arena = &self.quantities.derivations.kinematics.arena;
@@ -143,8 +144,8 @@ impl Judge<'_, '_> {
         if self.near.is_some() || !order.unknowns.iter().any(mentions) {
             return false;
         }
-        let Some(solutions) = self.solutions(solving) else { return false };
-        let whole = self.as_term(&values, &order.unknowns);
+        let Some(solutions) = self.unknown_values(solving) else { return false };
+        let whole = self.row_as_term(&values, &order.unknowns);
         let pairs: Vec<(Expr, Expr)> = order.unknowns.iter().copied().zip(solutions).collect();
         let arena = &mut self.quantities.derivations.kinematics.arena;
         let mut put = Substitution::new(&pairs);
@@ -155,18 +156,19 @@ impl Judge<'_, '_> {
     /// Finding of a row that states the value of one unknown, or of a sum of unknowns with
     /// numerical factors.
     /// Returns `None` unless the value is right or its mistake is found.
-    fn solved(
+    fn finding_of_solved_unknown(
         &mut self,
         finding: &Finding,
-        row: &[Printed],
-        order: &Ordered,
-        solving: &Solving<'_>,
+        row: &[PrintedFormulaValue],
+        order: &DerivedSystem,
+        solving: &SolvedUnknowns<'_>,
     ) -> Option<Finding> {
         let (right, entries) = row.split_last()?;
         let arena = &self.quantities.derivations.kinematics.arena;
         let numbers = || entries.iter().all(|entry| arena.as_number(entry.value).is_some());
-        let first = alone(row).or_else(|| entries.iter().position(|e| e.value != Expr::ZERO).filter(|_| numbers()))?;
-        let solutions = self.solutions(solving)?;
+        let first = only_unknown_of_row(row)
+            .or_else(|| entries.iter().position(|e| e.value != Expr::ZERO).filter(|_| numbers()))?;
+        let solutions = self.unknown_values(solving)?;
         let divisor = entries[first];
         let arena = &mut self.quantities.derivations.kinematics.arena;
         let value = arena.div(right.value, divisor.value)?;
@@ -184,12 +186,14 @@ impl Judge<'_, '_> {
         }
         let derived = arena.sum(&terms);
         let (value, derived) = match &mut self.near {
-            Some(near) => (near.formula(self.quantities, value).ok()?, near.formula(self.quantities, derived).ok()?),
+            Some(near) => {
+                (near.expand_formula(self.quantities, value).ok()?, near.expand_formula(self.quantities, derived).ok()?)
+            }
             None => (value, derived),
         };
         let derived = self.simplify(derived);
-        let value = Printed { raw, value, reading: right.reading };
-        let mut found = self.compare(finding.clone(), value, derived);
+        let value = PrintedFormulaValue { raw, value, reading: right.reading };
+        let mut found = self.judge_against_derived(finding.clone(), value, derived);
         // A difference of two whole sums does not name a mistake.
         let arena = &mut self.quantities.derivations.kinematics.arena;
         let is_sum = matches!(arena.node(value.value), Node::Sum(_, terms) if terms.len() > 1);
@@ -201,52 +205,52 @@ impl Judge<'_, '_> {
         }
         let products: Vec<Expr> = solved.iter().zip(&order.unknowns).map(|(k, x)| arena.mul(*k, *x)).collect();
         let sum = arena.sum(&products);
-        let name = text(arena, sum);
+        let name = print_text(arena, sum);
         found.remarks.insert(0, format!("compared with the value of {name} that all equations give"));
         solved.push(derived);
-        found.derived = Some(self.as_term(&solved, &order.unknowns));
+        found.derived = Some(self.row_as_term(&solved, &order.unknowns));
         Some(found)
     }
 
     /// Values of the unknowns from the derived rows, computed once; `None` if the rows do not
     /// determine them or are many.
-    fn solutions(&mut self, solving: &Solving<'_>) -> Option<Vec<Expr>> {
+    fn unknown_values(&mut self, solving: &SolvedUnknowns<'_>) -> Option<Vec<Expr>> {
         let order = solving.order;
-        solving.values.get_or_init(|| self.solved_rows(order)).clone()
+        solving.values.get_or_init(|| self.solve_rows_for_unknowns(order)).clone()
     }
 
     /// Solves the independent derived rows for all unknowns; `None` unless they are as many as the
     /// unknowns, at most eight.
-    fn solved_rows(&mut self, order: &Ordered) -> Option<Vec<Expr>> {
+    fn solve_rows_for_unknowns(&mut self, order: &DerivedSystem) -> Option<Vec<Expr>> {
         let n = order.unknowns.len();
         if n > MOST_UNKNOWNS {
             return None;
         }
         let Kinematics { arena, simplifier, .. } = &mut self.quantities.derivations.kinematics;
-        let (independent, _) = echelon(arena, &order.rows)?;
+        let (independent, _) = pivot_rows_and_columns(arena, &order.rows)?;
         if independent.len() != n {
             return None;
         }
         let rows: Vec<&Row> = independent.iter().map(|row| &order.rows[*row]).collect();
         let a: Vec<Row> = rows.iter().map(|row| row[..n].to_vec()).collect();
         let b: Vec<Row> = rows.iter().map(|row| vec![row[n]]).collect();
-        let (values, _) = solve(arena, simplifier, &a, &b).ok()?;
+        let (values, _) = solve_linear(arena, simplifier, &a, &b).ok()?;
         Some(values.into_iter().map(|value| value[0]).collect())
     }
 
     /// Completes the finding of a wrong row that was read as one formula.
-    pub(super) fn told_as_whole(
+    pub(super) fn whole_row_finding(
         &mut self,
         mut finding: Finding,
         whole: WholeRow,
-        row: &[Printed],
-        order: &Ordered,
+        row: &[PrintedFormulaValue],
+        order: &DerivedSystem,
         witness: Option<Witness>,
     ) -> Finding {
         match whole {
             WholeRow::Holds => {
                 let remark = "with the accelerations and reactions that all equations give".to_owned();
-                finding.accepted("with the derived unknowns", remark)
+                finding.accept_with_remark("with the derived unknowns", remark)
             }
             WholeRow::Changed(mistake, expected) => {
                 let values: Row = row.iter().map(|printed| printed.value).collect();
@@ -254,11 +258,11 @@ impl Judge<'_, '_> {
                 // In left − right, a term of the right side has the opposite sign.
                 let has_right = has_right_side(&finding.printed);
                 let wrong = if has_right { format!("in left − right, {words}") } else { words };
-                finding.derived = Some(self.as_term(&expected, &order.unknowns));
+                finding.derived = Some(self.row_as_term(&expected, &order.unknowns));
                 finding.remarks.push(format!("wrong: {wrong}"));
                 finding.name_mistake(Mistake { words: Vec::new(), ..mistake });
                 finding.wrong = Some(wrong);
-                self.contrasted(finding, order, &values, &expected, witness)
+                self.finding_with_difference(finding, order, &values, &expected, witness)
             }
             WholeRow::Solved(found) => *found,
         }
@@ -266,7 +270,7 @@ impl Judge<'_, '_> {
 }
 
 /// Index of the only unknown that a row contains; `None` if it contains none or several.
-fn alone(row: &[Printed]) -> Option<usize> {
+fn only_unknown_of_row(row: &[PrintedFormulaValue]) -> Option<usize> {
     let mut present = (0..row.len() - 1).filter(|at| row[*at].value != Expr::ZERO);
     let at = present.next()?;
     present.next().is_none().then_some(at)

@@ -6,30 +6,30 @@
 //! verdicts are. So a repair is never a guess. Several changes may be right: the smallest is
 //! reported.
 
-mod book;
-mod change;
-mod formula;
-mod pairs;
-mod points;
-mod pool;
-mod spots;
+mod abbreviation_mistakes;
+mod change_pairs;
+mod formula_change;
+mod printed_formula;
+mod replacement_pool;
+mod sample_points;
+mod solved_parts;
 
 use crate::algebra::meaning::compare::Comparer;
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::term::transfer::Transfer;
-use crate::algebra::text::print::text;
+use crate::algebra::text::print::print_text;
 use crate::algebra::{Arena, Expr};
 use crate::mechanics::Quantities;
 use crate::model::Unit;
-pub use book::Book;
-pub use change::Slip;
-use change::{Change, changes};
-pub use formula::Formula;
-use formula::Place;
-pub use pairs::pair;
-use points::Points;
-use pool::Pool;
-use spots::solved_spot;
+pub use abbreviation_mistakes::AbbreviationMistakes;
+pub use change_pairs::find_change_pair;
+pub use formula_change::MistakeKind;
+use formula_change::{FormulaChange, formula_changes};
+use printed_formula::FormulaPlace;
+pub use printed_formula::PrintedFormula;
+use replacement_pool::ReplacementPool;
+use sample_points::SamplePoints;
+use solved_parts::repair_by_solved_part;
 
 /// Largest number of changes that are tried for all formulas of one publication together.
 pub const MOST_CHANGES: usize = 500_000;
@@ -47,7 +47,7 @@ const LONGEST: usize = 100;
 pub type Rewriting<'a> = dyn FnMut(&mut Quantities<'_>, Expr) -> Result<Expr, String> + 'a;
 
 /// Tools for the search for repairs of one formula.
-pub struct Tools<'t, 'q> {
+pub struct RepairTools<'t, 'q> {
     /// Derived quantities, with the arena of the derivations.
     pub quantities: &'t mut Quantities<'q>,
     /// Comparer that proves a repaired formula equal to the derived value.
@@ -65,7 +65,7 @@ pub struct Repair {
     /// Wrong part and right part, in the arena of the derivations; `None` for a missing term.
     pub parts: Option<(Expr, Expr)>,
     /// Kind of the mistake that the change repairs.
-    pub slip: Slip,
+    pub slip: MistakeKind,
     /// Index of the abbreviation that has the mistake, in the formula's list; `None` for the
     /// formula itself.
     place: Option<usize>,
@@ -76,14 +76,14 @@ pub struct Repair {
 impl Repair {
     /// Repair at `place`: `parts` are the wrong and the right part, `changed` is the right formula
     /// of the place.
-    fn at(place: Place, words: String, parts: (Expr, Expr), slip: Slip, changed: Expr) -> Self {
+    fn at(place: FormulaPlace, words: String, parts: (Expr, Expr), slip: MistakeKind, changed: Expr) -> Self {
         Self { words, parts: Some(parts), slip, place: place.at, changed }
     }
 }
 
 /// Kinds of changes that a search for repairs tries.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub enum Search {
+pub enum RepairSearch {
     /// Slips at one place: a wrong sign, number, symbol, function, power, factor or term.
     Slips,
     /// Slips first, then any simple value of one part that makes the formula right.
@@ -93,34 +93,45 @@ pub enum Search {
 /// Smallest change of a printed formula that makes it equal to the derived value.
 /// Returns `None` if no change of one place does, if its text is long, or if the formula is too
 /// large.
-pub fn repair(tools: &mut Tools<'_, '_>, formula: &mut Formula, derived: Expr, search: Search) -> Option<Repair> {
+pub fn find_repair(
+    tools: &mut RepairTools<'_, '_>,
+    formula: &mut PrintedFormula,
+    derived: Expr,
+    search: RepairSearch,
+) -> Option<Repair> {
     let places = formula.places();
     let nodes: Vec<Expr> = places.iter().map(|place| place.formula).collect();
     if *tools.left == 0 || formula.arena.reachable(&nodes).len() > MOST_NODES {
         return None;
     }
-    let close = close_changes(tools, formula, &places, derived)?;
+    let close = changes_that_agree_in_numbers(tools, formula, &places, derived)?;
     for candidate in close.into_iter().take(MOST_PROOFS) {
-        if let Some(found) = proved(tools, formula, candidate, derived) {
+        if let Some(found) = prove_repair(tools, formula, candidate, derived) {
             return Some(found);
         }
     }
-    if search == Search::Values { solved_spot(tools, formula, derived) } else { None }
+    if search == RepairSearch::Values { repair_by_solved_part(tools, formula, derived) } else { None }
 }
 
 /// Repairs of abbreviations, at most one each, that alone make a formula equal to the derived
 /// value.
 /// The author may have made such a mistake instead of a mistake in the formula itself.
-fn repairs_of_abbreviations(tools: &mut Tools<'_, '_>, formula: &mut Formula, derived: Expr) -> Vec<Repair> {
-    let places: Vec<Place> = formula.places().into_iter().filter(|place| place.at.is_some()).collect();
+fn find_abbreviation_repairs(
+    tools: &mut RepairTools<'_, '_>,
+    formula: &mut PrintedFormula,
+    derived: Expr,
+) -> Vec<Repair> {
+    let places: Vec<FormulaPlace> = formula.places().into_iter().filter(|place| place.at.is_some()).collect();
     let nodes: Vec<Expr> = places.iter().map(|place| place.formula).collect();
     if places.is_empty() || *tools.left == 0 || formula.arena.reachable(&nodes).len() > MOST_NODES {
         return Vec::new();
     }
     let mut list: Vec<Repair> = Vec::new();
-    for candidate in close_changes(tools, formula, &places, derived).into_iter().flatten().take(MOST_PROOFS) {
+    for candidate in
+        changes_that_agree_in_numbers(tools, formula, &places, derived).into_iter().flatten().take(MOST_PROOFS)
+    {
         if list.iter().all(|known| known.place != candidate.place.at) {
-            list.extend(proved(tools, formula, candidate, derived));
+            list.extend(prove_repair(tools, formula, candidate, derived));
         }
     }
     list
@@ -128,10 +139,10 @@ fn repairs_of_abbreviations(tools: &mut Tools<'_, '_>, formula: &mut Formula, de
 
 /// Changed formula that agrees with the derived value in numbers, before proof.
 #[derive(Clone, Copy)]
-struct Candidate {
+struct RepairCandidate {
     /// Place that is changed: the formula itself or an abbreviation.
-    place: Place,
-    change: Change,
+    place: FormulaPlace,
+    change: FormulaChange,
     /// Whole formula after the change; the remaining abbreviations are symbols in it.
     whole: Expr,
 }
@@ -139,25 +150,25 @@ struct Candidate {
 /// Changes for which printed and derived value agree in numbers, the likeliest kind of mistake
 /// first.
 /// Returns `None` if no numerical states are found.
-fn close_changes(
-    tools: &mut Tools<'_, '_>,
-    formula: &mut Formula,
-    places: &[Place],
+fn changes_that_agree_in_numbers(
+    tools: &mut RepairTools<'_, '_>,
+    formula: &mut PrintedFormula,
+    places: &[FormulaPlace],
     derived: Expr,
-) -> Option<Vec<Candidate>> {
+) -> Option<Vec<RepairCandidate>> {
     // Changes are built in an arena of their own: they must not change the order of terms in the main one.
     let mut arena = std::mem::take(&mut formula.arena);
-    let pools = pools(tools, formula, &mut arena, places, derived);
-    let Some(mut points) = states(tools, formula, &arena, &pools, derived) else {
+    let pools = repair_pools(tools, formula, &mut arena, places, derived);
+    let Some(mut points) = repair_states(tools, formula, &arena, &pools, derived) else {
         formula.arena = arena;
         return None;
     };
-    let mut close: Vec<Candidate> = Vec::new();
+    let mut close: Vec<RepairCandidate> = Vec::new();
     for (place, pool) in places.iter().zip(&pools) {
-        changes(&mut arena, pool, place.formula, tools.left, &mut |arena, change| {
-            let whole = formula.whole(arena, *place, change.whole);
-            if let Some(whole) = whole.filter(|whole| points.agree(arena, *whole)) {
-                close.push(Candidate { place: *place, change, whole });
+        formula_changes(&mut arena, pool, place.formula, tools.left, &mut |arena, change| {
+            let whole = formula.whole_formula_with_change(arena, *place, change.whole);
+            if let Some(whole) = whole.filter(|whole| points.agrees_with_right_values(arena, *whole)) {
+                close.push(RepairCandidate { place: *place, change, whole });
             }
         });
     }
@@ -168,27 +179,27 @@ fn close_changes(
 }
 
 /// Symbols and factors that a change may insert, one pool for each place.
-fn pools(
-    tools: &mut Tools<'_, '_>,
-    formula: &Formula,
+fn repair_pools(
+    tools: &mut RepairTools<'_, '_>,
+    formula: &PrintedFormula,
     arena: &mut Arena,
-    places: &[Place],
+    places: &[FormulaPlace],
     derived: Expr,
-) -> Vec<Pool> {
+) -> Vec<ReplacementPool> {
     let units = units(tools, formula, arena);
-    let pool = |place: &Place| {
+    let pool = |place: &FormulaPlace| {
         // An abbreviation uses those that are declared before it.
         let known = place.at.unwrap_or(formula.parts.len());
         let units: Vec<(Expr, Unit)> =
             units.iter().filter(|(at, ..)| *at < known).map(|(_, symbol, unit)| (*symbol, unit.clone())).collect();
-        Pool::new(tools.quantities, arena, place.formula, derived, &units)
+        ReplacementPool::new(tools.quantities, arena, place.formula, derived, &units)
     };
     places.iter().map(pool).collect()
 }
 
 /// Index, symbol and unit of each abbreviation of a formula; abbreviations without a known unit are
 /// left out.
-fn units(tools: &mut Tools<'_, '_>, formula: &Formula, arena: &mut Arena) -> Vec<(usize, Expr, Unit)> {
+fn units(tools: &mut RepairTools<'_, '_>, formula: &PrintedFormula, arena: &mut Arena) -> Vec<(usize, Expr, Unit)> {
     let mut list = Vec::new();
     let mut written: Vec<(Expr, Expr)> = Vec::new();
     for (at, part) in formula.parts.iter().enumerate() {
@@ -199,7 +210,7 @@ fn units(tools: &mut Tools<'_, '_>, formula: &Formula, arena: &mut Arena) -> Vec
         }
         written.push((part.symbol, whole));
         let main = &mut tools.quantities.derivations.kinematics.arena;
-        let whole = Transfer::new(arena).term(main, whole);
+        let whole = Transfer::new(arena).transfer_term(main, whole);
         if let Ok(Some(unit)) = tools.quantities.model.checked_unit_of(main, whole) {
             list.push((at, part.symbol, unit));
         }
@@ -209,54 +220,60 @@ fn units(tools: &mut Tools<'_, '_>, formula: &Formula, arena: &mut Arena) -> Vec
 
 /// Random states, permitted by the model's constraints, at which changed formulas are evaluated.
 /// The terms are in `arena`. Returns `None` if no such states are found.
-fn states(
-    tools: &mut Tools<'_, '_>,
-    formula: &Formula,
+fn repair_states(
+    tools: &mut RepairTools<'_, '_>,
+    formula: &PrintedFormula,
     arena: &Arena,
-    pools: &[Pool],
+    pools: &[ReplacementPool],
     derived: Expr,
-) -> Option<Points> {
+) -> Option<SamplePoints> {
     let mut symbols: Vec<Expr> = pools.iter().flat_map(|pool| pool.symbols().iter().copied()).collect();
     symbols.retain(|symbol| formula.parts.iter().all(|part| part.symbol != *symbol));
     symbols.sort_unstable();
     symbols.dedup();
-    let mut points = Points::new(tools.quantities, tools.comparer, arena, &symbols, derived, tools.rewriting)?;
+    let mut points = SamplePoints::new(tools.quantities, tools.comparer, arena, &symbols, derived, tools.rewriting)?;
     for part in &formula.parts {
-        points.define(arena, part.symbol, part.formula);
+        points.set_symbol_values(arena, part.symbol, part.formula);
     }
     Some(points)
 }
 
 /// Repair by a candidate change, if a proof shows it equal to the derived value; `None` without
 /// proof or with a long text.
-fn proved(tools: &mut Tools<'_, '_>, formula: &mut Formula, candidate: Candidate, derived: Expr) -> Option<Repair> {
-    let Candidate { place, change, whole } = candidate;
-    let [before, after] = [change.before, change.after].map(|e| text(&formula.arena, e));
+fn prove_repair(
+    tools: &mut RepairTools<'_, '_>,
+    formula: &mut PrintedFormula,
+    candidate: RepairCandidate,
+    derived: Expr,
+) -> Option<Repair> {
+    let RepairCandidate { place, change, whole } = candidate;
+    let [before, after] = [change.before, change.after].map(|e| print_text(&formula.arena, e));
     if before.len() > LONGEST || after.len() > LONGEST {
         return None;
     }
-    let whole = formula.written_out(whole)?;
+    let whole = formula.write_out_abbreviations(whole)?;
     let main = &mut tools.quantities.derivations.kinematics.arena;
-    let whole = Transfer::new(&formula.arena).term(main, whole);
+    let whole = Transfer::new(&formula.arena).transfer_term(main, whole);
     let whole = (tools.rewriting)(tools.quantities, whole).ok()?;
     let main = &mut tools.quantities.derivations.kinematics.arena;
     if !tools.comparer.compare(main, whole, derived).is_equal() {
         return None;
     }
-    let [wrong, right] = [formula.written_out(change.before)?, formula.written_out(change.after)?];
+    let [wrong, right] =
+        [formula.write_out_abbreviations(change.before)?, formula.write_out_abbreviations(change.after)?];
     let main = &mut tools.quantities.derivations.kinematics.arena;
     let mut transfer = Transfer::new(&formula.arena);
-    let parts = (transfer.term(main, wrong), transfer.term(main, right));
+    let parts = (transfer.transfer_term(main, wrong), transfer.transfer_term(main, right));
     let words = change.words(&before, &after);
-    let words = formula.within(place, &words);
+    let words = formula.mistake_text_with_place(place, &words);
     Some(Repair::at(place, words, parts, change.slip, change.whole))
 }
 
 /// True if a formula, with its abbreviations written out, is proved equal to the derived value.
-fn is_right(tools: &mut Tools<'_, '_>, formula: &mut Formula, derived: Expr) -> bool {
-    let Some(whole) = formula.written_out(formula.root) else { return false };
+fn is_formula_right(tools: &mut RepairTools<'_, '_>, formula: &mut PrintedFormula, derived: Expr) -> bool {
+    let Some(whole) = formula.write_out_abbreviations(formula.root) else { return false };
     let main: &mut Arena = &mut tools.quantities.derivations.kinematics.arena;
-    let whole = Transfer::new(&formula.arena).term(main, whole);
+    let whole = Transfer::new(&formula.arena).transfer_term(main, whole);
     let Ok(whole) = (tools.rewriting)(tools.quantities, whole) else { return false };
     let main = &mut tools.quantities.derivations.kinematics.arena;
     tools.comparer.compare(main, whole, derived).is_equal()

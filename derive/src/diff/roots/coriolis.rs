@@ -1,18 +1,24 @@
 //! Wrong entries of the matrix C in M q̈ + C q̇ + g = τ: the row with a wrong entry, and wrong
 //! statements about the entry.
 
-use super::root::Link;
-use super::search::Reason;
-use crate::algebra::value::modular::{ZeroTest, zero_test};
+use super::root::DependenceKind;
+use super::source_search::DependenceReason;
+use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr, Rational};
 use crate::diff::equations::claim::Claim;
 use crate::diff::formulas::finding::Finding;
-use crate::mechanics::{QuantityKind, Row};
+use crate::mechanics::{QuantityKind, RowQuantity};
 
 /// Traces wrong statements about an entry of C to the wrong row of C q̇ that has the same wrong
 /// entry.
 /// `rates` are the symbols q̇. `reasons`, one for each wrong entry, receives the links found.
-pub fn link(arena: &mut Arena, rates: &[Expr], stated: &[&Claim], wrong: &[&Finding], reasons: &mut [Option<Reason>]) {
+pub fn link_coriolis_entries(
+    arena: &mut Arena,
+    rates: &[Expr],
+    stated: &[&Claim],
+    wrong: &[&Finding],
+    reasons: &mut [Option<DependenceReason>],
+) {
     let kind = |at: usize| match stated[at] {
         Claim::Value { kind, .. } => Some(kind),
         _ => None,
@@ -27,7 +33,7 @@ pub fn link(arena: &mut Arena, rates: &[Expr], stated: &[&Claim], wrong: &[&Find
             _ => continue,
         };
         let source = (0..at).find(|source| {
-            let Some(QuantityKind::Row(Row::VelocityTerms, row)) = kind(*source) else { return false };
+            let Some(QuantityKind::Row(RowQuantity::VelocityTerms, row)) = kind(*source) else { return false };
             let Some(of_row) = wrong[*source].difference else { return false };
             entries.iter().filter(|(i, _)| i == row).any(|(_, j)| {
                 let own = arena.mul(difference, rates[*j]);
@@ -36,7 +42,7 @@ pub fn link(arena: &mut Arena, rates: &[Expr], stated: &[&Claim], wrong: &[&Find
             })
         });
         if let Some(source) = source {
-            reasons[at] = Some(Reason::new(Link::Repeated, vec![source]));
+            reasons[at] = Some(DependenceReason::new(DependenceKind::Repeated, vec![source]));
         }
     }
 }

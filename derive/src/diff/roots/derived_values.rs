@@ -7,13 +7,13 @@ use crate::mechanics::{Quantities, Quantity, QuantityKind, VectorName};
 
 /// Name of the component along `axis` (0 to 2) of a vector in `frame`; `of` is the index of its
 /// point, frame or body.
-pub fn component(vector: VectorName, of: usize, frame: usize, axis: usize) -> QuantityKind {
+pub fn component_name(vector: VectorName, of: usize, frame: usize, axis: usize) -> QuantityKind {
     QuantityKind::Component { vector, of, frame, axis }
 }
 
 /// Derived value of a quantity as a function of q, u and u̇; `None` if the quantity cannot be
 /// derived.
-pub fn derived(quantities: &mut Quantities<'_>, kind: &QuantityKind) -> Option<Expr> {
+pub fn derived_value(quantities: &mut Quantities<'_>, kind: &QuantityKind) -> Option<Expr> {
     let quantity = Quantity::new(kind.clone(), quantities.model);
     let Ok(value) = quantities.value(&quantity) else { return None };
     Some(quantities.in_speeds(value))
@@ -21,29 +21,39 @@ pub fn derived(quantities: &mut Quantities<'_>, kind: &QuantityKind) -> Option<E
 
 /// Three components of a derived vector in `frame`, as functions of q, u and u̇; `None` if a
 /// component cannot be derived.
-pub fn components(quantities: &mut Quantities<'_>, name: VectorName, of: usize, frame: usize) -> Option<Components> {
+pub fn derived_components(
+    quantities: &mut Quantities<'_>,
+    name: VectorName,
+    of: usize,
+    frame: usize,
+) -> Option<Components> {
     let mut values = [Expr::ZERO; 3];
     for (axis, value) in values.iter_mut().enumerate() {
-        *value = derived(quantities, &component(name, of, frame, axis))?;
+        *value = derived_value(quantities, &component_name(name, of, frame, axis))?;
     }
     Some(values)
 }
 
 /// Components of a vector in frame `to`, from its components `v` in frame `from`; `None` if the
 /// rotation cannot be derived.
-pub fn turned(quantities: &mut Quantities<'_>, v: Components, from: usize, to: usize) -> Option<Components> {
+pub fn derived_components_in_frame(
+    quantities: &mut Quantities<'_>,
+    v: Components,
+    from: usize,
+    to: usize,
+) -> Option<Components> {
     if from == to {
         return Some(v);
     }
     let mut rotation = [[Expr::ZERO; 3]; 3];
     for (at, value) in rotation.iter_mut().flatten().enumerate() {
-        *value = derived(quantities, &QuantityKind::Rotation { from, to, entry: (at / 3, at % 3) })?;
+        *value = derived_value(quantities, &QuantityKind::Rotation { from, to, entry: (at / 3, at % 3) })?;
     }
-    Some(apply_tensor(arena_of(quantities), &rotation, &v))
+    Some(apply_tensor(derived_values_arena(quantities), &rotation, &v))
 }
 
 /// Arena that holds the terms of all derived values.
-pub fn arena_of<'a>(quantities: &'a mut Quantities<'_>) -> &'a mut Arena {
+pub fn derived_values_arena<'a>(quantities: &'a mut Quantities<'_>) -> &'a mut Arena {
     &mut quantities.derivations.kinematics.arena
 }
 

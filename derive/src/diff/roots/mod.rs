@@ -9,29 +9,29 @@
 //! judged "different" is in exactly one group, the group of its first source. Equal differences
 //! alone do not link two entries: two separate slips may give equal differences.
 
-mod chain;
+mod consequences_of_values;
+mod contradicting_numbers;
 mod coriolis;
 mod derived_values;
-mod exact;
-mod numbers;
+mod exact_comparison;
 mod root;
-mod rows;
-mod search;
+mod rows_with_printed_values;
 mod shared_mistake;
-mod solutions;
+mod solved_systems;
+mod source_search;
 
-pub use root::{Follower, Link, Root};
+pub use root::{DependenceKind, DependentEntry, RootMistake};
 
-use super::equations::claim::{Claim, Table};
+use super::equations::claim::{Claim, MatchedSystem};
 use super::formulas::finding::{Finding, Judgement};
-use super::formulas::swapped_lists::Swapped;
-use crate::algebra::meaning::permitted::Permitted;
-use crate::algebra::text::print::text;
+use super::formulas::swapped_lists::SwappedLists;
+use crate::algebra::meaning::permitted_states::PermittedStates;
+use crate::algebra::text::print::print_text;
 use crate::algebra::{Arena, Expr};
 use crate::mechanics::Quantities;
 use crate::model::TIME;
 use crate::publication::Publication;
-use search::{Reason, Search};
+use source_search::{DependenceReason, SourceSearch};
 
 /// Longest description of a mistake in a title, in characters.
 const LONGEST: usize = 200;
@@ -39,36 +39,42 @@ const LONGEST: usize = 200;
 /// Finds the root mistakes that cause the wrong entries, in the order of the publication file.
 /// `findings` and `claims` (statements as data) have one item for each entry. `tables` are the
 /// printed systems matched with derived rows.
-pub fn find(
+pub fn find_root_mistakes(
     quantities: &mut Quantities<'_>,
-    permitted: &Permitted,
+    permitted: &PermittedStates,
     findings: &[Finding],
     claims: &[Claim],
-    tables: &[Table],
-    swapped: &[Swapped],
+    tables: &[MatchedSystem],
+    swapped: &[SwappedLists],
     publication: &Publication,
-) -> Vec<Root> {
+) -> Vec<RootMistake> {
     let wrong: Vec<usize> = (0..findings.len()).filter(|at| findings[*at].judgement == Judgement::Different).collect();
     let stated: Vec<&Claim> = wrong.iter().map(|at| &claims[*at]).collect();
-    let mut search = Search::new(quantities, permitted, &stated, tables);
-    let mut reasons: Vec<Option<Reason>> = (0..wrong.len()).map(|at| search.explain(at)).collect();
+    let mut search = SourceSearch::new(quantities, permitted, &stated, tables);
+    let mut reasons: Vec<Option<DependenceReason>> = (0..wrong.len()).map(|at| search.find_source(at)).collect();
     let shared = search.shared;
     let ids: Vec<&str> = wrong.iter().map(|at| findings[*at].id.as_str()).collect();
-    let swapped = numbers::link(&stated, &ids, &mut reasons, swapped);
+    let swapped = contradicting_numbers::link_contradicting_numbers(&stated, &ids, &mut reasons, swapped);
     let different: Vec<&Finding> = wrong.iter().map(|at| &findings[*at]).collect();
     let rates: Vec<Expr> = quantities.model.coordinates.iter().filter(|c| c.name != TIME).map(|c| c.rate).collect();
-    coriolis::link(&mut quantities.derivations.kinematics.arena, &rates, &stated, &different, &mut reasons);
+    coriolis::link_coriolis_entries(
+        &mut quantities.derivations.kinematics.arena,
+        &rates,
+        &stated,
+        &different,
+        &mut reasons,
+    );
     let arena = &quantities.derivations.kinematics.arena;
-    alike(arena, publication, &different, &mut reasons);
+    link_equal_mistakes(arena, publication, &different, &mut reasons);
     let words = |at: usize| match (&shared[at], stated[at]) {
         (Some(words), _) => words.clone(),
         (None, Claim::Number { .. }) => {
             let lists = swapped.iter().find(|(first, _)| *first == at);
             lists.map_or_else(|| "it contradicts other printed numbers".to_owned(), |(_, words)| words.clone())
         }
-        _ => mistake(arena, &findings[wrong[at]]),
+        _ => mistake_description(arena, &findings[wrong[at]]),
     };
-    grouped(&wrong, &reasons, words)
+    group_by_root(&wrong, &reasons, words)
 }
 
 /// Smallest number of nodes of a term for which equal mistakes in two entries count as one mistake.
@@ -76,7 +82,12 @@ const FEWEST_PARTS: usize = 5;
 
 /// Traces an entry that has no reason yet to an earlier entry in which the same term has the same
 /// mistake.
-fn alike(arena: &Arena, publication: &Publication, wrong: &[&Finding], reasons: &mut [Option<Reason>]) {
+fn link_equal_mistakes(
+    arena: &Arena,
+    publication: &Publication,
+    wrong: &[&Finding],
+    reasons: &mut [Option<DependenceReason>],
+) {
     for at in 0..wrong.len() {
         if reasons[at].is_some() {
             continue;
@@ -92,7 +103,7 @@ fn alike(arena: &Arena, publication: &Publication, wrong: &[&Finding], reasons: 
             _ => own.iter().map(first).collect::<Option<Vec<usize>>>().filter(|sources| !sources.is_empty()),
         };
         if let Some(sources) = same {
-            reasons[at] = Some(Reason::new(Link::Repeated, sources));
+            reasons[at] = Some(DependenceReason::new(DependenceKind::Repeated, sources));
             continue;
         }
         let Some(change) = wrong[at].change else { continue };
@@ -102,21 +113,21 @@ fn alike(arena: &Arena, publication: &Publication, wrong: &[&Finding], reasons: 
             continue;
         }
         if let Some(source) = (0..at).find(|source| wrong[*source].change == Some(change)) {
-            reasons[at] = Some(Reason::new(Link::Repeated, vec![source]));
+            reasons[at] = Some(DependenceReason::new(DependenceKind::Repeated, vec![source]));
         }
     }
 }
 
 /// Description of the mistake in an entry that is a root, in words.
-fn mistake(arena: &Arena, finding: &Finding) -> String {
+fn mistake_description(arena: &Arena, finding: &Finding) -> String {
     if let Some(wrong) = finding.wrong.as_ref().filter(|words| words.chars().count() <= LONGEST) {
         return wrong.clone();
     }
     // The factor of a whole row does not describe the row's mistake.
     if let Some(factor) = finding.factor.filter(|_| finding.places.is_empty()) {
-        return format!("it is off by the factor {}", text(arena, factor));
+        return format!("it is off by the factor {}", print_text(arena, factor));
     }
-    let difference = finding.difference.map(|e| text(arena, e)).filter(|words| words.len() <= LONGEST);
+    let difference = finding.difference.map(|e| print_text(arena, e)).filter(|words| words.len() <= LONGEST);
     match (difference, finding.remarks.first()) {
         (Some(difference), _) => format!("printed − derived = {difference}"),
         (None, Some(remark)) if finding.difference.is_none() => remark.clone(),
@@ -129,15 +140,19 @@ fn mistake(arena: &Arena, finding: &Finding) -> String {
 
 /// Groups every wrong entry with the root of its first source. Indices in `reasons` are positions
 /// in `wrong`.
-fn grouped(wrong: &[usize], reasons: &[Option<Reason>], words: impl Fn(usize) -> String) -> Vec<Root> {
-    let mut roots: Vec<Root> = Vec::new();
+fn group_by_root(
+    wrong: &[usize],
+    reasons: &[Option<DependenceReason>],
+    words: impl Fn(usize) -> String,
+) -> Vec<RootMistake> {
+    let mut roots: Vec<RootMistake> = Vec::new();
     // List of each entry's roots, the root of its own group first. The sources of an entry come
     // before it.
     let mut of: Vec<Vec<usize>> = Vec::new();
     for (at, reason) in reasons.iter().enumerate() {
         let Some(reason) = reason else {
             of.push(vec![roots.len()]);
-            roots.push(Root { finding: wrong[at], mistake: words(at), followers: Vec::new() });
+            roots.push(RootMistake { finding: wrong[at], mistake: words(at), followers: Vec::new() });
             continue;
         };
         let mut own: Vec<usize> = Vec::new();
@@ -148,7 +163,7 @@ fn grouped(wrong: &[usize], reasons: &[Option<Reason>], words: impl Fn(usize) ->
         }
         let also = own[1..].iter().map(|root| roots[*root].finding).collect();
         let from = reason.from.iter().map(|source| wrong[*source]).collect();
-        roots[own[0]].followers.push(Follower { finding: wrong[at], link: reason.link, from, also });
+        roots[own[0]].followers.push(DependentEntry { finding: wrong[at], link: reason.link, from, also });
         of.push(own);
     }
     roots

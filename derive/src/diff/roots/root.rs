@@ -4,7 +4,7 @@ use crate::diff::formulas::finding::Finding;
 
 /// Kind of dependence of a wrong entry on other wrong entries.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Link {
+pub enum DependenceKind {
     /// The entry has the same wrong value as another entry, or the same mistake in another
     /// component.
     Repeated,
@@ -16,7 +16,7 @@ pub enum Link {
     Contradicts,
 }
 
-impl Link {
+impl DependenceKind {
     /// Word for the kind of dependence, for lists and JSON, such as "follows".
     #[must_use]
     pub const fn words(self) -> &'static str {
@@ -31,11 +31,11 @@ impl Link {
 /// Wrong entry that is a consequence of mistakes in other entries; entries are indices in the list
 /// of findings.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Follower {
+pub struct DependentEntry {
     /// Index of the dependent entry among the findings.
     pub finding: usize,
     /// Kind of dependence on the entries in `from`.
-    pub link: Link,
+    pub link: DependenceKind,
     /// Indices, among the findings, of the entries that the entry repeats, follows from or
     /// contradicts.
     pub from: Vec<usize>,
@@ -46,16 +46,16 @@ pub struct Follower {
 
 /// Mistake that no other mistake explains, with the entry in which it first occurs.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Root {
+pub struct RootMistake {
     /// Index, among the findings, of the entry with the mistake.
     pub finding: usize,
     /// Description of the mistake, such as "3*u1 should be 2*u1".
     pub mistake: String,
     /// Wrong entries that the mistake causes, in the order of the publication file.
-    pub followers: Vec<Follower>,
+    pub followers: Vec<DependentEntry>,
 }
 
-impl Root {
+impl RootMistake {
     /// Number of entries that are wrong because of the mistake, including the entry with the
     /// mistake itself.
     #[must_use]
@@ -70,7 +70,7 @@ impl Root {
     }
 
     /// Wrong entries caused by the mistake that depend on it by the given kind of link.
-    pub fn linked(&self, link: Link) -> impl Iterator<Item = &Follower> {
+    pub fn followers_by_link(&self, link: DependenceKind) -> impl Iterator<Item = &DependentEntry> {
         self.followers.iter().filter(move |f| f.link == link)
     }
 }

@@ -4,15 +4,15 @@
 //! in both components. It is a common factor, a common factor of one part of the vector's formula,
 //! or the angular velocity of a wrong frame.
 
-use super::derived_values::{arena_of, components, difference};
-use super::exact::{Exact, Value};
+use super::derived_values::{derived_components, derived_values_arena, difference};
+use super::exact_comparison::{ExactComparison, WrongValue};
 use crate::algebra::Expr;
-use crate::algebra::text::print::text;
+use crate::algebra::text::print::print_text;
 use crate::geometry::{Components, cross_components};
 use crate::mechanics::{Kinematics, Quantities, QuantityKind, VectorName};
 
 /// Mistake that two components of a vector or matrix share.
-pub enum Shared {
+pub enum SharedMistake {
     /// Factor printed ÷ derived, equal for both components.
     Factor(Expr),
     /// Name of a part of both components' formula, and the ratio of the part as printed to the part
@@ -23,7 +23,7 @@ pub enum Shared {
     Turned(usize, usize, &'static str),
 }
 
-impl Shared {
+impl SharedMistake {
     /// Description of the shared mistake in words, such as "several components are wrong by the
     /// factor 2".
     pub fn words(&self, quantities: &Quantities<'_>) -> String {
@@ -31,10 +31,10 @@ impl Shared {
         let frame = |at: usize| &quantities.model.frames[at].name;
         match self {
             Self::Factor(factor) => {
-                format!("several components are wrong by the factor {}", text(arena, *factor))
+                format!("several components are wrong by the factor {}", print_text(arena, *factor))
             }
             Self::Part(part, factor) if *factor == Expr::ZERO => format!("{part} is missing"),
-            Self::Part(part, factor) => format!("{part} has the factor {}", text(arena, *factor)),
+            Self::Part(part, factor) => format!("{part} has the factor {}", print_text(arena, *factor)),
             Self::Turned(used, right, vector) => {
                 format!("omega({}) is printed instead of omega({}) in omega x {vector}", frame(*used), frame(*right))
             }
@@ -43,7 +43,7 @@ impl Shared {
 }
 
 /// Vector equal to a factor ±m times the time derivative of another vector.
-struct Rate {
+struct VectorRate {
     /// Components of the differentiated vector, in the frame `frame`.
     of: Components,
     /// Kind of the differentiated vector, such as velocity or angular momentum.
@@ -59,25 +59,32 @@ struct Rate {
 
 /// Finds the mistake that two wrong components share.
 /// Returns `None` unless they are different components of one vector or matrix and share a mistake.
-pub fn common(exact: &mut Exact<'_, '_>, a: &Value, b: &Value) -> Option<Shared> {
-    if family(&a.kind).is_none() || family(&a.kind) != family(&b.kind) || a.kind == b.kind {
+pub fn find_shared_mistake(
+    exact: &mut ExactComparison<'_, '_>,
+    a: &WrongValue,
+    b: &WrongValue,
+) -> Option<SharedMistake> {
+    if vector_of_component(&a.kind).is_none()
+        || vector_of_component(&a.kind) != vector_of_component(&b.kind)
+        || a.kind == b.kind
+    {
         return None;
     }
     if let Some(factor) = same_ratio(exact, (a.printed, a.derived), (b.printed, b.derived)) {
-        return Some(Shared::Factor(factor));
+        return Some(SharedMistake::Factor(factor));
     }
     let (QuantityKind::Component { axis: one, .. }, QuantityKind::Component { axis: other, .. }) = (&a.kind, &b.kind)
     else {
         return None;
     };
-    let rate = rate(exact.quantities, &a.kind)?;
-    let off = [a, b].map(|v| arena_of(exact.quantities).sub(v.printed, v.derived));
+    let rate = vector_as_rate(exact.quantities, &a.kind)?;
+    let off = [a, b].map(|v| derived_values_arena(exact.quantities).sub(v.printed, v.derived));
     let axes = [*one, *other];
-    parts(exact, &rate, &a.kind, axes, off).or_else(|| turned(exact, &rate, axes, off))
+    find_shared_part(exact, &rate, &a.kind, axes, off).or_else(|| find_wrong_frame(exact, &rate, axes, off))
 }
 
 /// Key that is equal for all components of one vector or matrix; `None` for other quantities.
-fn family(kind: &QuantityKind) -> Option<QuantityKind> {
+fn vector_of_component(kind: &QuantityKind) -> Option<QuantityKind> {
     match *kind {
         QuantityKind::Component { vector, of, frame, .. } => {
             Some(QuantityKind::Component { vector, of, frame, axis: 0 })
@@ -93,13 +100,13 @@ fn family(kind: &QuantityKind) -> Option<QuantityKind> {
 
 /// Ratio of the two terms in `a`, if the two terms in `b` have the same ratio and it depends on
 /// parameters only; else `None`.
-fn same_ratio(exact: &mut Exact<'_, '_>, a: (Expr, Expr), b: (Expr, Expr)) -> Option<Expr> {
-    let (k, other) = (exact.ratio(a.0, a.1)?, exact.ratio(b.0, b.1)?);
-    exact.same(k, other).then_some(k)
+fn same_ratio(exact: &mut ExactComparison<'_, '_>, a: (Expr, Expr), b: (Expr, Expr)) -> Option<Expr> {
+    let (k, other) = (exact.exact_ratio(a.0, a.1)?, exact.exact_ratio(b.0, b.1)?);
+    exact.compare_exactly(k, other).then_some(k)
 }
 
 /// Writes a vector as a factor times a time derivative; `None` if the vector is not of this kind.
-fn rate(quantities: &mut Quantities<'_>, kind: &QuantityKind) -> Option<Rate> {
+fn vector_as_rate(quantities: &mut Quantities<'_>, kind: &QuantityKind) -> Option<VectorRate> {
     let QuantityKind::Component { vector, of, frame, .. } = *kind else { return None };
     let model = quantities.model;
     let (changing, owner, carrier) = match vector {
@@ -118,26 +125,26 @@ fn rate(quantities: &mut Quantities<'_>, kind: &QuantityKind) -> Option<Rate> {
         _ => Expr::ONE,
     };
     let is_opposite = matches!(vector, VectorName::InertiaForce | VectorName::InertiaTorque);
-    let times = if is_opposite { arena_of(quantities).neg(mass) } else { mass };
-    Some(Rate { of: components(quantities, changing, owner, frame)?, changing, times, frame, carrier })
+    let times = if is_opposite { derived_values_arena(quantities).neg(mass) } else { mass };
+    Some(VectorRate { of: derived_components(quantities, changing, owner, frame)?, changing, times, frame, carrier })
 }
 
 /// Finds a part of the vector's formula with the same wrong factor in both components: ω × vector,
 /// or the remainder.
 /// `off` are the errors printed − derived of the components along the two `axes`. Returns `None` if
 /// no part has such a factor.
-fn parts(
-    exact: &mut Exact<'_, '_>,
-    rate: &Rate,
+fn find_shared_part(
+    exact: &mut ExactComparison<'_, '_>,
+    rate: &VectorRate,
     kind: &QuantityKind,
     axes: [usize; 2],
     off: [Expr; 2],
-) -> Option<Shared> {
+) -> Option<SharedMistake> {
     let QuantityKind::Component { vector, of, frame, .. } = *kind else { return None };
-    let whole = components(exact.quantities, vector, of, frame)?;
+    let whole = derived_components(exact.quantities, vector, of, frame)?;
     for seen in [Some(rate.frame), rate.carrier].into_iter().flatten() {
-        let w = components(exact.quantities, VectorName::AngularVelocity, seen, rate.frame)?;
-        let arena = arena_of(exact.quantities);
+        let w = derived_components(exact.quantities, VectorName::AngularVelocity, seen, rate.frame)?;
+        let arena = derived_values_arena(exact.quantities);
         let carried = cross_components(arena, &w, &rate.of).map(|e| arena.mul(rate.times, e));
         let own = difference(arena, &whole, &carried);
         let turning = exact.quantities.model.frames[seen].name.clone();
@@ -148,7 +155,7 @@ fn parts(
             if let Some(k) = same_ratio(exact, (off[0], part[axes[0]]), (off[1], part[axes[1]])) {
                 let Kinematics { arena, simplifier, .. } = &mut exact.quantities.derivations.kinematics;
                 let factor = arena.add(Expr::ONE, k);
-                return Some(Shared::Part(words, simplifier.simplify(arena, factor)));
+                return Some(SharedMistake::Part(words, simplifier.simplify(arena, factor)));
             }
         }
     }
@@ -157,16 +164,21 @@ fn parts(
 
 /// Finds a frame whose angular velocity is used instead of the right one in ω × vector; `None` if
 /// there is no such frame.
-fn turned(exact: &mut Exact<'_, '_>, rate: &Rate, axes: [usize; 2], off: [Expr; 2]) -> Option<Shared> {
+fn find_wrong_frame(
+    exact: &mut ExactComparison<'_, '_>,
+    rate: &VectorRate,
+    axes: [usize; 2],
+    off: [Expr; 2],
+) -> Option<SharedMistake> {
     for right in [rate.carrier, Some(rate.frame)].into_iter().flatten() {
-        let own = components(exact.quantities, VectorName::AngularVelocity, right, rate.frame)?;
+        let own = derived_components(exact.quantities, VectorName::AngularVelocity, right, rate.frame)?;
         for used in (0..exact.quantities.model.frames.len()).filter(|used| *used != right) {
-            let w = components(exact.quantities, VectorName::AngularVelocity, used, rate.frame)?;
-            let arena = arena_of(exact.quantities);
+            let w = derived_components(exact.quantities, VectorName::AngularVelocity, used, rate.frame)?;
+            let arena = derived_values_arena(exact.quantities);
             let more = difference(arena, &w, &own);
             let change = cross_components(arena, &more, &rate.of).map(|e| arena.mul(rate.times, e));
-            if exact.same(off[0], change[axes[0]]) && exact.same(off[1], change[axes[1]]) {
-                return Some(Shared::Turned(used, right, rate.changing.name()));
+            if exact.compare_exactly(off[0], change[axes[0]]) && exact.compare_exactly(off[1], change[axes[1]]) {
+                return Some(SharedMistake::Turned(used, right, rate.changing.name()));
             }
         }
     }

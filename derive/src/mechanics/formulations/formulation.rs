@@ -5,7 +5,7 @@ use super::kane;
 use super::lagrange;
 use super::newton_euler;
 use crate::algebra::Expr;
-use crate::mechanics::error::DeriveError;
+use crate::mechanics::derive_error::DeriveError;
 use crate::mechanics::motion::kinematics::{Kinematics, MotionVariables};
 use crate::mechanics::rows::{Rows, Step};
 use crate::model::{Model, MotionConstraint};
@@ -26,7 +26,7 @@ pub enum Formulation {
 
 /// Properties of a method of derivation: its names, its variables, and the functions that derive
 /// it.
-pub struct Method {
+pub struct FormulationProperties {
     /// Name of the method on the command line and in files, such as `kane`.
     pub name: &'static str,
     /// Name of the method in a heading, such as `Kane's method`.
@@ -52,8 +52,8 @@ pub struct Method {
 }
 
 /// Properties of all formulations, indexed by the order of the variants of `Formulation`.
-static TABLE: [Method; Formulation::ALL.len()] = [
-    Method {
+static TABLE: [FormulationProperties; Formulation::ALL.len()] = [
+    FormulationProperties {
         name: "kane",
         title: "Kane's method",
         label: "Kane",
@@ -62,10 +62,10 @@ static TABLE: [Method; Formulation::ALL.len()] = [
         variables: MotionVariables::Speeds,
         carries_reactions: false,
         symmetric: true,
-        derive: kane::derive,
-        steps: kane::steps,
+        derive: kane::derive_kane,
+        steps: kane::kane_steps,
     },
-    Method {
+    FormulationProperties {
         name: "lagrange",
         title: "Lagrange's equations",
         label: "Lagrange",
@@ -74,10 +74,10 @@ static TABLE: [Method; Formulation::ALL.len()] = [
         variables: MotionVariables::Rates,
         carries_reactions: false,
         symmetric: true,
-        derive: lagrange::derive,
-        steps: lagrange::steps,
+        derive: lagrange::derive_lagrange,
+        steps: lagrange::lagrange_steps,
     },
-    Method {
+    FormulationProperties {
         name: "newton-euler",
         title: "Newton–Euler equations",
         label: "Newton–Euler",
@@ -87,10 +87,10 @@ static TABLE: [Method; Formulation::ALL.len()] = [
         variables: MotionVariables::Speeds,
         carries_reactions: true,
         symmetric: false,
-        derive: newton_euler::derive,
-        steps: newton_euler::steps,
+        derive: newton_euler::derive_newton_euler,
+        steps: newton_euler::newton_euler_steps,
     },
-    Method {
+    FormulationProperties {
         name: "gibbs-appell",
         title: "Gibbs–Appell equations",
         label: "Gibbs–Appell",
@@ -100,8 +100,8 @@ static TABLE: [Method; Formulation::ALL.len()] = [
         variables: MotionVariables::Speeds,
         carries_reactions: false,
         symmetric: true,
-        derive: gibbs_appell::derive,
-        steps: gibbs_appell::steps,
+        derive: gibbs_appell::derive_gibbs_appell,
+        steps: gibbs_appell::gibbs_appell_steps,
     },
 ];
 
@@ -115,7 +115,7 @@ impl Formulation {
 
     /// Properties of the formulation: its row in the table of methods.
     #[must_use]
-    pub fn method(self) -> &'static Method {
+    pub fn method(self) -> &'static FormulationProperties {
         &TABLE[self as usize]
     }
 
@@ -140,7 +140,7 @@ impl Formulation {
 
     /// Returns the formulation with this name on the command line; `None` if the name is unknown.
     #[must_use]
-    pub fn named(name: &str) -> Option<Self> {
+    pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|f| f.name() == name)
     }
 
@@ -152,7 +152,7 @@ impl Formulation {
 
     /// True if the constraint reactions are among the unknowns of the equations.
     #[must_use]
-    pub fn carries_reactions(self) -> bool {
+    pub fn has_reactions(self) -> bool {
         self.method().carries_reactions
     }
 
@@ -160,8 +160,8 @@ impl Formulation {
     /// eliminated. Returns `self` if the formulation has no reactions.
     #[must_use]
     pub fn without_reactions(self) -> Self {
-        let alike = |f: &Self| f.method().variables == self.method().variables && !f.carries_reactions();
-        if self.carries_reactions() { Self::ALL.into_iter().find(alike).unwrap_or(self) } else { self }
+        let alike = |f: &Self| f.method().variables == self.method().variables && !f.has_reactions();
+        if self.has_reactions() { Self::ALL.into_iter().find(alike).unwrap_or(self) } else { self }
     }
 
     /// Symbols of the motion variables v of this formulation: the speeds u, or the rates q̇.
@@ -183,7 +183,7 @@ impl Formulation {
             MotionVariables::Speeds => rates.collect(),
             MotionVariables::Rates => second.collect(),
         };
-        if self.carries_reactions() {
+        if self.has_reactions() {
             unknowns.extend(model.reactions.iter().map(|r| (r.name.clone(), r.symbol)));
         }
         if self.is_in_rates() {

@@ -6,16 +6,16 @@
 //! J. W. Gibbs, "On the fundamental formulae of dynamics", American Journal of Mathematics 2 (1879) 49–64; P. Appell,
 //! "Sur une forme générale des équations de la dynamique", J. reine angew. Math. 121 (1900) 310–319.
 
-use super::recursion::symmetric_slopes;
-use crate::algebra::solve::least::Block;
-use crate::algebra::term::adjoint::transposed_product;
+use super::tree_recursion::symmetric_derivative_matrix;
+use crate::algebra::solve::quadratic_minimum::QuadraticBlock;
+use crate::algebra::term::adjoint::adjoint_product;
 use crate::algebra::term::calculus::{Gradient, Substitution};
 use crate::algebra::{Arena, Expr, Rational};
 use crate::geometry::{Dots, SymmetricDots, Vector, apply_tensor, cross_components};
-use crate::mechanics::error::DeriveError;
+use crate::mechanics::derive_error::DeriveError;
 use crate::mechanics::motion::energy::Impulse;
 use crate::mechanics::motion::kinematics::{Kinematics, Velocities, motion_rates, motion_rates_without_acceleration};
-use crate::mechanics::motion::loads::{Load, active_forces};
+use crate::mechanics::motion::loads::{Load, active_forces_of_loads};
 use crate::mechanics::rows::{LineName, RowName, Rows, Stage, Step, kinematic_step};
 use crate::model::Model;
 
@@ -24,13 +24,13 @@ use crate::model::Model;
 /// # Errors
 /// Never fails. A speed that moves no mass is found later, by the rank of the matrix.
 #[expect(clippy::unnecessary_wraps, reason = "a row of the table of formulations, of which others may fail")]
-pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, DeriveError> {
+pub fn derive_gibbs_appell(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, DeriveError> {
     let velocities = kinematics.in_speeds(model);
-    let forces = active_forces(model, kinematics, &velocities);
+    let forces = active_forces_of_loads(model, kinematics, &velocities);
     let AccelerationEnergy { matrix, rest } = AccelerationEnergy::new(model, kinematics, &velocities);
     let gauss = kinematics.frames.carries.then(|| {
         let loads: Vec<Load> = kinematics.loads(model, &velocities).into_iter().flatten().collect();
-        kinematics.gauss(model, &velocities, &loads)
+        kinematics.gauss_function(model, &velocities, &loads)
     });
     // M u̇ + rest = F:  M u̇ = F − rest.
     let forcing = forces.iter().zip(&rest).map(|(force, rest)| kinematics.arena.sub(*force, *rest)).collect();
@@ -56,7 +56,7 @@ struct AccelerationEnergy {
 
 /// Summand of the acceleration energy S: scale (½ acceleration · inertial + acceleration ·
 /// gyroscopic).
-struct Part {
+struct AccelerationEnergyPart {
     /// Mass of the body if the part is of its mass centre; 1 if the part is of a rotation or an added
     /// mass.
     scale: Expr,
@@ -77,23 +77,23 @@ impl AccelerationEnergy {
         if kinematics.frames.carries {
             Self::of_blocks(model, kinematics, velocities, &rates)
         } else {
-            let parts = parts(model, kinematics, velocities);
+            let parts = acceleration_energy_parts(model, kinematics, velocities);
             Self::of_parts(kinematics, &parts, &rates)
         }
     }
 
     /// Differentiates the parts of S by the product rule. `inertial` is linear and symmetric in the
     /// acceleration, so ∂S/∂u̇_r = Σ scale ∂acceleration/∂u̇_r · (inertial + gyroscopic).
-    fn of_parts(kinematics: &mut Kinematics, parts: &[Part], rates: &[Expr]) -> Self {
+    fn of_parts(kinematics: &mut Kinematics, parts: &[AccelerationEnergyPart], rates: &[Expr]) -> Self {
         let Kinematics { arena, frames, simplifier, .. } = kinematics;
         let zeros: Vec<(Expr, Expr)> = rates.iter().map(|rate| (*rate, Expr::ZERO)).collect();
         let mut without_rates = Substitution::new(&zeros);
         let mut gradient = Gradient::new(rates);
         let mut products = SymmetricDots::new(rates.len());
         let mut rest: Vec<Dots> = rates.iter().map(|_| Dots::default()).collect();
-        for Part { scale, acceleration, inertial, gyroscopic } in parts {
-            let slopes = acceleration.slopes(arena, &mut gradient);
-            products.add(*scale, &slopes, &inertial.slopes(arena, &mut gradient));
+        for AccelerationEnergyPart { scale, acceleration, inertial, gyroscopic } in parts {
+            let slopes = acceleration.partial_derivatives(arena, &mut gradient);
+            products.add(*scale, &slopes, &inertial.partial_derivatives(arena, &mut gradient));
             let at_zero = inertial.substitute(arena, &mut without_rates).add(arena, gyroscopic);
             for (r, slope) in &slopes {
                 rest[*r].add(*scale, slope, &at_zero);
@@ -114,15 +114,18 @@ impl AccelerationEnergy {
         let arena = &mut kinematics.arena;
         let (mut quadratic, mut linear) = (Vec::new(), Vec::new());
         for (block, at_zero) in moving.iter().zip(&coasting) {
-            let [along, known] =
-                [block, at_zero].map(|Block { components, tensor, .. }| apply_tensor(arena, tensor, components));
+            let [along, known] = [block, at_zero]
+                .map(|QuadraticBlock { components, tensor, .. }| apply_tensor(arena, tensor, components));
             for (i, e) in block.components.into_iter().enumerate() {
                 quadratic.push((e, along[i]));
                 linear.push((e, arena.add(known[i], at_zero.linear[i])));
             }
         }
-        let slopes = transposed_product(arena, &quadratic, rates, SLOPE);
-        Self { matrix: symmetric_slopes(arena, &slopes, rates), rest: transposed_product(arena, &linear, rates, SLOPE) }
+        let slopes = adjoint_product(arena, &quadratic, rates, SLOPE);
+        Self {
+            matrix: symmetric_derivative_matrix(arena, &slopes, rates),
+            rest: adjoint_product(arena, &linear, rates, SLOPE),
+        }
     }
 
     /// Builds the acceleration energy S as a single term, without the terms that do not contain u̇.
@@ -144,13 +147,22 @@ impl AccelerationEnergy {
 const SLOPE: &str = "S";
 
 /// Lists the summands of the acceleration energy of all bodies and added masses, in q, u and u̇.
-fn parts(model: &Model, kinematics: &mut Kinematics, velocities: &Velocities) -> Vec<Part> {
+fn acceleration_energy_parts(
+    model: &Model,
+    kinematics: &mut Kinematics,
+    velocities: &Velocities,
+) -> Vec<AccelerationEnergyPart> {
     let mut rates = motion_rates(model);
     let mut parts = Vec::new();
     for body in &model.bodies {
         let Kinematics { arena, frames, .. } = kinematics;
         let a = frames.time_derivative(arena, &velocities.linear[body.centre], &velocities.angular, &mut rates);
-        parts.push(Part { scale: body.mass, acceleration: a.clone(), inertial: a, gyroscopic: Vector::default() });
+        parts.push(AccelerationEnergyPart {
+            scale: body.mass,
+            acceleration: a.clone(),
+            inertial: a,
+            gyroscopic: Vector::default(),
+        });
         if let (Some((_, inertia)), Some(omega)) = (&body.rigid, kinematics.angular_velocity_in(body, velocities)) {
             let Kinematics { arena, frames, .. } = kinematics;
             let turning = Vector::in_frame(inertia.frame, omega);
@@ -161,17 +173,23 @@ fn parts(model: &Model, kinematics: &mut Kinematics, velocities: &Velocities) ->
             let gyroscopic = cross_components(arena, &omega, &momentum);
             let [acceleration, inertial, gyroscopic] =
                 [alpha, inertial, gyroscopic].map(|components| Vector::in_frame(inertia.frame, components));
-            parts.push(Part { scale: Expr::ONE, acceleration, inertial, gyroscopic });
+            parts.push(AccelerationEnergyPart { scale: Expr::ONE, acceleration, inertial, gyroscopic });
         }
     }
     for added in &model.added_masses {
-        let Impulse { velocity, omega, linear, angular, carried } = kinematics.impulse(model, velocities, added);
+        let Impulse { velocity, omega, linear, angular, carried } =
+            kinematics.added_mass_impulse(model, velocities, added);
         let Kinematics { arena, frames, .. } = kinematics;
         let mut rate = |vector: &Vector| frames.time_derivative(arena, vector, &velocities.angular, &mut rates);
         let [acceleration, alpha, force, moment] = [&velocity, &omega, &linear, &angular].map(&mut rate);
         let none = Vector::default();
-        parts.push(Part { scale: Expr::ONE, acceleration, inertial: force, gyroscopic: none });
-        parts.push(Part { scale: Expr::ONE, acceleration: alpha, inertial: moment, gyroscopic: carried });
+        parts.push(AccelerationEnergyPart { scale: Expr::ONE, acceleration, inertial: force, gyroscopic: none });
+        parts.push(AccelerationEnergyPart {
+            scale: Expr::ONE,
+            acceleration: alpha,
+            inertial: moment,
+            gyroscopic: carried,
+        });
     }
     parts
 }
@@ -182,10 +200,10 @@ fn parts(model: &Model, kinematics: &mut Kinematics, velocities: &Velocities) ->
 /// # Errors
 /// Never fails.
 #[expect(clippy::unnecessary_wraps, reason = "the steps of other methods can fail")]
-pub fn steps(model: &Model, kinematics: &mut Kinematics) -> Result<Vec<Step>, DeriveError> {
+pub fn gibbs_appell_steps(model: &Model, kinematics: &mut Kinematics) -> Result<Vec<Step>, DeriveError> {
     let velocities = kinematics.in_speeds(model);
     let mut energy = AccelerationEnergy::new(model, kinematics, &velocities);
-    let forces = active_forces(model, kinematics, &velocities);
+    let forces = active_forces_of_loads(model, kinematics, &velocities);
     let Kinematics { arena, simplifier, .. } = kinematics;
     energy.rest.iter_mut().for_each(|e| *e = simplifier.simplify(arena, *e));
     let rates: Vec<Expr> = model.speeds.iter().map(|speed| speed.rate).collect();

@@ -5,10 +5,10 @@
 use crate::algebra::Expr;
 use crate::algebra::term::calculus::{Differential, Gradient};
 use crate::geometry::{Dots, SymmetricDots, Vector};
-use crate::mechanics::error::DeriveError;
-use crate::mechanics::motion::energy::Momentum;
+use crate::mechanics::derive_error::DeriveError;
+use crate::mechanics::motion::energy::VelocityMomentum;
 use crate::mechanics::motion::kinematics::{Kinematics, Velocities, motion_rates, motion_rates_without_acceleration};
-use crate::mechanics::motion::loads::{Load, active_forces};
+use crate::mechanics::motion::loads::{Load, active_forces_of_loads};
 use crate::mechanics::quantity::{QuantityKind, VectorName};
 use crate::mechanics::rows::{LineName, RowName, Rows, Stage, Step, component_lines, kinematic_step};
 use crate::model::Model;
@@ -18,16 +18,16 @@ use crate::model::Model;
 /// # Errors
 /// Never fails. A speed that moves no mass is found later, by the rank of the matrix.
 #[expect(clippy::unnecessary_wraps, reason = "a row of the table of formulations, of which others may fail")]
-pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, DeriveError> {
+pub fn derive_kane(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, DeriveError> {
     let velocities = kinematics.in_speeds(model);
     if kinematics.frames.carries {
         let loads: Vec<Load> = kinematics.loads(model, &velocities).into_iter().flatten().collect();
         let fall = Kinematics::fall(model);
-        let (matrix, forcing) = kinematics.projected(model, &velocities, &loads, &fall);
+        let (matrix, forcing) = kinematics.kane_system_by_recursion(model, &velocities, &loads, &fall);
         let mut moving = motion_rates(model);
         let along = kinematics.forces_of_motion(model, &velocities, &loads, &fall, &mut moving);
         let required = along.into_iter().map(|e| kinematics.arena.neg(e)).collect();
-        let gauss = kinematics.gauss(model, &velocities, &loads);
+        let gauss = kinematics.gauss_function(model, &velocities, &loads);
         let momenta = kinematics.momentum_pairs(model, &velocities);
         return Ok(Rows {
             names: (0..model.speeds.len()).map(RowName::Speed).collect(),
@@ -37,11 +37,11 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, Derive
             embedding: None,
             required: Some(required),
             gauss: Some(gauss),
-            kinetic_energy: kinematics.energy_of_pairs(&momenta),
+            kinetic_energy: kinematics.kinetic_energy_of_momentum_pairs(&momenta),
         });
     }
-    let active = active_forces(model, kinematics, &velocities);
-    let inertia = Inertia::new(model, kinematics, &velocities);
+    let active = active_forces_of_loads(model, kinematics, &velocities);
+    let inertia = GeneralizedInertia::new(model, kinematics, &velocities);
     let Kinematics { arena, simplifier, .. } = kinematics;
     // F + F* = 0 with F* = −(M u̇ + rest):  M u̇ = F − rest.
     let matrix = inertia.matrix.iter().map(|row| row.iter().map(|e| simplifier.simplify(arena, *e)).collect());
@@ -50,7 +50,7 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, Derive
     Ok(Rows {
         names: (0..model.speeds.len()).map(RowName::Speed).collect(),
         // M is also the matrix of the kinetic energy.
-        kinetic_energy: kinematics.energy_with_form(model, &velocities, &model.u(), &matrix),
+        kinetic_energy: kinematics.kinetic_energy_of_matrix(model, &velocities, &model.u(), &matrix),
         matrix,
         forcing,
         projection: Vec::new(),
@@ -69,7 +69,7 @@ pub(in crate::mechanics) fn generalized_active_forces(
     kinematics: &mut Kinematics,
     velocities: &Velocities,
 ) -> Vec<Expr> {
-    let forces = active_forces(model, kinematics, velocities);
+    let forces = active_forces_of_loads(model, kinematics, velocities);
     forces.into_iter().map(|e| kinematics.simplifier.simplify(&mut kinematics.arena, e)).collect()
 }
 
@@ -78,34 +78,34 @@ pub(in crate::mechanics) fn generalized_active_forces(
 ///
 /// The coefficient of u̇_s is ∂v_C/∂u_s in a_C, and ∂H/∂u_s = I·∂ω/∂u_s in dH/dt. So it is
 /// computed, not read from a long expression.
-struct Inertia {
+struct GeneralizedInertia {
     /// Symmetric mass matrix M, one row and one column for each speed.
     matrix: Vec<Vec<Expr>>,
     /// Value of −F* at u̇ = 0 (inertia terms that depend on velocities), one entry for each speed.
     rest: Vec<Expr>,
 }
 
-impl Inertia {
+impl GeneralizedInertia {
     /// Computes the mass matrix and the rest of the generalized inertia forces from the momenta of all
     /// bodies.
     fn new(model: &Model, kinematics: &mut Kinematics, velocities: &Velocities) -> Self {
         let n = model.speeds.len();
         if kinematics.frames.carries {
-            let (matrix, forces) = kinematics.projected(model, velocities, &[], &Vector::default());
+            let (matrix, forces) = kinematics.kane_system_by_recursion(model, velocities, &[], &Vector::default());
             return Self { matrix, rest: forces.into_iter().map(|e| kinematics.arena.neg(e)).collect() };
         }
         let mut gradient = Gradient::new(&model.u());
         let mut rates = motion_rates_without_acceleration(model);
         let mut products = SymmetricDots::new(n);
         let mut rest: Vec<Dots> = (0..n).map(|_| Dots::default()).collect();
-        for Momentum { scale, velocity, momentum, carried } in kinematics.momenta(model, velocities) {
+        for VelocityMomentum { scale, velocity, momentum, carried } in kinematics.momenta(model, velocities) {
             let Kinematics { arena, frames, .. } = kinematics;
             let mut rate = frames.time_derivative(arena, &momentum, &velocities.angular, &mut rates);
             if let Some(carried) = carried {
                 rate = rate.add(arena, &carried);
             }
-            let partials = velocity.slopes(arena, &mut gradient);
-            products.add(scale, &partials, &momentum.slopes(arena, &mut gradient));
+            let partials = velocity.partial_derivatives(arena, &mut gradient);
+            products.add(scale, &partials, &momentum.partial_derivatives(arena, &mut gradient));
             for (r, partial) in &partials {
                 rest[*r].add(scale, partial, &rate);
             }
@@ -123,7 +123,7 @@ pub(in crate::mechanics) fn generalized_inertia_forces(
     kinematics: &mut Kinematics,
     velocities: &Velocities,
 ) -> Vec<Expr> {
-    let Inertia { matrix, rest } = Inertia::new(model, kinematics, velocities);
+    let GeneralizedInertia { matrix, rest } = GeneralizedInertia::new(model, kinematics, velocities);
     let arena = &mut kinematics.arena;
     let mut forces = Vec::new();
     for (row, rest) in matrix.iter().zip(rest) {
@@ -141,7 +141,7 @@ pub(in crate::mechanics) fn generalized_inertia_forces(
 /// # Errors
 /// Never fails.
 #[expect(clippy::unnecessary_wraps, reason = "the steps of other methods can fail")]
-pub fn steps(model: &Model, kinematics: &mut Kinematics) -> Result<Vec<Step>, DeriveError> {
+pub fn kane_steps(model: &Model, kinematics: &mut Kinematics) -> Result<Vec<Step>, DeriveError> {
     let velocities = kinematics.in_speeds(model);
     let active = generalized_active_forces(model, kinematics, &velocities);
     let mut steps = vec![kinematic_step(model)];
@@ -151,7 +151,7 @@ pub fn steps(model: &Model, kinematics: &mut Kinematics) -> Result<Vec<Step>, De
             body.rigid.as_ref().map(|(own, _)| (VectorName::AngularVelocity, *own, &velocities.angular[*own]));
         let moving = (VectorName::Velocity, body.centre, &velocities.linear[body.centre]);
         for (vector, of, value) in turning.into_iter().chain([moving]) {
-            steps.push(velocity_step(model, kinematics, vector, of, frame, value));
+            steps.push(kane_velocity_step(model, kinematics, vector, of, frame, value));
         }
     }
     let lines = active.iter().enumerate().map(|(at, force)| (LineName::ActiveForce(at), *force)).collect();
@@ -166,7 +166,7 @@ const MOST_PAIRS: usize = 1000;
 /// Lists the components of a velocity along the axes of `frame`, then those of its partial
 /// velocities that are not zero. A model with more than `MOST_PAIRS` pairs of body and speed lists
 /// no partial velocities.
-fn velocity_step(
+fn kane_velocity_step(
     model: &Model,
     kinematics: &mut Kinematics,
     vector: VectorName,

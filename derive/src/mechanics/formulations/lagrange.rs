@@ -4,10 +4,10 @@
 
 use crate::algebra::term::calculus::Gradient;
 use crate::algebra::{Expr, Rational};
-use crate::mechanics::error::DeriveError;
+use crate::mechanics::derive_error::DeriveError;
 use crate::mechanics::motion::kinematics::{Kinematics, Velocities};
-use crate::mechanics::motion::loads::forces_of;
-use crate::mechanics::quantity::{Energy, QuantityKind};
+use crate::mechanics::motion::loads::generalized_forces_of_loads;
+use crate::mechanics::quantity::{EnergyQuantity, QuantityKind};
 use crate::mechanics::rows::{LineName, RowName, Rows, Stage, Step, kinematic_step};
 use crate::model::Model;
 
@@ -17,19 +17,19 @@ use crate::model::Model;
 /// # Errors
 /// [`DeriveError::NoZeroOfPotential`]. A coordinate that moves no mass is found later, by the rank
 /// of the matrix.
-pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, DeriveError> {
+pub fn derive_lagrange(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, DeriveError> {
     let velocities = kinematics.in_rates.clone();
     if kinematics.frames.carries {
-        let rows = named(model, kinematics, &velocities)?;
+        let rows = lagrange_rows_with_named_terms(model, kinematics, &velocities)?;
         return Ok(kinematics.with_multipliers(model, rows));
     }
     // Velocities are homogeneous in q̇, so T = ½ Σ E_ij q̇_i q̇_j.
-    let matrix = kinematics.kinetic_form(model, &velocities, &model.q_dot());
-    let t = kinematics.energy_with_form(model, &velocities, &model.q_dot(), &matrix);
+    let matrix = kinematics.kinetic_energy_matrix(model, &velocities, &model.q_dot());
+    let t = kinematics.kinetic_energy_of_matrix(model, &velocities, &model.q_dot(), &matrix);
     let v = kinematics.gravity_potential(model)?;
-    let mut sums = velocity_terms(model, kinematics, &matrix);
+    let mut sums = lagrange_velocity_terms(model, kinematics, &matrix);
     let loads = kinematics.loads(model, &velocities);
-    let q_forces = forces_of(model, kinematics, loads.iter().flatten());
+    let q_forces = generalized_forces_of_loads(model, kinematics, loads.iter().flatten());
     let Kinematics { arena, .. } = kinematics;
     for (sum, force) in sums.iter_mut().zip(q_forces) {
         sum.push((force, Rational::ONE));
@@ -56,11 +56,15 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, Derive
 ///
 /// # Errors
 /// `DeriveError::NoZeroOfPotential` if V has no value at the configuration of its zero.
-fn named(model: &Model, kinematics: &mut Kinematics, velocities: &Velocities) -> Result<Rows, DeriveError> {
+fn lagrange_rows_with_named_terms(
+    model: &Model,
+    kinematics: &mut Kinematics,
+    velocities: &Velocities,
+) -> Result<Rows, DeriveError> {
     let v = kinematics.gravity_potential(model)?;
     let (matrix, forcing, required) = kinematics.lagrange_system(model, velocities, v);
     let loads = kinematics.loads(model, velocities);
-    let forces = forces_of(model, kinematics, loads.iter().flatten());
+    let forces = generalized_forces_of_loads(model, kinematics, loads.iter().flatten());
     let pairs = kinematics.momentum_pairs(model, velocities);
     let arena = &mut kinematics.arena;
     let required = required.into_iter().zip(&forces).map(|(a, b)| arena.sub(a, *b)).collect();
@@ -72,7 +76,7 @@ fn named(model: &Model, kinematics: &mut Kinematics, velocities: &Velocities) ->
         embedding: None,
         required: Some(required),
         gauss: None,
-        kinetic_energy: kinematics.energy_of_pairs(&pairs),
+        kinetic_energy: kinematics.kinetic_energy_of_momentum_pairs(&pairs),
     })
 }
 
@@ -82,7 +86,11 @@ fn named(model: &Model, kinematics: &mut Kinematics, velocities: &Velocities) ->
 /// With T = ½ Σ E_ab q̇_a q̇_b, row i is ½ Σ ∂E_ab/∂q_i q̇_a q̇_b − Σ ∂E_ib/∂q_k q̇_b q̇_k. Each
 /// derivative of an entry on or above the diagonal is computed once and added to its rows. An entry
 /// depends on few coordinates, so the work grows with the number of entries.
-fn velocity_terms(model: &Model, kinematics: &mut Kinematics, form: &[Vec<Expr>]) -> Vec<Vec<(Expr, Rational)>> {
+fn lagrange_velocity_terms(
+    model: &Model,
+    kinematics: &mut Kinematics,
+    form: &[Vec<Expr>],
+) -> Vec<Vec<(Expr, Rational)>> {
     let arena = &mut kinematics.arena;
     let rates = model.q_dot();
     let mut along_coordinates = Gradient::new(&model.q());
@@ -110,12 +118,12 @@ fn velocity_terms(model: &Model, kinematics: &mut Kinematics, form: &[Vec<Expr>]
 ///
 /// # Errors
 /// [`DeriveError::NoZeroOfPotential`] if V has no value at the configuration of its zero.
-pub fn steps(model: &Model, kinematics: &mut Kinematics) -> Result<Vec<Step>, DeriveError> {
+pub fn lagrange_steps(model: &Model, kinematics: &mut Kinematics) -> Result<Vec<Step>, DeriveError> {
     let velocities = kinematics.in_rates.clone();
     let t = kinematics.kinetic_energy(model, &velocities, &model.q_dot());
     let v = kinematics.potential_energy(model)?;
     let forces = kinematics.load_potential(model).rest;
-    let energies = [(Energy::Kinetic, t), (Energy::Potential, v)];
+    let energies = [(EnergyQuantity::Kinetic, t), (EnergyQuantity::Potential, v)];
     let energies = energies.map(|(energy, e)| (LineName::Quantity(QuantityKind::Energy(energy)), e));
     let forces = forces.into_iter().enumerate().map(|(at, force)| (LineName::GeneralizedForce(at), force));
     Ok(vec![

@@ -8,4 +8,4 @@ pub(super) mod lagrange;
 pub(super) mod multipliers;
 pub(super) mod newton_euler;
 pub(super) mod reaction_balance;
-pub(super) mod recursion;
+pub(super) mod tree_recursion;

@@ -9,7 +9,7 @@
 use crate::algebra::Expr;
 use crate::algebra::term::calculus::{Differential, Gradient};
 use crate::mechanics::motion::kinematics::{Kinematics, speeds_to_rates};
-use crate::mechanics::rows::{Embedding, RowName, Rows};
+use crate::mechanics::rows::{AccelerationEmbedding, RowName, Rows};
 use crate::model::Model;
 
 impl Kinematics {
@@ -38,7 +38,7 @@ impl Kinematics {
             result.forcing.push(self.arena.neg(rest));
             result.names.push(RowName::Constraint(at));
         }
-        let embedding = self.embedding(model);
+        let embedding = self.embedding_of_motion_constraints(model);
         result.projection = (0..model.speeds.len())
             .map(|s| embedding.matrix.iter().map(|row| row[s]).chain((0..m).map(|_| Expr::ZERO)).collect())
             .collect();
@@ -50,7 +50,7 @@ impl Kinematics {
     }
 
     /// Expresses q̈ = W u̇ + x in the free accelerations u̇, from q̇ = W u + w.
-    fn embedding(&mut self, model: &Model) -> Embedding {
+    fn embedding_of_motion_constraints(&mut self, model: &Model) -> AccelerationEmbedding {
         let rates = &model.kinematic_equations.rates;
         let flow: Vec<_> = model.q().into_iter().zip(rates.iter().copied()).collect();
         let (mut d_dt, mut along) = (Differential::along(&flow), Gradient::new(&model.u()));
@@ -66,6 +66,6 @@ impl Kinematics {
             let x = to_rates.apply(&mut self.arena, x);
             rest.push(self.simplifier.simplify(&mut self.arena, x));
         }
-        Embedding { free: model.speeds.iter().map(|s| s.rate).collect(), matrix, rest }
+        AccelerationEmbedding { free: model.speeds.iter().map(|s| s.rate).collect(), matrix, rest }
     }
 }

@@ -5,17 +5,17 @@
 //! the body's inertia, or the inertial frame for a particle. Components that read 0 = 0 are left
 //! out. H. Goldstein, C. Poole & J. Safko, *Classical Mechanics*, 3rd edition (2002), §§ 1.2, 5.5.
 
-use crate::algebra::solve::linear::{LinearForm, solve};
+use crate::algebra::solve::linear::{LinearForm, solve_linear};
 use crate::algebra::term::calculus::Gradient;
-use crate::algebra::value::rank::echelon;
+use crate::algebra::value::rank::pivot_rows_and_columns;
 use crate::algebra::{Arena, Expr};
 use crate::geometry::{Components, Vector};
-use crate::mechanics::error::DeriveError;
-use crate::mechanics::motion::carried_accelerations::AlphaTerms;
+use crate::mechanics::derive_error::DeriveError;
 use crate::mechanics::motion::kinematics::{Kinematics, Velocities, motion_rates, rates_to_speeds};
+use crate::mechanics::motion::tree_accelerations::AlphaTerms;
 use crate::mechanics::quantity::VectorName;
 use crate::mechanics::rows::{BalanceName, RowName, Rows, Stage, Step, component_lines, kinematic_step};
-use crate::model::{Body, Model, Place, Reaction, ReactionKind};
+use crate::model::{Body, ForcePlace, Model, Reaction, ReactionKind};
 
 /// Derives the Newton–Euler equations A(q, u) (u̇, reactions) = b(q, u).
 ///
@@ -25,7 +25,7 @@ use crate::model::{Body, Model, Place, Reaction, ReactionKind};
 /// program does no work; [`DeriveError::TorqueOnNothing`] for a torque on a frame without a body;
 /// [`DeriveError::PotentialOnNothing`] for a potential that cannot be written as forces and torques
 /// between bodies.
-pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, DeriveError> {
+pub fn derive_newton_euler(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, DeriveError> {
     if let Some(torque) = model.torques.iter().find(|t| t.on.1.is_none() || t.against.is_some_and(|(_, b)| b.is_none()))
     {
         return Err(DeriveError::TorqueOnNothing { torque: torque.name.clone() });
@@ -34,7 +34,7 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, Derive
         return Err(DeriveError::PotentialOnNothing { potential: potential.name.clone() });
     }
     for found in model.reactions[model.stated_reactions().len()..].iter().filter(|r| !r.is_shared) {
-        let shown = kinematics.check_reactions(model, std::slice::from_ref(found));
+        let shown = kinematics.check_reactions_do_no_work(model, std::slice::from_ref(found));
         shown.map_err(|_| DeriveError::ReactionNotShown { reaction: found.name.clone() })?;
     }
     let velocities = kinematics.in_speeds(model);
@@ -42,7 +42,7 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, Derive
     unknowns.extend(model.reactions.iter().map(|r| r.symbol));
     let mut form = LinearForm::new(&unknowns);
     let (mut rows, mut matrix, mut forcing) = (Vec::<Balance>::new(), Vec::new(), Vec::new());
-    for balance in balances(model, kinematics, &velocities, None) {
+    for balance in newton_euler_balances(model, kinematics, &velocities, None) {
         let Kinematics { arena, simplifier, .. } = kinematics;
         let (row, rest) = form.coefficients(arena, balance.residual).map_err(|_| DeriveError::NotLinear)?;
         let row: Vec<Expr> = row.into_iter().map(|e| simplifier.simplify(arena, e)).collect();
@@ -55,17 +55,17 @@ pub fn derive(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, Derive
         matrix.push(row);
         forcing.push(right);
     }
-    let powers = shared_powers(model, kinematics)?;
+    let powers = zero_powers_of_shared_reactions(model, kinematics)?;
     if matrix.len() + powers.rows.len() != unknowns.len() {
         return Err(DeriveError::ReactionCount {
             equations: matrix.len(),
             speeds: model.speeds.len(),
             reactions: model.reactions.len(),
             all: model.bodies.iter().map(|body| if body.rigid.is_some() { 6 } else { 3 }).sum(),
-            felt: felt(model, &rows),
+            felt: loaded_balance_components(model, &rows),
         });
     }
-    let mut projection = partial_velocities(model, kinematics, &velocities, &rows, &model.u());
+    let mut projection = balance_partial_velocities(model, kinematics, &velocities, &rows, &model.u());
     let mut names: Vec<RowName> = rows.iter().map(|row| RowName::Balance(row.name)).collect();
     for (name, row) in powers.rows {
         names.push(name);
@@ -105,7 +105,7 @@ struct SharedPowers {
 ///
 /// # Errors
 /// `DeriveError::ReactionsDependent` if the conditions do not determine each other.
-fn shared_powers(model: &Model, kinematics: &mut Kinematics) -> Result<SharedPowers, DeriveError> {
+fn zero_powers_of_shared_reactions(model: &Model, kinematics: &mut Kinematics) -> Result<SharedPowers, DeriveError> {
     let (speeds, first) = (model.speeds.len(), model.speeds.len());
     let shared: Vec<usize> = (0..model.reactions.len()).filter(|at| model.reactions[*at].is_shared).collect();
     if shared.is_empty() {
@@ -114,11 +114,11 @@ fn shared_powers(model: &Model, kinematics: &mut Kinematics) -> Result<SharedPow
     let mut slopes = vec![vec![Expr::ZERO; shared.len()]; speeds];
     let mut to_speeds = rates_to_speeds(model);
     let mut along = Gradient::new(&model.u());
-    let undriven = model.undriven();
+    let undriven = model.undriven_coordinates();
     let mut along_rates = Gradient::new(&model.q_dot());
     let mut candidates: Vec<(RowName, Vec<Expr>)> = Vec::new();
     for (column, at) in shared.iter().enumerate() {
-        let power = kinematics.power_of(model, &model.reactions[*at]);
+        let power = kinematics.reaction_power(model, &model.reactions[*at]);
         let Kinematics { arena, simplifier, .. } = kinematics;
         if let Some(body) = model.reactions[*at].law {
             for (rate, slope) in along_rates.apply(arena, power).iter().filter(|(rate, _)| undriven.contains(rate)) {
@@ -138,7 +138,7 @@ fn shared_powers(model: &Model, kinematics: &mut Kinematics) -> Result<SharedPow
     let Kinematics { arena, simplifier, .. } = kinematics;
     candidates.extend(slopes.iter().enumerate().map(|(speed, row)| (RowName::Power(speed), row.clone())));
     let matrix: Vec<Vec<Expr>> = candidates.iter().map(|(_, row)| row.clone()).collect();
-    let (chosen, pivots) = echelon(arena, &matrix).ok_or(DeriveError::ReactionsDependent)?;
+    let (chosen, pivots) = pivot_rows_and_columns(arena, &matrix).ok_or(DeriveError::ReactionsDependent)?;
     let row = |at: &usize| {
         let mut row = vec![Expr::ZERO; first + model.reactions.len()];
         let (name, slopes) = &candidates[*at];
@@ -154,17 +154,18 @@ fn shared_powers(model: &Model, kinematics: &mut Kinematics) -> Result<SharedPow
         pivots.iter().map(|column| chosen.iter().map(|at| candidates[*at].1[*column]).collect()).collect();
     let right: Vec<Vec<Expr>> =
         pivots.iter().map(|column| (0..speeds).map(|speed| slopes[speed][*column]).collect()).collect();
-    let (multiples, _) = solve(arena, simplifier, &matrix, &right).map_err(|_| DeriveError::ReactionsDependent)?;
+    let (multiples, _) =
+        solve_linear(arena, simplifier, &matrix, &right).map_err(|_| DeriveError::ReactionsDependent)?;
     let projection = (0..speeds).map(|speed| multiples.iter().map(|row| row[speed]).collect()).collect();
     Ok(SharedPowers { rows, projection })
 }
 
 /// Lists the components of balances that are not 0 = 0, one text for each body and kind: `disk
 /// force b1, b2`.
-fn felt(model: &Model, rows: &[Balance]) -> Vec<String> {
+fn loaded_balance_components(model: &Model, rows: &[Balance]) -> Vec<String> {
     let mut list: Vec<(String, Vec<String>)> = Vec::new();
     for Balance { name, .. } in rows {
-        let subject = RowName::Balance(*name).subject(model);
+        let subject = RowName::Balance(*name).balance_name_without_axis(model);
         let direction = format!("{}{}", model.frames[name.frame].name.to_lowercase(), name.axis + 1);
         match list.last_mut().filter(|(last, _)| *last == subject) {
             Some((_, axes)) => axes.push(direction),
@@ -185,7 +186,7 @@ pub struct Balance {
 
 /// Derives the force and moment balances of all bodies, component by component along the axes of
 /// `frame`. With `None`, each body uses the frame of its inertia. A particle has no moment balance.
-pub fn balances(
+pub fn newton_euler_balances(
     model: &Model,
     kinematics: &mut Kinematics,
     velocities: &Velocities,
@@ -199,10 +200,10 @@ pub fn balances(
     for (at, body) in model.bodies.iter().enumerate() {
         let frame = frame.or(body.rigid.as_ref().map(|(_, inertia)| inertia.frame)).unwrap_or(0);
         let (force, moment) = match &carried {
-            Some(accelerations) => kinematics.carried_rates(model, velocities, accelerations, body),
+            Some(accelerations) => kinematics.momentum_rates_by_recursion(model, velocities, accelerations, body),
             None => momentum_rates(model, kinematics, velocities, at),
         };
-        let (force, moment) = balance(model, kinematics, force, moment, at, body);
+        let (force, moment) = balance_residuals(model, kinematics, force, moment, at, body);
         for (moments, vector) in [Some((false, force)), moment.map(|m| (true, m))].into_iter().flatten() {
             let components = kinematics.frames.express(&mut kinematics.arena, &vector, frame);
             let entries = components.into_iter().enumerate();
@@ -216,7 +217,7 @@ pub fn balances(
 /// Partial velocities that belong to the balance rows: one list for each motion variable, one entry
 /// for each row. A force row has that of the mass centre, a moment row that of the body's frame. As
 /// multipliers of the rows, they cancel every reaction.
-pub fn partial_velocities(
+pub fn balance_partial_velocities(
     model: &Model,
     kinematics: &mut Kinematics,
     velocities: &Velocities,
@@ -239,7 +240,7 @@ pub fn partial_velocities(
             }
             continue;
         }
-        for (at, slope) in velocity.slopes(arena, &mut gradient) {
+        for (at, slope) in velocity.partial_derivatives(arena, &mut gradient) {
             let component = frames.component(arena, &slope, row.frame, row.axis);
             result[at][place] = simplifier.simplify(arena, component);
         }
@@ -263,7 +264,7 @@ fn momentum_rates(model: &Model, kinematics: &mut Kinematics, velocities: &Veloc
     let Kinematics { arena, frames, .. } = kinematics;
     let mut moment = frames.time_derivative(arena, &h, &velocities.angular, &mut rates);
     for added in model.added_masses.iter().filter(|added| added.body == at) {
-        let impulse = kinematics.impulse(model, velocities, added);
+        let impulse = kinematics.added_mass_impulse(model, velocities, added);
         let Kinematics { arena, frames, .. } = kinematics;
         // The fluid's reaction is −dp/dt, and −(dh/dt + v × p) about the mass centre.
         let linear = frames.time_derivative(arena, &impulse.linear, &velocities.angular, &mut rates);
@@ -276,7 +277,7 @@ fn momentum_rates(model: &Model, kinematics: &mut Kinematics, velocities: &Veloc
 
 /// Subtracts all forces, torques and reactions on a body from its momentum rates. Returns the
 /// residuals m a − ΣF and dH/dt − ΣM; the second is `None` for a particle.
-fn balance(
+fn balance_residuals(
     model: &Model,
     kinematics: &mut Kinematics,
     mut force: Vector,
@@ -284,14 +285,14 @@ fn balance(
     at: usize,
     body: &Body,
 ) -> (Vector, Option<Vector>) {
-    for (point, load) in forces_on(model, kinematics, &model.reactions, at) {
+    for (point, load) in forces_on_body(model, kinematics, &model.reactions, at) {
         let back = load.neg(&mut kinematics.arena);
         force = force.add(&mut kinematics.arena, &back);
-        let arm = kinematics.arm(body, point);
+        let arm = kinematics.load_arm(body, point);
         let turning = kinematics.frames.cross(&mut kinematics.arena, &arm, &back);
         moment = moment.add(&mut kinematics.arena, &turning);
     }
-    for load in torques_on(model, kinematics, &model.reactions, at) {
+    for load in torques_on_body(model, kinematics, &model.reactions, at) {
         let back = load.neg(&mut kinematics.arena);
         moment = moment.add(&mut kinematics.arena, &back);
     }
@@ -300,21 +301,21 @@ fn balance(
 
 /// Lists the applied forces and the given reaction forces on a body, each with the index of its
 /// point. Weights are left out.
-pub(in crate::mechanics) fn forces_on(
+pub(in crate::mechanics) fn forces_on_body(
     model: &Model,
     kinematics: &mut Kinematics,
     reactions: &[Reaction],
     body: usize,
 ) -> Vec<(usize, Vector)> {
     let mut to_speeds = rates_to_speeds(model);
-    let mut loads: Vec<(Place, Vector)> = Vec::new();
+    let mut loads: Vec<(ForcePlace, Vector)> = Vec::new();
     let Kinematics { arena, forces, .. } = kinematics;
     for (force, vector) in model.forces.iter().zip(forces) {
         let vector = vector.substitute(arena, &mut to_speeds);
         loads.extend(force.against.map(|place| (place, vector.neg(arena))));
         loads.push((force.on, vector));
     }
-    for (kind, vector) in exerted(model, arena, reactions) {
+    for (kind, vector) in loads_of_potentials_and_reactions(model, arena, reactions) {
         if let ReactionKind::Force { on, against } = kind {
             loads.extend(against.map(|place| (place, vector.neg(arena))));
             loads.push((on, vector));
@@ -324,7 +325,7 @@ pub(in crate::mechanics) fn forces_on(
 }
 
 /// Lists the applied torques and the torques of the given reactions on a body.
-pub(in crate::mechanics) fn torques_on(
+pub(in crate::mechanics) fn torques_on_body(
     model: &Model,
     kinematics: &mut Kinematics,
     reactions: &[Reaction],
@@ -338,7 +339,7 @@ pub(in crate::mechanics) fn torques_on(
         loads.extend(torque.against.map(|(_, body)| (body, vector.neg(arena))));
         loads.push((torque.on.1, vector));
     }
-    for (kind, vector) in exerted(model, arena, reactions) {
+    for (kind, vector) in loads_of_potentials_and_reactions(model, arena, reactions) {
         if let ReactionKind::Torque { on, against } = kind {
             loads.extend(against.map(|body| (Some(body), vector.neg(arena))));
             loads.push((Some(on), vector));
@@ -349,7 +350,11 @@ pub(in crate::mechanics) fn torques_on(
 
 /// Lists the forces and torques of potentials and of the given reactions, each with the place where
 /// it acts.
-fn exerted(model: &Model, arena: &mut Arena, reactions: &[Reaction]) -> Vec<(ReactionKind, Vector)> {
+fn loads_of_potentials_and_reactions(
+    model: &Model,
+    arena: &mut Arena,
+    reactions: &[Reaction],
+) -> Vec<(ReactionKind, Vector)> {
     let efforts = model.efforts.iter().map(|effort| (effort.kind, Vector::in_frame(effort.frame, effort.vector)));
     let mut list: Vec<_> = efforts.collect();
     for reaction in reactions {
@@ -364,16 +369,17 @@ fn exerted(model: &Model, arena: &mut Arena, reactions: &[Reaction]) -> Vec<(Rea
 /// # Errors
 /// Never fails.
 #[expect(clippy::unnecessary_wraps, reason = "the steps of other methods can fail")]
-pub fn steps(model: &Model, kinematics: &mut Kinematics) -> Result<Vec<Step>, DeriveError> {
+pub fn newton_euler_steps(model: &Model, kinematics: &mut Kinematics) -> Result<Vec<Step>, DeriveError> {
     let velocities = kinematics.in_speeds(model);
     let mut steps = vec![kinematic_step(model)];
     for (at, body) in model.bodies.iter().enumerate() {
         let frame = body.rigid.as_ref().map_or(0, |(_, inertia)| inertia.frame);
-        let a = rate(model, kinematics, &velocities, frame, &velocities.linear[body.centre]);
+        let a = inertial_time_derivative(model, kinematics, &velocities, frame, &velocities.linear[body.centre]);
         let mut lines: Vec<_> = component_lines(VectorName::Acceleration, body.centre, frame, a).collect();
         if let Some((own, _)) = &body.rigid {
             let omega = kinematics.angular_velocity_in(body, &velocities).unwrap_or([Expr::ZERO; 3]);
-            let alpha = rate(model, kinematics, &velocities, frame, &Vector::in_frame(frame, omega));
+            let alpha =
+                inertial_time_derivative(model, kinematics, &velocities, frame, &Vector::in_frame(frame, omega));
             lines.extend(component_lines(VectorName::AngularAcceleration, *own, frame, alpha));
         }
         steps.push(Step { stage: Stage::Accelerations(at), lines });
@@ -383,7 +389,7 @@ pub fn steps(model: &Model, kinematics: &mut Kinematics) -> Result<Vec<Step>, De
 
 /// Differentiates a vector by time in the inertial frame, and returns simplified components along
 /// `frame`.
-fn rate(
+fn inertial_time_derivative(
     model: &Model,
     kinematics: &mut Kinematics,
     velocities: &Velocities,

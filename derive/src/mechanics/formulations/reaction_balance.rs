@@ -10,7 +10,11 @@ use crate::model::{Model, ReactionKind};
 /// Returns, for each reaction, the multipliers of `rows` that give the balance of its body along
 /// the reaction. They are the components of the reaction's unit direction, so the reaction has the
 /// coefficient 1 in the sum.
-pub fn along_reactions(model: &Model, kinematics: &mut Kinematics, rows: &[RowName]) -> Vec<Vec<Expr>> {
+pub fn balance_multipliers_along_reactions(
+    model: &Model,
+    kinematics: &mut Kinematics,
+    rows: &[RowName],
+) -> Vec<Vec<Expr>> {
     let mut result = Vec::new();
     for reaction in &model.reactions {
         let (body, moments) = match reaction.kind {

@@ -4,15 +4,15 @@
 
 use super::kinematics::{Kinematics, Velocities};
 use crate::algebra::term::calculus::{Gradient, Substitution};
-use crate::algebra::value::modular::{ZeroTest, zero_test};
+use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Expr, Rational};
 use crate::geometry::{Dots, SymmetricDots, Vector, cross_components};
-use crate::mechanics::error::DeriveError;
+use crate::mechanics::derive_error::DeriveError;
 use crate::model::{AddedMass, Model};
 
 /// Velocity paired with the momentum along it: v and m v of a mass centre, or ω and H of a rigid
 /// body. T = Σ ½ scale velocity · momentum.
-pub struct Momentum {
+pub struct VelocityMomentum {
     /// Mass of the body for a mass centre, 1 otherwise. It is a separate factor so that equal products
     /// of vectors are recognized.
     pub scale: Expr,
@@ -42,28 +42,39 @@ pub struct Impulse {
 
 impl Kinematics {
     /// Lists the velocities and momenta of all bodies, then those of all added masses.
-    pub fn momenta(&mut self, model: &Model, velocities: &Velocities) -> Vec<Momentum> {
+    pub fn momenta(&mut self, model: &Model, velocities: &Velocities) -> Vec<VelocityMomentum> {
         let mut momenta = Vec::new();
         for body in &model.bodies {
             let v = &velocities.linear[body.centre];
-            momenta.push(Momentum { scale: body.mass, velocity: v.clone(), momentum: v.clone(), carried: None });
+            momenta.push(VelocityMomentum {
+                scale: body.mass,
+                velocity: v.clone(),
+                momentum: v.clone(),
+                carried: None,
+            });
             if let (Some((_, inertia)), Some(omega)) = (&body.rigid, self.angular_velocity_in(body, velocities)) {
                 let velocity = Vector::in_frame(inertia.frame, omega);
                 let momentum = self.angular_momentum(body, velocities);
-                momenta.push(Momentum { scale: Expr::ONE, velocity, momentum, carried: None });
+                momenta.push(VelocityMomentum { scale: Expr::ONE, velocity, momentum, carried: None });
             }
         }
         for added in &model.added_masses {
-            let Impulse { velocity, omega, linear, angular, carried } = self.impulse(model, velocities, added);
-            momenta.push(Momentum { scale: Expr::ONE, velocity, momentum: linear, carried: None });
-            momenta.push(Momentum { scale: Expr::ONE, velocity: omega, momentum: angular, carried: Some(carried) });
+            let Impulse { velocity, omega, linear, angular, carried } =
+                self.added_mass_impulse(model, velocities, added);
+            momenta.push(VelocityMomentum { scale: Expr::ONE, velocity, momentum: linear, carried: None });
+            momenta.push(VelocityMomentum {
+                scale: Expr::ONE,
+                velocity: omega,
+                momentum: angular,
+                carried: Some(carried),
+            });
         }
         momenta
     }
 
     /// Impulse (p, h) = M_A ν of an added mass with the 6 × 6 tensor M_A, for a body with the twist ν =
     /// (v, ω).
-    pub fn impulse(&mut self, model: &Model, velocities: &Velocities, added: &AddedMass) -> Impulse {
+    pub fn added_mass_impulse(&mut self, model: &Model, velocities: &Velocities, added: &AddedMass) -> Impulse {
         let body = &model.bodies[added.body];
         let frame = body.rigid.as_ref().map_or(0, |(frame, _)| *frame);
         let mut own = |vector: &Vector| {
@@ -87,21 +98,26 @@ impl Kinematics {
     /// Kinetic energy T = Σ ½ m v·v + ½ ω·I·ω, J, written as a quadratic form in the motion variables
     /// `variables`.
     pub fn kinetic_energy(&mut self, model: &Model, velocities: &Velocities, variables: &[Expr]) -> Expr {
-        let form = self.kinetic_form(model, velocities, variables);
-        self.energy_with_form(model, velocities, variables, &form)
+        let form = self.kinetic_energy_matrix(model, velocities, variables);
+        self.kinetic_energy_of_matrix(model, velocities, variables, &form)
     }
 
     /// Symmetric matrix ∂²T/∂x_i∂x_j of the kinetic energy, each entry simplified; x are the motion
     /// variables `variables`.
-    pub fn kinetic_form(&mut self, model: &Model, velocities: &Velocities, variables: &[Expr]) -> Vec<Vec<Expr>> {
-        if self.frames.carries && !self.frames.are_near() {
-            return self.form_of_momenta(model, velocities, variables);
+    pub fn kinetic_energy_matrix(
+        &mut self,
+        model: &Model,
+        velocities: &Velocities,
+        variables: &[Expr],
+    ) -> Vec<Vec<Expr>> {
+        if self.frames.carries && !self.frames.are_all_children_of_inertial() {
+            return self.kinetic_matrix_by_recursion(model, velocities, variables);
         }
         let mut gradient = Gradient::new(variables);
         let mut products = SymmetricDots::new(variables.len());
-        for Momentum { scale, velocity, momentum, .. } in self.momenta(model, velocities) {
-            let velocities = velocity.slopes(&mut self.arena, &mut gradient);
-            products.add(scale, &velocities, &momentum.slopes(&mut self.arena, &mut gradient));
+        for VelocityMomentum { scale, velocity, momentum, .. } in self.momenta(model, velocities) {
+            let velocities = velocity.partial_derivatives(&mut self.arena, &mut gradient);
+            products.add(scale, &velocities, &momentum.partial_derivatives(&mut self.arena, &mut gradient));
         }
         let mut form = products.sum(&mut self.arena, &mut self.frames);
         form.iter_mut().flatten().for_each(|e| *e = self.simplifier.simplify(&mut self.arena, *e));
@@ -110,7 +126,7 @@ impl Kinematics {
 
     /// Kinetic energy as the quadratic form ½ Σ form_ij x_i x_j, J, which people write. If T is not
     /// quadratic in x, because velocities remain at x = 0, returns the plain sum over the bodies.
-    pub(in crate::mechanics) fn energy_with_form(
+    pub(in crate::mechanics) fn kinetic_energy_of_matrix(
         &mut self,
         model: &Model,
         velocities: &Velocities,
@@ -119,7 +135,7 @@ impl Kinematics {
     ) -> Expr {
         if self.frames.carries {
             let pairs = self.momentum_pairs(model, velocities);
-            return self.energy_of_pairs(&pairs);
+            return self.kinetic_energy_of_momentum_pairs(&pairs);
         }
         let half = Rational::fraction(1, 2).expect("not zero");
         let mut terms = Vec::new();
@@ -140,7 +156,7 @@ impl Kinematics {
             return quadratic;
         }
         let mut dots = Dots::default();
-        for Momentum { scale, velocity, momentum, .. } in self.momenta(model, velocities) {
+        for VelocityMomentum { scale, velocity, momentum, .. } in self.momenta(model, velocities) {
             dots.add(scale, &velocity, &momentum);
         }
         let twice = dots.sum(&mut self.arena, &mut self.frames);
@@ -161,7 +177,7 @@ impl Kinematics {
         let Some(gravity) = &model.gravity else { return Ok(Expr::ZERO) };
         let g = Vector::in_frame(gravity.frame, gravity.acceleration);
         if self.frames.carries {
-            return self.carried_potential(model, &g);
+            return self.gravity_potential_by_first_moments(model, &g);
         }
         let mut work = Dots::default();
         for body in &model.bodies {
@@ -169,7 +185,7 @@ impl Kinematics {
         }
         let work = work.sum(&mut self.arena, &mut self.frames);
         let energy = self.arena.neg(work);
-        self.zeroed(model, energy)
+        self.energy_with_stated_zero(model, energy)
     }
 
     /// Shifts a potential energy by a constant so that it is zero at the model's configuration
@@ -177,15 +193,21 @@ impl Kinematics {
     ///
     /// # Errors
     /// `DeriveError::NoZeroOfPotential` if the energy has no value at `zero_at`.
-    pub(in crate::mechanics) fn zeroed(&mut self, model: &Model, energy: Expr) -> Result<Expr, DeriveError> {
+    pub(in crate::mechanics) fn energy_with_stated_zero(
+        &mut self,
+        model: &Model,
+        energy: Expr,
+    ) -> Result<Expr, DeriveError> {
         let Some(gravity) = &model.gravity else { return Ok(energy) };
         if gravity.zero_at.is_empty() {
             return Ok(self.simplifier.simplify(&mut self.arena, energy));
         }
-        let mut to_zero = place_of_zero(model);
+        let mut to_zero = zero_energy_configuration(model);
         let at_zero = to_zero.apply(&mut self.arena, energy);
         if let Some(term) = to_zero.undefined {
-            return Err(DeriveError::NoZeroOfPotential { term: crate::algebra::text::print::text(&self.arena, term) });
+            return Err(DeriveError::NoZeroOfPotential {
+                term: crate::algebra::text::print::print_text(&self.arena, term),
+            });
         }
         let difference = self.arena.sub(energy, at_zero);
         Ok(self.simplifier.simplify(&mut self.arena, difference))
@@ -194,7 +216,7 @@ impl Kinematics {
 
 /// Substitution that puts the coordinates at the configuration where the model's potential energy
 /// is zero.
-pub(in crate::mechanics) fn place_of_zero(model: &Model) -> Substitution {
+pub(in crate::mechanics) fn zero_energy_configuration(model: &Model) -> Substitution {
     let mut values: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, Expr::ZERO)).collect();
     for (symbol, value) in model.gravity.iter().flat_map(|gravity| &gravity.zero_at) {
         values.retain(|(s, _)| s != symbol);

@@ -4,13 +4,13 @@
 //! T. R. Kane & D. A. Levinson, *Dynamics: Theory and Applications* (1985), §§ 2.7, 2.8 (points
 //! fixed on a body, and moving on it), 2.12 (generalized speeds), 2.14 (partial velocities).
 
-use super::form::Form;
-use crate::mechanics::budget::check_tree;
-use crate::mechanics::error::DeriveError;
+use super::equation_form::EquationForm;
+use crate::mechanics::derivation_limits::check_link_limit;
+use crate::mechanics::derive_error::DeriveError;
 
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::term::calculus::{Differential, Gradient, Substitution};
-use crate::algebra::value::modular::{ZeroTest, zero_test};
+use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr};
 use crate::geometry::{Components, Frames, Vector, angular_velocities, apply_tensor, linear_velocities};
 use crate::model::{Body, Model, Reaction, ReactionKind};
@@ -73,7 +73,7 @@ pub enum MotionVariables {
 }
 
 impl Kinematics {
-    /// Computes the kinematics of a model in the form that [`Form::computed`] chooses: closed, or with
+    /// Computes the kinematics of a model in the form that [`EquationForm::computed`] chooses: closed, or with
     /// named subterms.
     ///
     /// # Errors
@@ -81,7 +81,7 @@ impl Kinematics {
     /// stated reaction does work or has no unit direction, or a load divides by a velocity that is
     /// zero.
     pub fn new(model: &Model) -> Result<Self, DeriveError> {
-        Self::in_form(model, Form::computed(model))
+        Self::in_form(model, EquationForm::computed(model))
     }
 
     /// Computes the kinematics of a model in a given form, closed or with named subterms. Equations
@@ -89,12 +89,12 @@ impl Kinematics {
     ///
     /// # Errors
     /// [`DeriveError`], for the same reasons as [`Self::new`].
-    pub fn in_form(model: &Model, form: Form) -> Result<Self, DeriveError> {
-        check_tree(model)?;
+    pub fn in_form(model: &Model, form: EquationForm) -> Result<Self, DeriveError> {
+        check_link_limit(model)?;
         let mut arena = model.arena.clone();
         let mut frames = Frames::new(&model.frames);
         // Impulses of added masses are written out.
-        frames.carries = form == Form::Steps && model.added_masses.is_empty();
+        frames.carries = form == EquationForm::Steps && model.added_masses.is_empty();
         let rates: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
         let mut rates = Differential::along(&rates);
         let angular = angular_velocities(&mut arena, &model.frames, &mut rates);
@@ -105,7 +105,7 @@ impl Kinematics {
         let mut kinematics = Self { arena, frames, simplifier, positions, in_rates, forces, torques, potential: None };
         kinematics.apply_loads(model)?;
         kinematics.check_inertias(model)?;
-        kinematics.check_reactions(model, model.stated_reactions())?;
+        kinematics.check_reactions_do_no_work(model, model.stated_reactions())?;
         Ok(kinematics)
     }
 
@@ -182,7 +182,7 @@ impl Kinematics {
     /// # Errors
     /// `DeriveError::ReactionWorks` or `DeriveError::DirectionNotUnit` for the first reaction that
     /// fails.
-    pub(in crate::mechanics) fn check_reactions(
+    pub(in crate::mechanics) fn check_reactions_do_no_work(
         &mut self,
         model: &Model,
         reactions: &[Reaction],
@@ -199,17 +199,17 @@ impl Kinematics {
             let excess = self.arena.sub(square, Expr::ONE);
             // The direction of a joint that closes a loop has unit length only where the loop is closed.
             if reaction.is_stated && zero_test(&self.arena, excess) != ZeroTest::Zero {
-                let length = crate::algebra::text::print::text(&self.arena, square);
+                let length = crate::algebra::text::print::print_text(&self.arena, square);
                 return Err(DeriveError::DirectionNotUnit { reaction: reaction.name.clone(), square: length });
             }
-            let power = self.power_of(model, reaction);
+            let power = self.reaction_power(model, reaction);
             let power = to_permitted.as_mut().map_or(power, |put| put.apply(&mut self.arena, power));
             for (at, slope) in along.apply(&mut self.arena, power).iter() {
                 if zero_test(&self.arena, *slope) != ZeroTest::Zero {
                     return Err(DeriveError::ReactionWorks {
                         reaction: reaction.name.clone(),
                         motion: permitted[*at].clone(),
-                        rate: crate::algebra::text::print::text(&self.arena, *slope),
+                        rate: crate::algebra::text::print::print_text(&self.arena, *slope),
                     });
                 }
             }
@@ -218,20 +218,20 @@ impl Kinematics {
     }
 
     /// Power of a reaction of size 1 (1 N or 1 N m), as a term in q and q̇.
-    pub(in crate::mechanics) fn power_of(&mut self, model: &Model, reaction: &Reaction) -> Expr {
+    pub(in crate::mechanics) fn reaction_power(&mut self, model: &Model, reaction: &Reaction) -> Expr {
         let velocities = self.in_rates.clone();
         let velocity = match reaction.kind {
             ReactionKind::Force { on, against } => {
-                let v = self.place_velocity(model, &velocities, on);
-                let opposite = against.map(|place| self.place_velocity(model, &velocities, place));
-                self.minus(v, opposite)
+                let v = self.load_place_velocity(model, &velocities, on);
+                let opposite = against.map(|place| self.load_place_velocity(model, &velocities, place));
+                self.vector_difference(v, opposite)
             }
             ReactionKind::Torque { on, against } => {
                 let omega = |body: usize| {
                     let frame = model.bodies[body].rigid.as_ref().map_or(0, |(frame, _)| *frame);
                     velocities.angular[frame].clone()
                 };
-                self.minus(omega(on), against.map(omega))
+                self.vector_difference(omega(on), against.map(omega))
             }
         };
         let direction = Vector::in_frame(reaction.frame, reaction.direction);
@@ -239,7 +239,7 @@ impl Kinematics {
     }
 
     /// Difference a − b of two vectors; `a` if `b` is `None`.
-    fn minus(&mut self, a: Vector, b: Option<Vector>) -> Vector {
+    fn vector_difference(&mut self, a: Vector, b: Option<Vector>) -> Vector {
         match b {
             None => a,
             Some(b) => {
@@ -287,7 +287,7 @@ pub fn motion_rates_without_acceleration(model: &Model) -> Differential {
 fn name_in_own_frames(arena: &mut Arena, frames: &mut Frames, angular: &[Vector]) {
     if frames.carries {
         for (frame, omega) in angular.iter().enumerate() {
-            frames.carry(arena, omega, frame, "w", frames.name(frame));
+            frames.express_frame_by_frame(arena, omega, frame, "w", frames.name(frame));
         }
     }
 }

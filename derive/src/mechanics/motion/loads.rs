@@ -8,12 +8,12 @@
 use super::kinematics::{Kinematics, Velocities, rates_to_speeds, speeds_to_rates};
 use crate::algebra::term::calculus::{Gradient, Substitution};
 use crate::algebra::text::parse::VelocityOf;
-use crate::algebra::text::print::text;
-use crate::algebra::value::modular::{ZeroTest, zero_divisor, zero_test};
+use crate::algebra::text::print::print_text;
+use crate::algebra::value::zero_test::{ZeroTest, zero_divisor, zero_test};
 use crate::algebra::{Arena, Expr};
 use crate::geometry::{Dots, Vector};
-use crate::mechanics::error::DeriveError;
-use crate::model::{Body, Model, NamedVelocity, Place, ReactionKind};
+use crate::mechanics::derive_error::DeriveError;
+use crate::model::{Body, ForcePlace, Model, NamedVelocity, ReactionKind};
 
 /// Force or torque with the velocity on which it does work. Its generalized force is F_r =
 /// ∂velocity/∂u_r · scale load.
@@ -34,7 +34,7 @@ pub struct MovingPlace {
     /// Kind and name of the force or reaction, such as `force drag`.
     pub load: String,
     /// Body and point at which the force or reaction acts.
-    pub place: Place,
+    pub place: ForcePlace,
 }
 
 impl MovingPlace {
@@ -59,7 +59,7 @@ impl MovingPlace {
 pub fn moving_places(model: &Model) -> Result<Vec<MovingPlace>, DeriveError> {
     let mut kinematics = Kinematics::new(model)?;
     let mut list = Vec::new();
-    for (load, place) in places(model) {
+    for (load, place) in load_places(model) {
         if kinematics.moves_in_body(model, place) {
             list.push(MovingPlace { load, place });
         }
@@ -69,7 +69,7 @@ pub fn moving_places(model: &Model) -> Result<Vec<MovingPlace>, DeriveError> {
 
 /// Lists all forces and reaction forces and their opposites by name, each with the body and point
 /// of action.
-fn places(model: &Model) -> Vec<(String, Place)> {
+fn load_places(model: &Model) -> Vec<(String, ForcePlace)> {
     let mut list = Vec::new();
     for force in &model.forces {
         list.push((format!("force {}", force.name), force.on));
@@ -87,26 +87,26 @@ fn places(model: &Model) -> Vec<(String, Place)> {
 impl Kinematics {
     /// Velocity v_P = v_C + ω × p_CP of the body's material at a point, in the inertial frame, m/s. For
     /// a particle, v_C.
-    pub fn place_velocity(&mut self, model: &Model, velocities: &Velocities, place: Place) -> Vector {
+    pub fn load_place_velocity(&mut self, model: &Model, velocities: &Velocities, place: ForcePlace) -> Vector {
         let body = &model.bodies[place.body];
         let centre = velocities.linear[body.centre].clone();
         let Some((frame, _)) = &body.rigid else { return centre };
-        let arm = self.arm(body, place.point);
+        let arm = self.load_arm(body, place.point);
         let turning = self.frames.cross(&mut self.arena, &velocities.angular[*frame], &arm);
         centre.add(&mut self.arena, &turning)
     }
 
     /// Vector p_CP from the mass centre C of a body to a point P, m.
-    pub fn arm(&mut self, body: &Body, point: usize) -> Vector {
+    pub fn load_arm(&mut self, body: &Body, point: usize) -> Vector {
         let back = self.positions[body.centre].neg(&mut self.arena);
         self.positions[point].add(&mut self.arena, &back)
     }
 
     /// True if the point of `place` moves in its body: its velocity differs from that of the body's
     /// material there.
-    fn moves_in_body(&mut self, model: &Model, place: Place) -> bool {
+    fn moves_in_body(&mut self, model: &Model, place: ForcePlace) -> bool {
         let velocities = self.in_rates.clone();
-        let material = self.place_velocity(model, &velocities, place);
+        let material = self.load_place_velocity(model, &velocities, place);
         let back = velocities.linear[place.point].neg(&mut self.arena);
         let Self { arena, frames, .. } = self;
         let slip = material.add(arena, &back);
@@ -114,7 +114,7 @@ impl Kinematics {
     }
 
     /// Lists the weights of all bodies as loads; empty without gravity.
-    pub fn weights(&mut self, model: &Model, velocities: &Velocities) -> Vec<Load> {
+    pub fn weight_loads(&mut self, model: &Model, velocities: &Velocities) -> Vec<Load> {
         let Some(gravity) = &model.gravity else { return Vec::new() };
         let weight = |centre: usize, mass: Expr| Load {
             velocity: velocities.linear[centre].clone(),
@@ -130,10 +130,10 @@ impl Kinematics {
         let mut groups = Vec::new();
         for (at, force) in model.forces.iter().enumerate() {
             let vector = self.forces[at].clone();
-            let mut loads = vec![(self.place_velocity(model, velocities, force.on), vector.clone())];
+            let mut loads = vec![(self.load_place_velocity(model, velocities, force.on), vector.clone())];
             if let Some(place) = force.against {
                 let back = vector.neg(&mut self.arena);
-                loads.push((self.place_velocity(model, velocities, place), back));
+                loads.push((self.load_place_velocity(model, velocities, place), back));
             }
             groups.push(loads);
         }
@@ -177,11 +177,11 @@ impl Kinematics {
         let mut put = Substitution::new(&values);
         let arena = &mut self.arena;
         for force in &model.forces {
-            let vector = put_velocities(arena, &mut put, &force.name, force.vector)?;
+            let vector = substitute_load_velocities(arena, &mut put, &force.name, force.vector)?;
             self.forces.push(Vector::in_frame(force.frame, vector));
         }
         for torque in &model.torques {
-            let vector = put_velocities(arena, &mut put, &torque.name, torque.vector)?;
+            let vector = substitute_load_velocities(arena, &mut put, &torque.name, torque.vector)?;
             self.torques.push(Vector::in_frame(torque.frame, vector));
         }
         Ok(())
@@ -202,7 +202,7 @@ impl Kinematics {
         let mut forces: Vec<Dots> = variables.iter().map(|_| Dots::default()).collect();
         for Load { velocity, scale, load } in loads {
             let load = load.substitute(&mut self.arena, put);
-            for (i, partial) in velocity.slopes(&mut self.arena, &mut gradient) {
+            for (i, partial) in velocity.partial_derivatives(&mut self.arena, &mut gradient) {
                 forces[i].add(*scale, &partial, &load);
             }
         }
@@ -214,7 +214,9 @@ impl Kinematics {
     fn named_velocity(&mut self, model: &Model, name: &NamedVelocity) -> Expr {
         let velocities = self.in_rates.clone();
         let velocity = match name.of {
-            VelocityOf::Material(body, point) => self.place_velocity(model, &velocities, Place { body, point }),
+            VelocityOf::Material(body, point) => {
+                self.load_place_velocity(model, &velocities, ForcePlace { body, point })
+            }
             VelocityOf::Point(point) => velocities.linear[point].clone(),
             VelocityOf::Place(point) => self.positions[point].clone(),
             VelocityOf::Turning(frame) => velocities.angular[frame].clone(),
@@ -228,7 +230,7 @@ impl Kinematics {
 
 /// Generalized forces Q_i = Σ (∂v_P/∂q̇_i)·R_P + Σ (∂ω_B/∂q̇_i)·T_B of the given loads, one for
 /// each coordinate. Terms in q and q̇, not simplified.
-pub(in crate::mechanics) fn forces_of<'a>(
+pub(in crate::mechanics) fn generalized_forces_of_loads<'a>(
     model: &Model,
     kinematics: &mut Kinematics,
     loads: impl IntoIterator<Item = &'a Load>,
@@ -239,12 +241,12 @@ pub(in crate::mechanics) fn forces_of<'a>(
 /// Generalized active forces F_r = Σ (∂v_P/∂u_r)·R_P + Σ (∂ω_B/∂u_r)·T_B of all loads and weights,
 /// one for each speed. Terms in q and u, not simplified. Entry r has the unit of power divided by
 /// that of u_r. Reactions do not contribute.
-pub(in crate::mechanics) fn active_forces(
+pub(in crate::mechanics) fn active_forces_of_loads(
     model: &Model,
     kinematics: &mut Kinematics,
     velocities: &Velocities,
 ) -> Vec<Expr> {
-    let mut loads = kinematics.weights(model, velocities);
+    let mut loads = kinematics.weight_loads(model, velocities);
     loads.extend(kinematics.loads(model, velocities).into_iter().flatten());
     kinematics.generalized_forces(&loads, &mut rates_to_speeds(model), &model.u())
 }
@@ -253,7 +255,7 @@ pub(in crate::mechanics) fn active_forces(
 ///
 /// # Errors
 /// `DeriveError::LoadDividesByZero` if the result divides by zero everywhere.
-fn put_velocities(
+fn substitute_load_velocities(
     arena: &mut Arena,
     put: &mut Substitution,
     load: &str,
@@ -263,7 +265,7 @@ fn put_velocities(
     let mut changed = stated.iter().zip(&components).filter(|(before, after)| before != after);
     let hidden = changed.find_map(|(_, e)| zero_divisor(arena, *e));
     match put.undefined.or(hidden) {
-        Some(term) => Err(DeriveError::LoadDividesByZero { load: load.to_owned(), term: text(arena, term) }),
+        Some(term) => Err(DeriveError::LoadDividesByZero { load: load.to_owned(), term: print_text(arena, term) }),
         None => Ok(components),
     }
 }

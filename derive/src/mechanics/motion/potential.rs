@@ -6,20 +6,20 @@
 //!
 //! H. Goldstein, C. Poole & J. Safko, *Classical Mechanics*, 3rd edition (2002), §§ 1.4, 1.5, 2.7.
 
-use super::energy::place_of_zero;
+use super::energy::zero_energy_configuration;
 use super::kinematics::{Kinematics, LoadPotential, MotionVariables, rates_to_speeds};
-use super::loads::{Load, forces_of};
+use super::loads::{Load, generalized_forces_of_loads};
 use crate::algebra::form::simplify::Simplifier;
-use crate::algebra::solve::primitive::primitive;
+use crate::algebra::solve::antiderivative::antiderivative;
 use crate::algebra::term::calculus::{Gradient, Substitution};
-use crate::algebra::value::modular::{ZeroTest, zero_test};
+use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr, Function, Node};
-use crate::mechanics::error::DeriveError;
+use crate::mechanics::derive_error::DeriveError;
 use crate::model::Model;
 
 impl Kinematics {
     /// Potential energy V = V_gravity + U as a term in q, J. U is the potential of all applied loads
-    /// for which the rules of [`primitive`] find one. U is zero at the model's `zero_at` if it has a
+    /// for which the rules of [`antiderivative`] find one. U is zero at the model's `zero_at` if it has a
     /// value there; else its constant follows from the rules.
     ///
     /// # Errors
@@ -39,22 +39,22 @@ impl Kinematics {
         }
         let velocities = self.in_rates.clone();
         let groups = self.loads(model, &velocities);
-        let found = self.found_potential(model, &groups);
+        let found = self.search_load_potential(model, &groups);
         self.potential = Some(found.clone());
         found
     }
 
     /// Generalized forces of each applied load, as terms in q and q̇. An inner list belongs to a load
     /// (forces, torques, then potentials) and has an entry for each coordinate.
-    pub fn load_forces(&mut self, model: &Model) -> Vec<Vec<Expr>> {
+    pub fn generalized_forces_of_each_load(&mut self, model: &Model) -> Vec<Vec<Expr>> {
         let velocities = self.in_rates.clone();
         let groups = self.loads(model, &velocities);
-        groups.iter().map(|group| forces_of(model, self, group)).collect()
+        groups.iter().map(|group| generalized_forces_of_loads(model, self, group)).collect()
     }
 
     /// Power d(T + V)/dt of the forces that V does not contain, W, as a term in q and the given motion
     /// variables. The literal 0 if it is identically zero.
-    pub(in crate::mechanics) fn power(&mut self, model: &Model, variables: MotionVariables) -> Expr {
+    pub(in crate::mechanics) fn power_without_potential(&mut self, model: &Model, variables: MotionVariables) -> Expr {
         let rest = self.load_potential(model).rest;
         let arena = &mut self.arena;
         let terms: Vec<Expr> = rest.iter().zip(model.q_dot()).map(|(force, rate)| arena.mul(*force, rate)).collect();
@@ -71,8 +71,8 @@ impl Kinematics {
 
     /// Searches for the potential of the given applied loads: known potentials of springs first, then by
     /// integration of the forces.
-    fn found_potential(&mut self, model: &Model, groups: &[Vec<Load>]) -> LoadPotential {
-        let all = forces_of(model, self, groups.iter().flatten());
+    fn search_load_potential(&mut self, model: &Model, groups: &[Vec<Load>]) -> LoadPotential {
+        let all = generalized_forces_of_loads(model, self, groups.iter().flatten());
         let all: Vec<Expr> = all.into_iter().map(|e| self.simplifier.simplify(&mut self.arena, e)).collect();
         // The model knows the potential of springs and of stated potentials.
         let of_forces = model.forces.iter().map(|f| f.energy);
@@ -80,7 +80,7 @@ impl Kinematics {
         let stated = of_forces.chain(of_torques).chain(model.potentials.iter().map(|p| Some(p.energy)));
         let known: Vec<Option<Expr>> =
             stated.map(|energy| energy.filter(|energy| !jumps_in_time(&self.arena, model, *energy))).collect();
-        let driven = driven(model);
+        let driven = loads_with_inputs(model);
         let is_sought = |at: &usize| known[*at].is_none() && !driven[*at];
         let mut outside: Vec<usize> = (0..known.len()).filter(|at| known[*at].is_none() && driven[*at]).collect();
         let indices: Vec<usize> = (0..groups.len()).filter(is_sought).collect();
@@ -88,7 +88,7 @@ impl Kinematics {
         let sought = if groups.len() == known.len() {
             all.clone()
         } else {
-            let sought = forces_of(model, self, groups.iter().copied().flatten());
+            let sought = generalized_forces_of_loads(model, self, groups.iter().copied().flatten());
             sought.into_iter().map(|e| self.simplifier.simplify(&mut self.arena, e)).collect()
         };
         let mut found: Vec<Expr> = known.into_iter().flatten().collect();
@@ -96,7 +96,7 @@ impl Kinematics {
             Some(energy) => vec![energy],
             None if groups.len() > 1 => {
                 let mut one = |(group, at): (&&Vec<Load>, usize)| {
-                    let forces = forces_of(model, self, group.iter());
+                    let forces = generalized_forces_of_loads(model, self, group.iter());
                     let energy = potential_at_rest(&mut self.arena, &mut self.simplifier, model, &forces);
                     if energy.is_none() {
                         outside.push(at);
@@ -111,7 +111,7 @@ impl Kinematics {
             }
         });
         let energy = self.arena.sum(&found);
-        let energy = self.zeroed_where_it_can_be(model, energy);
+        let energy = self.potential_with_zero_if_possible(model, energy);
         let mut rest = all;
         for (i, slope) in Gradient::new(&model.q()).apply(&mut self.arena, energy).iter() {
             let sum = self.arena.add(rest[*i], *slope);
@@ -127,10 +127,10 @@ impl Kinematics {
 
     /// Shifts a potential energy so that it is zero at the model's `zero_at`, if it has a value there.
     /// Simplifies it.
-    fn zeroed_where_it_can_be(&mut self, model: &Model, energy: Expr) -> Expr {
+    fn potential_with_zero_if_possible(&mut self, model: &Model, energy: Expr) -> Expr {
         let Self { arena, simplifier, .. } = self;
         let at_zero = model.gravity.as_ref().filter(|gravity| !gravity.zero_at.is_empty()).and_then(|_| {
-            let mut to_zero = place_of_zero(model);
+            let mut to_zero = zero_energy_configuration(model);
             let value = to_zero.apply(arena, energy);
             to_zero.undefined.is_none().then_some(value)
         });
@@ -141,7 +141,7 @@ impl Kinematics {
 
 /// Lists, for each applied load in the order of [`Kinematics::loads`], true if it contains an
 /// input. Work done by inputs is not stored as energy in the mechanism.
-fn driven(model: &Model) -> Vec<bool> {
+fn loads_with_inputs(model: &Model) -> Vec<bool> {
     let inputs: Vec<Expr> = model.parameters.iter().filter(|p| p.is_input).map(|p| p.symbol).collect();
     let vectors = model.forces.iter().map(|f| f.vector).chain(model.torques.iter().map(|t| t.vector));
     let names_one = |vector: [Expr; 3]| model.arena.reachable(&vector).iter().any(|part| inputs.contains(part));
@@ -170,7 +170,7 @@ pub fn potential_at_rest(
     }
     // A potential that jumps adds energy in an instant, which no power shows. So the work of such a load is counted
     // instead.
-    primitive(arena, simplifier, &model.q(), &slopes).filter(|energy| !jumps_in_time(arena, model, *energy))
+    antiderivative(arena, simplifier, &model.q(), &slopes).filter(|energy| !jumps_in_time(arena, model, *energy))
 }
 
 /// True if a term jumps in time: it contains the sign of a function of time alone, also in the form

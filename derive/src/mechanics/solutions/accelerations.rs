@@ -1,23 +1,23 @@
 //! Accelerations v̇ as the solution of a set of equations of motion, in closed form.
 
-use super::certificate::{Certificate, certify};
+use super::certificate::{Certificate, certify_accelerations};
 use super::jacobian::{Jacobian, jacobian};
-use crate::algebra::form::simplify::{Simplifier, cost_of_all};
+use crate::algebra::form::simplify::{Simplifier, operation_count_of_all};
 use crate::algebra::solve::elimination::{Elimination, LinearSystem, divisors, eliminate};
-use crate::algebra::solve::least::least;
 use crate::algebra::solve::linear::Singular;
+use crate::algebra::solve::quadratic_minimum::minimize_quadratic_form;
 use crate::algebra::term::calculus::Differential;
-use crate::algebra::term::steps::{Definition, needed};
-use crate::algebra::text::definitions::written;
+use crate::algebra::term::steps::{Definition, needed_steps};
+use crate::algebra::text::definitions::define_named_terms;
 use crate::algebra::{Arena, Expr};
 use crate::mechanics::equations::Equations;
-use crate::mechanics::rows::Embedding;
+use crate::mechanics::rows::AccelerationEmbedding;
 use crate::mechanics::unsolved::Unsolved;
 use rustc_hash::FxHashSet;
 
 /// Solution of equations of motion for the accelerations v̇, with the Jacobian and the proof.
 #[derive(Clone, Debug)]
-pub struct Solved {
+pub struct SolvedAccelerations {
     /// Accelerations v̇ as a list of definitions, each of which uses earlier definitions.
     pub accelerations: Elimination,
     /// Jacobian ∂(q̇, v̇)/∂(q, v) of the solved rates by the state.
@@ -26,22 +26,22 @@ pub struct Solved {
     pub certificate: Certificate,
 }
 
-impl Solved {
+impl SolvedAccelerations {
     /// Solves the equations, whose terms are in `arena`, for v̇ and proves the solution from them.
     ///
     /// # Errors
     /// [`Unsolved`] if v̇ is not determined in any configuration, or if the proof fails.
     pub fn new(arena: &mut Arena, equations: &Equations) -> Result<Self, Unsolved> {
         let mut simplifier = Simplifier::default();
-        let equations = &equations.written(arena);
-        let accelerations = solve(arena, &mut simplifier, equations)?;
+        let equations = &equations.with_definitions(arena);
+        let accelerations = solve_for_accelerations(arena, &mut simplifier, equations)?;
         let jacobian = jacobian(arena, &mut simplifier, equations, &accelerations);
-        let certificate = certify(arena, equations, &accelerations, Some(&jacobian))?;
+        let certificate = certify_accelerations(arena, equations, &accelerations, Some(&jacobian))?;
         Ok(Self { accelerations, jacobian, certificate })
     }
 
     /// Lists the definitions that compute v̇, together with those that q̇ and the energies need. The
-    /// equations must be [in written form][Equations::written].
+    /// equations must be [in written form][Equations::with_definitions].
     ///
     /// # Errors
     /// [`Unsolved`], for the same reasons as [`Self::new`].
@@ -49,7 +49,7 @@ impl Solved {
         let solved = accelerations(arena, &mut Simplifier::default(), equations)?;
         let energies = [equations.kinetic_energy, equations.potential_energy, equations.power];
         let unknowns = &equations.unknowns[..equations.variables.len()];
-        Ok(needed(arena, &solved.steps, &[unknowns, &equations.coordinate_rates, &energies].concat()))
+        Ok(needed_steps(arena, &solved.steps, &[unknowns, &equations.coordinate_rates, &energies].concat()))
     }
 }
 
@@ -63,8 +63,8 @@ pub fn accelerations(
     simplifier: &mut Simplifier,
     equations: &Equations,
 ) -> Result<Elimination, Unsolved> {
-    let solved = solve(arena, simplifier, equations)?;
-    certify(arena, equations, &solved, None)?;
+    let solved = solve_for_accelerations(arena, simplifier, equations)?;
+    certify_accelerations(arena, equations, &solved, None)?;
     Ok(solved)
 }
 
@@ -79,30 +79,34 @@ pub fn accelerations(
 ///
 /// # Errors
 /// [`Singular`] if v̇ is not determined in any configuration.
-fn solve(arena: &mut Arena, simplifier: &mut Simplifier, equations: &Equations) -> Result<Elimination, Singular> {
+fn solve_for_accelerations(
+    arena: &mut Arena,
+    simplifier: &mut Simplifier,
+    equations: &Equations,
+) -> Result<Elimination, Singular> {
     let n = equations.variables.len();
     let unknowns = &equations.unknowns[..n];
-    let Some(gauss) = &equations.gauss else { return eliminated(arena, simplifier, equations) };
+    let Some(gauss) = &equations.gauss else { return accelerations_by_elimination(arena, simplifier, equations) };
     // Both methods are tried, each in its own arena, so that the names of the rejected method stay
     // free.
     let mut other = arena.clone();
-    let Some(recursion) = least(&mut other, &mut simplifier.clone(), gauss, unknowns) else {
-        return eliminated(arena, simplifier, equations);
+    let Some(recursion) = minimize_quadratic_form(&mut other, &mut simplifier.clone(), gauss, unknowns) else {
+        return accelerations_by_elimination(arena, simplifier, equations);
     };
-    let (recursion, _) = written(&mut other, &recursion, &[]);
-    let mut steps = needed(&other, &equations.definitions, &equations.coordinate_rates);
+    let (recursion, _) = define_named_terms(&mut other, &recursion, &[]);
+    let mut steps = needed_steps(&other, &equations.definitions, &equations.coordinate_rates);
     let known: FxHashSet<Expr> = steps.iter().map(|step| step.symbol).collect();
     steps.extend(recursion.into_iter().filter(|step| !known.contains(&step.symbol)));
-    let recursive = operations(&other, &steps, unknowns);
+    let recursive = operation_count(&other, &steps, unknowns);
     let divisors = divisors(&other, &steps.iter().map(|step| step.value).collect::<Vec<_>>());
     let recursion = Elimination { steps, divisors };
-    if pivoting(&equations.matrix) > MOST_TIMES * recursive {
+    if elimination_operation_count(&equations.matrix) > MOST_TIMES * recursive {
         *arena = other;
         return Ok(recursion);
     }
     let (mut store, mut its_simplifier) = (arena.clone(), simplifier.clone());
-    let solved = eliminated(&mut store, &mut its_simplifier, equations)?;
-    if recursive >= operations(&store, &solved.steps, unknowns) {
+    let solved = accelerations_by_elimination(&mut store, &mut its_simplifier, equations)?;
+    if recursive >= operation_count(&store, &solved.steps, unknowns) {
         (*arena, *simplifier) = (store, its_simplifier);
         return Ok(solved);
     }
@@ -116,7 +120,7 @@ const MOST_TIMES: usize = 2;
 
 /// Counts the multiplications and subtractions to eliminate a symmetric matrix with these zeros,
 /// without square roots. The order is from the last unknown, a leaf of the tree, to the first.
-fn pivoting(matrix: &[Vec<Expr>]) -> usize {
+fn elimination_operation_count(matrix: &[Vec<Expr>]) -> usize {
     let mut is_full: Vec<Vec<bool>> = matrix.iter().map(|row| row.iter().map(|e| *e != Expr::ZERO).collect()).collect();
     let mut count = 0;
     for pivot in (0..matrix.len()).rev() {
@@ -134,7 +138,7 @@ fn pivoting(matrix: &[Vec<Expr>]) -> usize {
 
 /// Lists the definitions of the equations that do not depend on the unknowns v̇. Those of inverse
 /// dynamics do depend on them.
-fn given(arena: &Arena, equations: &Equations) -> Vec<Definition> {
+fn definitions_without_accelerations(arena: &Arena, equations: &Equations) -> Vec<Definition> {
     let mut sought: FxHashSet<Expr> = equations.unknowns.iter().copied().collect();
     let mut list = Vec::with_capacity(equations.definitions.len());
     for definition in &equations.definitions {
@@ -149,13 +153,20 @@ fn given(arena: &Arena, equations: &Equations) -> Vec<Definition> {
 
 /// Counts the operations in the definitions that are needed for the given symbols. A shared subterm
 /// counts once.
-fn operations(arena: &Arena, steps: &[Definition], symbols: &[Expr]) -> usize {
-    cost_of_all(arena, &needed(arena, steps, symbols).iter().map(|step| step.value).collect::<Vec<_>>())
+fn operation_count(arena: &Arena, steps: &[Definition], symbols: &[Expr]) -> usize {
+    operation_count_of_all(
+        arena,
+        &needed_steps(arena, steps, symbols).iter().map(|step| step.value).collect::<Vec<_>>(),
+    )
 }
 
 /// Solves for v̇ by elimination of the linear system, after the projection if reactions or
 /// multipliers are present.
-fn eliminated(arena: &mut Arena, simplifier: &mut Simplifier, equations: &Equations) -> Result<Elimination, Singular> {
+fn accelerations_by_elimination(
+    arena: &mut Arena,
+    simplifier: &mut Simplifier,
+    equations: &Equations,
+) -> Result<Elimination, Singular> {
     let n = equations.variables.len();
     let unknowns = &equations.unknowns[..n];
     // Without speeds no row is left, and the embedding alone gives the rates.
@@ -168,7 +179,7 @@ fn eliminated(arena: &mut Arena, simplifier: &mut Simplifier, equations: &Equati
             is_large: equations.is_large(),
         };
         let mut solved = eliminate(arena, simplifier, system)?;
-        solved.steps.splice(0..0, given(arena, equations));
+        solved.steps.splice(0..0, definitions_without_accelerations(arena, equations));
         return Ok(solved);
     }
     let (mut matrix, mut right) = (Vec::new(), Vec::new());
@@ -194,13 +205,13 @@ fn eliminated(arena: &mut Arena, simplifier: &mut Simplifier, equations: &Equati
     let solved_for = equations.embedding.as_ref().map_or(unknowns, |embedding| embedding.free.as_slice());
     let system = LinearSystem { matrix: &matrix, right: &right, unknowns: solved_for, symmetric: true, is_large };
     let mut solved = eliminate(arena, simplifier, system)?;
-    if let Some(Embedding { free, matrix, rest }) = &equations.embedding {
+    if let Some(AccelerationEmbedding { free, matrix, rest }) = &equations.embedding {
         for ((unknown, row), rest) in unknowns.iter().zip(matrix).zip(rest) {
             let moved = combine(arena, simplifier, row, free.iter().copied());
             solved.steps.push(Definition { symbol: *unknown, value: arena.add(moved, *rest) });
         }
     }
-    solved.steps.splice(0..0, given(arena, equations));
+    solved.steps.splice(0..0, definitions_without_accelerations(arena, equations));
     Ok(solved)
 }
 

@@ -20,7 +20,7 @@
 use super::jacobian::Jacobian;
 use crate::algebra::solve::elimination::Elimination;
 use crate::algebra::term::calculus::{Differential, Substitution};
-use crate::algebra::term::steps::{Definition, fresh_symbol, put_in};
+use crate::algebra::term::steps::{Definition, fresh_symbol, substitute_steps};
 use crate::algebra::value::field::Field;
 use crate::algebra::value::tangent::{Dual, Tangents};
 use crate::algebra::{Arena, Expr};
@@ -44,7 +44,7 @@ pub struct Certificate {
 /// # Errors
 /// [`Unproved`] with the first row that fails, or `Unproved::NoPoint` if no random state gives
 /// all terms a value.
-pub fn certify(
+pub fn certify_accelerations(
     arena: &Arena,
     equations: &Equations,
     solved: &Elimination,
@@ -81,12 +81,12 @@ struct Claim {
     /// Derivatives of q̇ and v̇ along the direction, from the Jacobian; empty without a Jacobian.
     slopes: Vec<Expr>,
     /// Numbers of terms of each kind, to split the list of values.
-    shape: Shape,
+    shape: ClaimShape,
 }
 
 /// Numbers of terms of each kind in the list that [`Claim::terms`] returns.
 #[derive(Clone, Copy)]
-struct Shape {
+struct ClaimShape {
     /// Number of rows of the equations.
     rows: usize,
     /// Number of unknowns: accelerations, then reactions or multipliers.
@@ -108,7 +108,7 @@ impl Claim {
         // The definitions of the equations come first, so that the matrix is read in its original form. The elimination
         // may have changed it.
         let mut put = states.clone();
-        put_in(&mut arena, &mut put, &equations.definitions);
+        substitute_steps(&mut arena, &mut put, &equations.definitions);
         let matrix: Vec<Vec<Expr>> = equations.matrix.iter().map(|row| put.all(&mut arena, row)).collect();
         let forcing = put.all(&mut arena, &equations.forcing);
         let coordinate_rates = put.all(&mut arena, &equations.coordinate_rates);
@@ -117,7 +117,7 @@ impl Claim {
         if let Some(jacobian) = jacobian {
             jacobian.direction.iter().zip(&slopes).for_each(|(symbol, slope)| put.set(*symbol, *slope));
         }
-        put_in(&mut arena, &mut put, jacobian.map_or(&solved.steps, |jacobian| &jacobian.steps));
+        substitute_steps(&mut arena, &mut put, jacobian.map_or(&solved.steps, |jacobian| &jacobian.steps));
         let accelerations = put.all(&mut arena, &equations.unknowns[..n]);
         let rows = jacobian.map_or(&[][..], |jacobian| &jacobian.entries);
         let is_product = jacobian.is_some_and(|jacobian| !jacobian.direction.is_empty());
@@ -126,7 +126,7 @@ impl Claim {
             if is_product { row[0] } else { dot(&mut arena, &row, &slopes) }
         });
         let slopes: Vec<Expr> = products.collect();
-        let shape = Shape {
+        let shape = ClaimShape {
             rows: forcing.len(),
             unknowns: equations.unknowns.len(),
             coordinates: coordinate_rates.len(),
@@ -166,7 +166,7 @@ impl Direction {
         let mut states = Substitution::default();
         if is_tied {
             let mut put = Substitution::default();
-            put_in(arena, &mut put, &equations.definitions);
+            substitute_steps(arena, &mut put, &equations.definitions);
             let values = put.all(arena, &equations.motion_variables);
             equations.variables.iter().zip(values).for_each(|(v, value)| states.set(*v, value));
         }
@@ -187,7 +187,7 @@ fn dot(arena: &mut Arena, a: &[Expr], b: &[Expr]) -> Expr {
     arena.sum(&products)
 }
 
-impl Shape {
+impl ClaimShape {
     /// Checks the values of the terms of [`Claim::terms`] at a random state, modulo the prime of the
     /// field `f`.
     ///
@@ -216,14 +216,14 @@ impl Shape {
         // The reactions r solve B r = f − M v̇.
         let rows = matrix.chunks(self.unknowns.max(1)).zip(forcing).map(|(row, right)| {
             let (of_v_dot, of_reactions) = row.split_at(self.accelerations);
-            let right = of_v_dot.iter().zip(&v_dot).fold(*right, |right, (m, x)| right.minus(f, *m, *x));
+            let right = of_v_dot.iter().zip(&v_dot).fold(*right, |right, (m, x)| right.minus_product(f, *m, *x));
             let left = of_reactions.iter().copied().enumerate().filter(|(_, entry)| !entry.is_zero()).collect();
             Row { left, right }
         });
-        match unsolvable(f, rows) {
+        match first_contradicting_row(f, rows) {
             None => Ok(()),
-            Some((row, Part::Value)) => Err(Unproved::Accelerations(row)),
-            Some((row, Part::Slope)) => Err(Unproved::Jacobian(self.coordinates + row)),
+            Some((row, WrongDualPart::Value)) => Err(Unproved::Accelerations(row)),
+            Some((row, WrongDualPart::Slope)) => Err(Unproved::Jacobian(self.coordinates + row)),
         }
     }
 }
@@ -237,7 +237,7 @@ struct Row {
 }
 
 /// Part of a dual number that is not zero, although it should be.
-enum Part {
+enum WrongDualPart {
     /// Value of the dual number, so the equation itself is wrong.
     Value,
     /// Derivative part of the dual number, so the Jacobian is wrong.
@@ -246,7 +246,7 @@ enum Part {
 
 /// Finds the first row that contradicts the rows before it, by sparse elimination. Returns its
 /// index and the wrong part; `None` if the rows have a solution.
-fn unsolvable(f: Field, rows: impl Iterator<Item = Row>) -> Option<(usize, Part)> {
+fn first_contradicting_row(f: Field, rows: impl Iterator<Item = Row>) -> Option<(usize, WrongDualPart)> {
     let mut pivots: BTreeMap<usize, Row> = BTreeMap::new();
     for (at, mut row) in rows.enumerate() {
         let mut from = 0;
@@ -262,9 +262,9 @@ fn unsolvable(f: Field, rows: impl Iterator<Item = Row>) -> Option<(usize, Part)
         if let Some(column) = own {
             pivots.insert(column, row);
         } else if row.right.value != 0 {
-            return Some((at, Part::Value));
+            return Some((at, WrongDualPart::Value));
         } else if row.right.slope != 0 && row.left.is_empty() {
-            return Some((at, Part::Slope));
+            return Some((at, WrongDualPart::Slope));
         }
     }
     None
@@ -274,15 +274,15 @@ impl Row {
     /// Subtracts a multiple of a pivot row from this row, so that the entry in the pivot's column
     /// becomes zero.
     fn subtract(&mut self, f: Field, pivot: &Self, column: usize, entry: Dual) {
-        let Some(factor) = entry.over(f, pivot.left[&column]) else { return };
+        let Some(factor) = entry.quotient(f, pivot.left[&column]) else { return };
         for (at, x) in &pivot.left {
             let known = self.left.remove(at).unwrap_or_default();
-            let left = known.minus(f, factor, *x);
+            let left = known.minus_product(f, factor, *x);
             if !left.is_zero() && *at != column {
                 self.left.insert(*at, left);
             }
         }
-        self.right = self.right.minus(f, factor, pivot.right);
+        self.right = self.right.minus_product(f, factor, pivot.right);
     }
 }
 
@@ -293,8 +293,8 @@ impl Equations {
     ///
     /// # Errors
     /// [`Unproved::InverseDynamics`] with the first row that differs.
-    pub fn with_inverse_dynamics(self, arena: &mut Arena) -> Result<Self, Unproved> {
-        let has_others = self.formulation.carries_reactions() || self.unknowns.len() > self.variables.len();
+    pub fn with_certified_inverse_dynamics(self, arena: &mut Arena) -> Result<Self, Unproved> {
+        let has_others = self.formulation.has_reactions() || self.unknowns.len() > self.variables.len();
         if has_others {
             return Ok(self);
         }
@@ -319,7 +319,7 @@ impl Equations {
 pub fn certify_inverse_dynamics(arena: &Arena, equations: &Equations) -> Result<Certificate, Unproved> {
     let mut arena = arena.clone();
     let mut put = Substitution::default();
-    put_in(&mut arena, &mut put, &equations.definitions);
+    substitute_steps(&mut arena, &mut put, &equations.definitions);
     let matrix: Vec<Expr> = equations.matrix.iter().flat_map(|row| put.all(&mut arena, row)).collect();
     let [forcing, required] = [&equations.forcing, &equations.required].map(|list| put.all(&mut arena, list));
     let terms = [matrix, forcing, required, equations.unknowns.clone()].concat();
@@ -333,7 +333,7 @@ pub fn certify_inverse_dynamics(arena: &Arena, equations: &Equations) -> Result<
         let (required, unknowns) = rest.split_at(equations.required.len());
         for (row, given) in required.iter().enumerate() {
             let products = matrix[row * columns..][..columns].iter().zip(unknowns);
-            let left = products.fold(forcing[row], |left, (m, x)| left.minus(f, *m, *x));
+            let left = products.fold(forcing[row], |left, (m, x)| left.minus_product(f, *m, *x));
             if f.add(left.value, given.value) != 0 {
                 return Err(Unproved::InverseDynamics(row));
             }
@@ -359,10 +359,10 @@ pub fn certify_slopes(
     let along: Vec<(Expr, Expr)> = along.iter().map(|x| (*x, fresh_symbol(&mut arena, "direction"))).collect();
     let directions: Vec<Expr> = along.iter().map(|(_, direction)| *direction).collect();
     let mut put = Substitution::default();
-    put_in(&mut arena, &mut put, steps);
+    substitute_steps(&mut arena, &mut put, steps);
     let rates = put.all(&mut arena, values);
     let mut put = Substitution::default();
-    put_in(&mut arena, &mut put, &jacobian.steps);
+    substitute_steps(&mut arena, &mut put, &jacobian.steps);
     let mut products = Vec::with_capacity(rates.len());
     for row in &jacobian.entries {
         let row = put.all(&mut arena, row);

@@ -10,14 +10,14 @@ use crate::algebra::term::calculus::Substitution;
 use crate::algebra::term::steps::fresh_symbol;
 use crate::algebra::{Arena, Expr, Function, Node};
 use crate::mechanics::derivation::Derivation;
-use crate::mechanics::origin::Distance;
+use crate::mechanics::equations_origin::SingularDistance;
 use crate::model::Model;
 
 /// Lists the useful distances of a model: from +90° for each coordinate whose cosine divides in the
 /// kinematic equations. Empty for a model with loops: its divisors vanish at dead points, which
 /// runs pass by other equations.
 #[must_use]
-pub fn distances(model: &Model) -> Vec<Distance> {
+pub fn singular_distances(model: &Model) -> Vec<SingularDistance> {
     if !model.loops.is_empty() {
         return Vec::new();
     }
@@ -28,13 +28,13 @@ pub fn distances(model: &Model) -> Vec<Distance> {
     };
     let divides = |coordinate| model.kinematic_equations.divisors.iter().any(|e| is_cosine(e, coordinate));
     let coordinates = model.coordinates.iter().enumerate().filter(|(_, c)| divides(c.symbol));
-    coordinates.map(|(coordinate, _)| Distance { coordinate, quarter_turns: 1 }).collect()
+    coordinates.map(|(coordinate, _)| SingularDistance { coordinate, quarter_turns: 1 }).collect()
 }
 
 /// Rewrites equations in a distance d: d + origin replaces the coordinate in every term, and every
 /// term is simplified.
 #[must_use]
-pub fn in_distance(model: &Model, derivation: Derivation, distance: Distance) -> Derivation {
+pub fn equations_in_distance(model: &Model, derivation: Derivation, distance: SingularDistance) -> Derivation {
     let Derivation { mut arena, mut equations } = derivation;
     let coordinate = &model.coordinates[distance.coordinate];
     let degrees = distance.degrees();
@@ -50,7 +50,7 @@ pub fn in_distance(model: &Model, derivation: Derivation, distance: Distance) ->
         let moved = put.apply(arena, *e);
         *e = simplifier.simplify(arena, moved);
     };
-    equations.visit(&mut write, &mut arena);
+    equations.change_terms(&mut write, &mut arena);
     equations.coordinates[distance.coordinate] = symbol;
     equations.distance = Some(distance);
     Derivation { arena, equations }

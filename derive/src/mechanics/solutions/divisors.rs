@@ -2,8 +2,8 @@
 
 use crate::algebra::solve::elimination::{Elimination, divisors};
 use crate::algebra::term::calculus::Gradient;
-use crate::algebra::term::steps::{Definition, needed};
-use crate::algebra::text::print::text;
+use crate::algebra::term::steps::{Definition, needed_steps};
+use crate::algebra::text::print::print_text;
 use crate::algebra::value::range::never_zero;
 use crate::algebra::{Arena, Expr, Node};
 use crate::mechanics::equations::Equations;
@@ -33,25 +33,25 @@ impl Divisors {
         let steps = match solved {
             Some(solved) => {
                 wanted.extend(&e.unknowns[..e.variables.len()]);
-                needed(arena, &solved.steps, &wanted)
+                needed_steps(arena, &solved.steps, &wanted)
             }
             None => {
                 wanted.extend(e.matrix.iter().flatten().chain(&e.forcing));
-                needed(arena, &e.definitions, &wanted)
+                needed_steps(arena, &e.definitions, &wanted)
             }
         };
         let all: Vec<Expr> = steps.iter().map(|step| step.value).chain(wanted).collect();
-        let moving = moving(arena, e, &steps);
+        let moving = state_dependent_symbols(arena, e, &steps);
         let moves = |divisor: &Expr| arena.reachable(&[*divisor]).iter().any(|part| moving.contains(part));
         let mut values: Vec<Expr> = Vec::new();
         let pivots = Pivots::new(arena, e, &steps, &moving);
         for divisor in divisors(arena, &all).into_iter().filter(|d| moves(d) && !pivots.contains(arena, *d)) {
-            let bare = bare(arena, divisor);
+            let bare = divisor_without_number(arena, divisor);
             if !values.contains(&bare) && !never_zero(arena, bare) {
                 values.push(bare);
             }
         }
-        Self { steps: needed(arena, &steps, &values), values }
+        Self { steps: needed_steps(arena, &steps, &values), values }
     }
 }
 
@@ -70,7 +70,7 @@ pub struct LoadDivisor {
 impl LoadDivisor {
     /// Text for the user: what a zero of the divisor means, as a clause.
     #[must_use]
-    pub fn meaning(&self) -> String {
+    pub fn zero_divisor_meaning(&self) -> String {
         if self.is_distance {
             format!("the ends of the spring `{}` meet", self.load)
         } else {
@@ -100,7 +100,7 @@ pub fn load_divisors(arena: &mut Arena, model: &Model) -> Vec<LoadDivisor> {
     let mut list: Vec<LoadDivisor> = Vec::new();
     for (load, is_distance, values) in loads {
         for divisor in divisors(arena, &values) {
-            let value = bare(arena, divisor);
+            let value = divisor_without_number(arena, divisor);
             if moves(arena, value) && !never_zero(arena, value) {
                 let divisor = LoadDivisor { load: load.clone(), is_distance, value };
                 if !list.contains(&divisor) {
@@ -121,7 +121,7 @@ impl Divisors {
     #[must_use]
     pub fn names(&self, arena: &Arena) -> Vec<String> {
         let name = |(at, value): (usize, &Expr)| {
-            let formula = text(arena, *value);
+            let formula = print_text(arena, *value);
             if formula.len() <= LONGEST { formula } else { format!("divisor {} of the accelerations", at + 1) }
         };
         self.values.iter().enumerate().map(name).collect()
@@ -154,7 +154,7 @@ impl<'a> Pivots<'a> {
     /// constant factors, or the symbol of such a sum.
     fn contains(&self, arena: &Arena, divisor: Expr) -> bool {
         let is_constant = |e: Expr| !arena.reachable(&[e]).iter().any(|part| self.moving.contains(part));
-        let is_sum = |e: Expr| match arena.node(bare(arena, e)) {
+        let is_sum = |e: Expr| match arena.node(divisor_without_number(arena, e)) {
             Node::Sum(..) => true,
             Node::Product(factors) => factors
                 .iter()
@@ -169,7 +169,7 @@ impl<'a> Pivots<'a> {
 }
 
 /// Lists the symbols of the state (q, v), and of the definitions that depend on the state.
-fn moving(arena: &Arena, equations: &Equations, steps: &[Definition]) -> Vec<Expr> {
+fn state_dependent_symbols(arena: &Arena, equations: &Equations, steps: &[Definition]) -> Vec<Expr> {
     let mut list: Vec<Expr> = equations.coordinates.iter().chain(&equations.variables).copied().collect();
     for step in steps {
         if arena.reachable(&[step.value]).iter().any(|part| list.contains(part)) {
@@ -181,7 +181,7 @@ fn moving(arena: &Arena, equations: &Equations, steps: &[Definition]) -> Vec<Exp
 
 /// Removes a numeric factor from a divisor: x for 2 x.
 #[must_use]
-pub fn bare(arena: &Arena, divisor: Expr) -> Expr {
+pub fn divisor_without_number(arena: &Arena, divisor: Expr) -> Expr {
     match arena.node(divisor) {
         Node::Sum(constant, terms) if constant.is_zero() && terms.len() == 1 => terms[0].0,
         _ => divisor,

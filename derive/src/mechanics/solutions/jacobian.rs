@@ -1,10 +1,10 @@
 //! Jacobian of a first-order system: derivatives of q̇ and v̇ by the state, by the chain rule over
 //! a list of definitions.
 
-use crate::algebra::form::simplify::{Simplifier, cost, cost_of_all};
+use crate::algebra::form::simplify::{Simplifier, operation_count, operation_count_of_all};
 use crate::algebra::solve::elimination::Elimination;
 use crate::algebra::term::calculus::Differential;
-use crate::algebra::term::steps::{Definition, fresh_symbol, needed};
+use crate::algebra::term::steps::{Definition, fresh_symbol, needed_steps};
 use crate::algebra::{Arena, Expr};
 use crate::mechanics::equations::Equations;
 
@@ -44,38 +44,38 @@ pub fn jacobian(
 ) -> Jacobian {
     let n = equations.variables.len();
     let of_state = [&equations.unknowns[..n], &equations.coordinate_rates].concat();
-    let steps = needed(arena, &solved.steps, &of_state);
+    let steps = needed_steps(arena, &solved.steps, &of_state);
     let states: Vec<Expr> = equations.coordinates.iter().chain(&equations.variables).copied().collect();
-    if is_long(arena, &steps, states.len()) {
-        return product(arena, simplifier, equations, steps);
+    if is_long_jacobian(arena, &steps, states.len()) {
+        return jacobian_direction_product(arena, simplifier, equations, steps);
     }
     let rates = [&equations.coordinate_rates, &equations.unknowns[..n]].concat();
-    whole(arena, simplifier, &rates, steps, &states)
+    whole_jacobian(arena, simplifier, &rates, steps, &states)
 }
 
 /// Derivatives of `values` by each of the symbols `along`, with a column for each symbol. The
 /// values may use the symbols that `steps` define. `None` if the Jacobian would be too long.
-pub(super) fn slopes_along(
+pub(super) fn jacobian_along_symbols(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
     steps: &[Definition],
     values: &[Expr],
     along: &[Expr],
 ) -> Option<Jacobian> {
-    let steps = needed(arena, steps, values);
-    let is_short = !is_long(arena, &steps, along.len());
-    is_short.then(|| whole(arena, simplifier, values, steps, along))
+    let steps = needed_steps(arena, steps, values);
+    let is_short = !is_long_jacobian(arena, &steps, along.len());
+    is_short.then(|| whole_jacobian(arena, simplifier, values, steps, along))
 }
 
 /// True if the derivatives of all definitions by `count` symbols would be too many or too long for
 /// a whole Jacobian.
-fn is_long(arena: &Arena, steps: &[Definition], count: usize) -> bool {
+fn is_long_jacobian(arena: &Arena, steps: &[Definition], count: usize) -> bool {
     let values: Vec<Expr> = steps.iter().map(|step| step.value).collect();
-    count * steps.len() > MOST_SLOPES || count * cost_of_all(arena, &values) > MOST_SLOPES_OF_OPERATIONS
+    count * steps.len() > MOST_SLOPES || count * operation_count_of_all(arena, &values) > MOST_SLOPES_OF_OPERATIONS
 }
 
 /// Derives the whole Jacobian of `values`, with a column for each symbol of `along`.
-fn whole(
+fn whole_jacobian(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
     values: &[Expr],
@@ -89,8 +89,12 @@ fn whole(
         for step in &accelerations {
             let slope = slope_of.apply(arena, step.value);
             let mut slope = simplifier.simplify(arena, slope);
-            if cost(arena, slope) > LONGEST_SLOPE {
-                let wanted = format!("{}_by_{}", spelled(arena, step.symbol), spelled(arena, variable));
+            if operation_count(arena, slope) > LONGEST_SLOPE {
+                let wanted = format!(
+                    "{}_by_{}",
+                    symbol_name_for_derivatives(arena, step.symbol),
+                    symbol_name_for_derivatives(arena, variable)
+                );
                 let symbol = fresh_symbol(arena, &wanted);
                 steps.push(Definition { symbol, value: slope });
                 slope = symbol;
@@ -105,13 +109,13 @@ fn whole(
 }
 
 /// Spells the name of a symbol for use in another name: `u1_dot` for `u1'`.
-fn spelled(arena: &Arena, symbol: Expr) -> String {
+fn symbol_name_for_derivatives(arena: &Arena, symbol: Expr) -> String {
     arena.symbol_name(symbol).unwrap_or_default().replace("''", "_ddot").replace('\'', "_dot")
 }
 
 /// Derives the product of the Jacobian with a direction: a single derivative of each definition
 /// along the direction.
-fn product(
+fn jacobian_direction_product(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
     equations: &Equations,
@@ -120,7 +124,7 @@ fn product(
     let states = equations.coordinates.iter().chain(&equations.variables);
     let along: Vec<(Expr, Expr)> = states
         .map(|state| {
-            let wanted = format!("d_{}", spelled(arena, *state));
+            let wanted = format!("d_{}", symbol_name_for_derivatives(arena, *state));
             (*state, fresh_symbol(arena, &wanted))
         })
         .collect();
@@ -130,8 +134,8 @@ fn product(
         steps.push(step);
         let slope = slope_of.apply(arena, step.value);
         let mut slope = simplifier.simplify(arena, slope);
-        if cost(arena, slope) > 0 {
-            let wanted = format!("d_{}", spelled(arena, step.symbol));
+        if operation_count(arena, slope) > 0 {
+            let wanted = format!("d_{}", symbol_name_for_derivatives(arena, step.symbol));
             let symbol = fresh_symbol(arena, &wanted);
             steps.push(Definition { symbol, value: slope });
             slope = symbol;

@@ -8,13 +8,13 @@
 mod lagrangian;
 #[cfg(test)]
 mod name_tests;
-mod parse;
+mod parse_quantity;
 #[cfg(test)]
 mod tests;
 mod vectors;
 mod velocity_terms;
 
-pub use parse::QuantityError;
+pub use parse_quantity::QuantityError;
 
 use super::accelerations::accelerations;
 use crate::algebra::term::calculus::{Differential, Substitution};
@@ -25,8 +25,8 @@ use crate::mechanics::equations::Equations;
 use crate::mechanics::formulations::formulation::Formulation;
 use crate::mechanics::formulations::kane;
 use crate::mechanics::motion::kinematics::{Kinematics, Velocities, motion_rates};
-use crate::mechanics::quantity::{Energy, Quantity, QuantityKind, Row, VectorName};
-use crate::model::{Model, Place, TIME};
+use crate::mechanics::quantity::{EnergyQuantity, Quantity, QuantityKind, RowQuantity, VectorName};
+use crate::model::{ForcePlace, Model, TIME};
 use rustc_hash::FxHashMap;
 
 /// Components of a 3 × 3 tensor along a frame, row by row.
@@ -113,7 +113,7 @@ impl<'a> Quantities<'a> {
             QuantityKind::Component { vector, of, frame, axis } => self.component(vector, of, frame)[axis],
             QuantityKind::MaterialVelocity { body, point, frame, axis } => {
                 let (model, kinematics) = (self.model, &mut self.derivations.kinematics);
-                let velocity = kinematics.place_velocity(model, &self.velocities, Place { body, point });
+                let velocity = kinematics.load_place_velocity(model, &self.velocities, ForcePlace { body, point });
                 kinematics.frames.component(&mut kinematics.arena, &velocity, frame, axis)
             }
             QuantityKind::Partial { vector, of, frame, axis, speed } => {
@@ -122,16 +122,16 @@ impl<'a> Quantities<'a> {
                 partial.apply(&mut self.derivations.kinematics.arena, component)
             }
             QuantityKind::Inertia { body, frame, entry: (i, j) } => self.inertia(body, frame)[i][j],
-            QuantityKind::Row(Row::ActiveForce, at) => self.active_forces()[at],
-            QuantityKind::Row(Row::InertiaForce, at) => self.inertia_forces()[at],
-            QuantityKind::Row(Row::Forcing, at) => self.equations(Formulation::Kane)?.forcing[at],
-            QuantityKind::Row(Row::LagrangeForcing, at) => self.equations(Formulation::Lagrange)?.forcing[at],
-            QuantityKind::Row(Row::VelocityTerms, at) => self.velocity_terms(at)?,
-            QuantityKind::Row(Row::PotentialSlope, at) => self.potential_slope(at)?,
-            QuantityKind::Row(Row::Momentum, at) => self.momentum(at)?,
-            QuantityKind::Row(Row::MomentumRate, at) => self.momentum_rate(at)?,
-            QuantityKind::Row(Row::HeldMomentumRate, at) => self.held_momentum_rate(at)?,
-            QuantityKind::Row(Row::LagrangianSlope, at) => self.lagrangian_slope(at)?,
+            QuantityKind::Row(RowQuantity::ActiveForce, at) => self.active_forces()[at],
+            QuantityKind::Row(RowQuantity::InertiaForce, at) => self.inertia_forces()[at],
+            QuantityKind::Row(RowQuantity::Forcing, at) => self.equations(Formulation::Kane)?.forcing[at],
+            QuantityKind::Row(RowQuantity::LagrangeForcing, at) => self.equations(Formulation::Lagrange)?.forcing[at],
+            QuantityKind::Row(RowQuantity::VelocityTerms, at) => self.velocity_terms(at)?,
+            QuantityKind::Row(RowQuantity::PotentialSlope, at) => self.potential_slope(at)?,
+            QuantityKind::Row(RowQuantity::Momentum, at) => self.momentum(at)?,
+            QuantityKind::Row(RowQuantity::MomentumRate, at) => self.momentum_rate(at)?,
+            QuantityKind::Row(RowQuantity::HeldMomentumRate, at) => self.partial_time_derivative_of_momentum(at)?,
+            QuantityKind::Row(RowQuantity::LagrangianSlope, at) => self.lagrangian_slope(at)?,
             QuantityKind::Christoffel(i, j) => self.christoffel(i, j)?,
             QuantityKind::MassRate(i, j) => self.mass_rate(i, j)?,
             QuantityKind::MassMatrix(i, j) => self.equations(Formulation::Kane)?.matrix[i][j],
@@ -234,9 +234,9 @@ impl<'a> Quantities<'a> {
         let t = self.at_clock(t);
         let arena = &mut self.derivations.kinematics.arena;
         match energy {
-            Energy::Kinetic => t,
-            Energy::Lagrangian => arena.sub(t, v),
-            Energy::Total => arena.add(t, v),
+            EnergyQuantity::Kinetic => t,
+            EnergyQuantity::Lagrangian => arena.sub(t, v),
+            EnergyQuantity::Total => arena.add(t, v),
             _ => derived,
         }
     }
@@ -299,20 +299,20 @@ impl<'a> Quantities<'a> {
     ///
     /// # Errors
     /// Text of the reason why Kane's equations or the potential of gravity cannot be derived.
-    fn energy(&mut self, energy: Energy) -> Result<Expr, String> {
+    fn energy(&mut self, energy: EnergyQuantity) -> Result<Expr, String> {
         let kane = self.equations(Formulation::Kane)?;
         let (t, v) = (kane.kinetic_energy, kane.potential_energy);
         Ok(match energy {
-            Energy::Kinetic => t,
-            Energy::Translation => self.part_of_energy(VectorName::Velocity),
-            Energy::Rotation => self.part_of_energy(VectorName::AngularVelocity),
-            Energy::Potential => v,
-            Energy::Gravity => {
+            EnergyQuantity::Kinetic => t,
+            EnergyQuantity::Translation => self.part_of_energy(VectorName::Velocity),
+            EnergyQuantity::Rotation => self.part_of_energy(VectorName::AngularVelocity),
+            EnergyQuantity::Potential => v,
+            EnergyQuantity::Gravity => {
                 let (model, kinematics) = (self.model, &mut self.derivations.kinematics);
                 kinematics.gravity_potential(model).map_err(|error| error.to_string())?
             }
-            Energy::Lagrangian => self.derivations.kinematics.arena.sub(t, v),
-            Energy::Total => self.derivations.kinematics.arena.add(t, v),
+            EnergyQuantity::Lagrangian => self.derivations.kinematics.arena.sub(t, v),
+            EnergyQuantity::Total => self.derivations.kinematics.arena.add(t, v),
         })
     }
 

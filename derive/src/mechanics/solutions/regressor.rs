@@ -14,23 +14,23 @@
 //! Kane's equations, with which the regressor is compared.
 
 use crate::algebra::term::calculus::{Gradient, Substitution};
-use crate::algebra::value::modular::{ZeroTest, zero_test};
+use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr};
 use crate::geometry::{Components, Vector, apply_tensor, cross_components};
 use crate::mechanics::derivation::derive_with;
-use crate::mechanics::error::DeriveError;
+use crate::mechanics::derive_error::DeriveError;
 use crate::mechanics::formulations::formulation::Formulation;
-use crate::mechanics::motion::anchor::Anchor;
-use crate::mechanics::motion::carried_accelerations::{Accelerations, AlphaTerms};
-use crate::mechanics::motion::form::Form;
-use crate::mechanics::motion::inertial::Inertial;
+use crate::mechanics::motion::equation_form::EquationForm;
+use crate::mechanics::motion::inertial_anchor::Anchor;
+use crate::mechanics::motion::inertial_parameter::InertialParameter;
 use crate::mechanics::motion::kinematics::{Kinematics, Velocities, motion_rates, rates_to_speeds};
 use crate::mechanics::motion::loads::Load;
+use crate::mechanics::motion::tree_accelerations::{Accelerations, AlphaTerms};
 use crate::model::{Body, Model, Unit};
 
 /// Choice of the parameters for which a regressor has columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Varied {
+pub enum RegressorParameters {
     /// All ten inertial parameters of every rigid body, the mass of every particle, and the mass-like
     /// parameters of loads. The values in the model file do not matter.
     Bodies,
@@ -43,7 +43,7 @@ pub enum Varied {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ColumnParameter {
     /// Inertial parameter of the body with this index.
-    Body(usize, Inertial),
+    Body(usize, InertialParameter),
     /// Parameter of the model file with this index.
     Parameter(usize),
 }
@@ -78,7 +78,7 @@ pub struct Regressor {
     /// and u̇.
     pub required: Vec<Expr>,
     /// Reference point and axes of each body's inertial parameters, one for each body; empty for
-    /// [`Varied::Declared`].
+    /// [`RegressorParameters::Declared`].
     pub anchors: Vec<Anchor>,
 }
 
@@ -87,25 +87,32 @@ impl Regressor {
     ///
     /// # Errors
     /// [`DeriveError`] if the model cannot be derived, or if a body has an added mass.
-    pub fn new(model: &Model, varied: Varied) -> Result<Self, DeriveError> {
+    pub fn new(model: &Model, varied: RegressorParameters) -> Result<Self, DeriveError> {
         if let Some(added) = model.added_masses.first() {
             return Err(DeriveError::AddedMass { body: model.bodies[added.body].name.clone() });
         }
-        let mut kinematics = Kinematics::in_form(model, Form::Steps)?;
+        let mut kinematics = Kinematics::in_form(model, EquationForm::Steps)?;
         let equations = derive_with(model, &mut kinematics, Formulation::Kane)?;
-        let proved = equations.with_inverse_dynamics(&mut kinematics.arena);
+        let proved = equations.with_certified_inverse_dynamics(&mut kinematics.arena);
         let required = proved.map_err(|why| DeriveError::Unsolved(why.into()))?.required;
         let candidates: Vec<usize> =
             (0..model.parameters.len()).filter(|at| is_mass_like(&model.parameters[*at])).collect();
         match varied {
-            Varied::Bodies => Ok(Self::of_bodies(model, kinematics, required, &candidates)),
-            Varied::Declared => Ok(Self::as_declared(model, kinematics.arena, required, candidates)),
+            RegressorParameters::Bodies => Ok(Self::regressor_of_bodies(model, kinematics, required, &candidates)),
+            RegressorParameters::Declared => {
+                Ok(Self::regressor_of_declared_parameters(model, kinematics.arena, required, candidates))
+            }
         }
     }
 
     /// Builds columns for the inertial parameters of all bodies and for the mass-like parameters of
     /// loads.
-    fn of_bodies(model: &Model, mut kinematics: Kinematics, required: Vec<Expr>, candidates: &[usize]) -> Self {
+    fn regressor_of_bodies(
+        model: &Model,
+        mut kinematics: Kinematics,
+        required: Vec<Expr>,
+        candidates: &[usize],
+    ) -> Self {
         let velocities = kinematics.in_speeds(model);
         let accelerations = kinematics.accelerations(
             model,
@@ -118,7 +125,7 @@ impl Regressor {
         let mut anchors = Vec::new();
         for at in 0..model.bodies.len() {
             let anchor = Anchor::of(model, at);
-            let motion = Motion::new(&mut kinematics, model, &velocities, &accelerations, &anchor);
+            let motion = AnchorMotion::new(&mut kinematics, model, &velocities, &accelerations, &anchor);
             let deep = motion.moves_with();
             bodies.push((deep, motion.columns(&mut kinematics, model, &anchor)));
             anchors.push(anchor);
@@ -130,14 +137,19 @@ impl Regressor {
         let forces = kinematics.forces_along(&loads, &mut rates_to_speeds(model), &model.u());
         let arena = &mut kinematics.arena;
         let needed: Vec<Expr> = forces.iter().map(|e| arena.neg(*e)).collect();
-        let (of_loads, rest) = linear_part(model, arena, needed, candidates.to_vec());
+        let (of_loads, rest) = regressor_columns_of_parameters(model, arena, needed, candidates.to_vec());
         columns.extend(of_loads);
         Self { arena: kinematics.arena, columns, rest, required, anchors }
     }
 
     /// Builds columns for the mass-like parameters of the model file, in which the forces are linear.
-    fn as_declared(model: &Model, mut arena: Arena, required: Vec<Expr>, candidates: Vec<usize>) -> Self {
-        let (columns, rest) = linear_part(model, &mut arena, required.clone(), candidates);
+    fn regressor_of_declared_parameters(
+        model: &Model,
+        mut arena: Arena,
+        required: Vec<Expr>,
+        candidates: Vec<usize>,
+    ) -> Self {
+        let (columns, rest) = regressor_columns_of_parameters(model, &mut arena, required.clone(), candidates);
         Self { arena, columns, rest, required, anchors: Vec::new() }
     }
 }
@@ -146,12 +158,12 @@ impl Regressor {
 /// is not an input. Forces are linear in all such parameters together, unless the parameters form
 /// ratios.
 fn is_mass_like(parameter: &crate::model::Parameter) -> bool {
-    !parameter.is_input && parameter.unit.of_mass().is_one()
+    !parameter.is_input && parameter.unit.kilogram_exponent().is_one()
 }
 
 /// Splits forces into Σ θ Y_θ + rest, for those candidate parameters θ in which the forces are
 /// linear. Other candidates count as known. Returns the columns Y_θ and the rest.
-fn linear_part(
+fn regressor_columns_of_parameters(
     model: &Model,
     arena: &mut Arena,
     forces: Vec<Expr>,
@@ -159,8 +171,8 @@ fn linear_part(
 ) -> (Vec<Column>, Vec<Expr>) {
     let (slopes, kept) = loop {
         let symbols: Vec<Expr> = candidates.iter().map(|at| model.parameters[*at].symbol).collect();
-        let slopes = slopes_of(arena, &forces, &symbols);
-        let bent = bent_along(arena, &slopes, &symbols);
+        let slopes = derivative_rows(arena, &forces, &symbols);
+        let bent = is_nonlinear_in_parameters(arena, &slopes, &symbols);
         if bent.iter().all(|bent| !bent) {
             break (slopes, candidates);
         }
@@ -186,7 +198,7 @@ fn linear_part(
 }
 
 /// Partial derivatives of each term by each symbol, one row for each term.
-fn slopes_of(arena: &mut Arena, terms: &[Expr], symbols: &[Expr]) -> Vec<Vec<Expr>> {
+fn derivative_rows(arena: &mut Arena, terms: &[Expr], symbols: &[Expr]) -> Vec<Vec<Expr>> {
     let mut gradient = Gradient::new(symbols);
     let row = |term: &Expr| {
         let mut row = vec![Expr::ZERO; symbols.len()];
@@ -200,7 +212,7 @@ fn slopes_of(arena: &mut Arena, terms: &[Expr], symbols: &[Expr]) -> Vec<Vec<Exp
 
 /// Lists, for each symbol, true if the derivatives by it still depend on any of the symbols.
 /// `slopes` has a row of derivatives for each force.
-fn bent_along(arena: &mut Arena, slopes: &[Vec<Expr>], symbols: &[Expr]) -> Vec<bool> {
+fn is_nonlinear_in_parameters(arena: &mut Arena, slopes: &[Vec<Expr>], symbols: &[Expr]) -> Vec<bool> {
     let mut gradient = Gradient::new(symbols);
     let mut bent = vec![false; symbols.len()];
     for row in slopes {
@@ -214,7 +226,7 @@ fn bent_along(arena: &mut Arena, slopes: &[Vec<Expr>], symbols: &[Expr]) -> Vec<
 
 /// Motion of a body: accelerations, angular velocity and partial velocities, along the axes of its
 /// anchor.
-struct Motion {
+struct AnchorMotion {
     /// Acceleration b = a_P − g of the anchor's point P less that of free fall, m/s².
     b: Components,
     /// Angular velocity ω of the body, rad/s.
@@ -225,7 +237,7 @@ struct Motion {
     along: Vec<[Components; 2]>,
 }
 
-impl Motion {
+impl AnchorMotion {
     /// Computes the motion of a body, with a name for each long subterm.
     fn new(
         kinematics: &mut Kinematics,
@@ -236,14 +248,15 @@ impl Motion {
     ) -> Self {
         let name = anchor_name(model, anchor);
         let Kinematics { arena, frames, .. } = kinematics;
-        let mut carry = |vector: &Vector, letter: &str| frames.carry(arena, vector, anchor.frame, letter, &name);
+        let mut carry =
+            |vector: &Vector, letter: &str| frames.express_frame_by_frame(arena, vector, anchor.frame, letter, &name);
         let v = carry(&velocities.linear[anchor.point], "v");
         let b = carry(&accelerations.linear[anchor.point], "a");
         let (omega, alpha) = match anchor.turns {
             Some(frame) => (carry(&velocities.angular[frame], "w"), carry(&accelerations.angular[frame], "alpha")),
             None => ([Expr::ZERO; 3], [Expr::ZERO; 3]),
         };
-        let rows = slopes_of(arena, &[v, omega].concat(), &model.u());
+        let rows = derivative_rows(arena, &[v, omega].concat(), &model.u());
         let along = (0..model.speeds.len())
             .map(|r| [[rows[0][r], rows[1][r], rows[2][r]], [rows[3][r], rows[4][r], rows[5][r]]])
             .collect();
@@ -273,7 +286,7 @@ impl Motion {
                 Column {
                     of: ColumnParameter::Body(anchor.body, inertial),
                     forces: forces.collect(),
-                    name: format!("{}_{}", inertial.letters(), body.name),
+                    name: format!("{}_{}", inertial.parameter_symbol(), body.name),
                     unit: inertial.unit(),
                     stated: stated.of(inertial),
                 }
@@ -282,11 +295,11 @@ impl Motion {
     }
 
     /// Force F and moment N about P that the motion requires per unit of an inertial parameter.
-    fn wrench(&self, arena: &mut Arena, inertial: Inertial) -> [Components; 2] {
+    fn wrench(&self, arena: &mut Arena, inertial: InertialParameter) -> [Components; 2] {
         let zero = [Expr::ZERO; 3];
         match inertial {
-            Inertial::Mass => [self.b, zero],
-            Inertial::FirstMoment(axis) => {
+            InertialParameter::Mass => [self.b, zero],
+            InertialParameter::FirstMoment(axis) => {
                 let mut e = zero;
                 e[axis] = Expr::ONE;
                 let turning = cross_components(arena, &self.alpha, &e);
@@ -295,7 +308,7 @@ impl Motion {
                 let force = std::array::from_fn(|i| arena.add(turning[i], inward[i]));
                 [force, cross_components(arena, &e, &self.b)]
             }
-            Inertial::Inertia(i, j) => {
+            InertialParameter::Inertia(i, j) => {
                 let mut unit = [zero; 3];
                 (unit[i][j], unit[j][i]) = (Expr::ONE, Expr::ONE);
                 let rate = apply_tensor(arena, &unit, &self.alpha);
@@ -330,7 +343,7 @@ impl InertialParameters {
         let back = kinematics.positions[anchor.point].neg(&mut kinematics.arena);
         let arm = kinematics.positions[body.centre].add(&mut kinematics.arena, &back);
         let Kinematics { arena, frames, simplifier, .. } = kinematics;
-        let r = frames.express(arena, &arm, anchor.frame).map(|e| plain(arena, e));
+        let r = frames.express(arena, &arm, anchor.frame).map(|e| without_named_terms(arena, e));
         let r = r.map(|e| simplifier.simplify(arena, e));
         let mut inertia = [[Expr::ZERO; 3]; 3];
         if let Some((_, own)) = &body.rigid {
@@ -356,7 +369,7 @@ impl InertialParameters {
                 };
                 let shift = arena.mul(body.mass, away);
                 let sum = arena.add(*entry, shift);
-                let sum = at_rest(arena, sum, &anchor.moved);
+                let sum = value_at_zero_coordinates(arena, sum, &anchor.moved);
                 *entry = simplifier.simplify(arena, sum);
             }
         }
@@ -365,19 +378,19 @@ impl InertialParameters {
     }
 
     /// Value of an inertial parameter, as a term in the model's parameters.
-    fn of(&self, inertial: Inertial) -> Expr {
+    fn of(&self, inertial: InertialParameter) -> Expr {
         match inertial {
-            Inertial::Mass => self.mass,
-            Inertial::FirstMoment(axis) => self.moment[axis],
-            Inertial::Inertia(i, j) => self.inertia[i][j],
+            InertialParameter::Mass => self.mass,
+            InertialParameter::FirstMoment(axis) => self.moment[axis],
+            InertialParameter::Inertia(i, j) => self.inertia[i][j],
         }
     }
 }
 
 /// Replaces all named subterms of a term by the terms that they stand for.
-fn plain(arena: &mut Arena, e: Expr) -> Expr {
+fn without_named_terms(arena: &mut Arena, e: Expr) -> Expr {
     let names: Vec<(Expr, Expr)> =
-        arena.reachable(&[e]).into_iter().filter_map(|part| Some((part, arena.behind(part)?))).collect();
+        arena.reachable(&[e]).into_iter().filter_map(|part| Some((part, arena.named_term_value(part)?))).collect();
     let mut put = Substitution::default();
     for (name, term) in names {
         let term = put.apply(arena, term);
@@ -388,8 +401,8 @@ fn plain(arena: &mut Arena, e: Expr) -> Expr {
 
 /// Value of a term at zero coordinates, for terms that contain coordinates but do not depend on
 /// them. Returns the term itself if it has no value there.
-fn at_rest(arena: &mut Arena, e: Expr, coordinates: &[Expr]) -> Expr {
-    let e = plain(arena, e);
+fn value_at_zero_coordinates(arena: &mut Arena, e: Expr, coordinates: &[Expr]) -> Expr {
+    let e = without_named_terms(arena, e);
     let mut put = Substitution::new(&coordinates.iter().map(|q| (*q, Expr::ZERO)).collect::<Vec<_>>());
     let value = put.apply(arena, e);
     if put.undefined.is_some() { e } else { value }

@@ -6,13 +6,13 @@
 //! = S ν_C with `S = [1, −r×; 0, 1]`, and the matrix about C is Sᵀ M_A S.
 
 use super::elements::Elements;
-use crate::algebra::value::modular::{ZeroTest, zero_test};
+use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr};
-use crate::model::reading::names::{Kind, PARAMETERS};
-use crate::model::reading::reader::Loading;
+use crate::model::reading::declared_names::{NameKind, PARAMETERS};
+use crate::model::reading::model_reader::Loading;
 use crate::model::units::Unit;
-use crate::model::{AddedMass, Parameter, physics};
-use crate::read::Located;
+use crate::model::{AddedMass, Parameter, possible_bodies};
+use crate::toml_reader::Located;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -38,7 +38,7 @@ impl Elements {
         let Some(value) = loading.reader.get(entry, "added_mass") else { return };
         let what = "an added mass";
         let Some(table) = loading.reader.table(value, what, "{ diagonal = […] }") else { return };
-        loading.reader.allow(table, what, &["diagonal", "matrix", "about_point"]);
+        loading.reader.report_unknown_keys(table, what, &["diagonal", "matrix", "about_point"]);
         let matrix = match (loading.reader.get(table, "diagonal"), loading.reader.get(table, "matrix")) {
             (Some(diagonal), None) => diagonal_matrix(loading, diagonal),
             (None, Some(matrix)) => full_matrix(loading, matrix),
@@ -56,8 +56,8 @@ impl Elements {
             Some(at) => {
                 let point = self.point(loading, table, "about_point", what, &value.span());
                 point.and_then(|point| {
-                    let arm = self.arm(&mut loading.arena, self.bodies[body].centre, point, frame);
-                    let fixed = arm.filter(|arm| is_fixed(loading, arm));
+                    let arm = self.vector_between_points(&mut loading.arena, self.bodies[body].centre, point, frame);
+                    let fixed = arm.filter(|arm| is_constant_arm(loading, arm));
                     if fixed.is_none() {
                         let help = "the mass centre must be placed from that point, or that point from it, in the \
                                     body's frame, at a constant place";
@@ -68,7 +68,7 @@ impl Elements {
             }
         };
         if let (Some(matrix), Some(arm)) = (matrix, arm) {
-            let tensor = about_centre(&mut loading.arena, &matrix, arm);
+            let tensor = added_mass_about_centre(&mut loading.arena, &matrix, arm);
             self.added_masses.push(AddedMass { body, tensor });
         }
     }
@@ -76,10 +76,11 @@ impl Elements {
     /// Reports added masses whose kinetic energy can be negative at the default values of the
     /// parameters.
     pub(super) fn check_added_masses(&self, loading: &mut Loading<'_>, parameters: &[Parameter]) {
-        let known = physics::defaults(parameters);
+        let known = possible_bodies::default_parameter_values(parameters);
         for added in &self.added_masses {
             let name = &self.bodies[added.body].name;
-            if let Some((message, help)) = physics::added_objection(&loading.arena, &known, added, name, "the default")
+            if let Some((message, help)) =
+                possible_bodies::added_mass_objection(&loading.arena, &known, added, name, "the default")
             {
                 let span = loading.names.span(name).unwrap_or_default();
                 loading.reader.error(span, message, help);
@@ -89,26 +90,26 @@ impl Elements {
 }
 
 /// True if components contain no symbols other than parameters, so that they are constant.
-fn is_fixed(loading: &Loading<'_>, components: &[Expr; 3]) -> bool {
+fn is_constant_arm(loading: &Loading<'_>, components: &[Expr; 3]) -> bool {
     let (arena, names) = (&loading.arena, &loading.names);
     let parts = arena.reachable(components);
-    parts.iter().filter_map(|e| arena.symbol_name(*e)).all(|name| names.kind(name) == Some(Kind::Parameter))
+    parts.iter().filter_map(|e| arena.symbol_name(*e)).all(|name| names.kind(name) == Some(NameKind::Parameter))
 }
 
 /// Unit of entry (i, j) of an added mass matrix: kg, kg m or kg m².
-fn unit(i: usize, j: usize) -> Unit {
+fn added_mass_unit(i: usize, j: usize) -> Unit {
     Unit::new(i64::from(i >= 3) + i64::from(j >= 3), 1, 0)
 }
 
 /// Reads entry (i, j) of an added mass matrix as a term; `None` after an error is reported.
-fn entry(loading: &mut Loading<'_>, formula: &Located, i: usize, j: usize) -> Option<Expr> {
+fn added_mass_entry(loading: &mut Loading<'_>, formula: &Located, i: usize, j: usize) -> Option<Expr> {
     let what = format!("entry {}, {} of an added mass", i + 1, j + 1);
-    loading.quantity(formula, PARAMETERS, &unit(i, j), &what)
+    loading.quantity(formula, PARAMETERS, &added_mass_unit(i, j), &what)
 }
 
 /// Reads a list of six values. `None` after reporting another value; `what` names the list in the
 /// message.
-fn six<'a>(
+fn six_values<'a>(
     loading: &mut Loading<'a>,
     value: &'a Spanned<DeValue<'a>>,
     what: &str,
@@ -129,9 +130,9 @@ fn six<'a>(
 /// Reads a diagonal added mass matrix from six formulas; `None` after an error is reported.
 fn diagonal_matrix<'a>(loading: &mut Loading<'a>, value: &'a Spanned<DeValue<'a>>) -> Option<Matrix> {
     let mut matrix = [[Expr::ZERO; SIZE]; SIZE];
-    for (i, value) in six(loading, value, "the diagonal of an added mass")?.into_iter().enumerate() {
+    for (i, value) in six_values(loading, value, "the diagonal of an added mass")?.into_iter().enumerate() {
         let formula = loading.reader.formula(value, "an entry of `diagonal`")?;
-        matrix[i][i] = entry(loading, &formula, i, i)?;
+        matrix[i][i] = added_mass_entry(loading, &formula, i, i)?;
     }
     Some(matrix)
 }
@@ -141,13 +142,13 @@ fn diagonal_matrix<'a>(loading: &mut Loading<'a>, value: &'a Spanned<DeValue<'a>
 fn full_matrix<'a>(loading: &mut Loading<'a>, value: &'a Spanned<DeValue<'a>>) -> Option<Matrix> {
     let mut matrix = [[Expr::ZERO; SIZE]; SIZE];
     let mut texts: Vec<Vec<String>> = Vec::new();
-    for (i, row) in six(loading, value, "the matrix of an added mass")?.into_iter().enumerate() {
+    for (i, row) in six_values(loading, value, "the matrix of an added mass")?.into_iter().enumerate() {
         texts.push(Vec::new());
-        for (j, value) in six(loading, row, "a row of an added mass")?.into_iter().enumerate() {
+        for (j, value) in six_values(loading, row, "a row of an added mass")?.into_iter().enumerate() {
             let formula = loading.reader.formula(value, "an entry of `matrix`")?;
             // A number with a unit that occurs on both sides of the diagonal is a single parameter.
             let is_repeated = i > j && texts[j][i] == formula.text;
-            matrix[i][j] = if is_repeated { matrix[j][i] } else { entry(loading, &formula, i, j)? };
+            matrix[i][j] = if is_repeated { matrix[j][i] } else { added_mass_entry(loading, &formula, i, j)? };
             texts[i].push(formula.text.clone());
             let difference = loading.arena.sub(matrix[i][j], matrix[j][i]);
             if i > j && zero_test(&loading.arena, difference) != ZeroTest::Zero {
@@ -168,7 +169,7 @@ fn full_matrix<'a>(loading: &mut Loading<'a>, value: &'a Spanned<DeValue<'a>>) -
 
 /// Added mass matrix Sᵀ M S about the mass centre C, from M about a point; `arm` is the vector from
 /// C to that point, m.
-fn about_centre(arena: &mut Arena, matrix: &Matrix, arm: [Expr; 3]) -> Matrix {
+fn added_mass_about_centre(arena: &mut Arena, matrix: &Matrix, arm: [Expr; 3]) -> Matrix {
     if arm == [Expr::ZERO; 3] {
         return *matrix;
     }
@@ -184,12 +185,12 @@ fn about_centre(arena: &mut Arena, matrix: &Matrix, arm: [Expr; 3]) -> Matrix {
         })
     });
     let transposed: Matrix = std::array::from_fn(|i| std::array::from_fn(|j| shift[j][i]));
-    let right = product(arena, matrix, &shift);
-    product(arena, &transposed, &right)
+    let right = added_mass_product(arena, matrix, &shift);
+    added_mass_product(arena, &transposed, &right)
 }
 
 /// Product of two 6 × 6 matrices.
-fn product(arena: &mut Arena, a: &Matrix, b: &Matrix) -> Matrix {
+fn added_mass_product(arena: &mut Arena, a: &Matrix, b: &Matrix) -> Matrix {
     std::array::from_fn(|i| {
         std::array::from_fn(|j| {
             let terms: Vec<Expr> = (0..SIZE).map(|k| arena.mul(a[i][k], b[k][j])).collect();

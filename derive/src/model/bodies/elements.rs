@@ -4,14 +4,15 @@ use super::joints::Joints;
 use crate::algebra::term::calculus::Gradient;
 use crate::algebra::{Arena, Expr, Rational};
 use crate::geometry::{Placement, Turn};
-use crate::model::reading::names::{Allowed, CONFIGURATION, Kind, PARAMETERS};
-use crate::model::reading::reader::Loading;
-use crate::model::reading::tree::{Node, in_order};
+use crate::model::reading::declared_names::{AllowedQuantities, CONFIGURATION, NameKind, PARAMETERS};
+use crate::model::reading::model_reader::Loading;
+use crate::model::reading::tree::{Node, sort_parents_first};
 use crate::model::units::Unit;
 use crate::model::{
-    AddedMass, Body, Contacts, Force, Frame, Gravity, Inertia, Parameter, Point, Potential, Reaction, Torque, physics,
+    AddedMass, Body, Contacts, Force, Frame, Gravity, Inertia, Parameter, Point, Potential, Reaction, Torque,
+    possible_bodies,
 };
-use crate::read::{Entry, Located};
+use crate::toml_reader::{Entry, Located};
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -68,7 +69,7 @@ impl Elements {
         all.read_points(loading, table, joints);
         all.read_bodies(loading, table, joints);
         all.read_particles(loading, table);
-        loading.names.find_places(&mut loading.reader);
+        loading.names.check_awaiting_velocities(&mut loading.reader);
         all.read_gravity(loading, table);
         all.read_forces(loading, table);
         all.read_torques(loading, table);
@@ -78,12 +79,12 @@ impl Elements {
 
     /// Index of the only body that a coordinate moves relative to the body or origin from which that
     /// body is placed. `None` if the coordinate moves no body in this way, or several bodies.
-    pub fn placed_by(&self, arena: &Arena, coordinate: Expr) -> Option<usize> {
+    pub fn body_moved_by_coordinate(&self, arena: &Arena, coordinate: Expr) -> Option<usize> {
         let depends = |terms: &[Expr]| arena.reachable(terms).contains(&coordinate);
         let is_bodily =
             |frame: usize| self.bodies.iter().any(|body| body.rigid.as_ref().is_some_and(|(own, _)| *own == frame));
         let moves = |body: &Body| {
-            let steps = self.own_steps(body);
+            let steps = self.placement_steps(body);
             if steps.iter().any(|(_, position)| depends(*position)) {
                 return true;
             }
@@ -105,8 +106,8 @@ impl Elements {
 
     /// Axis along which a coordinate moves a body relative to its parent in the placement. `None`
     /// unless the coordinate occurs in exactly one component of one position.
-    pub fn axis_moved(&self, arena: &mut Arena, body: usize, coordinate: Expr) -> Option<AxisMotion> {
-        let steps = self.own_steps(&self.bodies[body]);
+    pub fn axis_of_coordinate_motion(&self, arena: &mut Arena, body: usize, coordinate: Expr) -> Option<AxisMotion> {
+        let steps = self.placement_steps(&self.bodies[body]);
         let components = steps.iter().flat_map(|(frame, position)| {
             position.iter().enumerate().map(|(axis, component)| (*frame, axis, *component))
         });
@@ -118,7 +119,7 @@ impl Elements {
 
     /// Position vectors, as (frame, components), from the mass centre of a body back to the mass centre
     /// of its parent in the placement, or to the origin.
-    fn own_steps(&self, body: &Body) -> Vec<(usize, &[Expr; 3])> {
+    fn placement_steps(&self, body: &Body) -> Vec<(usize, &[Expr; 3])> {
         let is_centre = |point: usize| self.bodies.iter().any(|body| body.centre == point);
         let mut steps = Vec::new();
         let mut at = Some(body.centre);
@@ -134,18 +135,20 @@ impl Elements {
         let what = "`inertial`";
         let value = loading.reader.get(table, "inertial");
         let entry = value.and_then(|v| Some((loading.reader.table(v, what, "[inertial]")?, v.span())));
-        let Some((entry, span)) = entry else { return loading.names.unread(&[Kind::Frame, Kind::Point]) };
-        loading.reader.allow(entry, what, &["frame", "origin"]);
-        for (key, kind) in [("frame", Kind::Frame), ("origin", Kind::Point)] {
-            let name = loading.reader.need(entry, key, what, &span);
+        let Some((entry, span)) = entry else {
+            return loading.names.mark_unread_kinds(&[NameKind::Frame, NameKind::Point]);
+        };
+        loading.reader.report_unknown_keys(entry, what, &["frame", "origin"]);
+        for (key, kind) in [("frame", NameKind::Frame), ("origin", NameKind::Point)] {
+            let name = loading.reader.required(entry, key, what, &span);
             let name = name.and_then(|v| loading.reader.string(v, &format!("`{key}`")));
             let Some(name) = name else {
-                loading.names.unread(&[kind]);
+                loading.names.mark_unread_kinds(&[kind]);
                 continue;
             };
             loading.names.declare(&mut loading.reader, &name, kind, None);
             match kind {
-                Kind::Frame => {
+                NameKind::Frame => {
                     loading.names.root.clone_from(&name.text);
                     self.frames.push(Frame { name: name.text, rotation: None });
                 }
@@ -159,9 +162,9 @@ impl Elements {
     fn read_frames<'a>(&mut self, loading: &mut Loading<'a>, table: &'a DeTable<'a>, joints: &Joints<'a>) {
         let mut nodes = Vec::new();
         let root = self.frames.first().map(|f| f.name.clone());
-        for (name, value) in loading.section(table, "frames", &[Kind::Frame]) {
+        for (name, value) in loading.section(table, "frames", &[NameKind::Frame]) {
             let example = "{ from = \"N\", axis = 3, angle = \"q1\" }";
-            let Some((entry, what)) = loading.entry(&name, value, Kind::Frame, None, example) else { continue };
+            let Some((entry, what)) = loading.entry(&name, value, NameKind::Frame, None, example) else { continue };
             let stated = loading.reader.get(entry, "euler_parameters");
             let by_turns = entry.contains_key("sequence");
             let keys: &[&str] = match stated {
@@ -169,8 +172,8 @@ impl Elements {
                 None if by_turns => &["sequence", "angles", "fixed"],
                 None => &["axis", "angle"],
             };
-            loading.reader.allow(entry, "a frame", &[keys, &["from", "about"]].concat());
-            let parent = loading.reader.need(entry, "from", &what, &name.span);
+            loading.reader.report_unknown_keys(entry, "a frame", &[keys, &["from", "about"]].concat());
+            let parent = loading.reader.required(entry, "from", &what, &name.span);
             let parent = parent.and_then(|v| loading.reader.string(v, "`from`"));
             let axis = if stated.is_some() || by_turns { None } else { loading.reader.get(entry, "axis") };
             let is_vector = axis.is_some_and(|axis| axis.get_ref().is_array());
@@ -181,11 +184,11 @@ impl Elements {
                     (None, None) => loading.frame_turns(entry, &what, &name.span),
                 };
                 if let (Some(parent), Some(turns)) = (parent, turns) {
-                    loading.chain(&mut nodes, parent, &name, turns);
+                    loading.add_frame_chain(&mut nodes, parent, &name, turns);
                 }
                 continue;
             }
-            let axis = loading.reader.need(entry, "axis", &what, &name.span).and_then(|v| loading.axis(v));
+            let axis = loading.reader.required(entry, "axis", &what, &name.span).and_then(|v| loading.axis_number(v));
             let angle = loading.angle(entry, &what, &name.span);
             if let (Some(parent), Some(axis), Some(angle)) = (parent, axis, angle) {
                 nodes.push(Node { name, parent, payload: Turn::About(axis, angle) });
@@ -194,7 +197,7 @@ impl Elements {
         if let Some(root) = &root {
             nodes.extend(loading.joint_frames(joints, root));
         }
-        for (node, parent) in in_order(loading, nodes, root.as_deref(), Kind::Frame) {
+        for (node, parent) in sort_parents_first(loading, nodes, root.as_deref(), NameKind::Frame) {
             self.frames.push(Frame { name: node.name.text, rotation: Some((parent, node.payload)) });
         }
     }
@@ -203,11 +206,11 @@ impl Elements {
     /// recorded.
     fn read_points<'a>(&mut self, loading: &mut Loading<'a>, table: &'a DeTable<'a>, joints: &Joints<'a>) {
         let mut nodes = Vec::new();
-        for (name, value) in loading.section(table, "points", &[Kind::Point]) {
+        for (name, value) in loading.section(table, "points", &[NameKind::Point]) {
             let example = "{ from = \"O\", frame = \"N\", position = [\"0\", \"0\", \"l\"] }";
-            let Some((entry, what)) = loading.entry(&name, value, Kind::Point, None, example) else { continue };
-            loading.reader.allow(entry, "a point", &["from", "frame", "position", "about"]);
-            let parent = loading.reader.need(entry, "from", &what, &name.span);
+            let Some((entry, what)) = loading.entry(&name, value, NameKind::Point, None, example) else { continue };
+            loading.reader.report_unknown_keys(entry, "a point", &["from", "frame", "position", "about"]);
+            let parent = loading.reader.required(entry, "from", &what, &name.span);
             let parent = parent.and_then(|v| loading.reader.string(v, "`from`"));
             let frame = self.frame(loading, entry, &what, &name.span);
             let metre = Unit::new(1, 0, 0);
@@ -226,7 +229,7 @@ impl Elements {
                 }
             }
         }
-        for (node, parent) in in_order(loading, nodes, root.as_deref(), Kind::Point) {
+        for (node, parent) in sort_parents_first(loading, nodes, root.as_deref(), NameKind::Point) {
             let (frame, position) = node.payload;
             let placement = Placement { parent, frame, components: position };
             self.points.push(Point { name: node.name.text, position: Some(placement) });
@@ -235,10 +238,14 @@ impl Elements {
 
     /// Reads `[bodies]`: frame, mass centre, mass and inertia of each rigid body. Errors are recorded in the reader.
     fn read_bodies<'a>(&mut self, loading: &mut Loading<'a>, table: &'a DeTable<'a>, joints: &Joints<'a>) {
-        for (name, value) in loading.section(table, "bodies", &[Kind::Body]) {
-            let entry = loading.entry(&name, value, Kind::Body, None, "[bodies.NAME]");
+        for (name, value) in loading.section(table, "bodies", &[NameKind::Body]) {
+            let entry = loading.entry(&name, value, NameKind::Body, None, "[bodies.NAME]");
             let Some((entry, what)) = entry else { continue };
-            loading.reader.allow(entry, "a body", &["frame", "centre", "mass", "inertia", "added_mass", "about"]);
+            loading.reader.report_unknown_keys(
+                entry,
+                "a body",
+                &["frame", "centre", "mass", "inertia", "added_mass", "about"],
+            );
             let carried = joints.bodies.get(&name.text).filter(|placed| placed.joint.is_some());
             let frame = match (carried, loading.reader.get(entry, "frame")) {
                 (Some(placed), None) => self.frame_named(loading, &placed.frame),
@@ -249,7 +256,7 @@ impl Elements {
                 _ => self.point(loading, entry, "centre", &what, &name.span),
             };
             let mass = mass(loading, entry, &what, &name.span);
-            let inertia = loading.reader.need(entry, "inertia", &what, &name.span);
+            let inertia = loading.reader.required(entry, "inertia", &what, &name.span);
             let inertia = inertia.and_then(|v| self.inertia(loading, v, frame, centre, mass));
             if let (Some(frame), Some(centre), Some(mass), Some(inertia)) = (frame, centre, mass, inertia) {
                 self.bodies.push(Body { name: name.text, centre, mass, rigid: Some((frame, inertia)) });
@@ -260,11 +267,11 @@ impl Elements {
 
     /// Reads `[particles]`: point and mass of each particle. Errors are recorded in the reader.
     fn read_particles<'a>(&mut self, loading: &mut Loading<'a>, table: &'a DeTable<'a>) {
-        for (name, value) in loading.section(table, "particles", &[Kind::Body]) {
-            let entry = loading.entry(&name, value, Kind::Body, None, "{ point = \"P\", mass = \"m\" }");
+        for (name, value) in loading.section(table, "particles", &[NameKind::Body]) {
+            let entry = loading.entry(&name, value, NameKind::Body, None, "{ point = \"P\", mass = \"m\" }");
             let Some((entry, _)) = entry else { continue };
             let what = format!("particle `{}`", name.text);
-            loading.reader.allow(entry, "a particle", &["point", "mass", "about"]);
+            loading.reader.report_unknown_keys(entry, "a particle", &["point", "mass", "about"]);
             let centre = self.point(loading, entry, "point", &what, &name.span);
             let mass = mass(loading, entry, &what, &name.span);
             if let (Some(centre), Some(mass)) = (centre, mass) {
@@ -288,7 +295,7 @@ impl Elements {
             return self.planar_inertia(loading, value, body_frame?);
         }
         let entry = loading.reader.table(value, what, "{ diagonal = [\"Ixx\", \"Iyy\", \"Izz\"] }")?;
-        loading.reader.allow(entry, what, &["frame", "diagonal", "products", "about_point"]);
+        loading.reader.report_unknown_keys(entry, what, &["frame", "diagonal", "products", "about_point"]);
         let unit = Unit::new(2, 1, 0);
         let frame = match loading.reader.get(entry, "frame") {
             Some(_) => self.frame(loading, entry, what, &value.span()),
@@ -304,13 +311,13 @@ impl Elements {
         if let Some(at) = loading.reader.get(entry, "about_point") {
             let point = self.point(loading, entry, "about_point", what, &value.span())?;
             let (frame, centre, mass) = (frame?, centre?, mass?);
-            let Some(arm) = self.arm(&mut loading.arena, point, centre, frame) else {
+            let Some(arm) = self.vector_between_points(&mut loading.arena, point, centre, frame) else {
                 let help =
                     "the mass centre must be placed from that point, or that point from it, in the inertia's frame";
                 loading.reader.error(at.span(), "the inertia cannot be moved to the mass centre", help);
                 return None;
             };
-            tensor = to_centre(&mut loading.arena, tensor, mass, arm);
+            tensor = inertia_about_centre(&mut loading.arena, tensor, mass, arm);
         }
         Some(Inertia { frame: frame?, tensor })
     }
@@ -326,7 +333,7 @@ impl Elements {
     ) -> Option<Inertia> {
         let formula = loading.reader.formula(value, "an inertia")?;
         let moment = loading.quantity(&formula, PARAMETERS, &Unit::new(2, 1, 0), "a moment of inertia")?;
-        let coordinates = loading.names.symbols_of(&[Kind::Coordinate]);
+        let coordinates = loading.names.symbols_of(&[NameKind::Coordinate]);
         let mut turns = Vec::new();
         let mut at = frame;
         while let Some((parent, turn)) = &self.frames[at].rotation {
@@ -363,7 +370,13 @@ impl Elements {
 
     /// Components in `frame` of the vector from one point to another, m. `None` unless one point is
     /// placed directly from the other with components in this frame.
-    pub(super) fn arm(&self, arena: &mut Arena, from: usize, to: usize, frame: usize) -> Option<[Expr; 3]> {
+    pub(super) fn vector_between_points(
+        &self,
+        arena: &mut Arena,
+        from: usize,
+        to: usize,
+        frame: usize,
+    ) -> Option<[Expr; 3]> {
         if from == to {
             return Some([Expr::ZERO; 3]);
         }
@@ -382,20 +395,20 @@ impl Elements {
         what: &str,
         owner: &Range<usize>,
     ) -> Option<usize> {
-        let value = loading.reader.need(entry, "frame", what, owner)?;
+        let value = loading.reader.required(entry, "frame", what, owner)?;
         let name = loading.reader.string(value, "`frame`")?;
         self.frame_named(loading, &name)
     }
 
     /// Index of the frame with this name; `None` after reporting an unknown name.
     fn frame_named(&self, loading: &mut Loading<'_>, name: &Located) -> Option<usize> {
-        let known = loading.names.expect(&mut loading.reader, name, Kind::Frame);
+        let known = loading.names.expect(&mut loading.reader, name, NameKind::Frame);
         self.frames.iter().position(|f| known && f.name == name.text)
     }
 
     /// Index of the point with this name; `None` after reporting an unknown name.
     fn point_named(&self, loading: &mut Loading<'_>, name: &Located) -> Option<usize> {
-        let known = loading.names.expect(&mut loading.reader, name, Kind::Point);
+        let known = loading.names.expect(&mut loading.reader, name, NameKind::Point);
         self.points.iter().position(|p| known && p.name == name.text)
     }
 
@@ -408,7 +421,7 @@ impl Elements {
         what: &str,
         owner: &Range<usize>,
     ) -> Option<usize> {
-        let value = loading.reader.need(entry, key, what, owner)?;
+        let value = loading.reader.required(entry, key, what, owner)?;
         let name = loading.reader.string(value, &format!("`{key}`"))?;
         self.point_named(loading, &name)
     }
@@ -444,10 +457,11 @@ impl Elements {
 
     /// Reports masses, inertias and added masses that no body can have at the default values of the
     /// parameters.
-    pub fn check(&self, loading: &mut Loading<'_>, parameters: &[Parameter]) {
-        let known = physics::defaults(parameters);
+    pub fn check_elements(&self, loading: &mut Loading<'_>, parameters: &[Parameter]) {
+        let known = possible_bodies::default_parameter_values(parameters);
         for body in &self.bodies {
-            if let Some((message, help)) = physics::objection(&loading.arena, &known, body, "the default") {
+            if let Some((message, help)) = possible_bodies::body_objection(&loading.arena, &known, body, "the default")
+            {
                 let span = loading.names.span(&body.name).unwrap_or_default();
                 loading.reader.error(span, message, help);
             }
@@ -458,7 +472,7 @@ impl Elements {
 
 /// Reads the mass of a body, kg, as a term; `None` after an error is reported.
 fn mass<'a>(loading: &mut Loading<'a>, entry: &'a DeTable<'a>, what: &str, owner: &Range<usize>) -> Option<Expr> {
-    let value = loading.reader.need(entry, "mass", what, owner)?;
+    let value = loading.reader.required(entry, "mass", what, owner)?;
     let formula = loading.reader.formula(value, "`mass`")?;
     loading.quantity(&formula, PARAMETERS, &Unit::new(0, 1, 0), &format!("the mass of {what}"))
 }
@@ -470,10 +484,10 @@ pub fn vector<'a>(
     key: &str,
     what: &str,
     owner: &Range<usize>,
-    allowed: Allowed,
+    allowed: AllowedQuantities,
     unit: &Unit,
 ) -> Option<[Expr; 3]> {
-    let value = loading.reader.need(entry, key, what, owner)?;
+    let value = loading.reader.required(entry, key, what, owner)?;
     let triple = loading.reader.triple(value, &format!("`{key}`"))?;
     let what = format!("the {key} of {what}");
     let [a, b, c] = triple.map(|formula| loading.quantity(&formula, allowed, unit, &what));
@@ -482,7 +496,7 @@ pub fn vector<'a>(
 
 /// Moves a 3 × 3 inertia tensor from P to the mass centre C by Steiner's theorem: I_C = I_P − m
 /// (|r|² 1 − r rᵀ). `arm` is r from P to C, m.
-fn to_centre(arena: &mut Arena, tensor: [[Expr; 3]; 3], mass: Expr, arm: [Expr; 3]) -> [[Expr; 3]; 3] {
+fn inertia_about_centre(arena: &mut Arena, tensor: [[Expr; 3]; 3], mass: Expr, arm: [Expr; 3]) -> [[Expr; 3]; 3] {
     let squares = arm.map(|r| arena.square(r));
     let length = arena.sum(&squares);
     let mut result = tensor;

@@ -9,31 +9,31 @@
 //! (1994) 1083–1138.
 
 use super::elements::Elements;
-use super::motion::MechanismMotion;
-use crate::algebra::value::modular::{ZeroTest, zero_test};
+use super::mechanism_motion::MechanismMotion;
+use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr, Function};
-use crate::diagnostic::shown;
+use crate::diagnostic::shortened_for_message;
 use crate::geometry::Vector;
-use crate::model::reading::names::{Allowed, DRIVEN, Kind, PARAMETERS};
-use crate::model::reading::reader::Loading;
+use crate::model::reading::declared_names::{AllowedQuantities, DRIVEN, NameKind, PARAMETERS};
+use crate::model::reading::model_reader::Loading;
 use crate::model::units::Unit;
-use crate::model::{Force, Place, Torque};
-use crate::read::Located;
+use crate::model::{Force, ForcePlace, Torque};
+use crate::toml_reader::Located;
 use std::ops::Range;
 use toml::de::DeTable;
 
 /// Contact with friction between two bodies, or between a body and the ground.
-enum Contact {
+enum FrictionContact {
     /// Contact at a point, between the material of a body and that of another body or the ground. If an
     /// axis of `frame` is normal to the contact, friction acts only across this axis.
-    Point { on: Place, against: Option<usize>, frame: usize, normal: Option<usize> },
+    Point { on: ForcePlace, against: Option<usize>, frame: usize, normal: Option<usize> },
     /// Contact of a body that rotates about an axis of a frame, against another body or the ground.
     Axis { on: usize, against: Option<usize>, frame: usize, axis: usize },
 }
 
 /// Entry of the model file that is read, for error messages.
 #[derive(Clone, Copy)]
-struct Owner<'o> {
+struct FrictionEntry<'o> {
     /// Name of the entry in messages, such as "friction `f`".
     what: &'o str,
     /// Place of the entry in the file.
@@ -42,7 +42,7 @@ struct Owner<'o> {
 
 /// Law of resistance against slip at a contact.
 #[derive(Clone, Copy)]
-struct Law {
+struct FrictionLaw {
     /// Resistance during sliding, N or N m.
     resistance: Expr,
     /// Resistance at rest, N or N m, and the slip s_S over which its excess decays; `None` if it is not
@@ -57,9 +57,9 @@ pub struct StatedFriction {
     /// Name of the friction in the model file.
     name: Located,
     /// Bodies and place of the contact.
-    contact: Contact,
+    contact: FrictionContact,
     /// Law of resistance against slip.
-    law: Law,
+    law: FrictionLaw,
 }
 
 impl<'a> Loading<'a> {
@@ -69,13 +69,13 @@ impl<'a> Loading<'a> {
         let mut list = Vec::new();
         for (name, value) in self.section(table, "friction", &[]) {
             let example = "[friction.NAME] with on = \"block\", coefficient = \"mu\", normal_force = \"m*g\" and smoothing = \"v0\"";
-            let Some((entry, _)) = self.entry(&name, value, Kind::Force, None, example) else { continue };
+            let Some((entry, _)) = self.entry(&name, value, NameKind::Force, None, example) else { continue };
             let what = format!("friction `{}`", name.text);
-            let owner = Owner { what: &what, span: &name.span };
+            let owner = FrictionEntry { what: &what, span: &name.span };
             let found = if entry.contains_key("torque") {
-                self.about_an_axis(entry, elements, owner)
+                self.friction_about_axis(entry, elements, owner)
             } else {
-                self.at_a_point(entry, elements, owner)
+                self.friction_at_point(entry, elements, owner)
             };
             if let Some((contact, law)) = found {
                 list.push(StatedFriction { name, contact, law });
@@ -85,8 +85,13 @@ impl<'a> Loading<'a> {
     }
 
     /// Reads friction at a point of contact; `None` after an error is reported.
-    fn at_a_point(&mut self, entry: &'a DeTable<'a>, elements: &Elements, owner: Owner<'_>) -> Option<(Contact, Law)> {
-        let Owner { what, span } = owner;
+    fn friction_at_point(
+        &mut self,
+        entry: &'a DeTable<'a>,
+        elements: &Elements,
+        owner: FrictionEntry<'_>,
+    ) -> Option<(FrictionContact, FrictionLaw)> {
+        let FrictionEntry { what, span } = owner;
         let keys = [
             "on",
             "at",
@@ -100,47 +105,50 @@ impl<'a> Loading<'a> {
             "smoothing",
             "about",
         ];
-        self.reader.allow(entry, "friction", &keys);
+        self.reader.report_unknown_keys(entry, "friction", &keys);
         let on = elements.place(self, entry, "on", "at", what, span);
         let against = self.against(entry, elements);
         let (frame, normal) = match self.reader.get(entry, "normal") {
-            Some(axis) => (elements.frame(self, entry, what, span)?, Some(self.axis(axis)?)),
+            Some(axis) => (elements.frame(self, entry, what, span)?, Some(self.axis_number(axis)?)),
             None => (0, None),
         };
         let plain = Unit::default();
         let speed = Unit::new(1, 0, -1);
-        let coefficient = self.needed(entry, "coefficient", DRIVEN, &plain, owner);
-        let load = self.needed(entry, "normal_force", DRIVEN, &Unit::new(1, 1, -2), owner)?;
+        let coefficient = self.required_quantity(entry, "coefficient", DRIVEN, &plain, owner);
+        let load = self.required_quantity(entry, "normal_force", DRIVEN, &Unit::new(1, 1, -2), owner)?;
         let (coefficient, against, on) = (coefficient?, against?, on?);
         let resistance = self.arena.mul(coefficient, load);
-        let at_rest = self.at_rest(entry, &plain, &speed, owner)?;
+        let at_rest = self.friction_at_rest(entry, &plain, &speed, owner)?;
         let at_rest = at_rest.map(|(coefficient, until)| (self.arena.mul(coefficient, load), until));
         let smoothing = self.smoothing(entry, &speed, owner)?;
-        Some((Contact::Point { on, against, frame, normal }, Law { resistance, at_rest, smoothing }))
+        Some((FrictionContact::Point { on, against, frame, normal }, FrictionLaw { resistance, at_rest, smoothing }))
     }
 
     /// Reads friction about an axis; `None` after an error is reported.
-    fn about_an_axis(
+    fn friction_about_axis(
         &mut self,
         entry: &'a DeTable<'a>,
         elements: &Elements,
-        owner: Owner<'_>,
-    ) -> Option<(Contact, Law)> {
-        let Owner { what, span } = owner;
+        owner: FrictionEntry<'_>,
+    ) -> Option<(FrictionContact, FrictionLaw)> {
+        let FrictionEntry { what, span } = owner;
         let keys = ["on", "against", "frame", "axis", "torque", "static", "stribeck", "smoothing", "about"];
-        self.reader.allow(entry, "friction about an axis", &keys);
-        let on = self.reader.need(entry, "on", what, span)?;
+        self.reader.report_unknown_keys(entry, "friction about an axis", &keys);
+        let on = self.reader.required(entry, "on", what, span)?;
         let on = self.reader.string(on, "`on`")?;
-        let on = self.rigid(elements, &on)?;
+        let on = self.rigid_body_named(elements, &on)?;
         let against = self.against(entry, elements)?;
         let frame = elements.frame(self, entry, what, span);
-        let axis = self.reader.need(entry, "axis", what, span)?;
-        let axis = self.axis(axis);
+        let axis = self.reader.required(entry, "axis", what, span)?;
+        let axis = self.axis_number(axis);
         let (moment, speed) = (Unit::new(2, 1, -2), Unit::new(0, 0, -1));
-        let resistance = self.needed(entry, "torque", DRIVEN, &moment, owner)?;
-        let at_rest = self.at_rest(entry, &moment, &speed, owner)?;
+        let resistance = self.required_quantity(entry, "torque", DRIVEN, &moment, owner)?;
+        let at_rest = self.friction_at_rest(entry, &moment, &speed, owner)?;
         let smoothing = self.smoothing(entry, &speed, owner)?;
-        Some((Contact::Axis { on, against, frame: frame?, axis: axis? }, Law { resistance, at_rest, smoothing }))
+        Some((
+            FrictionContact::Axis { on, against, frame: frame?, axis: axis? },
+            FrictionLaw { resistance, at_rest, smoothing },
+        ))
     }
 
     /// Index of the rigid body under the key `against`. `Some(None)` is the ground, if the key is
@@ -149,31 +157,31 @@ impl<'a> Loading<'a> {
     fn against(&mut self, entry: &'a DeTable<'a>, elements: &Elements) -> Option<Option<usize>> {
         let Some(value) = self.reader.get(entry, "against") else { return Some(None) };
         let name = self.reader.string(value, "`against`")?;
-        self.rigid(elements, &name).map(Some)
+        self.rigid_body_named(elements, &name).map(Some)
     }
 
     /// Index of the rigid body with this name; `None` after reporting a particle or an unknown name.
-    fn rigid(&mut self, elements: &Elements, name: &Located) -> Option<usize> {
+    fn rigid_body_named(&mut self, elements: &Elements, name: &Located) -> Option<usize> {
         let body = elements.body(self, name)?;
         if elements.bodies[body].rigid.is_some() {
             return Some(body);
         }
-        let message = format!("`{}` is a particle", shown(&name.text));
+        let message = format!("`{}` is a particle", shortened_for_message(&name.text));
         self.reader.error(name.span.clone(), message, "name a rigid body, or leave `against` out for the ground");
         None
     }
 
     /// Reads the formula of a required key in the unit `unit`; `None` after an error is reported.
-    fn needed(
+    fn required_quantity(
         &mut self,
         entry: &'a DeTable<'a>,
         key: &str,
-        allowed: Allowed,
+        allowed: AllowedQuantities,
         unit: &Unit,
-        owner: Owner<'_>,
+        owner: FrictionEntry<'_>,
     ) -> Option<Expr> {
-        let Owner { what, span } = owner;
-        let value = self.reader.need(entry, key, what, span)?;
+        let FrictionEntry { what, span } = owner;
+        let value = self.reader.required(entry, key, what, span)?;
         let formula = self.reader.formula(value, &format!("`{key}`"))?;
         self.quantity(&formula, allowed, unit, &format!("`{key}` of {what}"))
     }
@@ -181,25 +189,25 @@ impl<'a> Loading<'a> {
     /// Reads `static` and `stribeck`, which must be stated together: resistance at rest and slip of its
     /// decay. `Some(None)` if both are absent; `None` after an error is reported.
     #[allow(clippy::option_option, reason = "nothing stated is no error")]
-    fn at_rest(
+    fn friction_at_rest(
         &mut self,
         entry: &'a DeTable<'a>,
         unit: &Unit,
         speed: &Unit,
-        owner: Owner<'_>,
+        owner: FrictionEntry<'_>,
     ) -> Option<Option<(Expr, Expr)>> {
         if !entry.contains_key("static") && !entry.contains_key("stribeck") {
             return Some(None);
         }
-        let more = self.needed(entry, "static", DRIVEN, unit, owner);
-        let until = self.needed(entry, "stribeck", PARAMETERS, speed, owner);
+        let more = self.required_quantity(entry, "static", DRIVEN, unit, owner);
+        let until = self.required_quantity(entry, "stribeck", PARAMETERS, speed, owner);
         Some(Some((more?, until?)))
     }
 
     /// Reads the slip `smoothing`, which must not be zero; `None` after an error is reported.
-    fn smoothing(&mut self, entry: &'a DeTable<'a>, speed: &Unit, owner: Owner<'_>) -> Option<Expr> {
-        let Owner { what, span } = owner;
-        let smoothing = self.needed(entry, "smoothing", PARAMETERS, speed, owner)?;
+    fn smoothing(&mut self, entry: &'a DeTable<'a>, speed: &Unit, owner: FrictionEntry<'_>) -> Option<Expr> {
+        let FrictionEntry { what, span } = owner;
+        let smoothing = self.required_quantity(entry, "smoothing", PARAMETERS, speed, owner)?;
         if zero_test(&self.arena, smoothing) == ZeroTest::NonZero {
             return Some(smoothing);
         }
@@ -217,17 +225,17 @@ impl<'a> Loading<'a> {
     ) {
         for friction in stated {
             match friction.contact {
-                Contact::Point { on, against, frame, normal } => {
-                    let slip = moving.material(&mut self.arena, elements, on.body, on.point);
-                    let other = against.map(|body| moving.material(&mut self.arena, elements, body, on.point));
+                FrictionContact::Point { on, against, frame, normal } => {
+                    let slip = moving.material_velocity(&mut self.arena, elements, on.body, on.point);
+                    let other = against.map(|body| moving.material_velocity(&mut self.arena, elements, body, on.point));
                     let slip = difference(&mut self.arena, slip, other);
                     let mut components = [0, 1, 2].map(|axis| moving.component(&mut self.arena, &slip, frame, axis));
                     if let Some(normal) = normal {
                         components[normal] = Expr::ZERO;
                     }
-                    let Some(vector) = self.resisting(&friction, components) else { continue };
+                    let Some(vector) = self.friction_resistance(&friction, components) else { continue };
                     elements.contacts.rubbing.push((on.body, against));
-                    let against = against.map(|body| Place { body, point: on.point });
+                    let against = against.map(|body| ForcePlace { body, point: on.point });
                     let name = friction.name.text;
                     elements.forces.push(Force {
                         name,
@@ -240,14 +248,14 @@ impl<'a> Loading<'a> {
                         damper: None,
                     });
                 }
-                Contact::Axis { on, against, frame, axis } => {
+                FrictionContact::Axis { on, against, frame, axis } => {
                     let frame_of = |body: usize| elements.bodies[body].rigid.as_ref().map_or(0, |(frame, _)| *frame);
-                    let spin = moving.turning(frame_of(on));
-                    let other = against.map(|body| moving.turning(frame_of(body)));
+                    let spin = moving.angular_velocity(frame_of(on));
+                    let other = against.map(|body| moving.angular_velocity(frame_of(body)));
                     let spin = difference(&mut self.arena, spin, other);
                     let mut components = [Expr::ZERO; 3];
                     components[axis] = moving.component(&mut self.arena, &spin, frame, axis);
-                    let Some(vector) = self.resisting(&friction, components) else { continue };
+                    let Some(vector) = self.friction_resistance(&friction, components) else { continue };
                     elements.contacts.rubbing.push((on, against));
                     let against = against.map(|body| (frame_of(body), Some(body)));
                     let on = (frame_of(on), Some(on));
@@ -259,7 +267,7 @@ impl<'a> Loading<'a> {
 
     /// Force or torque −R(s) s/√(|s|² + s₀²) against a slip s, with three components. `None` after
     /// reporting that the slip is always zero.
-    fn resisting(&mut self, friction: &StatedFriction, slip: [Expr; 3]) -> Option<[Expr; 3]> {
+    fn friction_resistance(&mut self, friction: &StatedFriction, slip: [Expr; 3]) -> Option<[Expr; 3]> {
         let arena = &mut self.arena;
         let squares = slip.map(|s| arena.square(s));
         let square = arena.sum(&squares);
@@ -268,7 +276,7 @@ impl<'a> Loading<'a> {
             self.reader.error(friction.name.span.clone(), message, "name bodies that move against one another there");
             return None;
         }
-        let Law { mut resistance, at_rest, smoothing } = friction.law;
+        let FrictionLaw { mut resistance, at_rest, smoothing } = friction.law;
         if let Some((at_rest, until)) = at_rest {
             let scale = arena.square(until);
             let part = arena.div(square, scale)?;

@@ -7,27 +7,28 @@
 use super::elements::Elements;
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::{Arena, Expr, Rational};
-use crate::model::input::{Binding, Input};
-use crate::model::reading::names::{Allowed, Kind};
-use crate::model::reading::reader::Loading;
-use crate::model::{Condition, Parameter, StatedUnit, Unit};
-use crate::read::Located;
+use crate::model::input::{Input, InputBinding};
+use crate::model::reading::declared_names::{AllowedQuantities, NameKind};
+use crate::model::reading::model_reader::Loading;
+use crate::model::{DomainCondition, Parameter, StatedUnit, Unit};
+use crate::toml_reader::Located;
 use toml::de::{DeTable, DeValue};
 
 /// Kinds of quantities that a formula of an input may contain.
-const PARTS: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate, Kind::Speed]);
+const PARTS: AllowedQuantities =
+    AllowedQuantities(&[NameKind::Parameter, NameKind::Coordinate, NameKind::Rate, NameKind::Speed]);
 
 /// Inputs of a model, and the formulas that replace inputs.
-pub struct Signals {
+pub struct InputSignals {
     /// Inputs, in the order of the model file.
     pub list: Vec<Input>,
     /// Symbols of the inputs that have a formula, each with its term.
     replacements: Vec<(Expr, Expr)>,
 }
 
-impl Signals {
+impl InputSignals {
     /// Replaces inputs by their formulas in the elements and in the conditions of the domain.
-    pub fn put_in(&self, arena: &mut Arena, elements: &mut Elements, domain: &mut [Condition]) {
+    pub fn put_in(&self, arena: &mut Arena, elements: &mut Elements, domain: &mut [DomainCondition]) {
         if self.replacements.is_empty() {
             return;
         }
@@ -42,13 +43,15 @@ impl Signals {
 impl<'a> Loading<'a> {
     /// Reads `[inputs]`. An input whose value is a number becomes a parameter, which is added to
     /// `parameters`. Errors are recorded in the reader.
-    pub fn inputs(&mut self, table: &'a DeTable<'a>, parameters: &mut Vec<Parameter>) -> Signals {
+    pub fn inputs(&mut self, table: &'a DeTable<'a>, parameters: &mut Vec<Parameter>) -> InputSignals {
         let (mut list, mut replacements) = (Vec::new(), Vec::new());
-        for (name, value) in self.section(table, "inputs", &[Kind::Input]) {
+        for (name, value) in self.section(table, "inputs", &[NameKind::Input]) {
             let symbol = self.arena.symbol(&name.text);
             let example = "{ unit = \"N\", value = 0 }";
-            let Some((entry, what)) = self.entry(&name, value, Kind::Input, Some(symbol), example) else { continue };
-            self.reader.allow(entry, "an input", &["unit", "value", "about"]);
+            let Some((entry, what)) = self.entry(&name, value, NameKind::Input, Some(symbol), example) else {
+                continue;
+            };
+            self.reader.report_unknown_keys(entry, "an input", &["unit", "value", "about"]);
             let Some(unit) = self.unit(entry, &name) else { continue };
             self.units.insert(symbol, unit.clone());
             let about = self.about(entry);
@@ -68,13 +71,13 @@ impl<'a> Loading<'a> {
                 Some(stated.map_or(e, |stated| stated.apply(&mut self.arena, e)))
             });
             let Some(e) = e else {
-                self.names.spoil(&name.text);
+                self.names.mark_wrong_name(&name.text);
                 continue;
             };
             let number = match self.arena.as_number(e) {
                 Some(number) => Some(number.clone()),
                 None if self.arena.reachable(&[e]).iter().all(|part| self.arena.symbol_name(*part).is_none()) => {
-                    crate::model::physics::values_at(&self.arena, &[], &[e])
+                    crate::model::possible_bodies::values_of_terms_at(&self.arena, &[], &[e])
                         .and_then(|values| Rational::from_f64_exact(values[0]))
                 }
                 None => None,
@@ -103,7 +106,7 @@ impl<'a> Loading<'a> {
             }
             list.push(Input { name: name.text, unit, about, value, is_parameter });
         }
-        Signals { list, replacements }
+        InputSignals { list, replacements }
     }
 
     /// Splits the formula of an input into the number and the unit that may follow it. `None` after
@@ -111,7 +114,7 @@ impl<'a> Loading<'a> {
     fn number_of_input(&mut self, formula: &Located, unit: &Unit, what: &str) -> Option<(Located, Option<StatedUnit>)> {
         let Some(stated) = StatedUnit::of(&formula.text) else { return Some((formula.clone(), None)) };
         if stated.unit != *unit {
-            let (needed, found) = (unit.words(), stated.unit.words());
+            let (needed, found) = (unit.unit_words(), stated.unit.unit_words());
             let message = format!("the value of {what} must be in {needed}, but `{}` is in {found}", formula.text);
             self.reader.error(formula.span.clone(), message, format!("state it in {needed}"));
             return None;
@@ -122,7 +125,7 @@ impl<'a> Loading<'a> {
 
 /// Texts of the input formulas that apply: those of the scene, and those of the model file for all
 /// other inputs.
-pub fn formulas<'t>(table: &'t DeTable<'_>, bindings: &'t [Binding]) -> Vec<&'t str> {
+pub fn input_formulas<'t>(table: &'t DeTable<'_>, bindings: &'t [InputBinding]) -> Vec<&'t str> {
     let inputs = table.get("inputs").and_then(|value| value.get_ref().as_table());
     let stated = inputs.into_iter().flat_map(|inputs| inputs.iter()).filter_map(|(name, value)| {
         let is_bound = bindings.iter().any(|binding| binding.input == *name.get_ref());

@@ -50,7 +50,7 @@ pub const JOINT_KINDS: [&str; KINDS.len()] = {
 
 /// Degree of freedom of a joint: a displacement along, or a rotation about, an axis 0, 1 or 2.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Freedom {
+pub enum JointFreedom {
     /// Displacement along an axis of the joint's frame on the body to which the joint is attached.
     Along(usize),
     /// Rotation about an axis of the frame to which the joint's earlier rotations lead.
@@ -64,22 +64,26 @@ pub enum Freedom {
 impl JointKind {
     /// Degree of freedom of each coordinate of a joint of this kind, in the order of the coordinates.
     /// `axes` are the axes of its rotations; empty means Euler parameters.
-    pub fn freedoms(self, axes: &[usize]) -> Vec<Freedom> {
-        let turns = axes.iter().map(|axis| Freedom::About(*axis));
+    pub fn freedoms(self, axes: &[usize]) -> Vec<JointFreedom> {
+        let turns = axes.iter().map(|axis| JointFreedom::About(*axis));
         let parameters = if axes.is_empty() { 4 } else { 0 };
-        let turns_or_parameters = turns.clone().chain(std::iter::repeat_n(Freedom::Parameter, parameters));
+        let turns_or_parameters = turns.clone().chain(std::iter::repeat_n(JointFreedom::Parameter, parameters));
         let axis = axes.first().copied().unwrap_or(2);
         match self {
             Self::Pin | Self::Universal => turns.collect(),
             Self::Ball => turns_or_parameters.collect(),
-            Self::Slider => vec![Freedom::Along(axis)],
-            Self::Cylinder => vec![Freedom::About(axis), Freedom::Along(axis)],
-            Self::Screw => vec![Freedom::Screwed(axis)],
+            Self::Slider => vec![JointFreedom::Along(axis)],
+            Self::Cylinder => vec![JointFreedom::About(axis), JointFreedom::Along(axis)],
+            Self::Screw => vec![JointFreedom::Screwed(axis)],
             Self::Planar => {
-                vec![Freedom::Along((axis + 1) % 3), Freedom::Along((axis + 2) % 3), Freedom::About(axis)]
+                vec![
+                    JointFreedom::Along((axis + 1) % 3),
+                    JointFreedom::Along((axis + 2) % 3),
+                    JointFreedom::About(axis),
+                ]
             }
             Self::Weld => Vec::new(),
-            Self::Free => [0, 1, 2].map(Freedom::Along).into_iter().chain(turns_or_parameters).collect(),
+            Self::Free => [0, 1, 2].map(JointFreedom::Along).into_iter().chain(turns_or_parameters).collect(),
         }
     }
 
@@ -97,7 +101,7 @@ impl JointKind {
 
 /// Formulas, as text, of the three components of ω for Euler parameters, in the rotated frame: 2
 /// (ε₀ ε' − ε₀' ε − ε × ε')/|ε|². `names` are the four coordinates, the scalar ε₀ first.
-pub fn by_euler_parameters(names: [&str; 4]) -> [String; 3] {
+pub fn angular_velocity_by_euler_parameters(names: [&str; 4]) -> [String; 3] {
     let [w, x, y, z] = names;
     let length = names.map(|name| format!("{name}^2")).join(" + ");
     [(x, y, z), (y, z, x), (z, x, y)]
@@ -109,7 +113,7 @@ pub fn by_euler_parameters(names: [&str; 4]) -> [String; 3] {
 ///
 /// The axis of each rotation is expressed in the last frame by the later rotations. A frame rotated
 /// by q about axis b sees the unit vector e_a as e_a cos q ∓ (third axis) sin q.
-pub fn angular_velocity(axes: &[usize], angles: &[&str]) -> Vec<String> {
+pub fn angular_velocity_formulas(axes: &[usize], angles: &[&str]) -> Vec<String> {
     let mut sums: [Vec<String>; 3] = Default::default();
     for (first, (axis, angle)) in axes.iter().zip(angles).enumerate() {
         // Parts of the rotation's axis as (axis, sign, factors).
@@ -138,12 +142,13 @@ pub fn angular_velocity(axes: &[usize], angles: &[&str]) -> Vec<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::angular_velocity;
+    use super::angular_velocity_formulas;
 
     #[test]
     fn angular_velocity_of_turns_about_1_2_and_3() {
         // T. R. Kane, P. W. Likins & D. A. Levinson, Spacecraft Dynamics (1983), appendix II, body-three 1-2-3.
-        let [a, b, c] = <[String; 3]>::try_from(angular_velocity(&[0, 1, 2], &["a", "b", "c"])).expect("three");
+        let [a, b, c] =
+            <[String; 3]>::try_from(angular_velocity_formulas(&[0, 1, 2], &["a", "b", "c"])).expect("three");
         assert_eq!(a, "+ a'*cos(b)*cos(c) + b'*sin(c)");
         assert_eq!(b, "- a'*cos(b)*sin(c) + b'*cos(c)");
         assert_eq!(c, "+ a'*sin(b) + c'");

@@ -5,13 +5,15 @@
 //! the reading of files knows of joints. The first joint of a body places it, unless the body's
 //! frame is declared. A further joint of a body closes a loop.
 
-use super::joint_kinds::{Freedom, JointKind, KINDS, angular_velocity, by_euler_parameters};
-use crate::diagnostic::{nearest, shown};
-use crate::model::reading::names::Kind;
-use crate::model::reading::reader::Loading;
+use super::joint_kinds::{
+    JointFreedom, JointKind, KINDS, angular_velocity_by_euler_parameters, angular_velocity_formulas,
+};
+use crate::diagnostic::{nearest_name_advice, shortened_for_message};
+use crate::model::reading::declared_names::NameKind;
+use crate::model::reading::model_reader::Loading;
 use crate::model::units::Unit;
 use crate::model::{DependentSpeed, Speed};
-use crate::read::Located;
+use crate::toml_reader::Located;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::ops::Range;
 use toml::Spanned;
@@ -48,7 +50,7 @@ pub struct Joint<'a> {
 
 /// Names of the frame and mass centre of a body, and of the joint that places it.
 #[derive(Clone)]
-pub struct Placed {
+pub struct PlacedBody {
     /// Name of the body's frame.
     pub frame: Located,
     /// Name of the body's mass centre.
@@ -64,7 +66,7 @@ pub struct Joints<'a> {
     /// Joints, in the order of the model file.
     pub list: Vec<Joint<'a>>,
     /// Frames and mass centres by name of the body, with stated or default names.
-    pub bodies: FxHashMap<String, Placed>,
+    pub bodies: FxHashMap<String, PlacedBody>,
     /// Name and definition, as text, of each generalized speed that joints add.
     pub speeds: Vec<(Located, Located)>,
     /// Names of those speeds of joints that the model file states.
@@ -75,12 +77,12 @@ pub struct Joints<'a> {
 
 impl Joints<'_> {
     /// True if a joint adds this generalized speed to the model.
-    pub fn brings(&self, speed: &Speed) -> bool {
+    pub fn adds_joint_speed(&self, speed: &Speed) -> bool {
         self.speeds.iter().any(|(name, _)| name.text == speed.name)
     }
 
     /// Converts a joint's speed that constraints determine into a dependent speed.
-    pub fn dependent(&self, speed: Speed) -> DependentSpeed {
+    pub fn dependent_joint_speed(&self, speed: Speed) -> DependentSpeed {
         let is_stated = self.stated_speeds.contains(&speed.name);
         DependentSpeed { name: speed.name, definition: speed.definition, is_stated }
     }
@@ -90,13 +92,13 @@ impl Joints<'_> {
         let mut list = Vec::new();
         for joint in self.list.iter().filter(|joint| joint.carries) {
             for (name, freedom) in joint.coordinates.iter().zip(joint.kind.freedoms(&joint.axes)) {
-                let unit = if let Freedom::Along(_) = freedom { Unit::new(1, 0, 0) } else { Unit::default() };
+                let unit = if let JointFreedom::Along(_) = freedom { Unit::new(1, 0, 0) } else { Unit::default() };
                 let about = match freedom {
-                    Freedom::Along(axis) => format!("way along axis {} of {}", axis + 1, joint.what),
-                    Freedom::About(axis) | Freedom::Screwed(axis) => {
+                    JointFreedom::Along(axis) => format!("way along axis {} of {}", axis + 1, joint.what),
+                    JointFreedom::About(axis) | JointFreedom::Screwed(axis) => {
                         format!("turn about axis {} of {}", axis + 1, joint.what)
                     }
-                    Freedom::Parameter => format!("Euler parameter of {}", joint.what),
+                    JointFreedom::Parameter => format!("Euler parameter of {}", joint.what),
                 };
                 list.push((name.clone(), unit, about.replace('`', "")));
             }
@@ -110,7 +112,8 @@ impl<'a> Loading<'a> {
     /// recorded.
     pub fn joints(&mut self, table: &'a DeTable<'a>) -> Joints<'a> {
         let mut joints = Joints::default();
-        let entries = self.section(table, "joints", &[Kind::Point, Kind::Frame, Kind::Coordinate, Kind::Speed]);
+        let entries =
+            self.section(table, "joints", &[NameKind::Point, NameKind::Frame, NameKind::Coordinate, NameKind::Speed]);
         if entries.is_empty() {
             return joints;
         }
@@ -132,7 +135,7 @@ impl<'a> Loading<'a> {
                 };
                 let frame = named("frame", format!("{}_frame", name.get_ref()));
                 let centre = named("centre", format!("{}_centre", name.get_ref()));
-                joints.bodies.insert(name.get_ref().to_string(), Placed { frame, centre, joint: None });
+                joints.bodies.insert(name.get_ref().to_string(), PlacedBody { frame, centre, joint: None });
             }
         }
         for (name, value) in entries {
@@ -145,14 +148,20 @@ impl<'a> Loading<'a> {
             // Names that the failed joint would have added are not reported as missing.
             let carried = joints.bodies.values().filter(|placed| placed.joint.as_ref() == Some(&name));
             for placed in carried {
-                self.names.spoil(&placed.frame.text);
-                self.names.spoil(&placed.centre.text);
+                self.names.mark_wrong_name(&placed.frame.text);
+                self.names.mark_wrong_name(&placed.centre.text);
             }
             if self.reader.errors.len() == before {
                 // The cause of this failure is reported elsewhere.
-                self.names.spoil(&name.text);
+                self.names.mark_wrong_name(&name.text);
             } else {
-                self.names.unread(&[Kind::Point, Kind::Frame, Kind::Coordinate, Kind::Rate, Kind::Speed]);
+                self.names.mark_unread_kinds(&[
+                    NameKind::Point,
+                    NameKind::Frame,
+                    NameKind::Coordinate,
+                    NameKind::Rate,
+                    NameKind::Speed,
+                ]);
             }
         }
         joints
@@ -166,25 +175,25 @@ impl<'a> Loading<'a> {
         name: Located,
         value: &'a toml::Spanned<DeValue<'a>>,
     ) -> Option<Joint<'a>> {
-        let what = format!("joint `{}`", shown(&name.text));
+        let what = format!("joint `{}`", shortened_for_message(&name.text));
         let entry = self.reader.table(value, &what, "[joints.NAME] with kind = \"pin\" and body = \"arm\"")?;
         self.about(entry);
-        let body = self.jointed(joints, entry, "body", &what, &name.span)?;
+        let body = self.jointed_body(joints, entry, "body", &what, &name.span)?;
         let placed = joints.bodies.get_mut(&body.text)?;
         let carries = placed.joint.is_none() && !frames.contains(&placed.frame.text.as_str());
         if carries {
             placed.joint = Some(name.clone());
         }
-        let stated = self.reader.need(entry, "kind", &what, &name.span)?;
+        let stated = self.reader.required(entry, "kind", &what, &name.span)?;
         let stated = self.reader.string(stated, "`kind`")?;
         let Some((_, kind)) = KINDS.iter().find(|(known, _)| *known == stated.text) else {
-            let message = format!("there is no joint of the kind `{}`", shown(&stated.text));
-            self.reader.error(stated.span, message, nearest(&stated.text, KINDS.map(|(known, _)| known)));
+            let message = format!("there is no joint of the kind `{}`", shortened_for_message(&stated.text));
+            self.reader.error(stated.span, message, nearest_name_advice(&stated.text, KINDS.map(|(known, _)| known)));
             return None;
         };
         let kind = *kind;
         let to = match self.reader.get(entry, "to") {
-            Some(_) => Some(self.jointed(joints, entry, "to", &what, &name.span)?),
+            Some(_) => Some(self.jointed_body(joints, entry, "to", &what, &name.span)?),
             None => None,
         };
         if to.as_ref().is_some_and(|to| to.text == body.text) {
@@ -192,11 +201,11 @@ impl<'a> Loading<'a> {
             return None;
         }
         let along = self.reader.get(entry, "axis").filter(|axis| axis.get_ref().is_array());
-        let axes = if along.is_some() { vec![2] } else { self.axes(kind, entry, &what)? };
+        let axes = if along.is_some() { vec![2] } else { self.joint_axes(kind, entry, &what)? };
         let mut keys = vec!["kind", "body", "to", "at", "turned", "about"];
         keys.extend(if carries { &["coordinates", "speeds", "centre"][..] } else { &["body_at", "body_turned"][..] });
         keys.extend(kind.keys());
-        self.reader.allow(entry, if carries { &what } else { "a joint that closes a loop" }, &keys);
+        self.reader.report_unknown_keys(entry, if carries { &what } else { "a joint that closes a loop" }, &keys);
         if let (false, Some(along)) = (carries, along) {
             let help = "turn its axes on both bodies by `turned` and `body_turned`";
             self.reader.error(along.span(), "the axis of a joint that closes a loop is 1, 2 or 3", help);
@@ -225,7 +234,7 @@ impl<'a> Loading<'a> {
 
     /// Name of the rigid body under a key of a joint; `None` after reporting a name that is no rigid
     /// body.
-    fn jointed(
+    fn jointed_body(
         &mut self,
         joints: &Joints<'a>,
         entry: &'a DeTable<'a>,
@@ -233,26 +242,26 @@ impl<'a> Loading<'a> {
         what: &str,
         span: &Range<usize>,
     ) -> Option<Located> {
-        let value = self.reader.need(entry, key, what, span)?;
+        let value = self.reader.required(entry, key, what, span)?;
         let name = self.reader.string(value, &format!("`{key}`"))?;
         if joints.bodies.contains_key(&name.text) {
             return Some(name);
         }
-        let message = format!("there is no rigid body `{}`", shown(&name.text));
+        let message = format!("there is no rigid body `{}`", shortened_for_message(&name.text));
         let mut known: Vec<&str> = joints.bodies.keys().map(String::as_str).collect();
         known.sort_unstable();
-        self.reader.error_once(name.span, message, nearest(&name.text, known));
+        self.reader.error_once(name.span, message, nearest_name_advice(&name.text, known));
         None
     }
 
     /// Reads the axes, 0 to 2, of the rotations of a joint of this kind; empty for Euler parameters.
     /// `None` after an error is reported.
-    fn axes(&mut self, kind: JointKind, entry: &'a DeTable<'a>, what: &str) -> Option<Vec<usize>> {
+    fn joint_axes(&mut self, kind: JointKind, entry: &'a DeTable<'a>, what: &str) -> Option<Vec<usize>> {
         match kind {
             JointKind::Weld => Some(Vec::new()),
             JointKind::Ball | JointKind::Free => match self.reader.get(entry, "sequence") {
                 Some(value) if value.get_ref().as_str() == Some(EULER) => Some(Vec::new()),
-                Some(value) => self.sequence(value, Some(3)),
+                Some(value) => self.turn_sequence(value, Some(3)),
                 None => Some(vec![0, 1, 2]),
             },
             JointKind::Universal => {
@@ -261,7 +270,7 @@ impl<'a> Loading<'a> {
                     self.reader.error(value.span(), "`axes` must be an array", "write axes = [1, 2]");
                     return None;
                 };
-                let axes: Option<Vec<usize>> = list.iter().map(|v| self.axis(v)).collect();
+                let axes: Option<Vec<usize>> = list.iter().map(|v| self.axis_number(v)).collect();
                 let axes = axes?;
                 if axes.len() != 2 || axes[0] == axes[1] {
                     let message = format!("the axes of {what} are not two different ones");
@@ -271,14 +280,14 @@ impl<'a> Loading<'a> {
                 Some(axes)
             }
             _ => match self.reader.get(entry, "axis") {
-                Some(value) => Some(vec![self.axis(value)?]),
+                Some(value) => Some(vec![self.axis_number(value)?]),
                 None => Some(vec![2]),
             },
         }
     }
 
     /// Reads the number of an axis, 1, 2 or 3, as 0, 1 or 2. `None` after reporting another value.
-    pub fn axis(&mut self, value: &'a toml::Spanned<DeValue<'a>>) -> Option<usize> {
+    pub fn axis_number(&mut self, value: &'a toml::Spanned<DeValue<'a>>) -> Option<usize> {
         let axis = match value.get_ref() {
             DeValue::Integer(n) => ["1", "2", "3"].iter().position(|a| *a == n.as_str()),
             _ => None,
@@ -291,7 +300,7 @@ impl<'a> Loading<'a> {
 
     /// Reads the axes of successive rotations, such as `"313"`, each as 0, 1 or 2. `count` is the
     /// required number, if any. `None` after reporting another value.
-    pub fn sequence(&mut self, value: &'a toml::Spanned<DeValue<'a>>, count: Option<usize>) -> Option<Vec<usize>> {
+    pub fn turn_sequence(&mut self, value: &'a toml::Spanned<DeValue<'a>>, count: Option<usize>) -> Option<Vec<usize>> {
         let text = self.reader.string(value, "`sequence`")?;
         let axes: Option<Vec<usize>> =
             text.text.chars().map(|c| ['1', '2', '3'].iter().position(|axis| *axis == c)).collect();
@@ -300,7 +309,7 @@ impl<'a> Loading<'a> {
             follow && (1..=12).contains(&axes.len()) && count.is_none_or(|n| n == axes.len())
         });
         if good.is_none() {
-            let message = format!("`{}` is not a sequence of turns", shown(&text.text));
+            let message = format!("`{}` is not a sequence of turns", shortened_for_message(&text.text));
             let help = "write the axes of the turns one after the other, such as \"313\"; neighbours differ";
             self.reader.error(text.span, message, help);
         }
@@ -337,12 +346,12 @@ impl<'a> Loading<'a> {
     /// Names and definitions, as text, of the speeds of a joint: rates of displacements and rotations.
     /// For three rotations they are the components of the body's relative angular velocity in the
     /// body's frame. `None` after an error is reported.
-    fn joint_speeds(&mut self, joint: &Joint<'a>, freedoms: &[Freedom]) -> Option<Vec<(Located, Located)>> {
+    fn joint_speeds(&mut self, joint: &Joint<'a>, freedoms: &[JointFreedom]) -> Option<Vec<(Located, Located)>> {
         let none = self.reader.get(joint.entry, "speeds").and_then(|v| v.get_ref().as_array());
         if none.is_some_and(|list| list.iter().next().is_none()) {
             return Some(Vec::new());
         }
-        let parameters = freedoms.iter().filter(|freedom| **freedom == Freedom::Parameter).count();
+        let parameters = freedoms.iter().filter(|freedom| **freedom == JointFreedom::Parameter).count();
         let has_parameters = parameters > 0;
         let count = freedoms.len() - usize::from(has_parameters);
         let turns_in_space = matches!(joint.kind, JointKind::Ball | JointKind::Free);
@@ -364,8 +373,8 @@ impl<'a> Loading<'a> {
         if turns_in_space {
             let q: Vec<&str> = joint.coordinates[first_turn..].iter().map(|q| q.text.as_str()).collect();
             let components = match q.as_slice() {
-                [w, x, y, z] => by_euler_parameters([w, x, y, z]).into(),
-                angles => angular_velocity(&joint.axes, angles),
+                [w, x, y, z] => angular_velocity_by_euler_parameters([w, x, y, z]).into(),
+                angles => angular_velocity_formulas(&joint.axes, angles),
             };
             formulas.splice(first_turn.., components);
         }

@@ -3,13 +3,13 @@
 use super::elements::{Elements, vector};
 use crate::algebra::Expr;
 use crate::algebra::text::parse::VelocityOf;
-use crate::diagnostic::shown;
-use crate::model::reading::names::{CONFIGURATION, DRIVEN, Kind, PARAMETERS};
-use crate::model::reading::reader::Loading;
+use crate::diagnostic::shortened_for_message;
+use crate::model::reading::declared_names::{CONFIGURATION, DRIVEN, NameKind, PARAMETERS};
+use crate::model::reading::model_reader::Loading;
 use crate::model::units::Unit;
 use crate::model::velocities::StatedVelocity;
-use crate::model::{Force, Gravity, NamedVelocity, Place, Reaction, ReactionKind, Torque};
-use crate::read::{Entry, Located};
+use crate::model::{Force, ForcePlace, Gravity, NamedVelocity, Reaction, ReactionKind, Torque};
+use crate::toml_reader::{Entry, Located};
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -20,7 +20,7 @@ impl Elements {
         let Some(value) = loading.reader.get(table, "gravity") else { return };
         let what = "`gravity`";
         let Some(entry) = loading.reader.table(value, what, "[gravity]") else { return };
-        loading.reader.allow(entry, what, &["frame", "acceleration", "zero_at"]);
+        loading.reader.report_unknown_keys(entry, what, &["frame", "acceleration", "zero_at"]);
         let frame = self.frame(loading, entry, what, &value.span());
         if let (Some(frame), Some(stated)) = (frame.filter(|f| *f != 0), loading.reader.get(entry, "frame")) {
             let (name, inertial) = (&self.frames[frame].name, &self.frames[0].name);
@@ -29,7 +29,8 @@ impl Elements {
         }
         let unit = Unit::new(1, 0, -2);
         let acceleration = vector(loading, entry, "acceleration", what, &value.span(), PARAMETERS, &unit);
-        let zero_at = loading.reader.get(entry, "zero_at").map_or(Vec::new(), |v| zero_at(loading, v));
+        let zero_at =
+            loading.reader.get(entry, "zero_at").map_or(Vec::new(), |v| gravity_zero_configuration(loading, v));
         if let (Some(frame), Some(acceleration)) = (frame, acceleration) {
             self.gravity = Some(Gravity { frame, acceleration, zero_at });
         }
@@ -38,12 +39,12 @@ impl Elements {
     /// Reads the section `[forces]` of a model file. Errors are recorded in the reader.
     pub fn read_forces<'a>(&mut self, loading: &mut Loading<'a>, table: &'a DeTable<'a>) {
         for (name, value) in loading.section(table, "forces", &[]) {
-            let entry = loading.entry(&name, value, Kind::Force, None, "[forces.NAME]");
+            let entry = loading.entry(&name, value, NameKind::Force, None, "[forces.NAME]");
             let Some((entry, what)) = entry else { continue };
             let keys = ["on", "at", "against", "against_at", "frame", "vector", "about"];
-            loading.reader.allow(entry, "a force", &keys);
+            loading.reader.report_unknown_keys(entry, "a force", &keys);
             let on = self.place(loading, entry, "on", "at", &what, &name.span);
-            let against = self.opposite(loading, entry, on, &what, &name.span);
+            let against = self.opposite_force_place(loading, entry, on, &what, &name.span);
             let frame = self.frame(loading, entry, &what, &name.span);
             let unit = Unit::new(1, 1, -2);
             let vector = vector(loading, entry, "vector", &what, &name.span, DRIVEN, &unit);
@@ -65,12 +66,12 @@ impl Elements {
     /// Reads the section `[torques]` of a model file. Errors are recorded in the reader.
     pub fn read_torques<'a>(&mut self, loading: &mut Loading<'a>, table: &'a DeTable<'a>) {
         for (name, value) in loading.section(table, "torques", &[]) {
-            let entry = loading.entry(&name, value, Kind::Torque, None, "[torques.NAME]");
+            let entry = loading.entry(&name, value, NameKind::Torque, None, "[torques.NAME]");
             let Some((entry, what)) = entry else { continue };
-            loading.reader.allow(entry, "a torque", &["on", "against", "frame", "vector", "about"]);
-            let on = loading.reader.need(entry, "on", &what, &name.span);
-            let on = on.and_then(|v| self.turned(loading, v, "on"));
-            let against = loading.reader.get(entry, "against").and_then(|v| self.turned(loading, v, "against"));
+            loading.reader.report_unknown_keys(entry, "a torque", &["on", "against", "frame", "vector", "about"]);
+            let on = loading.reader.required(entry, "on", &what, &name.span);
+            let on = on.and_then(|v| self.torque_target(loading, v, "on"));
+            let against = loading.reader.get(entry, "against").and_then(|v| self.torque_target(loading, v, "against"));
             // A torque on the ground has no effect.
             let against = against.filter(|(frame, _)| *frame != 0);
             let frame = self.frame(loading, entry, &what, &name.span);
@@ -84,14 +85,14 @@ impl Elements {
 
     /// Reads the target of a torque, a rigid body or a massless frame, as (frame, body of that frame if
     /// it has one). `None` after an error is reported.
-    fn turned<'a>(
+    fn torque_target<'a>(
         &self,
         loading: &mut Loading<'a>,
         value: &'a Spanned<DeValue<'a>>,
         key: &str,
     ) -> Option<(usize, Option<usize>)> {
         let name = loading.reader.string(value, &format!("`{key}`"))?;
-        if loading.names.kind(&name.text) == Some(Kind::Frame) {
+        if loading.names.kind(&name.text) == Some(NameKind::Frame) {
             let frame = self.frames.iter().position(|f| f.name == name.text)?;
             let body = self.bodies.iter().position(|b| b.rigid.as_ref().is_some_and(|(f, _)| *f == frame));
             return Some((frame, body));
@@ -109,9 +110,9 @@ impl Elements {
 
     /// Index of the rigid body on which a reaction torque acts. `None` for the ground, or after
     /// reporting a frame without a body.
-    fn turned_body<'a>(&self, loading: &mut Loading<'a>, entry: &'a DeTable<'a>, key: &str) -> Option<usize> {
+    fn torque_body<'a>(&self, loading: &mut Loading<'a>, entry: &'a DeTable<'a>, key: &str) -> Option<usize> {
         let value = loading.reader.get(entry, key)?;
-        let (frame, body) = self.turned(loading, value, key)?;
+        let (frame, body) = self.torque_target(loading, value, key)?;
         if body.is_none() && (frame != 0 || key == "on") {
             let message =
                 format!("the frame `{}` carries no body on which a torque could act", self.frames[frame].name);
@@ -126,7 +127,7 @@ impl Elements {
         for (name, value) in entries {
             let what = format!("reaction `{}`", name.text);
             let Some(entry) = loading.reader.table(value, &what, "[reactions.NAME]") else {
-                loading.names.spoil(&name.text);
+                loading.names.mark_wrong_name(&name.text);
                 continue;
             };
             let Some(torque) = is_torque(loading, entry) else { continue };
@@ -137,7 +138,7 @@ impl Elements {
                 (&["kind", "on", "at", "against", "against_at", "frame", "direction", "about"], Unit::new(1, 1, -2))
             };
             loading.units.insert(symbol, unit);
-            loading.reader.allow(entry, if torque { "a reaction torque" } else { "a reaction" }, keys);
+            loading.reader.report_unknown_keys(entry, if torque { "a reaction torque" } else { "a reaction" }, keys);
             let frame = self.frame(loading, entry, &what, &name.span);
             let plain = Unit::default();
             let direction = vector(loading, entry, "direction", &what, &name.span, CONFIGURATION, &plain);
@@ -148,13 +149,13 @@ impl Elements {
                 loading.reader.error(value.span(), format!("the direction of {what} is zero"), help);
             }
             let kind = if torque {
-                loading.reader.need(entry, "on", &what, &name.span);
-                let on = self.turned_body(loading, entry, "on");
-                let against = self.turned_body(loading, entry, "against");
+                loading.reader.required(entry, "on", &what, &name.span);
+                let on = self.torque_body(loading, entry, "on");
+                let against = self.torque_body(loading, entry, "against");
                 on.map(|on| ReactionKind::Torque { on, against })
             } else {
                 let on = self.place(loading, entry, "on", "at", &what, &name.span);
-                let against = self.opposite(loading, entry, on, &what, &name.span);
+                let against = self.opposite_force_place(loading, entry, on, &what, &name.span);
                 on.map(|on| ReactionKind::Force { on, against })
             };
             if let (Some(kind), Some(frame), Some(direction)) = (kind, frame, direction) {
@@ -220,7 +221,7 @@ impl Elements {
 
     /// Index of the body with this name; `None` after reporting an unknown name.
     pub fn body(&self, loading: &mut Loading<'_>, name: &Located) -> Option<usize> {
-        let known = loading.names.expect(&mut loading.reader, name, Kind::Body);
+        let known = loading.names.expect(&mut loading.reader, name, NameKind::Body);
         self.bodies.iter().position(|b| known && b.name == name.text)
     }
 
@@ -234,8 +235,8 @@ impl Elements {
         point_key: &str,
         what: &str,
         owner: &Range<usize>,
-    ) -> Option<Place> {
-        let value = loading.reader.need(entry, body_key, what, owner)?;
+    ) -> Option<ForcePlace> {
+        let value = loading.reader.required(entry, body_key, what, owner)?;
         let name = loading.reader.string(value, &format!("`{body_key}`"))?;
         let body = self.body(loading, &name);
         let stated = loading.reader.get(entry, point_key);
@@ -249,19 +250,19 @@ impl Elements {
             loading.reader.error(span, format!("the particle `{}` is not at this point", name.text), help);
             return None;
         }
-        Some(Place { body, point })
+        Some(ForcePlace { body, point })
     }
 
     /// Reads the place of the opposite of a force: on the body `against`, at the point `against_at` or
     /// else at the force's own point. `None` without `against`, or after an error is reported.
-    fn opposite<'a>(
+    fn opposite_force_place<'a>(
         &self,
         loading: &mut Loading<'a>,
         entry: &'a DeTable<'a>,
-        on: Option<Place>,
+        on: Option<ForcePlace>,
         what: &str,
         owner: &Range<usize>,
-    ) -> Option<Place> {
+    ) -> Option<ForcePlace> {
         let stated = loading.reader.get(entry, "against");
         if let (None, Some(at)) = (stated, loading.reader.get(entry, "against_at")) {
             let help = "add `against = …`, or leave `against_at` out";
@@ -274,7 +275,7 @@ impl Elements {
         let name = loading.reader.string(value, "`against`")?;
         let body = self.body(loading, &name)?;
         let point = if self.bodies[body].rigid.is_some() { on?.point } else { self.bodies[body].centre };
-        Some(Place { body, point })
+        Some(ForcePlace { body, point })
     }
 }
 
@@ -287,7 +288,7 @@ fn is_torque<'a>(loading: &mut Loading<'a>, entry: &'a DeTable<'a>) -> Option<bo
         "force" => Some(false),
         "torque" => Some(true),
         other => {
-            let message = format!("unknown kind of reaction: `{}`", shown(other));
+            let message = format!("unknown kind of reaction: `{}`", shortened_for_message(other));
             loading.reader.error(kind.span, message, "a reaction is a \"force\" or a \"torque\"");
             None
         }
@@ -296,11 +297,11 @@ fn is_torque<'a>(loading: &mut Loading<'a>, entry: &'a DeTable<'a>) -> Option<bo
 
 /// Reads the configuration at which the potential energy of gravity is zero, as (coordinate,
 /// value).
-fn zero_at<'a>(loading: &mut Loading<'a>, value: &'a Spanned<DeValue<'a>>) -> Vec<(Expr, Expr)> {
+fn gravity_zero_configuration<'a>(loading: &mut Loading<'a>, value: &'a Spanned<DeValue<'a>>) -> Vec<(Expr, Expr)> {
     let mut pairs = Vec::new();
     let Some(entry) = loading.reader.table(value, "`zero_at`", "{ q2 = 0 }") else { return pairs };
     for (name, value) in loading.reader.entries(entry) {
-        if !loading.names.expect(&mut loading.reader, &name, Kind::Coordinate) {
+        if !loading.names.expect(&mut loading.reader, &name, NameKind::Coordinate) {
             continue;
         }
         let Some(formula) = loading.reader.formula(value, "a coordinate's value") else { continue };

@@ -7,7 +7,7 @@ pub(super) mod inputs;
 pub(super) mod joint_kinds;
 pub(super) mod joints;
 pub(super) mod loads;
-pub(super) mod motion;
+pub(super) mod mechanism_motion;
 pub(super) mod potentials;
 pub(super) mod shapes;
 pub(super) mod springs;

@@ -4,10 +4,10 @@
 use crate::algebra::Expr;
 use crate::algebra::term::calculus::{Gradient, Substitution};
 use crate::model::Potential;
-use crate::model::reading::names::{Kind, PLACES};
-use crate::model::reading::reader::Loading;
+use crate::model::reading::declared_names::{NameKind, PLACES};
+use crate::model::reading::model_reader::Loading;
 use crate::model::units::Unit;
-use crate::read::Located;
+use crate::toml_reader::Located;
 use std::ops::Range;
 use toml::de::{DeTable, DeValue};
 
@@ -26,13 +26,13 @@ impl<'a> Loading<'a> {
     pub fn potentials(&mut self, table: &'a DeTable<'a>) -> Vec<StatedPotential> {
         let mut list = Vec::new();
         for (name, value) in self.section(table, "potentials", &[]) {
-            self.names.declare(&mut self.reader, &name, Kind::Potential, None);
+            self.names.declare(&mut self.reader, &name, NameKind::Potential, None);
             let what = format!("potential `{}`", name.text);
             let value = match value.get_ref() {
                 DeValue::Table(entry) => {
-                    self.reader.allow(entry, "a potential", &["value", "about"]);
+                    self.reader.report_unknown_keys(entry, "a potential", &["value", "about"]);
                     self.about(entry);
-                    self.reader.need(entry, "value", &what, &name.span)
+                    self.reader.required(entry, "value", &what, &name.span)
                 }
                 _ => Some(value),
             };
@@ -45,16 +45,20 @@ impl<'a> Loading<'a> {
 
     /// Replaces named positions in the stated potentials by terms. Reports and leaves out a potential
     /// that exerts no force.
-    pub fn placed_potentials(&mut self, put: &mut Substitution, stated: Vec<StatedPotential>) -> Vec<Potential> {
+    pub fn potentials_with_positions(
+        &mut self,
+        put: &mut Substitution,
+        stated: Vec<StatedPotential>,
+    ) -> Vec<Potential> {
         let time = self.arena.find_symbol(crate::model::TIME);
-        let mut coordinates = self.names.symbols_of(&[Kind::Coordinate]);
+        let mut coordinates = self.names.symbols_of(&[NameKind::Coordinate]);
         coordinates.retain(|symbol| Some(*symbol) != time);
         let mut along = Gradient::new(&coordinates);
         let mut list = Vec::new();
         for StatedPotential { name, energy, span } in stated {
             let energy = put.apply(&mut self.arena, energy);
             if let Some(term) = put.undefined {
-                let term = crate::algebra::text::print::text(&self.arena, term);
+                let term = crate::algebra::text::print::print_text(&self.arena, term);
                 let message = format!("the potential `{}` divides by a term that is always zero, in {term}", name.text);
                 self.reader.error(span, message, "name places that move apart");
             } else if along.apply(&mut self.arena, energy).is_empty() {

@@ -6,13 +6,13 @@
 
 use super::elements::Elements;
 use crate::algebra::Expr;
-use crate::diagnostic::{nearest, shown};
+use crate::diagnostic::{nearest_name_advice, shortened_for_message};
 use crate::model::Parameter;
-use crate::model::physics::{defaults, values_at};
-use crate::model::reading::names::{CONSTANT, Kind, PARAMETERS};
-use crate::model::reading::reader::Loading;
+use crate::model::possible_bodies::{default_parameter_values, values_of_terms_at};
+use crate::model::reading::declared_names::{CONSTANT, NameKind, PARAMETERS};
+use crate::model::reading::model_reader::Loading;
 use crate::model::units::{StatedUnit, Unit};
-use crate::read::{Located, Reader};
+use crate::toml_reader::{Located, TomlReader};
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -146,12 +146,12 @@ impl<'a> Loading<'a> {
                 self.reader.error(name.span, "a shape has no name", "name it, such as [shapes.wheel]");
                 continue;
             }
-            let what = format!("shape `{}`", shown(&name.text));
+            let what = format!("shape `{}`", shortened_for_message(&name.text));
             let Some(table) = self.reader.table(value, &what, KINDS[0].2) else { continue };
             let before = self.reader.errors.len();
             let shape = self.shape(elements, &name, &Entry { table, what: &what, owner: &name.span });
             let Some(shape) = shape.filter(|_| self.reader.errors.len() == before) else { continue };
-            self.positive_lengths(parameters, &shape, &name.span, table);
+            self.report_nonpositive_lengths(parameters, &shape, &name.span, table);
             list.push(shape);
         }
         list
@@ -159,20 +159,24 @@ impl<'a> Loading<'a> {
 
     /// Reads a single shape; `None` after an error is reported.
     fn shape(&mut self, elements: &Elements, name: &Located, entry: &Entry<'a, '_>) -> Option<Shape> {
-        let kind = self.reader.need(entry.table, "kind", entry.what, entry.owner)?;
+        let kind = self.reader.required(entry.table, "kind", entry.what, entry.owner)?;
         let kind = self.reader.string(kind, "`kind`")?;
         let Some((kind, keys, _)) = KINDS.iter().find(|(known, ..)| *known == kind.text) else {
-            let message = format!("there is no kind of shape `{}`", shown(&kind.text));
-            self.reader.error(kind.span, message, nearest(&kind.text, KINDS.iter().map(|(known, ..)| *known)));
+            let message = format!("there is no kind of shape `{}`", shortened_for_message(&kind.text));
+            self.reader.error(
+                kind.span,
+                message,
+                nearest_name_advice(&kind.text, KINDS.iter().map(|(known, ..)| *known)),
+            );
             return None;
         };
         let place: &[&str] = if *kind == "line" { &[] } else { &PLACE };
         let article = if *kind == "ground" { "the ground".to_owned() } else { format!("a {kind}") };
-        self.reader.allow(entry.table, &article, &[&["kind", "about"], *keys, place].concat());
+        self.reader.report_unknown_keys(entry.table, &article, &[&["kind", "about"], *keys, place].concat());
         let about = self.about(entry.table);
-        let form = self.form(elements, kind, entry);
+        let form = self.shape_form(elements, kind, entry);
         let (body, frame, point) =
-            if *kind == "line" { (None, 0, 0) } else { self.where_it_is(elements, kind, entry)? };
+            if *kind == "line" { (None, 0, 0) } else { self.shape_place(elements, kind, entry)? };
         let position = match self.reader.get(entry.table, "position") {
             Some(_) => self.lengths(entry, "position")?,
             None => [Expr::ZERO; 3],
@@ -181,28 +185,28 @@ impl<'a> Loading<'a> {
     }
 
     /// Reads the form of a shape of this kind, with its lengths; `None` after an error is reported.
-    fn form(&mut self, elements: &Elements, kind: &str, entry: &Entry<'a, '_>) -> Option<ShapeForm> {
+    fn shape_form(&mut self, elements: &Elements, kind: &str, entry: &Entry<'a, '_>) -> Option<ShapeForm> {
         let axis = match self.reader.get(entry.table, "axis") {
             Some(value) => self.shape_axis(value)?,
             None => 2,
         };
         Some(match kind {
-            "sphere" => ShapeForm::Sphere { radius: self.size(entry, "radius")? },
+            "sphere" => ShapeForm::Sphere { radius: self.required_shape_length(entry, "radius")? },
             "disk" => {
-                let thickness = self.optional_size(entry, "thickness");
-                ShapeForm::Disk { axis, radius: self.size(entry, "radius")?, thickness }
+                let thickness = self.optional_shape_length(entry, "thickness");
+                ShapeForm::Disk { axis, radius: self.required_shape_length(entry, "radius")?, thickness }
             }
             "cylinder" => {
-                let length = self.size(entry, "length");
-                ShapeForm::Cylinder { axis, radius: self.size(entry, "radius")?, length: length? }
+                let length = self.required_shape_length(entry, "length");
+                ShapeForm::Cylinder { axis, radius: self.required_shape_length(entry, "radius")?, length: length? }
             }
             "box" => {
                 let size = self.lengths(entry, "size")?;
                 ShapeForm::Box { size }
             }
             "line" => {
-                let radius = self.optional_size(entry, "radius");
-                ShapeForm::Line { through: self.through(elements, entry)?, radius }
+                let radius = self.optional_shape_length(entry, "radius");
+                ShapeForm::Line { through: self.line_points(elements, entry)?, radius }
             }
             _ => ShapeForm::Ground { axis },
         })
@@ -222,14 +226,14 @@ impl<'a> Loading<'a> {
     }
 
     /// Reads a required length of a shape, m; `None` after an error is reported.
-    fn size(&mut self, entry: &Entry<'a, '_>, key: &str) -> Option<Expr> {
-        self.reader.need(entry.table, key, entry.what, entry.owner)?;
-        self.optional_size(entry, key)
+    fn required_shape_length(&mut self, entry: &Entry<'a, '_>, key: &str) -> Option<Expr> {
+        self.reader.required(entry.table, key, entry.what, entry.owner)?;
+        self.optional_shape_length(entry, key)
     }
 
     /// Reads an optional length of a shape, m. `None` if absent, or after an error is reported, for
     /// which the shape is left out.
-    fn optional_size(&mut self, entry: &Entry<'a, '_>, key: &str) -> Option<Expr> {
+    fn optional_shape_length(&mut self, entry: &Entry<'a, '_>, key: &str) -> Option<Expr> {
         let value = self.reader.get(entry.table, key)?;
         let formula = self.reader.formula(value, &format!("`{key}`"))?;
         self.shape_length(&formula, &format!("the {key} of {}", entry.what))
@@ -237,7 +241,7 @@ impl<'a> Loading<'a> {
 
     /// Reads three lengths of a shape, m; `None` after an error is reported.
     fn lengths(&mut self, entry: &Entry<'a, '_>, key: &str) -> Option<[Expr; 3]> {
-        let value = self.reader.need(entry.table, key, entry.what, entry.owner)?;
+        let value = self.reader.required(entry.table, key, entry.what, entry.owner)?;
         let triple = self.reader.triple(value, &format!("`{key}`"))?;
         let what = format!("the {key} of {}", entry.what);
         let [a, b, c] = triple.map(|formula| self.shape_length(&formula, &what));
@@ -253,8 +257,8 @@ impl<'a> Loading<'a> {
             return self.quantity(formula, PARAMETERS, &metre, what);
         };
         if stated.unit != metre {
-            let unit = stated.unit.words();
-            let message = format!("{what} must be in m, but `{}` is in {unit}", shown(&formula.text));
+            let unit = stated.unit.unit_words();
+            let message = format!("{what} must be in m, but `{}` is in {unit}", shortened_for_message(&formula.text));
             self.reader.error(formula.span.clone(), message, "give a length, such as \"2 cm\"");
             return None;
         }
@@ -264,8 +268,8 @@ impl<'a> Loading<'a> {
 
     /// Reads `through`: indices of the points of a line. `None` after reporting fewer than two points
     /// or an unknown point.
-    fn through(&mut self, elements: &Elements, entry: &Entry<'a, '_>) -> Option<Vec<usize>> {
-        let value = self.reader.need(entry.table, "through", entry.what, entry.owner)?;
+    fn line_points(&mut self, elements: &Elements, entry: &Entry<'a, '_>) -> Option<Vec<usize>> {
+        let value = self.reader.required(entry.table, "through", entry.what, entry.owner)?;
         let help = "name two points or more, such as through = [\"O\", \"P\"]";
         let DeValue::Array(array) = value.get_ref() else {
             self.reader.error(value.span(), "`through` must be a list of points", help);
@@ -279,7 +283,7 @@ impl<'a> Loading<'a> {
             .iter()
             .map(|name| {
                 let name = self.reader.string(name, "a point of `through`")?;
-                let known = self.names.expect(&mut self.reader, &name, Kind::Point);
+                let known = self.names.expect(&mut self.reader, &name, NameKind::Point);
                 elements.points.iter().position(|point| known && point.name == name.text)
             })
             .collect();
@@ -288,7 +292,7 @@ impl<'a> Loading<'a> {
 
     /// Reads the body, frame and point of a shape, as indices. Frame and point are those of the body
     /// unless the shape states others. `None` after reporting a shape without a place.
-    fn where_it_is(
+    fn shape_place(
         &mut self,
         elements: &Elements,
         kind: &str,
@@ -298,7 +302,7 @@ impl<'a> Loading<'a> {
             None => None,
             Some(value) => {
                 let name = self.reader.string(value, "`body`")?;
-                let known = self.names.expect(&mut self.reader, &name, Kind::Body);
+                let known = self.names.expect(&mut self.reader, &name, NameKind::Body);
                 Some(elements.bodies.iter().position(|body| known && body.name == name.text)?)
             }
         };
@@ -324,19 +328,22 @@ impl<'a> Loading<'a> {
     }
 
     /// Reports lengths of a shape that are not positive at the default values of the parameters.
-    fn positive_lengths(
+    fn report_nonpositive_lengths(
         &mut self,
         parameters: &[Parameter],
         shape: &Shape,
         owner: &Range<usize>,
         table: &'a DeTable<'a>,
     ) {
-        let known = defaults(parameters);
+        let known = default_parameter_values(parameters);
         for (key, length) in shape.form.lengths() {
-            let value = values_at(&self.arena, &known, &[length]).map(|values| values[0]);
+            let value = values_of_terms_at(&self.arena, &known, &[length]).map(|values| values[0]);
             if let Some(value) = value.filter(|value| value.is_nan() || *value <= 0.0) {
                 let span = self.reader.get(table, key).map_or_else(|| owner.clone(), Spanned::span);
-                let message = format!("the {key} of shape `{}` is {value} at the default values", shown(&shape.name));
+                let message = format!(
+                    "the {key} of shape `{}` is {value} at the default values",
+                    shortened_for_message(&shape.name)
+                );
                 self.reader.error(span, message, "what can be seen is longer than 0");
             }
         }
@@ -367,7 +374,7 @@ pub fn equations_text(text: &str) -> &str {
     // If the cut goes through a string or an array, the rest is no valid file, and the whole text is
     // kept.
     let source = crate::diagnostic::Source::from_text("model.toml", rest);
-    if Reader::parse(&source).is_ok() { rest } else { text }
+    if TomlReader::parse(&source).is_ok() { rest } else { text }
 }
 
 #[cfg(test)]

@@ -5,14 +5,14 @@
 //! the spring is k (d − l₀)²/2.
 
 use super::elements::Elements;
-use super::motion::MechanismMotion;
-use crate::algebra::value::modular::{ZeroTest, zero_test};
+use super::mechanism_motion::MechanismMotion;
+use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Expr, Function, Rational};
-use crate::model::reading::names::{Kind, PARAMETERS};
-use crate::model::reading::reader::Loading;
+use crate::model::reading::declared_names::{NameKind, PARAMETERS};
+use crate::model::reading::model_reader::Loading;
 use crate::model::units::Unit;
-use crate::model::{Force, Place};
-use crate::read::Located;
+use crate::model::{Force, ForcePlace};
+use crate::toml_reader::Located;
 use toml::de::DeTable;
 
 /// Spring or damper entry as the model file states it, before it becomes a force.
@@ -20,7 +20,7 @@ pub struct StatedSpring {
     /// Name of the spring in the model file.
     name: Located,
     /// Body and point at one end of the spring.
-    on: Place,
+    on: ForcePlace,
     /// Index of the body at the other end of the spring; `None` for the ground.
     against: Option<usize>,
     /// Index of the point at the other end of the spring.
@@ -39,9 +39,9 @@ impl<'a> Loading<'a> {
         let mut list = Vec::new();
         for (name, value) in self.section(table, "springs", &[]) {
             let example = "[springs.NAME] with on = \"bob\", against_at = \"O\" and stiffness = \"k\"";
-            let Some((entry, what)) = self.entry(&name, value, Kind::Force, None, example) else { continue };
+            let Some((entry, what)) = self.entry(&name, value, NameKind::Force, None, example) else { continue };
             let keys = ["on", "at", "against", "against_at", "stiffness", "free_length", "damping", "about"];
-            self.reader.allow(entry, "a spring", &keys);
+            self.reader.report_unknown_keys(entry, "a spring", &keys);
             let on = elements.place(self, entry, "on", "at", &what, &name.span);
             let against = match self.reader.get(entry, "against") {
                 Some(_) => elements
@@ -89,16 +89,18 @@ impl<'a> Loading<'a> {
     ) -> Vec<Force> {
         let mut list = Vec::new();
         for StatedSpring { name, on, against, to, stiffness, free_length, damping } in springs {
-            let way = moving.way(&mut self.arena, on.point, to);
+            let way = moving.vector_between_points(&mut self.arena, on.point, to);
             let square = moving.square(&mut self.arena, &way);
             if zero_test(&self.arena, square) == ZeroTest::Zero {
                 let message = format!("both ends of spring `{}` are in one place at all times", name.text);
                 self.reader.error(name.span, message, "name two points that move apart");
                 continue;
             }
-            let other = against.map(|body| Place { body, point: to });
+            let other = against.map(|body| ForcePlace { body, point: to });
             let ends = [Some(on), other];
-            if let Some(end) = ends.into_iter().flatten().find(|end| !moving.stays(&mut self.arena, elements, *end)) {
+            if let Some(end) =
+                ends.into_iter().flatten().find(|end| !moving.is_material_point(&mut self.arena, elements, *end))
+            {
                 let (point, body) = (&elements.points[end.point].name, &elements.bodies[end.body].name);
                 let message = format!("the end `{point}` of spring `{}` moves in `{body}`", name.text);
                 self.reader.error(name.span, message, "fix each end to a point of its body");

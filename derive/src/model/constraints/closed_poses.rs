@@ -13,8 +13,8 @@
 use crate::algebra::Arena;
 use crate::algebra::Expr;
 use crate::algebra::term::calculus::Gradient;
-use crate::algebra::value::evaluate::Tape;
-use crate::model::constraint::Branch;
+use crate::algebra::value::tape::Tape;
+use crate::model::constraint::AssemblyBranch;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
@@ -23,7 +23,7 @@ use std::ops::RangeInclusive;
 /// starts.
 const TRIES: usize = 40;
 /// Number of found closed poses at which a search ends.
-const ENOUGH: usize = 6;
+const POSES_ENOUGH: usize = 6;
 /// Largest number of steps of Levenberg and Marquardt's method from one start.
 const STEPS: usize = 200;
 /// Number of poses on a walk through connected closed poses.
@@ -31,13 +31,13 @@ const WALK: usize = 60;
 /// Distance of two poses on a walk through closed poses, relative to the ranges of the coordinates.
 const STRIDE: f64 = 0.05;
 /// Largest number of loops of a mechanism for which the search walks through closed poses.
-const WALKED: usize = 24;
+const MOST_LOOPS_WALKED: usize = 24;
 /// Largest number of loops for which poses are also found by closing one loop after another.
-const GROWN: usize = 60;
+const MOST_LOOPS_ONE_BY_ONE: usize = 60;
 /// Number of random starts of the search that closes one loop after another.
-const GROWTHS: usize = 16;
+const STARTS_ONE_BY_ONE: usize = 16;
 /// Number of poses, found by closing one loop after another, from which the search walks on.
-const WAYS: usize = 2;
+const WALKS_ONE_BY_ONE: usize = 2;
 /// Residual up to which a loop counts as closed, relative to the length of the loop's row of
 /// derivatives.
 const CLOSED: f64 = 1e-13;
@@ -49,7 +49,7 @@ const INDEPENDENT: f64 = 1e-6;
 const DEPENDENT: f64 = 1e-8;
 
 /// Search for closed poses: loop equations, parameter values, and the ranges of random coordinates.
-pub struct Poses<'m> {
+pub struct ClosedPoseSearch<'m> {
     /// Symbols of the parameters with their values, in SI units.
     pub known: &'m [(Expr, f64)],
     /// Symbols of the coordinates, which the search changes.
@@ -65,7 +65,7 @@ pub struct Poses<'m> {
 }
 
 /// Redundant constraint: it follows from others in every closed pose that was found.
-pub struct Dependent {
+pub struct RedundantRow {
     /// Index of the redundant constraint.
     pub at: usize,
     /// Indices of the constraints from which it follows.
@@ -80,9 +80,9 @@ pub struct ClosedPoses {
     /// Indices of the constraint rows that are independent of one another, ascending.
     independent: Vec<usize>,
     /// Redundant rows, each with the rows from which it follows.
-    dependent: Vec<Dependent>,
+    dependent: Vec<RedundantRow>,
     /// Branch of closed poses with its rank.
-    branch: Branch,
+    branch: AssemblyBranch,
 }
 
 /// A closed pose, with the rows of derivatives in it and their dependence.
@@ -100,16 +100,16 @@ struct Rows {
     /// Indices of the independent rows.
     independent: Vec<usize>,
     /// Dependent rows, each with the rows from which it follows.
-    dependent: Vec<Dependent>,
+    dependent: Vec<RedundantRow>,
     /// Smallest norm that an independent row keeps after projection, and largest norm that a dependent
     /// row keeps.
     left: (f64, f64),
 }
 
 /// Generator of random numbers that are equal on every machine (G. Marsaglia 2003, xorshift64*).
-pub struct Chance(u64);
+pub struct RandomNumbers(u64);
 
-impl Chance {
+impl RandomNumbers {
     /// Creates a generator with a fixed seed, which gives the same numbers in every run.
     pub fn new() -> Self {
         Self(SEED)
@@ -141,7 +141,7 @@ impl ClosedPoses {
     /// or if a value is not known.
     pub fn new(
         arena: &mut Arena,
-        poses: &Poses<'_>,
+        poses: &ClosedPoseSearch<'_>,
         constraints: usize,
         rows: &[Vec<Expr>],
         declared: RangeInclusive<usize>,
@@ -160,13 +160,15 @@ impl ClosedPoses {
         };
         let freedoms = |found: &ClosedPose| poses.coordinates.len() - found.rows.independent.len();
         let is_declared = |found: &ClosedPose| declared.contains(&freedoms(found));
-        let mut all: Vec<ClosedPose> = poses.find(&of_loops).into_iter().filter_map(judged).collect();
+        let mut all: Vec<ClosedPose> =
+            poses.find_closed_poses_with_walks(&of_loops).into_iter().filter_map(judged).collect();
         // Random poses reach the branch with most degrees of freedom. A mechanism may be meant to be
         // assembled on another branch.
         if !all.iter().any(is_declared) || all.iter().any(|found| freedoms(found) != freedoms(&all[0])) {
             let moves = |found: &&ClosedPose| is_declared(found) && (freedoms(found) > 0 || *declared.end() == 0);
             let best = |list: &[ClosedPose]| list.iter().filter(moves).map(|found| found.rows.independent.len()).max();
-            let grown: Vec<ClosedPose> = poses.grown(&of_loops).into_iter().filter_map(judged).collect();
+            let grown: Vec<ClosedPose> =
+                poses.close_loops_one_by_one(&of_loops).into_iter().filter_map(judged).collect();
             if best(&grown) > best(&all) {
                 all.extend(grown);
             }
@@ -178,13 +180,13 @@ impl ClosedPoses {
         // A mechanism may be unable to move in another assembly. Such a pose tells nothing about the poses
         // in which it moves.
         let moves = |found: &ClosedPose| found.rows.independent.len() < poses.coordinates.len();
-        if all.iter().filter(|found| moves(found)).count() > ENOUGH {
+        if all.iter().filter(|found| moves(found)).count() > POSES_ENOUGH {
             all.retain(moves);
         }
         // At singular poses more rows are dependent than elsewhere, so these poses are left out.
         let most = all.iter().map(|found| found.rows.independent.len()).max()?;
         all.retain(|found| found.rows.independent.len() == most);
-        let branch = Branch {
+        let branch = AssemblyBranch {
             pose: all[0].q.clone(),
             poses: all.len(),
             constraints,
@@ -210,18 +212,18 @@ impl ClosedPoses {
     }
 
     /// Branch of closed poses in which independence was decided.
-    pub fn branch(&self) -> &Branch {
+    pub fn branch(&self) -> &AssemblyBranch {
         &self.branch
     }
 
     /// Redundant constraints: they follow from others in every closed pose that was found.
-    pub fn dependent(&self) -> &[Dependent] {
+    pub fn dependent(&self) -> &[RedundantRow] {
         &self.dependent
     }
 
     /// Smallest singular value of these rows over all closed poses, a measure of their independence; 0
     /// if a value is missing.
-    fn least(&self, rows: &[usize]) -> f64 {
+    fn smallest_singular_value(&self, rows: &[usize]) -> f64 {
         // A pose in which a derivative has no value distinguishes no rows.
         let value = |pose: &DMatrix<f64>| {
             let part = pose.select_rows(rows);
@@ -234,14 +236,14 @@ impl ClosedPoses {
     /// have the largest smallest singular value.
     fn choose_dependent(&mut self) {
         for at in 0..self.dependent.len() {
-            let Dependent { at: last, of } = &self.dependent[at];
+            let RedundantRow { at: last, of } = &self.dependent[at];
             let (last, of) = (*last, of.clone());
-            let mut best = (self.independent.clone(), self.least(&self.independent), last);
+            let mut best = (self.independent.clone(), self.smallest_singular_value(&self.independent), last);
             for out in &of {
                 let rest = self.independent.iter().copied().filter(|row| row != out).chain([last]);
                 let mut rows: Vec<usize> = rest.collect();
                 rows.sort_unstable();
-                let least = self.least(&rows);
+                let least = self.smallest_singular_value(&rows);
                 if least > BETTER * best.1 {
                     best = (rows, least, *out);
                 }
@@ -250,7 +252,7 @@ impl ClosedPoses {
             let mut of: Vec<usize> = of.into_iter().chain([last]).filter(|row| *row != out).collect();
             of.sort_unstable();
             self.independent = rows;
-            self.dependent[at] = Dependent { at: out, of };
+            self.dependent[at] = RedundantRow { at: out, of };
         }
         self.dependent.sort_by_key(|dependent| dependent.at);
     }
@@ -258,13 +260,13 @@ impl ClosedPoses {
     /// Chooses up to `wanted` rows of `among` that stay independent of each other and of the rows
     /// `kept` in all closed poses. The row that leaves the largest smallest singular value is chosen
     /// first. Returns ascending indices.
-    pub fn choose(&self, mut kept: Vec<usize>, mut among: Vec<usize>, wanted: usize) -> Vec<usize> {
+    pub fn choose_independent_rows(&self, mut kept: Vec<usize>, mut among: Vec<usize>, wanted: usize) -> Vec<usize> {
         let mut chosen = Vec::new();
         while chosen.len() < wanted {
             let mut best: Option<(usize, f64)> = None;
             for (place, row) in among.iter().enumerate() {
                 let rows: Vec<usize> = kept.iter().copied().chain([*row]).collect();
-                let least = self.least(&rows);
+                let least = self.smallest_singular_value(&rows);
                 if best.is_none_or(|(_, most)| least > BETTER * most) {
                     best = Some((place, least));
                 }
@@ -304,7 +306,7 @@ fn dependent_rows(matrix: &DMatrix<f64>, count: usize) -> Option<Rows> {
             rows.left.0 = rows.left.0.min(size);
             basis.push(left / size);
         } else if size < DEPENDENT {
-            rows.dependent.push(Dependent { at, of: shares(matrix, &rows.independent, &row)? });
+            rows.dependent.push(RedundantRow { at, of: rows_in_combination(matrix, &rows.independent, &row)? });
             rows.left.1 = rows.left.1.max(size);
         } else {
             return None;
@@ -315,7 +317,7 @@ fn dependent_rows(matrix: &DMatrix<f64>, count: usize) -> Option<Rows> {
 
 /// Indices of those rows, among `kept`, of which `row` is a linear combination. `None` if the
 /// combination cannot be computed.
-fn shares(matrix: &DMatrix<f64>, kept: &[usize], row: &DVector<f64>) -> Option<Vec<usize>> {
+fn rows_in_combination(matrix: &DMatrix<f64>, kept: &[usize], row: &DVector<f64>) -> Option<Vec<usize>> {
     let rows = matrix.select_rows(kept).transpose();
     if !rows.iter().all(|x| x.is_finite()) {
         return None;
@@ -324,7 +326,7 @@ fn shares(matrix: &DMatrix<f64>, kept: &[usize], row: &DVector<f64>) -> Option<V
     Some(kept.iter().zip(shares.iter()).filter(|(_, share)| share.abs() > INDEPENDENT).map(|(at, _)| *at).collect())
 }
 
-impl Poses<'_> {
+impl ClosedPoseSearch<'_> {
     /// Symbols of the inputs of the loop program: parameters, then coordinates.
     fn inputs(&self) -> Vec<Expr> {
         self.known.iter().map(|(symbol, _)| *symbol).chain(self.coordinates.iter().copied()).collect()
@@ -337,12 +339,12 @@ impl Poses<'_> {
 
     /// Closed poses found from random poses and on walks from these; each has a value for every
     /// coordinate.
-    fn find(&self, tape: &Tape) -> Vec<Vec<f64>> {
-        let mut chance = Chance(SEED);
-        let mut found = self.seek(tape, &mut chance, self.tries(), ENOUGH);
-        if self.loops.len() <= WALKED {
+    fn find_closed_poses_with_walks(&self, tape: &Tape) -> Vec<Vec<f64>> {
+        let mut chance = RandomNumbers(SEED);
+        let mut found = self.seek_closed_poses(tape, &mut chance, self.tries(), POSES_ENOUGH);
+        if self.loops.len() <= MOST_LOOPS_WALKED {
             for first in found.clone() {
-                self.walk(tape, first, &mut chance, &mut found);
+                self.walk_closed_poses(tape, first, &mut chance, &mut found);
             }
         }
         found
@@ -350,16 +352,16 @@ impl Poses<'_> {
 
     /// Closed poses on the branches with the fewest degrees of freedom, found by closing one loop after
     /// another. A search that closes all loops at once ends on branches with most degrees of freedom.
-    fn grown(&self, tape: &Tape) -> Vec<Vec<f64>> {
-        let mut chance = Chance(SEED ^ 1);
+    fn close_loops_one_by_one(&self, tape: &Tape) -> Vec<Vec<f64>> {
+        let mut chance = RandomNumbers(SEED ^ 1);
         let (rows, columns) = (self.loops.len(), self.coordinates.len());
-        if rows > GROWN {
+        if rows > MOST_LOOPS_ONE_BY_ONE {
             return Vec::new();
         }
         let mut best: (usize, Vec<Vec<f64>>) = (0, Vec::new());
-        for _ in 0..GROWTHS {
+        for _ in 0..STARTS_ONE_BY_ONE {
             let mut q: Vec<f64> = self.reach.iter().map(|reach| reach * chance.draw()).collect();
-            if !(1..=rows).all(|some| self.closes(tape, some, &mut q)) {
+            if !(1..=rows).all(|some| self.close_first_loops(tape, some, &mut q)) {
                 continue;
             }
             let values = tape.evaluate(&self.with_known(&q));
@@ -377,23 +379,23 @@ impl Poses<'_> {
             }
         }
         let mut found = best.1;
-        for first in found.iter().take(WAYS).cloned().collect::<Vec<_>>() {
-            self.walk(tape, first, &mut chance, &mut found);
+        for first in found.iter().take(WALKS_ONE_BY_ONE).cloned().collect::<Vec<_>>() {
+            self.walk_closed_poses(tape, first, &mut chance, &mut found);
         }
         found
     }
 
     /// Finds at most `most` closed poses from random poses, without walks. `None` if a value is not
     /// known.
-    pub fn some(&self, arena: &mut Arena, most: usize) -> Option<Vec<Vec<f64>>> {
-        self.seek_from(arena, self.tries(), most)
+    pub fn find_closed_poses(&self, arena: &mut Arena, most: usize) -> Option<Vec<Vec<f64>>> {
+        self.seek_closed_poses_from(arena, self.tries(), most)
     }
 
     /// Finds at most `most` closed poses from at most `tries` random poses, without walks. `None` if a
     /// value is not known.
-    pub fn seek_from(&self, arena: &mut Arena, tries: usize, most: usize) -> Option<Vec<Vec<f64>>> {
+    pub fn seek_closed_poses_from(&self, arena: &mut Arena, tries: usize, most: usize) -> Option<Vec<Vec<f64>>> {
         let tape = self.tape(arena)?;
-        Some(self.seek(&tape, &mut Chance(SEED), tries, most))
+        Some(self.seek_closed_poses(&tape, &mut RandomNumbers(SEED), tries, most))
     }
 
     /// Number of random starts of a search for closed poses: 40 for few loops, down to 3 for many.
@@ -417,11 +419,11 @@ impl Poses<'_> {
     }
 
     /// Searches for closed poses from at most `tries` random poses, until `most` are found.
-    fn seek(&self, tape: &Tape, chance: &mut Chance, tries: usize, most: usize) -> Vec<Vec<f64>> {
+    fn seek_closed_poses(&self, tape: &Tape, chance: &mut RandomNumbers, tries: usize, most: usize) -> Vec<Vec<f64>> {
         let mut found = Vec::new();
         for _ in 0..tries {
             let mut q: Vec<f64> = self.reach.iter().map(|reach| reach * chance.draw()).collect();
-            if self.closes(tape, self.loops.len(), &mut q) {
+            if self.close_first_loops(tape, self.loops.len(), &mut q) {
                 found.push(q);
                 if found.len() == most {
                     break;
@@ -433,7 +435,7 @@ impl Poses<'_> {
 
     /// Adds closed poses on a walk from the pose `q`. Each step continues the last direction as far as
     /// the loops permit.
-    fn walk(&self, tape: &Tape, mut q: Vec<f64>, chance: &mut Chance, found: &mut Vec<Vec<f64>>) {
+    fn walk_closed_poses(&self, tape: &Tape, mut q: Vec<f64>, chance: &mut RandomNumbers, found: &mut Vec<Vec<f64>>) {
         let (rows, columns) = (self.loops.len(), self.coordinates.len());
         let start: Vec<f64> = self.reach.iter().map(|reach| reach * chance.draw()).collect();
         let mut direction = DVector::from_vec(start);
@@ -458,7 +460,7 @@ impl Poses<'_> {
             }
             onward *= STRIDE / ahead;
             let mut next: Vec<f64> = q.iter().zip(onward.iter()).map(|(q, step)| q + step).collect();
-            if !self.closes(tape, rows, &mut next) {
+            if !self.close_first_loops(tape, rows, &mut next) {
                 return;
             }
             direction = DVector::from_iterator(columns, next.iter().zip(&q).map(|(next, q)| next - q));
@@ -469,7 +471,7 @@ impl Poses<'_> {
 
     /// Moves `q` to a pose in which the first `rows` loops are closed. Returns false if no such pose is
     /// reached.
-    fn closes(&self, tape: &Tape, rows: usize, q: &mut Vec<f64>) -> bool {
+    fn close_first_loops(&self, tape: &Tape, rows: usize, q: &mut Vec<f64>) -> bool {
         let (columns, all) = (q.len(), self.loops.len());
         let at = |q: &[f64]| {
             let values = tape.evaluate(&self.with_known(q));
@@ -514,7 +516,7 @@ impl Poses<'_> {
 
 /// Largest absolute values of random coordinates: π rad for angles. For distances, twice the
 /// longest of the `lengths`, or 1 m if there is none.
-pub fn reach(is_angle: impl Iterator<Item = bool>, lengths: impl Iterator<Item = f64>) -> Vec<f64> {
+pub fn random_coordinate_ranges(is_angle: impl Iterator<Item = bool>, lengths: impl Iterator<Item = f64>) -> Vec<f64> {
     let longest = lengths.fold(0.0, |most: f64, length| most.max(length.abs()));
     let longest = if longest > 0.0 { 2.0 * longest } else { 1.0 };
     is_angle.map(|is_angle| if is_angle { PI } else { longest }).collect()

@@ -7,16 +7,16 @@
 
 use crate::algebra::term::calculus::Gradient;
 use crate::algebra::text::parse::VelocityOf;
-use crate::algebra::value::modular::{ZeroTest, zero_test};
+use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr};
 use crate::model::bodies::elements::{AxisMotion, Elements};
-use crate::model::contacts::{Compared, StatedVelocity};
-use crate::model::reading::names::Kind;
-use crate::model::reading::reader::Loading;
+use crate::model::contacts::{ComparedBodies, ConstrainedVelocity};
+use crate::model::reading::declared_names::NameKind;
+use crate::model::reading::model_reader::Loading;
 use crate::model::{Coordinate, NamedVelocity};
 
 /// Variable of a constraint's equation, with the motion that it causes.
-struct Tied {
+struct ComparedVariable {
     /// Symbol of the variable.
     symbol: Expr,
     /// Motion of a body along an axis with the variable; `None` for any other motion.
@@ -26,22 +26,22 @@ struct Tied {
 impl Loading<'_> {
     /// Finds the bodies that a constraint's equation relates. Named velocities must still be symbols in
     /// the equation.
-    pub fn compared(
+    pub fn compare_bodies(
         &mut self,
         elements: &Elements,
         coordinates: &[Coordinate],
         velocities: &[NamedVelocity],
         name: &str,
         equation: Expr,
-    ) -> Compared {
+    ) -> ComparedBodies {
         let parts = self.arena.reachable(&[equation]);
         let names: Vec<&NamedVelocity> = velocities.iter().filter(|v| parts.contains(&v.symbol)).collect();
         let named: Vec<VelocityOf<usize>> = names.iter().map(|v| v.of.clone()).collect();
-        let has_speeds = self.names.symbols_of(&[Kind::Speed]).iter().any(|speed| parts.contains(speed));
-        let moved = self.moved(elements, coordinates, equation);
+        let has_speeds = self.names.symbols_of(&[NameKind::Speed]).iter().any(|speed| parts.contains(speed));
+        let moved = self.bodies_in_equation(elements, coordinates, equation);
         let translations = names.iter().filter(|v| !matches!(v.of, VelocityOf::Turning(_)));
-        let mut tied: Vec<Tied> = translations
-            .map(|v| Tied {
+        let mut tied: Vec<ComparedVariable> = translations
+            .map(|v| ComparedVariable {
                 symbol: v.symbol,
                 motion: Some(AxisMotion { frame: v.frame, axis: v.axis, distance: Expr::ONE }),
             })
@@ -49,30 +49,33 @@ impl Loading<'_> {
         let mut own = Vec::new();
         // Coordinates are coefficients if the equation also contains several named velocities, or speeds.
         if names.len() <= 1 && !has_speeds {
-            for (body, symbol, coordinate) in own_variables(&self.arena, elements, coordinates, equation) {
+            for (body, symbol, coordinate) in body_variables(&self.arena, elements, coordinates, equation) {
                 own.push(body);
-                tied.push(Tied { symbol, motion: elements.axis_moved(&mut self.arena, body, coordinate) });
+                tied.push(ComparedVariable {
+                    symbol,
+                    motion: elements.axis_of_coordinate_motion(&mut self.arena, body, coordinate),
+                });
             }
             own.sort_unstable();
             own.dedup();
         }
         let may_compare = !names.is_empty() || own.len() == 2;
         let is_difference = may_compare && is_difference(&mut self.arena, &tied, equation);
-        let others = self.names.symbols_of(&[Kind::Rate, Kind::Speed]);
+        let others = self.names.symbols_of(&[NameKind::Rate, NameKind::Speed]);
         let alone = match names.as_slice() {
             [NamedVelocity { of: VelocityOf::Place(_), .. }] => None,
             [only] if !others.iter().any(|symbol| parts.contains(symbol)) => {
-                Some(StatedVelocity { of: only.of.clone(), frame: only.frame, axis: only.axis })
+                Some(ConstrainedVelocity { of: only.of.clone(), frame: only.frame, axis: only.axis })
             }
             _ => None,
         };
-        Compared { name: name.to_owned(), alone, named, own, moved, is_difference }
+        ComparedBodies { name: name.to_owned(), alone, named, own, moved, is_difference }
     }
 
     /// Indices of bodies whose own coordinates an equation contains, in the order of the model file. If
     /// the equation contains rates, these count instead of coordinates.
-    pub fn moved(&self, elements: &Elements, coordinates: &[Coordinate], equation: Expr) -> Vec<usize> {
-        let own = own_variables(&self.arena, elements, coordinates, equation);
+    pub fn bodies_in_equation(&self, elements: &Elements, coordinates: &[Coordinate], equation: Expr) -> Vec<usize> {
+        let own = body_variables(&self.arena, elements, coordinates, equation);
         let mut bodies: Vec<usize> = own.into_iter().map(|(body, ..)| body).collect();
         bodies.sort_unstable();
         bodies.dedup();
@@ -82,7 +85,7 @@ impl Loading<'_> {
 
 /// Coordinates in an equation that each move a single body, as (body, symbol in the equation,
 /// coordinate). If the equation contains rates, the symbols are rates.
-fn own_variables(
+fn body_variables(
     arena: &Arena,
     elements: &Elements,
     coordinates: &[Coordinate],
@@ -92,12 +95,15 @@ fn own_variables(
     let moves = coordinates.iter().any(|c| parts.contains(&c.rate));
     let tied = coordinates.iter().map(|c| (if moves { c.rate } else { c.symbol }, c.symbol));
     let tied = tied.filter(|(symbol, _)| parts.contains(symbol));
-    tied.filter_map(|(symbol, coordinate)| Some((elements.placed_by(arena, coordinate)?, symbol, coordinate))).collect()
+    tied.filter_map(|(symbol, coordinate)| {
+        Some((elements.body_moved_by_coordinate(arena, coordinate)?, symbol, coordinate))
+    })
+    .collect()
 }
 
 /// True if an equation stays satisfied while everything that it relates moves together along each
 /// direction. False if it does not, or if a direction is unknown.
-fn is_difference(arena: &mut Arena, tied: &[Tied], equation: Expr) -> bool {
+fn is_difference(arena: &mut Arena, tied: &[ComparedVariable], equation: Expr) -> bool {
     let Some(motions) = tied.iter().map(|one| one.motion).collect::<Option<Vec<_>>>() else { return false };
     let symbols: Vec<Expr> = tied.iter().map(|one| one.symbol).collect();
     let slopes = Gradient::new(&symbols).apply(arena, equation);

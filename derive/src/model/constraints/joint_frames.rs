@@ -1,20 +1,20 @@
 //! Joint frames and points: those that joints add to a model, and the equations of joints that
 //! close loops.
 
-use super::configuration::StatedConstraint;
+use super::configuration_constraints::StatedConstraint;
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::{Expr, Rational};
 use crate::geometry::{Frame, Turn, Vector, cross_components};
 use crate::model::bodies::elements::{Elements, vector};
-use crate::model::bodies::joint_kinds::{Freedom, JointKind};
-use crate::model::bodies::joints::{Joint, Joints, Placed};
-use crate::model::bodies::motion::MechanismMotion;
-use crate::model::reading::names::{CONFIGURATION, Kind, PARAMETERS};
-use crate::model::reading::reader::Loading;
+use crate::model::bodies::joint_kinds::{JointFreedom, JointKind};
+use crate::model::bodies::joints::{Joint, Joints, PlacedBody};
+use crate::model::bodies::mechanism_motion::MechanismMotion;
+use crate::model::reading::declared_names::{CONFIGURATION, NameKind, PARAMETERS};
+use crate::model::reading::model_reader::Loading;
 use crate::model::reading::tree::Node;
 use crate::model::units::Unit;
-use crate::model::{CarriedBody, JointReaction, Model, Place, Reaction, ReactionKind};
-use crate::read::Located;
+use crate::model::{ForcePlace, JointReaction, JointedBody, Model, Reaction, ReactionKind};
+use crate::toml_reader::Located;
 use toml::de::{DeTable, DeValue};
 
 /// Frame with its parent and its rotation, before frames are sorted.
@@ -24,7 +24,7 @@ type FrameNode = Node<Turn>;
 type PointNode = Node<(Located, [Expr; 3])>;
 
 /// A joint that closes a loop, with its frames, points and bodies.
-pub struct Closing {
+pub struct ClosingJoint {
     /// Name of the closing joint in the model file.
     name: Located,
     /// Kind of the joint, which determines the equations of the loop.
@@ -45,15 +45,15 @@ pub struct Closing {
 
 impl Joint<'_> {
     /// Name `JOINT_part` of a frame or point that the joint adds.
-    fn named(&self, part: &str) -> Located {
+    fn joint_part_name(&self, part: &str) -> Located {
         Located { text: format!("{}_{part}", self.name.text), span: self.name.span.clone(), exact: false }
     }
 
     /// Name of the joint's base frame, on the body to which the joint is attached. The joint's
     /// coordinates are zero in this frame.
-    fn base(&self, joints: &Joints<'_>, root: &str) -> Located {
+    fn base_frame_name(&self, joints: &Joints<'_>, root: &str) -> Located {
         let has_own = self.entry.contains_key("turned") || self.along.is_some();
-        if has_own { self.named("base") } else { self.frame_below(joints, root) }
+        if has_own { self.joint_part_name("base") } else { self.frame_below(joints, root) }
     }
 
     /// Name of the frame of the body to which the joint is attached, or of the inertial frame.
@@ -66,9 +66,9 @@ impl Joint<'_> {
 
     /// Name of the point from which positions on a body are measured: the joint that places the body,
     /// else its mass centre. The origin for the ground.
-    fn home(&self, body: Option<&Located>, joints: &Joints<'_>, origin: &str) -> Located {
+    fn body_reference_point(&self, body: Option<&Located>, joints: &Joints<'_>, origin: &str) -> Located {
         let text = match body.and_then(|body| joints.bodies.get(&body.text)) {
-            Some(Placed { joint: Some(joint), .. }) => joint.text.clone(),
+            Some(PlacedBody { joint: Some(joint), .. }) => joint.text.clone(),
             Some(placed) => placed.centre.text.clone(),
             None => origin.to_owned(),
         };
@@ -78,24 +78,24 @@ impl Joint<'_> {
 
 impl<'a> Joints<'a> {
     /// Joints that close loops, with indices of sorted frames, points and bodies.
-    pub fn closings(&self, elements: &Elements) -> Vec<Closing> {
+    pub fn closing_joints(&self, elements: &Elements) -> Vec<ClosingJoint> {
         let frame = |name: &str| elements.frames.iter().position(|f| f.name == name);
         let point = |name: &str| elements.points.iter().position(|p| p.name == name);
         let body = |name: &str| elements.bodies.iter().position(|b| b.name == name);
         let root = elements.frames.first().map_or("", |f| f.name.as_str());
         let closing = |joint: &Joint<'a>| {
             let frames = [
-                frame(&joint.base(self, root).text)?,
-                frame(&joint.named("closed_base").text)
+                frame(&joint.base_frame_name(self, root).text)?,
+                frame(&joint.joint_part_name("closed_base").text)
                     .or_else(|| frame(&self.bodies.get(&joint.body.text)?.frame.text))?,
             ];
-            Some(Closing {
+            Some(ClosingJoint {
                 name: joint.name.clone(),
                 kind: joint.kind,
                 axes: joint.axes.clone(),
                 frames,
-                parts_at_ground: parting(&elements.frames, frames) == 0,
-                points: [point(&joint.name.text)?, point(&joint.named("closed").text)?],
+                parts_at_ground: last_common_frame(&elements.frames, frames) == 0,
+                points: [point(&joint.name.text)?, point(&joint.joint_part_name("closed").text)?],
                 bodies: (
                     body(&joint.body.text)?,
                     match &joint.to {
@@ -112,7 +112,7 @@ impl<'a> Joints<'a> {
 impl Joints<'_> {
     /// Bodies that joints place, each with the body to which the joint attaches it and with its point
     /// at the joint.
-    pub fn carried(&self, elements: &Elements) -> Vec<CarriedBody> {
+    pub fn jointed_bodies(&self, elements: &Elements) -> Vec<JointedBody> {
         let body = |name: &str| elements.bodies.iter().position(|body| body.name == name);
         let carries = |joint: &Joint<'_>| {
             let on = match &joint.to {
@@ -120,7 +120,7 @@ impl Joints<'_> {
                 None => None,
             };
             let point = elements.points.iter().position(|point| point.name == joint.name.text)?;
-            Some(CarriedBody { body: body(&joint.body.text)?, on, point })
+            Some(JointedBody { body: body(&joint.body.text)?, on, point })
         };
         self.list.iter().filter(|joint| joint.carries).filter_map(carries).collect()
     }
@@ -134,52 +134,52 @@ impl<'a> Loading<'a> {
             let mut parent = joint.frame_below(joints, root);
             let (turned, mut tilted) = (self.reader.get(joint.entry, "turned"), None);
             if turned.is_some() || joint.along.is_some() {
-                let base = joint.named("base");
-                let turns = turned.map_or(Some(Vec::new()), |value| self.turned(joint, "turned", value));
+                let base = joint.joint_part_name("base");
+                let turns = turned.map_or(Some(Vec::new()), |value| self.joint_turns_under_key(joint, "turned", value));
                 let turns = turns.and_then(|mut turns| {
                     if let Some(along) = joint.along {
-                        let [there, back] = self.towards(along, &format!("the axis of {}", joint.what))?;
+                        let [there, back] = self.turn_towards_vector(along, &format!("the axis of {}", joint.what))?;
                         turns.push(there);
                         tilted = Some(back);
                     }
                     Some(turns)
                 });
                 let Some(turns) = turns else {
-                    self.names.spoil(&base.text);
+                    self.names.mark_wrong_name(&base.text);
                     if let Some(placed) = joints.bodies.get(&joint.body.text).filter(|_| joint.carries) {
-                        self.names.spoil(&placed.frame.text);
+                        self.names.mark_wrong_name(&placed.frame.text);
                     }
                     continue;
                 };
-                parent = self.chain(&mut nodes, parent, &base, turns);
+                parent = self.add_frame_chain(&mut nodes, parent, &base, turns);
             }
             if let Some(turned) = self.reader.get(joint.entry, "body_turned")
                 && let Some(placed) = joints.bodies.get(&joint.body.text)
             {
-                let last = joint.named("closed_base");
-                match self.turned(joint, "body_turned", turned) {
-                    Some(turns) => drop(self.chain(&mut nodes, placed.frame.clone(), &last, turns)),
-                    None => self.names.spoil(&last.text),
+                let last = joint.joint_part_name("closed_base");
+                match self.joint_turns_under_key(joint, "body_turned", turned) {
+                    Some(turns) => drop(self.add_frame_chain(&mut nodes, placed.frame.clone(), &last, turns)),
+                    None => self.names.mark_wrong_name(&last.text),
                 }
             }
             let Some(placed) = joints.bodies.get(&joint.body.text).filter(|_| joint.carries) else { continue };
-            let turns = self.turns_of(joint).into_iter().chain(tilted).collect();
-            self.chain(&mut nodes, parent, &placed.frame, turns);
+            let turns = self.joint_turns(joint).into_iter().chain(tilted).collect();
+            self.add_frame_chain(&mut nodes, parent, &placed.frame, turns);
         }
         nodes
     }
 
     /// Rotations by which a joint orients the body that it places, as terms in its coordinates. A joint
     /// without rotations has a rotation by 0.
-    fn turns_of(&mut self, joint: &Joint<'a>) -> Vec<Turn> {
+    fn joint_turns(&mut self, joint: &Joint<'a>) -> Vec<Turn> {
         let mut turns = Vec::new();
         let mut parameters = Vec::new();
         for (name, freedom) in joint.coordinates.iter().zip(joint.kind.freedoms(&joint.axes)) {
             let symbol = self.arena.symbol(&name.text);
             match freedom {
-                Freedom::About(axis) | Freedom::Screwed(axis) => turns.push(Turn::About(axis, symbol)),
-                Freedom::Parameter => parameters.push(symbol),
-                Freedom::Along(_) => {}
+                JointFreedom::About(axis) | JointFreedom::Screwed(axis) => turns.push(Turn::About(axis, symbol)),
+                JointFreedom::Parameter => parameters.push(symbol),
+                JointFreedom::Along(_) => {}
             }
         }
         if let Ok(parameters) = <[Expr; 4]>::try_from(parameters) {
@@ -193,7 +193,7 @@ impl<'a> Loading<'a> {
 
     /// Adds the frames that lead from a parent to the frame `last` by successive rotations.
     /// Intermediate frames are declared as `LAST_turnK`. Returns the name of the last frame.
-    pub fn chain(
+    pub fn add_frame_chain(
         &mut self,
         nodes: &mut Vec<FrameNode>,
         mut parent: Located,
@@ -207,7 +207,7 @@ impl<'a> Loading<'a> {
             let name = if is_last { last.clone() } else { turned() };
             // A frame of the model file is already declared.
             if !is_last || self.names.kind(&name.text).is_none() {
-                self.names.declare_brought(&mut self.reader, &name, Kind::Frame);
+                self.names.declare_joint_name(&mut self.reader, &name, NameKind::Frame);
             }
             nodes.push(Node { name: name.clone(), parent, payload });
             parent = name;
@@ -221,13 +221,13 @@ impl<'a> Loading<'a> {
         let stated = table.get("points").and_then(|v| v.get_ref().as_table());
         let mut nodes = Vec::new();
         for joint in &joints.list {
-            let (below, base) = (joint.frame_below(joints, root.0), joint.base(joints, root.0));
-            let home = joint.home(joint.to.as_ref(), joints, root.1);
+            let (below, base) = (joint.frame_below(joints, root.0), joint.base_frame_name(joints, root.0));
+            let home = joint.body_reference_point(joint.to.as_ref(), joints, root.1);
             let Some((mut from, at)) = self.place(joint, "at", home) else {
                 self.spoil_points(joint, joints);
                 continue;
             };
-            let Some(way) = self.way_along(joint) else {
+            let Some(way) = self.joint_displacement(joint) else {
                 self.spoil_points(joint, joints);
                 continue;
             };
@@ -236,28 +236,28 @@ impl<'a> Loading<'a> {
                 payload.1 = [0, 1, 2].map(|i| self.arena.add(at[i], way[i]));
             } else if way != [Expr::ZERO; 3] {
                 if at != [Expr::ZERO; 3] {
-                    let name = joint.named("on");
-                    self.names.declare_brought(&mut self.reader, &name, Kind::Point);
+                    let name = joint.joint_part_name("on");
+                    self.names.declare_joint_name(&mut self.reader, &name, NameKind::Point);
                     nodes.push(Node { name: name.clone(), parent: from, payload });
                     from = name;
                 }
                 payload = (base, way);
             }
-            self.names.declare_brought(&mut self.reader, &joint.name, Kind::Point);
+            self.names.declare_joint_name(&mut self.reader, &joint.name, NameKind::Point);
             nodes.push(Node { name: joint.name.clone(), parent: from, payload });
             let Some(placed) = joints.bodies.get(&joint.body.text) else { continue };
             if !joint.carries {
-                let home = joint.home(Some(&joint.body), joints, root.1);
+                let home = joint.body_reference_point(Some(&joint.body), joints, root.1);
                 let Some((from, at)) = self.place(joint, "body_at", home) else { continue };
-                let name = joint.named("closed");
-                self.names.declare_brought(&mut self.reader, &name, Kind::Point);
+                let name = joint.joint_part_name("closed");
+                self.names.declare_joint_name(&mut self.reader, &name, NameKind::Point);
                 nodes.push(Node { name, parent: from, payload: (placed.frame.clone(), at) });
             } else if stated.is_none_or(|points| !points.contains_key(placed.centre.text.as_str())) {
                 let Some((from, at)) = self.place(joint, "centre", joint.name.clone()) else {
-                    self.names.spoil(&placed.centre.text);
+                    self.names.mark_wrong_name(&placed.centre.text);
                     continue;
                 };
-                self.names.declare_brought(&mut self.reader, &placed.centre, Kind::Point);
+                self.names.declare_joint_name(&mut self.reader, &placed.centre, NameKind::Point);
                 nodes.push(Node { name: placed.centre.clone(), parent: from, payload: (placed.frame.clone(), at) });
             } else if let Some(value) = self.reader.get(joint.entry, "centre") {
                 let message = format!("the mass centre of `{}` is a point already", joint.body.text);
@@ -269,9 +269,9 @@ impl<'a> Loading<'a> {
 
     /// Marks the points of a joint as wrongly declared; the error is already reported.
     fn spoil_points(&mut self, joint: &Joint<'a>, joints: &Joints<'a>) {
-        self.names.spoil(&joint.name.text);
+        self.names.mark_wrong_name(&joint.name.text);
         if let Some(placed) = joints.bodies.get(&joint.body.text).filter(|_| joint.carries) {
-            self.names.spoil(&placed.centre.text);
+            self.names.mark_wrong_name(&placed.centre.text);
         }
     }
 
@@ -293,14 +293,14 @@ impl<'a> Loading<'a> {
 
     /// Displacement of a joint's point by the joint's coordinates, with components in its base frame,
     /// m. `None` after an error is reported.
-    fn way_along(&mut self, joint: &Joint<'a>) -> Option<[Expr; 3]> {
+    fn joint_displacement(&mut self, joint: &Joint<'a>) -> Option<[Expr; 3]> {
         let mut way = [Expr::ZERO; 3];
         for (name, freedom) in joint.coordinates.iter().zip(joint.kind.freedoms(&joint.axes)) {
             let q = self.arena.symbol(&name.text);
             match freedom {
-                Freedom::Along(axis) => way[axis] = q,
-                Freedom::Screwed(axis) => {
-                    let lead = self.reader.need(joint.entry, "lead", &joint.what, &joint.name.span)?;
+                JointFreedom::Along(axis) => way[axis] = q,
+                JointFreedom::Screwed(axis) => {
+                    let lead = self.reader.required(joint.entry, "lead", &joint.what, &joint.name.span)?;
                     let lead = self.reader.formula(lead, "`lead`")?;
                     let lead = self.quantity(&lead, PARAMETERS, &Unit::new(1, 0, 0), "the lead of a screw")?;
                     let turn = self.arena.pi();
@@ -308,7 +308,7 @@ impl<'a> Loading<'a> {
                     let advance = self.arena.mul(lead, q);
                     way[axis] = self.arena.div(advance, turn)?;
                 }
-                Freedom::About(_) | Freedom::Parameter => {}
+                JointFreedom::About(_) | JointFreedom::Parameter => {}
             }
         }
         Some(way)
@@ -319,13 +319,15 @@ impl<'a> Loading<'a> {
     /// closing body acts at the joint's point. Its opposite acts on the other body, at that body's
     /// joint point or at its material at the first point. So the pair does no work in open loops
     /// either.
-    pub fn closed(
+    pub fn closing_joint_equations(
         &mut self,
         moving: &mut MechanismMotion,
-        closings: &[Closing],
+        closings: &[ClosingJoint],
     ) -> (Vec<StatedConstraint>, Vec<JointReaction>) {
         let (mut list, mut holding) = (Vec::new(), Vec::new());
-        for Closing { name, kind, axes, frames: [base, body], parts_at_ground, points: [on, at], bodies } in closings {
+        for ClosingJoint { name, kind, axes, frames: [base, body], parts_at_ground, points: [on, at], bodies } in
+            closings
+        {
             let axis = axes.first().copied().unwrap_or(2);
             let across = [(axis + 1) % 3, (axis + 2) % 3];
             // Pairs (axis of the closing body, axis of the base frame) that stay perpendicular.
@@ -346,7 +348,7 @@ impl<'a> Loading<'a> {
                     let called = format!("{}_{what}{}", name.text, part.trim_start_matches("turn"));
                     let symbol = loading.arena.symbol(&called);
                     let located = Located { text: called.clone(), ..name.clone() };
-                    loading.names.declare(&mut loading.reader, &located, Kind::Reaction, Some(symbol));
+                    loading.names.declare(&mut loading.reader, &located, NameKind::Reaction, Some(symbol));
                     let (frame, direction) = along;
                     let reaction = Reaction {
                         name: called,
@@ -367,7 +369,7 @@ impl<'a> Loading<'a> {
                         may_repeat: true,
                     });
                 };
-            let way = moving.way(&mut self.arena, *on, *at);
+            let way = moving.vector_between_points(&mut self.arena, *on, *at);
             // The points coincide in every frame; formulas are shortest in the frame from which both points are
             // stated. In an open loop, the rate of the vector's components depends on the frame, and so does
             // the place of the opposite force.
@@ -375,8 +377,8 @@ impl<'a> Loading<'a> {
             let (frame, held) = if is_told_there { (0, on) } else { (*base, at) };
             for i in ways {
                 let equation = moving.component(&mut self.arena, &way, frame, i);
-                let against = bodies.1.map(|body| Place { body, point: *held });
-                let kind = ReactionKind::Force { on: Place { body: bodies.0, point: *at }, against };
+                let against = bodies.1.map(|body| ForcePlace { body, point: *held });
+                let kind = ReactionKind::Force { on: ForcePlace { body: bodies.0, point: *at }, against };
                 let mut direction = [Expr::ZERO; 3];
                 direction[i] = Expr::ONE;
                 state(self, format!("{}", i + 1), equation, kind, (frame, direction));
@@ -399,7 +401,7 @@ impl<'a> Loading<'a> {
 }
 
 /// Index of the last common ancestor of two frames.
-fn parting(frames: &[Frame], [mut a, mut b]: [usize; 2]) -> usize {
+fn last_common_frame(frames: &[Frame], [mut a, mut b]: [usize; 2]) -> usize {
     // A frame comes after its parent in the list.
     while a != b {
         let later = if a > b { &mut a } else { &mut b };
@@ -412,7 +414,7 @@ impl Model {
     /// Adds to the model the reactions of joint equations that are constraints; those of redundant
     /// equations go to `redundant`. In the directions, terms replace the coordinates that constraints
     /// determine.
-    pub(in crate::model) fn hold_joints(&mut self, holding: Vec<JointReaction>, fixed: &mut Substitution) {
+    pub(in crate::model) fn add_joint_reactions(&mut self, holding: Vec<JointReaction>, fixed: &mut Substitution) {
         for mut held in holding {
             let reaction = &mut held.reaction;
             reaction.direction = reaction.direction.map(|e| fixed.apply(&mut self.arena, e));

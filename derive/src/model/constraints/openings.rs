@@ -5,30 +5,30 @@
 //! along its own axis, even if a loop prevents it from sliding. So each of these coordinates keeps
 //! the velocities that it gives to frames and points.
 
-use super::configuration::{Opened, StatedConstraint};
+use super::configuration_constraints::{OpenedCoordinates, StatedConstraint};
 use crate::algebra::term::calculus::{Gradient, Substitution};
 use crate::algebra::{Arena, Expr};
 use crate::geometry::Turn;
 use crate::model::bodies::elements::Elements;
-use crate::model::{AddedVelocity, Opening, Placement};
+use crate::model::{AddedVelocity, JointOpeningMotion, Placement};
 
 /// Computes the motions along the coordinates that equations of joints determine. `elements` and
 /// the unsolved `constraints` still contain these coordinates. `replacements` are the values of all
 /// coordinates that constraints determine.
-pub(in crate::model) fn openings(
+pub(in crate::model) fn joint_opening_motions(
     arena: &mut Arena,
-    opened: &Opened,
+    opened: &OpenedCoordinates,
     elements: &Elements,
     constraints: &[&[StatedConstraint]],
     replacements: &[(Expr, Expr)],
-) -> Vec<Opening> {
+) -> Vec<JointOpeningMotion> {
     let mut slopes = OpenSlopes {
         before: Substitution::new(&opened.before),
         along: Gradient::new(&opened.symbols),
         along_rates: Gradient::new(&opened.rates),
         fixed: Substitution::new(replacements),
     };
-    let mut list = vec![Opening::default(); opened.symbols.len()];
+    let mut list = vec![JointOpeningMotion::default(); opened.symbols.len()];
     if list.is_empty() {
         return list;
     }
@@ -44,8 +44,8 @@ pub(in crate::model) fn openings(
         };
         for (of, along) in spins {
             let along = along.map(|e| slopes.value(arena, e));
-            for (which, slope) in slopes.of(arena, of) {
-                let turn = own(&mut list[which].turns, at);
+            for (which, slope) in slopes.by_coordinates(arena, of) {
+                let turn = components_of(&mut list[which].turns, at);
                 for (sum, component) in turn.iter_mut().zip(along) {
                     let share = arena.mul(slope, component);
                     *sum = arena.add(*sum, share);
@@ -56,14 +56,14 @@ pub(in crate::model) fn openings(
     for (at, point) in elements.points.iter().enumerate() {
         let Some(Placement { components: place, .. }) = point.position else { continue };
         for (axis, component) in place.into_iter().enumerate() {
-            for (which, slope) in slopes.of(arena, component) {
-                own(&mut list[which].moves, at)[axis] = slope;
+            for (which, slope) in slopes.by_coordinates(arena, component) {
+                components_of(&mut list[which].moves, at)[axis] = slope;
             }
         }
     }
     for constraint in constraints.iter().copied().flatten() {
-        let of_rates = slopes.of_rates(arena, constraint.equation);
-        for (which, slope) in slopes.of(arena, constraint.equation).into_iter().chain(of_rates) {
+        let of_rates = slopes.by_rates(arena, constraint.equation);
+        for (which, slope) in slopes.by_coordinates(arena, constraint.equation).into_iter().chain(of_rates) {
             list[which].breaks.push((constraint.name.clone(), slope));
         }
     }
@@ -72,7 +72,7 @@ pub(in crate::model) fn openings(
 
 /// Three components of the velocity that belongs to the frame or point `at`; added as zeros if
 /// absent.
-fn own(list: &mut Vec<AddedVelocity>, at: usize) -> &mut [Expr; 3] {
+fn components_of(list: &mut Vec<AddedVelocity>, at: usize) -> &mut [Expr; 3] {
     if list.last().is_none_or(|(last, _)| *last != at) {
         list.push((at, [Expr::ZERO; 3]));
     }
@@ -101,7 +101,7 @@ impl OpenSlopes {
 
     /// Derivatives of a term with respect to the opened coordinates, as (index of the coordinate,
     /// derivative).
-    fn of(&mut self, arena: &mut Arena, e: Expr) -> Vec<(usize, Expr)> {
+    fn by_coordinates(&mut self, arena: &mut Arena, e: Expr) -> Vec<(usize, Expr)> {
         let e = self.before.apply(arena, e);
         let slopes = self.along.apply(arena, e);
         slopes.iter().map(|(at, slope)| (*at, self.fixed.apply(arena, *slope))).collect()
@@ -109,7 +109,7 @@ impl OpenSlopes {
 
     /// Derivatives of a term with respect to the rates of the opened coordinates, as (index of the
     /// coordinate, derivative).
-    fn of_rates(&mut self, arena: &mut Arena, e: Expr) -> Vec<(usize, Expr)> {
+    fn by_rates(&mut self, arena: &mut Arena, e: Expr) -> Vec<(usize, Expr)> {
         let e = self.before.apply(arena, e);
         let slopes = self.along_rates.apply(arena, e);
         slopes.iter().map(|(at, slope)| (*at, self.fixed.apply(arena, *slope))).collect()

@@ -1,44 +1,44 @@
 //! Generalized speeds of a model file, and the kinematic equations that they define.
 
-use super::motion::Ties;
+use super::motion_constraints::MotionConstraints;
 use crate::algebra::form::simplify::Simplifier;
-use crate::algebra::solve::blocks::solve_blocks;
+use crate::algebra::solve::block_systems::solve_blocks;
 use crate::algebra::solve::elimination::divisors;
 use crate::algebra::solve::linear::LinearForm;
 use crate::algebra::term::calculus::Substitution;
-use crate::algebra::term::contract::contract;
+use crate::algebra::term::contraction::contract_products;
 use crate::algebra::value::rank::rank;
 use crate::algebra::{Arena, Expr, Node};
-use crate::diagnostic::shown;
+use crate::diagnostic::shortened_for_message;
 use crate::model::bodies::joints::Joints;
-use crate::model::reading::names::{Kind, VELOCITY};
-use crate::model::reading::reader::Loading;
+use crate::model::reading::declared_names::{NameKind, VELOCITY};
+use crate::model::reading::model_reader::Loading;
 use crate::model::{Coordinate, KinematicEquations, MotionConstraint, Speed};
-use crate::read::{Located, Reader};
+use crate::toml_reader::{Located, TomlReader};
 use std::ops::Range;
 use toml::de::DeTable;
 
 /// Generalized speeds of a model with the byte ranges of their definitions, and the dependent
 /// speeds that were left out.
-type Chosen = (Vec<(Speed, Range<usize>)>, Vec<Speed>);
+type ChosenSpeeds = (Vec<(Speed, Range<usize>)>, Vec<Speed>);
 
 impl<'a> Loading<'a> {
     /// Declares the speeds and reads the expressions and the units of the speeds. Returns the names and
     /// definitions as text, since definitions are read once all coordinates are known.
     pub fn speed_symbols(&mut self, table: &'a DeTable<'a>, joints: &Joints<'a>) -> Vec<(Located, Located)> {
         let mut texts = Vec::new();
-        for (name, value) in self.section(table, "speeds", &[Kind::Speed]) {
+        for (name, value) in self.section(table, "speeds", &[NameKind::Speed]) {
             let symbol = self.arena.symbol(&name.text);
-            self.names.declare(&mut self.reader, &name, Kind::Speed, Some(symbol));
-            let what = format!("speed `{}`", shown(&name.text));
+            self.names.declare(&mut self.reader, &name, NameKind::Speed, Some(symbol));
+            let what = format!("speed `{}`", shortened_for_message(&name.text));
             match self.reader.formula(value, &what) {
                 Some(formula) => texts.push((name, formula)),
-                None => self.names.spoil(&name.text),
+                None => self.names.mark_wrong_name(&name.text),
             }
         }
         for (name, formula) in &joints.speeds {
             let symbol = self.arena.symbol(&name.text);
-            self.names.declare(&mut self.reader, name, Kind::Speed, Some(symbol));
+            self.names.declare(&mut self.reader, name, NameKind::Speed, Some(symbol));
             texts.push((name.clone(), formula.clone()));
         }
         let expressions = self.expressions(table);
@@ -46,7 +46,7 @@ impl<'a> Loading<'a> {
             let what = "the definition of a speed";
             // A speed has the unit of its definition. It is read here, since forces may contain speeds.
             let e = self.names.formula(&mut self.reader, &mut self.arena, formula, VELOCITY, what);
-            self.know_units_of_velocities();
+            self.record_units_of_velocities();
             let unit = e.and_then(|e| self.unit_of(e, &formula.span));
             let symbol = self.arena.symbol(&name.text);
             self.units.extend(unit.map(|unit| (symbol, unit)));
@@ -71,7 +71,7 @@ impl<'a> Loading<'a> {
         let mut speeds = Vec::new();
         for (name, formula) in texts {
             // Errors of a definition were reported when the speed was declared.
-            let mut scratch = Reader::new(self.reader.source);
+            let mut scratch = TomlReader::new(self.reader.source);
             let Some(e) = self.names.formula(&mut scratch, &mut self.arena, &formula, VELOCITY, "a speed") else {
                 continue;
             };
@@ -95,8 +95,8 @@ impl<'a> Loading<'a> {
         fixed: &[(Expr, Expr)],
         speeds: Vec<(Speed, Range<usize>)>,
         joints: &Joints<'_>,
-        ties: &Ties,
-    ) -> Chosen {
+        ties: &MotionConstraints,
+    ) -> ChosenSpeeds {
         let mut left_out = Vec::new();
         if let Some(chosen) = &ties.speeds {
             let mut stay = Vec::new();
@@ -112,7 +112,7 @@ impl<'a> Loading<'a> {
         let rates: Vec<Expr> = coordinates.iter().map(|c| c.rate).collect();
         let mut form = LinearForm::new(&rates);
         let (mut stay, mut brought): (Vec<_>, Vec<_>) =
-            speeds.into_iter().partition(|(speed, _)| !joints.brings(speed));
+            speeds.into_iter().partition(|(speed, _)| !joints.adds_joint_speed(speed));
         let mut row = |arena: &mut Arena, e: Expr| form.coefficients(arena, e).ok().map(|(row, _)| row);
         let equations = ties.motion.iter().map(|(c, _)| c.equation).chain(stay.iter().map(|(s, _)| s.definition));
         let rows: Option<Vec<_>> = equations.map(|e| row(&mut self.arena, e)).collect();
@@ -158,7 +158,7 @@ impl<'a> Loading<'a> {
         constraints: &[(MotionConstraint, Range<usize>)],
     ) -> Option<KinematicEquations> {
         if coordinates.is_empty() || speeds.len() + constraints.len() != coordinates.len() {
-            self.report_count(table, coordinates, speeds, constraints);
+            self.report_speed_count(table, coordinates, speeds, constraints);
             return None;
         }
         let before = self.reader.errors.len();
@@ -184,7 +184,10 @@ impl<'a> Loading<'a> {
                         speed.name,
                         names.join(", "),
                         self.arena.symbol_name(not_linear.symbol).unwrap_or_default(),
-                        shown(&crate::algebra::text::print::text(&self.arena, not_linear.coefficient)),
+                        shortened_for_message(&crate::algebra::text::print::print_text(
+                            &self.arena,
+                            not_linear.coefficient
+                        )),
                     );
                     self.reader.error(span.clone(), message, "a generalized speed must read  u = Σ c_i(q) q_i' + d(q)");
                 }
@@ -195,9 +198,10 @@ impl<'a> Loading<'a> {
         }
         match solve_blocks(&mut self.arena, &mut Simplifier::default(), &matrix, &right) {
             Ok((rates, divisors)) => {
-                let divisors = divisors.iter().map(|e| contract(&mut self.arena, *e)).collect::<Vec<_>>();
-                let divisors = self.moving_factors(&divisors, coordinates);
-                let rates = if constraints.is_empty() { rates } else { self.with_names(coordinates, speeds, &rates) };
+                let divisors = divisors.iter().map(|e| contract_products(&mut self.arena, *e)).collect::<Vec<_>>();
+                let divisors = self.factors_with_coordinates(&divisors, coordinates);
+                let rates =
+                    if constraints.is_empty() { rates } else { self.name_kinematic_terms(coordinates, speeds, &rates) };
                 Some(KinematicEquations { rates, divisors })
             }
             Err(singular) => {
@@ -225,7 +229,7 @@ impl<'a> Loading<'a> {
     /// Gives names to the terms of W and w in q̇ = W u + w that divide by sums. `ratio_q2_u1` is the
     /// factor of u1 in q2', up to a number. Without names, the equations of loops would grow with every
     /// product of these terms.
-    fn with_names(
+    fn name_kinematic_terms(
         &mut self,
         coordinates: &[Coordinate],
         speeds: &[(Speed, Range<usize>)],
@@ -236,7 +240,7 @@ impl<'a> Loading<'a> {
         let mut simplifier = Simplifier::default();
         let mut named = |arena: &mut Arena, e: Expr, name: String| {
             let e = simplifier.simplify(arena, e);
-            let e = contract(arena, e);
+            let e = contract_products(arena, e);
             if divides_by_sum(arena, e) { arena.name(e, &name) } else { e }
         };
         let mut result = Vec::new();
@@ -257,7 +261,7 @@ impl<'a> Loading<'a> {
 
     /// Factors of divisors that contain coordinates, each once. Other factors, such as a length, do not
     /// vanish during a motion.
-    fn moving_factors(&self, divisors: &[Expr], coordinates: &[Coordinate]) -> Vec<Expr> {
+    fn factors_with_coordinates(&self, divisors: &[Expr], coordinates: &[Coordinate]) -> Vec<Expr> {
         let mut factors = Vec::new();
         for divisor in divisors {
             let inner = match self.arena.node(*divisor) {
@@ -278,7 +282,7 @@ impl<'a> Loading<'a> {
     }
 
     /// Reports that the numbers of speeds, constraints and coordinates do not fit together.
-    fn report_count(
+    fn report_speed_count(
         &mut self,
         table: &DeTable<'_>,
         coordinates: &[Coordinate],

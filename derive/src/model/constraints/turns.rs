@@ -1,16 +1,16 @@
 //! Turns of frames: rotations as model files state them, by axes and angles or by Euler parameters.
 
-use super::configuration::StatedConstraint;
+use super::configuration_constraints::StatedConstraint;
 use crate::algebra::form::simplify::Simplifier;
-use crate::algebra::value::modular::{ZeroTest, zero_test};
+use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Expr, Function};
-use crate::diagnostic::shown;
+use crate::diagnostic::shortened_for_message;
 use crate::geometry::{Frame, Turn};
 use crate::model::bodies::joints::Joint;
-use crate::model::reading::names::{Allowed, CONFIGURATION, Kind, PARAMETERS};
-use crate::model::reading::reader::Loading;
+use crate::model::reading::declared_names::{AllowedQuantities, CONFIGURATION, NameKind, PARAMETERS};
+use crate::model::reading::model_reader::Loading;
 use crate::model::units::Unit;
-use crate::read::Located;
+use crate::toml_reader::Located;
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -19,9 +19,9 @@ impl<'a> Loading<'a> {
     /// Reads successive rotations, such as `{ sequence = "13", angles = ["pi/2", "a"] }`. `None` after
     /// an error is reported.
     pub fn turns(&mut self, entry: &'a DeTable<'a>, what: &str, span: &Range<usize>) -> Option<Vec<Turn>> {
-        let sequence = self.reader.need(entry, "sequence", what, span)?;
-        let axes = self.sequence(sequence, None)?;
-        let angles = self.reader.need(entry, "angles", what, span)?;
+        let sequence = self.reader.required(entry, "sequence", what, span)?;
+        let axes = self.turn_sequence(sequence, None)?;
+        let angles = self.reader.required(entry, "angles", what, span)?;
         let DeValue::Array(list) = angles.get_ref() else {
             self.reader.error(angles.span(), "`angles` must be an array", "write an angle for each turn");
             return None;
@@ -51,7 +51,8 @@ impl<'a> Loading<'a> {
                     "body" => {}
                     "space" => turns.reverse(),
                     other => {
-                        let message = format!("turns are fixed in body or space, not in `{}`", shown(other));
+                        let message =
+                            format!("turns are fixed in body or space, not in `{}`", shortened_for_message(other));
                         self.reader.error(fixed.span, message, "write fixed = \"space\", or leave it out");
                         return None;
                     }
@@ -62,17 +63,22 @@ impl<'a> Loading<'a> {
     }
 
     /// Reads the rotations under a key of a joint, such as `turned`; `None` after an error is reported.
-    pub fn turned(&mut self, joint: &Joint<'a>, key: &str, value: &'a toml::Spanned<DeValue<'a>>) -> Option<Vec<Turn>> {
+    pub fn joint_turns_under_key(
+        &mut self,
+        joint: &Joint<'a>,
+        key: &str,
+        value: &'a toml::Spanned<DeValue<'a>>,
+    ) -> Option<Vec<Turn>> {
         let what = format!("`{key}` of {}", joint.what);
         let table = self.reader.table(value, &what, "{ sequence = \"13\", angles = [\"pi/2\", \"a\"] }")?;
-        self.reader.allow(table, &what, &["sequence", "angles"]);
+        self.reader.report_unknown_keys(table, &what, &["sequence", "angles"]);
         self.turns(table, &what, &value.span())
     }
 
     /// Reads a vector. Returns the rotation that takes axis 3 to its direction, and the inverse
     /// rotation. `None` after an error is reported.
-    pub fn towards(&mut self, value: &'a Spanned<DeValue<'a>>, what: &str) -> Option<[Turn; 2]> {
-        let components = self.plain(value, what, PARAMETERS)?;
+    pub fn turn_towards_vector(&mut self, value: &'a Spanned<DeValue<'a>>, what: &str) -> Option<[Turn; 2]> {
+        let components = self.plain_numbers(value, what, PARAMETERS)?;
         let squares = components.map(|e| self.arena.square(e));
         let square = self.arena.sum(&squares);
         let square = Simplifier::default().simplify(&mut self.arena, square);
@@ -82,7 +88,7 @@ impl<'a> Loading<'a> {
         }
         let length = self.arena.apply(Function::Sqrt, square);
         let unit = components.map(|e| self.arena.div(e, length).expect("it is not zero"));
-        Some(Turn::of_axis(&mut self.arena, 2, &unit))
+        Some(Turn::shortest_turn_to(&mut self.arena, 2, &unit))
     }
 
     /// Reads the rotations that lead to a frame which is rotated by an angle about a vector; `None`
@@ -94,7 +100,7 @@ impl<'a> Loading<'a> {
         what: &str,
         span: &Range<usize>,
     ) -> Option<Vec<Turn>> {
-        let way = self.towards(axis, &format!("the axis of {what}"));
+        let way = self.turn_towards_vector(axis, &format!("the axis of {what}"));
         let angle = self.angle(entry, what, span)?;
         let [there, back] = way?;
         Some(vec![there, Turn::About(2, angle), back])
@@ -102,17 +108,17 @@ impl<'a> Loading<'a> {
 
     /// Reads the angle of a frame under the key `angle`, rad; `None` after an error is reported.
     pub fn angle(&mut self, entry: &'a DeTable<'a>, what: &str, span: &Range<usize>) -> Option<Expr> {
-        let angle = self.reader.need(entry, "angle", what, span)?;
+        let angle = self.reader.required(entry, "angle", what, span)?;
         let angle = self.reader.formula(angle, "an angle")?;
         self.quantity(&angle, CONFIGURATION, &Unit::default(), "an angle")
     }
 
     /// Reads an array of N formulas without units; `None` after an error is reported.
-    fn plain<const N: usize>(
+    fn plain_numbers<const N: usize>(
         &mut self,
         value: &'a Spanned<DeValue<'a>>,
         what: &str,
-        allowed: Allowed,
+        allowed: AllowedQuantities,
     ) -> Option<[Expr; N]> {
         let list = value.get_ref().as_array().filter(|list| list.len() == N);
         let Some(list) = list else {
@@ -130,7 +136,7 @@ impl<'a> Loading<'a> {
     /// Reads four Euler parameters and returns their rotation; `None` after an error is reported.
     pub fn euler_parameters(&mut self, value: &'a Spanned<DeValue<'a>>) -> Option<Turn> {
         let what = "`euler_parameters`";
-        let parameters: [Expr; 4] = self.plain(value, what, CONFIGURATION)?;
+        let parameters: [Expr; 4] = self.plain_numbers(value, what, CONFIGURATION)?;
         let squares = parameters.map(|e| self.arena.square(e));
         let square = self.arena.sum(&squares);
         if zero_test(&self.arena, square) != ZeroTest::NonZero {
@@ -142,7 +148,7 @@ impl<'a> Loading<'a> {
 
     /// Constraints `FRAME_norm`, one for each frame that is rotated by Euler parameters: the sum of the
     /// four squares is 1.
-    pub fn norms(&mut self, frames: &[Frame]) -> Vec<StatedConstraint> {
+    pub fn euler_parameter_norms(&mut self, frames: &[Frame]) -> Vec<StatedConstraint> {
         let mut list = Vec::new();
         for frame in frames {
             let Some((_, turn @ Turn::Oriented(oriented))) = &frame.rotation else { continue };
@@ -154,7 +160,7 @@ impl<'a> Loading<'a> {
             let equation = self.arena.sub(length, Expr::ONE);
             let span = self.names.span(&frame.name).unwrap_or_default();
             let name = Located { text: format!("{}_norm", frame.name), span: span.clone(), exact: false };
-            self.names.declare_brought(&mut self.reader, &name, Kind::Constraint);
+            self.names.declare_joint_name(&mut self.reader, &name, NameKind::Constraint);
             list.push(StatedConstraint { name: name.text, equation, enforced_by: None, span, may_repeat: true });
         }
         list

@@ -5,15 +5,15 @@
 //! components in the frame of its inertia. The equations of a particle are in the inertial frame,
 //! and its last three are 0.
 
-use super::random_pose::{DrawnModel, Triple};
+use super::random_pose::{RandomModel, VectorResidues};
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::{Arena, Expr, Function, Node};
 use crate::model::{Model, ReactionKind};
 
-impl DrawnModel {
+impl RandomModel {
     /// Residues of m a − ΣF and dH/dt − ΣM of each body without reactions: six for each body, with
     /// components in the frame of its inertia. `None` if a term has no value.
-    pub fn balances(&self, model: &Model, arena: &mut Arena) -> Option<Vec<u64>> {
+    pub fn newton_euler_balances(&self, model: &Model, arena: &mut Arena) -> Option<Vec<u64>> {
         let mut terms: Vec<Expr> = model.gravity.as_ref().map_or([Expr::ZERO; 3], |g| g.acceleration).to_vec();
         for body in &model.bodies {
             terms.push(body.mass);
@@ -25,11 +25,11 @@ impl DrawnModel {
         let mut values = match self.values(model, arena, &terms) {
             Some(values) => values,
             None => {
-                let named = without_roots(arena, &terms);
+                let named = replace_square_roots(arena, &terms);
                 self.values(model, arena, &named)?
             }
         };
-        let DrawnModel { space, frames, points, .. } = self;
+        let RandomModel { space, frames, points, .. } = self;
         let (f, gravity) = (space.0, values.triple());
         let gravity = model.gravity.as_ref().map_or([0; 3], |g| space.along(&frames[g.frame].axes, gravity));
         let mut all = vec![0; 6 * model.bodies.len()];
@@ -41,19 +41,20 @@ impl DrawnModel {
             let Some((own, inertia)) = &body.rigid else { continue };
             let tensor = [values.triple(), values.triple(), values.triple()];
             let (frame, turned) = (&frames[inertia.frame], &frames[*own]);
-            let into = |v: Triple| [0, 1, 2].map(|i: usize| space.dot(frame.axes[i], v));
-            let times = |v: Triple| space.along(&frame.axes, [0, 1, 2].map(|i: usize| space.dot(tensor[i], into(v))));
+            let into = |v: VectorResidues| [0, 1, 2].map(|i: usize| space.dot(frame.axes[i], v));
+            let times =
+                |v: VectorResidues| space.along(&frame.axes, [0, 1, 2].map(|i: usize| space.dot(tensor[i], into(v))));
             // dH/dt = I (α − ω_F × ω) + ω_F × I ω, for a frame F in which I is constant.
             let seen = space.sub(turned.acceleration, space.cross(frame.velocity, turned.velocity));
             let moment = space.add(times(seen), space.cross(frame.velocity, times(turned.velocity)));
             loads.push((at, body.centre, [0; 3], moment));
         }
         for added in &model.added_masses {
-            let blocks: [Triple; 12] = std::array::from_fn(|_| values.triple());
+            let blocks: [VectorResidues; 12] = std::array::from_fn(|_| values.triple());
             let (force, moment) = self.impulse_rates(model, added.body, &blocks);
             loads.push((added.body, model.bodies[added.body].centre, force, moment));
         }
-        let back = |v: Triple| space.sub([0; 3], v);
+        let back = |v: VectorResidues| space.sub([0; 3], v);
         for force in &model.forces {
             let vector = space.along(&frames[force.frame].axes, values.triple());
             loads.push((force.on.body, force.on.point, back(vector), [0; 3]));
@@ -66,13 +67,14 @@ impl DrawnModel {
             loads.extend(against.map(|body| (body, model.bodies[body].centre, [0; 3], vector)));
         }
         for effort in &model.efforts {
-            let action = self.action(model, effort.kind, space.along(&frames[effort.frame].axes, values.triple()));
+            let action =
+                self.reaction_action(model, effort.kind, space.along(&frames[effort.frame].axes, values.triple()));
             for (sum, x) in all.iter_mut().zip(action) {
                 *sum = f.sub(*sum, x);
             }
         }
         for (body, point, force, moment) in loads {
-            for (sum, x) in all.iter_mut().zip(self.on_body(model, body, point, force, moment)) {
+            for (sum, x) in all.iter_mut().zip(self.action_on_body(model, body, point, force, moment)) {
                 *sum = f.add(*sum, x);
             }
         }
@@ -81,12 +83,17 @@ impl DrawnModel {
 
     /// Rates dp/dt and dh/dt + v × p of the impulse (p, h) = M_A (v, ω) of the fluid that moves with a
     /// body. `blocks` are the twelve half rows of M_A.
-    fn impulse_rates(&self, model: &Model, body: usize, blocks: &[Triple; 12]) -> (Triple, Triple) {
-        let DrawnModel { space, frames, points, .. } = self;
+    fn impulse_rates(
+        &self,
+        model: &Model,
+        body: usize,
+        blocks: &[VectorResidues; 12],
+    ) -> (VectorResidues, VectorResidues) {
+        let RandomModel { space, frames, points, .. } = self;
         let stated = &model.bodies[body];
         let (centre, frame) = (&points[stated.centre], &frames[stated.rigid.as_ref().map_or(0, |(own, _)| *own)]);
-        let into = |v: Triple| frame.axes.map(|axis| space.dot(axis, v));
-        let times = |first: usize, v: Triple, omega: Triple| {
+        let into = |v: VectorResidues| frame.axes.map(|axis| space.dot(axis, v));
+        let times = |first: usize, v: VectorResidues, omega: VectorResidues| {
             let row = |i: usize| {
                 let at = 2 * (first + i);
                 space.0.add(space.dot(blocks[at], into(v)), space.dot(blocks[at + 1], into(omega)))
@@ -105,8 +112,15 @@ impl DrawnModel {
 
     /// Contribution to the Newton–Euler equations of all bodies, six each, of a force through a point
     /// of one body and of a moment on that body.
-    fn on_body(&self, model: &Model, body: usize, point: usize, force: Triple, moment: Triple) -> Vec<u64> {
-        let DrawnModel { space, frames, points, .. } = self;
+    fn action_on_body(
+        &self,
+        model: &Model,
+        body: usize,
+        point: usize,
+        force: VectorResidues,
+        moment: VectorResidues,
+    ) -> Vec<u64> {
+        let RandomModel { space, frames, points, .. } = self;
         let mut all = vec![0; 6 * model.bodies.len()];
         let stated = &model.bodies[body];
         let axes = &frames[stated.rigid.as_ref().map_or(0, |(_, inertia)| inertia.frame)].axes;
@@ -123,17 +137,17 @@ impl DrawnModel {
 
     /// Contribution of a reaction of size 1 along `direction` to the Newton–Euler equations of all
     /// bodies, six each.
-    pub fn action(&self, model: &Model, kind: ReactionKind, direction: Triple) -> Vec<u64> {
+    pub fn reaction_action(&self, model: &Model, kind: ReactionKind, direction: VectorResidues) -> Vec<u64> {
         let back = self.space.sub([0; 3], direction);
         let centre = |body: usize| model.bodies[body].centre;
         let (on, against) = match kind {
             ReactionKind::Force { on, against } => (
-                self.on_body(model, on.body, on.point, direction, [0; 3]),
-                against.map(|place| self.on_body(model, place.body, place.point, back, [0; 3])),
+                self.action_on_body(model, on.body, on.point, direction, [0; 3]),
+                against.map(|place| self.action_on_body(model, place.body, place.point, back, [0; 3])),
             ),
             ReactionKind::Torque { on, against } => (
-                self.on_body(model, on, centre(on), [0; 3], direction),
-                against.map(|body| self.on_body(model, body, centre(body), [0; 3], back)),
+                self.action_on_body(model, on, centre(on), [0; 3], direction),
+                against.map(|body| self.action_on_body(model, body, centre(body), [0; 3], back)),
             ),
         };
         let Some(against) = against else { return on };
@@ -143,7 +157,7 @@ impl DrawnModel {
 
 /// Replaces each square root in the terms by a new symbol, since a root need not exist in the
 /// random pose. The roots are independent of all other parts of the equations.
-fn without_roots(arena: &mut Arena, terms: &[Expr]) -> Vec<Expr> {
+fn replace_square_roots(arena: &mut Arena, terms: &[Expr]) -> Vec<Expr> {
     let is_root = |part: &Expr| matches!(arena.node(*part), Node::Apply(Function::Sqrt, _));
     let roots: Vec<Expr> = arena.reachable(terms).into_iter().filter(is_root).collect();
     let named = |(at, root)| (root, arena.symbol(&format!("root {at}")));

@@ -10,31 +10,32 @@
 //! points. The bodies must neither rest on one another nor be connected by a joint of the model
 //! file. A single force, as that of a tooth or a slot, holds nothing else.
 
-use super::relative_motion::{BodyPair, Relative};
+use super::relative_motion::{BodyPair, RelativeMotion};
 use crate::algebra::Expr;
-use crate::model::{MotionConstraintKind, Place, Reaction, ReactionKind};
+use crate::model::{ForcePlace, MotionConstraintKind, Reaction, ReactionKind};
 
 /// Pair of bodies, or a body and the ground, that equations keep together at a point of each.
 #[derive(Clone, Copy, PartialEq, Eq)]
-struct Closing {
+struct PointClosure {
     /// First body, with its point that equations keep together with the second.
-    on: Place,
+    on: ForcePlace,
     /// Second body, with its point; `None` for the ground.
-    against: Option<Place>,
+    against: Option<ForcePlace>,
     /// Index of the frame along whose axes the bodies are kept together.
     frame: usize,
 }
 
-impl Relative<'_> {
+impl RelativeMotion<'_> {
     /// Forces and torques of size 1 that may act where equations keep points together. `resting` are
     /// the bodies with the bodies on which they rest.
-    pub fn closings(&self, resting: &[BodyPair]) -> Vec<Reaction> {
-        let found: Vec<Closing> = self.model.reactions.iter().filter_map(|r| self.closing(r, resting)).collect();
+    pub fn closure_reactions(&self, resting: &[BodyPair]) -> Vec<Reaction> {
+        let found: Vec<PointClosure> =
+            self.model.reactions.iter().filter_map(|r| self.closure_of_reaction(r, resting)).collect();
         let mut list = Vec::new();
         for (at, closing) in found.iter().enumerate() {
             let is_first = !found[..at].contains(closing);
             if is_first && found.iter().filter(|other| *other == closing).count() > 1 {
-                list.extend(self.held_at(closing));
+                list.extend(self.reactions_at_closure(closing));
             }
         }
         list
@@ -42,7 +43,7 @@ impl Relative<'_> {
 
     /// Pair of points that a reaction keeps together. `None` unless the reaction was found
     /// automatically and belongs to a loop closed by equations.
-    fn closing(&self, reaction: &Reaction, resting: &[BodyPair]) -> Option<Closing> {
+    fn closure_of_reaction(&self, reaction: &Reaction, resting: &[BodyPair]) -> Option<PointClosure> {
         let ReactionKind::Force { on, against } = reaction.kind else { return None };
         let by = against.map(|place| place.body);
         let pairs = [(Some(on.body), by), (by, Some(on.body))];
@@ -54,7 +55,7 @@ impl Relative<'_> {
         // A reaction of a joint of the model file has a declared name.
         let is_named = reaction.is_stated || self.model.declared.contains_key(&reaction.name);
         let is_axis = reaction.direction.iter().all(|e| [Expr::ZERO, Expr::ONE].contains(e));
-        (is_axis && !is_named && !reaction.is_shared && !rolls && !hangs).then_some(Closing {
+        (is_axis && !is_named && !reaction.is_shared && !rolls && !hangs).then_some(PointClosure {
             on,
             against,
             frame: reaction.frame,
@@ -62,14 +63,18 @@ impl Relative<'_> {
     }
 
     /// Reactions of size 1 at the pair of points `closing` that do no work in any permitted motion.
-    fn held_at(&self, closing: &Closing) -> Vec<Reaction> {
-        let &Closing { on, against, frame } = closing;
+    fn reactions_at_closure(&self, closing: &PointClosure) -> Vec<Reaction> {
+        let &PointClosure { on, against, frame } = closing;
         let (body, holder, space) = (on.body, against.map(|place| place.body), self.drawn.space);
         let force = ReactionKind::Force { on, against };
-        let slips = self.slips(body, holder, on.point, against.map_or(on.point, |place| place.point));
+        let slips = self.slip_velocities(body, holder, on.point, against.map_or(on.point, |place| place.point));
         let mut kinds = vec![("force", force, slips)];
         if self.is_rigid(Some(body)) && self.is_rigid(holder) {
-            kinds.push(("torque", ReactionKind::Torque { on: body, against: holder }, self.turns(body, holder)));
+            kinds.push((
+                "torque",
+                ReactionKind::Torque { on: body, against: holder },
+                self.relative_angular_velocities(body, holder),
+            ));
         }
         let mut list = Vec::new();
         for (what, kind, velocities) in kinds {

@@ -25,15 +25,15 @@
 //! All of this is decided in one random pose ([`super::random_pose`]). The derivation of the
 //! equations proves that reactions do no work.
 
-mod elsewhere;
-mod search;
+mod reaction_search;
 mod stated_connections;
+mod unstated_connections;
 
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::{Expr, Function};
 use crate::geometry::Frames;
 use crate::model::{Model, Reaction, ReactionKind};
-use search::{FoundReaction, ReactionDirection, Search};
+use reaction_search::{FoundReaction, ReactionDirection, Search};
 
 /// Largest number of Newton–Euler equations for which reactions are found. In larger systems the
 /// model file must state them.
@@ -71,8 +71,8 @@ impl Model {
             return;
         }
         let Some(mut search) = Search::new(self) else { return };
-        search.held();
-        search.elsewhere();
+        search.choose_stated_connections();
+        search.choose_unstated_reactions();
         // An incomplete set would make the equations unsolvable, and the model file did not ask for these
         // reactions.
         if search.missing > 0 {

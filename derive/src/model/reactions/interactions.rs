@@ -6,16 +6,16 @@
 //! sum replaces the symbol, so that only the reading of files knows of this name.
 
 use super::connections::{MOST_EQUATIONS, found_prefix};
-use super::relative_motion::{BodyPair, Holder, sides};
+use super::relative_motion::{BodyPair, Holder, reaction_pair};
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::text::parse::InteractionName;
 use crate::algebra::{Arena, Expr};
-use crate::diagnostic::{Diagnostic, nearest};
+use crate::diagnostic::{Diagnostic, nearest_name_advice};
 use crate::geometry::{Frames, Vector};
 use crate::model::units::Unit;
-use crate::model::{CarriedBody, Model, Place, Placement, Reaction, ReactionKind};
-use crate::read::Located;
+use crate::model::{ForcePlace, JointedBody, Model, Placement, Reaction, ReactionKind};
+use crate::toml_reader::Located;
 use std::ops::Range;
 
 /// Name of the ground in place of a body's name. A body with this name takes precedence.
@@ -93,7 +93,7 @@ impl StatedInteraction {
 
 /// Sense of a reaction relative to the wanted force or torque between two bodies.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Sense {
+enum ReactionSense {
     /// The reaction acts on the same body as the wanted force or torque.
     Along,
     /// The opposite of the reaction acts on the same body as the wanted force or torque.
@@ -102,24 +102,24 @@ enum Sense {
 
 /// A reaction between the two bodies of a wanted force or torque, with its sense.
 #[derive(Clone)]
-struct Acting {
+struct ActingReaction {
     /// Reaction that acts between the two bodies.
     reaction: Reaction,
     /// Sense of the reaction relative to the wanted force or torque.
-    sense: Sense,
+    sense: ReactionSense,
 }
 
 impl Interaction {
     /// A reaction with its sense, if it acts between the two bodies of the wanted force or torque;
     /// otherwise `None`.
-    fn part(&self, reaction: &Reaction) -> Option<Acting> {
-        let BodyPair { body, against } = sides(reaction.kind);
+    fn part_of_interaction(&self, reaction: &Reaction) -> Option<ActingReaction> {
+        let BodyPair { body, against } = reaction_pair(reaction.kind);
         let sense = match (Some(body), against) {
-            pair if pair == (self.on, self.by) => Sense::Along,
-            pair if pair == (self.by, self.on) => Sense::Against,
+            pair if pair == (self.on, self.by) => ReactionSense::Along,
+            pair if pair == (self.by, self.on) => ReactionSense::Against,
             _ => return None,
         };
-        Some(Acting { reaction: reaction.clone(), sense })
+        Some(ActingReaction { reaction: reaction.clone(), sense })
     }
 }
 
@@ -133,17 +133,17 @@ impl Model {
     /// component.
     pub fn interaction(&mut self, stated: &StatedInteraction) -> Result<Expr, Diagnostic> {
         let mut sought = self.found_interaction(stated)?;
-        let acting: Vec<Acting> = self.reactions.iter().filter_map(|r| sought.part(r)).collect();
+        let acting: Vec<ActingReaction> = self.reactions.iter().filter_map(|r| sought.part_of_interaction(r)).collect();
         // A redundant joint connects the bodies as well.
-        let again = self.redundant.iter().filter_map(|r| sought.part(&r.reaction));
-        let joined: Vec<Acting> = acting.iter().cloned().chain(again).collect();
+        let again = self.redundant.iter().filter_map(|r| sought.part_of_interaction(&r.reaction));
+        let joined: Vec<ActingReaction> = acting.iter().cloned().chain(again).collect();
         if joined.is_empty() {
-            return Err(self.nothing_acts(stated));
+            return Err(self.no_reaction_diagnostic(stated));
         }
         if sought.is_torque {
             sought.about = self.point_of(stated, sought, &joined)?;
         }
-        if let Some((message, help)) = self.undetermined(&sought, &stated.text) {
+        if let Some((message, help)) = self.undetermined_component_message(&sought, &stated.text) {
             return Err(Diagnostic::new(stated.span.clone(), message, help));
         }
         let mut arena = std::mem::take(&mut self.arena);
@@ -154,19 +154,19 @@ impl Model {
 
     /// Component of the sum of the reactions `acting`, with the moments of forces about the point
     /// `sought.about`, as a term.
-    fn sum_of(&self, arena: &mut Arena, sought: Interaction, acting: &[Acting]) -> Expr {
+    fn sum_of(&self, arena: &mut Arena, sought: Interaction, acting: &[ActingReaction]) -> Expr {
         let mut frames = Frames::new(&self.frames);
         let mut sum = Vector::default();
-        for Acting { reaction, sense } in acting {
+        for ActingReaction { reaction, sense } in acting {
             let mut vector = Vector::in_frame(reaction.frame, reaction.direction).scale(arena, reaction.symbol);
-            if *sense == Sense::Against {
+            if *sense == ReactionSense::Against {
                 vector = vector.neg(arena);
             }
             let part = match (reaction.kind, sought.about) {
                 (ReactionKind::Force { .. }, _) if !sought.is_torque => vector,
                 (ReactionKind::Torque { .. }, _) if sought.is_torque => vector,
                 (ReactionKind::Force { on, against }, Some(about)) => {
-                    let point = felt_at(on, against, *sense);
+                    let point = point_of_action(on, against, *sense);
                     let back = self.position(arena, about).neg(arena);
                     let arm = self.position(arena, point).add(arena, &back);
                     frames.cross(arena, &arm, &vector)
@@ -196,12 +196,12 @@ impl Model {
         &self,
         stated: &StatedInteraction,
         sought: Interaction,
-        acting: &[Acting],
+        acting: &[ActingReaction],
     ) -> Result<Option<usize>, Diagnostic> {
         if sought.about.is_some() {
             return Ok(sought.about);
         }
-        let joins = |carried: &&CarriedBody| {
+        let joins = |carried: &&JointedBody| {
             let pair = (Some(carried.body), carried.on);
             pair == (sought.on, sought.by) || pair == (sought.by, sought.on)
         };
@@ -209,9 +209,9 @@ impl Model {
             return Ok(Some(joint.point));
         }
         let mut points = Vec::new();
-        for Acting { reaction, sense } in acting {
+        for ActingReaction { reaction, sense } in acting {
             if let ReactionKind::Force { on, against } = reaction.kind {
-                let point = felt_at(on, against, *sense);
+                let point = point_of_action(on, against, *sense);
                 if !points.contains(&point) {
                     points.push(point);
                 }
@@ -236,7 +236,7 @@ impl Model {
     /// Resolves the bodies, the point and the frame that a formula names to indices; an error for an
     /// unknown name.
     fn found_interaction(&self, stated: &StatedInteraction) -> Result<Interaction, Diagnostic> {
-        let (by, on) = (self.holder(&stated.by)?, self.holder(&stated.on)?);
+        let (by, on) = (self.body_or_ground(&stated.by)?, self.body_or_ground(&stated.on)?);
         if by == on {
             let message = format!("`{}` names one body twice", stated.text);
             return Err(Diagnostic::new(stated.span.clone(), message, "name two that are connected"));
@@ -244,7 +244,7 @@ impl Model {
         let find = |name: &Located, noun: &str, names: Vec<&str>| {
             names.iter().position(|known| *known == name.text).ok_or_else(|| {
                 let message = format!("the model has no {noun} `{}`", name.text);
-                Diagnostic::new(name.span.clone(), message, nearest(&name.text, names))
+                Diagnostic::new(name.span.clone(), message, nearest_name_advice(&name.text, names))
             })
         };
         let frame = find(&stated.frame, "frame", self.frames.iter().map(|f| f.name.as_str()).collect())?;
@@ -255,7 +255,7 @@ impl Model {
 
     /// Index of a body by name; `None` for the ground, named as `ground` or by the inertial frame. An
     /// error for an unknown name.
-    fn holder(&self, name: &Located) -> Result<Holder, Diagnostic> {
+    fn body_or_ground(&self, name: &Located) -> Result<Holder, Diagnostic> {
         if let Some(at) = self.bodies.iter().position(|b| b.name == name.text) {
             return Ok(Some(at));
         }
@@ -264,7 +264,7 @@ impl Model {
         }
         let names = self.bodies.iter().map(|b| b.name.as_str()).chain([GROUND]);
         let message = format!("the model has no body `{}`", name.text);
-        Err(Diagnostic::new(name.span.clone(), message, nearest(&name.text, names)))
+        Err(Diagnostic::new(name.span.clone(), message, nearest_name_advice(&name.text, names)))
     }
 
     /// Name of a body, or `ground` for `None`.
@@ -273,9 +273,9 @@ impl Model {
     }
 
     /// Diagnostic that no reaction acts between the two bodies that a formula names.
-    fn nothing_acts(&self, stated: &StatedInteraction) -> Diagnostic {
+    fn no_reaction_diagnostic(&self, stated: &StatedInteraction) -> Diagnostic {
         let mut pairs: Vec<String> = Vec::new();
-        for BodyPair { body, against } in self.reactions.iter().map(|r| sides(r.kind)) {
+        for BodyPair { body, against } in self.reactions.iter().map(|r| reaction_pair(r.kind)) {
             let pair = format!("{} on {}", self.holder_name(against), self.bodies[body].name);
             if !pairs.contains(&pair) {
                 pairs.push(pair);
@@ -299,20 +299,20 @@ impl Model {
 
 /// Index of the point at which a force acts on the body of interest; with the opposite sense, at
 /// which its opposite acts.
-fn felt_at(on: Place, against: Option<Place>, sense: Sense) -> usize {
-    against.filter(|_| sense == Sense::Against).unwrap_or(on).point
+fn point_of_action(on: ForcePlace, against: Option<ForcePlace>, sense: ReactionSense) -> usize {
+    against.filter(|_| sense == ReactionSense::Against).unwrap_or(on).point
 }
 
 /// A reaction that a condition of the domain contains, by the reaction's own name or by two bodies.
 #[derive(Clone, Debug)]
-pub enum AskedReaction {
+pub enum NamedReaction {
     /// Reaction that may be found later: (symbol that stands for it, its name, its unit).
     Found(Expr, Located, Unit),
     /// Component of the force or torque that a body exerts on another.
     Between(StatedInteraction),
 }
 
-impl AskedReaction {
+impl NamedReaction {
     /// Symbol that stands for the reaction until reactions are known, with its unit.
     pub fn symbol(&self) -> (Expr, Unit) {
         match self {
@@ -325,13 +325,13 @@ impl AskedReaction {
 impl Model {
     /// Replaces the names of reactions in conditions of the domain, after all reactions are known.
     /// Returns a diagnostic for each reaction that cannot be determined.
-    pub(in crate::model) fn name_reactions(&mut self, asked: Vec<AskedReaction>) -> Vec<Diagnostic> {
+    pub(in crate::model) fn name_reactions(&mut self, asked: Vec<NamedReaction>) -> Vec<Diagnostic> {
         let (mut pairs, mut errors) = (Vec::new(), Vec::new());
         for reaction in asked {
             let (symbol, _) = reaction.symbol();
             let value = match reaction {
-                AskedReaction::Between(stated) => self.interaction(&stated),
-                AskedReaction::Found(_, name, _) => self.found_reaction(&name),
+                NamedReaction::Between(stated) => self.interaction(&stated),
+                NamedReaction::Found(_, name, _) => self.found_reaction(&name),
             };
             match value {
                 Ok(value) => pairs.push((symbol, value)),
@@ -356,7 +356,7 @@ impl Model {
             .filter(|r| self.domain.iter().any(|c| self.arena.mentions(c.positive, r.symbol)));
         errors.extend(redundant.map(|r| {
             let place = self.declared.get(&r.name).cloned().unwrap_or_default();
-            let (message, help) = is_redundant(&r.name);
+            let (message, help) = redundant_reaction_message(&r.name);
             Diagnostic::new(place, message, help)
         }));
         errors
@@ -368,14 +368,14 @@ impl Model {
         self.reactions.iter().find(|r| r.name == name.text).map(|r| r.symbol).ok_or_else(|| {
             let names = self.reactions.iter().map(|r| r.name.as_str());
             let message = format!("no reaction `{}` is found", name.text);
-            Diagnostic::new(name.span.clone(), message, nearest(&name.text, names))
+            Diagnostic::new(name.span.clone(), message, nearest_name_advice(&name.text, names))
         })
     }
 }
 
 /// Message and advice for a redundant reaction, which has no value because another connection holds
 /// the same direction.
-pub fn is_redundant(name: &str) -> (String, &'static str) {
+pub fn redundant_reaction_message(name: &str) -> (String, &'static str) {
     let message = format!("equilibrium does not determine `{name}`: another connection holds the same motion");
     (
         message,
@@ -385,7 +385,7 @@ pub fn is_redundant(name: &str) -> (String, &'static str) {
 
 /// Unit of a reaction that may be found under a name such as `BODY_force_…` or `BODY_torque_…`, for
 /// one of the `bodies`. `None` for other names.
-pub fn may_be_found<'n>(name: &str, mut bodies: impl Iterator<Item = &'n str>) -> Option<Unit> {
+pub fn found_reaction_unit<'n>(name: &str, mut bodies: impl Iterator<Item = &'n str>) -> Option<Unit> {
     let is_of = |body: &str| {
         let kinds = [("force", Unit::new(1, 1, -2)), ("torque", Unit::new(2, 1, -2))];
         kinds.into_iter().find(|(what, _)| name.starts_with(&found_prefix(body, what)))

@@ -4,8 +4,8 @@
 pub(super) mod actions;
 pub(super) mod closures;
 pub(super) mod connections;
-pub(super) mod efforts;
 pub(super) mod interactions;
+pub(super) mod potential_forces;
 pub(super) mod random_pose;
 pub(super) mod relative_motion;
 pub(super) mod self_stress;

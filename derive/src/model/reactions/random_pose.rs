@@ -7,7 +7,7 @@
 use crate::algebra::term::calculus::{Differential, Gradient, Substitution};
 use crate::algebra::text::parse::VelocityOf;
 use crate::algebra::value::field::Field;
-use crate::algebra::value::points::Drawn;
+use crate::algebra::value::points::PointWithResidues;
 use crate::algebra::{Arena, Expr, Function, Rational};
 use crate::geometry::Turn;
 use crate::model::{AddedVelocity, Model, Placement};
@@ -15,30 +15,30 @@ use std::collections::BTreeMap;
 
 /// Vector as three residues modulo a prime, with components along inertial axes unless stated
 /// otherwise.
-pub type Triple = [u64; 3];
+pub type VectorResidues = [u64; 3];
 
 /// Arithmetic of vectors whose components are residues modulo a prime.
 #[derive(Clone, Copy)]
-pub struct Space(pub Field);
+pub struct ResidueVectors(pub Field);
 
-impl Space {
-    pub fn add(self, a: Triple, b: Triple) -> Triple {
+impl ResidueVectors {
+    pub fn add(self, a: VectorResidues, b: VectorResidues) -> VectorResidues {
         std::array::from_fn(|i| self.0.add(a[i], b[i]))
     }
 
-    pub fn sub(self, a: Triple, b: Triple) -> Triple {
+    pub fn sub(self, a: VectorResidues, b: VectorResidues) -> VectorResidues {
         std::array::from_fn(|i| self.0.sub(a[i], b[i]))
     }
 
-    pub fn scale(self, k: u64, a: Triple) -> Triple {
+    pub fn scale(self, k: u64, a: VectorResidues) -> VectorResidues {
         a.map(|x| self.0.mul(k, x))
     }
 
-    pub fn dot(self, a: Triple, b: Triple) -> u64 {
+    pub fn dot(self, a: VectorResidues, b: VectorResidues) -> u64 {
         (0..3).fold(0, |sum, i| self.0.add(sum, self.0.mul(a[i], b[i])))
     }
 
-    pub fn cross(self, a: Triple, b: Triple) -> Triple {
+    pub fn cross(self, a: VectorResidues, b: VectorResidues) -> VectorResidues {
         let f = self.0;
         std::array::from_fn(|i| {
             let (j, k) = ((i + 1) % 3, (i + 2) % 3);
@@ -47,7 +47,7 @@ impl Space {
     }
 
     /// Vector Σ components_i axes_i with these components along these axes.
-    pub fn along(self, axes: &[Triple; 3], components: Triple) -> Triple {
+    pub fn along(self, axes: &[VectorResidues; 3], components: VectorResidues) -> VectorResidues {
         (0..3).fold([0; 3], |sum, i| self.add(sum, self.scale(components[i], axes[i])))
     }
 }
@@ -67,56 +67,56 @@ impl Residues {
     }
 
     /// Reads the residues of the next three terms, as a vector.
-    pub fn triple(&mut self) -> Triple {
+    pub fn triple(&mut self) -> VectorResidues {
         std::array::from_fn(|_| self.one())
     }
 }
 
 /// A frame in a random pose and motion, in residues along inertial axes.
 #[derive(Clone)]
-pub struct DrawnFrame {
+pub struct RandomFrame {
     /// Unit vectors of the three axes of the frame.
-    pub axes: [Triple; 3],
+    pub axes: [VectorResidues; 3],
     /// Angular velocity per unit rate of each coordinate, then of each motion of an opened joint
     /// (`Model::openings`).
-    pub along: Vec<Triple>,
+    pub along: Vec<VectorResidues>,
     /// Angular velocity ω of the frame in the random motion.
-    pub velocity: Triple,
+    pub velocity: VectorResidues,
     /// Angular acceleration of the frame in the random motion.
-    pub acceleration: Triple,
+    pub acceleration: VectorResidues,
 }
 
 /// A point in a random pose and motion, in residues along inertial axes.
 #[derive(Clone)]
-pub struct DrawnPoint {
+pub struct RandomPoint {
     /// Position relative to the origin.
-    pub place: Triple,
+    pub place: VectorResidues,
     /// Velocity per unit rate of each coordinate, then of each motion of an opened joint
     /// (`Model::openings`).
-    pub along: Vec<Triple>,
+    pub along: Vec<VectorResidues>,
     /// Velocity in the random motion.
-    pub velocity: Triple,
+    pub velocity: VectorResidues,
     /// Acceleration in the random motion.
-    pub acceleration: Triple,
+    pub acceleration: VectorResidues,
 }
 
 /// A model in a random pose and motion, in residues modulo a prime.
-pub struct DrawnModel {
+pub struct RandomModel {
     /// Vector arithmetic modulo the prime.
-    pub space: Space,
+    pub space: ResidueVectors,
     /// Frames by index.
-    pub frames: Vec<DrawnFrame>,
+    pub frames: Vec<RandomFrame>,
     /// Points by index.
-    pub points: Vec<DrawnPoint>,
+    pub points: Vec<RandomPoint>,
     /// Partial derivatives ∂q̇/∂u: a row for each coordinate, a column for each speed.
     pub partial_rates: Vec<Vec<u64>>,
     /// Random values of the symbols.
-    drawn: Drawn,
+    drawn: PointWithResidues,
 }
 
 /// Terms of a quantity that depends on coordinates: its value, partial derivatives, and first two
 /// time derivatives.
-struct Followed {
+struct DifferentiatedTerm {
     /// Value of the quantity.
     value: Expr,
     /// Partial derivatives, as (index of the coordinate or opening, derivative).
@@ -127,9 +127,9 @@ struct Followed {
     second: Expr,
 }
 
-/// Residues of the terms of a `Followed` quantity.
+/// Residues of the terms of a `DifferentiatedTerm` quantity.
 #[derive(Clone, Default)]
-struct FollowedResidues {
+struct DerivativeResidues {
     /// Residue of the quantity's value.
     value: u64,
     /// Residues of the partial derivatives, as (index of the coordinate or opening, residue).
@@ -140,16 +140,16 @@ struct FollowedResidues {
     second: u64,
 }
 
-impl Followed {
+impl DifferentiatedTerm {
     /// All terms of the quantity, in the order in which `read` takes their residues.
     fn terms(&self) -> impl Iterator<Item = Expr> {
         [self.value, self.rate, self.second].into_iter().chain(self.slopes.iter().map(|(_, slope)| *slope))
     }
 
     /// Reads the residues of the quantity's value, derivatives and rates.
-    fn read(&self, residues: &mut Residues) -> FollowedResidues {
+    fn read(&self, residues: &mut Residues) -> DerivativeResidues {
         let [value, rate, second] = residues.triple();
-        FollowedResidues {
+        DerivativeResidues {
             value,
             rate,
             second,
@@ -159,23 +159,23 @@ impl Followed {
 }
 
 /// Velocity that a motion adds to the frame or point `at`; `None` if it adds none.
-fn added(list: &[AddedVelocity], at: usize) -> Option<[Expr; 3]> {
+fn added_velocity(list: &[AddedVelocity], at: usize) -> Option<[Expr; 3]> {
     list.iter().find(|(moved, _)| *moved == at).map(|(_, velocity)| *velocity)
 }
 
 /// Differentiates quantities with respect to the coordinates, and in time along the motion of a
 /// model.
-struct Follower {
+struct Differentiator {
     /// Partial derivatives with respect to the coordinates.
     slopes: Gradient,
     /// Time derivative along the motion of the model.
     d_dt: Differential,
 }
 
-impl Follower {
+impl Differentiator {
     /// Adds derivatives along openings, motions of opened joints, to each component, at indices from
     /// `first` on. `openings` has the velocity that each motion adds.
-    fn open(components: &mut [(usize, Followed)], first: usize, openings: &[Option<[Expr; 3]>]) {
+    fn open(components: &mut [(usize, DifferentiatedTerm)], first: usize, openings: &[Option<[Expr; 3]>]) {
         for (axis, followed) in components {
             let along =
                 openings.iter().enumerate().filter_map(|(at, velocity)| Some((first + at, (*velocity)?[*axis])));
@@ -192,14 +192,14 @@ impl Follower {
     }
 
     /// Partial derivatives and the first two time derivatives of a term.
-    fn follow(&mut self, arena: &mut Arena, value: Expr) -> Followed {
+    fn follow(&mut self, arena: &mut Arena, value: Expr) -> DifferentiatedTerm {
         let rate = self.d_dt.apply(arena, value);
         let second = self.d_dt.apply(arena, rate);
-        Followed { value, slopes: self.slopes.apply(arena, value).iter().copied().collect(), rate, second }
+        DifferentiatedTerm { value, slopes: self.slopes.apply(arena, value).iter().copied().collect(), rate, second }
     }
 
     /// Angular velocity that a rotation adds, as (axis 0, 1 or 2, component along it).
-    fn spins(&mut self, arena: &mut Arena, turn: &Turn) -> Vec<(usize, Followed)> {
+    fn spins(&mut self, arena: &mut Arena, turn: &Turn) -> Vec<(usize, DifferentiatedTerm)> {
         let oriented = match turn {
             Turn::About(axis, angle) => return vec![(*axis, self.follow(arena, *angle))],
             Turn::Oriented(oriented) => oriented,
@@ -217,7 +217,15 @@ impl Follower {
                 }
             }
             let second = self.d_dt.apply(arena, spin[axis]);
-            (axis, Followed { value: Expr::ZERO, slopes: slopes.into_iter().collect(), rate: spin[axis], second })
+            (
+                axis,
+                DifferentiatedTerm {
+                    value: Expr::ZERO,
+                    slopes: slopes.into_iter().collect(),
+                    rate: spin[axis],
+                    second,
+                },
+            )
         };
         [0, 1, 2].map(component).into()
     }
@@ -225,21 +233,21 @@ impl Follower {
 
 /// Terms of a rotated frame: its direction cosines (cosine and sine for a rotation about one axis),
 /// and the angular velocity that its rotation adds.
-struct Turning {
+struct RotatedFrameTerms {
     /// Direction cosines; cosine and sine of the angle for a rotation about one axis.
     cosines: Vec<Expr>,
     /// Angular velocity that the rotation adds, as (axis 0, 1 or 2, component).
-    spins: Vec<(usize, Followed)>,
+    spins: Vec<(usize, DifferentiatedTerm)>,
 }
 
-impl DrawnModel {
+impl RandomModel {
     /// Draws a random pose and motion. New terms go to `arena`, a copy of the model's arena. `None` if
     /// no pose was found in which every term has a value.
     pub fn new(model: &Model, arena: &mut Arena) -> Option<Self> {
-        let mut follower = Follower::new(model);
+        let mut follower = Differentiator::new(model);
         let mut terms = Vec::new();
         let first = model.coordinates.len();
-        let turns: Vec<Option<Turning>> = model
+        let turns: Vec<Option<RotatedFrameTerms>> = model
             .frames
             .iter()
             .enumerate()
@@ -250,20 +258,22 @@ impl DrawnModel {
                     Turn::Oriented(oriented) => oriented.cosines.concat(),
                 };
                 let mut spins = follower.spins(arena, turn);
-                let openings: Vec<_> = model.openings.iter().map(|opening| added(&opening.turns, at)).collect();
-                Follower::open(&mut spins, first, &openings);
-                Some(Turning { cosines, spins })
+                let openings: Vec<_> =
+                    model.openings.iter().map(|opening| added_velocity(&opening.turns, at)).collect();
+                Differentiator::open(&mut spins, first, &openings);
+                Some(RotatedFrameTerms { cosines, spins })
             })
             .collect();
-        let places: Vec<Option<Vec<(usize, Followed)>>> = model
+        let places: Vec<Option<Vec<(usize, DifferentiatedTerm)>>> = model
             .points
             .iter()
             .enumerate()
             .map(|(at, point)| {
                 let components = point.position?.components.into_iter().enumerate();
                 let mut place = components.map(|(axis, e)| (axis, follower.follow(arena, e))).collect::<Vec<_>>();
-                let openings: Vec<_> = model.openings.iter().map(|opening| added(&opening.moves, at)).collect();
-                Follower::open(&mut place, first, &openings);
+                let openings: Vec<_> =
+                    model.openings.iter().map(|opening| added_velocity(&opening.moves, at)).collect();
+                Differentiator::open(&mut place, first, &openings);
                 Some(place)
             })
             .collect();
@@ -278,34 +288,34 @@ impl DrawnModel {
             partial.push(along_speeds.apply(arena, *rate).iter().copied().collect::<Vec<(usize, Expr)>>());
         }
         terms.extend(partial.iter().flatten().map(|(_, slope)| *slope));
-        let (drawn, residues) = Drawn::new(arena, &terms)?;
+        let (drawn, residues) = PointWithResidues::new(arena, &terms)?;
         let mut residues = Residues::new(residues);
-        let space = Space(drawn.field());
+        let space = ResidueVectors(drawn.field());
         let (n, p) = (model.coordinates.len(), model.speeds.len());
         let all = n + model.openings.len();
-        let mut frames: Vec<DrawnFrame> = Vec::new();
+        let mut frames: Vec<RandomFrame> = Vec::new();
         for (frame, turning) in model.frames.iter().zip(&turns) {
             let (Some((parent, turn)), Some(turning)) = (&frame.rotation, turning) else {
-                frames.push(DrawnFrame::still(all));
+                frames.push(RandomFrame::fixed_frame(all));
                 continue;
             };
-            let before: &DrawnFrame = &frames[*parent];
+            let before: &RandomFrame = &frames[*parent];
             let axes = match turn {
                 Turn::About(axis, _) => before.about(space, *axis, [residues.one(), residues.one()]),
                 Turn::Oriented(_) => [0, 1, 2].map(|_| space.along(&before.axes, residues.triple())),
             };
-            let spins: Vec<(usize, FollowedResidues)> =
+            let spins: Vec<(usize, DerivativeResidues)> =
                 turning.spins.iter().map(|(axis, followed)| (*axis, followed.read(&mut residues))).collect();
-            frames.push(before.turned(space, axes, &spins));
+            frames.push(before.rotated_frame(space, axes, &spins));
         }
-        let mut points: Vec<DrawnPoint> = Vec::new();
+        let mut points: Vec<RandomPoint> = Vec::new();
         for (point, place) in model.points.iter().zip(&places) {
             let (Some(Placement { parent, frame, .. }), Some(followed)) = (point.position, place) else {
-                points.push(DrawnPoint::still(all));
+                points.push(RandomPoint::fixed_point(all));
                 continue;
             };
             let place = [0, 1, 2].map(|i: usize| followed[i].1.read(&mut residues));
-            points.push(points[parent].moved(space, &frames[frame], &place));
+            points.push(points[parent].placed_point(space, &frames[frame], &place));
         }
         let mut partial_rates = vec![vec![0; p]; n];
         for (row, slopes) in partial_rates.iter_mut().zip(&partial) {
@@ -339,7 +349,7 @@ impl DrawnModel {
 
     /// Velocity of the material of a body at a point: per unit rate of the motion `along`, or the total
     /// velocity for `None`.
-    pub fn material(&self, model: &Model, body: usize, point: usize, along: Option<usize>) -> Triple {
+    pub fn material(&self, model: &Model, body: usize, point: usize, along: Option<usize>) -> VectorResidues {
         let body = &model.bodies[body];
         let centre = &self.points[body.centre];
         let velocity = along.map_or(centre.velocity, |at| centre.along[at]);
@@ -350,16 +360,16 @@ impl DrawnModel {
     }
 }
 
-impl DrawnFrame {
+impl RandomFrame {
     /// Inertial frame, with n motions along which it does not move.
-    fn still(n: usize) -> Self {
+    fn fixed_frame(n: usize) -> Self {
         let axes = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
         Self { axes, along: vec![[0; 3]; n], velocity: [0; 3], acceleration: [0; 3] }
     }
 
     /// Axes of a frame that is rotated from this frame about one of its axes, from the cosine and sine
     /// of the angle.
-    fn about(&self, space: Space, axis: usize, [cos, sin]: [u64; 2]) -> [Triple; 3] {
+    fn about(&self, space: ResidueVectors, axis: usize, [cos, sin]: [u64; 2]) -> [VectorResidues; 3] {
         let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
         let mut axes = self.axes;
         axes[j] = space.add(space.scale(cos, self.axes[j]), space.scale(sin, self.axes[k]));
@@ -369,7 +379,12 @@ impl DrawnFrame {
 
     /// Frame that is rotated from this frame to these axes, from the components of the angular velocity
     /// that the rotation adds.
-    fn turned(&self, space: Space, axes: [Triple; 3], spins: &[(usize, FollowedResidues)]) -> Self {
+    fn rotated_frame(
+        &self,
+        space: ResidueVectors,
+        axes: [VectorResidues; 3],
+        spins: &[(usize, DerivativeResidues)],
+    ) -> Self {
         let mut along = self.along.clone();
         let (mut spin, mut second) = ([0; 3], [0; 3]);
         for (axis, values) in spins {
@@ -386,18 +401,18 @@ impl DrawnFrame {
     }
 }
 
-impl DrawnPoint {
+impl RandomPoint {
     /// Origin, with n motions along which it does not move.
-    fn still(n: usize) -> Self {
+    fn fixed_point(n: usize) -> Self {
         Self { place: [0; 3], along: vec![[0; 3]; n], velocity: [0; 3], acceleration: [0; 3] }
     }
 
     /// Point placed from this point in a frame, from the components of its position.
-    fn moved(&self, space: Space, frame: &DrawnFrame, place: &[FollowedResidues; 3]) -> Self {
+    fn placed_point(&self, space: ResidueVectors, frame: &RandomFrame, place: &[DerivativeResidues; 3]) -> Self {
         let of =
-            |part: fn(&FollowedResidues) -> u64| space.along(&frame.axes, [0, 1, 2].map(|i: usize| part(&place[i])));
+            |part: fn(&DerivativeResidues) -> u64| space.along(&frame.axes, [0, 1, 2].map(|i: usize| part(&place[i])));
         let (arm, slip, second) = (of(|v| v.value), of(|v| v.rate), of(|v| v.second));
-        let mut along: Vec<Triple> =
+        let mut along: Vec<VectorResidues> =
             self.along.iter().zip(&frame.along).map(|(v, turn)| space.add(*v, space.cross(*turn, arm))).collect();
         for (axis, component) in frame.axes.iter().zip(place) {
             for (at, slope) in &component.slopes {

@@ -1,7 +1,7 @@
 //! Relative motion of bodies, to one another and to the ground, in one random pose
 //! ([`super::random_pose`]).
 
-use super::random_pose::{DrawnModel, Triple};
+use super::random_pose::{RandomModel, VectorResidues};
 use crate::algebra::term::calculus::Gradient;
 use crate::algebra::value::rank::Basis;
 use crate::algebra::{Arena, Expr};
@@ -33,7 +33,7 @@ impl BodyPair {
 }
 
 /// Body on which a reaction acts, paired with the body or ground on which its opposite acts.
-pub fn sides(kind: ReactionKind) -> BodyPair {
+pub fn reaction_pair(kind: ReactionKind) -> BodyPair {
     match kind {
         ReactionKind::Force { on, against } => BodyPair { body: on.body, against: against.map(|place| place.body) },
         ReactionKind::Torque { on, against } => BodyPair { body: on, against },
@@ -41,11 +41,11 @@ pub fn sides(kind: ReactionKind) -> BodyPair {
 }
 
 /// A model in a random pose, with the relative motion of its bodies in that pose.
-pub struct Relative<'m> {
+pub struct RelativeMotion<'m> {
     /// Model whose bodies move.
     pub model: &'m Model,
     /// Model in the random pose, as residues.
-    pub drawn: DrawnModel,
+    pub drawn: RandomModel,
     /// Motions that replace those along the generalized speeds, or `None`. Each has a rate for every
     /// coordinate, then for each motion of an opened joint (`Model::openings`).
     pub ways_if_open: Option<Vec<Vec<u64>>>,
@@ -54,7 +54,7 @@ pub struct Relative<'m> {
 impl Model {
     /// Indices of the coordinates that are neither time nor prescribed, so that their rates are free if
     /// all loops are open.
-    pub(crate) fn undriven(&self) -> Vec<usize> {
+    pub(crate) fn undriven_coordinates(&self) -> Vec<usize> {
         let drives = |constraint: &&MotionConstraint| match constraint.kind {
             MotionConstraintKind::Loop(at) => self.loops[at].prescribes,
             MotionConstraintKind::Clock => true,
@@ -66,16 +66,16 @@ impl Model {
     }
 }
 
-impl Relative<'_> {
+impl RelativeMotion<'_> {
     /// Velocity of the material of a body, or of the ground, at a point, per unit rate of the motion
     /// `along`.
-    pub fn material(&self, body: Holder, point: usize, along: usize) -> Triple {
+    pub fn material_velocity(&self, body: Holder, point: usize, along: usize) -> VectorResidues {
         body.map_or([0; 3], |body| self.drawn.material(self.model, body, point, Some(along)))
     }
 
     /// Angular velocity of a rigid body, or of the ground, per unit rate of the motion `along`. It is
     /// zero for a particle.
-    pub fn turning(&self, body: Holder, along: usize) -> Triple {
+    pub fn angular_velocity(&self, body: Holder, along: usize) -> VectorResidues {
         let frame = body.and_then(|body| Some(self.model.bodies[body].rigid.as_ref()?.0));
         frame.map_or([0; 3], |frame| self.drawn.frames[frame].along[along])
     }
@@ -99,10 +99,10 @@ impl Relative<'_> {
 
     /// Rank of vectors `of` a motion over all motions and time. Time counts, since a body that hangs on
     /// a driven crank does not hang on the ground.
-    pub fn ways(&self, of: impl Fn(usize) -> Vec<Triple>) -> usize {
+    pub fn rank_of_motions(&self, of: impl Fn(usize) -> Vec<VectorResidues>) -> usize {
         let mut basis = Basis::new(self.drawn.space.0);
         for along in 0..self.motions() {
-            basis.take(of(along).concat());
+            basis.add_row(of(along).concat());
         }
         basis.len()
     }
@@ -115,9 +115,10 @@ impl Relative<'_> {
         // The material of a particle is at its own point only.
         let particle = against.filter(|_| !self.is_rigid(against));
         let point = self.model.bodies[particle.unwrap_or(body)].centre;
-        self.ways(|along| {
-            let slip = space.sub(self.material(Some(body), point, along), self.material(against, point, along));
-            let turn = space.sub(self.turning(Some(body), along), self.turning(against, along));
+        self.rank_of_motions(|along| {
+            let slip = space
+                .sub(self.material_velocity(Some(body), point, along), self.material_velocity(against, point, along));
+            let turn = space.sub(self.angular_velocity(Some(body), along), self.angular_velocity(against, along));
             if turns { vec![slip, turn] } else { vec![slip] }
         })
     }
@@ -138,8 +139,11 @@ impl Relative<'_> {
         };
         let space = self.drawn.space;
         let slip = |point: usize| {
-            self.ways(|along| {
-                vec![space.sub(self.material(Some(body), point, along), self.material(holder, point, along))]
+            self.rank_of_motions(|along| {
+                vec![space.sub(
+                    self.material_velocity(Some(body), point, along),
+                    self.material_velocity(holder, point, along),
+                )]
             })
         };
         points.into_iter().min_by_key(|point| slip(*point)).unwrap_or(centre)
@@ -161,7 +165,7 @@ impl Relative<'_> {
 
     /// Basis of the motions of the mechanism if only the motion constraints that `holds` accepts held.
     /// `None` if a term has no value.
-    pub fn open_ways(&self, arena: &mut Arena, holds: &dyn Fn(&MotionConstraint) -> bool) -> Option<Vec<Vec<u64>>> {
+    pub fn open_motions(&self, arena: &mut Arena, holds: &dyn Fn(&MotionConstraint) -> bool) -> Option<Vec<Vec<u64>>> {
         let model = self.model;
         let held: Vec<&MotionConstraint> = model.motion_constraints.iter().filter(|c| holds(c)).collect();
         let mut along = Gradient::new(&model.q_dot());
@@ -179,14 +183,14 @@ impl Relative<'_> {
         let mut values = self.drawn.values(model, arena, &terms)?;
         let mut basis = Basis::new(self.drawn.space.0);
         for _ in &held {
-            basis.take((0..n).map(|_| values.one()).collect());
+            basis.add_row((0..n).map(|_| values.one()).collect());
         }
         Some(basis.null_space(n))
     }
 
     /// Converts velocities `along` each q̇ to velocities for each speed, or for each motion of
     /// [`Self::ways_if_open`].
-    pub fn permitted(&self, along: impl Fn(usize) -> Triple) -> Vec<Triple> {
+    pub fn permitted_velocities(&self, along: impl Fn(usize) -> VectorResidues) -> Vec<VectorResidues> {
         let space = self.drawn.space;
         if let Some(ways) = &self.ways_if_open {
             let velocity = |way: &Vec<u64>| {
@@ -207,10 +211,10 @@ impl Relative<'_> {
 
     /// Velocities of a body's material at `point` relative to the supporting body's material at
     /// `opposite`, one for each speed.
-    pub fn slips(&self, body: usize, holder: Holder, point: usize, opposite: usize) -> Vec<Triple> {
+    pub fn slip_velocities(&self, body: usize, holder: Holder, point: usize, opposite: usize) -> Vec<VectorResidues> {
         let space = self.drawn.space;
-        self.permitted(|along| {
-            space.sub(self.material(Some(body), point, along), self.material(holder, opposite, along))
+        self.permitted_velocities(|along| {
+            space.sub(self.material_velocity(Some(body), point, along), self.material_velocity(holder, opposite, along))
         })
     }
 
@@ -224,22 +228,25 @@ impl Relative<'_> {
     }
 
     /// True if a body has the same material at a point at all times.
-    pub fn has(&self, body: usize, point: usize) -> bool {
+    pub fn has_material_point(&self, body: usize, point: usize) -> bool {
         if !self.is_rigid(Some(body)) {
             return self.model.bodies[body].centre == point;
         }
-        let moves = |along: usize| self.drawn.points[point].along[along] != self.material(Some(body), point, along);
+        let moves =
+            |along: usize| self.drawn.points[point].along[along] != self.material_velocity(Some(body), point, along);
         !self.own_motions().any(moves)
     }
 
     /// True if a point is fixed to the ground, that is, if no motion except time moves it.
-    pub fn stays(&self, point: usize) -> bool {
+    pub fn is_ground_point(&self, point: usize) -> bool {
         self.own_motions().all(|along| self.drawn.points[point].along[along] == [0; 3])
     }
 
     /// Angular velocities of a body relative to the supporting body, one for each speed.
-    pub fn turns(&self, body: usize, holder: Holder) -> Vec<Triple> {
+    pub fn relative_angular_velocities(&self, body: usize, holder: Holder) -> Vec<VectorResidues> {
         let space = self.drawn.space;
-        self.permitted(|along| space.sub(self.turning(Some(body), along), self.turning(holder, along)))
+        self.permitted_velocities(|along| {
+            space.sub(self.angular_velocity(Some(body), along), self.angular_velocity(holder, along))
+        })
     }
 }

@@ -12,13 +12,13 @@
 //! indeterminate frameworks, *International Journal of Solids and Structures* 22 (1986) 409–428.
 
 use super::interactions::Interaction;
-use super::random_pose::DrawnModel;
-use super::relative_motion::{BodyPair, Relative, sides};
+use super::random_pose::RandomModel;
+use super::relative_motion::{BodyPair, RelativeMotion, reaction_pair};
 use crate::algebra::term::calculus::{Differential, Gradient};
 use crate::algebra::{Arena, Expr};
 use crate::geometry::{Frames, Motion, Vector};
-use crate::model::physics::{defaults, values_at};
-use crate::model::{JointReaction, Model, Place, Reaction, ReactionKind, Rolled};
+use crate::model::possible_bodies::{default_parameter_values, values_of_terms_at};
+use crate::model::{ForcePlace, JointReaction, Model, Reaction, ReactionKind, SlipComponent};
 use nalgebra::{DMatrix, DVector, Vector3};
 
 /// Norm up to which a column depends on other columns after these are projected out, relative to
@@ -66,7 +66,7 @@ struct SelfStress {
 }
 
 /// Connection that holds a redundant direction.
-enum HeldBy {
+enum RedundantConnection {
     /// Joint of the model file, by name.
     Joint(String),
     /// Rolling contact of the model file, by name.
@@ -76,11 +76,11 @@ enum HeldBy {
 }
 
 /// Redundant reaction, along a direction that another connection holds as well.
-struct HeldAgain {
+struct RedundantReaction {
     /// Name of the equation of the joint or contact, or of the stated reaction.
     name: String,
     /// Connection that holds the direction.
-    by: HeldBy,
+    by: RedundantConnection,
     /// Reaction of size 1 along the direction.
     reaction: Reaction,
 }
@@ -88,18 +88,22 @@ struct HeldAgain {
 impl Model {
     /// Message and advice if equilibrium does not determine the wanted component; `None` if it does.
     /// `text` names the component.
-    pub(in crate::model) fn undetermined(&self, sought: &Interaction, text: &str) -> Option<(String, String)> {
+    pub(in crate::model) fn undetermined_component_message(
+        &self,
+        sought: &Interaction,
+        text: &str,
+    ) -> Option<(String, String)> {
         let is_simple =
             self.redundant.is_empty() && self.loops.is_empty() && self.repeated.iter().all(|r| r.rolled.is_none());
         if is_simple && self.stated_reactions().is_empty() {
             return None;
         }
-        let drawn = DrawnModel::new(self, &mut self.arena.clone());
-        let relative = drawn.map(|drawn| Relative { model: self, drawn, ways_if_open: None });
-        let resting = relative.as_ref().map(Relative::resting);
-        let repeated = self.held_again(resting.as_deref().unwrap_or_default());
+        let drawn = RandomModel::new(self, &mut self.arena.clone());
+        let relative = drawn.map(|drawn| RelativeMotion { model: self, drawn, ways_if_open: None });
+        let resting = relative.as_ref().map(RelativeMotion::supported_pairs);
+        let repeated = self.redundant_reactions(resting.as_deref().unwrap_or_default());
         if repeated.is_empty() {
-            return self.undetermined_by_equations(&relative?, &resting?, sought, text);
+            return self.undetermined_by_closures_message(&relative?, &resting?, sought, text);
         }
         let reactions: Vec<Reaction> = repeated.iter().map(|held| held.reaction.clone()).collect();
         let (Some(pose), Some(resting)) = (self.closed_pose(&reactions), resting) else {
@@ -122,21 +126,21 @@ impl Model {
         let twice = repeated.iter().enumerate().find_map(|(at, held)| {
             let stress = self.self_stress(&pose, first + at, &held.reaction, &resting)?;
             let share = stress.share(&pose, sought)?;
-            Some(self.words(text, sought, held, share, &stress))
+            Some(self.self_stress_message(text, sought, held, share, &stress))
         });
-        twice.or_else(|| self.undetermined_by_equations(&relative?, &resting, sought, text))
+        twice.or_else(|| self.undetermined_by_closures_message(&relative?, &resting, sought, text))
     }
 
     /// Message and advice if equations that keep two points together leave the wanted component
     /// undetermined; otherwise `None`.
-    fn undetermined_by_equations(
+    fn undetermined_by_closures_message(
         &self,
-        relative: &Relative<'_>,
+        relative: &RelativeMotion<'_>,
         resting: &[BodyPair],
         sought: &Interaction,
         text: &str,
     ) -> Option<(String, String)> {
-        let closings = relative.closings(resting);
+        let closings = relative.closure_reactions(resting);
         if closings.is_empty() {
             return None;
         }
@@ -148,7 +152,7 @@ impl Model {
             let stress = self.self_stress(&pose, first + at, reaction, resting)?;
             let share = stress.share(&pose, sought)?;
             let unit = |is_torque: bool| if is_torque { "N m" } else { "N" };
-            let BodyPair { body, against } = sides(reaction.kind);
+            let BodyPair { body, against } = reaction_pair(reaction.kind);
             let message = format!(
                 "equilibrium does not determine `{text}`: equations keep `{}` together with `{}`, and do not say what else holds there; each {} of a \
                  {} adds {} {} to it, whatever moves",
@@ -168,52 +172,56 @@ impl Model {
     /// reactions. Examples are the ground that presses on one of two wheels, and a gear that presses on
     /// another along the line of their pinned centres. A direction that a body's own support holds
     /// twice counts once.
-    fn held_again(&self, resting: &[BodyPair]) -> Vec<HeldAgain> {
+    fn redundant_reactions(&self, resting: &[BodyPair]) -> Vec<RedundantReaction> {
         let contacts = self.repeated.iter().filter_map(|r| Some((r.name.clone(), r.rolled?)));
         let contacts =
             contacts.filter(|(_, rolled)| !resting.iter().any(|pair| pair.joins(Some(rolled.body), rolled.against)));
-        let contacts = contacts.map(|(name, Rolled { contact, body, against, point, frame, axis, .. })| {
-            let (on, against) = (Place { body, point }, against.map(|body| Place { body, point }));
+        let contacts = contacts.map(|(name, SlipComponent { contact, body, against, point, frame, axis, .. })| {
+            let (on, against) = (ForcePlace { body, point }, against.map(|body| ForcePlace { body, point }));
             let kind = ReactionKind::Force { on, against };
             let (label, symbol) = (format!("{name}_force"), Expr::ONE);
-            let direction = unit(axis);
+            let direction = unit_vector(axis);
             let reaction =
                 Reaction { name: label, symbol, kind, frame, direction, is_stated: false, is_shared: false, law: None };
-            HeldAgain { name, by: HeldBy::Contact(self.contacts.rolling[contact].clone()), reaction }
+            RedundantReaction {
+                name,
+                by: RedundantConnection::Contact(self.contacts.rolling[contact].clone()),
+                reaction,
+            }
         });
         // Supports may hold the direction of a stated reaction between bodies that do not rest on one
         // another.
         let named = self.stated_reactions().iter().filter(|reaction| {
-            let BodyPair { body, against } = sides(reaction.kind);
+            let BodyPair { body, against } = reaction_pair(reaction.kind);
             !resting.iter().any(|pair| pair.joins(Some(body), against))
         });
-        let named = named.map(|reaction| HeldAgain {
+        let named = named.map(|reaction| RedundantReaction {
             name: reaction.name.clone(),
-            by: HeldBy::Connection,
+            by: RedundantConnection::Connection,
             reaction: reaction.clone(),
         });
         let joints = self.redundant.iter().map(|held| {
             let JointReaction { joint, equation, reaction } = held.clone();
-            HeldAgain { name: equation, by: HeldBy::Joint(joint), reaction }
+            RedundantReaction { name: equation, by: RedundantConnection::Joint(joint), reaction }
         });
         joints.chain(contacts).chain(named).collect()
     }
 
     /// Message and advice for the wanted component, to which each unit of a redundant reaction adds
     /// `share`.
-    fn words(
+    fn self_stress_message(
         &self,
         text: &str,
         sought: &Interaction,
-        held: &HeldAgain,
+        held: &RedundantReaction,
         share: f64,
         stress: &SelfStress,
     ) -> (String, String) {
-        let HeldAgain { name, by, reaction } = held;
+        let RedundantReaction { name, by, reaction } = held;
         let what = match by {
-            HeldBy::Contact(_) => "contacts hold",
-            HeldBy::Connection => "connections hold",
-            HeldBy::Joint(_) => "the joints hold",
+            RedundantConnection::Contact(_) => "contacts hold",
+            RedundantConnection::Connection => "connections hold",
+            RedundantConnection::Joint(_) => "the joints hold",
         };
         let unit = |is_torque: bool| if is_torque { "N m" } else { "N" };
         let is_free_torque = matches!(reaction.kind, ReactionKind::Torque { .. });
@@ -233,9 +241,11 @@ impl Model {
             way.join(", ")
         );
         let free = match by {
-            HeldBy::Contact(contact) => format!("let something give way where `{contact}` rolls"),
-            HeldBy::Connection => "name under [reactions] all forces and torques that hold these bodies".to_owned(),
-            HeldBy::Joint(joint) => format!(
+            RedundantConnection::Contact(contact) => format!("let something give way where `{contact}` rolls"),
+            RedundantConnection::Connection => {
+                "name under [reactions] all forces and torques that hold these bodies".to_owned()
+            }
+            RedundantConnection::Joint(joint) => format!(
                 "let the joint `{joint}`, or another of the loop, leave that motion free (a ball or a cylinder instead of a pin)"
             ),
         };
@@ -257,18 +267,18 @@ impl Model {
     fn any_pose(&self, repeated: &[Reaction]) -> Option<Pose> {
         (0..MOST_POSES).find_map(|at| {
             let first = at * (self.coordinates.len() + self.parameters.len());
-            self.pose(repeated, (first..).take(self.coordinates.len()).map(scattered).collect(), first)
+            self.pose(repeated, (first..).take(self.coordinates.len()).map(quasi_random).collect(), first)
         })
     }
 
     /// Evaluates frames, points and reactions in a pose. Parameters without a default value get
     /// quasi-random values, from index `first` on. `None` if a value does not exist.
     fn pose(&self, repeated: &[Reaction], pose: Vec<f64>, first: usize) -> Option<Pose> {
-        let mut known = defaults(&self.parameters);
+        let mut known = default_parameter_values(&self.parameters);
         if self.branch.is_none() {
             let open = self.parameters.iter().map(|p| p.symbol).filter(|symbol| known.iter().all(|(s, _)| s != symbol));
             let open: Vec<Expr> = open.collect();
-            let drawn = (first + self.coordinates.len()..).map(|at| 1.0 + scattered(at));
+            let drawn = (first + self.coordinates.len()..).map(|at| 1.0 + quasi_random(at));
             known.extend(open.into_iter().zip(drawn));
         }
         known.extend(self.coordinates.iter().map(|c| c.symbol).zip(pose));
@@ -277,7 +287,7 @@ impl Model {
         let mut wanted = Vec::new();
         for frame in 0..self.frames.len() {
             for axis in 0..3 {
-                wanted.extend(frames.express(&mut arena, &Vector::in_frame(frame, unit(axis)), 0));
+                wanted.extend(frames.express(&mut arena, &Vector::in_frame(frame, unit_vector(axis)), 0));
             }
         }
         for point in 0..self.points.len() {
@@ -296,7 +306,7 @@ impl Model {
             let power = frames.dot(&mut arena, &direction, &velocity);
             wanted.extend(self.slopes(&mut arena, &mut along, power));
         }
-        let values = values_at(&arena, &known, &wanted)?;
+        let values = values_of_terms_at(&arena, &known, &wanted)?;
         if !values.iter().all(|value| value.is_finite()) {
             return None;
         }
@@ -328,12 +338,12 @@ impl Model {
 
     /// Work of a reaction of size 1 along each q̇. Then follow the forces and moments that it transmits
     /// to contacts without own reactions (`Contacts::idle`), which must be zero.
-    fn effect(&self, pose: &Pose, at: usize, reaction: &Reaction, resting: &[BodyPair]) -> DVector<f64> {
+    fn reaction_effect(&self, pose: &Pose, at: usize, reaction: &Reaction, resting: &[BodyPair]) -> DVector<f64> {
         let (direction, work) = &pose.acting[at];
         let mut on_bodies = vec![Wrench::ZERO; self.bodies.len()];
-        put_on(&mut on_bodies, reaction, wrench_of(pose, reaction, *direction));
+        add_reaction_wrench(&mut on_bodies, reaction, wrench_of(pose, reaction, *direction));
         let mut all: Vec<f64> = work.iter().copied().collect();
-        for (pair, wrench) in handed_on(&mut on_bodies, resting) {
+        for (pair, wrench) in transmitted_wrenches(&mut on_bodies, resting) {
             if self.contacts.idle.contains(&pair.body) {
                 all.extend(wrench.force.iter().chain(wrench.moment.iter()));
             }
@@ -351,7 +361,7 @@ impl Model {
         resting: &[BodyPair],
     ) -> Option<SelfStress> {
         let all = self.reactions.len();
-        let effect = |at: usize, reaction: &Reaction| self.effect(pose, at, reaction, resting);
+        let effect = |at: usize, reaction: &Reaction| self.reaction_effect(pose, at, reaction, resting);
         let work = &effect(redundant, its_reaction);
         let columns: Vec<DVector<f64>> = self.reactions.iter().enumerate().map(|(at, r)| effect(at, r)).collect();
         let matrix = DMatrix::from_fn(work.len(), all, |row, column| columns[column][row]);
@@ -374,10 +384,10 @@ impl Model {
         let places = (0..all).chain([redundant]);
         for ((reaction, place), size) in reactions.zip(places).zip(sizes.iter()) {
             let wrench = wrench_of(pose, reaction, pose.acting[place].0 * *size);
-            put_on(&mut on_bodies, reaction, wrench);
-            add_between(&mut between, sides(reaction.kind), wrench);
+            add_reaction_wrench(&mut on_bodies, reaction, wrench);
+            add_between(&mut between, reaction_pair(reaction.kind), wrench);
         }
-        for (pair, Wrench { force, moment }) in handed_on(&mut on_bodies, resting) {
+        for (pair, Wrench { force, moment }) in transmitted_wrenches(&mut on_bodies, resting) {
             add_between(&mut between, pair, Wrench { force: -force, moment: -moment });
         }
         let reach = pose.points.iter().map(Vector3::norm).fold(0.0, f64::max);
@@ -421,22 +431,22 @@ impl SelfStress {
 }
 
 /// Adds the wrench of a reaction to one body and its opposite to the other.
-fn put_on(on_bodies: &mut [Wrench], reaction: &Reaction, wrench: Wrench) {
-    let BodyPair { body, against } = sides(reaction.kind);
-    add(&mut on_bodies[body], wrench, 1.0);
+fn add_reaction_wrench(on_bodies: &mut [Wrench], reaction: &Reaction, wrench: Wrench) {
+    let BodyPair { body, against } = reaction_pair(reaction.kind);
+    add_wrench(&mut on_bodies[body], wrench, 1.0);
     if let Some(other) = against {
-        add(&mut on_bodies[other], wrench, -1.0);
+        add_wrench(&mut on_bodies[other], wrench, -1.0);
     }
 }
 
 /// Wrench that each body transmits to its support, outermost bodies first, given the wrenches that
 /// act on the bodies.
-fn handed_on(on_bodies: &mut [Wrench], resting: &[BodyPair]) -> Vec<(BodyPair, Wrench)> {
+fn transmitted_wrenches(on_bodies: &mut [Wrench], resting: &[BodyPair]) -> Vec<(BodyPair, Wrench)> {
     let mut list = Vec::with_capacity(resting.len());
     for pair in resting {
         let wrench = on_bodies[pair.body];
         if let Some(holder) = pair.against {
-            add(&mut on_bodies[holder], wrench, 1.0);
+            add_wrench(&mut on_bodies[holder], wrench, 1.0);
         }
         list.push((*pair, wrench));
     }
@@ -446,13 +456,13 @@ fn handed_on(on_bodies: &mut [Wrench], resting: &[BodyPair]) -> Vec<(BodyPair, W
 /// Adds the wrench between two bodies to the sum for their pair.
 fn add_between(list: &mut Vec<(BodyPair, Wrench)>, pair: BodyPair, wrench: Wrench) {
     match list.iter_mut().find(|(known, _)| *known == pair || Some(*known) == pair.reversed()) {
-        Some((known, sum)) => add(sum, wrench, if *known == pair { 1.0 } else { -1.0 }),
+        Some((known, sum)) => add_wrench(sum, wrench, if *known == pair { 1.0 } else { -1.0 }),
         None => list.push((pair, wrench)),
     }
 }
 
 /// Adds `sign` times a wrench to a sum.
-fn add(sum: &mut Wrench, wrench: Wrench, sign: f64) {
+fn add_wrench(sum: &mut Wrench, wrench: Wrench, sign: f64) {
     sum.force += wrench.force * sign;
     sum.moment += wrench.moment * sign;
 }
@@ -466,14 +476,14 @@ fn wrench_of(pose: &Pose, reaction: &Reaction, vector: Vector3<f64>) -> Wrench {
 }
 
 /// Unit vector of the axis 0, 1 or 2, as terms.
-fn unit(axis: usize) -> [Expr; 3] {
+fn unit_vector(axis: usize) -> [Expr; 3] {
     let mut unit = [Expr::ZERO; 3];
     unit[axis] = Expr::ONE;
     unit
 }
 
 /// Quasi-random number between 0 and 1: the fractional part of a multiple of the golden ratio.
-fn scattered(at: usize) -> f64 {
+fn quasi_random(at: usize) -> f64 {
     (0.618_033_988_749_895 * (at + 1) as f64).fract()
 }
 

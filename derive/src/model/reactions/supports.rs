@@ -12,14 +12,14 @@
 //! in such equations. An equation that relates two bodies and compares none, such as a rope over a
 //! pulley, does not make them touch.
 
-use super::relative_motion::{BodyPair, Holder, Relative, sides};
+use super::relative_motion::{BodyPair, Holder, RelativeMotion, reaction_pair};
 use crate::algebra::text::parse::VelocityOf;
-use crate::model::{Compared, MotionConstraintKind, Placement, Rolled};
+use crate::model::{ComparedBodies, MotionConstraintKind, Placement, SlipComponent};
 use std::cmp::{Ordering, Reverse};
 
 /// Reason why a body may rest on another, from the strongest to the weakest.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
-pub enum Reason {
+pub enum SupportReason {
     /// A joint of the model file places the body on the other.
     Joint,
     /// The model file states a contact of the two bodies.
@@ -40,7 +40,7 @@ pub struct Support {
     /// Index of the body on which the supported body rests; `None` for the ground.
     pub holder: Holder,
     /// Reason why the body rests on this support.
-    pub reason: Reason,
+    pub reason: SupportReason,
 }
 
 impl Support {
@@ -50,13 +50,13 @@ impl Support {
     }
 }
 
-impl Relative<'_> {
+impl RelativeMotion<'_> {
     /// Finds the support of each body, outermost bodies first: a body comes after all bodies that rest
     /// on it.
     pub fn supports(&self) -> Vec<Support> {
         let count = self.model.bodies.len();
-        let free = self.freedoms();
-        let touches = self.touches(&free);
+        let free = self.degrees_of_freedom();
+        let touches = self.touching_pairs(&free);
         let mut order: Vec<usize> = (0..count).collect();
         order.sort_by_key(|body| (free[*body], *body));
         let mut found: Vec<Support> = Vec::with_capacity(count);
@@ -75,7 +75,7 @@ impl Relative<'_> {
     }
 
     /// Each body with the body or ground on which it rests, in the order of [`Self::supports`].
-    pub fn resting(&self) -> Vec<BodyPair> {
+    pub fn supported_pairs(&self) -> Vec<BodyPair> {
         self.supports().iter().map(Support::pair).collect()
     }
 
@@ -83,18 +83,18 @@ impl Relative<'_> {
     /// bodies; `found` are the supports found so far.
     fn support(&self, body: usize, free: &[usize], touches: &[BodyPair], found: &[Support]) -> Support {
         if let Some(carried) = self.model.carried.iter().find(|carried| carried.body == body) {
-            return Support { body, holder: carried.on, reason: Reason::Joint };
+            return Support { body, holder: carried.on, reason: SupportReason::Joint };
         }
         let reason = |holder: Holder| {
             let touch = |body: usize, against: Holder| touches.contains(&BodyPair { body, against });
             let is_stated = touch(body, holder);
             let is_behind = |other: usize| free[other] < free[body] && touch(other, Some(body));
             match holder {
-                _ if is_stated => Reason::Touch,
-                Some(other) if is_behind(other) => Reason::Touch,
-                Some(other) if self.is_placed_on(body, other) => Reason::Placed,
-                Some(_) => Reason::Least,
-                None => Reason::Ground,
+                _ if is_stated => SupportReason::Touch,
+                Some(other) if is_behind(other) => SupportReason::Touch,
+                Some(other) if self.is_placed_on(body, other) => SupportReason::Placed,
+                Some(_) => SupportReason::Least,
+                None => SupportReason::Ground,
             }
         };
         let candidates = (0..free.len()).filter(|other| *other != body && !rests_on(found, *other, body));
@@ -104,42 +104,43 @@ impl Relative<'_> {
         let supports = supports.filter(|(holder, reason)| {
             holder.is_none_or(|other| {
                 let is_before = (free[other], other) < (free[body], body);
-                is_before || *reason < Reason::Ground && free[other] <= free[body]
+                is_before || *reason < SupportReason::Ground && free[other] <= free[body]
             })
         });
         let least = supports.min_by_key(|(holder, reason)| {
             (self.freedom(body, *holder), *reason, holder.map_or(0, |other| free[other]))
         });
-        let (holder, reason) = least.unwrap_or((None, Reason::Ground));
+        let (holder, reason) = least.unwrap_or((None, SupportReason::Ground));
         Support { body, holder, reason }
     }
 
     /// Number of degrees of freedom of each body relative to the ground.
-    pub fn freedoms(&self) -> Vec<usize> {
+    pub fn degrees_of_freedom(&self) -> Vec<usize> {
         (0..self.model.bodies.len()).map(|body| self.freedom(body, None)).collect()
     }
 
     /// Pairs of bodies that the model file states to touch: a body, and the body or ground on which it
     /// rests. `free` are the degrees of freedom of all bodies.
-    pub fn touches(&self, free: &[usize]) -> Vec<BodyPair> {
+    pub fn touching_pairs(&self, free: &[usize]) -> Vec<BodyPair> {
         let model = self.model;
         let rolled = model.motion_constraints.iter().filter_map(|constraint| match constraint.kind {
             MotionConstraintKind::Rolling(rolled) => Some(rolled),
             _ => None,
         });
         let rolled = rolled.chain(model.repeated.iter().filter_map(|repeated| repeated.rolled));
-        let mut list: Vec<BodyPair> = rolled.map(|Rolled { body, against, .. }| BodyPair { body, against }).collect();
-        list.extend(model.stated_reactions().iter().map(|reaction| sides(reaction.kind)));
+        let mut list: Vec<BodyPair> =
+            rolled.map(|SlipComponent { body, against, .. }| BodyPair { body, against }).collect();
+        list.extend(model.stated_reactions().iter().map(|reaction| reaction_pair(reaction.kind)));
         // Friction against the ground may be air resistance, which is no contact.
         let rubbing = model.contacts.rubbing.iter().filter(|(_, against)| against.is_some());
         list.extend(rubbing.map(|(body, against)| BodyPair { body: *body, against: *against }));
-        list.extend(self.compared(free, &list));
+        list.extend(self.compared_pairs(free, &list));
         list
     }
 
     /// Pairs of bodies that a constraint compares, the resting body first. `stated` are the pairs that
     /// touch otherwise.
-    fn compared(&self, free: &[usize], stated: &[BodyPair]) -> Vec<BodyPair> {
+    fn compared_pairs(&self, free: &[usize], stated: &[BodyPair]) -> Vec<BodyPair> {
         let constraints = &self.model.contacts.compared;
         let tied: Vec<(Vec<usize>, bool)> =
             constraints.iter().map(|compared| (self.bodies_of(compared), compared.is_difference)).collect();
@@ -154,7 +155,7 @@ impl Relative<'_> {
         let mut held: Vec<usize> = alone.filter(|body| is_apart(*body)).collect();
         let touches = stated.iter().filter(|pair| !pair.against.is_some_and(|other| is_pair(pair.body, other)));
         held.extend(touches.map(|pair| pair.body));
-        let steps = self.steps(free, &pairs, &held);
+        let steps = self.distances_from_held(free, &pairs, &held);
         let supports = |[one, other]: [usize; 2]| match (free[one], steps[one]).cmp(&(free[other], steps[other])) {
             Ordering::Greater => Some(BodyPair { body: one, against: Some(other) }),
             Ordering::Less => Some(BodyPair { body: other, against: Some(one) }),
@@ -166,7 +167,7 @@ impl Relative<'_> {
     /// Number of `pairs` between each body and the nearest body that is `held`, or that no constraint
     /// moves; `None` for a body in no pair. In a group without such a body, the body with the least
     /// freedom counts as held; the first among equals.
-    fn steps(&self, free: &[usize], pairs: &[[usize; 2]], held: &[usize]) -> Vec<Option<usize>> {
+    fn distances_from_held(&self, free: &[usize], pairs: &[[usize; 2]], held: &[usize]) -> Vec<Option<usize>> {
         let is_moved = |body: usize| self.model.contacts.compared.iter().any(|compared| compared.moved.contains(&body));
         let mut steps = vec![None; free.len()];
         let mut left: Vec<usize> = pairs.as_flattened().to_vec();
@@ -187,10 +188,10 @@ impl Relative<'_> {
 
     /// Bodies whose velocities or positions a constraint names. Bodies whose own coordinates it
     /// contains are added if it names none, or if it compares bodies.
-    fn bodies_of(&self, compared: &Compared) -> Vec<usize> {
+    fn bodies_of(&self, compared: &ComparedBodies) -> Vec<usize> {
         let named = compared.named.iter().filter_map(|of| match of {
             VelocityOf::Material(body, _) => Some(*body),
-            VelocityOf::Point(point) | VelocityOf::Place(point) => self.owner(*point),
+            VelocityOf::Point(point) | VelocityOf::Place(point) => self.body_of_point(*point),
             VelocityOf::Turning(_) => None,
         });
         let mut bodies: Vec<usize> = Vec::new();
@@ -205,12 +206,12 @@ impl Relative<'_> {
 
     /// Only body to which a point belongs: as its mass centre, otherwise in its material. `None` if
     /// there is no such body or more than one.
-    pub fn owner(&self, point: usize) -> Option<usize> {
+    pub fn body_of_point(&self, point: usize) -> Option<usize> {
         let bodies = &self.model.bodies;
         if let Some(body) = bodies.iter().position(|body| body.centre == point) {
             return Some(body);
         }
-        let mut owners = (0..bodies.len()).filter(|body| self.has(*body, point));
+        let mut owners = (0..bodies.len()).filter(|body| self.has_material_point(*body, point));
         owners.next().filter(|_| owners.next().is_none())
     }
 
@@ -223,12 +224,12 @@ impl Relative<'_> {
         let mut at = model.bodies[body].centre;
         while let Some(Placement { parent, frame, .. }) = model.points[at].position {
             frames.push(frame);
-            if parent != 0 && !self.has(body, parent) {
-                if self.has(other, parent) {
+            if parent != 0 && !self.has_material_point(body, parent) {
+                if self.has_material_point(other, parent) {
                     return true;
                 }
                 // If a third body is in between, that body is placed on the other body.
-                if (0..model.bodies.len()).any(|third| self.has(third, parent)) {
+                if (0..model.bodies.len()).any(|third| self.has_material_point(third, parent)) {
                     break;
                 }
             }

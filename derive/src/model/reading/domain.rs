@@ -1,28 +1,28 @@
 //! Domain in which a model holds, as the section `[domain]` of a model file states it.
 
-use super::names::{ANYTHING, Kind};
-use super::reader::Loading;
-use crate::model::Condition;
-use crate::model::reactions::interactions::AskedReaction;
-use crate::plain::one_line;
+use super::declared_names::{ANYTHING, NameKind};
+use super::model_reader::Loading;
+use crate::model::DomainCondition;
+use crate::model::reactions::interactions::NamedReaction;
+use crate::plain_text::one_line;
 use toml::de::DeTable;
 
 impl<'a> Loading<'a> {
     /// Reads the section `[domain]` of a model file: strict inequalities by name. Errors are recorded in the reader.
-    pub fn domain(&mut self, table: &'a DeTable<'a>) -> Vec<Condition> {
+    pub fn domain(&mut self, table: &'a DeTable<'a>) -> Vec<DomainCondition> {
         let mut domain = Vec::new();
         for (name, value) in self.section(table, "domain", &[]) {
-            self.names.declare(&mut self.reader, &name, Kind::Condition, None);
+            self.names.declare(&mut self.reader, &name, NameKind::Condition, None);
             let Some(text) = self.reader.string(value, "a condition") else { continue };
             let help = "write a strict inequality, such as \"abs(q2) < pi/2\" or \"N > 0\"";
-            let Some((left, (sign, right))) = self.split(&text, &["<", ">"], help) else { continue };
+            let Some((left, (sign, right))) = self.split_relation(&text, &["<", ">"], help) else { continue };
             let what = "a condition of the domain";
             let left = self.formula(&left, ANYTHING, what);
             let right = self.formula(&right, ANYTHING, what);
             let (Some(left), Some(right)) = (left, right) else { continue };
-            let asked = self.names.reactions.iter().map(AskedReaction::symbol);
+            let asked = self.names.reactions.iter().map(NamedReaction::symbol);
             self.units.extend(asked);
-            if !self.comparable(left, right, &text.span) {
+            if !self.have_same_unit(left, right, &text.span) {
                 continue;
             }
             let positive = if sign == "<" { self.arena.sub(right, left) } else { self.arena.sub(left, right) };
@@ -32,7 +32,7 @@ impl<'a> Loading<'a> {
                 self.reader.error(text.span, message, "state where the model holds, or remove the condition");
                 continue;
             }
-            domain.push(Condition { name: name.text, text: one_line(&text.text), positive });
+            domain.push(DomainCondition { name: name.text, text: one_line(&text.text), positive });
         }
         domain
     }

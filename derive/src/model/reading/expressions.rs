@@ -1,26 +1,27 @@
 //! Named expressions of a model file: formulas with a name, which may occur wherever the quantities
 //! in them may occur.
 
-use super::names::{Allowed, Kind};
-use super::reader::Loading;
+use super::declared_names::{AllowedQuantities, NameKind};
+use super::model_reader::Loading;
 use crate::algebra::Expr;
 use std::ops::Range;
 use toml::de::{DeTable, DeValue};
 
 /// Kinds of quantities that a named expression may contain.
-const PARTS: Allowed = Allowed(&[Kind::Parameter, Kind::Coordinate, Kind::Rate, Kind::Speed]);
+const PARTS: AllowedQuantities =
+    AllowedQuantities(&[NameKind::Parameter, NameKind::Coordinate, NameKind::Rate, NameKind::Speed]);
 
 impl<'a> Loading<'a> {
     /// Reads `[expressions]` in the order of the file; each expression may contain earlier ones by
     /// name. Returns the terms with the byte ranges of their formulas. Errors are recorded in the reader.
     pub fn expressions(&mut self, table: &'a DeTable<'a>) -> Vec<(Expr, Range<usize>)> {
         let mut list = Vec::new();
-        for (name, value) in self.section(table, "expressions", &[Kind::Expression]) {
+        for (name, value) in self.section(table, "expressions", &[NameKind::Expression]) {
             let value = match value.get_ref() {
                 DeValue::Table(entry) => {
-                    self.reader.allow(entry, "an expression", &["value", "about"]);
+                    self.reader.report_unknown_keys(entry, "an expression", &["value", "about"]);
                     self.about(entry);
-                    self.reader.need(entry, "value", &format!("expression `{}`", name.text), &name.span)
+                    self.reader.required(entry, "value", &format!("expression `{}`", name.text), &name.span)
                 }
                 _ => Some(value),
             };
@@ -28,7 +29,7 @@ impl<'a> Loading<'a> {
             let formula = value.and_then(|value| self.reader.formula(value, what));
             let e = formula.as_ref().and_then(|formula| self.formula(formula, PARTS, what));
             let (Some(formula), Some(e)) = (formula, e) else {
-                self.names.spoil(&name.text);
+                self.names.mark_wrong_name(&name.text);
                 continue;
             };
             let parts = self.arena.reachable(&[e]);

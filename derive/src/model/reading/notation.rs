@@ -1,19 +1,27 @@
 //! Notation of a model file: the symbols by which documents show names.
 
-use super::names::Kind;
-use super::reader::Loading;
+use super::declared_names::NameKind;
+use super::model_reader::Loading;
 use crate::algebra::text::print::name_parts;
-use crate::diagnostic::{nearest, shown};
+use crate::diagnostic::{nearest_name_advice, shortened_for_message};
 use crate::model::Model;
-use crate::read::Located;
+use crate::toml_reader::Located;
 use toml::de::DeTable;
 
 /// Kinds of names that documents show as symbols.
-const SHOWN: [Kind; 8] =
-    [Kind::Parameter, Kind::Coordinate, Kind::Speed, Kind::Input, Kind::Reaction, Kind::Frame, Kind::Point, Kind::Body];
+const SHOWN: [NameKind; 8] = [
+    NameKind::Parameter,
+    NameKind::Coordinate,
+    NameKind::Speed,
+    NameKind::Input,
+    NameKind::Reaction,
+    NameKind::Frame,
+    NameKind::Point,
+    NameKind::Body,
+];
 
 /// Kinds of names that have no time derivative, and so no dots.
-const PLACES: [Kind; 3] = [Kind::Frame, Kind::Point, Kind::Body];
+const PLACES: [NameKind; 3] = [NameKind::Frame, NameKind::Point, NameKind::Body];
 
 /// Letters that documents use for energies.
 const ENERGIES: [&str; 2] = ["T", "V"];
@@ -30,19 +38,29 @@ impl<'a> Loading<'a> {
     pub fn notation(&mut self, table: &'a DeTable<'a>, model: &mut Model) {
         let mut list: Vec<(String, Located)> = Vec::new();
         for (name, value) in self.section(table, "notation", &[]) {
-            let Some(symbol) = self.reader.string(value, &format!("the symbol of `{}`", shown(&name.text))) else {
+            let Some(symbol) =
+                self.reader.string(value, &format!("the symbol of `{}`", shortened_for_message(&name.text)))
+            else {
                 continue;
             };
             let kind = self.names.kind(&name.text).filter(|kind| SHOWN.contains(kind));
             let is_place = kind.is_some_and(|kind| PLACES.contains(&kind));
             if kind.is_none() {
-                let help = nearest(&name.text, self.names.of_kind(&SHOWN));
-                self.reader.error(name.span, format!("no symbol is named `{}`", shown(&name.text)), help);
+                let help = nearest_name_advice(&name.text, self.names.names_of_kind(&SHOWN));
+                self.reader.error(
+                    name.span,
+                    format!("no symbol is named `{}`", shortened_for_message(&name.text)),
+                    help,
+                );
             } else if is_symbol(&symbol.text) && !(is_place && symbol.text.ends_with('\'')) {
                 list.push((name.text, symbol));
             } else {
                 let help = "write a letter or the name of a Greek letter, `_` with a subscript, and `'` for each dot, as in \"omega_1\" or \"psi'\"";
-                self.reader.error(symbol.span.clone(), format!("`{}` is no symbol", shown(&symbol.text)), help);
+                self.reader.error(
+                    symbol.span.clone(),
+                    format!("`{}` is no symbol", shortened_for_message(&symbol.text)),
+                    help,
+                );
             }
         }
         for (name, symbol) in &list {
@@ -51,10 +69,10 @@ impl<'a> Loading<'a> {
             model.arena.symbol(&symbol.text);
         }
         for (name, symbol) in &list {
-            if let Some(other) = other_with(model, name, &symbol.text, &list) {
+            if let Some(other) = name_with_same_symbol(model, name, &symbol.text, &list) {
                 let message = format!("`{name}` and `{other}` would both be shown as `{}`", symbol.text);
                 self.reader.error(symbol.span.clone(), message, "give each name a symbol of its own");
-            } else if has_meaning(&symbol.text) {
+            } else if is_reserved_symbol(&symbol.text) {
                 let message = format!("documents write `{}` for something else", symbol.text);
                 let help = "T and V are energies; M, f, F, Q and C with numbers are entries of equations";
                 self.reader.error(symbol.span.clone(), message, help);
@@ -74,7 +92,7 @@ fn is_symbol(text: &str) -> bool {
 }
 
 /// True if documents use a symbol for energies or for entries of equations.
-fn has_meaning(symbol: &str) -> bool {
+fn is_reserved_symbol(symbol: &str) -> bool {
     let (letters, subscript, _) = name_parts(symbol);
     let is_number = !subscript.is_empty() && subscript.bytes().all(|b| b.is_ascii_digit());
     ENERGIES.contains(&letters.as_str()) && subscript.is_empty() || NUMBERED.contains(&letters.as_str()) && is_number
@@ -82,7 +100,7 @@ fn has_meaning(symbol: &str) -> bool {
 
 /// Name of another quantity of the model that would look like `symbol` of the quantity `name`, also
 /// with dots. `None` if all look different.
-fn other_with(model: &Model, name: &str, symbol: &str, list: &[(String, Located)]) -> Option<String> {
+fn name_with_same_symbol(model: &Model, name: &str, symbol: &str, list: &[(String, Located)]) -> Option<String> {
     let printed = |name: &str| {
         let stated = list.iter().find(|(stated, _)| stated == name);
         stated.map_or_else(|| name.to_owned(), |(_, symbol)| symbol.text.clone())
@@ -93,7 +111,7 @@ fn other_with(model: &Model, name: &str, symbol: &str, list: &[(String, Located)
     let reactions = model.reactions.iter().map(|r| (&r.name, 0));
     let quantities: Vec<(&String, usize)> = parameters.chain(coordinates).chain(speeds).chain(reactions).collect();
     let Some(dots) = quantities.iter().find(|(other, _)| *other == name).map(|(_, dots)| *dots) else {
-        return other_place(model, name, symbol, &printed);
+        return place_with_same_symbol(model, name, symbol, &printed);
     };
     // A generalized speed that equals a coordinate's rate may look like it.
     let is_rate = |speed: &str, of: &str| {
@@ -115,7 +133,7 @@ fn other_with(model: &Model, name: &str, symbol: &str, list: &[(String, Located)
 
 /// Name of another frame, point or body that would look like `symbol` of the frame, point or body
 /// `name`. Case is ignored, since basis vectors have small letters. `None` if all look different.
-fn other_place(model: &Model, name: &str, symbol: &str, printed: &dyn Fn(&str) -> String) -> Option<String> {
+fn place_with_same_symbol(model: &Model, name: &str, symbol: &str, printed: &dyn Fn(&str) -> String) -> Option<String> {
     let frames: Vec<&String> = model.frames.iter().map(|frame| &frame.name).collect();
     let points: Vec<&String> = model.points.iter().map(|point| &point.name).collect();
     let bodies: Vec<&String> = model.bodies.iter().map(|body| &body.name).collect();

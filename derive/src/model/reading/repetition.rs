@@ -13,8 +13,8 @@
 
 use crate::algebra::text::parse::parse;
 use crate::algebra::{Arena, Rational};
-use crate::diagnostic::shown;
-use crate::read::Reader;
+use crate::diagnostic::shortened_for_message;
+use crate::toml_reader::TomlReader;
 use std::borrow::Cow;
 use std::ops::Range;
 use toml::Spanned;
@@ -31,11 +31,11 @@ type Numbers = Vec<(String, i64)>;
 
 /// Tables of a model file with every repetition expanded; `None` if the file repeats nothing.
 /// Errors are recorded in the reader.
-pub fn written_out<'a>(reader: &mut Reader<'_>, table: &DeTable<'a>) -> Option<DeTable<'a>> {
+pub fn expand_repetition<'a>(reader: &mut TomlReader<'_>, table: &DeTable<'a>) -> Option<DeTable<'a>> {
     if !table.contains_key("counts") && !has_ranges(table) {
         return None;
     }
-    let mut repeating = Repeating { reader, arena: Arena::new(), entries: 0 };
+    let mut repeating = RepetitionExpander { reader, arena: Arena::new(), entries: 0 };
     let mut counts = Numbers::new();
     if let Some(stated) = table.get("counts") {
         repeating.counts(stated, &mut counts);
@@ -43,7 +43,7 @@ pub fn written_out<'a>(reader: &mut Reader<'_>, table: &DeTable<'a>) -> Option<D
     let mut whole = DeTable::new();
     for (key, value) in table {
         if key.get_ref() != "counts" {
-            let value = repeating.value(value, &counts, TextKind::of(key.get_ref()));
+            let value = repeating.expand_value(value, &counts, TextKind::of(key.get_ref()));
             whole.insert(key.clone(), value);
         }
     }
@@ -56,9 +56,9 @@ fn has_ranges(table: &DeTable<'_>) -> bool {
 }
 
 /// State of the expansion of repeated entries.
-struct Repeating<'r, 'a> {
+struct RepetitionExpander<'r, 'a> {
     /// Reader of the file, which collects the errors.
-    reader: &'r mut Reader<'a>,
+    reader: &'r mut TomlReader<'a>,
     /// Arena for the formulas of indices.
     arena: Arena,
     /// Number of entries expanded so far.
@@ -81,7 +81,7 @@ impl TextKind {
     }
 }
 
-impl Repeating<'_, '_> {
+impl RepetitionExpander<'_, '_> {
     /// Reads `[counts]`: whole numbers by name. Wrong values are reported.
     fn counts(&mut self, stated: &Spanned<DeValue<'_>>, counts: &mut Numbers) {
         let DeValue::Table(table) = stated.get_ref() else {
@@ -95,7 +95,10 @@ impl Repeating<'_, '_> {
             match number.filter(|n| n.abs() <= 1_000_000) {
                 Some(number) => counts.push((name.get_ref().to_string(), number)),
                 None => {
-                    let message = format!("the count `{}` is not a whole number up to 1000000", shown(name.get_ref()));
+                    let message = format!(
+                        "the count `{}` is not a whole number up to 1000000",
+                        shortened_for_message(name.get_ref())
+                    );
                     self.reader.error(value.span(), message, "write n = 10");
                 }
             }
@@ -104,36 +107,43 @@ impl Repeating<'_, '_> {
 
     /// Copy of a value in which numbers replace the formulas in braces. In prose, braces without a
     /// number stay.
-    fn value<'a>(&mut self, value: &Spanned<DeValue<'a>>, numbers: &Numbers, kind: TextKind) -> Spanned<DeValue<'a>> {
+    fn expand_value<'a>(
+        &mut self,
+        value: &Spanned<DeValue<'a>>,
+        numbers: &Numbers,
+        kind: TextKind,
+    ) -> Spanned<DeValue<'a>> {
         let span = value.span();
         let new = match value.get_ref() {
             DeValue::String(text) if text.contains('{') && kind == TextKind::Formula => {
-                DeValue::String(Cow::Owned(self.put(text, numbers, &span)))
+                DeValue::String(Cow::Owned(self.expand_text(text, numbers, &span)))
             }
-            DeValue::String(text) if text.contains('{') => DeValue::String(Cow::Owned(self.prose(text, numbers))),
+            DeValue::String(text) if text.contains('{') => {
+                DeValue::String(Cow::Owned(self.expand_prose(text, numbers)))
+            }
             DeValue::Array(list) => {
                 let mut array = toml::de::DeArray::new();
                 for item in list {
-                    array.push(self.value(item, numbers, kind));
+                    array.push(self.expand_value(item, numbers, kind));
                 }
                 DeValue::Array(array)
             }
-            DeValue::Table(table) => DeValue::Table(self.table(table, numbers)),
+            DeValue::Table(table) => DeValue::Table(self.expand_table(table, numbers)),
             other => other.clone(),
         };
         Spanned::new(span, new)
     }
 
     /// Copy of a table with its repeated entries expanded, and with numbers for the formulas in braces.
-    fn table<'a>(&mut self, table: &DeTable<'a>, numbers: &Numbers) -> DeTable<'a> {
+    fn expand_table<'a>(&mut self, table: &DeTable<'a>, numbers: &Numbers) -> DeTable<'a> {
         let mut result = DeTable::new();
         for (key, value) in table {
             if !key.get_ref().contains('{') {
-                result.insert(key.clone(), self.value(value, numbers, TextKind::of(key.get_ref())));
+                result.insert(key.clone(), self.expand_value(value, numbers, TextKind::of(key.get_ref())));
                 continue;
             }
             let span = key.span();
-            for (name, numbers) in self.keys(key.get_ref(), numbers, &span) {
+            for (name, numbers) in self.expand_key(key.get_ref(), numbers, &span) {
                 self.entries += 1;
                 if self.entries == MAX_REPEATED + 1 {
                     let message = format!("more than {MAX_REPEATED} entries are repeated");
@@ -142,9 +152,9 @@ impl Repeating<'_, '_> {
                 if self.entries > MAX_REPEATED {
                     return result;
                 }
-                let value = self.value(value, &numbers, TextKind::Formula);
+                let value = self.expand_value(value, &numbers, TextKind::Formula);
                 if result.insert(Spanned::new(span.clone(), Cow::Owned(name.clone())), value).is_some() {
-                    let message = format!("`{}` is stated twice by repeated entries", shown(&name));
+                    let message = format!("`{}` is stated twice by repeated entries", shortened_for_message(&name));
                     self.reader.error(span.clone(), message, "name the index of the range in the key");
                 }
             }
@@ -154,7 +164,7 @@ impl Repeating<'_, '_> {
 
     /// Names into which a key with ranges expands, each with the numbers that include its indices.
     /// Empty after an error is reported.
-    fn keys(&mut self, key: &str, numbers: &Numbers, span: &Range<usize>) -> Vec<(String, Numbers)> {
+    fn expand_key(&mut self, key: &str, numbers: &Numbers, span: &Range<usize>) -> Vec<(String, Numbers)> {
         let mut open = vec![(String::new(), numbers.clone())];
         let mut rest = key;
         while let Some((before, after)) = rest.split_once('{') {
@@ -175,7 +185,7 @@ impl Repeating<'_, '_> {
                 let is_name =
                     index.starts_with(|c: char| c.is_ascii_alphabetic()) && index.chars().all(char::is_alphanumeric);
                 if !is_name || numbers.iter().any(|(name, _)| name == index) {
-                    let message = format!("`{}` cannot be the index of a range", shown(index));
+                    let message = format!("`{}` cannot be the index of a range", shortened_for_message(index));
                     self.reader.error(span.clone(), message, "choose another name for it, such as i");
                     return Vec::new();
                 }
@@ -201,7 +211,7 @@ impl Repeating<'_, '_> {
 
     /// Replaces the formulas in braces in a text by numbers. Reports formulas that give no whole
     /// number.
-    fn put(&mut self, text: &str, numbers: &Numbers, span: &Range<usize>) -> String {
+    fn expand_text(&mut self, text: &str, numbers: &Numbers, span: &Range<usize>) -> String {
         let mut result = String::new();
         let mut rest = text;
         while let Some((before, after)) = rest.split_once('{') {
@@ -221,13 +231,14 @@ impl Repeating<'_, '_> {
 
     /// Replaces the formulas in braces in prose by numbers. Braces without a whole number stay
     /// unchanged.
-    fn prose(&mut self, text: &str, numbers: &Numbers) -> String {
+    fn expand_prose(&mut self, text: &str, numbers: &Numbers) -> String {
         let mut result = String::new();
         let mut rest = text;
         while let Some((before, after)) = rest.split_once('{') {
             result += before;
-            let known =
-                after.split_once('}').and_then(|(inside, after)| Some((self.known(inside, numbers).ok()?, after)));
+            let known = after
+                .split_once('}')
+                .and_then(|(inside, after)| Some((self.index_value(inside, numbers).ok()?, after)));
             match known {
                 Some((number, after)) => {
                     result += &number.to_string();
@@ -245,22 +256,22 @@ impl Repeating<'_, '_> {
     /// Whole number that a formula of named numbers gives. `None` after reporting a value that is not
     /// whole.
     fn number(&mut self, formula: &str, numbers: &Numbers, span: &Range<usize>) -> Option<i64> {
-        match self.known(formula, numbers) {
+        match self.index_value(formula, numbers) {
             Ok(number) => Some(number),
             Err(message) => {
                 let help = "write an index as {i} or {i-1}, a range as {i in 1..4}; counts stand under [counts]";
-                self.reader.error(span.clone(), format!("`{{{}}}`: {message}", shown(formula)), help);
+                self.reader.error(span.clone(), format!("`{{{}}}`: {message}", shortened_for_message(formula)), help);
                 None
             }
         }
     }
 
     /// Whole number that a formula of named numbers gives, or a message.
-    fn known(&mut self, formula: &str, numbers: &Numbers) -> Result<i64, String> {
+    fn index_value(&mut self, formula: &str, numbers: &Numbers) -> Result<i64, String> {
         let value = parse(&mut self.arena, formula, &mut |arena, name| {
             let known = numbers.iter().rev().find(|(known, _)| known == name);
             let known = known.map(|(_, number)| arena.number(Rational::integer(*number)));
-            known.ok_or_else(|| (format!("`{}` is no index and no count", shown(name)), None))
+            known.ok_or_else(|| (format!("`{}` is no index and no count", shortened_for_message(name)), None))
         });
         let value = value.map_err(|error| error.message)?;
         let whole = self.arena.as_number(value).filter(|n| n.is_integer()).and_then(Rational::to_i64);

@@ -1,8 +1,8 @@
 //! Tree order of frames and points: parents come before their children.
 
-use super::names::Kind;
-use super::reader::Loading;
-use crate::read::Located;
+use super::declared_names::NameKind;
+use super::model_reader::Loading;
+use crate::toml_reader::Located;
 use rustc_hash::FxHashMap;
 
 /// Frame or point with its parent, by name, before the tree order is known.
@@ -18,11 +18,11 @@ pub struct Node<T> {
 /// Sorts frames or points so that parents come first. Returns each with its parent's index in the
 /// sorted list, in which the root has index 0. Reports unknown parents and cycles, and silently
 /// leaves out descendants of these.
-pub fn in_order<T>(
+pub fn sort_parents_first<T>(
     loading: &mut Loading<'_>,
     nodes: Vec<Node<T>>,
     root: Option<&str>,
-    kind: Kind,
+    kind: NameKind,
 ) -> Vec<(Node<T>, usize)> {
     let mut children: FxHashMap<String, Vec<usize>> = FxHashMap::default();
     let mut left: Vec<Option<Node<T>>> = Vec::new();

@@ -1,6 +1,6 @@
 //! Messages for unknown names where a coordinate or a speed is expected.
 
-use crate::diagnostic::nearest;
+use crate::diagnostic::nearest_name_advice;
 use crate::model::Model;
 
 /// Largest number of speeds that a message lists.
@@ -10,7 +10,7 @@ impl Model {
     /// Message and advice for a name that is neither a coordinate nor a generalized speed. `known` are
     /// the names that are permitted at that place.
     #[must_use]
-    pub fn no_state<'n>(&self, name: &str, known: impl Iterator<Item = &'n str>) -> (String, String) {
+    pub fn unknown_state_name<'n>(&self, name: &str, known: impl Iterator<Item = &'n str>) -> (String, String) {
         if !self.dependent_speeds.iter().any(|speed| speed.name == name) {
             let message = format!("the model has no coordinate or speed `{name}`");
             // Speeds of rotations about several axes are numbered by axis, and do not contain the name of a
@@ -20,9 +20,9 @@ impl Model {
                 Some(coordinate) => format!(
                     "the rate of `{0}` is `{0}'`, and the speeds are {1}",
                     coordinate.name,
-                    self.listed_speeds()
+                    self.speed_names_in_words()
                 ),
-                None => nearest(name, known),
+                None => nearest_name_advice(name, known),
             };
             return (message, help);
         }
@@ -37,7 +37,7 @@ impl Model {
     }
 
     /// Names of the generalized speeds for a message, at most 12.
-    fn listed_speeds(&self) -> String {
+    fn speed_names_in_words(&self) -> String {
         let speeds = self.speeds.iter().take(MOST_LISTED).map(|speed| format!("`{}`", speed.name));
         let more = if self.speeds.len() > MOST_LISTED { " and more" } else { "" };
         format!("{}{more}", speeds.collect::<Vec<_>>().join(", "))

@@ -2,12 +2,12 @@
 //!
 //! Every formula keeps its place in the author's file. All work is limited.
 
-mod displays;
-mod macros;
-mod program;
+mod displayed_equations;
+mod latex_macros;
+mod program_statements;
 mod traced_text;
 
-pub use displays::{Choice, Paper};
-pub use macros::{Macros, without_comments};
-pub use program::{Statement, is_access, is_number, statements};
-pub use traced_text::{Problem, Traced};
+pub use displayed_equations::{LabelChoice, LatexFile};
+pub use latex_macros::{Macros, without_comments};
+pub use program_statements::{Statement, is_access, is_number, statements};
+pub use traced_text::{TracedError, TracedText};

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 /// Text with the place of each of its bytes in the author's file.
 #[derive(Clone, Debug, Default)]
-pub struct Traced {
+pub struct TracedText {
     /// Text assembled from parts of the author's file.
     pub text: String,
     /// Place of each byte of the text in the author's file, as a byte range (start, end).
@@ -13,7 +13,7 @@ pub struct Traced {
 
 /// Error in an author's file, with its place, a message and advice.
 #[derive(Clone, Debug)]
-pub struct Problem {
+pub struct TracedError {
     /// Byte range of the error in the author's file.
     pub place: Range<usize>,
     /// Message that says what is wrong.
@@ -22,7 +22,7 @@ pub struct Problem {
     pub help: String,
 }
 
-impl Problem {
+impl TracedError {
     pub fn new(place: Range<usize>, message: impl Into<String>, help: impl Into<String>) -> Self {
         Self { place, message: message.into(), help: help.into() }
     }
@@ -33,9 +33,9 @@ fn compact(at: usize) -> u32 {
     u32::try_from(at).unwrap_or(u32::MAX)
 }
 
-impl Traced {
+impl TracedText {
     /// Text that begins at byte `start` of the author's file.
-    pub fn at(text: &str, start: usize) -> Self {
+    pub fn text_at_place(text: &str, start: usize) -> Self {
         let places = (start..start + text.len()).map(|at| (compact(at), compact(at + 1))).collect();
         Self { text: text.to_owned(), places }
     }
@@ -46,7 +46,7 @@ impl Traced {
     }
 
     /// Appends a text whose every byte comes from the byte range `place` of the author's file.
-    pub fn push(&mut self, text: &str, place: &Range<usize>) {
+    pub fn push_with_place(&mut self, text: &str, place: &Range<usize>) {
         self.text.push_str(text);
         self.places.extend(std::iter::repeat_n((compact(place.start), compact(place.end)), text.len()));
     }
@@ -58,12 +58,12 @@ impl Traced {
     }
 
     /// Part of the text, given by a byte range, with its places in the author's file.
-    pub fn part(&self, range: Range<usize>) -> Self {
+    pub fn part_with_places(&self, range: Range<usize>) -> Self {
         Self { text: self.text[range.clone()].to_owned(), places: self.places[range].to_vec() }
     }
 
     /// Byte range in the author's file of a part of the text; the nearest byte for an empty part.
-    pub fn place(&self, range: Range<usize>) -> Range<usize> {
+    pub fn place_of_part(&self, range: Range<usize>) -> Range<usize> {
         let last = self.places.len();
         let inside = &self.places[range.start.min(last)..range.end.min(last).max(range.start.min(last))];
         let bounds = inside.iter().copied().reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)));
@@ -80,7 +80,7 @@ impl Traced {
             if !c.is_whitespace() {
                 line.push_part(self, at..at + c.len_utf8());
             } else if !line.text.is_empty() && !line.text.ends_with(' ') {
-                line.push(" ", &self.place(at..at + c.len_utf8()));
+                line.push_with_place(" ", &self.place_of_part(at..at + c.len_utf8()));
             }
         }
         if line.text.ends_with(' ') {

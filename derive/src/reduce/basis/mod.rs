@@ -1,10 +1,10 @@
 //! Basis of reductions: a model's equations with the parameters of a scene, and elimination in
 //! chosen columns.
 
-pub(super) mod frame;
-pub(super) mod hoist;
+pub(super) mod hoisted_constants;
+pub(super) mod moving_frame;
 pub(super) mod pivots;
 pub(super) mod prose;
-pub(super) mod reactions;
+pub(super) mod reaction_balance;
 pub(super) mod reduction_basis;
-pub(super) mod work;
+pub(super) mod search_work;

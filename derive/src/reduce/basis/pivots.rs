@@ -1,14 +1,14 @@
 //! Elimination of rows in chosen columns, with simple pivots first. Unlike in `elimination`, there
 //! are fewer rows than columns, and the divisors are part of the result.
 
-use crate::algebra::form::simplify::{Simplifier, cost};
-use crate::algebra::value::modular::{ZeroTest, zero_test};
+use crate::algebra::form::simplify::{Simplifier, operation_count};
 use crate::algebra::value::range::never_zero;
+use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr};
 
 /// Independent rows in echelon form. The row of pivot (r, c) reads x_c + Σ entry x_j = right, where
 /// no column j belongs to an earlier pivot.
-pub struct Solved {
+pub struct SolvedRows {
     /// Positions (row, column) of the pivots, in the order of elimination.
     pub pivots: Vec<(usize, usize)>,
     /// Matrix rows after elimination, each divided by its pivot.
@@ -30,9 +30,9 @@ pub fn solve_rows(
     mut right: Vec<Vec<Expr>>,
     states: &[Expr],
     columns: &[usize],
-) -> Solved {
+) -> SolvedRows {
     let (mut pivots, mut divisors): (Vec<(usize, usize)>, Vec<Expr>) = (Vec::new(), Vec::new());
-    while let Some((row, column)) = simplest(arena, &rows, &pivots, states, columns) {
+    while let Some((row, column)) = simplest_pivot(arena, &rows, &pivots, states, columns) {
         let pivot = rows[row][column];
         divisors.push(pivot);
         for entry in rows[row].iter_mut().chain(&mut right[row]) {
@@ -54,13 +54,13 @@ pub fn solve_rows(
             }
         }
     }
-    Solved { pivots, rows, right, divisors }
+    SolvedRows { pivots, rows, right, divisors }
 }
 
-impl Solved {
+impl SolvedRows {
     /// Value of the unknown of pivot number `k`: right − Σ entry x, with values `x` for the other
     /// columns. `side` is the index of the right-hand side.
-    pub fn unknown(&self, arena: &mut Arena, k: usize, side: usize, x: &[Expr]) -> Expr {
+    pub fn value_of_pivot_unknown(&self, arena: &mut Arena, k: usize, side: usize, x: &[Expr]) -> Expr {
         let (row, column) = self.pivots[k];
         let others = (0..x.len()).filter(|at| *at != column && self.rows[row][*at] != Expr::ZERO);
         let terms: Vec<Expr> = others.map(|at| arena.mul(self.rows[row][at], x[at])).collect();
@@ -71,7 +71,7 @@ impl Solved {
 
 /// Row and column of the simplest pivot that remains in the given columns; `None` if all remaining
 /// entries are zero.
-fn simplest(
+fn simplest_pivot(
     arena: &Arena,
     rows: &[Vec<Expr>],
     pivots: &[(usize, usize)],
@@ -91,7 +91,7 @@ fn simplest(
         .enumerate()
         .flat_map(|(at, row)| row.iter().enumerate().map(move |(column, e)| (at, column, *e)))
         .filter(|(at, column, e)| *e != Expr::ZERO && free(*at, *column))
-        .map(|(at, column, e)| ((class(e), cost(arena, e)), at, column, e))
+        .map(|(at, column, e)| ((class(e), operation_count(arena, e)), at, column, e))
         .collect();
     places.sort_by_key(|(order, at, column, _)| (*order, *at, *column));
     places.into_iter().find(|(.., e)| zero_test(arena, *e) == ZeroTest::NonZero).map(|(_, at, column, _)| (at, column))

@@ -1,6 +1,6 @@
 //! Text with formulas, as data: plain output prints the formulas, and a page typesets them.
 
-use crate::algebra::text::print::text;
+use crate::algebra::text::print::print_text;
 use crate::algebra::{Arena, Expr};
 
 /// Part of a text with formulas: words, a term or an equation.
@@ -27,7 +27,7 @@ impl Prose {
 
     /// Appends words, a term, an equation or another text, and returns the longer text.
     #[must_use]
-    pub fn then(mut self, more: impl Into<Self>) -> Self {
+    pub fn append_prose(mut self, more: impl Into<Self>) -> Self {
         self.0.extend(more.into().0);
         self
     }
@@ -37,8 +37,8 @@ impl Prose {
     pub fn text(&self, arena: &Arena) -> String {
         let piece = |piece: &Piece| match piece {
             Piece::Words(words) => words.clone(),
-            Piece::Term(e) => text(arena, *e),
-            Piece::Equation(left, right) => format!("{} = {}", text(arena, *left), text(arena, *right)),
+            Piece::Term(e) => print_text(arena, *e),
+            Piece::Equation(left, right) => format!("{} = {}", print_text(arena, *left), print_text(arena, *right)),
         };
         self.0.iter().map(piece).collect()
     }

@@ -1,21 +1,21 @@
 //! Basis from which reductions start: a model's equations, momenta and energy, with parameters of a
 //! scene as numbers.
 
-use super::frame::{Frame, Turn};
-use super::reactions::ForceBalance;
+use super::moving_frame::{FrameSymmetry, PinnedFrame};
+use super::reaction_balance::ForceBalance;
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::meaning::compare::Comparer;
 use crate::algebra::solve::linear::LinearForm;
 use crate::algebra::term::calculus::{Differential, Substitution};
-use crate::algebra::value::modular::{ZeroTest, zero_test};
+use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr, Rational};
-use crate::flow::candidates;
+use crate::flow::symmetry_candidates;
 use crate::mechanics::{
-    Derivations, DeriveError, Equations, Form, Formulation, Kinematics, derive_all_with, is_reducible, motion_rates,
-    rates_to_speeds,
+    Derivations, DeriveError, EquationForm, Equations, Formulation, Kinematics, derive_all_with, is_reducible,
+    motion_rates, rates_to_speeds,
 };
 use crate::model::{Model, Unit};
-use crate::prove::{Basis, Field, Integral, IntegralKind};
+use crate::prove::{Integral, IntegralKind, IntegralSearchBasis, VectorField};
 use crate::scene::Scene;
 
 /// Largest number of coordinates of a model whose first integrals are searched.
@@ -53,7 +53,7 @@ pub struct Momentum {
 
 /// Variable that is replaced by its difference from a multiple of another variable, the pivot.
 #[derive(Clone, Copy, Debug)]
-pub struct Relative {
+pub struct VariableDifference {
     /// Symbol of the variable that is replaced.
     pub variable: Expr,
     /// Symbol of the pivot variable whose multiple is subtracted.
@@ -79,7 +79,7 @@ pub struct ReductionBasis {
     /// Values of the equations' speeds, as terms in the speeds of the model.
     pub u_start: Vec<Expr>,
     /// Variables that were replaced by differences from a multiple of another variable.
-    pub relatives: Vec<Relative>,
+    pub relatives: Vec<VariableDifference>,
     /// Equations by Kane's method, in the current variables.
     pub kane: Equations,
     /// Linear system that determines the reactions, or the reason why there is none.
@@ -94,26 +94,26 @@ pub struct ReductionBasis {
     pub folded: Vec<(String, Rational)>,
     /// Vector fields on the coordinates that may be symmetries, such as translations of the whole
     /// system.
-    pub(in crate::reduce) fields: Vec<Field>,
+    pub(in crate::reduce) fields: Vec<VectorField>,
     /// Symmetries of the equations that leave a scene's wanted quantities unchanged. Empty until a
     /// moving frame is searched.
-    pub turns: Vec<Turn>,
+    pub turns: Vec<FrameSymmetry>,
     /// Descriptions of symmetries that leave every shown quantity unchanged but change a condition of
     /// the model's domain.
     pub kept_by_domain: Vec<String>,
     /// Moving frame in which the equations are written; `None` for the inertial frame.
-    pub frame: Option<Frame>,
+    pub frame: Option<PinnedFrame>,
     /// Data for the search for first integrals; `None` after parameters became numbers, or if there is
     /// no search.
-    search: Option<Search>,
+    search: Option<IntegralSearchData>,
 }
 
 /// Data for the search for first integrals, with units that are lost when numbers replace
 /// parameters.
 #[derive(Clone)]
-struct Search {
+struct IntegralSearchData {
     /// Equations and vector fields from which the search starts.
-    basis: Basis,
+    basis: IntegralSearchBasis,
     /// First moment Σ m r of the whole system along each inertial axis.
     centre: Vec<Expr>,
     /// Units of the three components of `centre`.
@@ -128,15 +128,16 @@ impl ReductionBasis {
     /// # Errors
     /// [`DeriveError`] if Kane's equations cannot be derived.
     pub fn new(model: &Model) -> Result<Self, DeriveError> {
-        let form = if is_reducible(model) { Form::Closed } else { Form::Steps };
+        let form = if is_reducible(model) { EquationForm::Closed } else { EquationForm::Steps };
         let mut derivations = derive_all_with(model, Kinematics::in_form(model, form)?)?;
         let kane = derivations.result(Formulation::Kane)?.clone();
         let balance = derivations.result(Formulation::NewtonEuler).cloned();
         let balance = balance.map(|equations| ForceBalance::new(model, &mut derivations.kinematics, &equations));
         let (search, fields) = match model.coordinates.len() {
-            0..=MOST_COORDINATES => {
-                (Search::new(model, &mut derivations), candidates(model, &mut derivations.kinematics))
-            }
+            0..=MOST_COORDINATES => (
+                IntegralSearchData::new(model, &mut derivations),
+                symmetry_candidates(model, &mut derivations.kinematics),
+            ),
             _ => (None, Vec::new()),
         };
         let Kinematics { arena, simplifier, .. } = derivations.kinematics;
@@ -180,11 +181,11 @@ impl ReductionBasis {
 
     /// Replaces parameters by the numbers of a scene. Parameters that the scene leaves free, and
     /// numbers that are not short and exact, remain symbols.
-    pub(in crate::reduce) fn fold(&mut self, scene: &Scene) {
+    pub(in crate::reduce) fn fix_parameters_of_basis(&mut self, scene: &Scene) {
         let parameters = self.model.parameters.iter().enumerate();
         let fixed = parameters.filter(|(at, _)| !scene.free.contains(at)).filter_map(|(at, p)| {
             let value = scene.exact.rational.get(at)?.clone()?;
-            is_plain(&value).then(|| (p.name.clone(), p.symbol, value))
+            is_short_number(&value).then(|| (p.name.clone(), p.symbol, value))
         });
         let mut values: Vec<(String, Expr, Rational)> = fixed.collect();
         // A parameter stays a symbol if its number would make a divisor zero.
@@ -192,11 +193,11 @@ impl ReductionBasis {
             let mut trial = self.clone();
             let pairs: Vec<_> = values.iter().map(|(_, p, x)| (*p, trial.arena.number(x.clone()))).collect();
             let mut put = Substitution::new(&pairs);
-            trial.change(&mut |arena, _, e| put.apply(arena, e));
+            trial.rewrite_basis_terms(&mut |arena, _, e| put.apply(arena, e));
             if put.undefined.is_none() {
                 trial.folded = values.into_iter().map(|(name, _, value)| (name, value)).collect();
-                trial.change(&mut |arena, simplifier, e| simplifier.simplify(arena, e));
-                trial.search_at(&mut put);
+                trial.rewrite_basis_terms(&mut |arena, simplifier, e| simplifier.simplify(arena, e));
+                trial.search_integrals_with_numbers(&mut put);
                 *self = trial;
                 return;
             }
@@ -207,7 +208,7 @@ impl ReductionBasis {
 
     /// Searches first integrals again after numbers replaced parameters, with the same substitution.
     /// Equal inertias or zero damping may give more integrals.
-    fn search_at(&mut self, put: &mut Substitution) {
+    fn search_integrals_with_numbers(&mut self, put: &mut Substitution) {
         let Some(mut search) = self.search.take().filter(|_| !self.folded.is_empty()) else { return };
         search.basis.change(&mut self.arena, &mut |arena, e| put.apply(arena, e));
         for e in &mut search.centre {
@@ -221,9 +222,12 @@ impl ReductionBasis {
     }
 
     /// Applies `rewrite` to every term of the reduction basis in place.
-    pub(in crate::reduce) fn change(&mut self, rewrite: &mut dyn FnMut(&mut Arena, &mut Simplifier, Expr) -> Expr) {
+    pub(in crate::reduce) fn rewrite_basis_terms(
+        &mut self,
+        rewrite: &mut dyn FnMut(&mut Arena, &mut Simplifier, Expr) -> Expr,
+    ) {
         let Self { arena, simplifier, model, kane, balance, momenta, energy, fields, turns, .. } = self;
-        kane.visit(&mut |e, arena| *e = rewrite(arena, simplifier, *e), arena);
+        kane.change_terms(&mut |e, arena| *e = rewrite(arena, simplifier, *e), arena);
         if let Ok(balance) = balance {
             balance.visit(&mut |e| *e = rewrite(arena, simplifier, *e));
         }
@@ -246,7 +250,7 @@ impl ReductionBasis {
     }
 
     /// Substitution that replaces the equations' variables by their values in the model's variables.
-    pub(in crate::reduce) fn back(&self) -> Substitution {
+    pub(in crate::reduce) fn basis_to_model_substitution(&self) -> Substitution {
         let coordinates = self.q.iter().copied().zip(self.q_start.iter().copied());
         let speeds = self.kane.variables.iter().copied().zip(self.u_start.iter().copied());
         Substitution::new(&coordinates.chain(speeds).collect::<Vec<_>>())
@@ -254,10 +258,10 @@ impl ReductionBasis {
 
     /// Sets of momenta that may be kept constant together, because their symmetries commute, as lists
     /// of indices. Up to `MOST_TRIED` momenta give all such sets, more momenta only the largest sets.
-    pub(in crate::reduce) fn choices(&mut self) -> Vec<Vec<usize>> {
+    pub(in crate::reduce) fn commuting_momentum_sets(&mut self) -> Vec<Vec<usize>> {
         let count = self.momenta.len();
         let pairs = (0..count).flat_map(|a| (0..a).map(move |b| (a, b)));
-        let apart: Vec<(usize, usize)> = pairs.filter(|(a, b)| !self.commute(*a, *b)).collect();
+        let apart: Vec<(usize, usize)> = pairs.filter(|(a, b)| !self.momenta_commute(*a, *b)).collect();
         let allowed = |choice: &Vec<usize>| !apart.iter().any(|(a, b)| choice.contains(a) && choice.contains(b));
         if count <= MOST_TRIED {
             let subsets = (0..1_usize << count).map(|bits| (0..count).filter(|at| bits >> at & 1 == 1).collect());
@@ -282,7 +286,7 @@ impl ReductionBasis {
 
     /// True if the symmetries ξ and η of the momenta `a` and `b` commute: their bracket, with the
     /// components ξ·∂η_i − η·∂ξ_i, vanishes.
-    fn commute(&mut self, a: usize, b: usize) -> bool {
+    fn momenta_commute(&mut self, a: usize, b: usize) -> bool {
         let arena = &mut self.arena;
         let along = |field: &[Expr]| {
             Differential::along(&self.q.iter().copied().zip(field.iter().copied()).collect::<Vec<_>>())
@@ -297,11 +301,11 @@ impl ReductionBasis {
     }
 }
 
-impl Search {
+impl IntegralSearchData {
     /// Collects the search data of a model. `None` unless the equations by Kane and by Lagrange were
     /// derived.
     fn new(model: &Model, derivations: &mut Derivations) -> Option<Self> {
-        let basis = Basis::new(model, derivations)?;
+        let basis = IntegralSearchBasis::new(model, derivations)?;
         let kinematics = &mut derivations.kinematics;
         let mut centre = Vec::new();
         for axis in 0..3 {
@@ -362,6 +366,6 @@ impl Search {
 
 /// True for a number that shortens formulas: n, n/2 or n/4 with |n| ≤ 12. Other numbers are as long
 /// as the symbol of the parameter, which reads better.
-fn is_plain(value: &Rational) -> bool {
+fn is_short_number(value: &Rational) -> bool {
     value.small().is_some_and(|(n, d)| n.abs() <= 12 && [1, 2, 4].contains(&d))
 }

@@ -8,8 +8,8 @@
 use crate::algebra::Expr;
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::term::steps::fresh_symbol;
-use crate::reduce::basis::reduction_basis::{Momentum, ReductionBasis, Relative};
-use crate::reduce::slices::outputs::Wanted;
+use crate::reduce::basis::reduction_basis::{Momentum, ReductionBasis, VariableDifference};
+use crate::reduce::slices::wanted_outputs::WantedOutputs;
 
 /// Component of a symmetry along a single coordinate or speed, with a constant value.
 #[derive(Clone, Copy)]
@@ -24,18 +24,22 @@ impl ReductionBasis {
     /// Replaces coordinates and speeds by differences, if a symmetry of the given momenta moves them at
     /// constant ratios and no other symmetry moves them. Returns the wanted quantities in the new
     /// variables.
-    pub(in crate::reduce) fn relative(&mut self, momenta: &[usize], wanted: Wanted) -> Wanted {
+    pub(in crate::reduce) fn replace_by_differences(
+        &mut self,
+        momenta: &[usize],
+        wanted: WantedOutputs,
+    ) -> WantedOutputs {
         let mut wanted = wanted;
         for at in momenta {
             let others = |direction: fn(&Momentum) -> &Vec<Expr>| -> Vec<Vec<Expr>> {
                 momenta.iter().filter(|m| *m != at).map(|m| direction(&self.momenta[*m]).clone()).collect()
             };
             let (of_fields, of_directions) = (others(|m| &m.field), others(|m| &m.direction));
-            if let Some(moved) = self.together(&self.momenta[*at].field, &of_fields) {
-                wanted = self.put_coordinates(&moved, &wanted);
+            if let Some(moved) = self.jointly_moved_components(&self.momenta[*at].field, &of_fields) {
+                wanted = self.replace_coordinates_by_differences(&moved, &wanted);
             }
-            if let Some(moved) = self.together(&self.momenta[*at].direction, &of_directions) {
-                wanted = self.put_speeds(&moved, &wanted);
+            if let Some(moved) = self.jointly_moved_components(&self.momenta[*at].direction, &of_directions) {
+                wanted = self.replace_speeds_by_differences(&moved, &wanted);
             }
         }
         wanted
@@ -43,7 +47,7 @@ impl ReductionBasis {
 
     /// Components at which a symmetry is not zero and all others are zero. `None` unless there are at
     /// least two such components and all are numbers.
-    fn together(&self, direction: &[Expr], others: &[Vec<Expr>]) -> Option<Vec<DirectionComponent>> {
+    fn jointly_moved_components(&self, direction: &[Expr], others: &[Vec<Expr>]) -> Option<Vec<DirectionComponent>> {
         let alone = |at: usize| others.iter().all(|other| other[at] == Expr::ZERO);
         let components = direction.iter().enumerate().filter(|(at, e)| **e != Expr::ZERO && alone(*at));
         let moved: Vec<DirectionComponent> =
@@ -54,16 +58,20 @@ impl ReductionBasis {
 
     /// Replaces coordinates by their differences from a multiple of the first. Returns the wanted
     /// quantities in the new variables.
-    fn put_coordinates(&mut self, moved: &[DirectionComponent], wanted: &Wanted) -> Wanted {
+    fn replace_coordinates_by_differences(
+        &mut self,
+        moved: &[DirectionComponent],
+        wanted: &WantedOutputs,
+    ) -> WantedOutputs {
         let DirectionComponent { at: pivot, number: of_pivot } = moved[0];
         let mut pairs = Vec::new();
         for &DirectionComponent { at, number } in &moved[1..] {
             let (ratio, symbol) = self.difference(self.q[at], self.q[pivot], number, of_pivot);
-            pairs.push((self.q[at], self.carried(symbol, ratio, self.q[pivot])));
+            pairs.push((self.q[at], self.plus_multiple(symbol, ratio, self.q[pivot])));
             let back = self.arena.neg(ratio);
             let (rate, of_pivot) = (self.kane.coordinate_rates[at], self.kane.coordinate_rates[pivot]);
-            self.kane.coordinate_rates[at] = self.carried(rate, back, of_pivot);
-            self.q_start[at] = self.carried(self.q_start[at], back, self.q_start[pivot]);
+            self.kane.coordinate_rates[at] = self.plus_multiple(rate, back, of_pivot);
+            self.q_start[at] = self.plus_multiple(self.q_start[at], back, self.q_start[pivot]);
             for field in
                 self.momenta.iter_mut().map(|m| &mut m.field).chain(self.turns.iter_mut().map(|t| &mut t.along))
             {
@@ -78,7 +86,7 @@ impl ReductionBasis {
 
     /// Replaces speeds by their differences from a multiple of the first. Returns the wanted
     /// quantities in the new variables.
-    fn put_speeds(&mut self, moved: &[DirectionComponent], wanted: &Wanted) -> Wanted {
+    fn replace_speeds_by_differences(&mut self, moved: &[DirectionComponent], wanted: &WantedOutputs) -> WantedOutputs {
         let DirectionComponent { at: pivot, number: of_pivot } = moved[0];
         let mut pairs = Vec::new();
         for &DirectionComponent { at, number } in &moved[1..] {
@@ -86,10 +94,10 @@ impl ReductionBasis {
             let (ratio, symbol) = self.difference(u, of_u, number, of_pivot);
             let name = self.arena.symbol_name(symbol).unwrap_or_default().to_owned();
             let rate = self.arena.symbol(&format!("{name}'"));
-            pairs.push((u, self.carried(symbol, ratio, of_u)));
-            pairs.push((self.kane.unknowns[at], self.carried(rate, ratio, self.kane.unknowns[pivot])));
+            pairs.push((u, self.plus_multiple(symbol, ratio, of_u)));
+            pairs.push((self.kane.unknowns[at], self.plus_multiple(rate, ratio, self.kane.unknowns[pivot])));
             let back = self.arena.neg(ratio);
-            self.u_start[at] = self.carried(self.u_start[at], back, self.u_start[pivot]);
+            self.u_start[at] = self.plus_multiple(self.u_start[at], back, self.u_start[pivot]);
             // The substitution u = T w changes M and f into Tᵀ M T and Tᵀ f.
             for row in &mut self.kane.matrix {
                 let moved = self.arena.mul(ratio, row[at]);
@@ -125,21 +133,21 @@ impl ReductionBasis {
         let name = |e: Expr| self.arena.symbol_name(e).unwrap_or_default();
         let wanted = format!("{}_from_{}", name(variable), name(pivot));
         let symbol = fresh_symbol(&mut self.arena, &wanted);
-        self.relatives.push(Relative { variable, pivot, symbol });
+        self.relatives.push(VariableDifference { variable, pivot, symbol });
         (ratio, symbol)
     }
 
     /// Computes the term e + ratio · pivot.
-    fn carried(&mut self, e: Expr, ratio: Expr, pivot: Expr) -> Expr {
+    fn plus_multiple(&mut self, e: Expr, ratio: Expr, pivot: Expr) -> Expr {
         let along = self.arena.mul(ratio, pivot);
         self.arena.add(e, along)
     }
 
     /// Applies a substitution to every term of the basis, and returns the wanted quantities after it.
-    fn rewrite(&mut self, pairs: &[(Expr, Expr)], wanted: &Wanted) -> Wanted {
+    fn rewrite(&mut self, pairs: &[(Expr, Expr)], wanted: &WantedOutputs) -> WantedOutputs {
         let mut put = Substitution::new(pairs);
         let kept = self.q.clone();
-        self.change(&mut |arena, simplifier, e| {
+        self.rewrite_basis_terms(&mut |arena, simplifier, e| {
             let moved = put.apply(arena, e);
             simplifier.simplify(arena, moved)
         });

@@ -2,6 +2,6 @@
 //! surface.
 
 pub(super) mod differences;
-pub(super) mod framing;
-pub(super) mod section;
-pub(super) mod surface;
+pub(super) mod frame_search;
+pub(super) mod frame_section;
+pub(super) mod singular_surface;

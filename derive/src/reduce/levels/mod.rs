@@ -1,6 +1,6 @@
 //! Level sets of momenta: equations in which momenta are constant at the values of a scene.
 
-pub(super) mod constants;
-pub(super) mod level;
-pub(super) mod momenta;
-pub(super) mod separate;
+pub(super) mod held_momenta;
+pub(super) mod momentum_constants;
+pub(super) mod momentum_level;
+pub(super) mod surface_quotients;

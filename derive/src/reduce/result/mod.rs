@@ -1,6 +1,6 @@
 //! Result of a reduction: the reduced equations, their proof, and the list of omissions.
 
-pub(super) mod ledger;
-pub(super) mod pack;
-pub(super) mod proof;
+pub(super) mod omissions;
+pub(super) mod pack_reduction;
 pub(super) mod reduction;
+pub(super) mod reduction_proof;

@@ -1,18 +1,18 @@
 //! Reduced equations of a scene, as data: model, equations, constants, outputs, omissions and
 //! proof.
 
-use super::proof::Proof;
+use super::reduction_proof::ReductionProof;
 use crate::algebra::term::steps::Definition;
 use crate::algebra::text::print;
 use crate::algebra::{Arena, Expr, Rational};
 use crate::mechanics::Derivation;
 use crate::model::{Model, Unit, text_hash};
 use crate::reduce::basis::prose::Prose;
-use crate::reduce::slices::one_degree::Slope;
+use crate::reduce::slices::one_degree_potential::PotentialDifference;
 
 /// Variable or constant of reduced equations, with its value at the start.
 #[derive(Clone, Debug)]
-pub struct Quantity {
+pub struct ReducedQuantity {
     /// Name of the quantity in the reduced equations.
     pub name: String,
     /// Symbol of the quantity in the reduced equations.
@@ -28,7 +28,7 @@ pub struct Quantity {
 
 /// Output of a scene, as a term of the reduced equations.
 #[derive(Clone, Debug)]
-pub struct Output {
+pub struct ReducedOutput {
     /// Name of the output in the scene.
     pub name: String,
     /// Value of the output as a term in parameters, constants, time and states of the reduced
@@ -73,16 +73,16 @@ pub struct Reduction {
     /// Reduced equations, with their terms in an arena equal to that of `model`.
     pub derivation: Derivation,
     /// Integrated variables whose rates depend only on these variables.
-    pub states: Vec<Quantity>,
+    pub states: Vec<ReducedQuantity>,
     /// Variables that are integrated only because outputs need them. The rate of no state depends on
     /// them.
-    pub quadratures: Vec<Quantity>,
+    pub quadratures: Vec<ReducedQuantity>,
     /// Quantities that keep their start value during a motion, such as momenta.
-    pub constants: Vec<Quantity>,
+    pub constants: Vec<ReducedQuantity>,
     /// Definitions of those constants that are products of parameters and other constants.
     pub products: Vec<Definition>,
     /// Outputs of the scene, as terms of the reduced equations.
-    pub outputs: Vec<Output>,
+    pub outputs: Vec<ReducedOutput>,
     /// Functions of the scene's events, in the order of the scene. An event occurs where its function
     /// is zero.
     pub events: Vec<Expr>,
@@ -102,27 +102,30 @@ pub struct Reduction {
     pub has_energy: bool,
     /// Divided difference of the potential energy, for solution by quadrature. `None` unless there is
     /// one degree of freedom.
-    pub slope: Option<Slope>,
+    pub slope: Option<PotentialDifference>,
     /// Symbol of the time since the start, s, for outputs that are linear in time.
     pub time: Expr,
     /// Proof that the reduced equations give the outputs of the whole model. A reduction without proof
     /// is never returned.
-    pub proof: Proof,
+    pub proof: ReductionProof,
 }
 
 impl Reduction {
     /// Hash of everything on which the reduced equations depend: model text, scene outputs, numbers of
     /// the scene, constant momenta, pins of the frame, and origins of distances.
     #[must_use]
-    pub fn key(&self) -> String {
-        let arena = self.terms();
+    pub fn reduction_hash(&self) -> String {
+        let arena = self.arena();
         let mut text = self.model.text_hash();
         let quantities = self.states.iter().chain(&self.quadratures).chain(&self.constants);
-        let names = quantities.map(|q| format!("{} = {}", q.name, print::text(arena, q.of_start)));
-        let outputs = self.outputs.iter().map(|o| format!("{}: {}", o.name, print::whole_text(arena, o.value)));
+        let names = quantities.map(|q| format!("{} = {}", q.name, print::print_text(arena, q.of_start)));
+        let outputs = self.outputs.iter().map(|o| format!("{}: {}", o.name, print::print_whole_text(arena, o.value)));
         let folded = self.folded.iter().map(|(name, value)| format!("{name} = {}", value.to_big()));
-        let pins =
-            self.frame.iter().flat_map(|frame| &frame.pins).map(|pin| format!("{} = 0", print::text(arena, *pin)));
+        let pins = self
+            .frame
+            .iter()
+            .flat_map(|frame| &frame.pins)
+            .map(|pin| format!("{} = 0", print::print_text(arena, *pin)));
         for line in names.chain(outputs).chain(folded).chain(pins) {
             text.push('\n');
             text.push_str(&line);
@@ -132,7 +135,7 @@ impl Reduction {
 
     /// Arena that holds all terms of the reduction.
     #[must_use]
-    pub fn terms(&self) -> &Arena {
+    pub fn arena(&self) -> &Arena {
         &self.derivation.arena
     }
 }

@@ -7,7 +7,7 @@
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::term::calculus::{Differential, Substitution};
 use crate::algebra::term::steps::Definition;
-use crate::algebra::value::modular::{ZeroTest, zero_test};
+use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr};
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -38,13 +38,13 @@ impl Dependence {
     }
 
     /// Replaces all defined symbols in a term by their full values.
-    pub fn whole(&mut self, arena: &mut Arena, e: Expr) -> Expr {
+    pub fn without_definitions(&mut self, arena: &mut Arena, e: Expr) -> Expr {
         self.inline.apply(arena, e)
     }
 
     /// True if the term `whole`, whose definitions are written out, depends on a symbol by meaning, or
     /// if the test cannot decide.
-    fn on(&mut self, arena: &mut Arena, whole: Expr, symbol: Expr) -> bool {
+    fn depends_on(&mut self, arena: &mut Arena, whole: Expr, symbol: Expr) -> bool {
         if !arena.mentions(whole, symbol) {
             return false;
         }
@@ -58,7 +58,7 @@ impl Dependence {
     }
 
     /// Symbols that terms mention, directly or through the definitions that they use.
-    pub fn mentioned(&self, arena: &Arena, list: &[Expr]) -> FxHashSet<Expr> {
+    pub fn mentioned_symbols(&self, arena: &Arena, list: &[Expr]) -> FxHashSet<Expr> {
         let mut found: FxHashSet<Expr> = FxHashSet::default();
         found.extend(arena.reachable(list));
         for definition in self.definitions.iter().rev() {
@@ -71,20 +71,26 @@ impl Dependence {
 
     /// Rewrites a term so that it mentions no variable on which it does not depend. Definitions that
     /// mention such variables are written out.
-    pub fn settle(&mut self, arena: &mut Arena, simplifier: &mut Simplifier, e: Expr, variables: &[Expr]) -> Expr {
-        let whole = self.whole(arena, e);
+    pub fn without_independent_variables(
+        &mut self,
+        arena: &mut Arena,
+        simplifier: &mut Simplifier,
+        e: Expr,
+        variables: &[Expr],
+    ) -> Expr {
+        let whole = self.without_definitions(arena, e);
         let mut e = e;
         loop {
-            let mentioned = self.mentioned(arena, &[e]);
+            let mentioned = self.mentioned_symbols(arena, &[e]);
             let idle: Vec<Expr> = variables.iter().copied().filter(|v| mentioned.contains(v)).collect();
-            let idle: Vec<Expr> = idle.into_iter().filter(|v| !self.on(arena, whole, *v)).collect();
+            let idle: Vec<Expr> = idle.into_iter().filter(|v| !self.depends_on(arena, whole, *v)).collect();
             if idle.is_empty() {
                 return e;
             }
             let parts = arena.reachable(&[e]);
             let through = |d: &&Definition| {
                 parts.binary_search(&d.symbol).is_ok() && {
-                    let inside = self.mentioned(arena, &[d.value]);
+                    let inside = self.mentioned_symbols(arena, &[d.value]);
                     idle.iter().any(|v| inside.contains(v))
                 }
             };
@@ -94,12 +100,12 @@ impl Dependence {
                     let written = Substitution::new(&[(definition.symbol, definition.value)]).apply(arena, e);
                     simplifier.simplify(arena, written)
                 }
-                None => idle.iter().fold(e, |e, v| put_any(arena, simplifier, e, *v)),
+                None => idle.iter().fold(e, |e, v| replace_independent_symbol(arena, simplifier, e, *v)),
             };
             if next == e && found.is_none() {
                 // The rest cancels only across definitions, so all definitions are written out.
                 let all = simplifier.simplify(arena, whole);
-                let all = idle.iter().fold(all, |e, v| put_any(arena, simplifier, e, *v));
+                let all = idle.iter().fold(all, |e, v| replace_independent_symbol(arena, simplifier, e, *v));
                 return all;
             }
             e = next;
@@ -109,7 +115,7 @@ impl Dependence {
 
 /// Puts a number in place of a symbol on which a term does not depend. Returns the term unchanged
 /// if no number can be used.
-fn put_any(arena: &mut Arena, simplifier: &mut Simplifier, e: Expr, symbol: Expr) -> Expr {
+fn replace_independent_symbol(arena: &mut Arena, simplifier: &mut Simplifier, e: Expr, symbol: Expr) -> Expr {
     if !arena.mentions(e, symbol) {
         return e;
     }

@@ -5,15 +5,15 @@
 //! value may replace q₁, and terms that contain q₁ only in form vanish.
 
 use super::dependence::Dependence;
-use super::outputs::Wanted;
-use crate::algebra::form::simplify::cost_of_all;
+use super::wanted_outputs::WantedOutputs;
+use crate::algebra::form::simplify::operation_count_of_all;
 use crate::algebra::solve::elimination::{LinearSystem, eliminate};
 use crate::algebra::term::calculus::{Differential, Substitution};
 use crate::algebra::term::steps::Definition;
-use crate::algebra::value::modular::{ZeroTest, bounded_zero_test};
+use crate::algebra::value::zero_test::{ZeroTest, bounded_zero_test};
 use crate::algebra::{Arena, Expr};
 use crate::reduce::basis::reduction_basis::ReductionBasis;
-use crate::reduce::levels::level::Level;
+use crate::reduce::levels::momentum_level::Level;
 use rustc_hash::{FxHashMap, FxHashSet};
 
 /// Coordinate or speed of reduced equations, with its rate.
@@ -32,7 +32,7 @@ pub struct Variable {
 /// Coordinate that follows from the uniform motion of a mass centre: a constant momentum moves its
 /// position at a constant rate.
 #[derive(Clone, Copy, Debug)]
-pub struct Carried {
+pub struct UniformMassCentre {
     /// Symbol of the coordinate that need not be integrated.
     pub coordinate: Expr,
     /// Value of the coordinate in other variables, time, constant momenta and the position at the
@@ -49,7 +49,7 @@ pub struct Carried {
 /// Smallest set of variables on which the wanted values depend and whose rates contain no other
 /// variable.
 #[derive(Clone)]
-pub struct Flow {
+pub struct Slice {
     /// States: variables on which rates of others depend, coordinates first.
     pub core: Vec<Variable>,
     /// Variables found by quadrature: outputs depend on them, and no state does. Each comes after the
@@ -60,11 +60,11 @@ pub struct Flow {
     /// Definitions of longer terms, and the test on which variables terms depend.
     pub dependence: Dependence,
     /// Wanted outputs, conditions and events, as terms in the remaining variables.
-    pub wanted: Wanted,
+    pub wanted: WantedOutputs,
     /// Energy T + V, J; `None` if it is not conserved or depends on variables that are left out.
     pub energy: Option<Expr>,
     /// Coordinates that are computed from the uniform motion of a mass centre.
-    pub carried: Vec<Carried>,
+    pub carried: Vec<UniformMassCentre>,
     /// Symbol of the time t since the start, s.
     pub time: Expr,
     /// Matrix and right-hand side of the linear system for the rates of the remaining speeds; `None` if
@@ -75,11 +75,11 @@ pub struct Flow {
     pub raw: Vec<(Expr, Expr)>,
 }
 
-impl Flow {
+impl Slice {
     /// Finds the variables of a level set that the wanted values need. `None` if the level set does not
     /// determine its accelerations.
-    pub(in crate::reduce) fn new(basis: &mut ReductionBasis, level: &Level, wanted: &Wanted) -> Option<Self> {
-        let (mut variables, definitions) = basis.variables(level)?;
+    pub(in crate::reduce) fn new(basis: &mut ReductionBasis, level: &Level, wanted: &WantedOutputs) -> Option<Self> {
+        let (mut variables, definitions) = basis.slice_variables(level)?;
         let symbols: Vec<Expr> = variables.iter().map(|v| v.symbol).collect();
         let solved: Vec<(Expr, Expr)> = level
             .kept
@@ -91,16 +91,17 @@ impl Flow {
         let accelerations: Vec<(Expr, Expr)> =
             basis.kane.unknowns.iter().copied().zip(level.accelerations.iter().copied()).collect();
         let mut accelerations = Substitution::new(&accelerations);
-        let time = basis.time();
+        let time = basis.slice_time_symbol();
         let (arena, simplifier, energy) = (&mut basis.arena, &mut basis.simplifier, basis.energy);
         let mut dependence = Dependence::new(arena, definitions);
         let mut put = |e: Expr| {
             let moved = accelerations.apply(arena, e);
             let moved = solved.apply(arena, moved);
             let short = simplifier.simplify(arena, moved);
-            let short = dependence.settle(arena, simplifier, short, &symbols);
+            let short = dependence.without_independent_variables(arena, simplifier, short, &symbols);
             // If roots or functions without rules make the result uncertain, the term is not rewritten.
-            let (before, after) = (dependence.whole(arena, moved), dependence.whole(arena, short));
+            let (before, after) =
+                (dependence.without_definitions(arena, moved), dependence.without_definitions(arena, short));
             let difference = arena.sub(before, after);
             if bounded_zero_test(arena, difference).0 == ZeroTest::Zero { short } else { moved }
         };
@@ -108,8 +109,8 @@ impl Flow {
         let energy = energy.map(&mut put);
         let mut raw = Vec::new();
         for variable in &mut variables {
-            raw.push((variable.symbol, dependence.whole(arena, variable.rate)));
-            variable.rate = dependence.settle(arena, simplifier, variable.rate, &symbols);
+            raw.push((variable.symbol, dependence.without_definitions(arena, variable.rate)));
+            variable.rate = dependence.without_independent_variables(arena, simplifier, variable.rate, &symbols);
         }
         let (core, quadratures, carried) = Default::default();
         let mut flow = Self {
@@ -124,41 +125,42 @@ impl Flow {
             raw,
             system: None,
         };
-        flow.close(&basis.arena);
-        flow.carry(basis, level);
+        flow.sort_slice_variables(&basis.arena);
+        flow.remove_uniform_coordinates(basis, level);
         let present: Vec<Expr> = flow.core.iter().chain(&flow.quadratures).map(|v| v.symbol).collect();
         let others: Vec<Expr> = symbols.into_iter().filter(|s| !present.contains(s)).collect();
         flow.energy = flow.energy.filter(|e| {
-            let mentioned = flow.dependence.mentioned(&basis.arena, &[*e]);
+            let mentioned = flow.dependence.mentioned_symbols(&basis.arena, &[*e]);
             !others.iter().any(|s| mentioned.contains(s))
         });
         Some(flow)
     }
 
     /// True if the variable with this symbol is among the states, on which rates of others depend.
-    pub fn is_core(&self, symbol: Expr) -> bool {
+    pub fn is_slice_state(&self, symbol: Expr) -> bool {
         self.core.iter().any(|v| v.symbol == symbol)
     }
 
     /// Numbers of states, of integrated variables and of operations in their rates, for comparison of
     /// reductions.
-    pub(in crate::reduce) fn weight(&self, basis: &ReductionBasis) -> (usize, usize, usize) {
+    pub(in crate::reduce) fn slice_cost(&self, basis: &ReductionBasis) -> (usize, usize, usize) {
         let rates = self.core.iter().chain(&self.quadratures).map(|v| v.rate).collect::<Vec<_>>();
-        let used = self.used(&basis.arena, &rates);
+        let used = self.definitions_used_in_slice(&basis.arena, &rates);
         let rates: Vec<Expr> = rates.into_iter().chain(used.iter().map(|d| d.value)).collect();
         let integrated = self.core.len() + self.quadratures.len();
-        (self.core.len(), integrated, cost_of_all(&basis.arena, &rates))
+        (self.core.len(), integrated, operation_count_of_all(&basis.arena, &rates))
     }
 
     /// Sorts all variables into states, quadratures and dropped variables, from what the wanted values
     /// need now.
-    pub(in crate::reduce) fn close(&mut self, arena: &Arena) {
+    pub(in crate::reduce) fn sort_slice_variables(&mut self, arena: &Arena) {
         let mut all: Vec<Variable> =
             self.core.drain(..).chain(self.quadratures.drain(..)).chain(self.dropped.drain(..)).collect();
         all.sort_by_key(|v| (v.is_speed, v.place));
         let mut needed = vec![false; all.len()];
-        let of_rates: Vec<FxHashSet<Expr>> = all.iter().map(|v| self.dependence.mentioned(arena, &[v.rate])).collect();
-        let mut open = vec![self.dependence.mentioned(arena, &self.wanted.values())];
+        let of_rates: Vec<FxHashSet<Expr>> =
+            all.iter().map(|v| self.dependence.mentioned_symbols(arena, &[v.rate])).collect();
+        let mut open = vec![self.dependence.mentioned_symbols(arena, &self.wanted.values())];
         while let Some(mentioned) = open.pop() {
             for (at, variable) in all.iter().enumerate() {
                 if !needed[at] && mentioned.contains(&variable.symbol) {
@@ -185,14 +187,14 @@ impl Flow {
     }
 
     /// Definitions that the given terms use, in the order of computation.
-    pub(in crate::reduce) fn used(&self, arena: &Arena, terms: &[Expr]) -> Vec<Definition> {
-        let mentioned = self.dependence.mentioned(arena, terms);
+    pub(in crate::reduce) fn definitions_used_in_slice(&self, arena: &Arena, terms: &[Expr]) -> Vec<Definition> {
+        let mentioned = self.dependence.mentioned_symbols(arena, terms);
         self.dependence.definitions.iter().copied().filter(|d| mentioned.contains(&d.symbol)).collect()
     }
 
     /// Removes coordinates on which no other rate depends and that the uniform motion of a mass centre
     /// determines.
-    fn carry(&mut self, basis: &mut ReductionBasis, level: &Level) {
+    fn remove_uniform_coordinates(&mut self, basis: &mut ReductionBasis, level: &Level) {
         // A frame may move the mass centre.
         if basis.frame.is_some() {
             return;
@@ -203,19 +205,15 @@ impl Flow {
             let Some(position) = momentum.position.filter(|_| h.of_state == momentum.value) else { continue };
             // Events and conditions are functions of the state alone, without the time.
             let watched: Vec<Expr> = self.wanted.conditions.iter().chain(&self.wanted.events).copied().collect();
-            let watched = self.dependence.mentioned(&basis.arena, &watched);
+            let watched = self.dependence.mentioned_symbols(&basis.arena, &watched);
             let found = self.quadratures.iter().find_map(|v| {
                 let others = self.core.iter().chain(&self.quadratures);
                 let rates: Vec<Expr> = others.filter(|o| o.symbol != v.symbol).map(|o| o.rate).collect();
-                let free = !self.dependence.mentioned(&basis.arena, &rates).contains(&v.symbol);
+                let free = !self.dependence.mentioned_symbols(&basis.arena, &rates).contains(&v.symbol);
                 (free && !v.is_speed && !watched.contains(&v.symbol)).then_some(())?;
-                basis.carried_coordinate(v.symbol, position, h.symbol, self.time).map(|(value, symbol)| Carried {
-                    coordinate: v.symbol,
-                    value,
-                    symbol,
-                    position,
-                    held,
-                })
+                basis
+                    .coordinate_of_uniform_mass_centre(v.symbol, position, h.symbol, self.time)
+                    .map(|(value, symbol)| UniformMassCentre { coordinate: v.symbol, value, symbol, position, held })
             });
             let Some(carried) = found else { continue };
             let mut put = Substitution::new(&[(carried.coordinate, carried.value)]);
@@ -225,7 +223,7 @@ impl Flow {
                 simplifier.simplify(arena, moved)
             });
             self.carried.push(carried);
-            self.close(&basis.arena);
+            self.sort_slice_variables(&basis.arena);
         }
     }
 }
@@ -233,7 +231,7 @@ impl Flow {
 impl ReductionBasis {
     /// Lists all coordinates and the remaining speeds with their rates, and the definitions that the
     /// rates use. `None` if the matrix of the level set is singular.
-    fn variables(&mut self, level: &Level) -> Option<(Vec<Variable>, Vec<Definition>)> {
+    fn slice_variables(&mut self, level: &Level) -> Option<(Vec<Variable>, Vec<Definition>)> {
         let mut list: Vec<Variable> = Vec::new();
         for (place, (symbol, rate)) in self.q.iter().zip(&self.kane.coordinate_rates).enumerate() {
             list.push(Variable { symbol: *symbol, rate: *rate, is_speed: false, place });
@@ -266,7 +264,7 @@ impl ReductionBasis {
 
     /// Symbol of the time since the start: `t`, or a new symbol if a variable or parameter has this
     /// name.
-    fn time(&mut self) -> Expr {
+    fn slice_time_symbol(&mut self) -> Expr {
         match self.arena.find_symbol("t") {
             Some(taken)
                 if !self.model.q().contains(&taken)
@@ -283,7 +281,7 @@ impl ReductionBasis {
     /// Solves position = start + momentum · t for a coordinate. Returns the value, and the new symbol
     /// of the position at the start. `None` unless the coordinate enters the position with a constant
     /// factor.
-    fn carried_coordinate(
+    fn coordinate_of_uniform_mass_centre(
         &mut self,
         coordinate: Expr,
         position: Expr,

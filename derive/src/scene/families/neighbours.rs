@@ -6,16 +6,16 @@
 
 use crate::diagnostic::{Diagnostic, Diagnostics, Source};
 use crate::model::{Model, Unit};
-use crate::read::Reader;
-use crate::scene::numbers::values::{Number, Terms, ValueReader, Varied, doubles};
+use crate::scene::numbers::number_reader::{Number, ParsedFormulas, ValueReader, VariedNumber, double_values};
 use crate::scene::starts::state::Start;
-use crate::scene::{Exact, InitialMotion, Numbers, Scene};
+use crate::scene::{ExactStart, InitialMotion, Scene, SceneNumbers};
+use crate::toml_reader::TomlReader;
 use toml::Spanned;
 use toml::de::DeTable;
 use tripos_traits::DoubleDouble;
 
 /// Neighbours of a scene: reads the scene again for other values of a single number.
-pub struct Nearby<'a> {
+pub struct SceneNeighbours<'a> {
     /// Scene whose neighbours are read.
     scene: &'a Scene,
     /// Parsed scene file.
@@ -23,16 +23,16 @@ pub struct Nearby<'a> {
     /// Model of the scene; its arena receives the terms of formulas.
     model: Model,
     /// Parsed formulas of the scene file, kept for the next reading.
-    terms: Terms,
+    terms: ParsedFormulas,
     /// Numbers that replace those of the file in every neighbour.
-    set: Vec<(Varied, Number)>,
+    set: Vec<(VariedNumber, Number)>,
     /// Number that changes, by its index in the model.
-    place: Varied,
+    place: VariedNumber,
     /// Value of the changed number in the scene itself, to 32 digits.
     value: DoubleDouble,
 }
 
-impl<'a> Nearby<'a> {
+impl<'a> SceneNeighbours<'a> {
     /// Creates the neighbours of `scene` for other values of the number `name`. The numbers `set`, as
     /// (name, value), replace those of the scene's file in every neighbour.
     ///
@@ -42,21 +42,21 @@ impl<'a> Nearby<'a> {
     pub fn new(scene: &'a Scene, model: &Model, set: &[(String, f64)], name: &str) -> Result<Self, Diagnostics> {
         let mut model = model.clone();
         let source = Source::from_text("what is differentiated by", name);
-        let mut values = ValueReader::new(Reader::new(&source), &mut model);
-        let place = values.place(name, 0..name.len(), scene);
+        let mut values = ValueReader::new(TomlReader::new(&source), &mut model);
+        let place = values.varied_number(name, 0..name.len(), scene);
         let others: Vec<_> =
-            set.iter().filter_map(|(name, value)| Some((values.place(name, 0..0, scene)?, *value))).collect();
+            set.iter().filter_map(|(name, value)| Some((values.varied_number(name, 0..0, scene)?, *value))).collect();
         if scene.closed.iter().any(|closed| closed.name == name) {
             let help = "take a number that the start states";
             values.reader.error(0..name.len(), format!("`{name}` is solved for at the start"), help);
         }
         values.reader.finish()?;
         let place = place.expect("reported if there is none");
-        let (_, table) = Reader::parse(&scene.source)?;
+        let (_, table) = TomlReader::parse(&scene.source)?;
         let set = others.into_iter().filter(|(other, _)| *other != place);
-        let set = set.map(|(place, value)| (place, Number::rounded(value))).collect();
-        let value = of(&scene.exact, place);
-        Ok(Self { scene, table, model, terms: Terms::default(), set, place, value })
+        let set = set.map(|(place, value)| (place, Number::from_double(value))).collect();
+        let value = exact_scene_number(&scene.exact, place);
+        Ok(Self { scene, table, model, terms: ParsedFormulas::default(), set, place, value })
     }
 
     /// Value of the changed number in the scene itself, to 32 digits, in SI units.
@@ -69,10 +69,10 @@ impl<'a> Nearby<'a> {
     #[must_use]
     pub fn unit(&self) -> Unit {
         match self.place {
-            Varied::Parameter(at) => self.model.parameters[at].unit.clone(),
-            Varied::Coordinate(at) => self.model.coordinates[at].unit.clone(),
-            Varied::Rate(at) => self.model.coordinates[at].unit.per_second(),
-            Varied::Speed(at) => self.model.speeds[at].unit.clone(),
+            VariedNumber::Parameter(at) => self.model.parameters[at].unit.clone(),
+            VariedNumber::Coordinate(at) => self.model.coordinates[at].unit.clone(),
+            VariedNumber::Rate(at) => self.model.coordinates[at].unit.per_second(),
+            VariedNumber::Speed(at) => self.model.speeds[at].unit.clone(),
         }
     }
 
@@ -82,9 +82,9 @@ impl<'a> Nearby<'a> {
     /// # Errors
     /// [`Diagnostics`] if no scene with this value exists, for example because a mass is negative.
     pub fn at(&mut self, value: DoubleDouble) -> Result<Scene, Diagnostics> {
-        let given: Vec<_> = self.set.iter().cloned().chain([(self.place, Number::wide(value))]).collect();
+        let given: Vec<_> = self.set.iter().cloned().chain([(self.place, Number::from_double_double(value))]).collect();
         let mut values = ValueReader {
-            reader: Reader::new(&self.scene.source),
+            reader: TomlReader::new(&self.scene.source),
             model: &mut self.model,
             terms: std::mem::take(&mut self.terms),
             given: &given,
@@ -95,19 +95,23 @@ impl<'a> Nearby<'a> {
         let numbers = values.scene_numbers(self.table.get_ref());
         self.terms = values.terms;
         values.reader.finish()?;
-        let Numbers { p, start: Start { q, u, exact, closed }, span, coefficients, .. } = numbers;
+        let SceneNumbers { p, start: Start { q, u, exact, closed }, span, coefficients, .. } = numbers;
         let missing = || Diagnostics::new(self.scene.source.clone(), vec![Diagnostic::of_file("no span", "give one")]);
         let span = span.ok_or_else(missing)?;
-        let impacts = self.scene.impacts.iter().zip(&coefficients).map(|(impact, of)| impact.with(of)).collect();
-        Ok(Scene { parameters: doubles(&p), q, u, exact, closed, span, impacts, ..self.scene.clone() })
+        let impacts =
+            self.scene.impacts.iter().zip(&coefficients).map(|(impact, of)| impact.with_coefficients(of)).collect();
+        Ok(Scene { parameters: double_values(&p), q, u, exact, closed, span, impacts, ..self.scene.clone() })
     }
 }
 
 /// Value to 32 digits of a parameter or start value of a scene.
-fn of(exact: &Exact, place: Varied) -> DoubleDouble {
+fn exact_scene_number(exact: &ExactStart, place: VariedNumber) -> DoubleDouble {
     match (place, &exact.motion) {
-        (Varied::Parameter(at), _) => exact.parameters[at],
-        (Varied::Coordinate(at), _) => exact.q[at],
-        (Varied::Rate(at) | Varied::Speed(at), InitialMotion::Rates(list) | InitialMotion::Speeds(list)) => list[at],
+        (VariedNumber::Parameter(at), _) => exact.parameters[at],
+        (VariedNumber::Coordinate(at), _) => exact.q[at],
+        (
+            VariedNumber::Rate(at) | VariedNumber::Speed(at),
+            InitialMotion::Rates(list) | InitialMotion::Speeds(list),
+        ) => list[at],
     }
 }

@@ -1,5 +1,5 @@
 //! Prescribed motions for inverse dynamics, which finds their forces, and tables of motion samples.
 
-pub(super) mod motion;
 #[cfg(feature = "files")]
-pub(super) mod samples;
+pub(super) mod motion_samples;
+pub(super) mod prescribed_motion;

@@ -1,5 +1,5 @@
 //! Numbers of scene and state files: formulas, tables of signals, positions and velocities.
 
-pub(super) mod places;
-pub(super) mod table;
-pub(super) mod values;
+pub(super) mod named_positions;
+pub(super) mod number_reader;
+pub(super) mod signal_table;

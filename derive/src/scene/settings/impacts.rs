@@ -7,11 +7,11 @@
 use crate::algebra::term::calculus::Differential;
 use crate::algebra::text::parse::{InteractionName, VelocityName, VelocityOf, parse_with_quantities};
 use crate::algebra::{Arena, Expr};
-use crate::diagnostic::nearest;
+use crate::diagnostic::nearest_name_advice;
 use crate::model::TIME;
-use crate::read::Located;
-use crate::scene::numbers::places::Places;
-use crate::scene::numbers::values::{Number, ValueReader};
+use crate::scene::numbers::named_positions::Places;
+use crate::scene::numbers::number_reader::{Number, ValueReader};
+use crate::toml_reader::Located;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 use tripos_traits::DoubleDouble;
@@ -26,7 +26,7 @@ enum ContactFormula {
 }
 
 /// Values that a coefficient of a contact may have, with words for the error about other values.
-struct Permitted<'p> {
+struct PermittedCoefficient<'p> {
     /// Test of a value: true if the value is permitted.
     may_be: &'p dyn Fn(f64) -> bool,
     /// Fault of a value that is not permitted, such as "below 0", for the message.
@@ -54,7 +54,7 @@ impl ImpactLaw {
 
 /// Contact of a scene, at which two bodies can meet and part again.
 #[derive(Clone, Debug)]
-pub struct Impact {
+pub struct ImpactContact {
     /// Name of the contact.
     pub name: String,
     /// Gap of the contact as a term in parameters and coordinates, m: positive if the bodies are apart,
@@ -98,9 +98,9 @@ pub(in crate::scene) struct Coefficients {
     friction: Option<Number>,
 }
 
-impl Impact {
+impl ImpactContact {
     /// Copy of the contact with other coefficients of restitution and friction.
-    pub(in crate::scene) fn with(&self, of: &Coefficients) -> Self {
+    pub(in crate::scene) fn with_coefficients(&self, of: &Coefficients) -> Self {
         let friction = self.friction.as_ref().zip(of.friction.as_ref()).map(|(own, mu)| ContactFriction {
             coefficient: mu.double,
             coefficient_extended: mu.extended(),
@@ -123,7 +123,7 @@ const IMPACTS: &str = "impacts";
 impl<'a> ValueReader<'a, '_> {
     /// Reads the coefficients of all contacts, in the order of the scene file, at the given parameter
     /// values. Wrong values are reported.
-    pub(in crate::scene) fn coefficients(
+    pub(in crate::scene) fn impact_coefficients(
         &mut self,
         table: &'a DeTable<'a>,
         parameters: &[Number],
@@ -132,35 +132,36 @@ impl<'a> ValueReader<'a, '_> {
         let mut list = Vec::new();
         for (name, value) in self.reader.entries(section) {
             let Some(entry) = value.get_ref().as_table() else { continue };
-            let stated = self.reader.need(entry, "restitution", &format!("the contact `{}`", name.text), &name.span);
+            let stated =
+                self.reader.required(entry, "restitution", &format!("the contact `{}`", name.text), &name.span);
             let restitution = stated.and_then(|value| {
                 let may_be = |e: f64| (0.0..=1.0).contains(&e);
                 let help = "0 takes all of the closing velocity away, 1 gives all of it back";
-                let permitted = Permitted { may_be: &may_be, wrong: "not from 0 to 1", help };
-                self.coefficient(value, "restitution", &name.text, parameters, &permitted)
+                let permitted = PermittedCoefficient { may_be: &may_be, wrong: "not from 0 to 1", help };
+                self.impact_coefficient(value, "restitution", &name.text, parameters, &permitted)
             });
             let friction = self.reader.get(entry, "friction").and_then(|value| {
                 let may_be = |mu: f64| mu >= 0.0 && mu.is_finite();
                 let help = "friction takes energy: its coefficient is 0 or more";
-                let permitted = Permitted { may_be: &may_be, wrong: "below 0", help };
-                self.coefficient(value, "friction", &name.text, parameters, &permitted)
+                let permitted = PermittedCoefficient { may_be: &may_be, wrong: "below 0", help };
+                self.impact_coefficient(value, "friction", &name.text, parameters, &permitted)
             });
-            list.push(Coefficients { restitution: restitution.unwrap_or_else(|| Number::rounded(0.0)), friction });
+            list.push(Coefficients { restitution: restitution.unwrap_or_else(|| Number::from_double(0.0)), friction });
         }
         list
     }
 
     /// Reads a coefficient of a contact; `key` is its name in the file. Reports a value that is not
     /// permitted; `None` if it has no value.
-    fn coefficient(
+    fn impact_coefficient(
         &mut self,
         value: &'a Spanned<DeValue<'a>>,
         key: &str,
         contact: &str,
         parameters: &[Number],
-        permitted: &Permitted<'_>,
+        permitted: &PermittedCoefficient<'_>,
     ) -> Option<Number> {
-        let Permitted { may_be, wrong, help } = permitted;
+        let PermittedCoefficient { may_be, wrong, help } = permitted;
         let quoted = format!("`{key}`");
         let formula = self.reader.formula(value, &quoted)?;
         let number = self.number(&formula, parameters, &quoted)?;
@@ -173,15 +174,19 @@ impl<'a> ValueReader<'a, '_> {
 
     /// Reads the contacts `[impacts.NAME]` of a scene, with coefficients that `coefficients` has read.
     /// Wrong contacts are reported.
-    pub(in crate::scene) fn impacts(&mut self, table: &'a DeTable<'a>, coefficients: &[Coefficients]) -> Vec<Impact> {
+    pub(in crate::scene) fn impacts(
+        &mut self,
+        table: &'a DeTable<'a>,
+        coefficients: &[Coefficients],
+    ) -> Vec<ImpactContact> {
         let Some(section) = self.section(table, IMPACTS) else { return Vec::new() };
-        let (mut places, mut list) = (Places::default(), Vec::<Impact>::new());
+        let (mut places, mut list) = (Places::default(), Vec::<ImpactContact>::new());
         let entries = self.reader.entries(section);
         if let Some((name, _)) = entries.get(MOST) {
             let message = format!("the scene has {} contacts, more than {MOST}", entries.len());
             self.reader.error(name.span.clone(), message, "leave out those that are not met");
         }
-        let none = Coefficients { restitution: Number::rounded(0.0), friction: None };
+        let none = Coefficients { restitution: Number::from_double(0.0), friction: None };
         for ((name, value), own) in entries.into_iter().zip(coefficients.iter().chain(std::iter::repeat(&none))) {
             let what = format!("the contact `{}`", name.text);
             let Some(entry) =
@@ -189,7 +194,11 @@ impl<'a> ValueReader<'a, '_> {
             else {
                 continue;
             };
-            self.reader.allow(entry, &what, &["gap", "restitution", "law", "no_slip", "friction", "along", "about"]);
+            self.reader.report_unknown_keys(
+                entry,
+                &what,
+                &["gap", "restitution", "law", "no_slip", "friction", "along", "about"],
+            );
             let law = match self.choice(Some(entry), "law", &ImpactLaw::NAMES) {
                 Some("poisson") => ImpactLaw::Poisson,
                 _ => ImpactLaw::Newton,
@@ -198,10 +207,10 @@ impl<'a> ValueReader<'a, '_> {
                 let help = "impulses of one instant follow from all contacts together: state one law for all of them";
                 self.reader.error(name.span.clone(), format!("{what} has another law than those before it"), help);
             }
-            let gap = self.reader.need(entry, "gap", &what, &name.span);
+            let gap = self.reader.required(entry, "gap", &what, &name.span);
             let gap = gap.and_then(|value| self.reader.formula(value, "`gap`"));
             let gap = gap.and_then(|formula| self.gap(&mut places, &formula));
-            let slips = self.slips(&mut places, entry);
+            let slips = self.no_slip_velocities(&mut places, entry);
             if law == ImpactLaw::Poisson && !slips.is_empty() {
                 let help = "leave `no_slip` out, or take law = \"newton\"";
                 self.reader.error(
@@ -217,7 +226,7 @@ impl<'a> ValueReader<'a, '_> {
             }
             if let Some((gap, rate)) = gap {
                 let (restitution, restitution_extended) = (own.restitution.double, own.restitution.extended());
-                list.push(Impact {
+                list.push(ImpactContact {
                     name: name.text,
                     gap,
                     rate,
@@ -262,14 +271,14 @@ impl<'a> ValueReader<'a, '_> {
             }
             (Some(_), Some(value)) => self.reader.formula(value, "`along`")?,
         };
-        let slip = self.slip(places, &along)?;
+        let slip = self.slip_velocity(places, &along)?;
         let mu = coefficient?;
         Some(ContactFriction { along: slip, coefficient: mu.double, coefficient_extended: mu.extended() })
     }
 
     /// Reads a velocity along a contact, which must be linear in rates and speeds. `None` after an
     /// error is reported.
-    fn slip(&mut self, places: &mut Places, formula: &Located) -> Option<Expr> {
+    fn slip_velocity(&mut self, places: &mut Places, formula: &Located) -> Option<Expr> {
         let slip = self.contact_formula(places, formula, ContactFormula::Slip)?;
         let model = &mut *self.model;
         let moving: Vec<Expr> = model.coordinates.iter().map(|c| c.rate).chain(model.u()).collect();
@@ -305,7 +314,7 @@ impl<'a> ValueReader<'a, '_> {
 
     /// Reads the velocities that are zero while a contact is closed: `no_slip = ["v(A) @ N [1]"]`.
     /// Empty without the key.
-    fn slips(&mut self, places: &mut Places, entry: &'a DeTable<'a>) -> Vec<Expr> {
+    fn no_slip_velocities(&mut self, places: &mut Places, entry: &'a DeTable<'a>) -> Vec<Expr> {
         let Some(value) = self.reader.get(entry, "no_slip") else { return Vec::new() };
         let DeValue::Array(array) = value.get_ref() else {
             let help = "write no_slip = [\"v(A) @ N [1]\"], the velocities along the contact";
@@ -315,7 +324,7 @@ impl<'a> ValueReader<'a, '_> {
         let mut list = Vec::new();
         for entry in array {
             let Some(formula) = self.reader.formula(entry, "a velocity") else { continue };
-            list.extend(self.slip(places, &formula));
+            list.extend(self.slip_velocity(places, &formula));
         }
         list
     }
@@ -341,7 +350,7 @@ impl<'a> ValueReader<'a, '_> {
             let help = if name == TIME {
                 "nothing in the model names `t`: let a point of it move in time, and take its position".to_owned()
             } else {
-                nearest(name, known.iter().map(|(known, _)| known.as_str()))
+                nearest_name_advice(name, known.iter().map(|(known, _)| known.as_str()))
             };
             Err((format!("`{name}` cannot stand in {what}"), Some(help)))
         };

@@ -3,12 +3,12 @@
 
 use crate::algebra::Arena;
 use crate::algebra::text::parse::parse;
-use crate::diagnostic::{Diagnostics, Source, nearest};
-use crate::model::{Binding, Input, Model, StatedUnit, TIME};
-use crate::read::{Located, Reader};
-use crate::scene::numbers::table::{Interpolation, interpolated};
-use crate::scene::numbers::values::{InputNumber, ValueReader};
+use crate::diagnostic::{Diagnostics, Source, nearest_name_advice};
+use crate::model::{Input, InputBinding, Model, StatedUnit, TIME};
+use crate::scene::numbers::number_reader::{InputNumber, ValueReader};
+use crate::scene::numbers::signal_table::{Interpolation, signal_table_formula};
 use crate::scene::{Scene, load};
+use crate::toml_reader::{Located, TomlReader};
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -20,7 +20,7 @@ const INPUTS: &str = "inputs";
 #[derive(Default)]
 pub struct InputBindings {
     /// Formulas for inputs, in the order of the scene file.
-    pub bindings: Vec<Binding>,
+    pub bindings: Vec<InputBinding>,
     /// Byte range of the section `[inputs]` in the scene file; empty without the section.
     pub place: Range<usize>,
 }
@@ -31,20 +31,20 @@ pub struct InputBindings {
 ///
 /// # Errors
 /// [`Diagnostics`] with every error of the scene file.
-pub fn load_bound(source: &Source, model: &mut Model) -> Result<Scene, Diagnostics> {
-    bind(source, model)?;
+pub fn load_scene_with_inputs(source: &Source, model: &mut Model) -> Result<Scene, Diagnostics> {
+    bind_inputs(source, model)?;
     load(source, model)
 }
 
 /// Replaces inputs of a model by the formulas that a scene or state file gives to them. Returns
 /// `Diagnostics` with the errors of these formulas.
-pub(in crate::scene) fn bind(source: &Source, model: &mut Model) -> Result<(), Diagnostics> {
-    let (reader, table) = Reader::parse(source)?;
+pub(in crate::scene) fn bind_inputs(source: &Source, model: &mut Model) -> Result<(), Diagnostics> {
+    let (reader, table) = TomlReader::parse(source)?;
     let mut values = ValueReader::new(reader, model);
     let given = values.inputs(table.get_ref());
     values.reader.finish()?;
     if given.bindings != model.bindings {
-        *model = model.bound(given.bindings, source, given.place)?;
+        *model = model.with_inputs(given.bindings, source, given.place)?;
     }
     Ok(())
 }
@@ -58,18 +58,18 @@ impl<'a> ValueReader<'a, '_> {
         given.place = self.reader.get(table, INPUTS).map_or(0..0, Spanned::span);
         for (name, value) in self.reader.entries(section) {
             let Some(input) = self.model.inputs.iter().find(|input| input.name == name.text) else {
-                let help = nearest(&name.text, self.model.inputs.iter().map(|input| input.name.as_str()));
+                let help = nearest_name_advice(&name.text, self.model.inputs.iter().map(|input| input.name.as_str()));
                 self.reader.error(name.span, format!("the model has no input `{}`", name.text), help);
                 continue;
             };
             let takes_numbers = self.takes_numbers(input);
             let formula = match value.get_ref() {
-                DeValue::Table(_) => self.table_of(table, &name, value),
-                _ => self.reader.formula(value, "an input").filter(|formula| self.is_signal(formula)),
+                DeValue::Table(_) => self.input_table_formula(table, &name, value),
+                _ => self.reader.formula(value, "an input").filter(|formula| self.is_input_signal(formula)),
             };
             let Some(formula) = formula else { continue };
             if !takes_numbers || !Self::is_number(&formula) {
-                given.bindings.push(Binding { input: name.text, formula: formula.text });
+                given.bindings.push(InputBinding { input: name.text, formula: formula.text });
             }
         }
         given
@@ -115,7 +115,7 @@ impl<'a> ValueReader<'a, '_> {
 
     /// True if every name in a formula may occur in an input; otherwise reports the name and returns
     /// false.
-    fn is_signal(&mut self, formula: &Located) -> bool {
+    fn is_input_signal(&mut self, formula: &Located) -> bool {
         if Self::is_number(formula) {
             return true;
         }
@@ -131,7 +131,10 @@ impl<'a> ValueReader<'a, '_> {
             if known.iter().any(|known| known == name) {
                 return Ok(arena.symbol(name));
             }
-            Err((format!("`{name}` cannot stand in an input"), Some(nearest(name, known.iter().map(String::as_str)))))
+            Err((
+                format!("`{name}` cannot stand in an input"),
+                Some(nearest_name_advice(name, known.iter().map(String::as_str))),
+            ))
         });
         if let Err(error) = &result {
             self.reader.error(
@@ -145,11 +148,16 @@ impl<'a> ValueReader<'a, '_> {
 
     /// Formula of t for an input that a CSV table gives: `{ table = "drive.csv", column = "F" }`.
     /// `None` after an error is reported.
-    fn table_of(&mut self, file: &'a DeTable<'a>, name: &Located, value: &'a Spanned<DeValue<'a>>) -> Option<Located> {
+    fn input_table_formula(
+        &mut self,
+        file: &'a DeTable<'a>,
+        name: &Located,
+        value: &'a Spanned<DeValue<'a>>,
+    ) -> Option<Located> {
         let what = format!("input `{}`", name.text);
         let entry = self.reader.table(value, &what, "{ table = \"drive.csv\", column = \"F\" }")?;
-        self.reader.allow(entry, &what, &["table", "time", "column", "interpolation"]);
-        let path = self.reader.need(entry, "table", &what, &name.span)?;
+        self.reader.report_unknown_keys(entry, &what, &["table", "time", "column", "interpolation"]);
+        let path = self.reader.required(entry, "table", &what, &name.span)?;
         let path = self.reader.string(path, "`table`")?;
         let mut column = |key: &str, default: &str| match self.reader.get(entry, key) {
             Some(value) => self.reader.string(value, &format!("`{key}`")).map(|text| text.text),
@@ -158,9 +166,9 @@ impl<'a> ValueReader<'a, '_> {
         let (time, column) = (column("time", TIME)?, column("column", &name.text)?);
         let how = self.choice(Some(entry), "interpolation", &["linear", "cubic"]);
         let how = if how == Some("cubic") { Interpolation::Cubic } else { Interpolation::Linear };
-        let span = self.span_of(file)?;
+        let span = self.ordered_span(file)?;
         let folder = self.reader.source.path.parent().map(std::path::Path::to_owned).unwrap_or_default();
-        match interpolated(&folder.join(&path.text), [&time, &column], how, span) {
+        match signal_table_formula(&folder.join(&path.text), [&time, &column], how, span) {
             Ok(text) => Some(Located { text, span: path.span, exact: false }),
             Err((message, help)) => {
                 self.reader.error(path.span, message, help);
@@ -171,7 +179,7 @@ impl<'a> ValueReader<'a, '_> {
 
     /// First and last instant of the scene's span, s, the smaller value first; `None` after an error is
     /// reported.
-    fn span_of(&mut self, file: &'a DeTable<'a>) -> Option<(f64, f64)> {
+    fn ordered_span(&mut self, file: &'a DeTable<'a>) -> Option<(f64, f64)> {
         let parameters = self.parameters(file)?;
         let (from, to) = self.span(file, &parameters)?;
         Some((from.double.min(to.double), from.double.max(to.double)))

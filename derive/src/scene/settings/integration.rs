@@ -2,17 +2,18 @@
 //! steps, and integrated variables.
 
 use crate::algebra::Rational;
-use crate::algebra::value::exact::pi;
-use crate::diagnostic::{Diagnostic, UnknownName, nearest};
-use crate::mechanics::Distance;
-use crate::scene::numbers::values::{Number, ValueReader};
+use crate::algebra::value::rational_value::rational_pi;
+use crate::diagnostic::{Diagnostic, UnknownName, nearest_name_advice};
+use crate::mechanics::SingularDistance;
+use crate::scene::numbers::number_reader::{Number, ValueReader};
 use std::fmt;
 use std::str::FromStr;
 use toml::de::{DeTable, DeValue};
 use tripos_traits::{ATOL, AbsoluteTolerance, Method, RTOL};
 
-/// Names of the methods that solve for accelerations, in the order of [`Solve::ALL`].
-pub(crate) const SOLVES: [&str; Solve::ALL.len()] = [Solve::ALL[0].name(), Solve::ALL[1].name()];
+/// Names of the methods that solve for accelerations, in the order of [`AccelerationSolution::ALL`].
+pub(crate) const SOLVES: [&str; AccelerationSolution::ALL.len()] =
+    [AccelerationSolution::ALL[0].name(), AccelerationSolution::ALL[1].name()];
 
 /// Integrator of a run: a stepping method or quadrature.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -84,7 +85,7 @@ impl FromStr for Integrator {
 
 /// Method that solves the equations of motion for the accelerations.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Solve {
+pub enum AccelerationSolution {
     /// Formulas in closed form, from an elimination at the time of derivation.
     #[default]
     Eliminated,
@@ -92,7 +93,7 @@ pub enum Solve {
     Numeric,
 }
 
-impl Solve {
+impl AccelerationSolution {
     /// Both methods that solve for accelerations, in the order in which they are listed to users.
     pub const ALL: [Self; 2] = [Self::Eliminated, Self::Numeric];
 
@@ -106,7 +107,7 @@ impl Solve {
     }
 }
 
-impl FromStr for Solve {
+impl FromStr for AccelerationSolution {
     type Err = UnknownName;
 
     fn from_str(name: &str) -> Result<Self, UnknownName> {
@@ -118,12 +119,12 @@ impl FromStr for Solve {
 
 /// Invariant of the motion onto which each step of a run is projected.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Project {
+pub enum ProjectionTarget {
     /// Total energy, which stays at its value at the start of the run.
     Energy,
 }
 
-impl Project {
+impl ProjectionTarget {
     /// All invariants onto which runs can be projected, in the order in which they are listed to users.
     pub const ALL: [Self; 1] = [Self::Energy];
 
@@ -136,7 +137,7 @@ impl Project {
     }
 }
 
-impl FromStr for Project {
+impl FromStr for ProjectionTarget {
     type Err = UnknownName;
 
     fn from_str(name: &str) -> Result<Self, UnknownName> {
@@ -153,7 +154,7 @@ pub struct Integration {
     /// Integrator of the run: a stepping method or quadrature.
     pub method: Integrator,
     /// Method that solves for the accelerations; `None` if the program chooses it by the model.
-    pub solve: Option<Solve>,
+    pub solve: Option<AccelerationSolution>,
     /// Relative tolerance of the error of a step, without unit.
     pub rtol: f64,
     /// Absolute tolerance of the error of a step, in the SI units of coordinates and speeds.
@@ -171,10 +172,10 @@ pub struct Integration {
     /// crossing.
     pub domain_stops: bool,
     /// Invariant onto which each step is projected; `None` for no projection.
-    pub project: Option<Project>,
+    pub project: Option<ProjectionTarget>,
     /// Distance of a coordinate from a right angle, integrated in place of the coordinate; `None` if
     /// the file states none.
-    pub distance: Option<Distance>,
+    pub distance: Option<SingularDistance>,
     /// True if the scene's reduced equations may integrate a distance in place of a coordinate; false
     /// if the scene file says `distance = "none"`.
     pub may_measure: bool,
@@ -190,15 +191,15 @@ impl<'a> ValueReader<'a, '_> {
     pub fn integration(&mut self, table: &'a DeTable<'a>, p: &[Number]) -> Integration {
         let section = self.section(table, "integration");
         if let Some(section) = section {
-            self.reader.allow(section, "`integration`", &KEYS);
+            self.reader.report_unknown_keys(section, "`integration`", &KEYS);
         }
-        let rtol = self.size(section, "rtol", p).unwrap_or(RTOL);
-        let atol = self.absolute(section, p);
+        let rtol = self.nonnegative_number(section, "rtol", p).unwrap_or(RTOL);
+        let atol = self.absolute_tolerance(section, p);
         if rtol == 0.0 && atol == AbsoluteTolerance::Uniform(0.0) {
             let help = "give at least one tolerance above zero";
             self.reader.errors.push(Diagnostic::of_file("rtol and atol are both zero", help));
         }
-        let project = self.choice(section, "project", &Project::ALL.map(Project::name));
+        let project = self.choice(section, "project", &ProjectionTarget::ALL.map(ProjectionTarget::name));
         let solve = self.choice(section, "solve", &SOLVES);
         let method = self.choice(section, "method", &Integrator::NAMES);
         let method = method.and_then(|name| name.parse().ok()).unwrap_or_default();
@@ -228,14 +229,14 @@ impl<'a> ValueReader<'a, '_> {
             samples: self.count(section, "samples", 2, 10_000_000).and_then(|n| usize::try_from(n).ok()),
             domain_stops: self.choice(section, "domain", &["stop", "watch"]) != Some("watch"),
             project: project.and_then(|name| name.parse().ok()),
-            may_measure: !self.says_none(section),
+            may_measure: !self.refuses_distance(section),
             distance: self.distance(section),
         }
     }
 
     /// Reads a number under a key that must not be negative; a negative number is reported. `None` if
     /// absent, or if it has no value.
-    fn size(&mut self, section: Option<&'a DeTable<'a>>, key: &str, p: &[Number]) -> Option<f64> {
+    fn nonnegative_number(&mut self, section: Option<&'a DeTable<'a>>, key: &str, p: &[Number]) -> Option<f64> {
         let value = section.and_then(|s| self.reader.get(s, key))?;
         let formula = self.reader.formula(value, &format!("`{key}`"))?;
         let number = self.number(&formula, p, &format!("`{key}`"))?.double;
@@ -249,7 +250,7 @@ impl<'a> ValueReader<'a, '_> {
     /// if absent, or if it has no value.
     fn step(&mut self, section: Option<&'a DeTable<'a>>, key: &str, p: &[Number]) -> Option<f64> {
         let value = section.and_then(|s| self.reader.get(s, key))?;
-        let step = self.size(section, key, p)?;
+        let step = self.nonnegative_number(section, key, p)?;
         if step == 0.0 {
             let help = "give the length of a step in seconds, above zero";
             self.reader.error(value.span(), format!("`{key}` is zero"), help);
@@ -259,12 +260,12 @@ impl<'a> ValueReader<'a, '_> {
 
     /// Reads the absolute tolerance `atol`: a single number, or a table by coordinate and speed.
     /// Entries left out have the default.
-    fn absolute(&mut self, section: Option<&'a DeTable<'a>>, p: &[Number]) -> AbsoluteTolerance {
+    fn absolute_tolerance(&mut self, section: Option<&'a DeTable<'a>>, p: &[Number]) -> AbsoluteTolerance {
         let Some(value) = section.and_then(|s| self.reader.get(s, "atol")) else {
             return AbsoluteTolerance::default();
         };
         if !matches!(value.get_ref(), DeValue::Table(_)) {
-            return AbsoluteTolerance::Uniform(self.size(section, "atol", p).unwrap_or(ATOL));
+            return AbsoluteTolerance::Uniform(self.nonnegative_number(section, "atol", p).unwrap_or(ATOL));
         }
         let coordinates = self.model.coordinates.iter().map(|c| c.name.clone());
         let names: Vec<String> = coordinates.chain(self.model.speeds.iter().map(|s| s.name.clone())).collect();
@@ -274,9 +275,9 @@ impl<'a> ValueReader<'a, '_> {
         };
         for (name, _) in self.reader.entries(table) {
             match names.iter().position(|known| *known == name.text) {
-                Some(at) => each[at] = self.size(Some(table), &name.text, p).unwrap_or(ATOL),
+                Some(at) => each[at] = self.nonnegative_number(Some(table), &name.text, p).unwrap_or(ATOL),
                 None => {
-                    let (message, help) = self.model.no_state(&name.text, names.iter().map(String::as_str));
+                    let (message, help) = self.model.unknown_state_name(&name.text, names.iter().map(String::as_str));
                     self.reader.error(name.span, message, help);
                 }
             }
@@ -286,14 +287,14 @@ impl<'a> ValueReader<'a, '_> {
 
     /// True if the scene file says `distance = "none"`, so that no distance is integrated in place of a
     /// coordinate.
-    fn says_none(&self, section: Option<&'a DeTable<'a>>) -> bool {
+    fn refuses_distance(&self, section: Option<&'a DeTable<'a>>) -> bool {
         let value = section.and_then(|s| self.reader.get(s, "distance"));
         value.is_some_and(|v| v.get_ref().as_str() == Some("none"))
     }
 
     /// Reads `distance = { q2 = "90*deg" }`: q2 − 90° is integrated in place of q2. The angle must be a
     /// nonzero multiple of 90°. `None` if absent, or after an error is reported.
-    fn distance(&mut self, section: Option<&'a DeTable<'a>>) -> Option<Distance> {
+    fn distance(&mut self, section: Option<&'a DeTable<'a>>) -> Option<SingularDistance> {
         const HOW: &str = "distance = { q2 = \"90*deg\" }";
         let value = section.and_then(|s| self.reader.get(s, "distance"))?;
         if value.get_ref().as_str() == Some("none") {
@@ -307,7 +308,7 @@ impl<'a> ValueReader<'a, '_> {
             return None;
         };
         let Some(coordinate) = self.model.coordinates.iter().position(|c| c.name == name.text) else {
-            let help = nearest(&name.text, self.model.coordinates.iter().map(|c| c.name.as_str()));
+            let help = nearest_name_advice(&name.text, self.model.coordinates.iter().map(|c| c.name.as_str()));
             self.reader.error(name.span.clone(), format!("the model has no coordinate `{}`", name.text), help);
             return None;
         };
@@ -315,14 +316,14 @@ impl<'a> ValueReader<'a, '_> {
         let exact = self.constant(&formula)?.exact;
         // The exact value has only finitely many decimals of π: a multiple of 90° is recognized within
         // 1e-15 of a quarter turn.
-        let quarter = pi().recip().map(|inverse| Rational::integer(2).mul(&inverse));
+        let quarter = rational_pi().reciprocal().map(|inverse| Rational::integer(2).mul(&inverse));
         let turns = exact.zip(quarter).map(|(origin, quarter)| origin.mul(&quarter).to_f64());
         let found = (-4..=4).find(|k| *k != 0 && turns.is_some_and(|t| (t - f64::from(*k)).abs() < 1e-15));
         if found.is_none() {
             let help = "give 90, 180, 270 or 360 degrees, or their negatives: there sines or cosines vanish exactly";
             self.reader.error(formula.span, "the origin of a distance is not a multiple of a right angle", help);
         }
-        found.map(|quarter_turns| Distance { coordinate, quarter_turns })
+        found.map(|quarter_turns| SingularDistance { coordinate, quarter_turns })
     }
 
     /// Reads a key whose value must be one of the words `allowed`. `None` if the key is absent, or
@@ -337,7 +338,7 @@ impl<'a> ValueReader<'a, '_> {
         let text = self.reader.string(value, &format!("`{key}`"))?;
         let found = allowed.iter().find(|a| **a == text.text).copied();
         if found.is_none() {
-            let help = crate::diagnostic::nearest(&text.text, allowed.iter().copied());
+            let help = crate::diagnostic::nearest_name_advice(&text.text, allowed.iter().copied());
             self.reader.error(text.span, format!("`{}` is not a value of `{key}`", text.text), help);
         }
         found

@@ -1,11 +1,11 @@
 //! Outputs of a scene, and messages for quantities that rigid-body equations do not contain.
 
-use crate::diagnostic::nearest;
+use crate::diagnostic::nearest_name_advice;
 use crate::model::Model;
-use crate::plain::one_line;
-use crate::read::Located;
+use crate::plain_text::one_line;
 use crate::scene::SceneOutput;
-use crate::scene::numbers::values::ValueReader;
+use crate::scene::numbers::number_reader::ValueReader;
+use crate::toml_reader::Located;
 use toml::de::{DeTable, DeValue};
 
 /// Names of energies in outputs. A quantity of the model with one of these names takes precedence.
@@ -13,7 +13,7 @@ pub const ENERGIES: [&str; 3] = ["kinetic_energy", "potential_energy", "total_en
 
 /// Words for quantities that rigid-body equations do not contain, each list with the message for a
 /// user who names one.
-const NOT_THERE: [(&[&str], &str); 4] = [
+const QUANTITIES_WITHOUT_EQUATION: [(&[&str], &str); 4] = [
     (
         &["impact", "bounce", "rebound", "collision", "restitution"],
         "an impact cannot be an output: state the contact under [impacts], and the run lists all impacts with impulses and losses",
@@ -39,7 +39,7 @@ impl<'a> ValueReader<'a, '_> {
     /// "q2" }`. Without the key, every coordinate and speed is an output. The second value is true if
     /// the scene file states outputs.
     pub fn outputs(&mut self, table: &'a DeTable<'a>) -> (Vec<SceneOutput>, bool) {
-        let Some(value) = self.reader.get(table, "outputs") else { return (states(self.model), false) };
+        let Some(value) = self.reader.get(table, "outputs") else { return (default_outputs(self.model), false) };
         let DeValue::Array(array) = value.get_ref() else {
             let help = "write outputs = [\"q2\", \"u1\"], or a formula in quotes";
             self.reader.error(value.span(), "`outputs` must be a list", help);
@@ -55,10 +55,10 @@ impl<'a> ValueReader<'a, '_> {
                 DeValue::Table(_) => {
                     let how = "{ name = \"lean\", value = \"q2\" }";
                     let Some(table) = self.reader.table(entry, "an output", how) else { continue };
-                    self.reader.allow(table, "an output", &["name", "value"]);
-                    let name = self.reader.need(table, "name", "an output", &entry.span());
+                    self.reader.report_unknown_keys(table, "an output", &["name", "value"]);
+                    let name = self.reader.required(table, "name", "an output", &entry.span());
                     let name = name.and_then(|v| self.reader.name(v, "an output's name"));
-                    let value = self.reader.need(table, "value", "an output", &entry.span());
+                    let value = self.reader.required(table, "value", "an output", &entry.span());
                     let value = value.and_then(|v| self.reader.formula(v, "an output"));
                     let (Some(name), Some(value)) = (name, value) else { continue };
                     (name, value)
@@ -98,7 +98,9 @@ impl<'a> ValueReader<'a, '_> {
     pub(in crate::scene) fn output_formula(&mut self, formula: &Located) -> Option<crate::algebra::Expr> {
         let word = formula.text.trim().to_lowercase().replace([' ', '-'], "_");
         let known = self.model.arena.find_symbol(formula.text.trim()).is_some();
-        if let (false, Some((_, why))) = (known, NOT_THERE.iter().find(|(words, _)| words.contains(&word.as_str()))) {
+        if let (false, Some((_, why))) =
+            (known, QUANTITIES_WITHOUT_EQUATION.iter().find(|(words, _)| words.contains(&word.as_str())))
+        {
             self.reader.error(formula.span.clone(), format!("no output `{}` can be had", formula.text), *why);
             return None;
         }
@@ -107,7 +109,7 @@ impl<'a> ValueReader<'a, '_> {
 
     /// Reads `free = ["M"]`: indices of the parameters that stay symbols in the scene's reduced
     /// equations. Unknown names are reported.
-    pub fn free(&mut self, table: &'a DeTable<'a>) -> Vec<usize> {
+    pub fn free_parameters(&mut self, table: &'a DeTable<'a>) -> Vec<usize> {
         let Some(value) = self.reader.get(table, "free") else { return Vec::new() };
         let DeValue::Array(array) = value.get_ref() else {
             self.reader.error(value.span(), "`free` must be a list of parameters", "write free = [\"M\"]");
@@ -120,7 +122,7 @@ impl<'a> ValueReader<'a, '_> {
                 Some(at) if !list.contains(&at) => list.push(at),
                 Some(_) => {}
                 None => {
-                    let help = nearest(&name.text, self.model.parameters.iter().map(|p| p.name.as_str()));
+                    let help = nearest_name_advice(&name.text, self.model.parameters.iter().map(|p| p.name.as_str()));
                     self.reader.error(name.span, format!("the model has no parameter `{}`", name.text), help);
                 }
             }
@@ -130,7 +132,7 @@ impl<'a> ValueReader<'a, '_> {
 }
 
 /// Default outputs: every coordinate, then every generalized speed.
-fn states(model: &Model) -> Vec<SceneOutput> {
+fn default_outputs(model: &Model) -> Vec<SceneOutput> {
     let coordinates = model.coordinates.iter().map(|c| SceneOutput { name: c.name.clone(), value: c.symbol });
     coordinates.chain(model.speeds.iter().map(|s| SceneOutput { name: s.name.clone(), value: s.symbol })).collect()
 }

@@ -3,9 +3,9 @@
 
 use crate::algebra::Expr;
 use crate::algebra::term::calculus::Gradient;
-use crate::algebra::value::evaluate::Tape;
+use crate::algebra::value::tape::Tape;
 use crate::model::Model;
-use crate::scene::numbers::values::Number;
+use crate::scene::numbers::number_reader::Number;
 use nalgebra::{DMatrix, DVector};
 use tripos_traits::{DoubleDouble, Scalar};
 
@@ -72,12 +72,12 @@ impl Loops {
     /// Creates the loops of a model, without held variables.
     #[must_use]
     pub fn new(model: &Model) -> Self {
-        Self::holding(model, &[])
+        Self::with_held_variables(model, &[])
     }
 
     /// Creates the loops of a model with held variables, as (index of the constraint that fixes the
     /// variable, value).
-    pub(in crate::scene) fn holding(model: &Model, held: &[(usize, Number)]) -> Self {
+    pub(in crate::scene) fn with_held_variables(model: &Model, held: &[(usize, Number)]) -> Self {
         let arena = &mut model.arena.clone();
         let coordinates = model.q();
         let inputs = [model.p(), coordinates.clone()].concat();
@@ -115,12 +115,12 @@ impl Loops {
 
     /// Residuals of the redundant loops in a pose, for parameters `p` and coordinates `q` in SI units.
     #[must_use]
-    pub fn following(&self, p: &[f64], q: &[f64]) -> Vec<DependentLoop<'_>> {
-        let (open, slopes) = (self.open(p, q), self.slopes(p, q));
+    pub fn redundant_residuals(&self, p: &[f64], q: &[f64]) -> Vec<DependentLoop<'_>> {
+        let (open, slopes) = (self.loop_residuals(p, q), self.slopes(p, q));
         let following = (self.independent..self.count).map(|row| DependentLoop {
             name: &self.names[row],
             residual: open[row],
-            part: open[row].abs() / size(&slopes, row, q),
+            part: open[row].abs() / loop_term_size(&slopes, row, q),
         });
         following.collect()
     }
@@ -133,7 +133,7 @@ impl Loops {
         let known = doubles(p);
         if free.is_empty() {
             let held = doubles(q);
-            return self.is_closed(&known, &held, &self.open(&known, &held), HELD).then(|| q.to_vec());
+            return self.is_closed(&known, &held, &self.loop_residuals(&known, &held), HELD).then(|| q.to_vec());
         }
         let found = self.newton(&known, &doubles(q), free);
         let slopes = self.slopes(&known, &found.q).select_columns(free);
@@ -148,7 +148,7 @@ impl Loops {
             precise[*at] = found.q[*at].into();
         }
         for _ in 0..3 {
-            let open = self.open_extended(p, &precise);
+            let open = self.loop_residuals_extended(p, &precise);
             for (row, at) in free.iter().enumerate() {
                 for (column, open) in open.iter().enumerate() {
                     precise[*at] = precise[*at] - DoubleDouble::from_f64(found.inverse[(row, column)]) * *open;
@@ -162,12 +162,12 @@ impl Loops {
     /// follow.
     #[must_use]
     pub fn openings(&self, p: &[f64], q: &[f64]) -> Vec<(&str, f64)> {
-        self.names.iter().map(String::as_str).zip(self.open(p, q)).collect()
+        self.names.iter().map(String::as_str).zip(self.loop_residuals(p, q)).collect()
     }
 
     /// Name of a redundant loop whose derivatives are not a combination of those of the independent
     /// loops in this pose, although they should be. `None` if all are.
-    pub(in crate::scene) fn not_following(&self, p: &[f64], q: &[f64]) -> Option<&str> {
+    pub(in crate::scene) fn violated_redundant_loop(&self, p: &[f64], q: &[f64]) -> Option<&str> {
         if self.independent == self.count {
             return None;
         }
@@ -181,7 +181,7 @@ impl Loops {
     }
 
     /// Residual of each loop, then deviation of each held variable from its value, in SI units.
-    pub(in crate::scene) fn open(&self, p: &[f64], q: &[f64]) -> Vec<f64> {
+    pub(in crate::scene) fn loop_residuals(&self, p: &[f64], q: &[f64]) -> Vec<f64> {
         let mut open = self.values.evaluate(&[p, q].concat());
         for (open, held) in open[self.count..].iter_mut().zip(&self.held) {
             *open -= held.hi();
@@ -190,7 +190,11 @@ impl Loops {
     }
 
     /// Residual of each loop and deviation of each held variable, in SI units and to 32 digits.
-    pub(in crate::scene) fn open_extended(&self, p: &[DoubleDouble], q: &[DoubleDouble]) -> Vec<DoubleDouble> {
+    pub(in crate::scene) fn loop_residuals_extended(
+        &self,
+        p: &[DoubleDouble],
+        q: &[DoubleDouble],
+    ) -> Vec<DoubleDouble> {
         let mut open = self.values.to::<DoubleDouble>().evaluate(&[p, q].concat());
         for (open, held) in open[self.count..].iter_mut().zip(&self.held) {
             *open = *open - *held;
@@ -208,7 +212,7 @@ impl Loops {
     /// True if the residual of every loop is at most `part` times the size of its terms.
     pub(in crate::scene) fn is_closed(&self, p: &[f64], q: &[f64], open: &[f64], part: f64) -> bool {
         let slopes = self.slopes(p, q);
-        open.iter().enumerate().all(|(row, open)| open.abs() <= part * size(&slopes, row, q))
+        open.iter().enumerate().all(|(row, open)| open.abs() <= part * loop_term_size(&slopes, row, q))
     }
 
     /// True if the independent loops lose rank in this pose: their derivatives are linearly dependent.
@@ -224,7 +228,7 @@ impl Loops {
     /// not determine all of them, it takes the smallest change.
     pub(in crate::scene) fn newton(&self, p: &[f64], start: &[f64], free: &[usize]) -> FoundPose {
         let mut q = start.to_vec();
-        let mut open = DVector::from_vec(self.open(p, &q));
+        let mut open = DVector::from_vec(self.loop_residuals(p, &q));
         let inverse_at = |q: &[f64]| {
             let slopes = self.slopes(p, q).select_columns(free);
             let svd = slopes.svd(true, true);
@@ -244,7 +248,7 @@ impl Loops {
                 for (at, step) in free.iter().zip(step.iter()) {
                     next[*at] -= share * step;
                 }
-                let left = DVector::from_vec(self.open(p, &next));
+                let left = DVector::from_vec(self.loop_residuals(p, &next));
                 if left.norm() < open.norm() {
                     better = Some((next, left));
                     break;
@@ -263,6 +267,6 @@ impl Loops {
 
 /// Sum of the sizes of the terms of the loop `row`: |slope| max(1, |q|), summed over the
 /// coordinates.
-fn size(slopes: &DMatrix<f64>, row: usize, q: &[f64]) -> f64 {
+fn loop_term_size(slopes: &DMatrix<f64>, row: usize, q: &[f64]) -> f64 {
     slopes.row(row).iter().zip(q).map(|(slope, q)| (slope * q).abs().max(slope.abs())).sum()
 }

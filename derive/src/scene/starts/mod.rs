@@ -1,9 +1,9 @@
 //! Starts of scenes: coordinates and rates that the scene file states, and those computed from
 //! constraints.
 
-pub(super) mod closing;
+pub(super) mod loop_closing;
 pub(super) mod loops;
 pub(super) mod rates;
 pub(super) mod start;
 pub(super) mod state;
-pub(super) mod unknowns;
+pub(super) mod state_with_unknowns;

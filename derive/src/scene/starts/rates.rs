@@ -11,10 +11,10 @@
 use super::start::SolvedVariable;
 use crate::algebra::Expr;
 use crate::algebra::term::calculus::Gradient;
-use crate::algebra::value::evaluate::Tape;
+use crate::algebra::value::tape::Tape;
 use crate::model::Model;
-use crate::plain::significant;
-use crate::scene::numbers::values::{Number, ValueReader, doubles, extended};
+use crate::plain_text::with_significant_digits;
+use crate::scene::numbers::number_reader::{Number, ValueReader, double_values, extended_values};
 use nalgebra::{DMatrix, DVector};
 use std::ops::Range;
 use tripos_traits::{DoubleDouble, Scalar};
@@ -97,10 +97,10 @@ impl ValueReader<'_, '_> {
             self.terms.conditions = Some(linear_in_rates(self.model));
         }
         let tape = self.terms.conditions.as_ref()?;
-        let list = conditions(self.model, stated);
+        let list = rate_conditions(self.model, stated);
         let n = q.len();
-        let known = [doubles(parameters), doubles(q)].concat();
-        let matrix = slopes(&list, n, |rates| tape.evaluate(&[&known, rates].concat()));
+        let known = [double_values(parameters), double_values(q)].concat();
+        let matrix = condition_matrix(&list, n, |rates| tape.evaluate(&[&known, rates].concat()));
         let sizes: Vec<f64> = matrix.row_iter().map(|row| row.norm()).collect();
         let square = matrix.resize_vertically(list.len().max(n), 0.0);
         if !square.iter().all(|x| x.is_finite()) {
@@ -109,13 +109,13 @@ impl ValueReader<'_, '_> {
         }
         let svd = square.svd(true, true);
         let least = RANK * svd.singular_values.max();
-        let open = open(&svd.singular_values, svd.v_t.as_ref()?, least);
+        let open = undetermined_rates(&svd.singular_values, svd.v_t.as_ref()?, least);
         if !open.is_empty() {
             self.report_open_rates(stated, &open, place);
             return None;
         }
         let wide = tape.to::<DoubleDouble>();
-        let known = [extended(parameters), extended(q)].concat();
+        let known = [extended_values(parameters), extended_values(q)].concat();
         let mut rates = vec![DoubleDouble::int(0); n];
         let mut left = Vec::new();
         for _ in 0..=REFINEMENTS {
@@ -136,7 +136,7 @@ impl ValueReader<'_, '_> {
             let message = format!(
                 "no motion has the rates of the start: in the nearest motion, `{}` is off by {}",
                 condition.name,
-                significant(left.hi(), 4)
+                with_significant_digits(left.hi(), 4)
             );
             self.reader.error(place.clone(), message, "state fewer rates: the others follow from the constraints");
             return None;
@@ -190,7 +190,7 @@ impl Condition {
 }
 
 /// All conditions on the rates: motion constraints, then stated speeds and rates.
-fn conditions(model: &Model, stated: &StatedMotion) -> Vec<Condition> {
+fn rate_conditions(model: &Model, stated: &StatedMotion) -> Vec<Condition> {
     let (ties, speeds) = (model.motion_constraints.len(), model.speeds.len());
     let mut list: Vec<Condition> = Vec::new();
     for (at, constraint) in model.motion_constraints.iter().enumerate() {
@@ -223,7 +223,7 @@ fn conditions(model: &Model, stated: &StatedMotion) -> Vec<Condition> {
 
 /// Matrix of the conditions' derivatives with respect to the n rates: a row for each condition.
 /// Differences give it exactly, since the conditions are linear.
-fn slopes(list: &[Condition], n: usize, evaluate: impl Fn(&[f64]) -> Vec<f64>) -> DMatrix<f64> {
+fn condition_matrix(list: &[Condition], n: usize, evaluate: impl Fn(&[f64]) -> Vec<f64>) -> DMatrix<f64> {
     let mut along = vec![0.0; n];
     let still = evaluate(&along);
     let mut matrix = DMatrix::zeros(list.len(), n);
@@ -243,7 +243,7 @@ fn slopes(list: &[Condition], n: usize, evaluate: impl Fn(&[f64]) -> Vec<f64>) -
 
 /// Indices of the rates that belong to a direction with a singular value up to `least`, which no
 /// condition determines.
-fn open(sizes: &DVector<f64>, directions: &DMatrix<f64>, least: f64) -> Vec<usize> {
+fn undetermined_rates(sizes: &DVector<f64>, directions: &DMatrix<f64>, least: f64) -> Vec<usize> {
     let free: Vec<usize> = (0..sizes.len()).filter(|at| sizes[*at] <= least).collect();
     (0..directions.ncols()).filter(|column| free.iter().any(|row| directions[(*row, *column)].abs() > PART)).collect()
 }

@@ -5,7 +5,7 @@ use tripos_traits::DoubleDouble;
 
 /// Parameters and start of a scene as its file states them, to 32 digits.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Exact {
+pub struct ExactStart {
     /// Values of the parameters in SI units, in the order of the model, to 32 digits if these are
     /// known.
     pub parameters: Vec<DoubleDouble>,

@@ -2,14 +2,14 @@
 //! against the constraints.
 
 use super::rates::StatedMotion;
-use super::start::{Exact, InitialMotion, SolvedVariable};
-use crate::algebra::value::evaluate::Tape;
+use super::start::{ExactStart, InitialMotion, SolvedVariable};
+use crate::algebra::value::tape::Tape;
 use crate::algebra::{Expr, Rational};
 use crate::diagnostic::Diagnostic;
 use crate::model::{Model, TIME, Unit};
-use crate::plain::significant;
-use crate::read::Located;
-use crate::scene::numbers::values::{Number, ValueReader, Varied, doubles, extended};
+use crate::plain_text::with_significant_digits;
+use crate::scene::numbers::number_reader::{Number, ValueReader, VariedNumber, double_values, extended_values};
+use crate::toml_reader::Located;
 use std::ops::Range;
 use toml::de::DeTable;
 use tripos_traits::DoubleDouble;
@@ -22,7 +22,7 @@ pub struct Start {
     /// Values of the generalized speeds in SI units, in the order of the model.
     pub u: Vec<f64>,
     /// Parameters and state to 32 digits, as the file states them.
-    pub exact: Exact,
+    pub exact: ExactStart,
     /// Coordinates and rates that the file does not state and that were solved for.
     pub closed: Vec<SolvedVariable>,
 }
@@ -51,13 +51,13 @@ struct ConstrainedCounts {
 const RESIDUAL: f64 = 1e-9;
 
 /// Stated numbers of a list, as (index, value to 32 digits); entries without a number are left out.
-fn by_place(list: &[Option<(Number, Located)>]) -> Vec<(usize, DoubleDouble)> {
+fn stated_by_index(list: &[Option<(Number, Located)>]) -> Vec<(usize, DoubleDouble)> {
     let stated = list.iter().enumerate().filter_map(|(at, stated)| Some((at, stated.as_ref()?.0.extended())));
     stated.collect()
 }
 
 /// Name of a coordinate's rate in scene and state files, such as `q1'`.
-fn model_rate(model: &Model, at: usize) -> String {
+fn rate_name(model: &Model, at: usize) -> String {
     format!("{}'", model.coordinates[at].name)
 }
 
@@ -95,7 +95,7 @@ impl<'a> ValueReader<'a, '_> {
                 let known = model.coordinates.iter().map(|c| c.name.as_str());
                 let known =
                     known.chain(rates.iter().map(String::as_str)).chain(model.speeds.iter().map(|s| s.name.as_str()));
-                let (message, help) = model.no_state(&name.text, known);
+                let (message, help) = model.unknown_state_name(&name.text, known);
                 self.reader.error(name.span, message, help);
             }
         }
@@ -104,13 +104,13 @@ impl<'a> ValueReader<'a, '_> {
         }
         for (place, number) in self.given {
             match *place {
-                Varied::Parameter(_) => {}
-                Varied::Coordinate(at) => q[at] = Some(number.clone()),
-                Varied::Rate(at) => {
-                    let name = Located { text: model_rate(self.model, at), span: 0..0, exact: false };
+                VariedNumber::Parameter(_) => {}
+                VariedNumber::Coordinate(at) => q[at] = Some(number.clone()),
+                VariedNumber::Rate(at) => {
+                    let name = Located { text: rate_name(self.model, at), span: 0..0, exact: false };
                     rates[at] = Some((number.clone(), name));
                 }
-                Varied::Speed(at) => u[at].iter_mut().for_each(|(stated, _)| *stated = number.clone()),
+                VariedNumber::Speed(at) => u[at].iter_mut().for_each(|(stated, _)| *stated = number.clone()),
             }
         }
         let guesses = self.guesses(file, parameters)?;
@@ -121,48 +121,52 @@ impl<'a> ValueReader<'a, '_> {
             self.reader.error(place, message, "leave it out of [guess], or out of [start] if the loops determine it");
             return None;
         }
-        self.now(&mut q, &mut rates, &place)?;
+        self.set_time(&mut q, &mut rates, &place)?;
         let held: Vec<(usize, Number)> = constrained.iter().map(|c| (c.constraint, c.number.clone())).collect();
-        self.complete(table, &q, &rates, &u, ConstrainedCounts { held: held.len(), fixed: fixed.len() })?;
-        let mut closed = self.close(&mut q, &held, &guesses, parameters, place.clone())?;
+        self.report_missing_values(table, &q, &rates, &u, ConstrainedCounts { held: held.len(), fixed: fixed.len() })?;
+        let mut closed = self.close_loops(&mut q, &held, &guesses, parameters, place.clone())?;
         let exact_q: Vec<Number> = q.into_iter().flatten().collect();
-        let (p, q) = (doubles(parameters), doubles(&exact_q));
+        let (p, q) = (double_values(parameters), double_values(&exact_q));
         self.check_constrained(&constrained, &p, &q);
         let by_rates = rates.iter().any(Option::is_some) || !fixed.is_empty();
         let stated = StatedMotion {
-            rates: by_place(&rates),
+            rates: stated_by_index(&rates),
             fixed: fixed.iter().map(|(at, x, _)| (*at, x.extended())).collect(),
-            speeds: by_place(&u),
+            speeds: stated_by_index(&u),
         };
         let given =
             |list: Vec<Option<(Number, Located)>>| list.into_iter().flatten().map(|(x, _)| x).collect::<Vec<Number>>();
         let (mut rates, exact_u) = (given(rates), given(u));
         let is_whole = rates.len() == n && fixed.is_empty();
         if by_rates && is_whole {
-            self.check_motion(table, &p, &q, &doubles(&rates));
+            self.check_motion(table, &p, &q, &double_values(&rates));
         } else if self.model.ties_rates() || !fixed.is_empty() {
             let solved = self.solve_motion(&stated, parameters, &exact_q, &place)?;
             if by_rates {
                 closed.extend(self.solved_rates(&stated, &solved));
-                rates = solved.into_iter().map(Number::wide).collect();
+                rates = solved.into_iter().map(Number::from_double_double).collect();
             }
         }
-        let u = if by_rates { self.speeds_from_rates(&p, &q, &doubles(&rates)) } else { doubles(&exact_u) };
+        let u = if by_rates { self.speeds_from_rates(&p, &q, &double_values(&rates)) } else { double_values(&exact_u) };
         if let Some(at) = u.iter().position(|x| !x.is_finite()) {
             let message = format!("the speed `{}` is not finite at this state", self.model.speeds[at].name);
             self.reader.errors.push(Diagnostic::of_file(message, "choose another state"));
             return None;
         }
-        let motion =
-            if by_rates { InitialMotion::Rates(extended(&rates)) } else { InitialMotion::Speeds(extended(&exact_u)) };
+        let motion = if by_rates {
+            InitialMotion::Rates(extended_values(&rates))
+        } else {
+            InitialMotion::Speeds(extended_values(&exact_u))
+        };
         let rational = parameters.iter().map(|p| p.exact.clone()).collect();
-        let exact = Exact { parameters: extended(parameters), rational, q: extended(&exact_q), motion };
+        let exact =
+            ExactStart { parameters: extended_values(parameters), rational, q: extended_values(&exact_q), motion };
         Some(Start { q, u, exact, closed })
     }
 
     /// Sets the time coordinate to the first instant of the span. In a state file it is the stated
     /// instant, or 0 if none is stated. `None` after an error is reported.
-    fn now(
+    fn set_time(
         &mut self,
         q: &mut [Option<Number>],
         rates: &mut [Option<(Number, Located)>],
@@ -185,7 +189,7 @@ impl<'a> ValueReader<'a, '_> {
 
     /// Reports coordinates, speeds and rates without a value, and a mixture of speeds and rates. `None`
     /// after an error is reported.
-    fn complete(
+    fn report_missing_values(
         &mut self,
         table: &'a DeTable<'a>,
         q: &[Option<Number>],
@@ -239,7 +243,7 @@ impl<'a> ValueReader<'a, '_> {
                     "the constraint `{}` is broken: `{}` is off by {}",
                     constraint.name,
                     constraint.fixes,
-                    significant(residual, 4)
+                    with_significant_digits(residual, 4)
                 );
                 let help = format!("leave `{}` out, or state {value}", constraint.fixes);
                 self.reader.error(span.clone(), message, help);
@@ -264,7 +268,7 @@ impl<'a> ValueReader<'a, '_> {
                 let message = format!(
                     "the start breaks the motion constraint `{}`: its value is {}, not 0",
                     constraint.name,
-                    significant(residual, 4)
+                    with_significant_digits(residual, 4)
                 );
                 self.reader.error(
                     place.clone(),

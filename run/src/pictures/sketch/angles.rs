@@ -1,12 +1,14 @@
 //! Arcs for coordinates that turn frames: each leads from an axis at angle zero to the axis in the
 //! drawn pose.
 
-use super::axes::{along_axis, is_drawn};
-use super::drawing::{Mark, Path, Role, SheetPoint, Word, unit};
-use super::sheet::{Sheet, Subject};
-use super::terms::{SignedCoordinate, Turn};
+use super::axes::{along_axis, are_axes_drawn};
+use super::drawing_elements::{LabelWord, Mark, MarkRole, Path, SheetPoint, sheet_unit_vector};
+use super::pose_formulas::{FrameTurn, SignedCoordinate};
+use super::sheet::{Sheet, SketchSubject};
 use crate::pictures::view::Triple;
-use crate::pictures::view::space::{cross, dot, length, minus, plus, rotated, rotated_back, transposed};
+use crate::pictures::view::space::{
+    add_scaled_vector, cross, dot, length, rotate_vector, rotate_vector_back, subtract_vectors, transpose,
+};
 use std::f64::consts::{PI, TAU};
 
 /// Radius of the first arc about a place, and increase of the radius for each further arc there,
@@ -39,7 +41,7 @@ pub struct Angle {
 
 /// Line whose rotation an arc shows: its origin in the inertial frame, and its direction in the
 /// turned frame.
-struct Arm {
+struct AngleLine {
     /// Origin of the line and centre of the arc, in the inertial frame, m.
     apex: Triple,
     /// Unit vector along the line, in the turned frame.
@@ -47,7 +49,7 @@ struct Arm {
 }
 
 /// Component of a vector perpendicular to the axis of an angle.
-struct Across {
+struct AcrossAxis {
     /// Nearest basis vector of the turned frame perpendicular to the axis, with its sign.
     direction: Triple,
     /// Length of the component perpendicular to the axis, m.
@@ -59,22 +61,22 @@ struct Across {
 impl Angle {
     /// Angle that a coordinate is; `None` if the coordinate is not the angle of a frame about a
     /// single axis.
-    pub fn of(subject: &Subject<'_>, coordinate: usize) -> Option<Self> {
+    pub fn of(subject: &SketchSubject<'_>, coordinate: usize) -> Option<Self> {
         let frames = 0..subject.pose.rotations.len();
         frames.into_iter().find_map(|frame| {
-            let Turn { parent, axis, term } = subject.terms.turn(frame)?;
+            let FrameTurn { parent, axis, term } = subject.terms.turn(frame)?;
             let signed = subject.terms.signed_coordinate(subject.mechanism, subject.p, subject.q, term, coordinate)?;
             Some(Self { signed, frame, parent, axis })
         })
     }
 
     /// Unit vector along the axis of the angle, in the inertial frame.
-    pub fn about(&self, subject: &Subject<'_>) -> Triple {
-        transposed(&subject.pose.rotations[self.parent])[self.axis]
+    pub fn rotation_axis(&self, subject: &SketchSubject<'_>) -> Triple {
+        transpose(&subject.pose.rotations[self.parent])[self.axis]
     }
 
     /// Value of the angle without whole turns, rad, from −π to below π.
-    pub fn extent(&self) -> f64 {
+    pub fn angle_without_turns(&self) -> f64 {
         let whole = self.signed.now - self.signed.zero;
         whole - TAU * ((whole + PI) / TAU).floor()
     }
@@ -83,43 +85,49 @@ impl Angle {
     /// It is the vector to a point placed in the turned frame, preferably along a basis vector.
     /// Else it is the first vector in a frame that turns with the turned frame, if it is
     /// perpendicular to the axis. Else it is the next basis vector, at the mass centre.
-    fn arm(&self, subject: &Subject<'_>) -> Arm {
+    fn line_of_angle(&self, subject: &SketchSubject<'_>) -> AngleLine {
         let ways = |is_own: bool| {
             let list = subject.terms.links.points.iter().enumerate().filter_map(move |(point, link)| {
                 let (from, frame) = (*link)?;
-                let is_in = if is_own { frame == self.frame } else { subject.chain(frame).any(|f| f == self.frame) };
-                let way = minus(subject.pose.points[point], subject.pose.points[from]);
+                let is_in = if is_own {
+                    frame == self.frame
+                } else {
+                    subject.frame_and_parents(frame).any(|f| f == self.frame)
+                };
+                let way = subtract_vectors(subject.pose.points[point], subject.pose.points[from]);
                 (is_in && length(way) > 1e-6 * subject.view.size).then_some((from, way))
             });
             list.collect::<Vec<_>>()
         };
         let (own, all) = (ways(true), ways(false));
-        let best = own.iter().filter_map(|(from, way)| Some((*from, self.across(subject, *way)?)));
+        let best = own.iter().filter_map(|(from, way)| Some((*from, self.component_across_axis(subject, *way)?)));
         let best = best.min_by(|(_, a), (_, b)| {
-            let rank = |x: &Across| (x.share < ALONG, -(1e6 * x.length / subject.view.size).round());
+            let rank = |x: &AcrossAxis| (x.share < ALONG, -(1e6 * x.length / subject.view.size).round());
             let (a, b) = (rank(a), rank(b));
             a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
         });
-        if let Some((from, Across { direction, .. })) = best {
-            return Arm { apex: subject.pose.points[from], direction };
+        if let Some((from, AcrossAxis { direction, .. })) = best {
+            return AngleLine { apex: subject.pose.points[from], direction };
         }
         let mut next = [0.0; 3];
         next[(self.axis + 1) % 3] = 1.0;
         if let Some((from, way)) = all.first() {
-            let of_first =
-                self.across(subject, *way).filter(|across| across.share > 0.8).map(|across| across.direction);
-            return Arm { apex: subject.pose.points[*from], direction: of_first.unwrap_or(next) };
+            let of_first = self
+                .component_across_axis(subject, *way)
+                .filter(|across| across.share > 0.8)
+                .map(|across| across.direction);
+            return AngleLine { apex: subject.pose.points[*from], direction: of_first.unwrap_or(next) };
         }
-        let turned = |frame: usize| subject.chain(frame).any(|f| f == self.frame);
+        let turned = |frame: usize| subject.frame_and_parents(frame).any(|f| f == self.frame);
         let bodies = &subject.mechanism.bodies;
         let body = bodies.iter().find(|body| body.rigid.as_ref().is_some_and(|(frame, _)| turned(*frame)));
-        Arm { apex: subject.pose.points[body.map_or(0, |body| body.centre)], direction: next }
+        AngleLine { apex: subject.pose.points[body.map_or(0, |body| body.centre)], direction: next }
     }
 
     /// Component of the vector `way` perpendicular to the axis; `None` if `way` is too close to the
     /// axis.
-    fn across(&self, subject: &Subject<'_>, way: Triple) -> Option<Across> {
-        let inside = rotated_back(&subject.pose.rotations[self.frame], way);
+    fn component_across_axis(&self, subject: &SketchSubject<'_>, way: Triple) -> Option<AcrossAxis> {
+        let inside = rotate_vector_back(&subject.pose.rotations[self.frame], way);
         let (j, k) = ((self.axis + 1) % 3, (self.axis + 2) % 3);
         let across = inside[j].hypot(inside[k]);
         if across < ACROSS * length(inside) {
@@ -129,7 +137,7 @@ impl Angle {
         let axis = if inside[k].abs() > inside[j].abs() * (1.0 + 1e-9) { k } else { j };
         let mut direction = [0.0; 3];
         direction[axis] = inside[axis].signum();
-        Some(Across { direction, length: across, share: inside[axis].abs() / length(inside) })
+        Some(AcrossAxis { direction, length: across, share: inside[axis].abs() / length(inside) })
     }
 }
 
@@ -148,71 +156,93 @@ impl Arcs {
 
 /// Adds the arc of an angle to the sheet.
 /// Returns true if the arc shows the value of the angle, false if it shows only the positive sense.
-pub fn draw(subject: &Subject<'_>, sheet: &mut Sheet, arcs: &mut Arcs, angle: &Angle) -> bool {
-    let (arm, axis, extent) = (angle.arm(subject), angle.about(subject), angle.extent());
-    let apex = subject.camera.spot(arm.apex);
+pub fn draw_angle_arc(subject: &SketchSubject<'_>, sheet: &mut Sheet, arcs: &mut Arcs, angle: &Angle) -> bool {
+    let (arm, axis, extent) = (angle.line_of_angle(subject), angle.rotation_axis(subject), angle.angle_without_turns());
+    let apex = subject.camera.project_point(arm.apex);
     let radius = arcs.radius(apex);
-    let zero = subject.turned(angle.parent, angle.axis, angle.signed.zero, arm.direction);
-    let now = rotated(&subject.pose.rotations[angle.frame], arm.direction);
+    let zero = subject.direction_after_rotation(angle.parent, angle.axis, angle.signed.zero, arm.direction);
+    let now = rotate_vector(&subject.pose.rotations[angle.frame], arm.direction);
     let is_open = extent.abs() >= TINY;
     let (from, sweep) = if is_open { (zero, extent) } else { (now, angle.signed.sign * SENSE) };
     // The arc begins at the direction `from`, and turns towards the direction that is a quarter turn further.
-    let [a, b] = [from, cross(axis, from)].map(|e| subject.camera.seen(e).map(|x| radius * x));
+    let [a, b] = [from, cross(axis, from)].map(|e| subject.camera.project_direction(e).map(|x| radius * x));
     let path = Path::arc(apex, a, b, 0.0, sweep);
     for (direction, frame) in [(zero, angle.parent), (now, angle.frame)] {
-        let seen = subject.camera.seen(direction).map(|x| (radius + 12.0) * x);
+        let seen = subject.camera.project_direction(direction).map(|x| (radius + 12.0) * x);
         let to = [0, 1].map(|i| apex[i] + seen[i]);
-        sheet.add([Mark::line(Role::Reference, Path::line(&[apex, to]))]);
+        sheet.add([Mark::line(MarkRole::Reference, Path::line(&[apex, to]))]);
         name_axis(subject, sheet, frame, direction, arm.apex, to);
     }
-    sheet.add(Mark::arrow(Role::Coordinate, path, TIP));
+    sheet.add(Mark::arrow(MarkRole::Coordinate, path, TIP));
     let middle = Path::arc(apex, a, b, 0.0, 0.5 * sweep).end();
-    let outwards = unit([middle[0] - apex[0], middle[1] - apex[1]]);
+    let outwards = sheet_unit_vector([middle[0] - apex[0], middle[1] - apex[1]]);
     let name = subject.mechanism.coordinates[angle.signed.coordinate].name.clone();
-    sheet.name(Role::Coordinate, vec![Word::Name(name)], middle, Some(outwards), 4.0);
+    sheet.request_label(MarkRole::Coordinate, vec![LabelWord::Name(name)], middle, Some(outwards), 4.0);
     is_open
 }
 
 /// Adds the name of the axis along which a reference line lies, if the axes of its frame are not
 /// drawn elsewhere.
 /// The line leads from `apex` to `to` on the sheet, and has the `direction` in the inertial frame.
-fn name_axis(subject: &Subject<'_>, sheet: &mut Sheet, frame: usize, direction: Triple, apex: Triple, to: SheetPoint) {
-    let is_at_origin = length(minus(apex, subject.pose.points[0])) < 1e-9;
+fn name_axis(
+    subject: &SketchSubject<'_>,
+    sheet: &mut Sheet,
+    frame: usize,
+    direction: Triple,
+    apex: Triple,
+    to: SheetPoint,
+) {
+    let is_at_origin = length(subtract_vectors(apex, subject.pose.points[0])) < 1e-9;
     // In a planar mechanism the inertial axes are easily followed.
-    if frame == 0 && (is_at_origin || subject.is_planar) || is_drawn(subject, frame) || subject.is_generated(frame) {
+    if frame == 0 && (is_at_origin || subject.is_planar)
+        || are_axes_drawn(subject, frame)
+        || subject.is_generated(frame)
+    {
         return;
     }
     let Some((axis, is_along)) = along_axis(subject, frame, direction) else { return };
     let basis = subject.basis(frame, axis);
-    let words = if is_along { vec![basis] } else { vec![Word::Minus, basis] };
-    let from = subject.camera.spot(apex);
-    sheet.may_name(Role::Axis, words, to, Some(unit([to[0] - from[0], to[1] - from[1]])), 3.0);
+    let words = if is_along { vec![basis] } else { vec![LabelWord::Minus, basis] };
+    let from = subject.camera.project_point(apex);
+    sheet.request_optional_label(
+        MarkRole::Axis,
+        words,
+        to,
+        Some(sheet_unit_vector([to[0] - from[0], to[1] - from[1]])),
+        3.0,
+    );
 }
 
 /// Adds one arc with the names of all coordinates that turn a frame together.
 /// The arc leads from an axis of the parent frame to the same axis of the frame.
-pub fn draw_together(subject: &Subject<'_>, sheet: &mut Sheet, arcs: &mut Arcs, frame: usize, names: Vec<Word>) {
+pub fn draw_common_arc(
+    subject: &SketchSubject<'_>,
+    sheet: &mut Sheet,
+    arcs: &mut Arcs,
+    frame: usize,
+    names: Vec<LabelWord>,
+) {
     let Some((parent, _)) = subject.terms.links.frames[frame] else { return };
-    let [before, after] = [parent, frame].map(|f| transposed(&subject.pose.rotations[f]));
+    let [before, after] = [parent, frame].map(|f| transpose(&subject.pose.rotations[f]));
     let bodies = &subject.mechanism.bodies;
-    let turned = |f: usize| subject.chain(f).any(|above| above == frame);
+    let turned = |f: usize| subject.frame_and_parents(f).any(|above| above == frame);
     let body = bodies.iter().find(|body| body.rigid.as_ref().is_some_and(|rigid| turned(rigid.0)));
     let place = subject.pose.points[body.map_or(0, |body| body.centre)];
-    let apex = subject.camera.spot(place);
+    let apex = subject.camera.project_point(place);
     let radius = arcs.radius(apex) + 14.0;
     // The axis that is turned the most is taken, without a turn close to 180°.
     let turn = |axis: usize| dot(before[axis], after[axis]).clamp(-1.0, 1.0).acos();
     let axis =
         (0..3).fold(0, |best, axis| if turn(axis) > turn(best) + 1e-6 && turn(axis) < 2.6 { axis } else { best });
-    let across = plus(after[axis], -dot(after[axis], before[axis]), before[axis]);
-    let other = crate::pictures::view::space::unit(across).unwrap_or(before[(axis + 1) % 3]);
-    let [a, b] = [before[axis], other].map(|e| subject.camera.seen(e).map(|x| radius * x));
+    let across = add_scaled_vector(after[axis], -dot(after[axis], before[axis]), before[axis]);
+    let other = crate::pictures::view::space::unit_vector(across).unwrap_or(before[(axis + 1) % 3]);
+    let [a, b] = [before[axis], other].map(|e| subject.camera.project_direction(e).map(|x| radius * x));
     let sweep = turn(axis).max(SENSE);
     let path = Path::arc(apex, a, b, 0.0, sweep);
     let to = [0, 1].map(|i| apex[i] + 1.25 * a[i]);
-    sheet.add([Mark::line(Role::Reference, Path::line(&[apex, to]))]);
-    sheet.add(Mark::arrow(Role::Coordinate, path, TIP));
+    sheet.add([Mark::line(MarkRole::Reference, Path::line(&[apex, to]))]);
+    sheet.add(Mark::arrow(MarkRole::Coordinate, path, TIP));
     let middle = Path::arc(apex, a, b, 0.0, 0.5 * sweep).end();
-    let outwards = unit([middle[0] - apex[0], middle[1] - apex[1]]);
-    sheet.name(Role::Coordinate, names, middle, Some(outwards), 4.0);
+    let outwards = sheet_unit_vector([middle[0] - apex[0], middle[1] - apex[1]]);
+    sheet.request_label(MarkRole::Coordinate, names, middle, Some(outwards), 4.0);
 }

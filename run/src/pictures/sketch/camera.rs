@@ -1,8 +1,8 @@
 //! Orthographic projection of a mechanism onto the sheet, and choice of the direction of view.
 
-use super::drawing::SheetPoint;
+use super::drawing_elements::SheetPoint;
 use crate::pictures::view::Triple;
-use crate::pictures::view::space::{cross, dot, minus, plus, unit};
+use crate::pictures::view::space::{add_scaled_vector, cross, dot, subtract_vectors, unit_vector};
 
 /// Directions of an oblique view, degrees: angle about the vertical from the first horizontal axis,
 /// and elevation.
@@ -27,25 +27,26 @@ impl Camera {
     /// upwards on the sheet.
     /// If `up` is along the normal, the second axis after that of the normal points upwards. The
     /// scale is 1.
-    pub fn along(normal: Triple, up: Triple) -> Self {
-        let inside = plus(up, -dot(up, normal), normal);
+    pub fn camera_along_normal(normal: Triple, up: Triple) -> Self {
+        let inside = add_scaled_vector(up, -dot(up, normal), normal);
         let largest = (0..3).max_by(|a, b| normal[*a].abs().total_cmp(&normal[*b].abs())).unwrap_or(2);
         let mut other = [0.0; 3];
         other[(largest + 2) % 3] = 1.0;
-        let up = if dot(inside, inside) > 1e-6 { inside } else { plus(other, -dot(other, normal), normal) };
-        let up = unit(up).unwrap_or([0.0, 1.0, 0.0]);
+        let up =
+            if dot(inside, inside) > 1e-6 { inside } else { add_scaled_vector(other, -dot(other, normal), normal) };
+        let up = unit_vector(up).unwrap_or([0.0, 1.0, 0.0]);
         Self { right: cross(up, normal), up, towards: normal, scale: 1.0 }
     }
 
     /// Oblique camera from the side and above, chosen from six directions.
     /// It shows rotations about the axes `turns` as open as possible, and the vectors `ways` as
     /// long as possible.
-    pub fn oblique(up: Triple, turns: &[Triple], ways: &[Triple]) -> Self {
-        let all = OBLIQUE.map(|(turn, height)| Self::from_aside(up, turn.to_radians(), height.to_radians()));
+    pub fn oblique_camera(up: Triple, turns: &[Triple], ways: &[Triple]) -> Self {
+        let all = OBLIQUE.map(|(turn, height)| Self::camera_at_angles(up, turn.to_radians(), height.to_radians()));
         let worth = |camera: &Self| {
             let open = turns.iter().map(|axis| dot(*axis, camera.towards).abs().min(0.5)).fold(0.5, f64::min);
             let seen = |way: &Triple| (1.0 - dot(*way, camera.towards).powi(2)).max(0.0).sqrt().min(0.8);
-            let long = ways.iter().filter_map(|way| unit(*way)).map(|way| seen(&way)).fold(0.8, f64::min);
+            let long = ways.iter().filter_map(|way| unit_vector(*way)).map(|way| seen(&way)).fold(0.8, f64::min);
             // The worth is rounded, since its last digits may differ between machines.
             (100.0 * (open + 0.6 * long)).round()
         };
@@ -59,21 +60,21 @@ impl Camera {
     }
 
     /// Oblique camera at the angle `turn` about the vertical and the elevation `height`, rad.
-    fn from_aside(up: Triple, turn: f64, height: f64) -> Self {
+    fn camera_at_angles(up: Triple, turn: f64, height: f64) -> Self {
         let axis = (0..3).max_by(|a, b| up[*a].abs().total_cmp(&up[*b].abs())).unwrap_or(2);
         let mut first = [0.0; 3];
         // The horizontal axes are the other two, in the order in which they and `up` are right-handed.
         first[(axis + if up[axis] < 0.0 { 2 } else { 1 }) % 3] = 1.0;
-        let first = unit(plus(first, -dot(first, up), up)).unwrap_or([1.0, 0.0, 0.0]);
+        let first = unit_vector(add_scaled_vector(first, -dot(first, up), up)).unwrap_or([1.0, 0.0, 0.0]);
         let second = cross(up, first);
-        let level = plus(first.map(|x| turn.cos() * x), turn.sin(), second);
-        let towards = plus(level.map(|x| height.cos() * x), height.sin(), up);
+        let level = add_scaled_vector(first.map(|x| turn.cos() * x), turn.sin(), second);
+        let towards = add_scaled_vector(level.map(|x| height.cos() * x), height.sin(), up);
         let right = cross(up, level);
         Self { right, up: cross(towards, right), towards, scale: 1.0 }
     }
 
     /// Point on the sheet, px, of a place in the inertial frame, m.
-    pub fn spot(&self, place: Triple) -> SheetPoint {
+    pub fn project_point(&self, place: Triple) -> SheetPoint {
         [self.scale * dot(self.right, place), -self.scale * dot(self.up, place)]
     }
 
@@ -83,13 +84,13 @@ impl Camera {
     }
 
     /// Projection of a unit vector onto the sheet, without scale: its length is at most 1.
-    pub fn seen(&self, direction: Triple) -> SheetPoint {
+    pub fn project_direction(&self, direction: Triple) -> SheetPoint {
         [dot(self.right, direction), -dot(self.up, direction)]
     }
 
     /// Vector on the sheet, px, between two places in the inertial frame, m.
-    pub fn way(&self, from: Triple, to: Triple) -> SheetPoint {
-        self.spot(minus(to, from))
+    pub fn project_vector(&self, from: Triple, to: Triple) -> SheetPoint {
+        self.project_point(subtract_vectors(to, from))
     }
 
     /// Converts a length on the sheet, px, to a length of the mechanism, m.

@@ -1,8 +1,8 @@
 //! Drawn pose of a sketch: a start, in which angles and lengths that could not be seen get other
 //! values.
 
-use super::terms::Terms;
-use crate::code::tape;
+use super::pose_formulas::PoseFormulas;
+use crate::code::compile_tape;
 use crate::error::Error;
 use crate::mechanism::Mechanism;
 use crate::pictures::view::space::length;
@@ -22,7 +22,7 @@ const LARGEST_SHARE: f64 = 1.8;
 
 /// Coordinate that is drawn at another value than at the start.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Changed {
+pub struct ChangedCoordinate {
     /// Index of the coordinate whose value is changed.
     pub coordinate: usize,
     /// Value of the coordinate at the start, rad or m.
@@ -33,17 +33,17 @@ pub struct Changed {
 
 /// Coordinates sorted by kind: angles that turn a frame about an axis, and lengths that are
 /// components of a position.
-pub struct Kinds {
+pub struct CoordinateKinds {
     /// Indices of the coordinates that are the angle of a frame about an axis.
     pub angles: Vec<usize>,
     /// Indices of the coordinates that are a component of a point's position.
     pub lengths: Vec<usize>,
 }
 
-impl Kinds {
+impl CoordinateKinds {
     /// Sorts the coordinates of a mechanism into angles and lengths; any other coordinate is in
     /// neither list.
-    pub fn new(mechanism: &Mechanism, terms: &Terms, at: Configuration<'_>) -> Self {
+    pub fn new(mechanism: &Mechanism, terms: &PoseFormulas, at: Configuration<'_>) -> Self {
         let told = |term: usize, c: usize| terms.signed_coordinate(mechanism, at.parameters, at.q, term, c).is_some();
         let frames = 0..mechanism.frames.len();
         let turns = |c: &usize| frames.clone().any(|f| terms.turn(f).is_some_and(|turn| told(turn.term, *c)));
@@ -63,26 +63,26 @@ impl Kinds {
 ///
 /// # Errors
 /// [`Error::Request`] if a shape has a length that is not positive at the given parameters.
-pub fn shown(
+pub fn drawn_coordinates(
     mechanism: &Mechanism,
-    terms: &Terms,
+    terms: &PoseFormulas,
     poses: &Poses,
     at: Configuration<'_>,
-) -> Result<(Vec<f64>, Vec<Changed>), Error> {
+) -> Result<(Vec<f64>, Vec<ChangedCoordinate>), Error> {
     let start = at.q.to_vec();
     if !mechanism.loops.is_empty() || !mechanism.closed.is_empty() {
         return Ok((start, Vec::new()));
     }
-    let kinds = Kinds::new(mechanism, terms, at);
+    let kinds = CoordinateKinds::new(mechanism, terms, at);
     let mut q = start.clone();
-    let tiny = kinds.angles.iter().filter(|c| near_turn(start[**c]).abs() < UNSEEN_ANGLE);
+    let tiny = kinds.angles.iter().filter(|c| angle_without_turns(start[**c]).abs() < UNSEEN_ANGLE);
     for (c, angle) in tiny.zip(ANGLES.iter().cycle()) {
         q[*c] = angle.to_radians().copysign(if start[*c] < 0.0 { -1.0 } else { 1.0 });
     }
     // The size of the mechanism is measured without the lengths that only place it.
     let mut without = q.clone();
     kinds.lengths.iter().for_each(|c| without[*c] = 0.0);
-    let pose = poses.of(at.parameters, &without);
+    let pose = poses.pose_at(at.parameters, &without);
     let view = View::of_poses(mechanism, Configuration { q: &without, ..at }, &[std::slice::from_ref(&pose)])?;
     let reaches = |pose: &Pose| pose.points.iter().map(|point| length(*point)).fold(0.0, f64::max);
     let size = if reaches(&pose) > 1e-9 || view.size.to_bits() != 1.0_f64.to_bits() {
@@ -98,43 +98,43 @@ pub fn shown(
         if !(UNSEEN_SHARE..=LARGEST_SHARE).contains(&share) {
             let far = if share > LARGEST_SHARE { 1.5 } else { 1.0 };
             let sign = if start[*c] < 0.0 { -1.0 } else { 1.0 };
-            q[*c] = rounded(far * LENGTHS[at % LENGTHS.len()] * size) * sign;
+            q[*c] = round_length(far * LENGTHS[at % LENGTHS.len()] * size) * sign;
         }
     }
-    if !is_good(mechanism, poses, at.parameters, &q) {
+    if !is_drawable_pose(mechanism, poses, at.parameters, &q) {
         return Ok((start, Vec::new()));
     }
     let pairs = start.iter().zip(&q).enumerate().filter(|(_, (was, is))| was.to_bits() != is.to_bits());
-    let changed = pairs.map(|(coordinate, (was, is))| Changed { coordinate, was: *was, is: *is }).collect();
+    let changed = pairs.map(|(coordinate, (was, is))| ChangedCoordinate { coordinate, was: *was, is: *is }).collect();
     Ok((q, changed))
 }
 
 /// Angle without whole turns, rad, from −π to below π.
-fn near_turn(angle: f64) -> f64 {
+fn angle_without_turns(angle: f64) -> f64 {
     use std::f64::consts::{PI, TAU};
     angle - TAU * ((angle + PI) / TAU).floor()
 }
 
 /// Rounds a length to two significant digits.
-fn rounded(x: f64) -> f64 {
+fn round_length(x: f64) -> f64 {
     format!("{x:.1e}").parse().unwrap_or(x)
 }
 
 /// True if every frame and point has finite values, and the pose satisfies the conditions of the
 /// model's domain.
 /// Conditions that depend on more than the pose are ignored.
-fn is_good(mechanism: &Mechanism, poses: &Poses, p: &[f64], q: &[f64]) -> bool {
-    let pose = poses.of(p, q);
+fn is_drawable_pose(mechanism: &Mechanism, poses: &Poses, p: &[f64], q: &[f64]) -> bool {
+    let pose = poses.pose_at(p, q);
     let inputs = [mechanism.p(), mechanism.q()].concat();
     let is_inside = |positive| {
         // Conditions on speeds or reactions say nothing about a pose.
-        let Ok(tape) = tape(&mechanism.arena, &inputs, &[positive], "a condition") else { return true };
+        let Ok(tape) = compile_tape(&mechanism.arena, &inputs, &[positive], "a condition") else { return true };
         tape.evaluate(&[p, q].concat())[0] > 0.0
     };
-    is_somewhere(&pose) && mechanism.domain.iter().all(|condition| is_inside(condition.positive))
+    is_finite_pose(&pose) && mechanism.domain.iter().all(|condition| is_inside(condition.positive))
 }
 
 /// True if every frame and point of a pose has finite values.
-pub fn is_somewhere(pose: &Pose) -> bool {
+pub fn is_finite_pose(pose: &Pose) -> bool {
     pose.points.iter().flatten().chain(pose.rotations.iter().flatten().flatten()).all(|x| x.is_finite())
 }

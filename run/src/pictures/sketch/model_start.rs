@@ -13,7 +13,7 @@ use tripos_derive::scene::load;
 ///
 /// # Errors
 /// [`Error::Request`] if a parameter has no value, or the loops cannot be closed from the guess.
-pub fn without_scene(mechanism: &Mechanism) -> Result<(Vec<f64>, Vec<f64>), Error> {
+pub fn start_without_scene(mechanism: &Mechanism) -> Result<(Vec<f64>, Vec<f64>), Error> {
     let help = "give a scene, or --at with a state file, which gives it one";
     let value = |p: &tripos_derive::model::Parameter| {
         let none = || Error::request(format!("the parameter `{}` has no value", p.name), help);

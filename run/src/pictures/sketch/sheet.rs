@@ -2,20 +2,20 @@
 //! labels.
 
 use super::camera::Camera;
-use super::drawing::{Mark, Role, SheetPoint, Word};
-use super::place::Wish;
-use super::terms::Terms;
+use super::drawing_elements::{LabelWord, Mark, MarkRole, SheetPoint};
+use super::label_placement::LabelRequest;
+use super::pose_formulas::PoseFormulas;
 use crate::mechanism::Mechanism;
-use crate::pictures::view::space::{about, length, minus, product, rotated};
+use crate::pictures::view::space::{length, product, rotate_vector, rotation_about_axis, subtract_vectors};
 use crate::pictures::view::{Pose, Poses, Rotation, Triple, View};
 use tripos_derive::algebra::Expr;
 
 /// Mechanism in the drawn pose, with the camera of its sketch.
-pub struct Subject<'a> {
+pub struct SketchSubject<'a> {
     /// Mechanism that is drawn.
     pub mechanism: &'a Mechanism,
     /// Formulas for the rotations of frames and the positions of points.
-    pub terms: &'a Terms,
+    pub terms: &'a PoseFormulas,
     /// Function that computes poses from parameters and coordinates.
     pub poses: &'a Poses,
     /// Values of the parameters, in the order of the model.
@@ -42,10 +42,10 @@ pub struct Sheet {
     pub marks: Vec<Mark>,
     /// Labels to be placed. Needed labels choose their places first, then the optional ones in the
     /// order of the list.
-    pub wishes: Vec<Wish>,
+    pub wishes: Vec<LabelRequest>,
 }
 
-impl Subject<'_> {
+impl SketchSubject<'_> {
     /// True if the mechanism has gravity whose acceleration is not zero.
     pub fn has_gravity(&self) -> bool {
         let gravity = self.mechanism.gravity.as_ref();
@@ -54,24 +54,24 @@ impl Subject<'_> {
 
     /// Point of the sheet, px, at which a point of the model is drawn.
     pub fn spot(&self, point: usize) -> SheetPoint {
-        self.camera.spot(self.pose.points[point])
+        self.camera.project_point(self.pose.points[point])
     }
 
     /// True if no coordinate moves the point: it has the same place in all poses.
     pub fn is_fixed(&self, point: usize) -> bool {
         let here = self.pose.points[point];
-        self.far.iter().all(|pose| length(minus(pose.points[point], here)) <= 1e-9 * self.view.size)
+        self.far.iter().all(|pose| length(subtract_vectors(pose.points[point], here)) <= 1e-9 * self.view.size)
     }
 
     /// True if the points with the indices `a` and `b` coincide in the drawn pose.
-    pub fn is_same(&self, a: usize, b: usize) -> bool {
-        length(minus(self.pose.points[a], self.pose.points[b])) <= 1e-7 * self.view.size
+    pub fn points_coincide(&self, a: usize, b: usize) -> bool {
+        length(subtract_vectors(self.pose.points[a], self.pose.points[b])) <= 1e-7 * self.view.size
     }
 
     /// Name of the body after which a frame was named by the program, because a joint of the model
     /// file gives the body its frame.
     /// Returns `None` for any other frame.
-    fn named_after(&self, frame: usize) -> Option<&str> {
+    fn body_named_after(&self, frame: usize) -> Option<&str> {
         let carried = self.mechanism.carried.iter().map(|joint| &self.mechanism.bodies[joint.body]);
         let mut own = carried.filter(|body| body.rigid.as_ref().is_some_and(|rigid| rigid.0 == frame));
         let name = &self.mechanism.frames[frame].name;
@@ -80,19 +80,19 @@ impl Subject<'_> {
 
     /// True if the program named the frame after a body that the model file attaches by a joint.
     pub fn is_generated(&self, frame: usize) -> bool {
-        self.named_after(frame).is_some()
+        self.body_named_after(frame).is_some()
     }
 
     /// Basis vector of a frame, as a part of a label. A frame named after a body has the name of
     /// the body here.
-    pub fn basis(&self, frame: usize, axis: usize) -> Word {
-        let name = self.named_after(frame).unwrap_or(&self.mechanism.frames[frame].name);
-        Word::Basis(name.to_owned(), axis)
+    pub fn basis(&self, frame: usize, axis: usize) -> LabelWord {
+        let name = self.body_named_after(frame).unwrap_or(&self.mechanism.frames[frame].name);
+        LabelWord::Basis(name.to_owned(), axis)
     }
 
     /// True if the program named the point after a joint: a body's mass centre, or the closing end
     /// of a loop.
-    pub fn is_of_joint(&self, point: usize) -> bool {
+    pub fn is_named_after_joint(&self, point: usize) -> bool {
         let name = &self.mechanism.points[point].name;
         let carried = self.mechanism.carried.iter().map(|joint| &self.mechanism.bodies[joint.body]);
         let is_centre =
@@ -101,7 +101,7 @@ impl Subject<'_> {
     }
 
     /// Frames from a frame up to the inertial frame: the frame itself, its parent, and so on.
-    pub fn chain(&self, frame: usize) -> impl Iterator<Item = usize> + '_ {
+    pub fn frame_and_parents(&self, frame: usize) -> impl Iterator<Item = usize> + '_ {
         std::iter::successors(Some(frame), |at| Some(self.terms.links.frames[*at]?.0))
     }
 
@@ -109,9 +109,9 @@ impl Subject<'_> {
     /// `angle`, rad, from its parent.
     /// `axis` is the index of the axis of rotation, and `direction` has components in the turned
     /// frame.
-    pub fn turned(&self, parent: usize, axis: usize, angle: f64, direction: Triple) -> Triple {
-        let rotation: Rotation = product(&self.pose.rotations[parent], &about(axis, angle));
-        rotated(&rotation, direction)
+    pub fn direction_after_rotation(&self, parent: usize, axis: usize, angle: f64, direction: Triple) -> Triple {
+        let rotation: Rotation = product(&self.pose.rotations[parent], &rotation_about_axis(axis, angle));
+        rotate_vector(&rotation, direction)
     }
 }
 
@@ -124,21 +124,28 @@ impl Sheet {
     /// Requests a label that must be placed.
     /// `anchor` is the named place and `gap` the least distance from it, px. `towards` is a
     /// preferred direction; `None` for any.
-    pub fn name(&mut self, role: Role, words: Vec<Word>, anchor: SheetPoint, towards: Option<SheetPoint>, gap: f64) {
-        self.wishes.push(Wish { role, words, anchor, towards, gap, is_needed: true });
+    pub fn request_label(
+        &mut self,
+        role: MarkRole,
+        words: Vec<LabelWord>,
+        anchor: SheetPoint,
+        towards: Option<SheetPoint>,
+        gap: f64,
+    ) {
+        self.wishes.push(LabelRequest { role, words, anchor, towards, gap, is_needed: true });
     }
 
     /// Requests a label that is placed only if there is room.
     /// `anchor` is the named place, `towards` a preferred direction, and `gap` the least distance
     /// in px.
-    pub fn may_name(
+    pub fn request_optional_label(
         &mut self,
-        role: Role,
-        words: Vec<Word>,
+        role: MarkRole,
+        words: Vec<LabelWord>,
         anchor: SheetPoint,
         towards: Option<SheetPoint>,
         gap: f64,
     ) {
-        self.wishes.push(Wish { role, words, anchor, towards, gap, is_needed: false });
+        self.wishes.push(LabelRequest { role, words, anchor, towards, gap, is_needed: false });
     }
 }

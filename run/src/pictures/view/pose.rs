@@ -1,11 +1,13 @@
 //! Poses of a mechanism: the attitude of every frame and the position of every point in a configuration.
 
-use super::space::{IDENTITY, Rotation, Triple, about, plus, product, rotated, transposed};
-use crate::code::tape;
+use super::space::{
+    IDENTITY, Rotation, Triple, add_scaled_vector, product, rotate_vector, rotation_about_axis, transpose,
+};
+use crate::code::compile_tape;
 use crate::error::Error;
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::value::evaluate::Tape;
+use tripos_derive::algebra::value::tape::Tape;
 use tripos_derive::model::Turn;
 
 /// Parameters and coordinates that determine a pose.
@@ -32,7 +34,7 @@ pub struct Pose {
 /// Formulas are not multiplied out, so the cost of a long chain is the sum of the costs of its
 /// links.
 #[derive(Clone, Debug)]
-pub struct Links {
+pub struct FrameTree {
     /// Formulas in parameters and coordinates: first those of the frames, then those of the points,
     /// in order.
     pub values: Vec<Expr>,
@@ -45,7 +47,7 @@ pub struct Links {
     pub points: Vec<Option<(usize, usize)>>,
 }
 
-impl Links {
+impl FrameTree {
     /// Collects the parents and formulas of the frames and points of a model.
     #[must_use]
     pub fn of(model: &Model) -> Self {
@@ -80,7 +82,7 @@ pub struct Poses {
     /// Program for all formulas that place frames and points.
     tape: Tape,
     /// Parents of the frames and points, in the order of the formulas.
-    links: Links,
+    links: FrameTree,
 }
 
 impl Poses {
@@ -90,24 +92,24 @@ impl Poses {
     /// [`Error::Request`] if a place depends on a symbol other than parameters and coordinates. No loaded model has
     /// one.
     pub fn new(model: &Model) -> Result<Self, Error> {
-        let links = Links::of(model);
+        let links = FrameTree::of(model);
         let inputs = [model.p(), model.q()].concat();
-        Ok(Self { tape: tape(&model.arena, &inputs, &links.values, "the place of a frame or point")?, links })
+        Ok(Self { tape: compile_tape(&model.arena, &inputs, &links.values, "the place of a frame or point")?, links })
     }
 
     /// Computes the pose at parameters `p` and coordinates `q`, in the order of the model.
     #[must_use]
-    pub fn of(&self, p: &[f64], q: &[f64]) -> Pose {
+    pub fn pose_at(&self, p: &[f64], q: &[f64]) -> Pose {
         let mut values = self.tape.evaluate(&[p, q].concat()).into_iter();
         let mut next = || values.next().unwrap_or(f64::NAN);
         let mut rotations: Vec<Rotation> = Vec::with_capacity(self.links.frames.len());
         for frame in &self.links.frames {
             rotations.push(match frame {
                 None => IDENTITY,
-                Some((parent, Some(axis))) => product(&rotations[*parent], &about(*axis, next())),
+                Some((parent, Some(axis))) => product(&rotations[*parent], &rotation_about_axis(*axis, next())),
                 Some((parent, None)) => {
                     let cosines = [(); 3].map(|()| [(); 3].map(|()| next()));
-                    product(&rotations[*parent], &transposed(&cosines))
+                    product(&rotations[*parent], &transpose(&cosines))
                 }
             });
         }
@@ -117,7 +119,7 @@ impl Poses {
                 None => [0.0; 3],
                 Some((parent, frame)) => {
                     let components = [(); 3].map(|()| next());
-                    plus(points[*parent], 1.0, rotated(&rotations[*frame], components))
+                    add_scaled_vector(points[*parent], 1.0, rotate_vector(&rotations[*frame], components))
                 }
             });
         }

@@ -15,23 +15,23 @@ pub struct Solid {
     /// `None` for any other solid, and if the model file states the radius.
     pub touches: Option<usize>,
     /// Shape of the solid, with its place and size.
-    pub form: Form,
+    pub form: SolidForm,
 }
 
 /// Shape, place and size of a drawn solid. Lengths are in m.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Form {
+pub enum SolidForm {
     /// Ball about a point, fixed in a frame so that its rotation can be seen.
     Sphere {
         /// Place of the sphere's centre and of the axes that turn with it.
-        at: Place,
+        at: SolidPlace,
         /// Radius of the sphere, m.
         radius: f64,
     },
     /// Cylinder (or disk) about axis 3 of its place.
     Cylinder {
         /// Place of the cylinder's centre and axes.
-        at: Place,
+        at: SolidPlace,
         /// Radius of the cylinder, m.
         radius: f64,
         /// Length of the cylinder along its axis, m.
@@ -40,7 +40,7 @@ pub enum Form {
     /// Rectangular box along the axes of its place.
     Box {
         /// Place of the box's centre and axes.
-        at: Place,
+        at: SolidPlace,
         /// Lengths of the box's edges along the three axes, m.
         size: Triple,
     },
@@ -59,13 +59,13 @@ pub enum Form {
     /// Unbounded plane, perpendicular to axis 3 of its place.
     Ground {
         /// Place of a point of the plane, with its axes.
-        at: Place,
+        at: SolidPlace,
     },
 }
 
 /// Position and attitude of a solid, fixed in a frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Place {
+pub struct SolidPlace {
     /// Index of the frame in which the solid is fixed.
     pub frame: usize,
     /// Index of the point from which the centre of the solid is measured.
@@ -76,7 +76,7 @@ pub struct Place {
     pub turned: Quaternion,
 }
 
-impl Place {
+impl SolidPlace {
     /// Place with its centre in a point, and its axes along those of a frame.
     #[must_use]
     pub fn at(frame: usize, point: usize) -> Self {
@@ -84,7 +84,7 @@ impl Place {
     }
 }
 
-impl Form {
+impl SolidForm {
     /// Indices of the points at which the form is placed or ends.
     #[must_use]
     pub fn points(&self) -> Vec<usize> {

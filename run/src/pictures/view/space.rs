@@ -24,12 +24,12 @@ pub(crate) fn cross(a: Triple, b: Triple) -> Triple {
 }
 
 /// Vector difference a − b.
-pub(crate) fn minus(a: Triple, b: Triple) -> Triple {
+pub(crate) fn subtract_vectors(a: Triple, b: Triple) -> Triple {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
 /// Vector sum a + k b.
-pub(crate) fn plus(a: Triple, k: f64, b: Triple) -> Triple {
+pub(crate) fn add_scaled_vector(a: Triple, k: f64, b: Triple) -> Triple {
     [a[0] + k * b[0], a[1] + k * b[1], a[2] + k * b[2]]
 }
 
@@ -40,35 +40,35 @@ pub(crate) fn length(a: Triple) -> f64 {
 
 /// Unit vector along a vector; `None` for a vector of length zero or with a component that is not
 /// finite.
-pub(crate) fn unit(a: Triple) -> Option<Triple> {
+pub(crate) fn unit_vector(a: Triple) -> Option<Triple> {
     let size = length(a);
     (size > 0.0 && size.is_finite()).then(|| a.map(|x| x / size))
 }
 
 /// Product R v of a rotation matrix and a vector.
-pub(crate) fn rotated(r: &Rotation, v: Triple) -> Triple {
+pub(crate) fn rotate_vector(r: &Rotation, v: Triple) -> Triple {
     [dot(r[0], v), dot(r[1], v), dot(r[2], v)]
 }
 
 /// Product Rᵀ v of the inverse of a rotation matrix and a vector.
-pub(crate) fn rotated_back(r: &Rotation, v: Triple) -> Triple {
-    rotated(&transposed(r), v)
+pub(crate) fn rotate_vector_back(r: &Rotation, v: Triple) -> Triple {
+    rotate_vector(&transpose(r), v)
 }
 
 /// Transpose of a matrix; for a rotation matrix it is the inverse.
-pub(crate) fn transposed(r: &Rotation) -> Rotation {
+pub(crate) fn transpose(r: &Rotation) -> Rotation {
     [0, 1, 2].map(|i| [0, 1, 2].map(|j| r[j][i]))
 }
 
 /// Product A B of two matrices.
 pub(crate) fn product(a: &Rotation, b: &Rotation) -> Rotation {
-    let columns = transposed(b);
+    let columns = transpose(b);
     [0, 1, 2].map(|i| [0, 1, 2].map(|j| dot(a[i], columns[j])))
 }
 
 /// Rotation matrix about a coordinate axis (0, 1 or 2) by an angle, rad.
 /// It converts components in the turned frame to components in the original frame.
-pub(crate) fn about(axis: usize, angle: f64) -> Rotation {
+pub(crate) fn rotation_about_axis(axis: usize, angle: f64) -> Rotation {
     let (sin, cos) = angle.sin_cos();
     let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
     let mut r = IDENTITY;
@@ -102,15 +102,15 @@ pub fn quaternion(r: &Rotation) -> Quaternion {
 }
 
 /// Rotation matrix whose third column is the unit vector `axis`.
-pub(crate) fn along(axis: Triple) -> Rotation {
+pub(crate) fn rotation_to_axis(axis: Triple) -> Rotation {
     let least = (0..3).min_by(|a, b| axis[*a].abs().total_cmp(&axis[*b].abs())).unwrap_or(0);
-    let first = unit(cross(IDENTITY[least], axis)).unwrap_or(IDENTITY[0]);
-    transposed(&[first, cross(axis, first), axis])
+    let first = unit_vector(cross(IDENTITY[least], axis)).unwrap_or(IDENTITY[0]);
+    transpose(&[first, cross(axis, first), axis])
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{about, product, quaternion, rotated};
+    use super::{product, quaternion, rotate_vector, rotation_about_axis};
 
     /// Goal: Euler parameters describe the same turn as their matrix, also beyond half a turn. Method: q v q* against R
     /// v, with R of three turns.
@@ -118,12 +118,15 @@ mod tests {
     fn euler_parameters_turn_as_their_rotation() {
         for step in 0..40 {
             let angle = f64::from(step) * 0.31 - 6.0;
-            let r = product(&product(&about(2, angle), &about(0, 0.7 * angle + 1.0)), &about(1, 2.0 - angle));
+            let r = product(
+                &product(&rotation_about_axis(2, angle), &rotation_about_axis(0, 0.7 * angle + 1.0)),
+                &rotation_about_axis(1, 2.0 - angle),
+            );
             let [w, x, y, z] = quaternion(&r);
             let v = [0.3, -1.2, 0.8];
             let t = super::cross([x, y, z], v).map(|c| 2.0 * c);
-            let turned = super::plus(super::plus(v, w, t), 1.0, super::cross([x, y, z], t));
-            for (a, b) in turned.iter().zip(rotated(&r, v)) {
+            let turned = super::add_scaled_vector(super::add_scaled_vector(v, w, t), 1.0, super::cross([x, y, z], t));
+            for (a, b) in turned.iter().zip(rotate_vector(&r, v)) {
                 assert!((a - b).abs() < 1e-14 && w >= 0.0, "{step}: {a} {b}");
             }
         }

@@ -1,8 +1,8 @@
 //! Solids of a mechanism that its model file states in the table `[shapes]`.
 
-use super::solid::{Form, Place, Solid};
+use super::evaluate_parameters_only;
+use super::solid::{Solid, SolidForm, SolidPlace};
 use super::space::{Rotation, quaternion};
-use super::values;
 use crate::error::Error;
 use crate::mechanism::Mechanism;
 use tripos_derive::algebra::Expr;
@@ -15,13 +15,16 @@ const THIN: f64 = 0.04;
 ///
 /// # Errors
 /// [`Error::Request`] if a length of a shape is not positive at these parameters.
-pub fn solids(mechanism: &Mechanism, parameters: &[f64]) -> Result<Vec<Solid>, Error> {
+pub fn stated_solids(mechanism: &Mechanism, parameters: &[f64]) -> Result<Vec<Solid>, Error> {
     let mut list = Vec::new();
     for shape in &mechanism.shapes {
-        check(mechanism, parameters, shape)?;
-        let position = values(mechanism, parameters, &shape.position, "a shape")?;
-        let place = Place { position: [position[0], position[1], position[2]], ..Place::at(shape.frame, shape.point) };
-        for form in forms(mechanism, parameters, shape, place)? {
+        check_shape_lengths(mechanism, parameters, shape)?;
+        let position = evaluate_parameters_only(mechanism, parameters, &shape.position, "a shape")?;
+        let place = SolidPlace {
+            position: [position[0], position[1], position[2]],
+            ..SolidPlace::at(shape.frame, shape.point)
+        };
+        for form in forms_of_shape(mechanism, parameters, shape, place)? {
             list.push(Solid { label: shape.name.clone(), body: shape.body, touches: None, form });
         }
     }
@@ -32,7 +35,7 @@ pub fn solids(mechanism: &Mechanism, parameters: &[f64]) -> Result<Vec<Solid>, E
 /// The keys `position` and `size` occur three times, `radius` and `length` once. Values that the
 /// model file does not state are left out.
 #[must_use]
-pub fn lengths(mechanism: &Mechanism) -> Vec<Vec<(&'static str, Expr)>> {
+pub fn stated_solid_lengths(mechanism: &Mechanism) -> Vec<Vec<(&'static str, Expr)>> {
     let of = |shape: &Shape| {
         let position = shape.position.iter().map(|component| ("position", *component));
         // A disk's thickness is the length of a cylinder.
@@ -49,9 +52,9 @@ pub fn lengths(mechanism: &Mechanism) -> Vec<Vec<(&'static str, Expr)>> {
 }
 
 /// Checks that every length of a shape is positive and finite; else returns an `Error::Request`.
-fn check(mechanism: &Mechanism, parameters: &[f64], shape: &Shape) -> Result<(), Error> {
+fn check_shape_lengths(mechanism: &Mechanism, parameters: &[f64], shape: &Shape) -> Result<(), Error> {
     for (key, length) in shape.form.lengths() {
-        let value = values(mechanism, parameters, &[length], "a shape")?[0];
+        let value = evaluate_parameters_only(mechanism, parameters, &[length], "a shape")?[0];
         if value.is_nan() || value <= 0.0 || value.is_infinite() {
             let what = format!("the {key} of shape `{}` is {value} at the parameters of this scene", shape.name);
             return Err(Error::request(what, "what can be seen is longer than 0".to_owned()));
@@ -64,35 +67,44 @@ fn check(mechanism: &Mechanism, parameters: &[f64], shape: &Shape) -> Result<(),
 ///
 /// # Errors
 /// `Error::Request` if a size of the shape cannot be evaluated.
-fn forms(mechanism: &Mechanism, parameters: &[f64], shape: &Shape, at: Place) -> Result<Vec<Form>, Error> {
-    let number = |e: Expr| Ok::<f64, Error>(values(mechanism, parameters, &[e], "a shape")?[0]);
+fn forms_of_shape(
+    mechanism: &Mechanism,
+    parameters: &[f64],
+    shape: &Shape,
+    at: SolidPlace,
+) -> Result<Vec<SolidForm>, Error> {
+    let number = |e: Expr| Ok::<f64, Error>(evaluate_parameters_only(mechanism, parameters, &[e], "a shape")?[0]);
     Ok(match &shape.form {
-        ShapeForm::Sphere { radius } => vec![Form::Sphere { at, radius: number(*radius)? }],
+        ShapeForm::Sphere { radius } => vec![SolidForm::Sphere { at, radius: number(*radius)? }],
         ShapeForm::Disk { axis, radius, thickness } => {
             let radius = number(*radius)?;
             let length = thickness.map(number).transpose()?.unwrap_or(THIN * radius);
-            vec![Form::Cylinder { at: turned(at, *axis), radius, length }]
+            vec![SolidForm::Cylinder { at: place_with_axis(at, *axis), radius, length }]
         }
         ShapeForm::Cylinder { axis, radius, length } => {
-            vec![Form::Cylinder { at: turned(at, *axis), radius: number(*radius)?, length: number(*length)? }]
+            vec![SolidForm::Cylinder {
+                at: place_with_axis(at, *axis),
+                radius: number(*radius)?,
+                length: number(*length)?,
+            }]
         }
         ShapeForm::Box { size } => {
-            vec![Form::Box { at, size: [number(size[0])?, number(size[1])?, number(size[2])?] }]
+            vec![SolidForm::Box { at, size: [number(size[0])?, number(size[1])?, number(size[2])?] }]
         }
         ShapeForm::Line { through, radius } => {
             let radius = radius.map(number).transpose()?.unwrap_or_default();
-            through.windows(2).map(|ends| Form::Rod { ends: [ends[0], ends[1]], radius }).collect()
+            through.windows(2).map(|ends| SolidForm::Rod { ends: [ends[0], ends[1]], radius }).collect()
         }
-        ShapeForm::Ground { axis } => vec![Form::Ground { at: turned(at, *axis) }],
+        ShapeForm::Ground { axis } => vec![SolidForm::Ground { at: place_with_axis(at, *axis) }],
     })
 }
 
 /// Place turned so that its axis 3 lies along an axis (0 to 2) of the frame; the axes keep their
 /// cyclic order.
-fn turned(at: Place, axis: usize) -> Place {
+fn place_with_axis(at: SolidPlace, axis: usize) -> SolidPlace {
     let mut columns: Rotation = [[0.0; 3]; 3];
     for (column, row) in [(0, (axis + 1) % 3), (1, (axis + 2) % 3), (2, axis)] {
         columns[row][column] = 1.0;
     }
-    Place { turned: quaternion(&columns), ..at }
+    SolidPlace { turned: quaternion(&columns), ..at }
 }

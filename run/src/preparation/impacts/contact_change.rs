@@ -1,7 +1,7 @@
 //! Changes of contacts, such as closing or slipping, and the numbers of the events that report
 //! them.
 
-use tripos_derive::scene::Impact;
+use tripos_derive::scene::ImpactContact;
 
 /// Change of a contact that ends a part of a run, or that begins at its end. The value is the index
 /// of the contact.
@@ -26,7 +26,7 @@ pub enum ContactChange {
 
 impl ContactChange {
     /// Index of the contact, and index of the kind of change from 0 (closes) to 6 (nears).
-    fn parts(self) -> (usize, usize) {
+    fn contact_and_kind(self) -> (usize, usize) {
         match self {
             Self::Closes(at) => (at, 0),
             Self::Opens(at) => (at, 1),
@@ -40,20 +40,20 @@ impl ContactChange {
 
     /// Index in the scene of the contact that changes, from 0.
     pub fn contact(self) -> usize {
-        self.parts().0
+        self.contact_and_kind().0
     }
 
     /// Event number of the change, counted from 0 after the user's events, in a scene with `contacts`
     /// contacts.
-    pub fn event(self, contacts: usize) -> usize {
-        let (at, what) = self.parts();
+    pub fn event_number(self, contacts: usize) -> usize {
+        let (at, what) = self.contact_and_kind();
         what * contacts + at
     }
 
     /// Finds the change that has the given event number, counted from 0 after the user's events.
     /// `contacts` is the number of contacts in the scene, above zero. `None` if no change has this
     /// number.
-    pub fn of_event(event: usize, contacts: usize) -> Option<Self> {
+    pub fn from_event_number(event: usize, contacts: usize) -> Option<Self> {
         let at = event % contacts;
         let what = [Self::Closes, Self::Opens, Self::Slips, Self::Sticks, Self::Reverses, Self::Jams, Self::Nears];
         what.get(event / contacts).map(|what| what(at))
@@ -61,7 +61,7 @@ impl ContactChange {
 
     /// Name of the event that reports the change: the contact's name, followed by the kind of change
     /// unless it closes.
-    pub fn name(self, impacts: &[Impact]) -> String {
+    pub fn name(self, impacts: &[ImpactContact]) -> String {
         let name = &impacts[self.contact()].name;
         let what = match self {
             Self::Closes(_) => return name.clone(),

@@ -1,52 +1,55 @@
 //! Events that end the parts of a run with contacts. Gaps close, normal forces fall to zero,
 //! tangential forces exceed friction, or slips end.
 
-use super::Bouncing;
+use super::ContactRun;
 use super::contact_change::ContactChange;
+use super::held_contact_motion::HeldContactEquations;
 use super::held_contacts::HeldContacts;
-use super::held_motion::Held;
-use tripos_sim::{Direction, Effect, Event, InRanges, Mode, SimError};
+use tripos_sim::{ContactMode, Direction, Effect, Event, InRanges, SimError};
 use tripos_traits::{Enclosure, Scalar};
 
 /// Absolute determinant above which the system for contact forces counts as regular, relative to
 /// its value without slip. Smaller determinants are rounding.
 const TOLD: f64 = 1e-9;
 
-impl Bouncing<'_> {
+impl ContactRun<'_> {
     /// Lists the events to watch from the state `y` on while the contacts `kept` are held closed, each
     /// with the change that it reports. `anew` makes the equations of motion with contact forces, once
     /// for each event of a force.
     ///
     /// # Errors
     /// `SimError` if `anew` cannot make the equations.
-    pub(super) fn watched<'e>(
+    pub(super) fn watched_contact_events<'e>(
         &'e self,
         kept: &'e HeldContacts,
         y: &[f64],
-        anew: &dyn Fn() -> Result<Held<'e>, SimError>,
+        anew: &dyn Fn() -> Result<HeldContactEquations<'e>, SimError>,
     ) -> Result<Vec<(ContactChange, Event<'e>)>, SimError> {
         let mut list = Vec::new();
         for contact in 0..self.contacts.impacts.len() {
             let Some(mode) = kept.mode(contact) else {
-                list.push((ContactChange::Closes(contact), self.closing(contact)));
+                list.push((ContactChange::Closes(contact), self.gap_closing_event(contact)));
                 continue;
             };
             let mut forces = anew()?;
-            let opens = move |t: f64, y: &[f64]| forces.normal(contact, t, y);
-            list.push(self.falling(ContactChange::Opens(contact), opens));
+            let opens = move |t: f64, y: &[f64]| forces.normal_force(contact, t, y);
+            list.push(self.falling_event(ContactChange::Opens(contact), opens));
             match mode {
-                Mode::Sticks => {
+                ContactMode::Sticks => {
                     let mut forces = anew()?;
-                    let margin = move |t: f64, y: &[f64]| forces.margin(contact, t, y);
-                    list.push(self.falling(ContactChange::Slips(contact), margin));
+                    let margin = move |t: f64, y: &[f64]| forces.friction_margin(contact, t, y);
+                    list.push(self.falling_event(ContactChange::Slips(contact), margin));
                 }
-                Mode::Slips(way) if self.contacts.is_rough(contact) => list.extend(self.stopping(contact, way)),
-                Mode::Slips(_) | Mode::Pushes | Mode::Opens => {}
+                ContactMode::Slips(way) if self.contacts.is_rough(contact) => {
+                    list.extend(self.slip_end_event(contact, way));
+                }
+                ContactMode::Slips(_) | ContactMode::Pushes | ContactMode::Opens => {}
             }
         }
         let forces = anew()?;
-        if let (Some((first, _)), true) = (kept.slipping().next(), forces.determinant(y).abs() > TOLD) {
-            let (jams, event) = self.falling(ContactChange::Jams(first), move |_, y: &[f64]| forces.determinant(y));
+        if let (Some((first, _)), true) = (kept.slipping().next(), forces.contact_force_determinant(y).abs() > TOLD) {
+            let (jams, event) =
+                self.falling_event(ContactChange::Jams(first), move |_, y: &[f64]| forces.contact_force_determinant(y));
             list.push((jams, Event { direction: Direction::Either, ..event }));
         }
         Ok(list)
@@ -54,7 +57,7 @@ impl Bouncing<'_> {
 
     /// Makes the events for the minima of open gaps, for each contact that is not held closed. They
     /// record and do not stop.
-    pub(super) fn approaches(&self, kept: &HeldContacts) -> Vec<(ContactChange, Event<'_>)> {
+    pub(super) fn gap_minimum_events(&self, kept: &HeldContacts) -> Vec<(ContactChange, Event<'_>)> {
         let contacts = self.contacts;
         let free = (0..contacts.impacts.len()).filter(|contact| kept.mode(*contact).is_none());
         let event = |contact: usize| {
@@ -68,12 +71,12 @@ impl Bouncing<'_> {
 
     /// Makes the event for the closing of a contact's gap, with enclosures, so that no closing inside a
     /// step is missed.
-    fn closing(&self, contact: usize) -> Event<'_> {
+    fn gap_closing_event(&self, contact: usize) -> Event<'_> {
         let contacts = self.contacts;
         let p = contacts.parameters;
         let n = contacts.system.lengths().coordinates;
         let (numbers, ranges) = &contacts.gaps[contact];
-        let used = ranges.used().into_iter().filter_map(|at| at.checked_sub(p.len())).collect();
+        let used = ranges.used_inputs().into_iter().filter_map(|at| at.checked_sub(p.len())).collect();
         let wide: Vec<Enclosure> = p.iter().map(|p| Enclosure::from_f64(*p)).collect();
         let (mut scratch, mut wide_scratch) = (Vec::new(), Vec::new());
         let function = move |_: f64, y: &[f64]| {
@@ -98,10 +101,10 @@ impl Bouncing<'_> {
 
     /// Makes the event for the end of a contact's slip; `way` is the sign of the slip velocity. `None`
     /// without friction.
-    fn stopping(&self, contact: usize, way: f64) -> Option<(ContactChange, Event<'_>)> {
+    fn slip_end_event(&self, contact: usize, way: f64) -> Option<(ContactChange, Event<'_>)> {
         let p = self.contacts.parameters;
         let (numbers, ranges) = self.contacts.slips[contact].as_ref()?;
-        let used = ranges.used().into_iter().filter_map(|at| at.checked_sub(p.len())).collect();
+        let used = ranges.used_inputs().into_iter().filter_map(|at| at.checked_sub(p.len())).collect();
         let wide: Vec<Enclosure> = p.iter().map(|p| Enclosure::from_f64(*p)).collect();
         let (mut scratch, mut wide_scratch) = (Vec::new(), Vec::new());
         let function = move |_: f64, y: &[f64]| {
@@ -115,14 +118,14 @@ impl Bouncing<'_> {
             ranges.evaluate_into(&inputs, &mut wide_scratch, &mut out);
             Enclosure::from_f64(way) * out[0]
         };
-        let (contact_change, event) = self.falling(ContactChange::Sticks(contact), function);
+        let (contact_change, event) = self.falling_event(ContactChange::Sticks(contact), function);
         let ranges = Some(InRanges { function: Box::new(in_ranges), components: Some(used) });
         Some((contact_change, Event { ranges, ..event }))
     }
 
     /// Makes the event that ends a part of a run when a function falls below zero, and pairs it with
     /// the change it reports.
-    fn falling<'e>(
+    fn falling_event<'e>(
         &self,
         contact_change: ContactChange,
         function: impl FnMut(f64, &[f64]) -> f64 + 'e,
@@ -134,7 +137,7 @@ impl Bouncing<'_> {
 
 /// Lends an event of the caller to one part of a run, so that it can be used again in the next
 /// part.
-pub fn passed_on<'e>(event: &'e mut Event<'_>) -> Event<'e> {
+pub fn lend_event<'e>(event: &'e mut Event<'_>) -> Event<'e> {
     let function = &mut event.function;
     let ranges = event.ranges.as_mut().map(|ranges| {
         let own = &mut ranges.function;

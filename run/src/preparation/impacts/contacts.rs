@@ -10,11 +10,11 @@
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 use tripos_derive::Model;
 use tripos_derive::algebra::term::calculus::{Differential, Substitution};
-use tripos_derive::algebra::value::evaluate::Tape;
+use tripos_derive::algebra::value::tape::Tape;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::MotionVariables;
-use tripos_derive::scene::{Impact, ImpactLaw};
-use tripos_sim::{ClosedContacts, Failure, Mode, Undecided};
+use tripos_derive::scene::{ImpactContact, ImpactLaw};
+use tripos_sim::{ClosedContacts, ContactMode, Failure, UndecidedContacts};
 use tripos_traits::{Enclosure, Interval, Lengths, System};
 
 /// Gap up to which a contact counts as closed, relative to the size of the gap's terms.
@@ -32,7 +32,7 @@ pub struct Contacts<'a> {
     /// Values of the parameters, in the order of the model file.
     pub parameters: &'a [f64],
     /// Contacts as the scene file describes them.
-    pub impacts: &'a [Impact],
+    pub impacts: &'a [ImpactContact],
     /// Tapes of the gap of each contact, in doubles and in enclosures. Inputs: parameters, then
     /// coordinates.
     pub gaps: Vec<(Tape, Tape<Enclosure>)>,
@@ -52,7 +52,7 @@ pub struct Contacts<'a> {
 }
 
 /// Gap and slip velocities of all contacts at a state, with their slopes.
-pub struct Rates {
+pub struct ContactRates {
     /// Velocities in the order of the contact rows: a gap velocity and its slip velocities for each
     /// contact.
     pub values: DVector<f64>,
@@ -61,7 +61,7 @@ pub struct Rates {
 }
 
 /// Matrices at a state that relate generalized speeds, impulses of contacts and the kinetic energy.
-pub struct Operators {
+pub struct ContactOperators {
     /// Change of the motion variables v per unit of each generalized speed, a column for each speed.
     pub basis: DMatrix<f64>,
     /// Matrix W: gap and slip velocities per unit of each generalized speed, a row for each velocity.
@@ -72,7 +72,7 @@ pub struct Operators {
 
 /// Response of velocities at a state to impulses along the contacts. A row is a gap or slip
 /// velocity of a contact.
-pub struct Response {
+pub struct ImpulseResponse {
     /// Gap and slip velocities of all contacts before the impulses.
     pub velocities: DVector<f64>,
     /// Parts of the gap and slip velocities that remain if all generalized speeds are zero. Moving
@@ -91,7 +91,7 @@ impl<'a> Contacts<'a> {
     /// rates.
     pub fn new(
         model: &Model,
-        impacts: &'a [Impact],
+        impacts: &'a [ImpactContact],
         system: &'a dyn System<f64>,
         parameters: &'a [f64],
         variables: MotionVariables,
@@ -104,7 +104,8 @@ impl<'a> Contacts<'a> {
         };
         let gaps = impacts.iter().map(|impact| value(&arena, &[impact.gap], &of_state));
         let gaps = gaps.map(|tape| (tape.clone(), tape.to())).collect();
-        let slopes: Vec<Expr> = impacts.iter().flat_map(|impact| along(&mut arena, impact.gap, &q)).collect();
+        let slopes: Vec<Expr> =
+            impacts.iter().flat_map(|impact| partial_derivatives(&mut arena, impact.gap, &q)).collect();
         let slopes = value(&arena, &slopes, &of_state);
         let (v, pairs): (Vec<Expr>, Vec<(Expr, Expr)>) = match variables {
             MotionVariables::Rates => (model.q_dot(), model.speeds.iter().map(|s| (s.symbol, s.definition)).collect()),
@@ -122,10 +123,10 @@ impl<'a> Contacts<'a> {
             rows.push((first..velocities.len()).collect());
         }
         let y = [q.as_slice(), &v].concat();
-        let derivatives: Vec<Expr> = velocities.iter().flat_map(|e| along(&mut arena, *e, &y)).collect();
+        let derivatives: Vec<Expr> = velocities.iter().flat_map(|e| partial_derivatives(&mut arena, *e, &y)).collect();
         let inputs = [of_state, v].concat();
         let rates = value(&arena, &[velocities.as_slice(), &derivatives].concat(), &inputs);
-        let slip = |(impact, rows): (&Impact, &Vec<usize>)| {
+        let slip = |(impact, rows): (&ImpactContact, &Vec<usize>)| {
             impact.friction.as_ref()?;
             let tape = value(&arena, &[velocities[rows[1]]], &inputs);
             Some((tape.clone(), tape.to()))
@@ -147,13 +148,13 @@ impl<'a> Contacts<'a> {
 
     /// Mode of a contact that is held closed and does not slip: sticking with a friction law, pushing
     /// without it.
-    pub fn firm(&self, contact: usize) -> Mode {
-        if self.impacts[contact].friction.is_some() { Mode::Sticks } else { Mode::Pushes }
+    pub fn mode_without_slip(&self, contact: usize) -> ContactMode {
+        if self.impacts[contact].friction.is_some() { ContactMode::Sticks } else { ContactMode::Pushes }
     }
 
     /// Coefficient of restitution that Newton's law of impact applies to a contact. It is zero if its
     /// gap opens at these gap and slip `velocities`.
-    pub fn turns(&self, contact: usize, velocities: &DVector<f64>) -> f64 {
+    pub fn newton_restitution(&self, contact: usize, velocities: &DVector<f64>) -> f64 {
         if velocities[self.rows[contact][0]] < 0.0 { self.impacts[contact].restitution } else { 0.0 }
     }
 
@@ -181,10 +182,10 @@ impl<'a> Contacts<'a> {
 
     /// Computes the gap and slip velocities of all contacts at a state, and the slopes of these
     /// velocities.
-    pub fn rates(&self, y: &[f64]) -> Rates {
+    pub fn rates(&self, y: &[f64]) -> ContactRates {
         let out = self.rates.evaluate(&self.inputs(y));
         let (values, slopes) = out.split_at(self.count);
-        Rates {
+        ContactRates {
             values: DVector::from_column_slice(values),
             slopes: DMatrix::from_row_slice(self.count, y.len(), slopes),
         }
@@ -193,7 +194,7 @@ impl<'a> Contacts<'a> {
     /// Size of the terms of which a gap is the sum, in the unit of the gap. Rounding errors of the gap
     /// are fractions of it. It adds the terms of the coordinates and those of the computation, such as
     /// lengths that cancel.
-    pub fn made_of(&self, contact: usize, y: &[f64]) -> f64 {
+    pub fn gap_term_size(&self, contact: usize, y: &[f64]) -> f64 {
         let of_coordinates: f64 =
             self.gap_slopes(y).row(contact).iter().zip(y).map(|(slope, q)| (slope * q).abs()).sum();
         let inputs = self.inputs(&y[..self.coordinates()]);
@@ -206,14 +207,14 @@ impl<'a> Contacts<'a> {
 
     /// Largest gap at which a contact counts as closed: the rounding of the gap, plus its change within
     /// `instant` s.
-    pub fn closing_gap(&self, contact: usize, y: &[f64], rates: &Rates, instant: f64) -> f64 {
-        ROUNDINGS * self.made_of(contact, y) + rates.values[self.rows[contact][0]].abs() * instant
+    pub fn closing_gap(&self, contact: usize, y: &[f64], rates: &ContactRates, instant: f64) -> f64 {
+        ROUNDINGS * self.gap_term_size(contact, y) + rates.values[self.rows[contact][0]].abs() * instant
     }
 
     /// Velocity of a gap below which a flight under the given acceleration of the gap is too short.
     /// Such a flight lasts at most `least` s, or rises no higher than the rounding of the gap.
-    pub fn slow(&self, contact: usize, y: &[f64], acceleration: f64, least: f64) -> f64 {
-        let (height, a) = (TOLD * self.made_of(contact, y), acceleration.abs());
+    pub fn shortest_flight_velocity(&self, contact: usize, y: &[f64], acceleration: f64, least: f64) -> f64 {
+        let (height, a) = (TOLD * self.gap_term_size(contact, y), acceleration.abs());
         (0.5 * least * a).max((2.0 * a * height).sqrt())
     }
 
@@ -229,7 +230,7 @@ impl<'a> Contacts<'a> {
     /// # Errors
     /// [`Failure`] if the kinetic energy is not positive definite: a permitted motion then has no
     /// inertia.
-    pub fn operators(&self, y: &[f64], rates: &Rates) -> Result<Operators, Failure> {
+    pub fn operators(&self, y: &[f64], rates: &ContactRates) -> Result<ContactOperators, Failure> {
         let n = self.coordinates();
         let q = &y[..n];
         let Lengths { variables, speeds, .. } = self.system.lengths();
@@ -249,7 +250,7 @@ impl<'a> Contacts<'a> {
             code: "singular",
             message: "a permitted motion has no inertia, so that the impulses are not known".to_owned(),
         })?;
-        Ok(Operators { basis, of_u, inertia })
+        Ok(ContactOperators { basis, of_u, inertia })
     }
 
     /// Computes the response of the velocities at a state to impulses along the gap and slip directions
@@ -257,14 +258,19 @@ impl<'a> Contacts<'a> {
     ///
     /// # Errors
     /// [`Failure`] if a permitted motion has no inertia.
-    pub fn response(&self, y: &[f64], rates: &Rates) -> Result<Response, Failure> {
-        let Operators { basis, of_u, inertia } = self.operators(y, rates)?;
+    pub fn response(&self, y: &[f64], rates: &ContactRates) -> Result<ImpulseResponse, Failure> {
+        let ContactOperators { basis, of_u, inertia } = self.operators(y, rates)?;
         let (q, v) = y.split_at(self.coordinates());
         let mut u = vec![0.0; self.system.lengths().speeds];
         self.system.generalized_speeds(self.parameters, q, v, &mut u);
         let moved = inertia.solve(&of_u.transpose());
         let driven = &rates.values - &of_u * DVector::from_vec(u);
-        Ok(Response { velocities: rates.values.clone(), driven, changes: &basis * &moved, compliance: &of_u * moved })
+        Ok(ImpulseResponse {
+            velocities: rates.values.clone(),
+            driven,
+            changes: &basis * &moved,
+            compliance: &of_u * moved,
+        })
     }
 
     /// Computes the motion variables v from the generalized speeds `u` at the coordinates `q`.
@@ -298,7 +304,11 @@ impl<'a> Contacts<'a> {
 
     /// Builds the linear system of the given contacts, closed at one instant. Also returns the indices
     /// of their rows (gap and slip velocities) among the rows of all contacts.
-    pub fn closed(&self, response: &Response, contacts: &[usize]) -> (ClosedContacts, Vec<usize>) {
+    pub fn closed_contact_system(
+        &self,
+        response: &ImpulseResponse,
+        contacts: &[usize],
+    ) -> (ClosedContacts, Vec<usize>) {
         let all: Vec<usize> = contacts.iter().flat_map(|at| self.rows[*at].clone()).collect();
         let mut next = 0..;
         let rows = contacts.iter().map(|at| next.by_ref().take(self.rows[*at].len()).collect()).collect();
@@ -320,24 +330,24 @@ impl<'a> Contacts<'a> {
     /// [`Undecided`] if no impulses separate the contacts, or if several sets of impulses do.
     pub fn impulses(
         &self,
-        response: &Response,
+        response: &ImpulseResponse,
         velocities: &DVector<f64>,
         contacts: &[usize],
-    ) -> Result<DVector<f64>, Undecided> {
-        let (closed, rows) = self.closed(response, contacts);
+    ) -> Result<DVector<f64>, UndecidedContacts> {
+        let (closed, rows) = self.closed_contact_system(response, contacts);
         let before = velocities.select_rows(&rows);
         let restitution: Vec<f64> = contacts.iter().map(|at| self.impacts[*at].restitution).collect();
         let some = if self.is_poisson() {
-            closed.poisson(&before, &restitution)
+            closed.poisson_impact(&before, &restitution)
         } else {
-            closed.newton(&before, &restitution)
+            closed.newton_impact(&before, &restitution)
         };
-        Ok(self.spread(&some?, &rows))
+        Ok(self.spread_over_contact_rows(&some?, &rows))
     }
 
     /// Spreads the values `some` of the rows `rows` over the rows of all contacts; every other row is
     /// 0.
-    pub fn spread(&self, some: &DVector<f64>, rows: &[usize]) -> DVector<f64> {
+    pub fn spread_over_contact_rows(&self, some: &DVector<f64>, rows: &[usize]) -> DVector<f64> {
         let mut all = DVector::zeros(self.count);
         for (row, value) in rows.iter().zip(some.iter()) {
             all[*row] = *value;
@@ -347,6 +357,6 @@ impl<'a> Contacts<'a> {
 }
 
 /// Partial derivatives of a term by each symbol of a list.
-fn along(arena: &mut Arena, e: Expr, symbols: &[Expr]) -> Vec<Expr> {
+fn partial_derivatives(arena: &mut Arena, e: Expr, symbols: &[Expr]) -> Vec<Expr> {
     symbols.iter().map(|symbol| Differential::partial(*symbol).apply(arena, e)).collect()
 }

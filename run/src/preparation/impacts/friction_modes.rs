@@ -1,43 +1,53 @@
 //! Modes of closed contacts with friction: which contacts stick, slip or open.
 
-use super::Bouncing;
+use super::ContactRun;
 use super::NOTHING;
 use super::contact_change::ContactChange;
-use super::held_motion::{Free, Held};
-use super::meeting::SettledMeeting;
+use super::contact_impacts::ContactInstantAfterImpact;
+use super::held_contact_motion::{ContactFreeMotion, HeldContactEquations};
 use nalgebra::DVector;
-use tripos_derive::plain::within;
-use tripos_sim::{ContactSolution, Failure, Mode, Undecided};
+use tripos_derive::plain_text::with_reliable_digits;
+use tripos_sim::{ContactMode, ContactSolution, Failure, UndecidedContacts};
 
 /// Interval after an instant at which several possible modes are compared, in durations of the
 /// shortest flight.
 const AHEAD: f64 = 16384.0;
 
-impl Bouncing<'_> {
+impl ContactRun<'_> {
     /// Accelerations along the gap and slip directions of all contacts just before an impact or change.
     /// The forces of the contacts that were held closed are included. All are zero if none of these
     /// contacts has friction.
     ///
     /// # Errors
     /// `Failure` if the equations or the contact forces have no value.
-    pub(super) fn approach(&self, held: &mut Held<'_>, t: f64, y: &[f64]) -> Result<DVector<f64>, Failure> {
+    pub(super) fn accelerations_before_meeting(
+        &self,
+        held: &mut HeldContactEquations<'_>,
+        t: f64,
+        y: &[f64],
+    ) -> Result<DVector<f64>, Failure> {
         if held.kept.which.iter().all(|at| self.contacts.friction(*at).is_none()) {
             return Ok(DVector::zeros(self.contacts.count));
         }
-        let free = held.free(t, y)?;
+        let free = held.motion_without_contact_forces(t, y)?;
         let forces = held.forces(&free)?;
         Ok(free.accelerations + free.response.compliance * forces)
     }
 
     /// Sign of the velocity at which a closed contact with friction slips after a meeting; `None` if it
     /// does not slip or has no friction. `velocities` are the gap and slip velocities of all contacts.
-    pub(super) fn slips(&self, contact: usize, velocities: &DVector<f64>, met: &SettledMeeting<'_>) -> Option<f64> {
+    pub(super) fn slip_sign(
+        &self,
+        contact: usize,
+        velocities: &DVector<f64>,
+        met: &ContactInstantAfterImpact<'_>,
+    ) -> Option<f64> {
         self.contacts.friction(contact)?;
         let row = self.contacts.rows[contact][1];
         let velocity = velocities[row];
         let rests = !met.is_hit(&self.contacts.rows[contact])
             && (met.meeting.contact_change == Some(ContactChange::Sticks(contact))
-                || met.meeting.kept.mode(contact) == Some(Mode::Sticks)
+                || met.meeting.kept.mode(contact) == Some(ContactMode::Sticks)
                 // A contact counts as sticking too if its slip ended at the same instant by rounding.
                 || velocity.abs() <= met.before[row].abs() * self.least);
         let is_still = rests || velocity.abs() <= (NOTHING * met.scale[row]).max(met.slowest[row]);
@@ -50,43 +60,58 @@ impl Bouncing<'_> {
     ///
     /// # Errors
     /// [`Failure`] if Coulomb's law allows no mode, or modes with different motions.
-    pub(super) fn modes(
+    pub(super) fn find_friction_modes(
         &self,
-        free: &mut Held<'_>,
+        free: &mut HeldContactEquations<'_>,
         y: &[f64],
-        now: &Free,
+        now: &ContactFreeMotion,
         rest: &[usize],
-        met: &SettledMeeting<'_>,
-    ) -> Result<(Vec<Mode>, DVector<f64>), Failure> {
+        met: &ContactInstantAfterImpact<'_>,
+    ) -> Result<(Vec<ContactMode>, DVector<f64>), Failure> {
         let t = met.meeting.t;
-        let slips: Vec<Option<f64>> = rest.iter().map(|at| self.slips(*at, &now.response.velocities, met)).collect();
-        let (system, rows) = self.contacts.closed(&now.response, rest);
-        let found = system.ways(&now.accelerations.select_rows(&rows), &slips);
+        let slips: Vec<Option<f64>> =
+            rest.iter().map(|at| self.slip_sign(*at, &now.response.velocities, met)).collect();
+        let (system, rows) = self.contacts.closed_contact_system(&now.response, rest);
+        let found = system.contact_modes(&now.accelerations.select_rows(&rows), &slips);
         let what = "no forces keep apart what is closed";
-        let mut found = found.map_err(|why| self.undecided(t, rest, what, &why))?;
+        let mut found = found.map_err(|why| self.undecided_modes_failure(t, rest, what, &why))?;
         // A contact whose force has reached its friction limit no longer sticks.
         let begins = |found: &ContactSolution| {
             let mut modes = rest.iter().zip(&found.modes);
             !modes.any(|(at, mode)| {
-                met.meeting.contact_change == Some(ContactChange::Slips(*at)) && *mode == Mode::Sticks
+                met.meeting.contact_change == Some(ContactChange::Slips(*at)) && *mode == ContactMode::Sticks
             })
         };
         if found.iter().any(begins) {
             found.retain(begins);
         }
         let at = if found.len() > 1 {
-            let (ahead, later) = self.ahead(t, y, now, &self.contacts.spread(&found[0].forces, &rows), 1.0);
-            free.free(ahead, &later).map_or(0, |then| self.lasting(&then, rest, &slips, &found))
+            let (ahead, later) = self.state_shortly_ahead(
+                t,
+                y,
+                now,
+                &self.contacts.spread_over_contact_rows(&found[0].forces, &rows),
+                1.0,
+            );
+            free.motion_without_contact_forces(ahead, &later)
+                .map_or(0, |then| self.lasting_mode_combination(&then, rest, &slips, &found))
         } else {
             0
         };
         let one = found.swap_remove(at);
-        Ok((one.modes, self.contacts.spread(&one.forces, &rows)))
+        Ok((one.modes, self.contacts.spread_over_contact_rows(&one.forces, &rows)))
     }
 
     /// Extrapolates the state shortly after the instant `t`, to first order, under the given contact
     /// forces. Returns the later instant, s, and the state there. `times` multiplies the interval.
-    pub(super) fn ahead(&self, t: f64, y: &[f64], now: &Free, forces: &DVector<f64>, times: f64) -> (f64, Vec<f64>) {
+    pub(super) fn state_shortly_ahead(
+        &self,
+        t: f64,
+        y: &[f64],
+        now: &ContactFreeMotion,
+        forces: &DVector<f64>,
+        times: f64,
+    ) -> (f64, Vec<f64>) {
         let changes = &now.response.changes * forces;
         let mut rates = now.rates.clone();
         let first = rates.len() - changes.len();
@@ -98,32 +123,47 @@ impl Bouncing<'_> {
     /// Index of the first combination of modes in `found` that still satisfies the laws of contact
     /// shortly later, under the accelerations in `then`. It is 0, the combination with the least
     /// freedom, if none does. `slips` has the sign of slip for each contact of `rest`, or `None`.
-    fn lasting(&self, then: &Free, rest: &[usize], slips: &[Option<f64>], found: &[ContactSolution]) -> usize {
-        let (system, rows) = self.contacts.closed(&then.response, rest);
+    fn lasting_mode_combination(
+        &self,
+        then: &ContactFreeMotion,
+        rest: &[usize],
+        slips: &[Option<f64>],
+        found: &[ContactSolution],
+    ) -> usize {
+        let (system, rows) = self.contacts.closed_contact_system(&then.response, rest);
         let accelerations = then.accelerations.select_rows(&rows);
-        found.iter().position(|found| system.allows(&accelerations, slips, &found.modes)).unwrap_or(0)
+        found
+            .iter()
+            .position(|found| system.contact_modes_are_possible(&accelerations, slips, &found.modes))
+            .unwrap_or(0)
     }
 
     /// Failure for closed contacts whose modes or impulses are undecided at `t` s. `what` is the
     /// message if no contact has friction.
-    pub(super) fn undecided(&self, t: f64, contacts: &[usize], what: &str, why: &Undecided) -> Failure {
+    pub(super) fn undecided_modes_failure(
+        &self,
+        t: f64,
+        contacts: &[usize],
+        what: &str,
+        why: &UndecidedContacts,
+    ) -> Failure {
         let name = |at: &usize| format!("`{}`", self.contacts.impacts[*at].name);
         let names = contacts.iter().map(name).collect::<Vec<_>>().join(", ");
         let help = "Painlevé's paradox of rigid bodies; a smaller coefficient of friction avoids this paradox";
-        let does = |modes: &[Mode]| {
+        let does = |modes: &[ContactMode]| {
             let each = contacts.iter().zip(modes).map(|(at, mode)| format!("{} {mode}", name(at)));
             each.collect::<Vec<_>>().join(" and ")
         };
-        let t = within(t, None);
+        let t = with_reliable_digits(t, None);
         let (code, message) = match why {
-            Undecided::Nothing if contacts.iter().all(|at| self.contacts.friction(*at).is_none()) => {
+            UndecidedContacts::Nothing if contacts.iter().all(|at| self.contacts.friction(*at).is_none()) => {
                 ("impact", format!("{what} at t = {t} s: {names}"))
             }
-            Undecided::Nothing => {
+            UndecidedContacts::Nothing => {
                 let none = "neither sticking, nor slipping, nor opening agrees with Coulomb's law";
                 ("friction", format!("{none} at t = {t} s for what is closed there: {names}. That is {help}"))
             }
-            Undecided::Several([one, other]) => {
+            UndecidedContacts::Several([one, other]) => {
                 let several = "Coulomb's law allows more than one motion";
                 let ways = format!("{}, or {}", does(one), does(other));
                 ("friction", format!("{several} from t = {t} s on: {ways}. That is {help}"))

@@ -1,7 +1,7 @@
 //! List of the contacts that are held closed, with the mode of each: pushing, sticking or slipping.
 
 use super::contacts::Contacts;
-use tripos_sim::Mode;
+use tripos_sim::ContactMode;
 
 /// Contacts that are held closed, each with its mode: it pushes, sticks or slips.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -9,7 +9,7 @@ pub struct HeldContacts {
     /// Indices of the held contacts among the contacts of the scene.
     pub which: Vec<usize>,
     /// Modes of the held contacts, in the order of `which`.
-    pub modes: Vec<Mode>,
+    pub modes: Vec<ContactMode>,
 }
 
 /// Empty list of held contacts, for a motion without contact.
@@ -22,17 +22,17 @@ impl HeldContacts {
     }
 
     /// Iterates over the indices of the held contacts, each with its mode.
-    pub fn iter(&self) -> impl Iterator<Item = (usize, Mode)> + '_ {
+    pub fn iter(&self) -> impl Iterator<Item = (usize, ContactMode)> + '_ {
         self.which.iter().copied().zip(self.modes.iter().copied())
     }
 
     /// Mode of a contact, such as sticking; `None` if the contact is open.
-    pub fn mode(&self, contact: usize) -> Option<Mode> {
+    pub fn mode(&self, contact: usize) -> Option<ContactMode> {
         self.iter().find(|(at, _)| *at == contact).map(|(_, mode)| mode)
     }
 
     /// Adds a contact that is held closed, with its mode.
-    pub fn push(&mut self, contact: usize, mode: Mode) {
+    pub fn push(&mut self, contact: usize, mode: ContactMode) {
         self.which.push(contact);
         self.modes.push(mode);
     }
@@ -49,7 +49,7 @@ impl HeldContacts {
     /// velocity.
     pub fn slipping(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
         self.iter().filter_map(|(at, mode)| match mode {
-            Mode::Slips(way) => Some((at, way)),
+            ContactMode::Slips(way) => Some((at, way)),
             _ => None,
         })
     }
@@ -57,9 +57,9 @@ impl HeldContacts {
     /// Indices of the gap and slip velocities that are held at zero. For a slipping contact, this is
     /// only the gap velocity.
     pub fn rows(&self, contacts: &Contacts<'_>) -> Vec<usize> {
-        let held = |(at, mode): (usize, Mode)| {
+        let held = |(at, mode): (usize, ContactMode)| {
             let rows = &contacts.rows[at];
-            if matches!(mode, Mode::Slips(_)) { rows[..1].to_vec() } else { rows.clone() }
+            if matches!(mode, ContactMode::Slips(_)) { rows[..1].to_vec() } else { rows.clone() }
         };
         self.iter().flat_map(held).collect()
     }

@@ -4,7 +4,7 @@
 //! zero. The next part begins at that instant with the velocities that the law of impact gives, so
 //! no step crosses a jump. All contacts that are closed at one instant are solved together
 //! (`tripos_sim::ClosedContacts`). Closed contacts that would be pushed together are held closed by
-//! forces ([`held_motion`]). A contact with friction is also held along its slip direction while it
+//! forces ([`held_contact_motion`]). A contact with friction is also held along its slip direction while it
 //! sticks ([`friction_modes`]). A new part begins when it starts or stops slipping.
 //!
 //! Ever shorter bounces would never end. So a contact is held closed if its next flight would be
@@ -14,34 +14,34 @@
 //! The energy that impacts take is part of the work of the run, so T + V less the work is constant
 //! across them.
 
-mod carrier;
-mod changes;
 mod contact_change;
+mod contact_change_records;
 mod contact_events;
+mod contact_impacts;
 mod contacts;
 mod friction_modes;
+mod held_contact_motion;
 mod held_contacts;
-mod held_motion;
-mod meeting;
 mod missed_changes;
+mod number_carrier;
 mod short_bounces;
 
-pub use carrier::{Approach, Carrier, Crossing, Doubles, Equations};
 pub use contact_change::ContactChange;
-pub use contacts::{Contacts, Operators, Response};
+pub use contact_impacts::StateAfterContact;
+pub use contacts::{ContactOperators, Contacts, ImpulseResponse};
+pub use held_contact_motion::HeldContactEquations;
 pub use held_contacts::{HeldContacts, NONE};
-pub use held_motion::Held;
-pub use meeting::After;
+pub use number_carrier::{ContactCrossing, DoubleCarrier, Equations, GapMinimum, NumberCarrier};
 pub use short_bounces::notes_on_short_bounces;
 
-use super::initial::InitialState;
-use super::passage::{joined, rest};
-use contact_events::passed_on;
-use meeting::Meeting;
-use tripos_derive::plain::significant;
+use super::initial_state::InitialState;
+use super::speed_changes::{join_solutions, options_for_rest_of_run};
+use contact_events::lend_event;
+use contact_impacts::ContactInstant;
+use tripos_derive::plain_text::with_significant_digits;
 use tripos_sim::{
-    Accompanied, Event, EventRecord, Failure, ImpactRecord, Kind, Lent, Options, RightHandSide, SimError, Solution,
-    Stop, integrate,
+    AccompaniedRightHandSide, Event, EventRecord, Failure, ImpactRecord, Kind, LentRightHandSide, Options,
+    RightHandSide, SimError, Solution, Stop, integrate,
 };
 use tripos_traits::{Method, Real};
 
@@ -64,7 +64,7 @@ const OPENED: f64 = 1e-3;
 const OVERLAP: f64 = 1e-8;
 
 /// Integration of a scene with contacts, in parts from impact to impact.
-pub struct Bouncing<'a> {
+pub struct ContactRun<'a> {
     /// Contacts of the scene, prepared for the integrated variables.
     pub contacts: &'a Contacts<'a>,
     /// Function that makes the equations of motion without contact forces.
@@ -73,16 +73,16 @@ pub struct Bouncing<'a> {
     pub least: f64,
 }
 
-impl Bouncing<'_> {
+impl ContactRun<'_> {
     /// Integrates from a start over its span, forward in time, in the number type `S` of the carrier. A
     /// new part of the run begins at each change of a contact. A run that cannot continue stops with
     /// the reason in its solution.
     ///
     /// # Errors
     /// [`SimError`] if the run cannot begin: an empty span, or an option out of range.
-    pub fn solve<S: Real>(
+    pub fn run_with_impacts<S: Real>(
         &self,
-        carrier: &dyn Carrier<S>,
+        carrier: &dyn NumberCarrier<S>,
         start: InitialState<'_, S>,
         options: &Options,
         events: &mut [Event<'_>],
@@ -90,40 +90,41 @@ impl Bouncing<'_> {
     ) -> Result<Solution<S>, SimError> {
         let InitialState { span, y: y0 } = start;
         let base = events.len();
-        let before = values(y0);
-        let after = match self.begin(span.0, &before)? {
+        let before = round_to_doubles(y0);
+        let after = match self.handle_initial_contacts(span.0, &before)? {
             Ok(after) => after,
-            Err(failure) => return Ok(Solution::unbegun(span.0, y0, Stop::Failed(failure))),
+            Err(failure) => return Ok(Solution::ended_at_start(span.0, y0, Stop::Failed(failure))),
         };
-        let begins = Crossing { t: span.0, contact_change: None, before: &before, kept: &NONE, after: &after };
-        let mut y = carrier.across(&begins, y0);
+        let begins = ContactCrossing { t: span.0, contact_change: None, before: &before, kept: &NONE, after: &after };
+        let mut y = carrier.state_after_crossing(&begins, y0);
         let (mut kept, mut changes) = (after.kept, 0);
-        let mut whole = self.part(carrier, InitialState { span, y: &y }, &kept, options, events, power.as_mut())?;
-        whole.events.splice(..0, self.at_start(base, &kept, span.0, &after.y));
+        let mut whole =
+            self.integrate_part(carrier, InitialState { span, y: &y }, &kept, options, events, power.as_mut())?;
+        whole.events.splice(..0, self.contact_events_at_start(base, &kept, span.0, &after.y));
         // The first sample shows the state after the impact: its work need not be added.
         whole.impacts.extend(after.record);
-        while let Some(contact_change) = self.contact_change(&whole, base) {
-            let before = values(&whole.y_end);
-            let next = self.next(contact_change, whole.t_end, &before, &kept)?;
+        while let Some(contact_change) = self.terminal_contact_change(&whole, base) {
+            let before = round_to_doubles(&whole.y_end);
+            let next = self.handle_contact_change(contact_change, whole.t_end, &before, &kept)?;
             if let Ok(after) = &next {
-                self.tell(&mut whole, base, &kept, &after.kept);
+                self.replace_friction_events(&mut whole, base, &kept, &after.kept);
             }
             whole.events.iter_mut().for_each(|event| event.terminal = false);
             match next {
                 Ok(after) => {
-                    let crossing = Crossing {
+                    let crossing = ContactCrossing {
                         t: whole.t_end,
                         contact_change: Some(contact_change),
                         before: &before,
                         kept: &kept,
                         after: &after,
                     };
-                    y = carrier.across(&crossing, &whole.y_end);
+                    y = carrier.state_after_crossing(&crossing, &whole.y_end);
                     kept = after.kept;
                     changes += 1;
-                    jumped(&mut whole, &y);
+                    set_state_after_jump(&mut whole, &y);
                     if let Some(record) = after.record {
-                        count(&mut whole, record);
+                        add_impact_record(&mut whole, record);
                     }
                 }
                 Err(failure) => {
@@ -135,11 +136,11 @@ impl Bouncing<'_> {
                 whole.stop = Stop::End;
                 break;
             }
-            let mut how = rest(options, &whole, span);
+            let mut how = options_for_rest_of_run(options, &whole, span);
             how.step_limit = how.step_limit.saturating_sub(changes);
             let from = InitialState { span: (whole.t_end, span.1), y: &y };
-            let part = self.part(carrier, from, &kept, &how, events, power.as_mut())?;
-            whole = joined(whole, part, options);
+            let part = self.integrate_part(carrier, from, &kept, &how, events, power.as_mut())?;
+            whole = join_solutions(whole, part, options);
         }
         if let Stop::StepLimit { limit } = &mut whole.stop {
             *limit = options.step_limit;
@@ -152,7 +153,7 @@ impl Bouncing<'_> {
     ///
     /// # Errors
     /// `SimError` if the equations of motion cannot be made.
-    fn begin(&self, t: f64, y: &[f64]) -> Result<Result<After, Failure>, SimError> {
+    fn handle_initial_contacts(&self, t: f64, y: &[f64]) -> Result<Result<StateAfterContact, Failure>, SimError> {
         let rates = self.contacts.rates(y);
         let mut closed = Vec::new();
         for contact in 0..self.contacts.impacts.len() {
@@ -162,7 +163,7 @@ impl Bouncing<'_> {
                 let name = &self.contacts.impacts[contact].name;
                 let message = format!(
                     "the gap of the contact `{name}` is {} at the start, and bodies do not overlap",
-                    significant(gap, 4)
+                    with_significant_digits(gap, 4)
                 );
                 return Ok(Err(Failure { code: "overlap", message }));
             }
@@ -171,9 +172,9 @@ impl Bouncing<'_> {
             }
         }
         if closed.is_empty() {
-            return Ok(Ok(After::unchanged(y)));
+            return Ok(Ok(StateAfterContact::unchanged(y)));
         }
-        self.meet(y, &Meeting { t, closed: &closed, kept: &NONE, contact_change: None })
+        self.handle_closed_contacts(y, &ContactInstant { t, closed: &closed, kept: &NONE, contact_change: None })
     }
 
     /// Finds the state and the held contacts after a part of the run that ended with the given change,
@@ -181,15 +182,15 @@ impl Bouncing<'_> {
     ///
     /// # Errors
     /// `SimError` if the equations of motion cannot be made.
-    fn next(
+    fn handle_contact_change(
         &self,
         contact_change: ContactChange,
         t: f64,
         y: &[f64],
         kept: &HeldContacts,
-    ) -> Result<Result<After, Failure>, SimError> {
+    ) -> Result<Result<StateAfterContact, Failure>, SimError> {
         if let ContactChange::Jams(contact) = contact_change {
-            return Ok(Err(self.jams(contact, t)));
+            return Ok(Err(self.jammed_contact_failure(contact, t)));
         }
         let rates = self.contacts.rates(y);
         let is_closed = |at: &usize| {
@@ -199,7 +200,10 @@ impl Bouncing<'_> {
                 || self.contacts.gap(*at, y) <= self.contacts.closing_gap(*at, y, &rates, self.least)
         };
         let closed: Vec<usize> = (0..self.contacts.impacts.len()).filter(is_closed).collect();
-        self.meet(y, &Meeting { t, closed: &closed, kept, contact_change: Some(contact_change) })
+        self.handle_closed_contacts(
+            y,
+            &ContactInstant { t, closed: &closed, kept, contact_change: Some(contact_change) },
+        )
     }
 
     /// Integrates a part of the run from a start, while the contacts `kept` are held closed, up to the
@@ -207,9 +211,9 @@ impl Bouncing<'_> {
     ///
     /// # Errors
     /// `SimError` if the options or the start do not fit the equations.
-    fn part<S: Real>(
+    fn integrate_part<S: Real>(
         &self,
-        carrier: &dyn Carrier<S>,
+        carrier: &dyn NumberCarrier<S>,
         start: InitialState<'_, S>,
         kept: &HeldContacts,
         options: &Options,
@@ -218,13 +222,14 @@ impl Bouncing<'_> {
     ) -> Result<Solution<S>, SimError> {
         let InitialState { span, y } = start;
         let base = events.len();
-        let anew = || Ok::<_, SimError>(Held { rhs: (self.equations)()?, contacts: self.contacts, kept });
-        let mut list = self.watched(kept, &values(y), &anew)?;
-        if carrier.near().is_some() {
-            list.extend(self.approaches(kept));
+        let anew =
+            || Ok::<_, SimError>(HeldContactEquations { rhs: (self.equations)()?, contacts: self.contacts, kept });
+        let mut list = self.watched_contact_events(kept, &round_to_doubles(y), &anew)?;
+        if carrier.reported_gap_limit().is_some() {
+            list.extend(self.gap_minimum_events(kept));
         }
         let (may, of_contacts): (Vec<_>, Vec<_>) = list.into_iter().unzip();
-        let mut watched: Vec<Event<'_>> = events.iter_mut().map(passed_on).chain(of_contacts).collect();
+        let mut watched: Vec<Event<'_>> = events.iter_mut().map(lend_event).chain(of_contacts).collect();
         let mut options = options.clone();
         if !kept.is_empty() && (options.method == Method::Taylor || options.method.needs_jacobian()) {
             options.method = Method::Dop853;
@@ -234,17 +239,17 @@ impl Bouncing<'_> {
         let moves = !kept.is_empty();
         let mut worked = power.map(|power| {
             move |t: f64, y: &[S]| {
-                let y = values(y);
-                power(t, &y) + if moves { forces.power(t, &y) } else { 0.0 }
+                let y = round_to_doubles(y);
+                power(t, &y) + if moves { forces.contact_force_power(t, &y) } else { 0.0 }
             }
         });
         let mut stepped = |t: f64, y: Option<&[S]>| {
             if y.is_some() {
-                carrier.stepped(t);
+                carrier.record_step_end(t);
             }
             false
         };
-        let mut with = Accompanied {
+        let mut with = AccompaniedRightHandSide {
             rhs: rhs.as_mut(),
             power: worked.as_mut().map(|power| power as &mut dyn FnMut(f64, &[S]) -> f64),
             over: Some(&mut stepped),
@@ -254,7 +259,7 @@ impl Bouncing<'_> {
         // the rounding of the solution inside the step. Taylor's method loses it between the instants at
         // which events are evaluated.
         if options.step.is_none() {
-            let flight = self.first_flight(&mut anew()?, span.0, &values(y));
+            let flight = self.first_flight(&mut anew()?, span.0, &round_to_doubles(y));
             let first = flight.and_then(|flight| match options.method {
                 Method::Taylor => Some(flight),
                 // The flight ends inside the second step.
@@ -262,44 +267,46 @@ impl Bouncing<'_> {
             });
             options.initial_step = options.initial_step.into_iter().chain(first).reduce(f64::min);
         }
-        let mut part = integrate(Lent(&mut with as &mut dyn RightHandSide<S>), span, y, &options, &mut watched)?;
+        let mut part =
+            integrate(LentRightHandSide(&mut with as &mut dyn RightHandSide<S>), span, y, &options, &mut watched)?;
         drop(watched);
         for event in &mut part.events {
             if let Some(contact_change) = event.event.checked_sub(base).map(|at| may[at]) {
-                event.event = base + contact_change.event(self.contacts.impacts.len());
+                event.event = base + contact_change.event_number(self.contacts.impacts.len());
             }
         }
-        self.tell_approaches(carrier, &mut part, base, span.0, &values(y));
-        self.tidy(&mut part, base, own, &mut anew()?);
+        self.report_gap_minima(carrier, &mut part, base, span.0, &round_to_doubles(y));
+        self.remove_contact_events_and_check(&mut part, base, own, &mut anew()?);
         Ok(part)
     }
 
     /// Reports minima of gaps that are close to zero to the carrier, and removes the events of all
     /// minima from a part of a run. The part began at `begun`, s, in the state `y`. `base` is the
     /// number of events that belong to no contact.
-    fn tell_approaches<S: Real>(
+    fn report_gap_minima<S: Real>(
         &self,
-        carrier: &dyn Carrier<S>,
+        carrier: &dyn NumberCarrier<S>,
         part: &mut Solution<S>,
         base: usize,
         begun: f64,
         y: &[f64],
     ) {
-        let Some(near) = carrier.near() else { return };
+        let Some(near) = carrier.reported_gap_limit() else { return };
         let count = self.contacts.impacts.len();
-        let nears = |event: &EventRecord| match ContactChange::of_event(event.event.checked_sub(base)?, count) {
+        let nears = |event: &EventRecord| match ContactChange::from_event_number(event.event.checked_sub(base)?, count)
+        {
             Some(ContactChange::Nears(contact)) => Some(contact),
             _ => None,
         };
         for event in part.events.iter().filter(|event| event.kind == Kind::Rising) {
             let Some(contact) = nears(event) else { continue };
-            let states = part.y.iter().map(|y| values(y)).chain([event.y.clone()]);
-            let size = states.map(|y| self.contacts.made_of(contact, &y)).fold(0.0, f64::max);
+            let states = part.y.iter().map(|y| round_to_doubles(y)).chain([event.y.clone()]);
+            let size = states.map(|y| self.contacts.gap_term_size(contact, &y)).fold(0.0, f64::max);
             // A gap that has just opened grows from zero.
             let opens = self.contacts.gap(contact, y) <= near * size;
             let has_opened = opens && event.t - begun <= OPENED * event.t.abs().max(1.0);
             if !has_opened && self.contacts.gap(contact, &event.y) <= near * size {
-                carrier.nears(&Approach { contact, t: event.t, y: event.y.clone() });
+                carrier.record_gap_minimum(&GapMinimum { contact, t: event.t, y: event.y.clone() });
             }
         }
         part.events.retain(|event| nears(event).is_none());
@@ -308,7 +315,7 @@ impl Bouncing<'_> {
     /// Duration, s, of the shortest flight of the contacts that open at the start `t` of a part of the
     /// run. A flight lasts from opening to closing. `None` if no contact opens, or the equations have
     /// no value there.
-    fn first_flight(&self, motion: &mut Held<'_>, t: f64, y: &[f64]) -> Option<f64> {
+    fn first_flight(&self, motion: &mut HeldContactEquations<'_>, t: f64, y: &[f64]) -> Option<f64> {
         let mut slopes = vec![0.0; y.len()];
         // The run itself reports equations that fail at its start.
         motion.rhs(t, y, &mut slopes).ok()?;
@@ -327,15 +334,21 @@ impl Bouncing<'_> {
     /// Removes the contacts' own events and projections from a part of a run. The part fails if a
     /// contact changed unseen, or its state could not be kept on the held contacts. `base` is the
     /// number of events that belong to no contact, `own` the number of constraints that belong to none.
-    fn tidy<S: Real>(&self, part: &mut Solution<S>, base: usize, own: usize, forces: &mut Held<'_>) {
+    fn remove_contact_events_and_check<S: Real>(
+        &self,
+        part: &mut Solution<S>,
+        base: usize,
+        own: usize,
+        forces: &mut HeldContactEquations<'_>,
+    ) {
         let kept = forces.kept;
         // A function of a contact that is zero at the start gives no event, nor does a force that grows
         // without bound.
         part.events.retain(|event| event.event < base || !matches!(event.kind, Kind::AtStart | Kind::Pole));
         let failure = if part.stop.is_failure() {
-            self.jammed(part, forces)
+            self.jamming_failure(part, forces)
         } else {
-            self.overlapping(part, kept).or_else(|| self.unseen(part, forces))
+            self.missed_closing(part, kept).or_else(|| self.missed_friction_change(part, forces))
         };
         if let Some(failure) = failure {
             part.stop = Stop::Failed(failure);
@@ -353,22 +366,22 @@ impl Bouncing<'_> {
 
     /// Finds the change of a contact that ended the latest part of a run; `None` if it ended for
     /// another reason. `base` is the number of events that belong to no contact.
-    fn contact_change<S>(&self, whole: &Solution<S>, base: usize) -> Option<ContactChange> {
+    fn terminal_contact_change<S>(&self, whole: &Solution<S>, base: usize) -> Option<ContactChange> {
         let Stop::Event { .. } = whole.stop else { return None };
         // The first event of an instant decides, and the user's events are listed before those of contacts.
         let first = whole.events.iter().find(|event| event.terminal)?;
-        ContactChange::of_event(first.event.checked_sub(base)?, self.contacts.impacts.len())
+        ContactChange::from_event_number(first.event.checked_sub(base)?, self.contacts.impacts.len())
     }
 }
 
 /// Rounds a state to doubles; derivatives that accompany its numbers are dropped.
-fn values<S: Real>(y: &[S]) -> Vec<f64> {
+fn round_to_doubles<S: Real>(y: &[S]) -> Vec<f64> {
     y.iter().map(|y| y.to_f64()).collect()
 }
 
 /// Adds the record of an impact at the end of the run `whole` to its impacts, and the energy of the
 /// impact to its work.
-fn count<S>(whole: &mut Solution<S>, record: ImpactRecord) {
+fn add_impact_record<S>(whole: &mut Solution<S>, record: ImpactRecord) {
     let gained = record.work - record.loss;
     whole.impacts.push(record);
     if whole.work.is_empty() {
@@ -384,7 +397,7 @@ fn count<S>(whole: &mut Solution<S>, record: ImpactRecord) {
 
 /// Replaces the state at the end of the run `whole`, and its sample there if it has one, by the
 /// state `y` after a jump.
-fn jumped<S: Real>(whole: &mut Solution<S>, y: &[S]) {
+fn set_state_after_jump<S: Real>(whole: &mut Solution<S>, y: &[S]) {
     if whole.t.last().is_some_and(|t| t.total_cmp(&whole.t_end).is_eq())
         && let Some(last) = whole.y.last_mut()
     {

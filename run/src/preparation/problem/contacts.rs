@@ -3,8 +3,10 @@
 
 use super::{Power, Problem};
 use crate::error::Error;
-use crate::preparation::impacts::{Bouncing, Carrier, Contacts, Doubles, Held, HeldContacts, LEAST};
-use crate::preparation::initial::InitialState;
+use crate::preparation::impacts::{
+    ContactRun, Contacts, DoubleCarrier, HeldContactEquations, HeldContacts, LEAST, NumberCarrier,
+};
+use crate::preparation::initial_state::InitialState;
 use tripos_derive::mechanics::{EquationsOrigin, MotionVariables};
 use tripos_derive::scene::{Integrator, Scene};
 use tripos_sim::{Event, Failure, Options, RightHandSide, SimError, Solution};
@@ -22,7 +24,7 @@ impl Problem<'_> {
     ///
     /// # Errors
     /// `SimError` if the options or the start do not fit the equations.
-    pub(super) fn bouncing(
+    pub(super) fn run_with_contacts(
         &self,
         start: InitialState<'_>,
         options: &Options,
@@ -31,8 +33,8 @@ impl Problem<'_> {
     ) -> Result<Solution, SimError> {
         let contacts = self.contacts();
         let equations = || self.right_hand_side();
-        let doubles = Doubles { contacts: &contacts, equations: &equations };
-        self.bounce(&contacts, &doubles, start, options, events, power)
+        let doubles = DoubleCarrier { contacts: &contacts, equations: &equations };
+        self.run_with_contacts_in(&contacts, &doubles, start, options, events, power)
     }
 
     /// Runs a scene with contacts in parts from impact to impact. `carrier` integrates the parts in its
@@ -40,10 +42,10 @@ impl Problem<'_> {
     ///
     /// # Errors
     /// [`SimError`] if the options or the start do not fit the equations.
-    pub(crate) fn bounce<S: Real>(
+    pub(crate) fn run_with_contacts_in<S: Real>(
         &self,
         contacts: &Contacts<'_>,
-        carrier: &dyn Carrier<S>,
+        carrier: &dyn NumberCarrier<S>,
         start: InitialState<'_, S>,
         options: &Options,
         events: &mut [Event<'_>],
@@ -52,8 +54,8 @@ impl Problem<'_> {
         let span = start.span;
         let least = LEAST * span.0.abs().max(span.1.abs());
         let equations = || self.right_hand_side();
-        let bouncing = Bouncing { contacts, equations: &equations, least };
-        bouncing.solve(carrier, start, options, events, power)
+        let bouncing = ContactRun { contacts, equations: &equations, least };
+        bouncing.run_with_impacts(carrier, start, options, events, power)
     }
 
     /// Derivative of the integrated state with respect to time, y′, while the contacts in `kept` remain
@@ -61,7 +63,7 @@ impl Problem<'_> {
     ///
     /// # Errors
     /// [`Failure`] if the equations or the contact forces have no value at this state.
-    pub(crate) fn flow(
+    pub(crate) fn rates_with_contacts(
         &self,
         contacts: &Contacts<'_>,
         kept: &HeldContacts,
@@ -69,7 +71,7 @@ impl Problem<'_> {
         y: &[f64],
     ) -> Result<Vec<f64>, Failure> {
         let unknown = |error: SimError| Failure { code: "not-finite", message: error.to_string() };
-        let mut rhs = Held { rhs: self.right_hand_side().map_err(unknown)?, contacts, kept };
+        let mut rhs = HeldContactEquations { rhs: self.right_hand_side().map_err(unknown)?, contacts, kept };
         let mut rates = vec![0.0; y.len()];
         rhs.rhs(t, y, &mut rates)?;
         Ok(rates)
@@ -81,7 +83,7 @@ impl Problem<'_> {
 ///
 /// # Errors
 /// [`Error::Request`] with advice if they do not allow contacts.
-pub(super) fn check(scene: &Scene, by: &EquationsOrigin) -> Result<(), Error> {
+pub(super) fn check_contacts_allowed(scene: &Scene, by: &EquationsOrigin) -> Result<(), Error> {
     let how = &scene.integration;
     let (what, help) = if scene.impacts.is_empty() {
         return Ok(());

@@ -1,8 +1,8 @@
 //! Starts and states of a problem in twice the precision of a double, about 32 digits.
 
-use super::{ExtendedStart, Origin, Problem};
+use super::{DistanceOrigin, ExtendedStart, Problem};
 use crate::error::Error;
-use crate::preparation::start::speeds;
+use crate::preparation::exact_start::exact_start_speeds;
 use tripos_derive::Formulation;
 use tripos_derive::scene::InitialMotion;
 use tripos_traits::{DoubleDouble, Scalar};
@@ -17,7 +17,7 @@ impl Problem<'_> {
     pub fn extended_start(&self) -> Result<ExtendedStart, Error> {
         let (system, exact) = (self.code.extended(), &self.scene.exact);
         let (p, mut q) = (exact.parameters.clone(), exact.q.clone());
-        if let Some(Origin { at, value }) = self.origin {
+        if let Some(DistanceOrigin { at, value }) = self.origin {
             q[at] = q[at] - value;
         }
         let mut v = vec![DoubleDouble::int(0); system.lengths().variables];
@@ -25,7 +25,7 @@ impl Problem<'_> {
             InitialMotion::Rates(rates) if self.by.formulation().is_some_and(Formulation::is_in_rates) => {
                 v.clone_from(rates);
             }
-            _ => system.motion_variables(&p, &q, &speeds(self.model, exact)?, &mut v),
+            _ => system.motion_variables(&p, &q, &exact_start_speeds(self.model, exact)?, &mut v),
         }
         Ok((p, [q, v].concat()))
     }
@@ -46,7 +46,7 @@ impl Problem<'_> {
         let mut u = vec![DoubleDouble::int(0); system.lengths().speeds];
         system.generalized_speeds(p, q, v, &mut u);
         let mut q = q.to_vec();
-        if let Some(Origin { at, value }) = self.origin {
+        if let Some(DistanceOrigin { at, value }) = self.origin {
             q[at] = q[at] + value;
         }
         [q, u].concat()
@@ -61,8 +61,8 @@ impl Problem<'_> {
         if self.by.is_reduced() {
             return self.extended_state(&self.scene.exact.parameters, t, &wide(y.to_vec()));
         }
-        let mut state = wide(self.state(t, y));
-        if let Some(Origin { at, value }) = self.origin {
+        let mut state = wide(self.shown_state(t, y));
+        if let Some(DistanceOrigin { at, value }) = self.origin {
             state[at] = DoubleDouble::from_f64(y[at]) + value;
         }
         state

@@ -3,9 +3,9 @@
 
 use super::{Power, Problem};
 use crate::code::Code;
-use crate::error::{Error, refused};
-use crate::preparation::initial::InitialState;
-use crate::preparation::passage::{self, Chosen, Energy, Systems};
+use crate::error::{Error, refused_scene_error};
+use crate::preparation::initial_state::InitialState;
+use crate::preparation::speed_changes::{self, ChosenSpeedEquations, EnergyBalance, SpeedAndRateEquations};
 use tripos_sim::{Event, Options, Solution};
 
 impl<'a> Problem<'a> {
@@ -13,7 +13,7 @@ impl<'a> Problem<'a> {
     /// motion. The problem's own equations must be in the rates of all coordinates, with multipliers;
     /// they run elsewhere.
     #[must_use]
-    pub fn with_chosen_speeds(self, chosen: Chosen<'a>) -> Self {
+    pub fn with_chosen_speeds(self, chosen: ChosenSpeedEquations<'a>) -> Self {
         Self { chosen: Some(chosen), ..self }
     }
 
@@ -23,7 +23,7 @@ impl<'a> Problem<'a> {
     ///
     /// # Errors
     /// `Error::Request` if the options or the start do not fit the equations.
-    pub(crate) fn in_speeds_alone(
+    pub(crate) fn run_in_chosen_speeds_alone(
         &self,
         rates: &Code,
         options: &Options,
@@ -32,11 +32,15 @@ impl<'a> Problem<'a> {
     ) -> Result<Option<Solution>, Error> {
         let Ok(y0) = self.start() else { return Ok(None) };
         let run = self.right_hand_side().and_then(|mut rhs| {
-            let systems = Systems { rates: rates.system(), speeds: self.system(), parameters: &self.scene.parameters };
+            let systems = SpeedAndRateEquations {
+                rates: rates.system(),
+                speeds: self.system(),
+                parameters: &self.scene.parameters,
+            };
             let start = InitialState { span: self.scene.span, y: &y0 };
-            passage::in_speeds_alone(systems, rhs.as_mut(), start, &self.options(options), events, power)
+            speed_changes::run_in_speeds_alone(systems, rhs.as_mut(), start, &self.run_options(options), events, power)
         });
-        run.map_err(|error| refused(self.scene, &error))
+        run.map_err(|error| refused_scene_error(self.scene, &error))
     }
 
     /// Runs the scene from `y0` = (q, q̇). The equations in chosen speeds run wherever the speeds
@@ -45,9 +49,9 @@ impl<'a> Problem<'a> {
     ///
     /// # Errors
     /// `Error::Request` if the options or the start do not fit the equations.
-    pub(super) fn changing(
+    pub(super) fn run_with_speed_changes(
         &self,
-        chosen: Chosen<'_>,
+        chosen: ChosenSpeedEquations<'_>,
         y0: &[f64],
         options: &Options,
         events: &mut [Event<'_>],
@@ -55,14 +59,25 @@ impl<'a> Problem<'a> {
     ) -> Result<Solution, Error> {
         let speeds = Problem { by: chosen.by, code: chosen.code, solve: chosen.solve, chosen: None, ..*self };
         let run = speeds.right_hand_side().and_then(|mut rhs| {
-            let systems = Systems { rates: self.system(), speeds: speeds.system(), parameters: &self.scene.parameters };
+            let systems = SpeedAndRateEquations {
+                rates: self.system(),
+                speeds: speeds.system(),
+                parameters: &self.scene.parameters,
+            };
             let start = InitialState { span: self.scene.span, y: y0 };
             // Without a given power, energy is kept only if all forces have a potential.
             let keeps_energy = !self.mechanism.is_driven() && (power.is_some() || !self.system().has_power());
-            let energy = Energy { power, is_kept: keeps_energy };
-            passage::solve(systems, rhs.as_mut(), start, &self.options(options), events, energy)
+            let energy = EnergyBalance { power, is_kept: keeps_energy };
+            speed_changes::run_with_speed_changes(
+                systems,
+                rhs.as_mut(),
+                start,
+                &self.run_options(options),
+                events,
+                energy,
+            )
         });
-        let (solution, list) = run.map_err(|error| refused(self.scene, &error))?;
+        let (solution, list) = run.map_err(|error| refused_scene_error(self.scene, &error))?;
         if let Ok(mut changes) = chosen.changes.lock() {
             *changes = list;
         }

@@ -7,20 +7,20 @@
 //! norm, and its residual is reported. Large mechanisms compute M u̇ − f by recursion (J. Y. S.
 //! Luh, M. W. Walker & R. P. C. Paul, ASME J. Dyn. Sys. Meas. Control 102 (1980) 69–76).
 
-mod courses;
-mod least;
+mod least_squares;
+mod prescribed_motion;
 
-pub use courses::moments;
+pub use prescribed_motion::motion_samples;
 
 use crate::{Error, Mechanism};
-use least::{Least, doubles};
+use least_squares::{LeastSquaresSolver, round_to_doubles};
 use tripos_derive::Formulation;
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::term::calculus::Gradient;
-use tripos_derive::algebra::value::evaluate::Tape;
-use tripos_derive::algebra::value::modular::{ZeroTest, zero_test};
+use tripos_derive::algebra::value::tape::Tape;
+use tripos_derive::algebra::value::zero_test::{ZeroTest, zero_test};
 use tripos_derive::mechanics::Unsolved;
-use tripos_derive::plain::within;
+use tripos_derive::plain_text::with_reliable_digits;
 use tripos_derive::scene::{Loops, MotionSample};
 use tripos_traits::DoubleDouble;
 
@@ -30,7 +30,7 @@ const LEFT: f64 = 1e-10;
 
 /// Inverse dynamics of a mechanism, prepared: computes the forces of a motion and the inputs that
 /// produce them.
-pub struct Inverse {
+pub struct InverseDynamics {
     /// Names of the generalized speeds along which the forces act.
     pub speeds: Vec<String>,
     /// Names of the inputs whose values are computed.
@@ -49,7 +49,7 @@ pub struct Inverse {
 
 /// Generalized forces that a motion needs at an instant, and the inputs that produce them.
 #[derive(Clone, Debug)]
-pub struct Forces {
+pub struct RequiredForces {
     /// Generalized forces M u̇ − f with the inputs at 0, for each speed. The unit is that of power
     /// divided by that of the speed.
     pub along: Vec<DoubleDouble>,
@@ -64,7 +64,7 @@ pub struct Forces {
     pub open: f64,
 }
 
-impl Inverse {
+impl InverseDynamics {
     /// Prepares the inverse dynamics of a model. `names` selects the inputs to compute, which may also
     /// be parameters in which the loads are linear. If it is empty, all inputs of the model are
     /// computed.
@@ -73,11 +73,11 @@ impl Inverse {
     /// [`Error`] if the model cannot be derived, lacks a named input, or has forces that are not linear
     /// in the inputs.
     pub fn new(model: &Mechanism, names: &[String]) -> Result<Self, Error> {
-        let places = places(model, names)?;
+        let places = input_indices(model, names)?;
         let symbols: Vec<Expr> = places.iter().map(|at| model.parameters[*at].symbol).collect();
         let derivation = model.derive(Formulation::Kane)?;
         let mut arena = derivation.arena;
-        let proved = derivation.equations.with_inverse_dynamics(&mut arena);
+        let proved = derivation.equations.with_certified_inverse_dynamics(&mut arena);
         let required = proved.map_err(|why| Error::request(format!("{why}"), Unsolved::from(why).help()))?.required;
         let mut gradient = Gradient::new(&symbols);
         let mut outputs = required.clone();
@@ -86,7 +86,7 @@ impl Inverse {
             for &(at, slope) in gradient.apply(&mut arena, *force).iter() {
                 let seconds = gradient.apply(&mut arena, slope);
                 if let Some((other, _)) = seconds.iter().find(|(_, e)| zero_test(&arena, *e) != ZeroTest::Zero) {
-                    return Err(not_linear(model, places[at], places[*other]));
+                    return Err(nonlinear_input_error(model, places[at], places[*other]));
                 }
                 row[at] = arena.neg(slope);
             }
@@ -94,7 +94,7 @@ impl Inverse {
         }
         let rates = model.speeds.iter().map(|speed| speed.rate).collect();
         let known = [model.p(), model.q(), model.u(), rates].concat();
-        let tape = crate::code::tape(&arena, &known, &outputs, "inverse dynamics")?;
+        let tape = crate::code::compile_tape(&arena, &known, &outputs, "inverse dynamics")?;
         Ok(Self {
             speeds: model.speeds.iter().map(|s| s.name.clone()).collect(),
             inputs: places.iter().map(|at| model.parameters[*at].name.clone()).collect(),
@@ -110,7 +110,11 @@ impl Inverse {
     ///
     /// # Errors
     /// [`Error::Stopped`] if a force has no finite value.
-    pub fn at(&self, parameters: &[DoubleDouble], moving: &MotionSample) -> Result<Forces, Error> {
+    pub fn required_forces_at(
+        &self,
+        parameters: &[DoubleDouble],
+        moving: &MotionSample,
+    ) -> Result<RequiredForces, Error> {
         let mut p = parameters.to_vec();
         for at in &self.places {
             p[*at] = 0.0.into();
@@ -120,20 +124,21 @@ impl Inverse {
         let (along, columns) = values.split_at(self.speeds.len());
         if let Some(at) = values.iter().position(|x| !x.hi().is_finite()) {
             let speed = &self.speeds[if at < along.len() { at } else { (at - along.len()) / self.inputs.len() }];
-            let when = moving.t.map_or_else(String::new, |t| format!(" at t = {} s", within(t, None)));
+            let when = moving.t.map_or_else(String::new, |t| format!(" at t = {} s", with_reliable_digits(t, None)));
             return Err(Error::Stopped(format!("the force along `{speed}` has no value{when}")));
         }
         let rows: Vec<&[DoubleDouble]> =
             (0..along.len()).map(|r| &columns[r * self.inputs.len()..(r + 1) * self.inputs.len()]).collect();
-        let found = Least::new(&rows).solve(&rows, along);
-        let largest =
-            self.tape.largest_terms(&doubles(&known))[..along.len()].iter().fold(0.0, |most: f64, x| most.max(*x));
-        let left = doubles(&found.left);
+        let found = LeastSquaresSolver::new(&rows).solve(&rows, along);
+        let largest = self.tape.largest_terms(&round_to_doubles(&known))[..along.len()]
+            .iter()
+            .fold(0.0, |most: f64, x| most.max(*x));
+        let left = round_to_doubles(&found.left);
         let is_given = left.iter().all(|x| x.abs() <= LEFT * largest);
-        let open = self.loops.openings(&doubles(&p), &doubles(&moving.q));
-        Ok(Forces {
+        let open = self.loops.openings(&round_to_doubles(&p), &round_to_doubles(&moving.q));
+        Ok(RequiredForces {
             along: along.to_vec(),
-            inputs: (is_given && !self.inputs.is_empty()).then(|| doubles(&found.x)),
+            inputs: (is_given && !self.inputs.is_empty()).then(|| round_to_doubles(&found.x)),
             left,
             reached: found.rank,
             open: open.iter().fold(0.0, |most: f64, (_, x)| most.max(x.abs())),
@@ -143,7 +148,7 @@ impl Inverse {
 
 /// Error for forces that are not linear in one parameter, or contain a product of two; both are
 /// given by index.
-fn not_linear(model: &Mechanism, at: usize, other: usize) -> Error {
+fn nonlinear_input_error(model: &Mechanism, at: usize, other: usize) -> Error {
     let [name, other] = [at, other].map(|at| &model.parameters[at].name);
     let what = if name == other {
         format!("forces are not linear in `{name}`")
@@ -158,14 +163,15 @@ fn not_linear(model: &Mechanism, at: usize, other: usize) -> Error {
 ///
 /// # Errors
 /// [`Error::Request`] if a name is unknown or given twice.
-fn places(model: &Mechanism, names: &[String]) -> Result<Vec<usize>, Error> {
+fn input_indices(model: &Mechanism, names: &[String]) -> Result<Vec<usize>, Error> {
     if names.is_empty() {
         return Ok((0..model.parameters.len()).filter(|at| model.parameters[*at].is_input).collect());
     }
     let mut places = Vec::new();
     for name in names {
         let at = model.parameters.iter().position(|p| p.name == *name).ok_or_else(|| {
-            let help = tripos_derive::diagnostic::nearest(name, model.parameters.iter().map(|p| p.name.as_str()));
+            let help =
+                tripos_derive::diagnostic::nearest_name_advice(name, model.parameters.iter().map(|p| p.name.as_str()));
             Error::request(format!("the model has no input `{name}`"), help)
         })?;
         if places.contains(&at) {

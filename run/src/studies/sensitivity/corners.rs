@@ -6,10 +6,10 @@
 //! no such jump. All other cases are refused: jumps without a derivative, and steps that cross the
 //! instant.
 
-use super::start::Seed;
+use super::varied_start::VariedStart;
 use crate::error::Error;
 use crate::preparation::problem::Problem;
-use tripos_sim::{Corner, DIRECTIONS, Options};
+use tripos_sim::{Corner, Options, SLOPE_DIRECTIONS};
 use tripos_traits::Tangent;
 
 /// Shift of an instant, relative to the instant plus 1 s, below which it counts as fixed. The shift
@@ -22,11 +22,11 @@ const ONE: f64 = 64.0 * f64::EPSILON;
 /// its derivatives by the varied numbers.
 pub fn corners<const K: usize>(problem: &Problem<'_>, parameters: &[Tangent<K>]) -> Vec<Corner> {
     let of = |(at, jumps): (Tangent<K>, bool)| {
-        let mut moves = [0.0; DIRECTIONS];
+        let mut moves = [0.0; SLOPE_DIRECTIONS];
         moves.iter_mut().zip(at.slopes).for_each(|(to, from)| *to = from);
         Corner { at: at.value, jumps, moves }
     };
-    problem.model.corners(parameters).into_iter().map(of).collect()
+    problem.model.corner_instants(parameters).into_iter().map(of).collect()
 }
 
 /// Checks that the varied number `seed` does not move a jump or kink of the equations in a way
@@ -34,7 +34,7 @@ pub fn corners<const K: usize>(problem: &Problem<'_>, parameters: &[Tangent<K>])
 ///
 /// # Errors
 /// [`Error::Request`] with the reason if there is no derivative.
-pub fn check(problem: &Problem<'_>, seed: &Seed, options: &Options) -> Result<(), Error> {
+pub fn check_moved_corners(problem: &Problem<'_>, seed: &VariedStart, options: &Options) -> Result<(), Error> {
     let values = problem.scene.parameters.iter().zip(&seed.parameters);
     let parameters: Vec<Tangent<1>> = values.clone().map(|(p, by)| Tangent { value: *p, slopes: [*by] }).collect();
     let sizes = values.filter(|(_, by)| **by != 0.0).map(|(p, by)| (p / by).abs());

@@ -15,7 +15,7 @@ pub const FORWARD: [(i32, i64); 5] = [(0, -25), (1, 48), (2, -36), (3, 16), (4, 
 
 /// Derivatives of several values, from their `list` at the positions of a difference rule with the
 /// given step.
-pub fn difference(list: &[Vec<DoubleDouble>], rule: &[(i32, i64)], step: DoubleDouble) -> Vec<f64> {
+pub fn derivative_by_rule(list: &[Vec<DoubleDouble>], rule: &[(i32, i64)], step: DoubleDouble) -> Vec<f64> {
     let twelve = DoubleDouble::int(12) * step;
     let count = list.first().map_or(0, Vec::len);
     // The weights add up to 0. With differences from the first value, a constant value has exactly the
@@ -34,7 +34,11 @@ const FLOOR: f64 = 1e-6;
 
 /// Derivative of the vector function `of` at `x` along a direction, accurate to double precision.
 /// All components are NaN if the direction is not finite.
-pub fn along(x: &[f64], direction: &[f64], of: impl Fn(&[DoubleDouble]) -> Vec<DoubleDouble>) -> Vec<f64> {
+pub fn directional_difference(
+    x: &[f64],
+    direction: &[f64],
+    of: impl Fn(&[DoubleDouble]) -> Vec<DoubleDouble>,
+) -> Vec<f64> {
     let part = x.iter().zip(direction).map(|(x, d)| d.abs() / x.abs().max(FLOOR)).fold(0.0, larger);
     if !(part > 0.0 && part.is_finite()) {
         let known = if part == 0.0 { 0.0 } else { f64::NAN };
@@ -47,5 +51,5 @@ pub fn along(x: &[f64], direction: &[f64], of: impl Fn(&[DoubleDouble]) -> Vec<D
         of(&moved.collect::<Vec<_>>())
     };
     let list: Vec<_> = CENTRAL.iter().map(|(place, _)| at(*place)).collect();
-    difference(&list, &CENTRAL, DoubleDouble::from_f64(step))
+    derivative_by_rule(&list, &CENTRAL, DoubleDouble::from_f64(step))
 }

@@ -19,41 +19,41 @@
 //! Reduced equations of a scene are not differentiated. They contain constants that would have to
 //! be differentiated too.
 
-mod apart;
-mod bounce;
-mod contacts;
+mod contact_derivatives;
+mod contact_history;
+mod contact_runs_with_slopes;
+mod contact_zeros;
 mod corners;
 mod difference;
-mod ends;
-mod equations;
-mod forces;
+mod end_derivatives;
+mod equations_with_slopes;
 pub mod gradient;
-mod graze;
-mod grip;
+mod grazing_contacts;
+mod held_contact_forces;
 mod held_contacts;
-mod history;
-mod jumps;
+mod held_directions;
+mod impact_strikes;
+mod run_differences;
 mod shown_quantities;
-mod start;
-mod strike;
-mod zero;
+mod slope_jumps;
+mod varied_start;
 
-use crate::code::by_or_first;
+use crate::code::find_equations_or_first;
 use crate::equations_name::EquationsName;
 use crate::error::Error;
+use crate::integration_options::integration_options;
 use crate::mechanism::Mechanism;
-use crate::options::options;
 use crate::preparation::problem::Problem;
-use crate::simulation::outputs::ShownQuantities;
 use crate::simulation::run::Run;
-use crate::simulation::run_problem::{proved, run_by};
-use crate::simulation::simulate::changes_speeds;
-use apart::Apart;
-use ends::{End, end, instants, second};
-use equations::{Carried, Equations, SeededStart};
+use crate::simulation::run_problem::{prove_integrals_to_watch, run_problem_by_solver};
+use crate::simulation::shown_quantities::ShownQuantities;
+use crate::simulation::simulate::simulate_if_speeds_change;
+use end_derivatives::{EndDerivatives, end_derivatives, event_time_derivatives, second_run_errors};
+use equations_with_slopes::{RunWithSlopes, SeededStart, SlopeEquations};
+use run_differences::RunDifferences;
 use shown_quantities::Quantities;
-use start::Seed;
-use tripos_derive::scene::{Integrator, Scene, Solve};
+use tripos_derive::scene::{AccelerationSolution, Integrator, Scene};
+use varied_start::VariedStart;
 
 /// Run of a scene, with the derivatives of its shown quantities by the varied numbers.
 pub struct Sensitivities {
@@ -93,7 +93,7 @@ pub struct Sensitivities {
 
 /// Instants of a run at which derivatives are computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum At {
+pub enum DerivativeInstants {
     /// Derivatives at the end of the run and at its events only.
     End,
     /// Derivatives at the end of the run, at its events and at each sample.
@@ -105,10 +105,10 @@ impl Sensitivities {
     ///
     /// # Errors
     /// [`Error::Request`] if no quantity or no varied number has the given name.
-    pub fn of(&self, name: &str, by: &str) -> Result<f64, Error> {
+    pub fn derivative_of(&self, name: &str, by: &str) -> Result<f64, Error> {
         let place = |list: &[String], name: &str, what: &str| {
             list.iter().position(|other| other == name).ok_or_else(|| {
-                let help = tripos_derive::diagnostic::nearest(name, list.iter().map(String::as_str));
+                let help = tripos_derive::diagnostic::nearest_name_advice(name, list.iter().map(String::as_str));
                 Error::request(format!("{what} `{name}`"), help)
             })
         };
@@ -118,7 +118,7 @@ impl Sensitivities {
 
     /// Message about the first derivative at the end that has no finite value; `None` if all have one.
     #[must_use]
-    pub fn missing(&self) -> Option<String> {
+    pub fn missing_derivative(&self) -> Option<String> {
         let found = self.end.iter().zip(&self.by).find_map(|(list, by)| {
             let at = list.iter().position(|x| !x.is_finite())?;
             Some((&self.names[at], by))
@@ -144,48 +144,57 @@ pub fn sensitivities(
     scene: &Scene,
     set: &[(String, f64)],
     names: &[String],
-    at: At,
+    at: DerivativeInstants,
     by: Option<&EquationsName>,
 ) -> Result<Sensitivities, Error> {
     check_names(names)?;
     check_equations(scene, by)?;
-    let by = by_or_first(mechanism, by)?;
+    let by = find_equations_or_first(mechanism, by)?;
     if by.printed_id().is_some() {
         let help = "take kane, lagrange or newton-euler";
         return Err(Error::request("printed equations are not differentiated", help));
     }
-    if let Some(run) = changes_speeds(mechanism, scene, &by)? {
-        return by_differences(mechanism, scene, set, names, at, run);
+    if let Some(run) = simulate_if_speeds_change(mechanism, scene, &by)? {
+        return sensitivities_by_differences(mechanism, scene, set, names, at, run);
     }
-    let equations = Equations::new(mechanism, scene, &by, scene.integration.method.method().unwrap_or_default())?;
-    let problem = Problem::new(mechanism, scene, &by, &equations.code, Some(Solve::Eliminated))?;
-    let seeds = names.iter().map(|name| Seed::new(&problem, set, name)).collect::<Result<Vec<_>, _>>()?;
-    let how = options(scene);
-    seeds.iter().try_for_each(|seed| corners::check(&problem, seed, &how).and_then(|()| seed.check(scene)))?;
+    let equations = SlopeEquations::new(mechanism, scene, &by, scene.integration.method.method().unwrap_or_default())?;
+    let problem = Problem::new(mechanism, scene, &by, &equations.code, Some(AccelerationSolution::Eliminated))?;
+    let seeds = names.iter().map(|name| VariedStart::new(&problem, set, name)).collect::<Result<Vec<_>, _>>()?;
+    let how = integration_options(scene);
+    seeds.iter().try_for_each(|seed| {
+        corners::check_moved_corners(&problem, seed, &how).and_then(|()| seed.check_friction_from_zero(scene))
+    })?;
     let (shown, quantities) = (ShownQuantities::new(mechanism, scene)?, Quantities::new(mechanism, scene)?);
     let slopes: Vec<Vec<f64>> = seeds.iter().map(|seed| seed.state.clone()).collect();
     let mut carried = None;
-    let mut run = run_by(&problem, proved(mechanism)?.as_ref(), Some(&shown), |y0, options, events| {
-        let from = SeededStart { span: scene.span, y: y0, seeds: &seeds, slopes: &slopes };
-        let carried = carried.insert(equations.run(&problem, &from, options, events)?);
-        Ok(carried.solution.clone())
-    })?;
+    let mut run = run_problem_by_solver(
+        &problem,
+        prove_integrals_to_watch(mechanism)?.as_ref(),
+        Some(&shown),
+        |y0, options, events| {
+            let from = SeededStart { span: scene.span, y: y0, seeds: &seeds, slopes: &slopes };
+            let carried = carried.insert(equations.run(&problem, &from, options, events)?);
+            Ok(carried.solution.clone())
+        },
+    )?;
     let carried = carried.ok_or_else(|| Error::Stopped("the run was not made".to_owned()))?;
-    let parts = Parts { problem: &problem, equations: &equations, quantities: &quantities, seeds: &seeds };
-    let own = end(&parts, &carried)?;
-    let (errors, assessed_by) = second(&parts, &carried, &own, &slopes)?;
+    let parts = SensitivityInputs { problem: &problem, equations: &equations, quantities: &quantities, seeds: &seeds };
+    let own = end_derivatives(&parts, &carried)?;
+    let (errors, assessed_by) = second_run_errors(&parts, &carried, &own, &slopes)?;
     let samples = match at {
-        At::End => Vec::new(),
-        At::Samples => samples(&parts, &carried)?,
+        DerivativeInstants::End => Vec::new(),
+        DerivativeInstants::Samples => samples(&parts, &carried)?,
     };
-    let events = instants(&parts, &carried, &own.t)?;
+    let events = event_time_derivatives(&parts, &carried, &own.t)?;
     let ended: Vec<Option<String>> =
         carried.history.endings.iter().map(|ending| Some(ending.as_ref()?.to_string())).collect();
     run.notes.splice(..0, notes(mechanism, &seeds, &carried, &own));
-    run.warnings.extend(jumps(mechanism));
+    run.warnings.extend(sign_jump_warning(mechanism));
     let over = names.iter().zip(&ended).filter_map(|(name, why)| Some((name, why.as_ref()?)));
     run.warnings.extend(over.map(|(name, why)| format!("there are no derivatives by `{name}` {why}")));
-    let unit = |of: &Option<tripos_derive::model::Unit>, seed: &Seed| Some(of.as_ref()?.over(&seed.unit).to_string());
+    let unit = |of: &Option<tripos_derive::model::Unit>, seed: &VariedStart| {
+        Some(of.as_ref()?.divided_by(&seed.unit).to_string())
+    };
     let units = seeds.iter().map(|seed| quantities.units.iter().map(|of| unit(of, seed)).collect()).collect();
     let (end, t_end) = (own.shown, own.t);
     Ok(Sensitivities {
@@ -209,15 +218,15 @@ pub fn sensitivities(
 /// # Errors
 /// `Error::Request` if derivatives at samples are requested; `Error` if a neighbouring run cannot
 /// be made or ends otherwise.
-fn by_differences(
+fn sensitivities_by_differences(
     mechanism: &Mechanism,
     scene: &Scene,
     set: &[(String, f64)],
     names: &[String],
-    at: At,
+    at: DerivativeInstants,
     run: Run,
 ) -> Result<Sensitivities, Error> {
-    if at == At::Samples {
+    if at == DerivativeInstants::Samples {
         let what = "a run that changes its speeds has no derivatives at samples";
         return Err(Error::request(
             what,
@@ -225,9 +234,9 @@ fn by_differences(
         ));
     }
     let quantities = Quantities::new(mechanism, scene)?;
-    let apart = Apart { mechanism, scene, set, by: &run.by, names: &quantities.names };
-    let list = names.iter().map(|name| apart.by(name, &run)).collect::<Result<Vec<_>, _>>()?;
-    let unit = |of: &Option<tripos_derive::model::Unit>, by| Some(of.as_ref()?.over(by).to_string());
+    let apart = RunDifferences { mechanism, scene, set, by: &run.by, names: &quantities.names };
+    let list = names.iter().map(|name| apart.differentiate_by(name, &run)).collect::<Result<Vec<_>, _>>()?;
+    let unit = |of: &Option<tripos_derive::model::Unit>, by| Some(of.as_ref()?.divided_by(by).to_string());
     let event = |at: usize| list.iter().map(|found| Some(found.events.as_ref()?[at])).collect();
     Ok(Sensitivities {
         by: names.to_vec(),
@@ -237,7 +246,7 @@ fn by_differences(
         samples: Vec::new(),
         t_end: list.iter().map(|found| found.t_end).collect(),
         events: (0..run.solution.events.len()).map(event).collect(),
-        assessed_by: Some(apart::WORDS.to_owned()),
+        assessed_by: Some(run_differences::WORDS.to_owned()),
         ended: vec![None; names.len()],
         names: quantities.names,
         run,
@@ -245,15 +254,15 @@ fn by_differences(
 }
 
 /// Inputs for the derivatives of a run: scene, equations, quantities and varied numbers.
-struct Parts<'a> {
+struct SensitivityInputs<'a> {
     /// Scene with its equations of motion in double precision.
     problem: &'a Problem<'a>,
     /// Equations of motion in numbers with slopes (derivatives).
-    equations: &'a Equations,
+    equations: &'a SlopeEquations,
     /// Differentiated quantities: those that the run shows, its energies, and its events' functions.
     quantities: &'a Quantities,
     /// Varied numbers, by which the derivatives are taken.
-    seeds: &'a [Seed],
+    seeds: &'a [VariedStart],
 }
 
 /// Checks that the list of varied numbers is not empty and names no number twice.
@@ -290,7 +299,7 @@ fn check_equations(scene: &Scene, by: Option<&EquationsName>) -> Result<(), Erro
         let help = "leave the projection out: tolerances can be as fine as 1e-13";
         return refuse("runs that are projected onto their energy are not differentiated", help);
     }
-    if how.solve == Some(Solve::Numeric) {
+    if how.solve == Some(AccelerationSolution::Numeric) {
         let help = "leave `solve` out: eliminated accelerations are differentiated";
         return refuse("a numeric solve for accelerations is not differentiated", help);
     }
@@ -298,7 +307,7 @@ fn check_equations(scene: &Scene, by: Option<&EquationsName>) -> Result<(), Erro
 }
 
 /// Notes to the user about the derivatives of a run, such as a number on which nothing depends.
-fn notes(mechanism: &Mechanism, seeds: &[Seed], carried: &Carried, end: &End) -> Vec<String> {
+fn notes(mechanism: &Mechanism, seeds: &[VariedStart], carried: &RunWithSlopes, end: &EndDerivatives) -> Vec<String> {
     let mut list = Vec::new();
     if mechanism.loops.is_empty() {
         list.push("the full equations are integrated, since derivatives need them".to_owned());
@@ -317,8 +326,8 @@ fn notes(mechanism: &Mechanism, seeds: &[Seed], carried: &Carried, end: &End) ->
 
 /// Warning that derivatives may lack the effect of jumps of the equations at signs of states.
 /// `None` if the model has no such signs.
-fn jumps(mechanism: &Mechanism) -> Option<String> {
-    let list = mechanism.model.signs_of_states();
+fn sign_jump_warning(mechanism: &Mechanism) -> Option<String> {
+    let list = mechanism.model.sign_arguments_of_states();
     let shown: Vec<String> = list.iter().map(|text| format!("`{text}`")).collect();
     (!list.is_empty()).then(|| {
         format!(
@@ -333,13 +342,13 @@ fn jumps(mechanism: &Mechanism) -> Option<String> {
 ///
 /// # Errors
 /// `Error::Request` if the number of parameters does not fit the equations.
-fn samples(parts: &Parts<'_>, carried: &Carried) -> Result<Vec<Vec<Vec<f64>>>, Error> {
+fn samples(parts: &SensitivityInputs<'_>, carried: &RunWithSlopes) -> Result<Vec<Vec<Vec<f64>>>, Error> {
     let solution = &carried.solution;
     let mut lists = vec![Vec::with_capacity(solution.t.len()); parts.seeds.len()];
     for (sample, (t, y)) in solution.t.iter().zip(&solution.y).enumerate() {
-        let place = parts.quantities.place(parts.problem, *t, y)?;
+        let place = parts.quantities.prepare_state(parts.problem, *t, y)?;
         for ((seed, list), at) in parts.seeds.iter().zip(&mut lists).zip(&carried.at) {
-            list.push(parts.quantities.slopes(&place, &seed.parameters, &at[sample]).shown);
+            list.push(parts.quantities.quantity_derivatives(&place, &seed.parameters, &at[sample]).shown);
         }
     }
     Ok(lists)
@@ -347,6 +356,6 @@ fn samples(parts: &Parts<'_>, carried: &Carried) -> Result<Vec<Vec<Vec<f64>>>, E
 
 /// Integration options of a short run from a sample to a later instant: the scene's, with only the
 /// ends kept.
-fn onward(parts: &Parts<'_>) -> tripos_sim::Options {
-    tripos_sim::Options { output: tripos_sim::Output::Ends, ..options(parts.problem.scene) }
+fn options_for_short_run(parts: &SensitivityInputs<'_>) -> tripos_sim::Options {
+    tripos_sim::Options { output: tripos_sim::OutputOption::Ends, ..integration_options(parts.problem.scene) }
 }

@@ -4,19 +4,19 @@
 //! other quantity is a function of parameters and state. Its derivative in their direction is a
 //! difference in 32 digits ([`super::difference`]), so the quantity need not be defined twice.
 
-use super::difference::along;
-use crate::code::{Code, Ready, code, tape};
-use crate::error::{Error, refused};
+use super::difference::directional_difference;
+use crate::code::{Code, CodePreparation, compile_tape, runnable_code};
+use crate::error::{Error, refused_scene_error};
 use crate::mechanism::Mechanism;
 use crate::preparation::problem::Problem;
-use crate::simulation::outputs::state_names;
+use crate::simulation::shown_quantities::state_names;
 use tripos_derive::Formulation;
 use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::value::evaluate::Tape;
+use tripos_derive::algebra::value::tape::Tape;
 use tripos_derive::model::Unit;
 use tripos_derive::scene::{ENERGIES, Scene};
 use tripos_sim::Dynamics;
-use tripos_sim::linear::{self, Shape};
+use tripos_sim::linear::{self, MatrixKind};
 use tripos_traits::{DoubleDouble, Lengths, Scalar};
 
 /// Differentiated quantities of a run: those that it shows, its energies, and the functions whose
@@ -44,7 +44,7 @@ pub struct Quantities {
 
 /// State of a run at which derivatives are taken, with the reactions there if a quantity depends on
 /// them.
-pub struct Place<'a> {
+pub struct StateWithReactions<'a> {
     /// Scene with its equations of motion.
     problem: &'a Problem<'a>,
     /// Integrated state (q, v).
@@ -55,7 +55,7 @@ pub struct Place<'a> {
 }
 
 /// Derivatives of the shown and the watched quantities in a direction of parameters and state.
-pub struct Slopes {
+pub struct QuantityDerivatives {
     /// Derivatives of the shown quantities, in the order of [`Quantities::names`].
     pub shown: Vec<f64>,
     /// Derivatives of the watched functions, in the order of a run's events.
@@ -91,9 +91,10 @@ impl Quantities {
         let energies: Vec<_> = energies.filter(|(_, symbol)| !inputs.contains(symbol)).collect();
         let inputs: Vec<Expr> = inputs.into_iter().chain(energies.iter().map(|(_, symbol)| *symbol)).collect();
         let needs_balance = mentioned(&reactions);
-        let balance = needs_balance.then(|| code(mechanism, &Formulation::NewtonEuler.into(), None, Ready::AsDerived));
+        let balance = needs_balance
+            .then(|| runnable_code(mechanism, &Formulation::NewtonEuler.into(), None, CodePreparation::AsDerived));
         Ok(Self {
-            tape: tape(arena, &inputs, &values, "an output")?.to(),
+            tape: compile_tape(arena, &inputs, &values, "an output")?.to(),
             outputs: others.len(),
             needs_accelerations: mentioned(&u_dot),
             energies: energies.into_iter().map(|(at, _)| at).collect(),
@@ -105,7 +106,7 @@ impl Quantities {
     }
 
     /// Number of watched functions: the conditions of the domain and the events of the scene.
-    pub fn watched(&self) -> usize {
+    pub fn watched_function_count(&self) -> usize {
         self.tape.outputs() - self.outputs
     }
 
@@ -114,37 +115,47 @@ impl Quantities {
     ///
     /// # Errors
     /// [`Error::Request`] if the number of parameters does not fit the equations.
-    pub fn place<'a>(&self, problem: &'a Problem<'a>, t: f64, y: &'a [f64]) -> Result<Place<'a>, Error> {
+    pub fn prepare_state<'a>(
+        &self,
+        problem: &'a Problem<'a>,
+        t: f64,
+        y: &'a [f64],
+    ) -> Result<StateWithReactions<'a>, Error> {
         let mut reactions = Vec::new();
         if let Some(balance) = &self.balance {
-            let state = problem.state(t, y);
+            let state = problem.shown_state(t, y);
             let (q, u) = state.split_at(problem.system().lengths().coordinates);
             let parameters = &problem.scene.parameters;
-            let mut dynamics =
-                Dynamics::new(balance.system(), parameters).map_err(|error| refused(problem.scene, &error))?;
+            let mut dynamics = Dynamics::new(balance.system(), parameters)
+                .map_err(|error| refused_scene_error(problem.scene, &error))?;
             let order = balance.system().lengths().unknowns();
             reactions = dynamics.unknowns(q, u).map_or_else(|_| vec![f64::NAN; order], <[f64]>::to_vec);
         }
-        Ok(Place { problem, y, reactions })
+        Ok(StateWithReactions { problem, y, reactions })
     }
 
     /// Computes the derivatives of all quantities in a direction of parameters and of the integrated
     /// state.
-    pub fn slopes(&self, place: &Place<'_>, parameters: &[f64], state: &[f64]) -> Slopes {
+    pub fn quantity_derivatives(
+        &self,
+        place: &StateWithReactions<'_>,
+        parameters: &[f64],
+        state: &[f64],
+    ) -> QuantityDerivatives {
         let problem = place.problem;
-        let moved = self.moved_with(problem, state);
-        let unknowns = self.reactions(place, parameters, state);
+        let moved = self.directly_shown_derivatives(problem, state);
+        let unknowns = self.reaction_derivatives(place, parameters, state);
         let x = [&problem.scene.parameters[..], place.y, &place.reactions].concat();
         let direction = [parameters, state, &unknowns].concat();
-        let mut all = along(&x, &direction, |x| self.values(problem, x));
+        let mut all = directional_difference(&x, &direction, |x| self.values(problem, x));
         let watched = all.split_off(self.names.len());
         all[..moved.len()].copy_from_slice(&moved);
-        Slopes { shown: all, watched }
+        QuantityDerivatives { shown: all, watched }
     }
 
     /// Derivatives of the state that are shown unchanged: of coordinates, and of speeds if these are
     /// integrated.
-    fn moved_with(&self, problem: &Problem<'_>, state: &[f64]) -> Vec<f64> {
+    fn directly_shown_derivatives(&self, problem: &Problem<'_>, state: &[f64]) -> Vec<f64> {
         let is_rate = problem.by.formulation().is_some_and(Formulation::is_in_rates);
         let known = if is_rate { problem.model.coordinates.len() } else { self.states };
         state[..known].to_vec()
@@ -183,7 +194,7 @@ impl Quantities {
 
     /// Derivatives of the unknowns x of the force balance A x = b in a direction, from A x′ = b′ − A′
     /// x. They are NaN if A is singular; the list is empty without a force balance.
-    fn reactions(&self, place: &Place<'_>, parameters: &[f64], state: &[f64]) -> Vec<f64> {
+    fn reaction_derivatives(&self, place: &StateWithReactions<'_>, parameters: &[f64], state: &[f64]) -> Vec<f64> {
         let Some(balance) = &self.balance else { return Vec::new() };
         let (problem, system) = (place.problem, balance.extended());
         let Lengths { parameters: count, coordinates: n, .. } = system.lengths();
@@ -202,11 +213,11 @@ impl Quantities {
             sides
         };
         let x = [&problem.scene.parameters[..], place.y].concat();
-        let mut sides = along(&x, &[parameters, state].concat(), left);
-        let shown = problem.state(problem.scene.span.0, place.y);
+        let mut sides = directional_difference(&x, &[parameters, state].concat(), left);
+        let shown = problem.shown_state(problem.scene.span.0, place.y);
         let mut matrix = vec![0.0; order * order];
         balance.system().mass_matrix(&problem.scene.parameters, &shown[..n], &shown[n..], &mut matrix);
-        match linear::solve(&matrix, &mut sides, Shape::General) {
+        match linear::solve_linear_system(&matrix, &mut sides, MatrixKind::General) {
             Ok(()) => sides,
             Err(_) => vec![f64::NAN; order],
         }

@@ -1,18 +1,18 @@
 //! Errors of the accelerations, and condition numbers of their matrices, along a passage near a
 //! singular surface. They show how many digits a numeric solve loses, and why.
 
-use super::findings::{Findings, Looked, Row, Study, Topic};
-use super::ladder::passage;
-use crate::code::{Ready, code, tape};
-use crate::error::{Error, refused};
-use crate::follow::uninterrupted;
+use super::findings::{ConditioningFinding, FindingRow, Findings, StudyInputs, Topic};
+use super::ladder::find_passage;
+use crate::code::{CodePreparation, compile_tape, runnable_code};
+use crate::error::{Error, refused_scene_error};
+use crate::observer::require_uninterrupted;
 use crate::preparation::problem::Problem;
-use crate::studies::case::{Case, Printed, whole};
+use crate::studies::chart_case::{ChartCase, PrintedEquationsChoice, full_equation_cases};
 use crate::studies::figure::{Figure, Panel, Scale, Series};
 use tripos_derive::Formulation;
-use tripos_derive::algebra::text::print::text;
-use tripos_derive::scene::{Scene, Solve};
-use tripos_sim::{Dynamics, Options, Output, linear};
+use tripos_derive::algebra::text::print::print_text;
+use tripos_derive::scene::{AccelerationSolution, Scene};
+use tripos_sim::{Dynamics, Options, OutputOption, linear};
 use tripos_traits::{DoubleDouble, Real, Scalar, System, larger};
 
 /// Number of examined distances from the singular surface per factor of ten.
@@ -30,7 +30,11 @@ struct Waypoint {
 
 /// Computes the accelerations u̇ at a state of a passage in twice the precision of a double.
 /// `system` are the equations.
-fn exact(study: &Study<'_>, system: &dyn System<DoubleDouble>, place: &Waypoint) -> Vec<DoubleDouble> {
+fn exact_accelerations(
+    study: &StudyInputs<'_>,
+    system: &dyn System<DoubleDouble>,
+    place: &Waypoint,
+) -> Vec<DoubleDouble> {
     let wide = |list: &[f64]| list.iter().map(|x| DoubleDouble::from_f64(*x)).collect::<Vec<_>>();
     let (p, q, u) = (wide(&study.scene.parameters), wide(&place.q), wide(&place.u));
     let zeros = vec![DoubleDouble::int(0); system.lengths().variables];
@@ -42,7 +46,7 @@ fn exact(study: &Study<'_>, system: &dyn System<DoubleDouble>, place: &Waypoint)
 }
 
 /// Error of the accelerations at a state of a passage, and condition numbers of their matrix.
-struct Examined {
+struct ExaminedConditioning {
     /// Largest error of u̇ relative to the largest u̇; NaN if the linear system has no solution.
     error: f64,
     /// Condition number of the unscaled matrix.
@@ -56,21 +60,21 @@ struct Examined {
 ///
 /// # Errors
 /// `Error::Request` if the parameters do not fit the equations.
-fn look(
-    case: &Case,
+fn examine_conditioning(
+    case: &ChartCase,
     extended: &dyn System<DoubleDouble>,
     scene: &Scene,
     place: &Waypoint,
     exact: &[DoubleDouble],
-) -> Result<Examined, Error> {
+) -> Result<ExaminedConditioning, Error> {
     let (system, p) = (case.code.system(), scene.parameters.as_slice());
     let mut v = vec![0.0; system.lengths().variables];
     system.motion_variables(p, &place.q, &place.u, &mut v);
     let mut v_dot = vec![0.0; system.lengths().variables];
-    let mut dynamics = Dynamics::new(system, p).map_err(|error| refused(scene, &error))?;
+    let mut dynamics = Dynamics::new(system, p).map_err(|error| refused_scene_error(scene, &error))?;
     match case.solve {
-        Solve::Eliminated => system.accelerations(p, &place.q, &v, &mut v_dot),
-        Solve::Numeric => match dynamics.unknowns(&place.q, &v) {
+        AccelerationSolution::Eliminated => system.accelerations(p, &place.q, &v, &mut v_dot),
+        AccelerationSolution::Numeric => match dynamics.unknowns(&place.q, &v) {
             Ok(x) => v_dot.copy_from_slice(&x[..v.len()]),
             Err(_) => v_dot.fill(f64::NAN),
         },
@@ -88,7 +92,7 @@ fn look(
     let mut matrix = vec![0.0; n * n];
     system.mass_matrix(p, &place.q, &v, &mut matrix);
     let plain = 1.0 / linear::plain_reciprocal_condition(&matrix, n);
-    Ok(Examined { error, plain, scaled: 1.0 / linear::reciprocal_condition(&matrix, n) })
+    Ok(ExaminedConditioning { error, plain, scaled: 1.0 / linear::reciprocal_condition(&matrix, n) })
 }
 
 /// Lists states along the first passage of that rung of the scene's ladder which comes nearest to
@@ -97,11 +101,11 @@ fn look(
 ///
 /// # Errors
 /// `Error` if the rungs cannot be run.
-fn places(study: &Study<'_>) -> Result<Vec<Waypoint>, Error> {
+fn passage_states(study: &StudyInputs<'_>) -> Result<Vec<Waypoint>, Error> {
     let model = study.model;
     let mut narrow: Option<(f64, f64, Scene)> = None;
-    for (_, mut scene) in study.scene.rungs() {
-        if let Some(found) = passage(model, &scene)?
+    for (_, mut scene) in study.scene.ladder_scenes() {
+        if let Some(found) = find_passage(model, &scene)?
             && narrow.as_ref().is_none_or(|(least, ..)| found.least < *least)
         {
             scene.span.1 = found.t;
@@ -111,22 +115,24 @@ fn places(study: &Study<'_>) -> Result<Vec<Waypoint>, Error> {
     let Some((least, _, mut scene)) = narrow else { return Ok(Vec::new()) };
     scene.integration.distance = None;
     let by = tripos_derive::mechanics::EquationsOrigin::from(Formulation::Kane);
-    let code = code(model, &by, None, Ready::Solved)?;
+    let code = runnable_code(model, &by, None, CodePreparation::Solved)?;
     let problem = Problem::new(model, &scene, &by, &code, None)?;
     let options = Options {
         method: tripos_sim::Method::Dop853,
-        output: Output::Steps { refine: 50 },
+        output: OutputOption::Steps { refine: 50 },
         ..Options::tolerances(1e-12, 1e-12)
     };
-    let run = uninterrupted(problem.integrate(&problem.start()?, &options, &mut []).map_err(|e| refused(&scene, &e))?)?;
+    let run = require_uninterrupted(
+        problem.integrate(&problem.start()?, &options, &mut []).map_err(|e| refused_scene_error(&scene, &e))?,
+    )?;
     let Some(divisor) = model.kinematic_equations.divisors.first() else { return Ok(Vec::new()) };
     let inputs = [model.p(), model.q()].concat();
-    let tape = tape(&model.arena, &inputs, &[*divisor], "a divisor of the kinematic equations")?;
+    let tape = compile_tape(&model.arena, &inputs, &[*divisor], "a divisor of the kinematic equations")?;
     let n = problem.system().lengths().coordinates;
     let mut list: Vec<Waypoint> = Vec::new();
     let mut next = 0.7;
     for (t, y) in run.t.iter().zip(&run.y) {
-        let state = problem.state(*t, y);
+        let state = problem.shown_state(*t, y);
         let value = tape.evaluate(&[scene.parameters.as_slice(), &state[..n]].concat())[0].abs();
         if value <= next && value >= 0.9 * least {
             list.push(Waypoint { divisor: value, q: state[..n].to_vec(), u: state[n..].to_vec() });
@@ -139,7 +145,7 @@ fn places(study: &Study<'_>) -> Result<Vec<Waypoint>, Error> {
 /// Curves of the four panels of the figure of condition numbers: a curve for each formulation in
 /// each panel.
 #[derive(Default)]
-struct Curves {
+struct ConditioningCurves {
     /// Errors of eliminated accelerations against the divisor of the kinematic equations.
     eliminated: Vec<Series>,
     /// Errors of numerically solved accelerations against the divisor of the kinematic equations.
@@ -152,10 +158,10 @@ struct Curves {
     worst: Vec<String>,
 }
 
-impl Curves {
+impl ConditioningCurves {
     /// Adds the curves of a case: points (divisor, value) of the errors and of both condition numbers.
     /// Does nothing without points.
-    fn add(&mut self, case: &Case, errors: Vec<(f64, f64)>, plain: Vec<(f64, f64)>, scaled: Vec<(f64, f64)>) {
+    fn add(&mut self, case: &ChartCase, errors: Vec<(f64, f64)>, plain: Vec<(f64, f64)>, scaled: Vec<(f64, f64)>) {
         if errors.is_empty() {
             return;
         }
@@ -164,8 +170,8 @@ impl Curves {
         let formulation = Formulation::ALL.iter().position(|f| case.by.formulation() == Some(*f));
         let curve = |points| Series::curve(case.by.name(), formulation.unwrap_or_default(), points);
         match case.solve {
-            Solve::Eliminated => self.eliminated.push(curve(errors)),
-            Solve::Numeric => {
+            AccelerationSolution::Eliminated => self.eliminated.push(curve(errors)),
+            AccelerationSolution::Numeric => {
                 self.numeric.push(curve(errors));
                 self.plain.push(curve(plain));
                 self.scaled.push(curve(scaled));
@@ -180,40 +186,40 @@ impl Curves {
 ///
 /// # Errors
 /// [`Error`] if the scene cannot be run.
-pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
-    let lagrange = match code(study.model, &Formulation::Lagrange.into(), None, Ready::Solved) {
+pub fn study_conditioning(study: &StudyInputs<'_>, findings: &mut Findings) -> Result<(), Error> {
+    let lagrange = match runnable_code(study.model, &Formulation::Lagrange.into(), None, CodePreparation::Solved) {
         Ok(lagrange) => lagrange,
         Err(Error::Unsupported(_)) => return Ok(()),
         Err(failure) => return Err(failure),
     };
-    let places = places(study)?;
+    let places = passage_states(study)?;
     let mut scene = study.scene.clone();
     scene.integration.distance = None;
-    let (cases, _) = whole(study.model, &scene, Printed::LeftOut)?;
-    let mut curves = Curves::default();
+    let (cases, _) = full_equation_cases(study.model, &scene, PrintedEquationsChoice::LeftOut)?;
+    let mut curves = ConditioningCurves::default();
     for case in &cases {
         let (mut error_points, mut plain, mut scaled) = (Vec::new(), Vec::new(), Vec::new());
         for place in &places {
-            let exact = exact(study, lagrange.extended(), place);
-            let Examined { error, plain: cond, scaled: equilibrated } =
-                look(case, case.code.extended(), &scene, place, &exact)?;
+            let exact = exact_accelerations(study, lagrange.extended(), place);
+            let ExaminedConditioning { error, plain: cond, scaled: equilibrated } =
+                examine_conditioning(case, case.code.extended(), &scene, place, &exact)?;
             // An error below half a unit in the last place counts as 1e-17.
             error_points.push((place.divisor, larger(error, 1e-17)));
             plain.push((place.divisor, cond));
             scaled.push((place.divisor, equilibrated));
             let (by, divisor) = (case.by.clone(), place.divisor);
-            findings.looked.push(Looked { by, solve: case.solve, divisor, error, equilibrated });
+            findings.looked.push(ConditioningFinding { by, solve: case.solve, divisor, error, equilibrated });
             for (quantity, value) in
                 [("acceleration error", error), ("condition", cond), ("equilibrated condition", equilibrated)]
             {
-                findings.rows.push(Row {
+                findings.rows.push(FindingRow {
                     check: "conditioning",
                     formulation: case.by.name(),
                     solve: case.solve.name(),
                     case: format!("{:.6e}", place.divisor),
                     quantity,
                     value: Some(value),
-                    ..Row::default()
+                    ..FindingRow::default()
                 });
             }
         }
@@ -222,7 +228,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
     if curves.worst.is_empty() {
         return Ok(());
     }
-    let divisor = study.model.kinematic_equations.divisors.first().map(|d| text(&study.model.arena, *d));
+    let divisor = study.model.kinematic_equations.divisors.first().map(|d| print_text(&study.model.arena, *d));
     let divisor = divisor.unwrap_or_default();
     let panel = |title: &str, y_label: &str, series| Panel {
         title: title.to_owned(),
@@ -234,9 +240,9 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
         note: None,
     };
     let list = curves.worst.join("; ");
-    findings.say(Topic::Conditioning, format!("largest error of the accelerations on the way in: {list}"));
+    findings.add_statement(Topic::Conditioning, format!("largest error of the accelerations on the way in: {list}"));
     let error = "largest |e| / largest |u'|";
-    let Curves { eliminated, numeric, plain, scaled, .. } = curves;
+    let ConditioningCurves { eliminated, numeric, plain, scaled, .. } = curves;
     let panels = [
         panel("Errors of the accelerations, eliminated", error, eliminated),
         panel("Errors of the accelerations, numeric", error, numeric),

@@ -1,18 +1,18 @@
 //! Study of long runs by each integrator, in which conserved quantities drift without bound or stay
 //! bounded. Also studies tolerances finer than rounding.
 
-use super::findings::{Findings, Row, Study, Topic};
-use crate::code::{Ready, code};
-use crate::error::{Error, refused};
-use crate::follow::uninterrupted;
-use crate::options::instants;
+use super::findings::{FindingRow, Findings, StudyInputs, Topic};
+use crate::code::{CodePreparation, runnable_code};
+use crate::error::{Error, refused_scene_error};
+use crate::integration_options::equally_spaced_instants;
+use crate::observer::require_uninterrupted;
 use crate::preparation::problem::Problem;
 use crate::studies::figure::{Figure, Panel, Scale, Series};
-use crate::trust::invariants::Watch;
+use crate::trust::invariants::WatchedInvariants;
 use tripos_derive::Formulation;
 use tripos_derive::mechanics::EquationsOrigin;
-use tripos_sim::stability::{Trend, trend};
-use tripos_sim::{Method, Options, Output};
+use tripos_sim::error_growth::{Trend, drift_trend};
+use tripos_sim::{Method, Options, OutputOption};
 use tripos_traits::larger;
 
 /// Durations of a long run, in spans of the scene: for a quick study and for a full study.
@@ -25,15 +25,15 @@ const FIXED: f64 = 400.0;
 ///
 /// # Errors
 /// [`Error`] if the scene cannot be run.
-pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
+pub fn study_drift(study: &StudyInputs<'_>, findings: &mut Findings) -> Result<(), Error> {
     let (model, scene) = (study.model, study.scene);
-    let watch = Watch::of_model(model)?;
+    let watch = WatchedInvariants::of_model(model)?;
     let Some(energy) = watch.integrals.iter().position(|integral| integral.kind.is_energy()) else { return Ok(()) };
     let by = EquationsOrigin::from(Formulation::Kane);
-    let code = code(model, &by, scene.integration.distance, Ready::Solved)?;
+    let code = runnable_code(model, &by, scene.integration.distance, CodePreparation::Solved)?;
     let problem = Problem::new(model, scene, &by, &code, None)?;
     let y0 = problem.start()?;
-    below_rounding(study, &problem, &y0, findings)?;
+    study_tolerance_below_rounding(study, &problem, &y0, findings)?;
     if findings.left_domain {
         return Ok(());
     }
@@ -41,7 +41,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
     let length = (to - from) * if study.quick { SPANS[0] } else { SPANS[1] };
     let limit = if study.quick { 200_000 } else { 2_000_000 };
     let long = (from, from + length);
-    let samples = instants(long, 500);
+    let samples = equally_spaced_instants(long, 500);
     let unit = &watch.integrals[energy].unit;
     let mut series = Vec::new();
     let long_run = LongRun { problem: &problem, y0: &y0, span: long, watch: &watch, energy };
@@ -61,10 +61,10 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
                 method,
                 step: is_fixed.then(|| (to - from).abs() / FIXED),
                 step_limit: limit,
-                output: Output::At(samples.clone()),
+                output: OutputOption::At(samples.clone()),
                 ..Options::tolerances(1e-6, 1e-8)
             };
-            let EnergyCourse { trend, changes } = long_run.course(&options, how, findings)?;
+            let EnergyDrift { trend, changes } = long_run.energy_drift(&options, how, findings)?;
             series.push(Series::curve(format!("{}, {how}: {trend}", method.name()), series.len() + at, changes));
         }
     }
@@ -82,7 +82,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
 }
 
 /// Change of the energy T + V during a run.
-struct EnergyCourse {
+struct EnergyDrift {
     /// Word for the trend of the drift: `secular`, `bounded` or `stopped`.
     trend: &'static str,
     /// Pairs of an instant, s, and the absolute change of the energy since the start.
@@ -98,7 +98,7 @@ struct LongRun<'r> {
     /// First and last instant of the run, s.
     span: (f64, f64),
     /// First integrals of the motion, the energy among them.
-    watch: &'r Watch,
+    watch: &'r WatchedInvariants,
     /// Index of the energy among the first integrals.
     energy: usize,
 }
@@ -108,18 +108,19 @@ impl LongRun<'_> {
     ///
     /// # Errors
     /// `Error::Request` if the options are invalid; `Error::Interrupted` if the observer ended the run.
-    fn course(&self, options: &Options, how: &str, findings: &mut Findings) -> Result<EnergyCourse, Error> {
+    fn energy_drift(&self, options: &Options, how: &str, findings: &mut Findings) -> Result<EnergyDrift, Error> {
         let Self { problem, y0, span, watch, energy } = *self;
-        let run = problem.integrate_over(span, y0, options, &mut []).map_err(|e| refused(problem.scene, &e))?;
-        let run = uninterrupted(run)?;
-        let drifts = watch.course(problem, &run, energy);
+        let run =
+            problem.integrate_over(span, y0, options, &mut []).map_err(|e| refused_scene_error(problem.scene, &e))?;
+        let run = require_uninterrupted(run)?;
+        let drifts = watch.integral_changes(problem, &run, energy);
         // A run that did not arrive has no trend.
-        let word = match trend(&drifts) {
+        let word = match drift_trend(&drifts) {
             _ if run.stop.is_failure() => "stopped",
             Trend::Secular => "secular",
             Trend::Bounded => "bounded",
         };
-        findings.rows.push(Row {
+        findings.rows.push(FindingRow {
             check: "long run",
             formulation: problem.by.name(),
             solve: problem.solve.name(),
@@ -131,15 +132,15 @@ impl LongRun<'_> {
             remark: format!("{word}; {} after {} steps", run.stop.code(), run.steps),
         });
         let points: Vec<(f64, f64)> = run.t.iter().copied().zip(drifts.iter().map(|x| x.abs())).skip(1).collect();
-        findings.rows.extend(points.iter().map(|(t, drift)| Row {
+        findings.rows.extend(points.iter().map(|(t, drift)| FindingRow {
             check: "long run",
             method: options.method.name(),
             case: format!("{how} t={t}"),
             quantity: "energy change",
             value: Some(*drift),
-            ..Row::default()
+            ..FindingRow::default()
         }));
-        Ok(EnergyCourse { trend: word, changes: points })
+        Ok(EnergyDrift { trend: word, changes: points })
     }
 }
 
@@ -149,17 +150,24 @@ impl LongRun<'_> {
 ///
 /// # Errors
 /// `Error::Request` if the options are invalid; `Error::Interrupted` if the observer ended a run.
-fn below_rounding(study: &Study<'_>, problem: &Problem<'_>, y0: &[f64], findings: &mut Findings) -> Result<(), Error> {
+fn study_tolerance_below_rounding(
+    study: &StudyInputs<'_>,
+    problem: &Problem<'_>,
+    y0: &[f64],
+    findings: &mut Findings,
+) -> Result<(), Error> {
     for (tolerance, case) in [(1e-12, "1e-12"), (1e-18, "1e-18")] {
         let options = Options {
             method: Method::Dop853,
             step_limit: if study.quick { 50_000 } else { 1_000_000 },
-            output: Output::Ends,
+            output: OutputOption::Ends,
             ..Options::tolerances(0.0, tolerance)
         };
-        let run = uninterrupted(problem.integrate(y0, &options, &mut []).map_err(|e| refused(study.scene, &e))?)?;
-        let said: Vec<String> = run.warnings.iter().map(|w| w.described(&problem.variables())).collect();
-        findings.rows.push(Row {
+        let run = require_uninterrupted(
+            problem.integrate(y0, &options, &mut []).map_err(|e| refused_scene_error(study.scene, &e))?,
+        )?;
+        let said: Vec<String> = run.warnings.iter().map(|w| w.warning_text(&problem.variable_names())).collect();
+        findings.rows.push(FindingRow {
             check: "tolerance below rounding",
             formulation: problem.by.name(),
             solve: problem.solve.name(),
@@ -171,8 +179,10 @@ fn below_rounding(study: &Study<'_>, problem: &Problem<'_>, y0: &[f64], findings
             remark: if said.is_empty() { run.stop.code() } else { format!("{}: {}", run.stop.code(), said.join("; ")) },
         });
         if let Some(warning) = said.first() {
-            findings
-                .say(Topic::Drift, format!("absolute tolerance {case}: {} steps; {warning}", run.steps + run.rejected));
+            findings.add_statement(
+                Topic::Drift,
+                format!("absolute tolerance {case}: {} steps; {warning}", run.steps + run.rejected),
+            );
         }
     }
     Ok(())

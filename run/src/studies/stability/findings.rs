@@ -1,14 +1,14 @@
 //! Inputs of the studies of a scene's limits, and the findings of these studies.
 
-use crate::follow::Progress;
 use crate::mechanism::Mechanism;
+use crate::observer::Progress;
 use crate::studies::figure::Figure;
 use tripos_derive::mechanics::EquationsOrigin;
-use tripos_derive::scene::{Scene, Solve};
+use tripos_derive::scene::{AccelerationSolution, Scene};
 
 /// Row of the table of findings: the value of a quantity, with the run in which it was found.
 #[derive(Clone, Debug, Default)]
-pub struct Row {
+pub struct FindingRow {
     /// Name of the study, such as `passage`.
     pub check: &'static str,
     /// Name of the equations of motion; empty if the value does not depend on them.
@@ -31,7 +31,7 @@ pub struct Row {
 
 /// Run past a singular surface, which gives a cell of the heat map.
 #[derive(Clone, Debug)]
-pub struct Passed {
+pub struct PassageRun {
     /// Origin of the equations that were integrated.
     pub by: EquationsOrigin,
     /// Name of the method that finds accelerations; `-` for quadrature.
@@ -39,7 +39,7 @@ pub struct Passed {
     /// Name of the integrator.
     pub method: &'static str,
     /// Variable that was integrated past the surface: the coordinate, or its distance from the surface.
-    pub variable: Variable,
+    pub variable: PassageVariable,
     /// Least distance from the surface: the smallest absolute value of the divisor of the kinematic
     /// equations.
     pub least: f64,
@@ -85,11 +85,11 @@ impl Topic {
 /// Error of the accelerations and condition of their matrix at one state of a passage near a
 /// singular surface.
 #[derive(Clone, Debug)]
-pub struct Looked {
+pub struct ConditioningFinding {
     /// Origin of the equations that give the accelerations.
     pub by: EquationsOrigin,
     /// Method that finds the accelerations: eliminated beforehand or solved numerically.
-    pub solve: Solve,
+    pub solve: AccelerationSolution,
     /// Absolute value of the divisor of the kinematic equations at the state.
     pub divisor: f64,
     /// Largest error of the accelerations u̇ against those in 32 digits, relative to the largest u̇.
@@ -100,14 +100,14 @@ pub struct Looked {
 
 /// Variable that is integrated past a singular surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Variable {
+pub enum PassageVariable {
     /// The coordinate itself, with its singular value on the surface.
     Coordinate,
     /// Distance of the coordinate from its value on the surface, such as an angle minus 90°.
     Distance,
 }
 
-impl Variable {
+impl PassageVariable {
     /// Name of the variable for tables.
     #[must_use]
     pub const fn name(self) -> &'static str {
@@ -122,12 +122,12 @@ impl Variable {
 #[derive(Default)]
 pub struct Findings {
     /// Rows of the table, a row for every value that was found.
-    pub rows: Vec<Row>,
+    pub rows: Vec<FindingRow>,
     /// Runs past singular surfaces, for the cells of the heat map.
-    pub passages: Vec<Passed>,
+    pub passages: Vec<PassageRun>,
     /// Errors of accelerations and condition numbers along the narrowest passage, up to its least
     /// distance.
-    pub looked: Vec<Looked>,
+    pub looked: Vec<ConditioningFinding>,
     /// True if the motion leaves the domain of its equations in a run.
     pub left_domain: bool,
     /// Figures, each with its file name.
@@ -149,7 +149,7 @@ pub struct Statement {
 }
 
 /// Inputs of a study of a scene's limits.
-pub struct Study<'a> {
+pub struct StudyInputs<'a> {
     /// Mechanism of the scene.
     pub model: &'a Mechanism,
     /// Scene whose limits are studied.
@@ -162,7 +162,7 @@ pub struct Study<'a> {
 
 impl Findings {
     /// Adds a conclusion of a study, as a sentence, to the findings.
-    pub(super) fn say(&mut self, study: Topic, text: String) {
+    pub(super) fn add_statement(&mut self, study: Topic, text: String) {
         self.statements.push(Statement { study, text });
     }
 }

@@ -1,19 +1,19 @@
 //! Study of the growth of small errors: the horizon after which no correct digit is left, predicted
 //! and measured.
 
-use super::findings::{Findings, Row, Study, Topic};
-use crate::code::{Ready, code};
-use crate::error::{Error, refused};
-use crate::follow::uninterrupted;
-use crate::options::instants;
+use super::findings::{FindingRow, Findings, StudyInputs, Topic};
+use crate::code::{CodePreparation, runnable_code};
+use crate::error::{Error, refused_scene_error};
+use crate::integration_options::equally_spaced_instants;
+use crate::observer::require_uninterrupted;
 use crate::preparation::problem::Problem;
 use crate::studies::figure::{Figure, Panel, Scale, Series};
-use crate::trust::reference::Reference;
+use crate::trust::reference_solution::ReferenceSolution;
 use tripos_derive::Formulation;
 use tripos_derive::mechanics::EquationsOrigin;
-use tripos_sim::stability::growth;
-use tripos_sim::work_precision::error;
-use tripos_sim::{Eliminated, Method, Options, Output};
+use tripos_sim::error_growth::error_growth;
+use tripos_sim::work_precision::work_precision_error;
+use tripos_sim::{EliminatedDynamics, Method, Options, OutputOption};
 use tripos_traits::larger;
 
 /// Number of instants at which the errors of runs are measured against the reference.
@@ -26,20 +26,20 @@ const TOLERANCES: [f64; 3] = [1e-4, 1e-7, 1e-10];
 ///
 /// # Errors
 /// [`Error`] if the scene cannot be run.
-pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
+pub fn study_growth(study: &StudyInputs<'_>, findings: &mut Findings) -> Result<(), Error> {
     let (model, scene) = (study.model, study.scene);
     let by = EquationsOrigin::from(Formulation::Kane);
-    let code = code(model, &by, scene.integration.distance, Ready::Solved)?;
+    let code = runnable_code(model, &by, scene.integration.distance, CodePreparation::Solved)?;
     let problem = Problem::new(model, scene, &by, &code, None)?;
-    let Some(mut rhs) = Eliminated::new(problem.system(), &scene.parameters) else { return Ok(()) };
+    let Some(mut rhs) = EliminatedDynamics::new(problem.system(), &scene.parameters) else { return Ok(()) };
     let y0 = problem.start()?;
     let follow = Options { method: Method::Dop853, rtol: 1e-8, step_limit: 200_000, ..Options::default() };
-    let found = growth(&mut rhs, scene.span, &y0, &vec![1.0; y0.len()], &problem.options(&follow))
-        .map_err(|e| refused(scene, &e))?;
+    let found = error_growth(&mut rhs, scene.span, &y0, &vec![1.0; y0.len()], &problem.run_options(&follow))
+        .map_err(|e| refused_scene_error(scene, &e))?;
     let (from, to) = scene.span;
-    let times = instants(scene.span, INSTANTS)[1..].to_vec();
-    let reference = Reference::new(model, scene, &times)?;
-    let row = |case: String, quantity, value, expected, remark: &str| Row {
+    let times = equally_spaced_instants(scene.span, INSTANTS)[1..].to_vec();
+    let reference = ReferenceSolution::new(model, scene, &times)?;
+    let row = |case: String, quantity, value, expected, remark: &str| FindingRow {
         check: "growth",
         formulation: by.name(),
         solve: problem.solve.name(),
@@ -58,7 +58,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
         found.times.iter().zip(&found.logarithms).map(|(t, l)| (*t, f64::EPSILON * l.exp())).collect(),
     )];
     for (at, tolerance) in TOLERANCES.into_iter().enumerate() {
-        let (steps, errors) = errors_along(&problem, &y0, tolerance, &times, &reference)?;
+        let (steps, errors) = errors_at_instants(&problem, &y0, tolerance, &times, &reference)?;
         // Every step adds an error of its own, which the prediction takes into account.
         let predicted = found.horizon(|t| tolerance * (steps * (t - from) / (to - from)).max(1.0));
         let lost = errors.iter().find(|(_, e)| *e >= 1.0).map(|(t, _)| *t);
@@ -70,7 +70,7 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
         if let Some(t) = predicted {
             let confirmed =
                 lost.map_or("a digit is left to the end".to_owned(), |t| format!("the error is 1 at t = {t:.3} s"));
-            findings.say(Topic::Growth, format!(
+            findings.add_statement(Topic::Growth, format!(
                 "at a tolerance of {tolerance:.0e} the growth of errors leaves no digit after t = {t:.3} s; measured: {confirmed}"
             ));
         }
@@ -81,7 +81,10 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
     } else {
         "over the scene".to_owned()
     };
-    findings.say(Topic::Growth, format!("a small error at the start grows at most {:.0e} times {part}", most.exp()));
+    findings.add_statement(
+        Topic::Growth,
+        format!("a small error at the start grows at most {:.0e} times {part}", most.exp()),
+    );
     let panel = Panel {
         title: "Growth of errors".to_owned(),
         x_label: "t [s]".to_owned(),
@@ -100,19 +103,21 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
 ///
 /// # Errors
 /// `Error::Request` if the options are invalid; `Error::Interrupted` if the observer ended the run.
-fn errors_along(
+fn errors_at_instants(
     problem: &Problem<'_>,
     y0: &[f64],
     tolerance: f64,
     times: &[f64],
-    reference: &Reference,
+    reference: &ReferenceSolution,
 ) -> Result<(f64, Vec<(f64, f64)>), Error> {
-    let output = Output::At(times.to_vec());
+    let output = OutputOption::At(times.to_vec());
     let options = Options { method: Method::Dop853, output, ..Options::tolerances(tolerance, tolerance) };
-    let run = uninterrupted(problem.integrate(y0, &options, &mut []).map_err(|e| refused(problem.scene, &e))?)?;
+    let run = require_uninterrupted(
+        problem.integrate(y0, &options, &mut []).map_err(|e| refused_scene_error(problem.scene, &e))?,
+    )?;
     let samples = run.t.iter().zip(&run.y).zip(&reference.states);
     let error = |((t, y), state): ((&f64, &Vec<f64>), &Vec<_>)| {
-        (*t, larger(error(&problem.precise_state(*t, y), state), reference.uncertainty))
+        (*t, larger(work_precision_error(&problem.precise_state(*t, y), state), reference.uncertainty))
     };
     Ok((run.steps as f64, samples.map(error).collect()))
 }

@@ -4,23 +4,25 @@
 //! A scene's ladder is a list of variants of its start, called rungs, that pass ever closer to the
 //! surface.
 
-use super::findings::{Findings, Passed, Row, Study, Topic, Variable};
-use crate::code::{Ready, code, tape};
-use crate::error::{Error, refused};
-use crate::follow::uninterrupted;
+use super::findings::{FindingRow, Findings, PassageRun, PassageVariable, StudyInputs, Topic};
+use crate::code::{CodePreparation, compile_tape, runnable_code};
+use crate::error::{Error, refused_scene_error};
 use crate::mechanism::Mechanism;
+use crate::observer::require_uninterrupted;
 use crate::preparation::problem::Problem;
-use crate::studies::case::{Case, MethodAtTolerance, Printed, own, whole};
+use crate::studies::chart_case::{
+    ChartCase, MethodAtTolerance, PrintedEquationsChoice, full_equation_cases, reduced_equation_case,
+};
 use crate::studies::figure::{Cell, Figure, HeatMap};
-use crate::trust::comparison::Compared;
-use crate::trust::reference::Reference;
+use crate::trust::compared_quantities::ComparedQuantities;
+use crate::trust::reference_solution::ReferenceSolution;
 use tripos_derive::Formulation;
-use tripos_derive::algebra::text::print::text;
+use tripos_derive::algebra::text::print::print_text;
 use tripos_derive::mechanics::EquationsOrigin;
-use tripos_derive::mechanics::{Distance, distances};
+use tripos_derive::mechanics::{SingularDistance, singular_distances};
 use tripos_derive::scene::Scene;
-use tripos_sim::work_precision::{error, options};
-use tripos_sim::{Method, Options, Output};
+use tripos_sim::work_precision::{work_precision_error, work_precision_options};
+use tripos_sim::{Method, Options, OutputOption};
 use tripos_traits::larger;
 
 /// Integrators that are compared, each with a tolerance near the finest that it accepts.
@@ -53,17 +55,22 @@ pub struct Passage {
 ///
 /// # Errors
 /// [`Error`] if the scene cannot be run.
-pub fn passage(model: &Mechanism, scene: &Scene) -> Result<Option<Passage>, Error> {
+pub fn find_passage(model: &Mechanism, scene: &Scene) -> Result<Option<Passage>, Error> {
     let Some(divisor) = model.kinematic_equations.divisors.first() else { return Ok(None) };
     let by = EquationsOrigin::from(Formulation::Kane);
     let mut scene = scene.clone();
-    scene.integration.distance = distances(model).first().copied();
-    let code = code(model, &by, scene.integration.distance, Ready::Solved)?;
+    scene.integration.distance = singular_distances(model).first().copied();
+    let code = runnable_code(model, &by, scene.integration.distance, CodePreparation::Solved)?;
     let problem = Problem::new(model, &scene, &by, &code, None)?;
     let inputs = [model.p(), model.q()].concat();
-    let tape = tape(&model.arena, &inputs, &[*divisor], "a divisor of the kinematic equations")?;
-    let options = Options { output: Output::Steps { refine: 20 }, ..options(Method::Dop853, 1e-12, 1.0, 1_000_000) };
-    let run = uninterrupted(problem.integrate(&problem.start()?, &options, &mut []).map_err(|e| refused(&scene, &e))?)?;
+    let tape = compile_tape(&model.arena, &inputs, &[*divisor], "a divisor of the kinematic equations")?;
+    let options = Options {
+        output: OutputOption::Steps { refine: 20 },
+        ..work_precision_options(Method::Dop853, 1e-12, 1.0, 1_000_000)
+    };
+    let run = require_uninterrupted(
+        problem.integrate(&problem.start()?, &options, &mut []).map_err(|e| refused_scene_error(&scene, &e))?,
+    )?;
     let values: Vec<f64> =
         run.y.iter().map(|y| tape.evaluate(&[scene.parameters.clone(), problem.coordinates(y)].concat())[0]).collect();
     // A motion that goes through the surface has no passage beside it.
@@ -80,7 +87,7 @@ struct Rung {
     /// Variant of the scene.
     scene: Scene,
     /// Reference states in 32 digits at the passage and at the end.
-    reference: Reference,
+    reference: ReferenceSolution,
     /// Least distance of the motion from the singular surface.
     least: f64,
 }
@@ -90,52 +97,62 @@ struct Rung {
 ///
 /// # Errors
 /// [`Error`] if the scene cannot be run.
-pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
+pub fn study_passages(study: &StudyInputs<'_>, findings: &mut Findings) -> Result<(), Error> {
     let model = study.model;
     let mut rungs = Vec::new();
-    for (_, scene) in study.scene.rungs() {
+    for (_, scene) in study.scene.ladder_scenes() {
         study.progress.set_message("reference of a passage");
-        let Some(passage) = passage(model, &scene)? else { continue };
-        let reference = Reference::new(model, &scene, &[passage.t, scene.span.1])?;
+        let Some(passage) = find_passage(model, &scene)? else { continue };
+        let reference = ReferenceSolution::new(model, &scene, &[passage.t, scene.span.1])?;
         rungs.push(Rung { scene, reference, least: passage.least });
     }
     let (Some(divisor), false) = (model.kinematic_equations.divisors.first(), rungs.is_empty()) else { return Ok(()) };
-    let divisor = text(&model.arena, *divisor);
+    let divisor = print_text(&model.arena, *divisor);
     let limit = if study.quick { 20_000 } else { 200_000 };
     let length = study.scene.span.1 - study.scene.span.0;
     let mut rows: Vec<(String, Vec<Cell>)> = Vec::new();
-    let mut row =
-        |findings: &mut Findings, case: &Case, what: Integrated, way: MethodAtTolerance| -> Result<(), Error> {
-            let name = [case.by.name().as_str(), way.solve(case.solve), way.name()].join(" ").replace(" - ", " ");
-            let name = what.distance.map_or_else(|| name.clone(), |v| format!("{name}, {}", v.name(model)));
-            study.progress.set_message(&name);
-            let cells =
-                rungs.iter().map(|rung| cell(study, findings, rung, case, what, way, &way.options(length, limit)));
-            rows.push((name, cells.collect::<Result<Vec<_>, _>>()?));
-            Ok(())
-        };
-    for distance in std::iter::once(None).chain(distances(model).first().copied().map(Some)) {
+    let mut row = |findings: &mut Findings,
+                   case: &ChartCase,
+                   what: IntegratedVariable,
+                   way: MethodAtTolerance|
+     -> Result<(), Error> {
+        let name = [case.by.name().as_str(), way.solve(case.solve), way.name()].join(" ").replace(" - ", " ");
+        let name = what.distance.map_or_else(|| name.clone(), |v| format!("{name}, {}", v.name(model)));
+        study.progress.set_message(&name);
+        let cells = rungs
+            .iter()
+            .map(|rung| run_ladder_cell(study, findings, rung, case, what, way, &way.options(length, limit)));
+        rows.push((name, cells.collect::<Result<Vec<_>, _>>()?));
+        Ok(())
+    };
+    for distance in std::iter::once(None).chain(singular_distances(model).first().copied().map(Some)) {
         let mut scene = study.scene.clone();
         scene.integration.distance = distance;
-        let what = Integrated { distance, variable: distance.map_or(Variable::Coordinate, |_| Variable::Distance) };
+        let what = IntegratedVariable {
+            distance,
+            variable: distance.map_or(PassageVariable::Coordinate, |_| PassageVariable::Distance),
+        };
         // The list has only formulations that the model has.
-        for case in whole(model, &scene, Printed::LeftOut)?.0 {
+        for case in full_equation_cases(model, &scene, PrintedEquationsChoice::LeftOut)?.0 {
             for (method, tolerance) in METHODS.into_iter().take(if study.quick { QUICK } else { METHODS.len() }) {
-                if case.has(method) {
+                if case.can_run_with(method) {
                     row(findings, &case, what, MethodAtTolerance::Steps(method, tolerance))?;
                 }
             }
         }
     }
     // The scene's reduced equations always use the distance from the surface if they have one.
-    let own = own(model, study.scene);
+    let own = reduced_equation_case(model, study.scene);
     if let Err(failure) = &own {
-        findings.say(Topic::Passages, format!("the scene's reduced equations were not run: {}", failure.first_line()));
+        findings.add_statement(
+            Topic::Passages,
+            format!("the scene's reduced equations were not run: {}", failure.first_line()),
+        );
     }
     if let Ok(case) = own {
         let measured = case.reduction.as_ref().is_some_and(|reduction| !reduction.divisors.is_empty());
-        let variable = if measured { Variable::Distance } else { Variable::Coordinate };
-        let what = Integrated { distance: None, variable };
+        let variable = if measured { PassageVariable::Distance } else { PassageVariable::Coordinate };
+        let what = IntegratedVariable { distance: None, variable };
         row(findings, &case, what, OWN)?;
         if case.has_quadrature() {
             row(findings, &case, what, MethodAtTolerance::Quadrature)?;
@@ -153,18 +170,18 @@ pub fn study(study: &Study<'_>, findings: &mut Findings) -> Result<(), Error> {
         ),
     };
     findings.figures.push(("ladder.svg", Figure::HeatMap(map)));
-    summary(findings, &rungs);
+    add_passage_summary(findings, &rungs);
     Ok(())
 }
 
 /// Variable that is integrated in the runs of a row of the heat map.
 #[derive(Clone, Copy)]
-struct Integrated {
+struct IntegratedVariable {
     /// Distance that the equations of the whole model use as a variable; `None` if they use the
     /// coordinate.
-    distance: Option<Distance>,
+    distance: Option<SingularDistance>,
     /// Kind of the variable, for tables.
-    variable: Variable,
+    variable: PassageVariable,
 }
 
 /// Makes the run of a case on one rung, adds its rows to the findings, and returns its cell of the
@@ -172,12 +189,12 @@ struct Integrated {
 ///
 /// # Errors
 /// `Error` if the run cannot be made or is interrupted.
-fn cell(
-    study: &Study<'_>,
+fn run_ladder_cell(
+    study: &StudyInputs<'_>,
     findings: &mut Findings,
     rung: &Rung,
-    case: &Case,
-    Integrated { distance, variable }: Integrated,
+    case: &ChartCase,
+    IntegratedVariable { distance, variable }: IntegratedVariable,
     way: MethodAtTolerance,
     options: &Options,
 ) -> Result<Cell, Error> {
@@ -185,8 +202,8 @@ fn cell(
     scene.integration.distance = distance;
     let prepared = case.prepare(study.model, &scene)?;
     let problem = prepared.problem()?;
-    let compared = Compared::new(study.model, &scene)?;
-    let row = |quantity, value, remark: &str| Row {
+    let compared = ComparedQuantities::new(study.model, &scene)?;
+    let row = |quantity, value, remark: &str| FindingRow {
         check: "passage",
         formulation: case.by.name(),
         solve: way.solve(case.solve),
@@ -197,7 +214,7 @@ fn cell(
         expected: None,
         remark: remark.to_owned(),
     };
-    let passed = |error, steps, stop: &str, t_end| Passed {
+    let passed = |error, steps, stop: &str, t_end| PassageRun {
         by: case.by.clone(),
         solve: way.solve(case.solve),
         method: way.name(),
@@ -217,7 +234,7 @@ fn cell(
         if way == MethodAtTolerance::Quadrature {
             (t, y) = (scene.span.0, start.clone());
         }
-        let arrival = arrive(study, &problem, (t, *next), &y, way, options)?;
+        let arrival = run_passage_part(study, &problem, (t, *next), &y, way, options)?;
         steps += arrival.steps;
         if let Some(y_end) = arrival.y_end {
             y = y_end;
@@ -232,8 +249,11 @@ fn cell(
             return Ok(Cell::Stopped(format!("{stop} {t_end:.2} s")));
         }
         t = *next;
-        let right = compared.kept(compared.of_state(state));
-        last = larger(error(&compared.of_run(&problem, t, &y), &right), rung.reference.uncertainty);
+        let right = compared.comparable_quantities(compared.quantities_of_state(state));
+        last = larger(
+            work_precision_error(&compared.quantities_of_run(&problem, t, &y), &right),
+            rung.reference.uncertainty,
+        );
         findings.rows.push(row(quantity, Some(last), ""));
     }
     findings.rows.push(row("steps", Some(steps as f64), ""));
@@ -242,7 +262,7 @@ fn cell(
 }
 
 /// Result of a run over one part of a passage.
-struct Arrival {
+struct PassagePartResult {
     /// Code of the reason why the run stopped before the end of the part; `None` if it reached the end.
     stop: Option<String>,
     /// Instant at which the run ended, s.
@@ -257,16 +277,16 @@ struct Arrival {
 ///
 /// # Errors
 /// `Error` if the run cannot be made or is interrupted.
-fn arrive(
-    study: &Study<'_>,
+fn run_passage_part(
+    study: &StudyInputs<'_>,
     problem: &Problem<'_>,
     span: (f64, f64),
     y0: &[f64],
     way: MethodAtTolerance,
     options: &Options,
-) -> Result<Arrival, Error> {
+) -> Result<PassagePartResult, Error> {
     match way.run(problem, span, y0, options) {
-        Ok(solution) => Ok(Arrival {
+        Ok(solution) => Ok(PassagePartResult {
             stop: solution.stop.is_failure().then(|| solution.stop.code()),
             t_end: solution.t_end,
             steps: solution.steps,
@@ -274,7 +294,7 @@ fn arrive(
         }),
         // Quadrature cannot compute every motion.
         Err(_) if way == MethodAtTolerance::Quadrature && !study.model.follow.is_interrupted() => {
-            Ok(Arrival { stop: Some("no-quadrature".to_owned()), t_end: span.0, steps: 0, y_end: None })
+            Ok(PassagePartResult { stop: Some("no-quadrature".to_owned()), t_end: span.0, steps: 0, y_end: None })
         }
         Err(failure) => Err(failure),
     }
@@ -282,14 +302,14 @@ fn arrive(
 
 /// Adds two conclusions to the findings: the best and the worst run through the narrowest passage,
 /// and the uncertainty of the references.
-fn summary(findings: &mut Findings, rungs: &[Rung]) {
+fn add_passage_summary(findings: &mut Findings, rungs: &[Rung]) {
     let Some(narrow) = rungs.iter().min_by(|a, b| a.least.total_cmp(&b.least)) else { return };
-    let describe = |p: &Passed| format!("{}, {}, {}, in the {}", p.by.name(), p.solve, p.method, p.variable.name());
+    let describe = |p: &PassageRun| format!("{}, {}, {}, in the {}", p.by.name(), p.solve, p.method, p.variable.name());
     let ends = findings.passages.iter().filter(|p| p.least.total_cmp(&narrow.least).is_eq());
     let arrived: Vec<(f64, String)> = ends.filter_map(|p| Some((p.error?, describe(p)))).collect();
     let by_error = |a: &&(f64, String), b: &&(f64, String)| a.0.total_cmp(&b.0);
     if let (Some(best), Some(worst)) = (arrived.iter().min_by(by_error), arrived.iter().max_by(by_error)) {
-        findings.say(
+        findings.add_statement(
             Topic::Passages,
             format!(
                 "narrowest passage, {:.0e}: best {:.1e} ({}), worst that arrived {:.1e} ({})",
@@ -298,5 +318,6 @@ fn summary(findings: &mut Findings, rungs: &[Rung]) {
         );
     }
     let known = rungs.iter().map(|r| r.reference.uncertainty).fold(0.0, larger);
-    findings.say(Topic::Passages, format!("the references are known to {:.0e}: {}", known, narrow.reference.how));
+    findings
+        .add_statement(Topic::Passages, format!("the references are known to {:.0e}: {}", known, narrow.reference.how));
 }

@@ -8,52 +8,54 @@
 //! `d' = (Df − Σ c Dζ) d`. States that the symmetries shift are left out (J. E. Marsden, Lectures
 //! on Mechanics, 1992, chapter 5: relative equilibria).
 
-mod about;
-mod along;
 mod complex;
-mod conditions;
-mod control;
-mod dense;
-mod eigen;
-mod family;
-mod groups;
-mod letters;
-mod map;
+mod continuation;
+mod continuation_map;
+mod controllability;
+mod dense_matrix;
+mod eigenvalue_groups;
+mod eigenvalues;
+mod equilibrium_search;
+mod force_balance;
+mod linear_system;
 mod mode;
-mod newton;
-mod nilpotent;
-mod poles;
-mod quotient;
-mod rest;
-mod schur;
-mod search;
-mod verdict;
+mod nilpotent_part;
+mod quotient_system;
+mod schur_form;
+mod singular_states;
+mod stability;
+mod steady_conditions;
+mod steady_family;
+mod steady_newton;
+mod symbolic_linear_system;
 
-pub use about::{About, Wanted, linearise};
-pub use along::{Course, Crossing, CrossingKind, Point, follow};
-pub use conditions::{BranchesAt, ClosedForm, Conditions, Formula, NamedFormula, Solved, Velocity, conditions};
-pub use control::{Transfer, reached};
-pub use dense::Wide;
-pub use eigen::modes;
-pub use letters::{Entry, Letters, in_letters};
-pub use map::{Map, map};
+pub use continuation::{Continuation, ContinuationPoint, CrossingKind, StabilityCrossing, continue_steady_motion};
+pub use continuation_map::{ContinuationMap, continuation_map};
+pub use controllability::{TransferFunction, controllable_dimension};
+pub use dense_matrix::WideMatrix;
+pub use eigenvalues::eigenvalue_modes;
+pub use equilibrium_search::{FoundMotion, find_equilibria};
+pub use linear_system::{LinearisationOptions, SteadyLinearSystem, linearise};
 pub use mode::Mode;
-pub use newton::{Steady, Unknowns};
-pub use quotient::{Quotient, Shifted};
-pub use search::{FoundMotion, equilibria};
-pub use verdict::Stability;
+pub use quotient_system::{QuotientSystem, ShiftedStates};
+pub use stability::Stability;
+pub use steady_conditions::{
+    BranchesAt, ClosedForm, Conditions, Formula, NamedFormula, SolutionBranch, Velocity, conditions,
+};
+pub use steady_newton::{SteadyState, Unknowns};
+pub use symbolic_linear_system::{SymbolicEntry, SymbolicLinearForm, symbolic_linear_system};
 
 use crate::{Error, Mechanism};
 use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::value::evaluate::Tape;
+use tripos_derive::algebra::value::tape::Tape;
 use tripos_derive::flow::{Flow, Program};
 use tripos_derive::prove::IntegralKind;
-use tripos_derive::scene::Asked;
+use tripos_derive::scene::StateWithUnknowns;
 use tripos_traits::DoubleDouble;
 
 /// Mechanism prepared for the search of steady motions at given parameters: its equations of motion
 /// and its outputs.
-pub struct Question {
+pub struct SteadyProblem {
     /// Equations of motion in first order, x' = f(x), with loops and symmetries.
     pub flow: Flow,
     /// Names of the states: coordinates, followed by generalized speeds.
@@ -78,29 +80,30 @@ pub struct Question {
     /// Program that computes rates, loops, symmetries and outputs at a state, with their slopes.
     program: Program,
     /// Test for states at which the equations of motion are singular.
-    poles: poles::Poles,
+    poles: singular_states::SingularityTest,
     /// Tape of the program, for evaluation in 32 digits.
     wide: Tape<DoubleDouble>,
     /// Values of the parameters, to 32 digits, in the order of the model.
     parameters: Vec<DoubleDouble>,
 }
 
-impl Question {
+impl SteadyProblem {
     /// Prepares a model with the parameters and outputs of a state file. `inputs` names the parameters
     /// that are inputs of the linear system. If it is empty, all inputs of the model are.
     ///
     /// # Errors
     /// [`Error`] if the model cannot be derived, depends on time, or lacks a named input or an output.
-    pub fn new(model: &Mechanism, asked: &Asked, inputs: &[String]) -> Result<Self, Error> {
-        let inputs = places(model, inputs)?;
+    pub fn new(model: &Mechanism, asked: &StateWithUnknowns, inputs: &[String]) -> Result<Self, Error> {
+        let inputs = input_indices(model, inputs)?;
         let symbols: Vec<Expr> = inputs.iter().map(|at| model.parameters[*at].symbol).collect();
         let mut flow = steady_flow(model)?;
-        let values: Vec<Expr> = asked.outputs.iter().map(|output| flow.in_states(model, output.value)).collect();
+        let values: Vec<Expr> =
+            asked.outputs.iter().map(|output| flow.flow_term_in_states(model, output.value)).collect();
         let program = flow.program(&symbols, &values).map_err(|unknown| {
             let what = format!("`{}` has no value in coordinates, speeds and parameters", unknown.0);
             Error::request(what, "choose among coordinates, speeds, rates and energies")
         })?;
-        let poles = poles::Poles::new(model, &flow).map_err(|unknown| {
+        let poles = singular_states::SingularityTest::new(model, &flow).map_err(|unknown| {
             Error::request(
                 format!("`{}` has no value at a state", unknown.0),
                 "please report this model: the derivation succeeded and the run did not",
@@ -112,7 +115,7 @@ impl Question {
             names: names.chain(model.speeds.iter().map(|s| s.name.clone())).collect(),
             coordinates: model.coordinates.len(),
             time: model.time(),
-            by_time: flow.by_time(model),
+            by_time: flow.time_shift_symmetry(model),
             loops: model.loops.iter().chain(&model.closed).map(|c| c.name.clone()).collect(),
             is_angle: model
                 .coordinates
@@ -131,7 +134,7 @@ impl Question {
     }
 
     /// True if a coordinate other than the time changes at the state `x`, or a speed is not zero.
-    pub(crate) fn moves_at(&self, x: &[DoubleDouble]) -> bool {
+    pub(crate) fn has_motion_at(&self, x: &[DoubleDouble]) -> bool {
         let doubles = |list: &[DoubleDouble]| list.iter().map(|x| x.hi()).collect::<Vec<f64>>();
         let (values, _) = self.program.evaluate(self.program.tape(), &doubles(&self.parameters), &doubles(x), &[]);
         let speeds = x[self.coordinates..].iter().any(|u| u.hi().abs() > 0.0);
@@ -140,7 +143,7 @@ impl Question {
     }
 
     /// Replaces the values of the parameters, which are in the order of the model.
-    pub fn at(&mut self, parameters: &[DoubleDouble]) {
+    pub fn set_parameters(&mut self, parameters: &[DoubleDouble]) {
         self.parameters = parameters.to_vec();
     }
 }
@@ -151,10 +154,10 @@ impl Question {
 /// # Errors
 /// [`Error`] if the model has no generalized speed, cannot be derived, or depends on time.
 fn steady_flow(model: &Mechanism) -> Result<Flow, Error> {
-    model.has_speeds("the mechanism cannot move: every closed pose is at rest")?;
+    model.require_speeds("the mechanism cannot move: every closed pose is at rest")?;
     let mut flow = Flow::new(model).map_err(|error| model.diagnose(&error))?;
     let Some(time) = model.time() else { return Ok(flow) };
-    if flow.by_time(model).is_some() {
+    if flow.time_shift_symmetry(model).is_some() {
         // A rotation by a drive in time equals the shift of time, so only the shift of time is kept.
         flow.symmetries.retain(|field| field.kind == IntegralKind::Coordinate(time) || field.along[time] == Expr::ZERO);
         return Ok(flow);
@@ -173,13 +176,14 @@ fn steady_flow(model: &Mechanism) -> Result<Flow, Error> {
 ///
 /// # Errors
 /// `Error::Request` if the model has no parameter of a given name.
-fn places(model: &Mechanism, names: &[String]) -> Result<Vec<usize>, Error> {
+fn input_indices(model: &Mechanism, names: &[String]) -> Result<Vec<usize>, Error> {
     if names.is_empty() {
         return Ok((0..model.parameters.len()).filter(|at| model.parameters[*at].is_input).collect());
     }
     let place = |name: &String| {
         model.parameters.iter().position(|p| p.name == *name).ok_or_else(|| {
-            let help = tripos_derive::diagnostic::nearest(name, model.parameters.iter().map(|p| p.name.as_str()));
+            let help =
+                tripos_derive::diagnostic::nearest_name_advice(name, model.parameters.iter().map(|p| p.name.as_str()));
             Error::request(format!("the model has no input `{name}`"), help)
         })
     };

@@ -5,50 +5,55 @@
 //! same rows.
 
 use crate::code::Code;
-use crate::options::options_of_ends;
+use crate::integration_options::integration_options_for_ends;
 use crate::preparation::problem::Problem;
-use crate::trust::events::{Balance, events};
+use crate::trust::watched_functions::{WatchedFunctions, watched_events};
 use tripos_derive::Model;
-use tripos_derive::scene::{Scene, Solve};
-use tripos_sim::batch::{self, Outcome, Plan, Trajectory, Watched};
-use tripos_sim::{Eliminated, Method, Options, Output, Solution};
+use tripos_derive::scene::{AccelerationSolution, Scene};
+use tripos_sim::batch::{self, BatchOutcome, BatchPlan, Trajectory, WatchedTrajectory};
+use tripos_sim::{EliminatedDynamics, Method, Options, OutputOption, Solution};
 use tripos_traits::{CompiledSystem, InLanes};
 
 /// Finds the equations that compute several runs of a sweep at once in lanes (of vector registers).
 /// `None` if the runs cannot use lanes. The equations must be compiled, with eliminated
 /// accelerations. The integrator must be DOP853 or Taylor's method with error control, without
 /// contacts, corrected constraints or corners.
-pub fn equations(model: &Model, scene: &Scene, solve: Solve, code: &Code) -> Option<InLanes<'static>> {
+pub fn lane_equations(
+    model: &Model,
+    scene: &Scene,
+    solve: AccelerationSolution,
+    code: &Code,
+) -> Option<InLanes<'static>> {
     let Code::Compiled(CompiledSystem { lanes: Some(lanes), .. }) = code else { return None };
     let how = &scene.integration;
     let has_method =
         how.method == Method::Dop853.into() || how.method == Method::Taylor.into() && lanes.series.is_some();
     // Lanes cannot correct states onto constraints, end steps at corners, or compute impacts.
     let is_moved = code.system().constraint_count() > 0 || !scene.impacts.is_empty();
-    let cornered = !model.corners(&scene.parameters).is_empty();
-    let plain = solve == Solve::Eliminated && how.step.is_none() && !is_moved && !cornered;
+    let cornered = !model.corner_instants(&scene.parameters).is_empty();
+    let plain = solve == AccelerationSolution::Eliminated && how.step.is_none() && !is_moved && !cornered;
     (has_method && plain).then_some(*lanes)
 }
 
 /// Run of one point of a sweep in lanes: its problem, start and integration plan.
-pub struct Request<'s> {
+pub struct LaneRequest<'s> {
     /// Scene of the point with its equations.
     problem: Problem<'s>,
     /// Integration plan: integrator, span, tolerances and limits.
-    plan: Plan,
+    plan: BatchPlan,
     /// Integrated state (q, v) at the start.
     start: Vec<f64>,
 }
 
-impl<'s> Request<'s> {
+impl<'s> LaneRequest<'s> {
     /// Makes the request for a problem. `None` if the problem cannot start; its ordinary run then
     /// reports the reason.
     pub fn new(problem: Problem<'s>) -> Option<Self> {
         let scene: &Scene = problem.scene;
-        let Options { method, order, rtol, atol, max_step, step_limit, .. } = options_of_ends(scene);
+        let Options { method, order, rtol, atol, max_step, step_limit, .. } = integration_options_for_ends(scene);
         let start = problem.start().ok()?;
         let finite = scene.parameters.iter().chain(&start).all(|x| x.is_finite());
-        let plan = Plan { method, order, span: scene.span, rtol, atol, max_step, step_limit };
+        let plan = BatchPlan { method, order, span: scene.span, rtol, atol, max_step, step_limit };
         finite.then_some(Self { problem, plan, start })
     }
 
@@ -58,16 +63,20 @@ impl<'s> Request<'s> {
     }
 
     /// Events that the run watches, and its equations with their divisors.
-    fn watched<'a>(&'a self, balance: &'a Balance) -> Watched<'a> {
-        let equations = Eliminated::new(self.problem.system(), &self.problem.scene.parameters);
+    fn watched_lane<'a>(&'a self, balance: &'a WatchedFunctions) -> WatchedTrajectory<'a> {
+        let equations = EliminatedDynamics::new(self.problem.system(), &self.problem.scene.parameters);
         let equations = Box::new(equations.expect("only eliminated equations are had in lanes"));
-        Watched { equations, events: events(&self.problem, balance) }
+        WatchedTrajectory { equations, events: watched_events(&self.problem, balance) }
     }
 }
 
 /// Runs requests in lanes; requests with equal plans run together. Returns a solution for each
 /// request, in order. `None` for an invalid plan, whose ordinary run then reports the reason.
-pub fn run(equations: InLanes<'_>, balance: &Balance, requests: &[Request<'_>]) -> Vec<Option<Solution>> {
+pub fn run_lanes(
+    equations: InLanes<'_>,
+    balance: &WatchedFunctions,
+    requests: &[LaneRequest<'_>],
+) -> Vec<Option<Solution>> {
     let mut solutions: Vec<Option<Solution>> = requests.iter().map(|_| None).collect();
     let mut left: Vec<usize> = (0..requests.len()).collect();
     while let Some(first) = left.first() {
@@ -75,19 +84,19 @@ pub fn run(equations: InLanes<'_>, balance: &Balance, requests: &[Request<'_>]) 
         let (together, others): (Vec<usize>, Vec<usize>) = left.iter().partition(|at| requests[**at].plan == plan);
         left = others;
         let trajectories: Vec<Trajectory<'_>> = together.iter().map(|at| requests[*at].trajectory()).collect();
-        let watching = |at: usize| requests[together[at]].watched(balance);
+        let watching = |at: usize| requests[together[at]].watched_lane(balance);
         let Ok(outcomes) = batch::integrate_watched(equations, &plan, &trajectories, Some(&watching)) else { continue };
         for (at, outcome) in together.into_iter().zip(outcomes) {
-            solutions[at] = Some(solution(&requests[at], outcome));
+            solutions[at] = Some(lane_solution(&requests[at], outcome));
         }
     }
     solutions
 }
 
 /// Converts the outcome of a run in lanes to a solution with two samples, its start and its end.
-fn solution(request: &Request<'_>, outcome: Outcome) -> Solution {
-    let Outcome { t_end, y_end, stop, steps, rejected, evaluations, events } = outcome;
-    debug_assert_eq!(request.plan.options().output, Output::Ends);
+fn lane_solution(request: &LaneRequest<'_>, outcome: BatchOutcome) -> Solution {
+    let BatchOutcome { t_end, y_end, stop, steps, rejected, evaluations, events } = outcome;
+    debug_assert_eq!(request.plan.options().output, OutputOption::Ends);
     Solution {
         t: vec![request.plan.span.0, t_end],
         y: vec![request.start.clone(), y_end.clone()],

@@ -35,7 +35,7 @@ impl Shard {
     /// Range of the shard's points, out of `count` points of the sweep. Consecutive shards have
     /// consecutive ranges, whose lengths differ by at most one point.
     #[must_use]
-    pub fn points(self, count: u64) -> Range<u64> {
+    pub fn shard_points(self, count: u64) -> Range<u64> {
         let start = |part: u64| {
             let start = u128::from(part) * u128::from(count) / u128::from(self.of);
             u64::try_from(start).expect("at most the count")
@@ -52,10 +52,10 @@ mod tests {
     fn parts_follow_one_another_and_are_alike() {
         for (count, of) in [(0, 1), (1, 1), (10, 3), (3, 10), (1_000_000_000, 7), (5, u64::MAX), (12, 12)] {
             let parts = of.min(1000);
-            let list: Vec<_> = (1..=parts).map(|part| Shard { part, of }.points(count)).collect();
+            let list: Vec<_> = (1..=parts).map(|part| Shard { part, of }.shard_points(count)).collect();
             assert_eq!(list[0].start, 0);
             assert!(list.windows(2).all(|w| w[0].end == w[1].start), "{count} in {of}");
-            assert_eq!(Shard { part: of, of }.points(count).end, count);
+            assert_eq!(Shard { part: of, of }.shard_points(count).end, count);
             let lengths = list.iter().map(|r| r.end - r.start);
             assert!(lengths.clone().max().unwrap() - lengths.min().unwrap() <= 1);
         }

@@ -17,11 +17,11 @@
 //! Absent on purpose: any knowledge of time, of steps and of models; any choice between motions that
 //! differ.
 
-mod trial;
+mod mode_trial;
 
+pub(crate) use mode_trial::{ModeTrial, TriedContact};
 use nalgebra::DVector;
 use std::fmt;
-pub(crate) use trial::{Touch, Trial};
 
 /// Difference below which two motions of the contact rows count as the same, as a fraction of the
 /// motion without contact forces.
@@ -29,7 +29,7 @@ const ALIKE: f64 = 1e-6;
 
 /// Mode of a closed contact: it opens, pushes without friction, sticks or slips.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Mode {
+pub enum ContactMode {
     /// The contact opens, or could open: its contact force is zero.
     Opens,
     /// The contact has no friction and pushes; it has no motion along any of its rows.
@@ -40,7 +40,7 @@ pub enum Mode {
     Slips(f64),
 }
 
-impl Mode {
+impl ContactMode {
     /// True if the contact stays closed in this mode: it pushes, sticks or slips.
     #[must_use]
     pub fn is_held(self) -> bool {
@@ -49,7 +49,7 @@ impl Mode {
 
     /// Number of rows along which the contact may move: 0 if it pushes or sticks, 1 if it slips, 2 if it
     /// opens.
-    fn freedom(self) -> usize {
+    fn free_rows_of_contact(self) -> usize {
         match self {
             Self::Pushes | Self::Sticks => 0,
             Self::Slips(_) => 1,
@@ -58,7 +58,7 @@ impl Mode {
     }
 }
 
-impl fmt::Display for Mode {
+impl fmt::Display for ContactMode {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Opens => "opens",
@@ -74,7 +74,7 @@ impl fmt::Display for Mode {
 #[derive(Clone, Debug, PartialEq)]
 pub struct ContactSolution {
     /// Mode of each closed contact, in the order of the contacts.
-    pub modes: Vec<Mode>,
+    pub modes: Vec<ContactMode>,
     /// True for each contact that has a force along its gap in addition to the force that was given.
     pub pushes: Vec<bool>,
     /// Forces along all rows of contacts, in N where the gap is in m; in an impact impulses, in N s.
@@ -83,12 +83,12 @@ pub struct ContactSolution {
 
 /// Reason why the laws of contact and friction do not decide the modes of contacts.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Undecided {
+pub enum UndecidedContacts {
     /// No combination of modes agrees with the laws of contact and friction.
     Nothing,
     /// Several combinations of modes agree with the laws, and their motions differ. Two of them are given,
     /// with a mode for each contact.
-    Several([Vec<Mode>; 2]),
+    Several([Vec<ContactMode>; 2]),
 }
 
 /// Checks that all solutions that were found have the same motion of the rows. Returns them by freedom,
@@ -96,16 +96,16 @@ pub enum Undecided {
 ///
 /// # Errors
 /// [`Undecided`] if there are no solutions, or if they move differently.
-pub(crate) fn one_motion(
+pub(crate) fn agreed_contact_motion(
     found: Vec<(ContactSolution, DVector<f64>)>,
     size: f64,
-) -> Result<Vec<ContactSolution>, Undecided> {
-    let Some((first, motion)) = found.first() else { return Err(Undecided::Nothing) };
+) -> Result<Vec<ContactSolution>, UndecidedContacts> {
+    let Some((first, motion)) = found.first() else { return Err(UndecidedContacts::Nothing) };
     let differs = |(_, other): &&(ContactSolution, DVector<f64>)| (other - motion).amax() > ALIKE * size;
     if let Some((other, _)) = found.iter().find(differs) {
-        return Err(Undecided::Several([first.modes.clone(), other.modes.clone()]));
+        return Err(UndecidedContacts::Several([first.modes.clone(), other.modes.clone()]));
     }
     let mut list: Vec<ContactSolution> = found.into_iter().map(|(found, _)| found).collect();
-    list.sort_by_key(|found| found.modes.iter().map(|mode| mode.freedom()).sum::<usize>());
+    list.sort_by_key(|found| found.modes.iter().map(|mode| mode.free_rows_of_contact()).sum::<usize>());
     Ok(list)
 }

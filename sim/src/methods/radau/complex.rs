@@ -50,7 +50,7 @@ impl<S: Real> Mul for Complex<S> {
 impl<S: Real> Div for Complex<S> {
     type Output = Self;
     fn div(self, other: Self) -> Self {
-        if other.re.size() >= other.im.size() {
+        if other.re.absolute_value() >= other.im.absolute_value() {
             let ratio = other.im / other.re;
             let divisor = other.re + other.im * ratio;
             Self { re: (self.re + self.im * ratio) / divisor, im: (self.im - self.re * ratio) / divisor }
@@ -66,8 +66,8 @@ impl<S: Real> Entry for Complex<S> {
     fn zero() -> Self {
         Self { re: S::zero(), im: S::zero() }
     }
-    fn size(self) -> f64 {
-        self.re.size() + self.im.size()
+    fn absolute_value(self) -> f64 {
+        self.re.absolute_value() + self.im.absolute_value()
     }
 }
 
@@ -99,7 +99,7 @@ mod tests {
         assert!(lu.factor());
         lu.solve(&mut b);
         for (found, expected) in b.into_iter().zip(x) {
-            assert!((found - expected).size() < 1e-14, "{found:?} {expected:?}");
+            assert!((found - expected).absolute_value() < 1e-14, "{found:?} {expected:?}");
         }
         lu.entries.fill(Complex::zero());
         assert!(!lu.factor());

@@ -15,17 +15,17 @@
 //! that it keeps from step to step, is in [`newton`].
 
 mod complex;
-mod newton;
-mod scheme;
+mod radau_coefficients;
+mod radau_newton;
 
 use tripos_traits::{Real, larger};
 
 use super::options::Options;
-use crate::rhs::RightHandSide;
-use crate::stepper::{Interpolant, Stepper, Trial, Trouble, check_finite, evaluate};
-use crate::tolerance::ErrorTest;
-use newton::{Aim, Newton, StageVectors};
-use scheme::{Scheme, dot};
+use crate::error_test::ErrorTest;
+use crate::right_hand_side::RightHandSide;
+use crate::stepper::{Interpolant, StepFailure, Stepper, TrialStep, check_finite, evaluate};
+use radau_coefficients::{Scheme, dot};
+use radau_newton::{Newton, NewtonAccuracy, StageVectors};
 
 /// Number of iterations of Newton's method after which an adaptive step is given up, as in RADAU5.
 const ITERATIONS: u32 = 7;
@@ -90,7 +90,7 @@ impl<S: Real> Radau5<S> {
         Self {
             scheme: Scheme::new(),
             newton: Newton::new(n),
-            leeway: leeway(tolerance),
+            leeway: radau_error_allowance(tolerance),
             tolerance,
             t: 0.0,
             t_new: 0.0,
@@ -114,7 +114,7 @@ impl<S: Real> Radau5<S> {
 
     /// Sets the first values of Z for Newton's method, for a step of `h` s, by continuing the polynomial of
     /// the previous step. They are 0 if there is no previous step.
-    fn predict(&mut self, h: S) {
+    fn predict_radau_stages(&mut self, h: S) {
         let n = self.y.len();
         let Some(before) = self.h_before else { return self.z.fill(S::int(0)) };
         for (stage, c) in self.scheme.c.into_iter().enumerate() {
@@ -128,10 +128,16 @@ impl<S: Real> Radau5<S> {
 
     /// Solves the equations of the step from the predicted values of Z, to the accuracy `aim`. Error if
     /// Newton's method does not converge or f has no value.
-    fn solve<R: RightHandSide<S>>(&mut self, rhs: &mut R, trial: Trial, h: S, aim: &Aim) -> Result<(), Trouble> {
+    fn solve_radau_stages<R: RightHandSide<S>>(
+        &mut self,
+        rhs: &mut R,
+        trial: TrialStep,
+        h: S,
+        aim: &NewtonAccuracy,
+    ) -> Result<(), StepFailure> {
         let n = self.y.len();
-        self.newton.prepare(rhs, self.t, &self.y, &self.scheme, h)?;
-        self.predict(h);
+        self.newton.prepare_newton_matrices(rhs, self.t, &self.y, &self.scheme, h)?;
+        self.predict_radau_stages(h);
         let Self { newton, scheme, y, z, w, f, point, evaluations, t, .. } = self;
         let t = *t;
         let c = scheme.c;
@@ -154,7 +160,7 @@ impl<S: Real> Radau5<S> {
     ///
     /// With an error test, weights are allowed errors, and a small fraction of them must be reached.
     /// Without a test, weights are sizes of the components, and rounding must be reached.
-    fn aim(&mut self, h: S, test: Option<&ErrorTest>) -> Aim {
+    fn radau_accuracy(&mut self, h: S, test: Option<&ErrorTest>) -> NewtonAccuracy {
         let n = self.y.len();
         for i in 0..n {
             let size = self.y[i].to_f64().abs();
@@ -174,13 +180,13 @@ impl<S: Real> Radau5<S> {
             for weight in self.newton.weights.iter_mut().filter(|weight| **weight <= 0.0) {
                 *weight = rest;
             }
-            return Aim { enough: S::EPSILON, rounding: S::EPSILON.sqrt(), iterations: FIXED_ITERATIONS };
+            return NewtonAccuracy { enough: S::EPSILON, rounding: S::EPSILON.sqrt(), iterations: FIXED_ITERATIONS };
         }
         let parts = self.y.iter().zip(&self.newton.weights).map(|(y, weight)| y.to_f64() / weight);
         let size = (parts.map(|part| part * part).sum::<f64>() / n.max(1) as f64).sqrt();
         let rounding = 10.0 * S::EPSILON * size;
         let part = (self.leeway * self.tolerance).sqrt().min(0.03);
-        Aim { enough: part.max(rounding), rounding: rounding.min(1.0), iterations: ITERATIONS }
+        NewtonAccuracy { enough: part.max(rounding), rounding: rounding.min(1.0), iterations: ITERATIONS }
     }
 
     /// Estimates the error of the step of `h` s, in the norm of the error test: (γ/h − J)⁻¹ (f₀ + Σ eᵢ
@@ -220,7 +226,7 @@ impl<S: Real> Radau5<S> {
 /// The estimate is of order h⁴, and the error at the end of a run, of order h⁵, shall be about the
 /// tolerance: so ½ rtol^(4/5) replaces rtol. RADAU5 uses 0.1 rtol^(2/3), with which errors outgrow the
 /// tolerance tenfold every six digits.
-fn leeway(tolerance: f64) -> f64 {
+fn radau_error_allowance(tolerance: f64) -> f64 {
     0.5 * tolerance.powf(-0.2)
 }
 
@@ -235,7 +241,7 @@ impl<S: Real> Interpolant for Radau5<S> {
         (&self.y, &self.y_new)
     }
 
-    fn inside(&self, theta: S, mut put: impl FnMut(usize, S)) {
+    fn dense_output(&self, theta: S, mut put: impl FnMut(usize, S)) {
         let n = self.y.len();
         for (i, y) in self.y.iter().enumerate() {
             let [a, b, c] = [self.inside[i], self.inside[n + i], self.inside[2 * n + i]];
@@ -243,7 +249,7 @@ impl<S: Real> Interpolant for Radau5<S> {
         }
     }
 
-    fn order_inside(&self) -> Option<usize> {
+    fn degree_of_dense_output(&self) -> Option<usize> {
         Some(3)
     }
 
@@ -259,32 +265,32 @@ impl<S: Real> Interpolant for Radau5<S> {
 }
 
 impl<S: Real> Stepper for Radau5<S> {
-    fn start<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, y: &[S]) -> Result<(), Trouble> {
+    fn start<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, y: &[S]) -> Result<(), StepFailure> {
         self.t_new = t;
         self.h_before = None;
         self.goes_well = false;
-        self.newton.forget();
+        self.newton.forget_jacobian();
         self.magnitudes.fill(0.0);
         self.restart_at(rhs, t, y)
     }
 
     /// Continues from a state that the driver has moved. The Jacobian is kept, since its age decides when
     /// it is replaced. The polynomial of the last step is kept, too, since it only predicts.
-    fn restart<R: RightHandSide<S>>(&mut self, rhs: &mut R, y: &[S]) -> Result<(), Trouble> {
+    fn continue_from_moved_state<R: RightHandSide<S>>(&mut self, rhs: &mut R, y: &[S]) -> Result<(), StepFailure> {
         self.restart_at(rhs, self.t, y)
     }
 
-    fn attempt<R>(&mut self, rhs: &mut R, trial: Trial, test: Option<&ErrorTest>) -> Result<f64, Trouble>
+    fn attempt<R>(&mut self, rhs: &mut R, trial: TrialStep, test: Option<&ErrorTest>) -> Result<f64, StepFailure>
     where
         R: RightHandSide<S>,
     {
         let n = self.y.len();
-        let h: S = trial.exact(self.t);
-        let aim = self.aim(h, test);
-        let mut solved = self.solve(rhs, trial, h, &aim);
+        let h: S = trial.exact_step_length(self.t);
+        let aim = self.radau_accuracy(h, test);
+        let mut solved = self.solve_radau_stages(rhs, trial, h, &aim);
         if solved.is_err() && self.newton.is_old() {
-            self.newton.forget();
-            solved = self.solve(rhs, trial, h, &aim);
+            self.newton.forget_jacobian();
+            solved = self.solve_radau_stages(rhs, trial, h, &aim);
         }
         if solved.is_err() {
             self.goes_well = false;
@@ -315,13 +321,13 @@ impl<S: Real> Stepper for Radau5<S> {
 
     /// Factor of RADAU5 on the size of the next step: the more iterations a step took, the smaller the
     /// factor.
-    fn margin(&self) -> f64 {
+    fn next_step_margin(&self) -> f64 {
         let (most, taken) = (f64::from(2 * ITERATIONS), f64::from(self.newton.taken));
         ((1.0 + most) / (taken + most)).min(1.0)
     }
 
-    fn worst(&self, test: &ErrorTest) -> Option<usize> {
-        test.worst(self.error.iter().copied(), &self.y, &self.y_new)
+    fn component_of_largest_error(&self, test: &ErrorTest) -> Option<usize> {
+        test.component_of_largest_weighted_error(self.error.iter().copied(), &self.y, &self.y_new)
     }
 
     fn accept(&mut self) {
@@ -330,7 +336,7 @@ impl<S: Real> Stepper for Radau5<S> {
         std::mem::swap(&mut self.y, &mut self.y_new);
         std::mem::swap(&mut self.inside, &mut self.before);
         std::mem::swap(&mut self.slope, &mut self.slope_new);
-        self.newton.leave();
+        self.newton.age_jacobian();
         for (magnitude, y) in self.magnitudes.iter_mut().zip(&self.y) {
             *magnitude = magnitude.max(y.to_f64().abs());
         }
@@ -352,7 +358,7 @@ impl<S: Real> Stepper for Radau5<S> {
 impl<S: Real> Radau5<S> {
     /// Sets the method to the state `y` at time `t`, s, and evaluates the derivative there. Error if it has
     /// no finite value.
-    fn restart_at<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, y: &[S]) -> Result<(), Trouble> {
+    fn restart_at<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, y: &[S]) -> Result<(), StepFailure> {
         self.t = t;
         self.y.copy_from_slice(y);
         self.y_new.copy_from_slice(y);

@@ -8,7 +8,7 @@
 
 use crate::algebra::term::elementary::angle_atoms;
 use crate::algebra::term::steps::Definition;
-use crate::algebra::text::print::text;
+use crate::algebra::text::print::print_text;
 use crate::algebra::{Arena, Expr, Function, Node};
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -41,7 +41,7 @@ pub(super) enum Composed {
 
 /// Rewrites steps and values so that fewer sines and cosines are computed. `None` if no angle can
 /// be composed, or too many for the form `Open`.
-pub(super) fn compose(
+pub(super) fn compose_angles(
     arena: &mut Arena,
     how: &Composed,
     steps: &[Definition],
@@ -56,13 +56,13 @@ pub(super) fn compose(
     let mut rewriting = Rewriting { of: FxHashMap::default() };
     let mut new_steps = Vec::new();
     for addition in &additions {
-        let [sine, cosine] = rewriting.theorem(arena, addition);
+        let [sine, cosine] = rewriting.addition_theorem(arena, addition);
         for (f, value) in [(Function::Sin, sine), (Function::Cos, cosine)] {
             let composed = arena.apply(f, addition.angle);
             let stands = match how {
                 Composed::Open => value,
                 Composed::Named => {
-                    let symbol = arena.symbol(&format!("#{}", text(arena, composed)));
+                    let symbol = arena.symbol(&format!("#{}", print_text(arena, composed)));
                     new_steps.push(Definition { symbol, value });
                     symbol
                 }
@@ -159,7 +159,7 @@ struct Rewriting {
 impl Rewriting {
     /// Sine and cosine of a composed angle a ± b by the addition theorems.
     /// sin (a ± b) = sin a cos b ± cos a sin b, and cos (a ± b) = cos a cos b ∓ sin a sin b.
-    fn theorem(&self, arena: &mut Arena, addition: &Addition) -> [Expr; 2] {
+    fn addition_theorem(&self, arena: &mut Arena, addition: &Addition) -> [Expr; 2] {
         let value = |arena: &mut Arena, f: Function, angle: Expr| {
             let e = arena.apply(f, angle);
             self.of.get(&e).copied().unwrap_or(e)
@@ -193,7 +193,7 @@ impl Rewriting {
                 let argument = of(&argument);
                 arena.apply(f, argument)
             }
-            Node::Named(_, term) => arena.name_again(e, of(&term)),
+            Node::Named(_, term) => arena.name_like(e, of(&term)),
             Node::Number(_) | Node::Symbol(_) | Node::Pi => return,
         };
         self.of.insert(e, new);

@@ -234,31 +234,31 @@ impl Extraction {
 
     /// Position where the divisor is a whole sum, which can then serve as its definition; `None` if
     /// there is no such sum.
-    fn whole(&self, id: usize, places: &[Place]) -> Option<Place> {
+    fn whole_sum(&self, id: usize, places: &[Place]) -> Option<Place> {
         places.iter().copied().find(|place| {
             let terms = self.network.terms(place.sum).count();
-            let rest = self.without(id, *place);
-            let once = self.times(id, *place) == 1;
+            let rest = self.cofactor(id, *place);
+            let once = self.multiplicity_at(id, *place) == 1;
             once && rest.factors.is_empty() && rest.k.is_one() && terms == if place.i == place.j { 1 } else { 2 }
         })
     }
 
     /// Cofactor that remains at a position when the divisor is taken out there.
-    fn without(&self, id: usize, place: Place) -> Term {
+    fn cofactor(&self, id: usize, place: Place) -> Term {
         let Place { sum, i, j } = place;
         let first = self.term(sum, i);
         match &self.divisors[id] {
             Divisor::Sum(_) => split(first, self.term(sum, j)).1,
             Divisor::Product(a, b) => {
-                let times = fits(&first.factors, *a, *b);
+                let times = multiplicity(&first.factors, *a, *b);
                 let mut rest = first.clone();
-                take(&mut rest.factors, *a, times);
-                take(&mut rest.factors, *b, times);
+                divide_by(&mut rest.factors, *a, times);
+                divide_by(&mut rest.factors, *b, times);
                 rest
             }
             Divisor::Scaled(_, a) => {
                 let mut rest = first.clone();
-                take(&mut rest.factors, *a, 1);
+                divide_by(&mut rest.factors, *a, 1);
                 rest.k = if rest.k.is_negative() { Rational::MINUS_ONE } else { Rational::ONE };
                 rest
             }
@@ -266,9 +266,9 @@ impl Extraction {
     }
 
     /// Number of times that a divisor divides the terms at a position.
-    fn times(&self, id: usize, place: Place) -> u32 {
+    fn multiplicity_at(&self, id: usize, place: Place) -> u32 {
         match &self.divisors[id] {
-            Divisor::Product(a, b) => fits(&self.term(place.sum, place.i).factors, *a, *b),
+            Divisor::Product(a, b) => multiplicity(&self.term(place.sum, place.i).factors, *a, *b),
             Divisor::Sum(_) | Divisor::Scaled(..) => 1,
         }
     }
@@ -281,9 +281,9 @@ impl Extraction {
         if i != j {
             before += self.term(sum, j).multiplications() + 1;
         }
-        let rest = self.without(id, place);
+        let rest = self.cofactor(id, place);
         let degree: u32 = rest.factors.iter().map(|(_, n)| *n).sum();
-        let after = (degree + self.times(id, place)) as usize - 1 + usize::from(!is_unit(&rest.k));
+        let after = (degree + self.multiplicity_at(id, place)) as usize - 1 + usize::from(!is_unit(&rest.k));
         before.saturating_sub(after)
     }
 
@@ -298,15 +298,15 @@ impl Extraction {
     /// Takes a divisor out at all its positions, and enters the divisors of the new terms.
     fn take_out(&mut self, id: usize) {
         let places = self.places(id);
-        let (atom, kept) = self.holder(id, &places);
+        let (atom, kept) = self.atom_of_divisor(id, &places);
         for place in places {
             if Some(place) == kept {
                 continue;
             }
             let Place { sum, i, j } = place;
-            let mut rest = self.without(id, place);
-            let times = self.times(id, place);
-            insert(&mut rest.factors, atom, times);
+            let mut rest = self.cofactor(id, place);
+            let times = self.multiplicity_at(id, place);
+            multiply_by(&mut rest.factors, atom, times);
             let Value::Sum(terms) = &mut self.network.atoms[sum as usize].value else { continue };
             terms[i] = None;
             terms[j] = None;
@@ -321,11 +321,11 @@ impl Extraction {
 
     /// Atom whose value is the divisor; it is created if needed. If an existing sum became the
     /// definition, its position is returned too, else `None`.
-    fn holder(&mut self, id: usize, places: &[Place]) -> (Atom, Option<Place>) {
+    fn atom_of_divisor(&mut self, id: usize, places: &[Place]) -> (Atom, Option<Place>) {
         if let Some(atom) = self.candidates[id].defined {
             return (atom, None);
         }
-        if let Some(place) = self.whole(id, places) {
+        if let Some(place) = self.whole_sum(id, places) {
             self.candidates[id].defined = Some(place.sum);
             self.definition_of.insert(place.sum, id);
             return (place.sum, Some(place));
@@ -334,14 +334,14 @@ impl Extraction {
             Divisor::Sum(terms) => terms.iter().cloned().map(Some).collect(),
             Divisor::Product(a, b) => {
                 let mut factors = Factors::new();
-                insert(&mut factors, *a, 1);
-                insert(&mut factors, *b, 1);
+                multiply_by(&mut factors, *a, 1);
+                multiply_by(&mut factors, *b, 1);
                 vec![Some(Term { k: Rational::ONE, factors })]
             }
             Divisor::Scaled(k, a) => vec![Some(Term { k: k.clone(), factors: vec![(*a, 1)] })],
         };
         let places: Vec<usize> = (0..terms.len()).collect();
-        let atom = self.network.push(Value::Sum(terms));
+        let atom = self.network.push_atom(Value::Sum(terms));
         self.candidates[id].defined = Some(atom);
         self.definition_of.insert(atom, id);
         for (i, at) in places.iter().enumerate() {
@@ -357,13 +357,13 @@ fn magnitude(k: &Rational) -> Rational {
 }
 
 /// Number of times that the product a·b divides a product of atoms.
-fn fits(factors: &Factors, a: Atom, b: Atom) -> u32 {
+fn multiplicity(factors: &Factors, a: Atom, b: Atom) -> u32 {
     let exponent = |atom: Atom| factors.iter().find(|(e, _)| *e == atom).map_or(0, |(_, n)| *n);
     if a == b { exponent(a) / 2 } else { exponent(a).min(exponent(b)) }
 }
 
 /// Divides a product of atoms (leaves, inverses and sums of the network) by atom^times.
-fn take(factors: &mut Factors, atom: Atom, times: u32) {
+fn divide_by(factors: &mut Factors, atom: Atom, times: u32) {
     for (e, n) in factors.iter_mut() {
         if *e == atom {
             *n -= times.min(*n);
@@ -373,7 +373,7 @@ fn take(factors: &mut Factors, atom: Atom, times: u32) {
 }
 
 /// Multiplies a product of atoms (leaves, inverses and sums of the network) by atom^times.
-fn insert(factors: &mut Factors, atom: Atom, times: u32) {
+fn multiply_by(factors: &mut Factors, atom: Atom, times: u32) {
     match factors.binary_search_by_key(&atom, |(e, _)| *e) {
         Ok(at) => factors[at].1 += times,
         Err(at) => factors.insert(at, (atom, times)),
@@ -392,7 +392,7 @@ fn split(a: &Term, b: &Term) -> (Divisor, Term) {
     let reduced = |term: &Term| {
         let mut factors = term.factors.clone();
         for (atom, n) in &common {
-            take(&mut factors, *atom, *n);
+            divide_by(&mut factors, *atom, *n);
         }
         Term { k: term.k.clone(), factors }
     };
@@ -400,11 +400,11 @@ fn split(a: &Term, b: &Term) -> (Divisor, Term) {
     if pair[1].factors < pair[0].factors {
         pair.swap(0, 1);
     }
-    let mut content = magnitude(&pair[0].k.common_content(&pair[1].k));
+    let mut content = magnitude(&pair[0].k.greatest_common_divisor(&pair[1].k));
     if pair[0].k.is_negative() {
         content = content.neg();
     }
-    let inverse = content.recip().expect("terms are not zero");
+    let inverse = content.reciprocal().expect("terms are not zero");
     for term in &mut pair {
         term.k = term.k.mul(&inverse);
     }

@@ -79,7 +79,7 @@ impl Network {
     pub fn new(arena: &Arena, steps: &[Definition], values: &[Expr]) -> Self {
         let mut network = Self::default();
         for step in steps {
-            let at = network.sum(arena, step.value);
+            let at = network.sum_atom(arena, step.value);
             network.atoms[at as usize].symbol = Some(step.symbol);
             network.known.insert(step.symbol, at);
             network.steps.push(at);
@@ -87,7 +87,7 @@ impl Network {
         for value in values {
             let at = match network.known.get(value) {
                 Some(known) => *known,
-                None => network.sum(arena, *value),
+                None => network.sum_atom(arena, *value),
             };
             network.values.push(at);
         }
@@ -95,7 +95,7 @@ impl Network {
     }
 
     /// Adds an atom with the given value and returns its number.
-    pub fn push(&mut self, value: Value) -> Atom {
+    pub fn push_atom(&mut self, value: Value) -> Atom {
         self.atoms.push(Member { value, symbol: None });
         Atom::try_from(self.atoms.len() - 1).expect("fewer atoms than terms fit in memory")
     }
@@ -110,25 +110,25 @@ impl Network {
     }
 
     /// Adds an atom for the sum of the terms of `e`, and atoms for the sums inside its products.
-    fn sum(&mut self, arena: &Arena, e: Expr) -> Atom {
+    fn sum_atom(&mut self, arena: &Arena, e: Expr) -> Atom {
         // Operands have smaller handles, so inner sums are read before the terms that contain them.
         for part in arena.reachable(&[e]) {
             if let Node::Product(factors) = arena.node(part) {
                 for (base, _) in factors {
                     if matches!(arena.node(*base), Node::Sum(..)) && !self.known.contains_key(base) {
-                        let terms = self.read(arena, *base);
-                        let at = self.push(Value::Sum(terms));
+                        let terms = self.terms_of(arena, *base);
+                        let at = self.push_atom(Value::Sum(terms));
                         self.known.insert(*base, at);
                     }
                 }
             }
         }
-        let terms = self.read(arena, e);
-        self.push(Value::Sum(terms))
+        let terms = self.terms_of(arena, e);
+        self.push_atom(Value::Sum(terms))
     }
 
     /// Splits a term of the arena into the terms of a sum.
-    fn read(&mut self, arena: &Arena, e: Expr) -> Vec<Option<Term>> {
+    fn terms_of(&mut self, arena: &Arena, e: Expr) -> Vec<Option<Term>> {
         match arena.node(e) {
             Node::Number(k) if k.is_zero() => Vec::new(),
             Node::Number(k) => vec![Some(Term { k: k.clone(), factors: Vec::new() })],
@@ -166,7 +166,7 @@ impl Network {
         if let Some(known) = self.known.get(&e) {
             return *known;
         }
-        let at = self.push(Value::Leaf(e));
+        let at = self.push_atom(Value::Leaf(e));
         let is_symbol = |part: &Expr| matches!(arena.node(*part), Node::Symbol(_));
         let symbols = arena.reachable(&[e]).into_iter().filter(is_symbol);
         let steps: Vec<Atom> = symbols.filter_map(|symbol| self.known.get(&symbol).copied()).collect();
@@ -180,7 +180,7 @@ impl Network {
         if let Some(known) = self.inverses.get(&of) {
             return *known;
         }
-        let at = self.push(Value::Inverse(of));
+        let at = self.push_atom(Value::Inverse(of));
         self.inverses.insert(of, at);
         at
     }

@@ -7,14 +7,14 @@ use rustc_hash::FxHashSet;
 
 /// Steps and values of a function after common parts were shared.
 #[derive(Clone, Debug)]
-pub struct Shared {
+pub struct SharedComputation {
     /// Steps that were given and steps for shared parts, each after the steps that it uses.
     pub steps: Vec<Definition>,
     /// Values that were given, in their order, rewritten in the symbols of the steps.
     pub values: Vec<Expr>,
 }
 
-/// True if the symbol stands for a shared part that [`super::share`] introduced: its name begins
+/// True if the symbol stands for a shared part that [`super::share_common_parts`] introduced: its name begins
 /// with `#`.
 #[must_use]
 pub fn is_shared_symbol(arena: &Arena, symbol: Expr) -> bool {
@@ -24,7 +24,7 @@ pub fn is_shared_symbol(arena: &Arena, symbol: Expr) -> bool {
 /// Rebuilds steps and values from a network. A sum or inverse that is used more than once, or that
 /// cannot be inside another term, gets a symbol of its own. `None` if an exponent is too large for
 /// the arena.
-pub(super) fn rebuild(arena: &mut Arena, network: &Network) -> Option<Shared> {
+pub(super) fn rebuild(arena: &mut Arena, network: &Network) -> Option<SharedComputation> {
     let mut builder = Builder {
         arena,
         network,
@@ -38,11 +38,11 @@ pub(super) fn rebuild(arena: &mut Arena, network: &Network) -> Option<Shared> {
     for step in &network.steps {
         let symbol = network.atoms[*step as usize].symbol;
         if symbol.is_none_or(|symbol| !is_shared_symbol(builder.arena, symbol)) {
-            builder.define(*step);
+            builder.build_with_operands(*step);
         }
     }
-    let values = network.values.iter().map(|value| builder.define(*value)).collect();
-    (!builder.too_large).then_some(Shared { steps: builder.steps, values })
+    let values = network.values.iter().map(|value| builder.build_with_operands(*value)).collect();
+    (!builder.too_large).then_some(SharedComputation { steps: builder.steps, values })
 }
 
 /// Number of uses of each atom (a leaf, inverse or sum of the network), in other atoms and as an
@@ -108,7 +108,7 @@ enum Place {
 impl Builder<'_> {
     /// Builds an atom after all atoms that it uses, and returns the term that stands for it. The
     /// method is not recursive, since chains of steps are long.
-    fn define(&mut self, atom: Atom) -> Expr {
+    fn build_with_operands(&mut self, atom: Atom) -> Expr {
         let mut stack = vec![(atom, false)];
         while let Some((atom, ready)) = stack.pop() {
             if self.built[atom as usize].is_some() {
@@ -135,7 +135,7 @@ impl Builder<'_> {
             Value::Inverse(of) => {
                 let below = self.built[*of as usize].unwrap_or(Expr::ONE);
                 let inverse = self.arena.pow(below, -1);
-                self.or_too_large(inverse)
+                self.note_too_large(inverse)
             }
             Value::Sum(_) => self.sum(atom),
         };
@@ -145,7 +145,7 @@ impl Builder<'_> {
                 symbol
             }
             (None, Value::Inverse(_) | Value::Sum(_)) if self.uses[atom as usize] > 1 && !self.is_plain(value) => {
-                self.fresh(value)
+                self.new_symbol(value)
             }
             _ => value,
         };
@@ -158,7 +158,7 @@ impl Builder<'_> {
     }
 
     /// Creates a new symbol for a shared value, and adds the step that defines it.
-    fn fresh(&mut self, value: Expr) -> Expr {
+    fn new_symbol(&mut self, value: Expr) -> Expr {
         self.named += 1;
         let symbol = self.arena.symbol(&format!("#{}", self.named));
         self.steps.push(Definition { symbol, value });
@@ -186,7 +186,7 @@ impl Builder<'_> {
             let value = self.built[*only as usize].unwrap_or(Expr::ONE);
             let is_sum = matches!(self.arena.node(value), crate::algebra::Node::Sum(..));
             if is_sum {
-                let symbol = self.fresh(value);
+                let symbol = self.new_symbol(value);
                 self.built[*only as usize] = Some(symbol);
                 return symbol;
             }
@@ -198,11 +198,11 @@ impl Builder<'_> {
             .map(|(atom, n)| (self.built[*atom as usize].unwrap_or(Expr::ONE), i32::try_from(*n).unwrap_or(i32::MAX)))
             .collect();
         let product = self.arena.try_product(&factors);
-        self.or_too_large(product)
+        self.note_too_large(product)
     }
 
     /// Returns the power, or 0 with a note in `too_large` if it could not be built.
-    fn or_too_large(&mut self, power: Result<Expr, PowerError>) -> Expr {
+    fn note_too_large(&mut self, power: Result<Expr, PowerError>) -> Expr {
         self.too_large |= power.is_err();
         power.unwrap_or(Expr::ZERO)
     }

@@ -2,10 +2,10 @@
 //! the solutions into the other equations. Equations are called rows here.
 
 use super::factors::Factors;
-use super::relation::{Isolated, Kind, Need, Relation};
-use super::work::Work;
+use super::relation::{Condition, FactorSolutions, Relation, RelationKind};
+use super::workspace::Workspace;
 use super::{MOST_BRANCHES, MOST_STEPS, Solutions};
-use crate::algebra::form::ring::Poly;
+use crate::algebra::form::ring::RingPolynomial;
 use crate::algebra::{Expr, Function, Node, Rational};
 
 /// Partly solved system of equations in a search.
@@ -16,7 +16,7 @@ pub(super) struct Case {
     /// Relations found so far in the case, which give unknowns.
     pub(super) relations: Vec<Relation>,
     /// Conditions under which the solutions of the case are real.
-    pub(super) needs: Vec<Need>,
+    pub(super) needs: Vec<Condition>,
     /// Terms by which the solutions of the case divide.
     pub(super) divided: Vec<Expr>,
     /// Factors that are not 0 in this case, because they were split off or divided by.
@@ -36,7 +36,7 @@ struct Choice {
     /// Index of the chosen equation among the equations of the case.
     row: usize,
     /// Solutions of the chosen equation for the unknown.
-    isolated: Isolated,
+    isolated: FactorSolutions,
     /// Factors of the solutions' divisor that contain unknowns and may be 0.
     open: Vec<Expr>,
 }
@@ -49,7 +49,7 @@ type Rank = (bool, bool, u8, usize, usize);
 /// Search for all solutions of a system of equations.
 pub struct Search<'w, 'a> {
     /// Workspace: arena, algebraic tools and unknowns.
-    pub(super) work: &'w mut Work<'a>,
+    pub(super) work: &'w mut Workspace<'a>,
     /// Equations of the system: numerators, which must vanish.
     pub(super) rows: Vec<Expr>,
     /// Divisors of the equations that contain unknowns, and are not 0.
@@ -60,7 +60,7 @@ pub struct Search<'w, 'a> {
 
 impl<'w, 'a> Search<'w, 'a> {
     /// Prepares the search: takes the numerators of the equations, and the factors of all divisors.
-    pub fn new(work: &'w mut Work<'a>, equations: &[Expr], divisors: &[Expr]) -> Self {
+    pub fn new(work: &'w mut Workspace<'a>, equations: &[Expr], divisors: &[Expr]) -> Self {
         let (mut rows, mut below, mut found) = (Vec::new(), divisors.to_vec(), Solutions::default());
         for equation in equations {
             match work.fraction(*equation) {
@@ -81,7 +81,7 @@ impl<'w, 'a> Search<'w, 'a> {
     /// Runs the search and returns all branches of solutions that it finds.
     pub fn run(mut self) -> Solutions {
         self.reduce();
-        self.found.equations = self.rows.clone().into_iter().map(|row| self.shown(row)).collect();
+        self.found.equations = self.rows.clone().into_iter().map(|row| self.factored_row(row)).collect();
         self.found.divided_by = self.divisors.clone().into_iter().map(|e| self.work.short(e)).collect();
         if self.found.too_large > 0 {
             self.found.is_cut = true;
@@ -105,7 +105,7 @@ impl<'w, 'a> Search<'w, 'a> {
 
     /// Subtracts multiples of equations from other equations where fewer terms remain.
     fn reduce(&mut self) {
-        let mut forms: Vec<Option<Poly>> =
+        let mut forms: Vec<Option<RingPolynomial>> =
             self.rows.clone().into_iter().map(|row| self.work.fraction(row).map(|f| f.0)).collect();
         let pairs: Vec<(usize, usize)> =
             (0..forms.len()).flat_map(|i| (0..forms.len()).map(move |j| (i, j))).filter(|(i, j)| i != j).collect();
@@ -113,7 +113,7 @@ impl<'w, 'a> Search<'w, 'a> {
             let mut changed = false;
             for (i, j) in &pairs {
                 let (Some(a), Some(b)) = (&forms[*i], &forms[*j]) else { continue };
-                if let Some(less) = self.less(a, b) {
+                if let Some(less) = self.shorter_difference(a, b) {
                     (forms[*i], changed) = (Some(less), true);
                 }
             }
@@ -131,10 +131,10 @@ impl<'w, 'a> Search<'w, 'a> {
 
     /// Difference a − k b with fewer terms than a, for a number k; `None` if no k gives fewer
     /// terms.
-    fn less(&mut self, a: &Poly, b: &Poly) -> Option<Poly> {
+    fn shorter_difference(&mut self, a: &RingPolynomial, b: &RingPolynomial) -> Option<RingPolynomial> {
         for (powers, k) in &b.terms {
             let Some((_, c)) = a.terms.iter().find(|(other, _)| other == powers) else { continue };
-            let factor = c.mul(&k.recip()?).neg();
+            let factor = c.mul(&k.reciprocal()?).neg();
             let sum = self.work.normalizer.ring().sum([(a, Rational::ONE), (b, factor)].into_iter())?;
             if sum.terms.len() < a.terms.len() {
                 return Some(sum);
@@ -144,7 +144,7 @@ impl<'w, 'a> Search<'w, 'a> {
     }
 
     /// Writes an equation as a product of factors in short form, for the reader.
-    pub(super) fn shown(&mut self, row: Expr) -> Expr {
+    pub(super) fn factored_row(&mut self, row: Expr) -> Expr {
         let Some(factors) = self.work.factors(row) else { return row };
         let mut list = Vec::new();
         for (e, n) in factors.known.into_iter().chain(factors.unknown) {
@@ -175,12 +175,12 @@ impl<'w, 'a> Search<'w, 'a> {
     /// or removes a square root. Returns the cases that follow. Empty if the case has no solution,
     /// or cannot be solved further and was checked.
     fn step(&mut self, mut case: Case) -> Vec<Case> {
-        let Some(rows) = self.rows_of(&mut case) else { return Vec::new() };
-        let choice = self.choice(&case, &rows);
+        let Some(rows) = self.factored_rows(&mut case) else { return Vec::new() };
+        let choice = self.best_choice(&case, &rows);
         let product = self.most_shared(&rows);
         match (choice, product) {
-            (Some(choice), None) => self.solved(&case, &rows, choice),
-            (Some(choice), _) if choice.open.is_empty() => self.solved(&case, &rows, choice),
+            (Some(choice), None) => self.cases_of_solution(&case, &rows, choice),
+            (Some(choice), _) if choice.open.is_empty() => self.cases_of_solution(&case, &rows, choice),
             (_, Some(factor)) => {
                 let holds = |row: &&Row| row.factors.contains(&factor);
                 let mut zero = case.clone();
@@ -198,7 +198,7 @@ impl<'w, 'a> Search<'w, 'a> {
             (None, None) => match self.without_root(&rows) {
                 Some(rows) => vec![Case { rows, ..case }],
                 None => {
-                    self.leaf(&case, &rows);
+                    self.verify_case(&case, &rows);
                     Vec::new()
                 }
             },
@@ -207,7 +207,7 @@ impl<'w, 'a> Search<'w, 'a> {
 
     /// Splits the equations of a case into factors. Equations that hold, and factors that cannot be
     /// 0, are left out. `None` if an equation cannot hold or an excluded factor is 0.
-    fn rows_of(&mut self, case: &mut Case) -> Option<Vec<Row>> {
+    fn factored_rows(&mut self, case: &mut Case) -> Option<Vec<Row>> {
         let mut excluded = Vec::new();
         for e in &case.excluded {
             if self.work.is_zero(*e) {
@@ -273,7 +273,7 @@ impl<'w, 'a> Search<'w, 'a> {
 
     /// Best way to solve an equation with a single factor for an unknown; `None` if no equation can
     /// be solved.
-    fn choice(&mut self, case: &Case, rows: &[Row]) -> Option<Choice> {
+    fn best_choice(&mut self, case: &Case, rows: &[Row]) -> Option<Choice> {
         let mut best: Option<(Rank, Choice)> = None;
         for (at, row) in rows.iter().enumerate() {
             let [factor] = row.factors.as_slice() else { continue };
@@ -281,7 +281,7 @@ impl<'w, 'a> Search<'w, 'a> {
                 if case.relations.iter().any(|known| known.unknown == x) {
                     continue;
                 }
-                let Some(isolated) = self.work.isolated(*factor, x) else { continue };
+                let Some(isolated) = self.work.isolate(*factor, x) else { continue };
                 let is_alone = rows.iter().enumerate().all(|(k, r)| k == at || !self.work.arena.mentions(r.whole, x));
                 if !is_alone && isolated.solutions.iter().any(|s| self.leaves_open(&s.relations)) {
                     continue;
@@ -318,9 +318,9 @@ impl<'w, 'a> Search<'w, 'a> {
     fn leaves_open(&mut self, relations: &[Relation]) -> bool {
         let keeps_tangents = self.work.keeps_tangents;
         let is_circular = |relation: &&Relation| match relation.kind {
-            Kind::Sine | Kind::Cosine => true,
-            Kind::Tangent => !keeps_tangents,
-            Kind::Value | Kind::Square => false,
+            RelationKind::Sine | RelationKind::Cosine => true,
+            RelationKind::Tangent => !keeps_tangents,
+            RelationKind::Value | RelationKind::Square => false,
         };
         relations.iter().filter(is_circular).any(|relation| {
             let parts = self.work.arena.reachable(&[relation.value]);
@@ -331,7 +331,7 @@ impl<'w, 'a> Search<'w, 'a> {
 
     /// Cases (partly solved systems) that follow from solving an equation: one for each solution,
     /// and one in which the divisor is 0.
-    fn solved(&mut self, case: &Case, rows: &[Row], choice: Choice) -> Vec<Case> {
+    fn cases_of_solution(&mut self, case: &Case, rows: &[Row], choice: Choice) -> Vec<Case> {
         let mut list = Vec::new();
         for solution in choice.isolated.solutions {
             let mut next = case.clone();
@@ -339,8 +339,8 @@ impl<'w, 'a> Search<'w, 'a> {
             next.excluded.extend(&choice.open);
             next.needs.extend(&solution.needs);
             let others = rows.iter().enumerate().filter(|(at, _)| *at != choice.row).map(|(_, row)| row.whole);
-            let put = |work: &mut Work, terms: &[Expr]| -> Option<Vec<Expr>> {
-                terms.iter().map(|e| work.put_all(&solution.relations, *e)).collect()
+            let put = |work: &mut Workspace, terms: &[Expr]| -> Option<Vec<Expr>> {
+                terms.iter().map(|e| work.substitute_relations(&solution.relations, *e)).collect()
             };
             let (rows, excluded) = (put(self.work, &others.collect::<Vec<_>>()), put(self.work, &next.excluded));
             next.relations.extend(&solution.relations);
@@ -363,6 +363,6 @@ impl<'w, 'a> Search<'w, 'a> {
 }
 
 /// True if the term is a sine or a cosine.
-fn is_function(work: &Work, e: Expr) -> bool {
+fn is_function(work: &Workspace, e: Expr) -> bool {
     matches!(work.arena.node(e), Node::Apply(Function::Sin | Function::Cos, _))
 }

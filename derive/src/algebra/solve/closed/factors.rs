@@ -1,7 +1,7 @@
 //! Factors of numerators, as far as trial division finds them.
 
-use super::work::Work;
-use crate::algebra::form::ring::{GENERATORS, Poly, Powers, Ring};
+use super::workspace::Workspace;
+use crate::algebra::form::ring::{GENERATORS, Powers, Ring, RingPolynomial};
 use crate::algebra::meaning::signs::Sign;
 use crate::algebra::{Expr, Function, Node, Rational};
 
@@ -24,14 +24,14 @@ pub struct Factors {
 /// Result of splitting a polynomial into two factors.
 enum Split {
     /// The polynomial is the product of the two polynomials, up to a number.
-    Product([Poly; 2]),
+    Product([RingPolynomial; 2]),
     /// No factor of the polynomial was found: it is kept as a whole.
     Whole,
     /// The budget of multiplications ended before a factor was found.
     Stopped,
 }
 
-impl Work<'_> {
+impl Workspace<'_> {
     /// Splits the numerator of a term into factors. There are none for 0; `None` if the budget of
     /// multiplications is used up.
     pub fn factors(&mut self, e: Expr) -> Option<Factors> {
@@ -40,7 +40,7 @@ impl Work<'_> {
             return Some(Factors::default());
         }
         let (content, rest) = above.split_content();
-        let mut list: Vec<(Poly, i32)> = Vec::new();
+        let mut list: Vec<(RingPolynomial, i32)> = Vec::new();
         let mut open = vec![rest];
         while let Some(p) = open.pop() {
             match self.split(&p) {
@@ -65,15 +65,15 @@ impl Work<'_> {
 
     /// Splits a primitive polynomial into a product of two polynomials, if trial division finds a
     /// factor.
-    fn split(&mut self, p: &Poly) -> Split {
+    fn split(&mut self, p: &RingPolynomial) -> Split {
         let ring = self.normalizer.ring();
         let common = p.common_powers();
-        let degree = |powers: &Powers| (0..GENERATORS).map(|at| usize::from(powers.of(at))).sum::<usize>();
+        let degree = |powers: &Powers| (0..GENERATORS).map(|at| usize::from(powers.exponent_of(at))).sum::<usize>();
         if p.terms.len() == 1 && degree(&common) == 1 {
             return Split::Whole;
         }
         for at in 0..ring.size() {
-            if common.of(at) > 0 {
+            if common.exponent_of(at) > 0 {
                 let generator = Ring::variable(at);
                 let Some(rest) = ring.divide(p, &generator) else { return Split::Stopped };
                 return Split::Product([generator, rest.split_content().1]);
@@ -100,12 +100,12 @@ impl Work<'_> {
     /// Candidates for polynomials that divide `p`: sines, 1 ± cosine of its angles, and a common
     /// factor of its coefficients by one generator. The last is taken from the shortest of these
     /// coefficients, which it must divide.
-    fn candidates(&mut self, p: &Poly) -> Vec<Poly> {
+    fn candidates(&mut self, p: &RingPolynomial) -> Vec<RingPolynomial> {
         let used: Vec<usize> = (0..self.normalizer.ring().size())
-            .filter(|at| p.terms.iter().any(|(powers, _)| powers.of(*at) > 0))
+            .filter(|at| p.terms.iter().any(|(powers, _)| powers.exponent_of(*at) > 0))
             .collect();
         let mut list = Vec::new();
-        let one = Poly::constant(&Rational::ONE);
+        let one = RingPolynomial::constant(&Rational::ONE);
         for at in &used {
             let e = self.normalizer.expression_of(*at);
             match *self.arena.node(e) {
@@ -128,7 +128,7 @@ impl Work<'_> {
             // Generators that divide only this coefficient are removed.
             let common = part.common_powers();
             for other in 0..self.normalizer.ring().size() {
-                for _ in 0..common.of(other) {
+                for _ in 0..common.exponent_of(other) {
                     match self.normalizer.ring().divide(&part, &Ring::variable(other)) {
                         Some(rest) => part = rest,
                         None => break,
@@ -144,7 +144,7 @@ impl Work<'_> {
 
     /// Writes a term as a fraction with numerator and denominator in factors, each in short form. A
     /// term that is too large is only simplified.
-    pub fn neat(&mut self, e: Expr) -> Expr {
+    pub fn factored_short_form(&mut self, e: Expr) -> Expr {
         let short = self.short(e);
         let Some((above, below)) = self.fraction(e).filter(|(above, _)| above.terms.len() <= NEAT) else {
             return short;

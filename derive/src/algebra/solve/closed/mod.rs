@@ -12,21 +12,21 @@
 //! meaning of the unknowns.
 
 mod branches;
-mod ends;
 mod factors;
-mod isolate;
+mod isolation;
 mod relation;
-mod roots;
+mod square_roots;
 mod substitution;
+mod verification;
 mod waves;
-mod work;
+mod workspace;
 
-pub use relation::{Branch, Kind, Need, Relation};
+pub use relation::{Branch, Condition, Relation, RelationKind};
 
-use crate::algebra::form::normal::Normalizer;
+use crate::algebra::form::normal_form::Normalizer;
 use crate::algebra::{Arena, Expr};
 use branches::Search;
-use work::Work;
+use workspace::Workspace;
 
 /// Largest number of steps of a search for solutions. A step splits a product or solves for an
 /// unknown.
@@ -55,8 +55,14 @@ pub struct Solutions {
 /// Solves equations in closed form. Each equation is a term that must vanish. If several unknowns
 /// can be solved for, those that come first in the list are chosen. The first `asked` unknowns are
 /// preferred at any cost. The divisors are assumed not to be 0.
-pub fn solve(arena: &mut Arena, equations: &[Expr], unknowns: &[Expr], asked: usize, divisors: &[Expr]) -> Solutions {
-    let mut work = Work::new(arena, unknowns, asked);
+pub fn solve_in_closed_form(
+    arena: &mut Arena,
+    equations: &[Expr],
+    unknowns: &[Expr],
+    asked: usize,
+    divisors: &[Expr],
+) -> Solutions {
+    let mut work = Workspace::new(arena, unknowns, asked);
     work.normalizer.prepare(work.arena, &[equations, divisors].concat());
     let found = Search::new(&mut work, equations, divisors).run();
     // A partial solution in functions of an unsolved unknown is harder to read than the equation.
@@ -69,6 +75,6 @@ pub fn solve(arena: &mut Arena, equations: &[Expr], unknowns: &[Expr], asked: us
 
 /// Writes a term as a fraction with numerator and denominator in factors. A term that is too large
 /// is only brought to short form.
-pub fn in_factors(arena: &mut Arena, e: Expr) -> Expr {
-    Work::new(arena, &[], 0).neat(e)
+pub fn factored_fraction(arena: &mut Arena, e: Expr) -> Expr {
+    Workspace::new(arena, &[], 0).factored_short_form(e)
 }

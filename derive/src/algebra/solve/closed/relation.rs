@@ -6,7 +6,7 @@ use crate::algebra::Expr;
 /// Kind of relation: the unknown itself is given, its square, or the sine, cosine or tangent of an
 /// angle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Kind {
+pub enum RelationKind {
     /// The relation gives the unknown itself.
     Value,
     /// The relation gives the square of the unknown.
@@ -26,7 +26,7 @@ pub struct Relation {
     /// Unknown of the equations that the relation gives.
     pub unknown: Expr,
     /// Function of the unknown that the relation gives.
-    pub kind: Kind,
+    pub kind: RelationKind,
     /// Angle whose sine, cosine or tangent is given; the unknown itself for other kinds.
     pub angle: Expr,
     /// Value of the function, a term without the unknown.
@@ -36,20 +36,20 @@ pub struct Relation {
 impl Relation {
     /// Creates the relation unknown = value.
     pub(super) const fn value(unknown: Expr, value: Expr) -> Self {
-        Self { unknown, kind: Kind::Value, angle: unknown, value }
+        Self { unknown, kind: RelationKind::Value, angle: unknown, value }
     }
 }
 
 /// Condition under which a branch of solutions is real, in addition to the equations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Need {
+pub enum Condition {
     /// The term is not negative: it is under a square root, or it is a square.
     NotNegative(Expr),
     /// The term lies from −1 to 1: it is the value of a sine or a cosine.
     Unit(Expr),
 }
 
-impl Need {
+impl Condition {
     /// Term that the condition restricts: it is not negative, or lies from −1 to 1.
     #[must_use]
     pub const fn term(self) -> Expr {
@@ -73,7 +73,7 @@ pub struct Branch {
     /// Relations for the unknowns that were solved for, each in terms of the free unknowns.
     pub solved: Vec<Relation>,
     /// Conditions under which the solutions are real.
-    pub needs: Vec<Need>,
+    pub needs: Vec<Condition>,
     /// Divisors of the solutions; the branch holds where they are not 0.
     pub divided_by: Vec<Expr>,
     /// Further terms that must vanish, which could not be solved.
@@ -86,12 +86,12 @@ pub struct Solution {
     /// Relations that give the unknown: one, or two if both its sine and cosine are given.
     pub relations: Vec<Relation>,
     /// Conditions under which the solution is real.
-    pub needs: Vec<Need>,
+    pub needs: Vec<Condition>,
 }
 
 /// All solutions of a factor of an equation for one unknown.
 #[derive(Clone, Debug, Default)]
-pub struct Isolated {
+pub struct FactorSolutions {
     /// Solutions for the unknown; empty if no real number solves the factor.
     pub solutions: Vec<Solution>,
     /// Divisor of the solutions; `None` if they divide by no term.

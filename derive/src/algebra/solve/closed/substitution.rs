@@ -1,32 +1,32 @@
 //! Substitution of solved relations, which give an unknown, its square, sine, cosine or tangent,
 //! into terms.
 
-use super::relation::{Kind, Relation};
-use super::work::Work;
-use crate::algebra::form::polynomial::Polynomial;
+use super::relation::{Relation, RelationKind};
+use super::workspace::Workspace;
+use crate::algebra::form::polynomial::LaurentPolynomial;
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::{Expr, Function, Node, Rational};
 
-impl Work<'_> {
+impl Workspace<'_> {
     /// Inserts a relation into the term `e`, as far as the relation determines it. The sign of a
     /// square root, or of the cosine for a given sine, may stay open. Then the unknown or the
     /// function remains to the power 1. `None` if a divisor becomes 0 or the budget of
     /// multiplications is used up.
-    pub fn put(&mut self, relation: &Relation, e: Expr) -> Option<Expr> {
+    pub fn substitute_relation(&mut self, relation: &Relation, e: Expr) -> Option<Expr> {
         if !self.arena.mentions(e, relation.unknown) {
             return Some(e);
         }
-        if relation.kind == Kind::Value {
+        if relation.kind == RelationKind::Value {
             let mut put = Substitution::new(&[(relation.unknown, relation.value)]);
             let value = put.apply(self.arena, e);
             return put.undefined.is_none().then_some(value);
         }
         let (above, below) = self.fraction(e)?;
         let above = self.normalizer.polynomial(&above);
-        let mut factors = vec![(self.rewritten(relation, &above)?, 1)];
+        let mut factors = vec![(self.substitute_in_polynomial(relation, &above)?, 1)];
         for (factor, n) in below {
             let factor = self.normalizer.polynomial(&factor);
-            let factor = self.rewritten(relation, &factor)?;
+            let factor = self.substitute_in_polynomial(relation, &factor)?;
             factors.push((factor, -i32::try_from(n).ok()?));
         }
         self.arena.try_product(&factors).ok()
@@ -34,7 +34,7 @@ impl Work<'_> {
 
     /// Inserts a relation into each term of a polynomial; `None` if a divisor becomes 0 or the
     /// budget of multiplications is used up.
-    fn rewritten(&mut self, relation: &Relation, p: &Polynomial) -> Option<Expr> {
+    fn substitute_in_polynomial(&mut self, relation: &Relation, p: &LaurentPolynomial) -> Option<Expr> {
         let Relation { kind, angle, value, .. } = *relation;
         let square = self.arena.square(value);
         let (sine, cosine) = (self.arena.apply(Function::Sin, angle), self.arena.apply(Function::Cos, angle));
@@ -47,16 +47,16 @@ impl Work<'_> {
             let mut cosines = 0;
             for (atom, n) in monomial {
                 match kind {
-                    Kind::Square if *atom == angle => factors.extend([(value, n / 2), (angle, n % 2)]),
-                    Kind::Cosine if *atom == cosine => factors.push((value, *n)),
-                    Kind::Sine if *atom == sine => factors.push((value, *n)),
-                    Kind::Sine if *atom == cosine => factors.extend([(complement, n / 2), (cosine, n % 2)]),
-                    Kind::Tangent if *atom == sine => {
+                    RelationKind::Square if *atom == angle => factors.extend([(value, n / 2), (angle, n % 2)]),
+                    RelationKind::Cosine if *atom == cosine => factors.push((value, *n)),
+                    RelationKind::Sine if *atom == sine => factors.push((value, *n)),
+                    RelationKind::Sine if *atom == cosine => factors.extend([(complement, n / 2), (cosine, n % 2)]),
+                    RelationKind::Tangent if *atom == sine => {
                         factors.push((value, *n));
                         cosines += n;
                     }
-                    Kind::Tangent if *atom == cosine => cosines += n,
-                    _ => factors.push((self.inside(relation, *atom)?, *n)),
+                    RelationKind::Tangent if *atom == cosine => cosines += n,
+                    _ => factors.push((self.substitute_in_argument(relation, *atom)?, *n)),
                 }
             }
             // 1 + tan² = 1/cos².
@@ -69,18 +69,18 @@ impl Work<'_> {
     /// Inserts a relation into the argument of a function, such as the root of a square that the
     /// relation gives. Sines, cosines and other atoms are returned unchanged. `None` if a divisor
     /// becomes 0 or the budget of multiplications is used up.
-    fn inside(&mut self, relation: &Relation, atom: Expr) -> Option<Expr> {
+    fn substitute_in_argument(&mut self, relation: &Relation, atom: Expr) -> Option<Expr> {
         let Node::Apply(f, argument) = *self.arena.node(atom) else { return Some(atom) };
         if !self.arena.mentions(argument, relation.unknown) || matches!(f, Function::Sin | Function::Cos) {
             return Some(atom);
         }
-        let argument = self.put(relation, argument)?;
+        let argument = self.substitute_relation(relation, argument)?;
         Some(self.arena.apply(f, argument))
     }
 
     /// Inserts several relations into a term in sequence; `None` if a divisor becomes 0 or the
     /// budget of multiplications is used up.
-    pub fn put_all(&mut self, relations: &[Relation], e: Expr) -> Option<Expr> {
-        relations.iter().try_fold(e, |e, relation| self.put(relation, e))
+    pub fn substitute_relations(&mut self, relations: &[Relation], e: Expr) -> Option<Expr> {
+        relations.iter().try_fold(e, |e, relation| self.substitute_relation(relation, e))
     }
 }

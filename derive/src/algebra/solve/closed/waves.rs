@@ -1,9 +1,9 @@
 //! Waves: equations of sines and cosines that reduce to a single wave, or to two of equal
 //! amplitude. For example, sin A + sin B = 0 where A = −B or A = B + π.
 
-use super::relation::{Isolated, Relation, Solution};
-use super::work::Work;
-use crate::algebra::form::ring::Poly;
+use super::relation::{FactorSolutions, Relation, Solution};
+use super::workspace::Workspace;
+use crate::algebra::form::ring::RingPolynomial;
 use crate::algebra::{Expr, Function, Node, Rational};
 use std::collections::BTreeMap;
 
@@ -37,13 +37,13 @@ struct Line {
     half_turns: Rational,
 }
 
-impl Work<'_> {
+impl Workspace<'_> {
     /// Solves an equation of sines and cosines only, p = 0, for the unknown `x`. `None` if p is no
     /// single wave and no sum of two waves of equal amplitude. `None` also if `x` is not the last
     /// unknown with the coefficient 1 or −1 in each solution.
-    pub fn by_waves(&mut self, p: &Poly, x: Expr) -> Option<Isolated> {
-        let waves = self.waves(p)?;
-        let lines = lines(&waves)?;
+    pub fn solve_waves(&mut self, p: &RingPolynomial, x: Expr) -> Option<FactorSolutions> {
+        let waves = self.sum_of_waves(p)?;
+        let lines = angle_equations(&waves)?;
         let mut solutions = Vec::new();
         for Line { angle, half_turns } in lines {
             let last = self.unknowns.iter().rev().find(|y| angle.get(y).is_some_and(|n| n.abs() == 1))?;
@@ -57,13 +57,13 @@ impl Work<'_> {
             let value = self.arena.linear_combination(&terms);
             solutions.push(Solution { relations: vec![Relation::value(x, value)], needs: Vec::new() });
         }
-        Some(Isolated { solutions, divisor: None, degree: 0 })
+        Some(FactorSolutions { solutions, divisor: None, degree: 0 })
     }
 
     /// Writes a polynomial in sines and cosines, with numbers as coefficients, as a sum of waves
     /// with their amplitudes. Products become sums. `None` if the polynomial contains other atoms
     /// or is too long.
-    fn waves(&mut self, p: &Poly) -> Option<Vec<(Wave, Rational)>> {
+    fn sum_of_waves(&mut self, p: &RingPolynomial) -> Option<Vec<(Wave, Rational)>> {
         if p.terms.len() > MOST_TERMS {
             return None;
         }
@@ -73,7 +73,7 @@ impl Work<'_> {
             let mut waves: Vec<(Wave, Rational)> =
                 vec![(Wave { kind: Kind::Cosine, angle: BTreeMap::new() }, k.clone())];
             for at in 0..self.normalizer.ring().size() {
-                let n = powers.of(at);
+                let n = powers.exponent_of(at);
                 if n == 0 {
                     continue;
                 }
@@ -129,7 +129,7 @@ fn times(wave: &Wave, k: &Rational, by: Kind, x: Expr) -> [(Wave, Rational); 2] 
 
 /// Linear equations for the angles at which a single wave, or the sum of two waves of equal
 /// amplitude, is 0. `None` for other sums.
-fn lines(waves: &[(Wave, Rational)]) -> Option<Vec<Line>> {
+fn angle_equations(waves: &[(Wave, Rational)]) -> Option<Vec<Line>> {
     let [zero, half, one] = [Rational::ZERO, Rational::fraction(1, 2)?, Rational::ONE];
     let line = |angle: Angle, half_turns: Rational| Line { angle, half_turns };
     let combined = |a: &Wave, b: &Wave, sign: i64| {

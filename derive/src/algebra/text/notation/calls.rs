@@ -1,9 +1,9 @@
 //! Calls in program text that model files write in another form: `pow(x, 2)`, `Rational(1, 2)`,
 //! `deg2rad(10)`.
 
+use super::errors::translation_error;
 use super::kind::Notation;
-use super::plain::Plain;
-use super::refusal::wrong;
+use super::translation::Translation;
 use crate::algebra::text::parse::ParseError;
 use std::ops::Range;
 
@@ -73,14 +73,20 @@ impl Calls {
 
     /// Appends the opening `tokens` of an ordinary parenthesis to `out` and puts the parenthesis on
     /// the stack.
-    pub(super) fn open(&mut self, out: &mut Plain, tokens: &[&str], place: &Range<usize>) {
+    pub(super) fn open(&mut self, out: &mut Translation, tokens: &[&str], place: &Range<usize>) {
         out.push_all(tokens, place);
         self.0.push(Call { form: None, commas: 0, place: place.clone() });
     }
 
     /// Opens a call that model files write in another form, such as `pow(x, 2)`. False if `word` is
     /// not a function with a rewriting rule.
-    pub(super) fn rewritten(&mut self, out: &mut Plain, word: &str, notation: Notation, place: &Range<usize>) -> bool {
+    pub(super) fn open_rewritten_call(
+        &mut self,
+        out: &mut Translation,
+        word: &str,
+        notation: Notation,
+        place: &Range<usize>,
+    ) -> bool {
         let Some(form) = FORMS.iter().find(|form| form.name == word && form.of.contains(&notation)) else {
             return false;
         };
@@ -90,14 +96,18 @@ impl Calls {
     }
 
     /// Translates a comma between arguments. Error if a rewritten function has too many arguments.
-    pub(super) fn comma(&mut self, out: &mut Plain, place: &Range<usize>) -> Result<(), ParseError> {
+    pub(super) fn comma(&mut self, out: &mut Translation, place: &Range<usize>) -> Result<(), ParseError> {
         let Some(Call { form: Some(form), commas, .. }) = self.0.last_mut() else {
             out.push(",", place.clone());
             return Ok(());
         };
         let Some(tokens) = form.comma.filter(|_| *commas > 0) else {
             let message = format!("`{}` has too many arguments", form.name);
-            return Err(wrong(place.clone(), message, "remove what follows, or write it as a product or sum"));
+            return Err(translation_error(
+                place.clone(),
+                message,
+                "remove what follows, or write it as a product or sum",
+            ));
         };
         *commas -= 1;
         out.push_all(tokens, place);
@@ -105,7 +115,7 @@ impl Calls {
     }
 
     /// Translates a closing parenthesis. Error if a rewritten function has too few arguments.
-    pub(super) fn close(&mut self, out: &mut Plain, place: &Range<usize>) -> Result<(), ParseError> {
+    pub(super) fn close(&mut self, out: &mut Translation, place: &Range<usize>) -> Result<(), ParseError> {
         let Some(call) = self.0.pop() else { return Ok(()) };
         let Some(form) = call.form else {
             out.push(")", place.clone());
@@ -114,7 +124,7 @@ impl Calls {
         // Rational(3) needs no comma: it is the integer 3, like S(3).
         if call.commas > 0 && form.name != "Rational" {
             let message = format!("`{}` has two arguments", form.name);
-            return Err(wrong(call.place, message, &format!("write {}(x, 2)", form.name)));
+            return Err(translation_error(call.place, message, &format!("write {}(x, 2)", form.name)));
         }
         out.push_all(form.close, place);
         Ok(())

@@ -34,7 +34,7 @@ impl Notation {
 
     /// Notation with the given name in files; `sympy` means Python. `None` for an unknown name.
     #[must_use]
-    pub fn named(name: &str) -> Option<Self> {
+    pub fn from_name(name: &str) -> Option<Self> {
         let name = if name == "sympy" { "python" } else { name };
         Self::ALL.into_iter().find(|notation| notation.name() == name)
     }

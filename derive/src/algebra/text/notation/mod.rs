@@ -7,28 +7,28 @@
 //!
 //! Invariant: nothing is guessed. A text that can be read in two ways is refused with both ways to
 //! write it, for example `\sin q u` or `a/2 b`. Marks keep the meaning of their language: `1/2` is
-//! 0 in C. A [`Spell`]er gives the name of each symbol in the language of model files.
+//! 0 in C. A [`SymbolNames`] gives the name of each symbol in the language of model files.
 //! Absent on purpose: statements and vectors.
 
 mod calls;
+mod errors;
 mod kind;
 mod latex;
 mod lexicon;
-mod plain;
 mod program;
 mod quotient;
-mod refusal;
-mod spell;
 mod symbol;
+mod symbol_names;
 mod sympy;
+mod translation;
 mod unicode;
 
 pub use kind::Notation;
 pub use latex::read_symbol;
-pub use plain::Plain;
 pub(crate) use program::is_index;
-pub use spell::{Spell, Unknown};
-pub use symbol::Symbol;
+pub use symbol::LatexSymbol;
+pub use symbol_names::{SymbolNames, Unknown};
+pub use translation::Translation;
 pub use unicode::ascii_names;
 
 use super::parse::ParseError;
@@ -39,10 +39,10 @@ use super::parse::ParseError;
 /// # Errors
 /// First [`ParseError`] that belongs to the notation itself; other errors are found when the
 /// translation is parsed.
-pub fn translate(text: &str, notation: Notation, spell: &mut dyn Spell) -> Result<Plain, ParseError> {
+pub fn translate(text: &str, notation: Notation, spell: &mut dyn SymbolNames) -> Result<Translation, ParseError> {
     match notation {
-        Notation::Tripos if text.is_ascii() => Ok(Plain::same(text)),
-        Notation::Tripos => unicode::translate(text, spell),
+        Notation::Tripos if text.is_ascii() => Ok(Translation::unchanged(text)),
+        Notation::Tripos => unicode::translate_unicode(text, spell),
         Notation::Latex => latex::translate(text, spell),
         Notation::Python | Notation::Matlab | Notation::C => program::translate(text, notation, spell),
     }

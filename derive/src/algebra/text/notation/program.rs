@@ -1,12 +1,12 @@
 //! Translation of program text: formulas of Python (with the output of `SymPy`), MATLAB and C.
 
 use super::calls::Calls;
+use super::errors::{character_at, translation_error, unknown_symbol_error};
 use super::kind::Notation;
 use super::lexicon::{constant, function, function_of_c, without_module};
-use super::plain::Plain;
 use super::quotient::refuse_whole_quotients;
-use super::refusal::{found, unknown, wrong};
-use super::spell::Spell;
+use super::symbol_names::SymbolNames;
+use super::translation::Translation;
 use super::unicode;
 use crate::algebra::text::parse::ParseError;
 use std::ops::Range;
@@ -16,9 +16,13 @@ const LONGEST_INDEX: usize = 40;
 
 /// Translates a formula of a program into the language of model files; `spell` names the variables.
 /// Error if the formula is ambiguous or not understood.
-pub(super) fn translate(text: &str, notation: Notation, spell: &mut dyn Spell) -> Result<Plain, ParseError> {
+pub(super) fn translate(
+    text: &str,
+    notation: Notation,
+    spell: &mut dyn SymbolNames,
+) -> Result<Translation, ParseError> {
     let program =
-        Program { text, notation, at: 0, out: Plain::new(), calls: Calls::default(), power: vec![false], spell };
+        Program { text, notation, at: 0, out: Translation::new(), calls: Calls::default(), power: vec![false], spell };
     program.whole()
 }
 
@@ -31,32 +35,32 @@ pub(super) struct Program<'a, 's> {
     /// Position of the next character, in bytes.
     pub(super) at: usize,
     /// Formula in the language of model files, as translated so far.
-    pub(super) out: Plain,
+    pub(super) out: Translation,
     /// Parentheses and calls that are open at the present position.
     pub(super) calls: Calls,
     /// True at a level of parentheses while an exponent is being read there. The first entry is for
     /// the text outside of all parentheses.
     power: Vec<bool>,
     /// Source of the model's names for the program's variables.
-    pub(super) spell: &'s mut dyn Spell,
+    pub(super) spell: &'s mut dyn SymbolNames,
 }
 
 impl Program<'_, '_> {
     /// Translates the whole text. Error if the text has more than one statement.
-    fn whole(mut self) -> Result<Plain, ParseError> {
+    fn whole(mut self) -> Result<Translation, ParseError> {
         loop {
             self.skip();
             let Some(c) = self.text[self.at..].chars().next() else { break };
             match c {
                 '0'..='9' => self.number(),
                 '.' if self.rest(1).starts_with(|c: char| c.is_ascii_digit()) => self.number(),
-                c if unicode::begins_name(c) => self.named()?,
+                c if unicode::begins_name(c) => self.translate_name()?,
                 ';' if matches!(self.notation, Notation::Matlab | Notation::C) => {
                     self.at += 1;
                     self.skip();
                     if self.at < self.text.len() {
                         let help = "give the right side of one assignment";
-                        return Err(wrong(self.at..self.text.len(), "more than one statement", help));
+                        return Err(translation_error(self.at..self.text.len(), "more than one statement", help));
                     }
                 }
                 _ => self.operator(c)?,
@@ -126,7 +130,7 @@ impl Program<'_, '_> {
     pub(super) fn word(&mut self) -> (String, Range<usize>) {
         let start = self.at;
         loop {
-            let length = self.rest(0).find(|c: char| !unicode::is_of_name(c));
+            let length = self.rest(0).find(|c: char| !unicode::is_inside_name(c));
             self.at += length.unwrap_or(self.rest(0).len());
             let begins = |skip: usize| self.rest(skip).starts_with(|c: char| c.is_ascii_alphabetic() || c == '_');
             let step = match self.rest(0) {
@@ -147,7 +151,7 @@ impl Program<'_, '_> {
 
     /// Translates a name: a constant, a call, or a variable with its indices and derivatives. Error
     /// if the variable is unknown.
-    fn named(&mut self) -> Result<(), ParseError> {
+    fn translate_name(&mut self) -> Result<(), ParseError> {
         let (whole, place) = self.word();
         let word = without_module(&whole).to_owned();
         if let Some(tokens) = constant(&word, self.notation) {
@@ -158,17 +162,17 @@ impl Program<'_, '_> {
         if self.rest(0).starts_with('(') && self.call(&word, &place)? {
             return Ok(());
         }
-        let name = self.indexed(word);
-        let name = self.spell.variable(&name).map_err(|why| unknown(place.start..self.at, why))?;
+        let name = self.read_indices(word);
+        let name = self.spell.name_of_variable(&name).map_err(|why| unknown_symbol_error(place.start..self.at, why))?;
         let place = place.start..self.at;
-        let name = self.differentiated(name)?;
+        let name = self.read_derivative_suffix(name)?;
         self.out.push(&name, place);
         Ok(())
     }
 
     /// Reads the indices after a name: `z(6)` in MATLAB, `z[5]`, `x[2][0]` and `p['m']` elsewhere.
     /// Returns the name with its indices.
-    fn indexed(&mut self, mut word: String) -> String {
+    fn read_indices(&mut self, mut word: String) -> String {
         let (open, close) = if self.notation == Notation::Matlab { ('(', ')') } else { ('[', ']') };
         loop {
             let near =
@@ -193,18 +197,18 @@ impl Program<'_, '_> {
         let (token, length) = match c {
             '.' if matlab && rest[1..].starts_with(['*', '/', '^']) => (&rest[1..2], 2),
             '*' if rest.starts_with("**") && self.notation == Notation::Python => ("^", 2),
-            '/' if rest.starts_with("//") => return Err(self.odd(c)),
-            '^' if !matlab => return Err(self.odd(c)),
+            '/' if rest.starts_with("//") => return Err(self.unexpected_character(c)),
+            '^' if !matlab => return Err(self.unexpected_character(c)),
             '+' | '-' | '*' | '/' | '^' | '(' | ')' | ',' => (&rest[..1], 1),
             _ => match unicode::operator(c).filter(|token| token.len() == 1) {
                 Some(token) => (token, c.len_utf8()),
-                None => return Err(self.odd(c)),
+                None => return Err(self.unexpected_character(c)),
             },
         };
         let token = token.to_owned();
         let place = self.at..self.at + length;
         if token == "^" {
-            self.one_power(&place)?;
+            self.begin_power(&place)?;
         } else if matches!(token.as_str(), "+" | "-" | "*" | "/") && self.ends_operand() {
             self.leave_power();
         }
@@ -248,19 +252,19 @@ impl Program<'_, '_> {
 
     /// Notes that an exponent begins. Error for a power of a power in MATLAB, which reads it from
     /// the left while other languages read it from the right.
-    fn one_power(&mut self, place: &Range<usize>) -> Result<(), ParseError> {
+    fn begin_power(&mut self, place: &Range<usize>) -> Result<(), ParseError> {
         let Some(power) = self.power.last_mut() else { return Ok(()) };
         if std::mem::replace(power, true) && self.notation == Notation::Matlab {
             let help = "MATLAB reads a^b^c as (a^b)^c: write the parentheses";
-            return Err(wrong(place.clone(), "a power of a power", help));
+            return Err(translation_error(place.clone(), "a power of a power", help));
         }
         Ok(())
     }
 
     /// Creates the error for a character that a formula of the language cannot contain, with
     /// advice.
-    fn odd(&self, c: char) -> ParseError {
-        let (mut shown, mut span) = found(self.text, self.at);
+    fn unexpected_character(&self, c: char) -> ParseError {
+        let (mut shown, mut span) = character_at(self.text, self.at);
         let help = match (self.notation, c) {
             (Notation::C, '^') => "in C this is no power: pow(x, 2)",
             (Notation::Python, '^') => "in Python this is no power: x**2",
@@ -278,7 +282,7 @@ impl Program<'_, '_> {
             (_, '<' | '>' | '?' | '!' | '&' | '|' | '~') => "a formula has no conditions",
             _ => "allowed are numbers, names, + - * / ( ), powers and functions such as sin(q1)",
         };
-        wrong(span, format!("unexpected `{shown}`"), help)
+        translation_error(span, format!("unexpected `{shown}`"), help)
     }
 
     /// Opens the call of a function whose parenthesis comes next. False if `word` is not a
@@ -286,13 +290,13 @@ impl Program<'_, '_> {
     fn call(&mut self, word: &str, place: &Range<usize>) -> Result<bool, ParseError> {
         if self.notation == Notation::C && word == "abs" {
             let help = "in C this rounds to a whole number: fabs(x)";
-            return Err(wrong(place.clone(), "unexpected `abs`", help));
+            return Err(translation_error(place.clone(), "unexpected `abs`", help));
         }
         if let Some(name) = self.derivative(word)? {
             self.out.push(&name, place.start..self.at);
             return Ok(true);
         }
-        if self.calls.rewritten(&mut self.out, word, self.notation, place) {
+        if self.calls.open_rewritten_call(&mut self.out, word, self.notation, place) {
             self.enter_call();
             return Ok(true);
         }
@@ -312,7 +316,7 @@ impl Program<'_, '_> {
 pub(crate) fn is_index(text: &str) -> bool {
     let is_word = |text: &str| {
         let word = text.strip_prefix('\'').and_then(|rest| rest.strip_suffix('\''));
-        word.is_some_and(|word| !word.is_empty() && word.chars().all(unicode::is_of_name))
+        word.is_some_and(|word| !word.is_empty() && word.chars().all(unicode::is_inside_name))
     };
     is_word(text) || text.split(',').all(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()))
 }

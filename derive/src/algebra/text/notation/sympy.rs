@@ -1,9 +1,9 @@
 //! Functions of time as `SymPy` prints them: `q(t)`, `q(t).diff(t)`, `Derivative(q(t), (t, 2))`.
 
+use super::errors::{translation_error, unknown_symbol_error};
 use super::kind::Notation;
 use super::lexicon::without_module;
 use super::program::Program;
-use super::refusal::{unknown, wrong};
 use crate::algebra::text::parse::ParseError;
 
 impl Program<'_, '_> {
@@ -18,19 +18,19 @@ impl Program<'_, '_> {
         self.skip();
         let (name, place) = self.word();
         let name = without_module(&name).to_owned();
-        self.of_time();
-        let name = self.spell.variable(&name).map_err(|why| unknown(place, why))?;
-        let primes = self.times()?;
+        self.skip_time_argument();
+        let name = self.spell.name_of_variable(&name).map_err(|why| unknown_symbol_error(place, why))?;
+        let primes = self.derivative_order()?;
         Ok(Some(name + &"'".repeat(primes)))
     }
 
     /// Reads the suffixes that `SymPy` appends to a name: the argument `(t)`, and `.diff(t)`.
     /// Returns the name with a prime per derivative. Error for a derivative by another variable.
-    pub(super) fn differentiated(&mut self, name: String) -> Result<String, ParseError> {
+    pub(super) fn read_derivative_suffix(&mut self, name: String) -> Result<String, ParseError> {
         if self.notation != Notation::Python {
             return Ok(name);
         }
-        self.of_time();
+        self.skip_time_argument();
         if !self.rest(0).starts_with(".diff(") {
             return Ok(name);
         }
@@ -49,7 +49,7 @@ impl Program<'_, '_> {
     }
 
     /// Skips the argument `(t)` of a function of time, if it comes next.
-    fn of_time(&mut self) {
+    fn skip_time_argument(&mut self) {
         for written in ["(t)", "( t )"] {
             if self.rest(0).starts_with(written) {
                 self.at += written.len();
@@ -59,7 +59,7 @@ impl Program<'_, '_> {
 
     /// Reads the end of a derivative, `, t)`, `, t, t)`, `, t, 2)` or `, (t, 2))`, and returns its
     /// order, 1 or 2. Error for any other end.
-    fn times(&mut self) -> Result<usize, ParseError> {
+    fn derivative_order(&mut self) -> Result<usize, ParseError> {
         let begin = self.at;
         // The only parenthesis that may be open inside is that around (t, 2).
         let mut depth = 1_usize;
@@ -84,7 +84,7 @@ impl Program<'_, '_> {
     /// Creates the error for a derivative that is not the time derivative of a symbol.
     fn not_by_time(&self, begin: usize) -> ParseError {
         let place = begin..self.at.max(begin);
-        wrong(
+        translation_error(
             place,
             "this is not a derivative of one symbol by time",
             "write Derivative(q(t), t) or Derivative(q(t), (t, 2))",

@@ -1,9 +1,9 @@
 //! Unicode names and operators outside ASCII, as Julia, Python and people write them: `θ̇₁`,
 //! `2·x²`.
 
-use super::plain::Plain;
-use super::refusal::unknown;
-use super::spell::Spell;
+use super::errors::unknown_symbol_error;
+use super::symbol_names::SymbolNames;
+use super::translation::Translation;
 use crate::algebra::text::parse::ParseError;
 use crate::algebra::text::print::greek_name;
 
@@ -24,7 +24,7 @@ pub(super) fn begins_name(c: char) -> bool {
 
 /// True if a character may occur inside a name: letters, digits, subscript digits and dots above
 /// letters.
-pub(super) fn is_of_name(c: char) -> bool {
+pub(super) fn is_inside_name(c: char) -> bool {
     begins_name(c) || c.is_ascii_digit() || subscript(c).is_some() || dots(c) > 0
 }
 
@@ -77,20 +77,20 @@ pub fn ascii_names(name: &str) -> Vec<String> {
 
 /// Translates a formula of model files with names or operators outside ASCII into ASCII. Error for
 /// a name that `spell` does not know.
-pub(super) fn translate(text: &str, spell: &mut dyn Spell) -> Result<Plain, ParseError> {
-    let mut out = Plain::new();
+pub(super) fn translate_unicode(text: &str, spell: &mut dyn SymbolNames) -> Result<Translation, ParseError> {
+    let mut out = Translation::new();
     let mut at = 0;
     while let Some(c) = text[at..].chars().next() {
         let start = at;
         if begins_name(c) {
-            at += text[at..].find(|c| !is_of_name(c)).unwrap_or(text.len() - at);
+            at += text[at..].find(|c| !is_inside_name(c)).unwrap_or(text.len() - at);
             let word = &text[start..at];
             let primes = text[at..].bytes().take_while(|b| *b == b'\'').count();
             at += primes;
             let name = if word.is_ascii() {
                 word.to_owned()
             } else {
-                spell.variable(word).map_err(|why| unknown(start..at, why))?
+                spell.name_of_variable(word).map_err(|why| unknown_symbol_error(start..at, why))?
             };
             out.push(&format!("{name}{}", "'".repeat(primes)), start..at);
         } else if c.is_ascii_digit() || c == '.' {

@@ -1,7 +1,7 @@
 //! Parsing of calls: functions of one and of several arguments, and components of velocities and
 //! interactions.
 
-use super::domain::{is_outside, is_partial};
+use super::domain::{has_limited_domain, is_outside_domain};
 use super::error::{ParseError, error};
 use super::{InteractionName, Parser, VelocityName};
 use crate::algebra::{Expr, Function, Rational};
@@ -29,7 +29,7 @@ impl Parser<'_, '_> {
     /// The result is the square root of the sum of squares. Error if the syntax is wrong or a point
     /// is unknown.
     pub(super) fn distance(&mut self, start: usize) -> Result<Expr, ParseError> {
-        let (ends, end) = VelocityName::ends(self.text, self.at)?;
+        let (ends, end) = VelocityName::distance_ends(self.text, self.at)?;
         self.at = end;
         let resolve = self.velocity.as_mut().expect("asked before");
         let mut squares = Vec::new();
@@ -54,7 +54,7 @@ impl Parser<'_, '_> {
     pub(super) fn of_several(&mut self, name: &str, start: usize) -> Result<Expr, ParseError> {
         let open = self.at;
         self.take(b'(');
-        self.enter(open)?;
+        self.enter_nesting(open)?;
         let mut arguments = vec![self.sum()?];
         while self.take(b',') {
             arguments.push(self.sum()?);
@@ -70,7 +70,7 @@ impl Parser<'_, '_> {
             let &[y, x] = arguments.as_slice() else {
                 return Err(error(start..self.at, "`atan2` takes two arguments", Some("write atan2(y, x)")));
             };
-            return self.direction(y, x, start);
+            return self.atan2(y, x, start);
         }
         if arguments.len() < 2 {
             let help = format!("write {name}(a, b)");
@@ -91,7 +91,7 @@ impl Parser<'_, '_> {
 
     /// Angle of the direction (x, y) from the first axis, rad: 2 arctan(y/(x + √(x² + y²))). It has
     /// no value on the negative half of that axis. Error if that is certain.
-    fn direction(&mut self, y: Expr, x: Expr, start: usize) -> Result<Expr, ParseError> {
+    fn atan2(&mut self, y: Expr, x: Expr, start: usize) -> Result<Expr, ParseError> {
         let squares = [self.arena.square(x), self.arena.square(y)];
         let square = self.arena.sum(&squares);
         let length = self.arena.apply(Function::Sqrt, square);
@@ -136,13 +136,15 @@ impl Parser<'_, '_> {
     /// Applies a function to an argument. Error if the argument is a constant outside the
     /// function's domain.
     pub(super) fn checked_apply(&mut self, f: Function, argument: Expr, start: usize) -> Result<Expr, ParseError> {
-        if is_outside(self.arena, f, argument) {
-            let shown = crate::diagnostic::shown(&crate::algebra::text::print::text(self.arena, argument));
+        if is_outside_domain(self.arena, f, argument) {
+            let shown = crate::diagnostic::shortened_for_message(&crate::algebra::text::print::print_text(
+                self.arena, argument,
+            ));
             let message = format!("{}({shown}) is not a real number", f.name());
             return Err(error(start..self.at, message, Some("the argument is outside the function's domain")));
         }
         let e = self.arena.apply(f, argument);
-        if is_partial(f) && self.arena.as_number(argument).is_none() {
+        if has_limited_domain(f) && self.arena.as_number(argument).is_none() {
             self.partial.push(e);
         }
         Ok(e)

@@ -80,7 +80,7 @@ impl<'a> Cursor<'a> {
         let (axis, place) = self.after('[', "a component")?;
         self.mark(']')?;
         let Some(axis) = ["1", "2", "3"].iter().position(|a| *a == axis) else {
-            let message = format!("there is no component `{}`", crate::diagnostic::shown(axis));
+            let message = format!("there is no component `{}`", crate::diagnostic::shortened_for_message(axis));
             return Err(error(place, message, Some("components are 1, 2 and 3")));
         };
         Ok((frame, axis))

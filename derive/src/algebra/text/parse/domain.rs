@@ -1,17 +1,17 @@
 //! Domains of elementary functions: the arguments for which they have real values.
 
-use crate::algebra::value::evaluate::Tape;
+use crate::algebra::value::tape::Tape;
 use crate::algebra::{Arena, Expr, Function, Rational};
 
 /// True if the function has no real value for some real arguments.
-pub(super) fn is_partial(f: Function) -> bool {
+pub(super) fn has_limited_domain(f: Function) -> bool {
     matches!(f, Function::Sqrt | Function::Log | Function::Asin | Function::Acos)
 }
 
 /// True if the argument is a constant outside the domain of the function. The test is exact for
 /// rational numbers, and to rounding for other constants. False for an argument with symbols.
-pub(super) fn is_outside(arena: &Arena, f: Function, argument: Expr) -> bool {
-    if !is_partial(f) {
+pub(super) fn is_outside_domain(arena: &Arena, f: Function, argument: Expr) -> bool {
+    if !has_limited_domain(f) {
         return false;
     }
     if let Some(value) = arena.as_number(argument) {

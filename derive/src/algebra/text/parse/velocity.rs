@@ -69,7 +69,7 @@ impl<'a> VelocityName<'a> {
     /// Reads the two points of `distance(P, Q)` from its opening parenthesis on. Returns their
     /// positions for each of the three axes of the inertial frame, whose name is empty, and the
     /// byte where the call ends.
-    pub(super) fn ends(text: &'a str, at: usize) -> Result<([[Self; 2]; 3], usize), ParseError> {
+    pub(super) fn distance_ends(text: &'a str, at: usize) -> Result<([[Self; 2]; 3], usize), ParseError> {
         let mut cursor = Cursor { text, at, form: FORM };
         cursor.mark('(')?;
         let first = cursor.word("a point")?;
@@ -89,13 +89,13 @@ impl<'a> VelocityName<'a> {
             VelocityOf::Turning(body) => VelocityOf::Turning(body.0),
             VelocityOf::Place(point) => VelocityOf::Place(point.0),
         };
-        canonical(&of, self.frame.0, self.axis)
+        canonical_velocity_name(&of, self.frame.0, self.axis)
     }
 }
 
 /// Canonical name of a component of a velocity or position, such as `v(disk, P) @ A [1]`.
 #[must_use]
-pub fn canonical(of: &VelocityOf<&str>, frame: &str, axis: usize) -> String {
+pub fn canonical_velocity_name(of: &VelocityOf<&str>, frame: &str, axis: usize) -> String {
     let of = match of {
         VelocityOf::Point(point) => format!("v({point})"),
         VelocityOf::Material(body, point) => format!("v({body}, {point})"),

@@ -1,7 +1,7 @@
 //! Printing of formulas in LaTeX, for math mode.
 
 use super::name::{GREEK, greek_index, is_word, split_name};
-use crate::algebra::text::view::View;
+use crate::algebra::text::display_tree::DisplayTree;
 use std::fmt::Write;
 
 /// Prints a symbol's name in LaTeX: `q1'` as `\dot{q}_{1}`, `u_psi` as `u_{\psi}`, `q_track` as
@@ -14,7 +14,7 @@ pub fn latex_name(name: &str) -> String {
         None if letters.len() > 1 => format!("\\mathrm{{{}}}", letters.replace('_', "\\_")),
         None => letters.to_owned(),
     };
-    let dotted = dotted(letters, primes);
+    let dotted = latex_dots(letters, primes);
     if subscript.is_empty() { dotted } else { format!("{dotted}_{{{}}}", latex_subscript(subscript)) }
 }
 
@@ -32,11 +32,11 @@ fn latex_subscript(subscript: &str) -> String {
 /// Prints a symbol's name in LaTeX as a word in roman type without a subscript; primes become dots.
 fn latex_word(name: &str) -> String {
     let stem = name.trim_end_matches('\'');
-    dotted(format!("\\mathrm{{{}}}", stem.replace('_', "\\_")), name.len() - stem.len())
+    latex_dots(format!("\\mathrm{{{}}}", stem.replace('_', "\\_")), name.len() - stem.len())
 }
 
 /// Puts dots for time derivatives over a symbol in LaTeX: none, one, or two for any larger number.
-fn dotted(letters: String, dots: usize) -> String {
+fn latex_dots(letters: String, dots: usize) -> String {
     match dots {
         0 => letters,
         1 => format!("\\dot{{{letters}}}"),
@@ -45,13 +45,13 @@ fn dotted(letters: String, dots: usize) -> String {
 }
 
 /// Appends a formula in LaTeX to `out`.
-pub(super) fn write_latex(view: &View, out: &mut String) {
+pub(super) fn write_latex(view: &DisplayTree, out: &mut String) {
     match view {
-        View::Number(text) | View::Shared(text) => out.push_str(text),
-        View::Name(name) => out.push_str(&latex_name(name)),
-        View::Word(name) => out.push_str(&latex_word(name)),
-        View::Pi => out.push_str("\\pi"),
-        View::Sum(terms) => {
+        DisplayTree::Number(text) | DisplayTree::Shared(text) => out.push_str(text),
+        DisplayTree::Name(name) => out.push_str(&latex_name(name)),
+        DisplayTree::Word(name) => out.push_str(&latex_word(name)),
+        DisplayTree::Pi => out.push_str("\\pi"),
+        DisplayTree::Sum(terms) => {
             for (at, (negative, term)) in terms.iter().enumerate() {
                 out.push_str(match (at, negative) {
                     (0, false) => "",
@@ -62,7 +62,7 @@ pub(super) fn write_latex(view: &View, out: &mut String) {
                 latex_factor(term, out);
             }
         }
-        View::Product(factors) => {
+        DisplayTree::Product(factors) => {
             for (at, factor) in factors.iter().enumerate() {
                 if at > 0 {
                     out.push_str(" \\, ");
@@ -70,20 +70,23 @@ pub(super) fn write_latex(view: &View, out: &mut String) {
                 latex_factor(factor, out);
             }
         }
-        View::Fraction(above, below) => {
+        DisplayTree::Fraction(above, below) => {
             out.push_str("\\frac{");
             write_latex(above, out);
             out.push_str("}{");
             write_latex(below, out);
             out.push('}');
         }
-        View::Power(base, n) => match &**base {
-            View::Call(name @ ("sin" | "cos" | "tan"), argument) => {
+        DisplayTree::Power(base, n) => match &**base {
+            DisplayTree::Call(name @ ("sin" | "cos" | "tan"), argument) => {
                 let _ = write!(out, "\\{name}^{{{n}}} ");
                 latex_argument(argument, out);
             }
             base => {
-                if matches!(base, View::Number(_) | View::Pi | View::Name(_) | View::Word(_)) {
+                if matches!(
+                    base,
+                    DisplayTree::Number(_) | DisplayTree::Pi | DisplayTree::Name(_) | DisplayTree::Word(_)
+                ) {
                     write_latex(base, out);
                 } else {
                     out.push_str("\\left(");
@@ -93,7 +96,7 @@ pub(super) fn write_latex(view: &View, out: &mut String) {
                 let _ = write!(out, "^{{{n}}}");
             }
         },
-        View::Call(name, argument) => {
+        DisplayTree::Call(name, argument) => {
             match *name {
                 "asin" => out.push_str("\\arcsin "),
                 "acos" => out.push_str("\\arccos "),
@@ -107,17 +110,17 @@ pub(super) fn write_latex(view: &View, out: &mut String) {
             }
             latex_argument(argument, out);
         }
-        View::Root(argument) => {
+        DisplayTree::Root(argument) => {
             out.push_str("\\sqrt{");
             write_latex(argument, out);
             out.push('}');
         }
-        View::Cut => out.push_str("\\ldots"),
+        DisplayTree::Cut => out.push_str("\\ldots"),
     }
 }
 
 /// Appends a factor of a product to `out`, in parentheses if it is a sum.
-fn latex_factor(view: &View, out: &mut String) {
+fn latex_factor(view: &DisplayTree, out: &mut String) {
     if view.is_loose() {
         out.push_str("\\left(");
         write_latex(view, out);
@@ -128,8 +131,8 @@ fn latex_factor(view: &View, out: &mut String) {
 }
 
 /// Appends the argument of a function to `out`, in parentheses unless it is a name.
-fn latex_argument(view: &View, out: &mut String) {
-    if matches!(view, View::Name(_) | View::Word(_)) {
+fn latex_argument(view: &DisplayTree, out: &mut String) {
+    if matches!(view, DisplayTree::Name(_) | DisplayTree::Word(_)) {
         write_latex(view, out);
     } else {
         out.push_str("\\left(");

@@ -1,7 +1,7 @@
 //! Printing of formulas in presentation `MathML`.
 
 use super::name::{GREEK, greek_index, split_name};
-use crate::algebra::text::view::View;
+use crate::algebra::text::display_tree::DisplayTree;
 use std::fmt::Write;
 
 /// Prints a symbol's name in `MathML`, with subscript, and with dots for time derivatives.
@@ -15,7 +15,7 @@ fn mathml_symbol(name: &str, power: Option<i32>) -> String {
     let (letters, subscript, primes) = split_name(name);
     let letters = GREEK.iter().find(|(n, _)| *n == letters).map_or(letters, |(_, greek)| greek);
     let letters = format!("<mi>{letters}</mi>");
-    let dotted = dotted(letters, primes);
+    let dotted = mathml_dots(letters, primes);
     let below = mathml_subscript(subscript);
     match (subscript.is_empty(), power) {
         (true, None) => dotted,
@@ -38,12 +38,12 @@ fn mathml_subscript(subscript: &str) -> String {
 /// Prints a symbol's name in `MathML` as a word without a subscript; primes become dots.
 fn mathml_word(name: &str) -> String {
     let stem = name.trim_end_matches('\'');
-    dotted(format!("<mi>{stem}</mi>"), name.len() - stem.len())
+    mathml_dots(format!("<mi>{stem}</mi>"), name.len() - stem.len())
 }
 
 /// Puts dots for time derivatives over a symbol in `MathML`: none, one, or two for any larger
 /// number.
-fn dotted(letters: String, dots: usize) -> String {
+fn mathml_dots(letters: String, dots: usize) -> String {
     match dots {
         0 => letters,
         1 => format!("<mover accent=\"true\">{letters}<mo>˙</mo></mover>"),
@@ -52,15 +52,15 @@ fn dotted(letters: String, dots: usize) -> String {
 }
 
 /// Appends a formula in `MathML` to `out`.
-pub(super) fn write_mathml(view: &View, out: &mut String) {
+pub(super) fn write_mathml(view: &DisplayTree, out: &mut String) {
     match view {
-        View::Number(text) => {
+        DisplayTree::Number(text) => {
             let _ = write!(out, "<mn>{text}</mn>");
         }
-        View::Name(name) | View::Shared(name) => out.push_str(&mathml_name(name)),
-        View::Word(name) => out.push_str(&mathml_word(name)),
-        View::Pi => out.push_str("<mi>π</mi>"),
-        View::Sum(terms) => {
+        DisplayTree::Name(name) | DisplayTree::Shared(name) => out.push_str(&mathml_name(name)),
+        DisplayTree::Word(name) => out.push_str(&mathml_word(name)),
+        DisplayTree::Pi => out.push_str("<mi>π</mi>"),
+        DisplayTree::Sum(terms) => {
             for (at, (negative, term)) in terms.iter().enumerate() {
                 match (at, negative) {
                     (0, false) => {}
@@ -70,30 +70,30 @@ pub(super) fn write_mathml(view: &View, out: &mut String) {
                 mathml_factor(term, out);
             }
         }
-        View::Product(factors) => {
+        DisplayTree::Product(factors) => {
             for (at, factor) in factors.iter().enumerate() {
                 if at > 0 {
-                    out.push_str(between(factor));
+                    out.push_str(sign_between_factors(factor));
                 }
                 mathml_factor(factor, out);
             }
         }
-        View::Fraction(above, below) => {
+        DisplayTree::Fraction(above, below) => {
             out.push_str("<mfrac><mrow>");
             write_mathml(above, out);
             out.push_str("</mrow><mrow>");
             write_mathml(below, out);
             out.push_str("</mrow></mfrac>");
         }
-        View::Power(base, n) => match &**base {
-            View::Call(name @ ("sin" | "cos" | "tan"), argument) => {
+        DisplayTree::Power(base, n) => match &**base {
+            DisplayTree::Call(name @ ("sin" | "cos" | "tan"), argument) => {
                 let _ = write!(out, "<msup><mi>{name}</mi><mn>{n}</mn></msup>");
                 mathml_argument(argument, out);
             }
-            View::Name(name) => out.push_str(&mathml_symbol(name, Some(*n))),
+            DisplayTree::Name(name) => out.push_str(&mathml_symbol(name, Some(*n))),
             base => {
                 out.push_str("<msup><mrow>");
-                if matches!(base, View::Number(_) | View::Pi | View::Word(_)) {
+                if matches!(base, DisplayTree::Number(_) | DisplayTree::Pi | DisplayTree::Word(_)) {
                     write_mathml(base, out);
                 } else {
                     mathml_parenthesized(base, out);
@@ -101,26 +101,26 @@ pub(super) fn write_mathml(view: &View, out: &mut String) {
                 let _ = write!(out, "</mrow><mn>{n}</mn></msup>");
             }
         },
-        View::Call(name, argument) => {
+        DisplayTree::Call(name, argument) => {
             let _ = write!(out, "<mi>{name}</mi>");
             mathml_argument(argument, out);
         }
-        View::Root(argument) => {
+        DisplayTree::Root(argument) => {
             out.push_str("<msqrt>");
             write_mathml(argument, out);
             out.push_str("</msqrt>");
         }
-        View::Cut => out.push_str("<mo>…</mo>"),
+        DisplayTree::Cut => out.push_str("<mo>…</mo>"),
     }
 }
 
 /// Sign between two factors in `MathML`: a dot if the second is a number, else a thin space.
-pub(super) fn between(factor: &View) -> &'static str {
-    if matches!(factor, View::Number(_)) { "<mo>·</mo>" } else { "<mspace width=\"0.17em\"/>" }
+pub(super) fn sign_between_factors(factor: &DisplayTree) -> &'static str {
+    if matches!(factor, DisplayTree::Number(_)) { "<mo>·</mo>" } else { "<mspace width=\"0.17em\"/>" }
 }
 
 /// Appends a factor of a product to `out`, in parentheses if it is a sum.
-fn mathml_factor(view: &View, out: &mut String) {
+fn mathml_factor(view: &DisplayTree, out: &mut String) {
     if view.is_loose() {
         mathml_parenthesized(view, out);
     } else {
@@ -130,8 +130,8 @@ fn mathml_factor(view: &View, out: &mut String) {
 
 /// Appends the argument of a function to `out`, after the invisible operator of function
 /// application.
-fn mathml_argument(view: &View, out: &mut String) {
-    if matches!(view, View::Name(_) | View::Word(_)) {
+fn mathml_argument(view: &DisplayTree, out: &mut String) {
+    if matches!(view, DisplayTree::Name(_) | DisplayTree::Word(_)) {
         // Browsers leave no space between a function and an argument without parentheses.
         out.push_str("<mo rspace=\"0.17em\">\u{2061}</mo>");
         write_mathml(view, out);
@@ -142,7 +142,7 @@ fn mathml_argument(view: &View, out: &mut String) {
 }
 
 /// Appends a formula in parentheses to `out`.
-fn mathml_parenthesized(view: &View, out: &mut String) {
+fn mathml_parenthesized(view: &DisplayTree, out: &mut String) {
     out.push_str("<mrow><mo>(</mo>");
     write_mathml(view, out);
     out.push_str("<mo>)</mo></mrow>");

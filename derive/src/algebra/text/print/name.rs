@@ -39,7 +39,7 @@ pub(super) fn split_name(name: &str) -> (&str, &str, usize) {
 
 /// Name without an underscore that would be printed like `name`: `l1` for `l_1`; `None` if there is
 /// no such name.
-pub(super) fn twin(name: &str) -> Option<String> {
+pub(super) fn name_printed_alike(name: &str) -> Option<String> {
     let (letters, subscript, _) = split_name(name);
     let other = format!("{letters}{subscript}");
     let is_split = name.contains('_') && !subscript.is_empty();

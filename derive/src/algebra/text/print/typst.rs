@@ -1,32 +1,36 @@
 //! Printing of formulas in Typst, for math mode.
 
 use super::name::{GREEK, greek_index, split_name};
-use crate::algebra::text::view::View;
+use crate::algebra::text::display_tree::DisplayTree;
 use std::fmt::Write;
 
 /// Prints a symbol's name in Typst: `q1'` as `dot(q)_1`.
 #[must_use]
 pub fn typst_name(name: &str) -> String {
     let (letters, subscript, primes) = split_name(name);
-    let letters = if GREEK.iter().any(|(greek, _)| *greek == letters) { letters.to_owned() } else { upright(letters) };
-    let dotted = dotted(letters, primes);
+    let letters = if GREEK.iter().any(|(greek, _)| *greek == letters) {
+        letters.to_owned()
+    } else {
+        typst_word_or_letter(letters)
+    };
+    let dotted = typst_dots(letters, primes);
     match (subscript, greek_index(subscript)) {
         ("", _) => dotted,
         (_, Some(((greek, _), ""))) => format!("{dotted}_{greek}"),
         (_, Some(((greek, _), index))) => format!("{dotted}_({greek}_{index})"),
         (digits, None) if digits.bytes().all(|b| b.is_ascii_digit()) => format!("{dotted}_{digits}"),
-        (word, None) => format!("{dotted}_{}", upright(word)),
+        (word, None) => format!("{dotted}_{}", typst_word_or_letter(word)),
     }
 }
 
 /// Prints a symbol's name in Typst as a word without a subscript; primes become dots.
 fn typst_word(name: &str) -> String {
     let stem = name.trim_end_matches('\'');
-    dotted(upright(stem), name.len() - stem.len())
+    typst_dots(typst_word_or_letter(stem), name.len() - stem.len())
 }
 
 /// Puts dots for time derivatives over a symbol in Typst: none, one, or two for any larger number.
-fn dotted(letters: String, dots: usize) -> String {
+fn typst_dots(letters: String, dots: usize) -> String {
     match dots {
         0 => letters,
         1 => format!("dot({letters})"),
@@ -36,19 +40,19 @@ fn dotted(letters: String, dots: usize) -> String {
 
 /// Prints a letter or a word in Typst: a letter as it is, a word in quotes, since Typst would look
 /// it up.
-fn upright(word: &str) -> String {
+fn typst_word_or_letter(word: &str) -> String {
     if word.len() == 1 { word.to_owned() } else { format!("\"{}\"", word.replace('\\', "\\\\").replace('"', "\\\"")) }
 }
 
 /// Appends a formula in Typst to `out`. Adjacent symbols are separated by spaces: Typst reads
 /// `f(x)` as a call, and letters without spaces as a word.
-pub(super) fn write_typst(view: &View, out: &mut String) {
+pub(super) fn write_typst(view: &DisplayTree, out: &mut String) {
     match view {
-        View::Number(text) | View::Shared(text) => out.push_str(text),
-        View::Name(name) => out.push_str(&typst_name(name)),
-        View::Word(name) => out.push_str(&typst_word(name)),
-        View::Pi => out.push_str("pi"),
-        View::Sum(terms) => {
+        DisplayTree::Number(text) | DisplayTree::Shared(text) => out.push_str(text),
+        DisplayTree::Name(name) => out.push_str(&typst_name(name)),
+        DisplayTree::Word(name) => out.push_str(&typst_word(name)),
+        DisplayTree::Pi => out.push_str("pi"),
+        DisplayTree::Sum(terms) => {
             for (at, (negative, term)) in terms.iter().enumerate() {
                 out.push_str(match (at, negative) {
                     (0, false) => "",
@@ -59,21 +63,21 @@ pub(super) fn write_typst(view: &View, out: &mut String) {
                 typst_part(term, |term| !term.is_loose(), out);
             }
         }
-        View::Product(factors) => {
+        DisplayTree::Product(factors) => {
             for (at, factor) in factors.iter().enumerate() {
                 out.push_str(if at > 0 { " thin " } else { "" });
                 typst_part(factor, |factor| !factor.is_loose(), out);
             }
         }
-        View::Fraction(above, below) => {
+        DisplayTree::Fraction(above, below) => {
             out.push_str("frac(");
             write_typst(above, out);
             out.push_str(", ");
             write_typst(below, out);
             out.push(')');
         }
-        View::Power(base, n) => match &**base {
-            View::Call(name @ ("sin" | "cos" | "tan"), argument) => {
+        DisplayTree::Power(base, n) => match &**base {
+            DisplayTree::Call(name @ ("sin" | "cos" | "tan"), argument) => {
                 let _ = write!(out, "{name}^{n} ");
                 typst_part(argument, is_name, out);
             }
@@ -82,8 +86,8 @@ pub(super) fn write_typst(view: &View, out: &mut String) {
                 let _ = write!(out, "^{n}");
             }
         },
-        View::Call("abs", argument) => typst_call("abs", argument, out),
-        View::Call(name, argument) => {
+        DisplayTree::Call("abs", argument) => typst_call("abs", argument, out),
+        DisplayTree::Call(name, argument) => {
             match *name {
                 "asin" => out.push_str("arcsin "),
                 "acos" => out.push_str("arccos "),
@@ -95,13 +99,13 @@ pub(super) fn write_typst(view: &View, out: &mut String) {
             }
             typst_part(argument, is_name, out);
         }
-        View::Root(argument) => typst_call("sqrt", argument, out),
-        View::Cut => out.push_str("dots"),
+        DisplayTree::Root(argument) => typst_call("sqrt", argument, out),
+        DisplayTree::Cut => out.push_str("dots"),
     }
 }
 
 /// Appends a part of a formula to `out`, in parentheses unless `stands_alone` is true for it.
-fn typst_part(view: &View, stands_alone: fn(&View) -> bool, out: &mut String) {
+fn typst_part(view: &DisplayTree, stands_alone: fn(&DisplayTree) -> bool, out: &mut String) {
     if stands_alone(view) {
         write_typst(view, out);
     } else {
@@ -112,17 +116,17 @@ fn typst_part(view: &View, stands_alone: fn(&View) -> bool, out: &mut String) {
 }
 
 /// True if a formula is a name, which needs no parentheses as the argument of a function.
-fn is_name(view: &View) -> bool {
-    matches!(view, View::Name(_) | View::Word(_))
+fn is_name(view: &DisplayTree) -> bool {
+    matches!(view, DisplayTree::Name(_) | DisplayTree::Word(_))
 }
 
 /// True if a formula is a number or a name, which needs no parentheses as the base of a power.
-fn is_atom(view: &View) -> bool {
-    is_name(view) || matches!(view, View::Number(_) | View::Pi)
+fn is_atom(view: &DisplayTree) -> bool {
+    is_name(view) || matches!(view, DisplayTree::Number(_) | DisplayTree::Pi)
 }
 
 /// Appends the call of a Typst function that draws bars or a root sign around its argument.
-fn typst_call(name: &str, argument: &View, out: &mut String) {
+fn typst_call(name: &str, argument: &DisplayTree, out: &mut String) {
     let _ = write!(out, "{name}(");
     write_typst(argument, out);
     out.push(')');

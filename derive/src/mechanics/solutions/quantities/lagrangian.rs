@@ -4,30 +4,30 @@
 use super::Quantities;
 use crate::algebra::Expr;
 use crate::algebra::term::calculus::Differential;
-use crate::mechanics::quantity::{Energy, QuantityKind};
+use crate::mechanics::quantity::{EnergyQuantity, QuantityKind};
 
 impl Quantities<'_> {
     /// Lagrangian L = T − V as a term in q and q̇, J, without any constraint substituted.
     fn lagrangian(&mut self) -> Result<Expr, String> {
-        let constrained = self.energy(Energy::Lagrangian)?;
-        Ok(self.before_constraints(&QuantityKind::Energy(Energy::Lagrangian), constrained))
+        let constrained = self.energy(EnergyQuantity::Lagrangian)?;
+        Ok(self.before_constraints(&QuantityKind::Energy(EnergyQuantity::Lagrangian), constrained))
     }
 
     /// Partial derivative of a term by a symbol, with all other symbols constant.
-    fn slope(&mut self, e: Expr, along: Expr) -> Expr {
+    fn partial_derivative(&mut self, e: Expr, along: Expr) -> Expr {
         Differential::partial(along).apply(&mut self.derivations.kinematics.arena, e)
     }
 
     /// Generalized momentum ∂L/∂q̇ of the coordinate with the index `at`, as a term in q and q̇.
     pub(super) fn momentum(&mut self, at: usize) -> Result<Expr, String> {
         let lagrangian = self.lagrangian()?;
-        Ok(self.slope(lagrangian, self.model.coordinates[at].rate))
+        Ok(self.partial_derivative(lagrangian, self.model.coordinates[at].rate))
     }
 
     /// Partial derivative ∂L/∂q by the coordinate with the index `at`, with q̇ constant.
     pub(super) fn lagrangian_slope(&mut self, at: usize) -> Result<Expr, String> {
         let lagrangian = self.lagrangian()?;
-        Ok(self.slope(lagrangian, self.model.coordinates[at].symbol))
+        Ok(self.partial_derivative(lagrangian, self.model.coordinates[at].symbol))
     }
 
     /// Rate d/dt ∂L/∂q̇ of a generalized momentum along the motion, as a term in q, q̇ and q̈.
@@ -47,9 +47,9 @@ impl Quantities<'_> {
 
     /// Partial derivative ∂/∂t ∂L/∂q̇ of a generalized momentum by the time alone; zero unless L
     /// contains the time.
-    pub(super) fn held_momentum_rate(&mut self, at: usize) -> Result<Expr, String> {
+    pub(super) fn partial_time_derivative_of_momentum(&mut self, at: usize) -> Result<Expr, String> {
         let momentum = self.momentum(at)?;
         let Some(time) = self.model.time() else { return Ok(Expr::ZERO) };
-        Ok(self.slope(momentum, self.model.coordinates[time].symbol))
+        Ok(self.partial_derivative(momentum, self.model.coordinates[time].symbol))
     }
 }

@@ -7,7 +7,7 @@ use crate::algebra::text::parse::parse_primed;
 use crate::algebra::{Arena, Expr};
 use crate::diagnostic::Source;
 use crate::mechanics::quantity::Quantity;
-use crate::mechanics::{Derivations, balances, derive_all};
+use crate::mechanics::{Derivations, derive_all, newton_euler_balances};
 use crate::model::{Model, load};
 use std::path::Path;
 
@@ -239,7 +239,7 @@ fn loads_and_inertia_loads_are_those_of_the_newton_euler_balances() {
         model.reactions.truncate(model.stated_reactions().len());
         let mut derivations = derived(&model);
         let velocities = derivations.kinematics.in_speeds(&model);
-        let balances = balances(&model, &mut derivations.kinematics, &velocities, Some(1));
+        let balances = newton_euler_balances(&model, &mut derivations.kinematics, &velocities, Some(1));
         let mut q = Quantities::new(&model, &mut derivations);
         for balance in balances {
             let place = format!(

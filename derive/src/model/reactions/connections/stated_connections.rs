@@ -12,18 +12,20 @@
 //! 6. Bodies that the file states to touch: all reactions between them, in addition to those of the
 //!    contact.
 
-use super::search::{FoundReaction, ReactionDirection, Search};
+use super::reaction_search::{FoundReaction, ReactionDirection, Search};
 use crate::algebra::text::parse::VelocityOf;
 use crate::algebra::value::field::Field;
 use crate::algebra::value::rank::Basis;
-use crate::model::reactions::random_pose::Triple;
-use crate::model::reactions::relative_motion::{Holder, Relative, sides};
-use crate::model::reactions::supports::{Reason, Support};
-use crate::model::{MotionConstraint, MotionConstraintKind, Place, ReactionKind, Rolled, StatedVelocity};
+use crate::model::reactions::random_pose::VectorResidues;
+use crate::model::reactions::relative_motion::{Holder, RelativeMotion, reaction_pair};
+use crate::model::reactions::supports::{Support, SupportReason};
+use crate::model::{
+    ConstrainedVelocity, ForcePlace, MotionConstraint, MotionConstraintKind, ReactionKind, SlipComponent,
+};
 
 /// Bases of the motions that a mechanism would have if loops were open and nothing rolled. `None`
 /// means its own motions.
-struct Ways {
+struct OpenMotions {
     /// Motions in which equations between velocities of the model file hold, those in `placed`
     /// excepted.
     open: Option<Vec<Vec<u64>>>,
@@ -43,7 +45,7 @@ enum OtherEquations {
 }
 
 /// Edge: a constraint that states a single velocity component of a single body, as a blade does.
-struct Edge {
+struct VelocityEdge {
     /// Name of the constraint in the model file.
     name: String,
     /// Force or torque that holds the body against the ground.
@@ -56,14 +58,14 @@ struct Edge {
 
 impl Search<'_> {
     /// Chooses the reactions that the connections of the model file transmit.
-    pub fn held(&mut self) {
+    pub fn choose_stated_connections(&mut self) {
         let model = self.relative.model;
-        let touches = self.relative.touches(&self.relative.freedoms());
+        let touches = self.relative.touching_pairs(&self.relative.degrees_of_freedom());
         let on_body = |body: usize| touches.iter().any(|pair| pair.body == body && pair.against.is_some());
         let (mut placed, mut ground, mut touching) = (Vec::new(), Vec::new(), Vec::new());
         for support in &self.supports {
             match (support.reason, support.holder) {
-                (Reason::Joint | Reason::Placed | Reason::Least, _) => placed.push(*support),
+                (SupportReason::Joint | SupportReason::Placed | SupportReason::Least, _) => placed.push(*support),
                 (_, None) => ground.push(*support),
                 (_, Some(_)) => touching.push(*support),
             }
@@ -73,36 +75,37 @@ impl Search<'_> {
             MotionConstraintKind::Rolling(rolled) => Some(rolled),
             _ => None,
         });
-        let tied: Vec<Rolled> = tied.collect();
+        let tied: Vec<SlipComponent> = tied.collect();
         // A body that rests on another presses along the axes of that connection.
-        let rests_there = |rolled: &Rolled| {
+        let rests_there = |rolled: &SlipComponent| {
             self.supports.iter().any(|support| (support.body, support.holder) == (rolled.body, rolled.against))
         };
         let built_in = model.repeated.iter().filter_map(|repeated| repeated.rolled);
-        let built_in: Vec<Rolled> = built_in.filter(|rolled| !rests_there(rolled)).collect();
+        let built_in: Vec<SlipComponent> = built_in.filter(|rolled| !rests_there(rolled)).collect();
         let edges = self.relative.edges();
         let elsewhere: Vec<&str> = edges.iter().map(|edge| edge.name.as_str()).collect();
-        let ways = Ways {
-            open: self.relative.open(OtherEquations::Hold, &elsewhere),
-            free: self.relative.open(OtherEquations::Ignored, &elsewhere),
+        let ways = OpenMotions {
+            open: self.relative.motions_of_opened_loops(OtherEquations::Hold, &elsewhere),
+            free: self.relative.motions_of_opened_loops(OtherEquations::Ignored, &elsewhere),
             placed: elsewhere.iter().map(|name| (*name).to_owned()).collect(),
         };
-        self.rolled(&tied, 0);
+        self.choose_rolling_forces(&tied, 0);
         self.edges(&edges);
         self.connections(&placed, &ways);
-        let built_in: Vec<Rolled> = built_in.into_iter().map(|rolled| self.relative.along_own_axis(rolled)).collect();
-        self.rolled(&built_in, self.last_place());
+        let built_in: Vec<SlipComponent> =
+            built_in.into_iter().map(|rolled| self.relative.along_own_axis(rolled)).collect();
+        self.choose_rolling_forces(&built_in, self.last_list_position());
         self.connections(&ground, &ways);
         self.connections(&touching, &ways);
     }
 
     /// Chooses forces at rolling contacts along the directions without slip. Other axes, such as those
     /// of a gear, may be oblique to these directions.
-    fn rolled(&mut self, components: &[Rolled], place: usize) {
-        for &Rolled { body, against, point, frame, axis, .. } in components {
-            let on = Place { body, point };
-            let kind = ReactionKind::Force { on, against: against.map(|body| Place { body, point }) };
-            let slips = self.relative.slips(body, against, point, point);
+    fn choose_rolling_forces(&mut self, components: &[SlipComponent], place: usize) {
+        for &SlipComponent { body, against, point, frame, axis, .. } in components {
+            let on = ForcePlace { body, point };
+            let kind = ReactionKind::Force { on, against: against.map(|body| ForcePlace { body, point }) };
+            let slips = self.relative.slip_velocities(body, against, point, point);
             let direction = self.relative.drawn.frames[frame].axes[axis];
             if slips.iter().all(|slip| self.relative.drawn.space.dot(*slip, direction) == 0) {
                 self.choose(place, FoundReaction::along_axis(kind, frame, axis), direction, Vec::new());
@@ -112,14 +115,15 @@ impl Search<'_> {
 
     /// Chooses the forces and torques of edges, unless a stated reaction holds the edge's body against
     /// the ground.
-    fn edges(&mut self, edges: &[Edge]) {
-        for Edge { name, kind, frame, axis } in edges {
+    fn edges(&mut self, edges: &[VelocityEdge]) {
+        for VelocityEdge { name, kind, frame, axis } in edges {
             let model = self.relative.model;
             let is_enforced = model.motion_constraints.iter().any(|c| c.name == *name && c.enforced_by.is_some());
-            let is_held = model.stated_reactions().iter().any(|reaction| sides(reaction.kind) == sides(*kind));
+            let is_held =
+                model.stated_reactions().iter().any(|reaction| reaction_pair(reaction.kind) == reaction_pair(*kind));
             let velocities = match *kind {
-                ReactionKind::Force { on, .. } => self.relative.slips(on.body, None, on.point, on.point),
-                ReactionKind::Torque { on, .. } => self.relative.turns(on, None),
+                ReactionKind::Force { on, .. } => self.relative.slip_velocities(on.body, None, on.point, on.point),
+                ReactionKind::Torque { on, .. } => self.relative.relative_angular_velocities(on, None),
             };
             let direction = self.relative.drawn.frames[*frame].axes[*axis];
             let works = velocities.iter().any(|v| self.relative.drawn.space.dot(*v, direction) != 0);
@@ -131,22 +135,24 @@ impl Search<'_> {
 
     /// Chooses the reactions between bodies and the bodies on which they rest, at each connection
     /// without regard to the others.
-    fn connections(&mut self, supports: &[Support], ways: &Ways) {
+    fn connections(&mut self, supports: &[Support], ways: &OpenMotions) {
         self.relative.ways_if_open.clone_from(&ways.open);
         for support in supports {
-            for (kind, velocities) in self.relative.between(support.body, support.holder) {
-                self.along_axes(kind, &velocities, support);
+            for (kind, steady_velocities_along_symmetries) in
+                self.relative.reactions_between(support.body, support.holder)
+            {
+                self.along_axes(kind, &steady_velocities_along_symmetries, support);
             }
         }
         for support in supports {
-            self.together(support.body, support.holder, ways);
+            self.choose_joint_work_reactions(support.body, support.holder, ways);
         }
         self.relative.ways_if_open = None;
     }
 
     /// Chooses independent reactions along axes of frames that each do no work, for a body and its
     /// support.
-    fn along_axes(&mut self, kind: ReactionKind, velocities: &[Triple], support: &Support) {
+    fn along_axes(&mut self, kind: ReactionKind, velocities: &[VectorResidues], support: &Support) {
         let field = self.relative.drawn.space.0;
         let mut open = 3 - rank(field, velocities.iter().map(|velocity| velocity.to_vec()));
         let mut own = Basis::new(field);
@@ -156,21 +162,22 @@ impl Search<'_> {
             }
             let direction = self.relative.drawn.frames[frame].axes[axis];
             let works = velocities.iter().any(|v| self.relative.drawn.space.dot(*v, direction) != 0);
-            if works || own.take(direction.to_vec()).is_none() {
+            if works || own.add_row(direction.to_vec()).is_none() {
                 continue;
             }
             open -= 1;
             let found = FoundReaction::along_axis(kind, frame, axis);
-            self.choose(self.place_of(support.body), found, direction, Vec::new());
+            self.choose(self.list_position_of_body(support.body), found, direction, Vec::new());
         }
     }
 
     /// Chooses the forces and torques of a connection that do no work only together, as those of a
     /// screw.
-    fn together(&mut self, body: usize, holder: Holder, ways: &Ways) {
+    fn choose_joint_work_reactions(&mut self, body: usize, holder: Holder, ways: &OpenMotions) {
         let field = self.relative.drawn.space.0;
         self.relative.ways_if_open.clone_from(&ways.free);
-        let (working, kinds) = (self.relative.working(body, holder), self.relative.between(body, holder));
+        let (working, kinds) =
+            (self.relative.working_reactions(body, holder), self.relative.reactions_between(body, holder));
         self.relative.ways_if_open = None;
         let alone: usize = kinds.iter().map(|(_, v)| 3 - rank(field, v.iter().map(|v| v.to_vec()))).sum();
         let twist = |way: usize| kinds.iter().flat_map(|(_, velocities)| velocities[way]).collect::<Vec<u64>>();
@@ -178,13 +185,13 @@ impl Search<'_> {
         if all <= alone {
             return;
         }
-        let in_motion = self.relative.working(body, holder);
+        let in_motion = self.relative.working_reactions(body, holder);
         let powers: Vec<Vec<u64>> = working.iter().map(|(_, power)| power.clone()).collect();
-        let law = if ways.free.is_some() { self.law(body, holder, &ways.placed) } else { None };
+        let law = if ways.free.is_some() { self.connection_law(body, holder, &ways.placed) } else { None };
         let of_speeds = self.relative.model.speeds.len();
         for (at, (found, _)) in working.iter().enumerate() {
             let along_speeds = in_motion.iter().find(|(other, _)| other.is_same(found)).map(|(_, power)| power.clone());
-            if works_alone(field, &powers, at) || along_speeds.is_none() && law.is_none() {
+            if is_power_unbalanced(field, &powers, at) || along_speeds.is_none() && law.is_none() {
                 continue;
             }
             let mut power = along_speeds.unwrap_or_else(|| vec![0; of_speeds]);
@@ -195,7 +202,9 @@ impl Search<'_> {
                 let own = law.iter().find(|(other, _)| other.is_same(&found));
                 power.extend(own.into_iter().flat_map(|(_, power)| power));
             }
-            let (Some(direction), place) = (self.relative.direction(&found), self.place_of(body)) else { continue };
+            let (Some(direction), place) = (self.relative.direction(&found), self.list_position_of_body(body)) else {
+                continue;
+            };
             self.choose(place, found, direction, power);
         }
     }
@@ -203,12 +212,17 @@ impl Search<'_> {
     /// Law of a connection: its reactions that do work if loops are open and nothing rolls, each with
     /// its power along each coordinate's rate. `None` if a stated equation between velocities restricts
     /// these rates, since the connection may then hold what the equation prevents.
-    fn law(&mut self, body: usize, holder: Holder, placed: &[String]) -> Option<Vec<(FoundReaction, Vec<u64>)>> {
+    fn connection_law(
+        &mut self,
+        body: usize,
+        holder: Holder,
+        placed: &[String],
+    ) -> Option<Vec<(FoundReaction, Vec<u64>)>> {
         let model = self.relative.model;
-        let (n, open) = (model.coordinates.len(), model.undriven());
+        let (n, open) = (model.coordinates.len(), model.undriven_coordinates());
         let unit = |along: usize| (0..n).map(|at| u64::from(at == along && open.contains(&at))).collect();
         let before = self.relative.ways_if_open.replace((0..n).map(unit).collect());
-        let list = self.relative.working(body, holder);
+        let list = self.relative.working_reactions(body, holder);
         self.relative.ways_if_open = before;
         let moves = |at: usize| list.iter().any(|(_, power)| power[at] != 0);
         let ties = |at: usize, constraint: &MotionConstraint| {
@@ -221,14 +235,14 @@ impl Search<'_> {
     }
 }
 
-impl Relative<'_> {
+impl RelativeMotion<'_> {
     /// Edges: constraints that each state a single velocity component of a single body.
-    fn edges(&self) -> Vec<Edge> {
+    fn edges(&self) -> Vec<VelocityEdge> {
         let model = self.model;
         let holds = |of: &VelocityOf<usize>| {
             let (body, point) = match *of {
                 VelocityOf::Material(body, point) => (body, point),
-                VelocityOf::Point(point) => (self.owner(point)?, point),
+                VelocityOf::Point(point) => (self.body_of_point(point)?, point),
                 VelocityOf::Turning(frame) => {
                     let is_own =
                         |body: &usize| model.bodies[*body].rigid.as_ref().is_some_and(|(own, _)| *own == frame);
@@ -238,13 +252,13 @@ impl Relative<'_> {
                 }
                 VelocityOf::Place(_) => return None,
             };
-            Some(ReactionKind::Force { on: Place { body, point }, against: None })
+            Some(ReactionKind::Force { on: ForcePlace { body, point }, against: None })
         };
         let stated = model.motion_constraints.iter().filter(|c| c.kind == MotionConstraintKind::Stated);
         let edge = |constraint: &MotionConstraint| {
             let compared = model.contacts.compared.iter().find(|compared| compared.name == constraint.name)?;
-            let StatedVelocity { of, frame, axis } = compared.alone.as_ref()?;
-            Some(Edge { name: constraint.name.clone(), kind: holds(of)?, frame: *frame, axis: *axis })
+            let ConstrainedVelocity { of, frame, axis } = compared.alone.as_ref()?;
+            Some(VelocityEdge { name: constraint.name.clone(), kind: holds(of)?, frame: *frame, axis: *axis })
         };
         stated.filter_map(edge).collect()
     }
@@ -252,7 +266,7 @@ impl Relative<'_> {
     /// Basis of the motions that the mechanism would have if loops were open and nothing rolled,
     /// without the constraints named in `placed`. `others` tells whether the other equations between
     /// velocities of the model file hold. `None` if these are the mechanism's own motions.
-    fn open(&self, others: OtherEquations, placed: &[&str]) -> Option<Vec<Vec<u64>>> {
+    fn motions_of_opened_loops(&self, others: OtherEquations, placed: &[&str]) -> Option<Vec<Vec<u64>>> {
         let model = self.model;
         let holds = |constraint: &MotionConstraint| match constraint.kind {
             MotionConstraintKind::Loop(at) => model.loops[at].prescribes,
@@ -263,38 +277,41 @@ impl Relative<'_> {
             }
         };
         let is_open = !model.openings.is_empty() || !model.motion_constraints.iter().all(holds);
-        is_open.then(|| self.open_ways(&mut model.arena.clone(), &holds)).flatten()
+        is_open.then(|| self.open_motions(&mut model.arena.clone(), &holds)).flatten()
     }
 
     /// Same component of rolling, taken along the first axis of the bodies' own frames that has its
     /// direction. Unchanged if there is no such axis.
-    fn along_own_axis(&self, rolled: Rolled) -> Rolled {
+    fn along_own_axis(&self, rolled: SlipComponent) -> SlipComponent {
         let direction = |frame: usize, axis: usize| self.drawn.frames[frame].axes[axis];
         let wanted = direction(rolled.frame, rolled.axis);
         let mut axes = self.axes_between(rolled.body, rolled.against).into_iter();
         let same = axes.find(|(frame, axis)| direction(*frame, *axis) == wanted);
-        same.map_or(rolled, |(frame, axis)| Rolled { frame, axis, ..rolled })
+        same.map_or(rolled, |(frame, axis)| SlipComponent { frame, axis, ..rolled })
     }
 
     /// Force and torque between a body and its support, at the point where they move least relative to
     /// one another. Each has the relative velocities at which it does work.
-    pub fn between(&self, body: usize, holder: Holder) -> Vec<(ReactionKind, Vec<Triple>)> {
+    pub fn reactions_between(&self, body: usize, holder: Holder) -> Vec<(ReactionKind, Vec<VectorResidues>)> {
         let point = self.least_moving_point(body, holder);
-        let against = holder.map(|body| Place { body, point });
-        let force = ReactionKind::Force { on: Place { body, point }, against };
-        let mut kinds = vec![(force, self.slips(body, holder, point, point))];
+        let against = holder.map(|body| ForcePlace { body, point });
+        let force = ReactionKind::Force { on: ForcePlace { body, point }, against };
+        let mut kinds = vec![(force, self.slip_velocities(body, holder, point, point))];
         if self.is_rigid(Some(body)) && self.is_rigid(holder) {
-            kinds.push((ReactionKind::Torque { on: body, against: holder }, self.turns(body, holder)));
+            kinds.push((
+                ReactionKind::Torque { on: body, against: holder },
+                self.relative_angular_velocities(body, holder),
+            ));
         }
         kinds
     }
 
     /// Forces and torques between a body and its support that do work, along axes of one frame. Each
     /// has its power for every permitted motion.
-    pub fn working(&self, body: usize, holder: Holder) -> Vec<(FoundReaction, Vec<u64>)> {
+    pub fn working_reactions(&self, body: usize, holder: Holder) -> Vec<(FoundReaction, Vec<u64>)> {
         let frame = self.frames(body, holder)[0];
         let mut list = Vec::new();
-        for (kind, velocities) in self.between(body, holder) {
+        for (kind, velocities) in self.reactions_between(body, holder) {
             for axis in 0..3 {
                 let direction = self.drawn.frames[frame].axes[axis];
                 let power: Vec<u64> = velocities.iter().map(|v| self.drawn.space.dot(*v, direction)).collect();
@@ -311,7 +328,7 @@ impl Relative<'_> {
 
     /// Direction of a reaction along an axis of a frame, as residues; `None` for a reaction along a
     /// line.
-    pub fn direction(&self, found: &FoundReaction) -> Option<Triple> {
+    pub fn direction(&self, found: &FoundReaction) -> Option<VectorResidues> {
         match found.along {
             ReactionDirection::Axis(frame, axis) => Some(self.drawn.frames[frame].axes[axis]),
             ReactionDirection::Line(..) => None,
@@ -330,17 +347,17 @@ impl Relative<'_> {
 fn rank(field: Field, rows: impl Iterator<Item = Vec<u64>>) -> usize {
     let mut basis = Basis::new(field);
     rows.for_each(|row| {
-        basis.take(row);
+        basis.add_row(row);
     });
     basis.len()
 }
 
 /// True if the power of one reaction is independent of the powers of all other reactions. This
 /// reaction is zero, since no other balances its power.
-pub fn works_alone(field: Field, powers: &[Vec<u64>], at: usize) -> bool {
+pub fn is_power_unbalanced(field: Field, powers: &[Vec<u64>], at: usize) -> bool {
     let mut others = Basis::new(field);
     for (_, power) in powers.iter().enumerate().filter(|(other, _)| *other != at) {
-        others.take(power.clone());
+        others.add_row(power.clone());
     }
-    others.take(powers[at].clone()).is_some()
+    others.add_row(powers[at].clone()).is_some()
 }

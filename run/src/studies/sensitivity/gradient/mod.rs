@@ -14,40 +14,40 @@
 //!
 //! Implicit methods and Taylor's method have no backward sweep here. DOP853 replaces them.
 
-mod crossings;
-mod held_contacts;
-mod numbers;
-mod products;
+mod backward_sweep;
+mod contact_crossings;
 mod recorded_steps;
-mod sweep;
+mod transposed_contact_forces;
+mod transposed_products;
+mod varied_numbers;
 
-use super::apart::{Apart, WORDS};
-use super::equations::{Equations, SeededStart};
+use super::equations_with_slopes::{SeededStart, SlopeEquations};
+use super::run_differences::{RunDifferences, WORDS};
 use super::shown_quantities::Quantities;
-use super::start::Seed;
-use super::{check_equations, jumps};
-use crate::code::{Ready, by_or_first, code};
+use super::varied_start::VariedStart;
+use super::{check_equations, sign_jump_warning};
+use crate::code::{CodePreparation, find_equations_or_first, runnable_code};
 use crate::equations_name::EquationsName;
 use crate::error::Error;
+use crate::integration_options::{integration_options, integration_options_for_ends};
 use crate::mechanism::Mechanism;
-use crate::options::{options, options_of_ends};
 use crate::preparation::problem::Problem;
-use crate::simulation::outputs::ShownQuantities;
 use crate::simulation::run::Run;
-use crate::simulation::run_problem::{proved, run_by};
-use crate::simulation::simulate::changes_speeds;
-use crate::trust::digits::other_side;
-use crate::trust::events::{Balance, events};
-use numbers::{Number, names, numbers};
-use products::Tapes;
-use recorded_steps::Stepped;
-use sweep::{Swept, Target, Through, sweep};
+use crate::simulation::run_problem::{prove_integrals_to_watch, run_problem_by_solver};
+use crate::simulation::shown_quantities::ShownQuantities;
+use crate::simulation::simulate::simulate_if_speeds_change;
+use crate::trust::correct_digits::parameters_one_rounding_away;
+use crate::trust::watched_functions::{WatchedFunctions, watched_events};
+use backward_sweep::{BackwardSweep, SweepInputs, Target, sweep_backwards};
+use recorded_steps::RecordedRun;
+use transposed_products::BackwardTapes;
 use tripos_derive::model::{TIME, Unit};
-use tripos_derive::plain::within;
-use tripos_derive::scene::{Scene, Solve};
+use tripos_derive::plain_text::with_reliable_digits;
+use tripos_derive::scene::{AccelerationSolution, Scene};
 use tripos_sim::adjoint::has_adjoint;
-use tripos_sim::{Method, Options, Second, Stop, TaylorSeries, seconds};
+use tripos_sim::{Method, Options, SecondRun, Stop, TaylorSeries, second_runs};
 use tripos_traits::larger;
+use varied_numbers::{VariedNumber, varied_number_names, varied_numbers};
 
 /// A run of a scene with the gradient of one quantity at its end.
 pub struct Gradient {
@@ -92,7 +92,7 @@ impl Gradient {
     ///
     /// # Errors
     /// [`Error::Request`] if there is no varied number of this name.
-    pub fn by(&self, name: &str) -> Result<&Slope, Error> {
+    pub fn slope_by(&self, name: &str) -> Result<&Slope, Error> {
         let found = self.slopes.iter().find(|slope| slope.by == name);
         found.ok_or_else(|| {
             let known = self.slopes.iter().map(|slope| slope.by.as_str());
@@ -128,52 +128,60 @@ pub fn gradient(
 ) -> Result<Gradient, Error> {
     check_equations(scene, by)?;
     let own = scene.integration.method.method().unwrap_or_default();
-    let scene = steppable(scene, own);
-    let by = by_or_first(mechanism, by)?;
+    let scene = with_adjoint_method(scene, own);
+    let by = find_equations_or_first(mechanism, by)?;
     if by.printed_id().is_some() {
         return Err(Error::request("printed equations are not differentiated", "take kane, lagrange or newton-euler"));
     }
-    if let Some(run) = changes_speeds(mechanism, &scene, &by)? {
-        return by_differences(mechanism, scene, set, of, run);
+    if let Some(run) = simulate_if_speeds_change(mechanism, &scene, &by)? {
+        return gradient_by_differences(mechanism, scene, set, of, run);
     }
-    let code = code(mechanism, &by, scene.integration.distance, Ready::Solved)?;
-    let problem = Problem::new(mechanism, &scene, &by, &code, Some(Solve::Eliminated))?;
+    let code = runnable_code(mechanism, &by, scene.integration.distance, CodePreparation::Solved)?;
+    let problem = Problem::new(mechanism, &scene, &by, &code, Some(AccelerationSolution::Eliminated))?;
     let (shown, quantities) = (ShownQuantities::new(mechanism, &scene)?, Quantities::new(mechanism, &scene)?);
-    let target = target(&quantities, &scene, of)?;
-    let numbers = numbers(&problem, set, &options(&scene));
-    let tapes = Tapes::new(mechanism, &by, scene.integration.distance, &code)?;
-    let with_slopes = || Equations::new(mechanism, &scene, &by, scene.integration.method.method().unwrap_or_default());
+    let target = find_target(&quantities, &scene, of)?;
+    let numbers = varied_numbers(&problem, set, &integration_options(&scene));
+    let tapes = BackwardTapes::new(mechanism, &by, scene.integration.distance, &code)?;
+    let with_slopes =
+        || SlopeEquations::new(mechanism, &scene, &by, scene.integration.method.method().unwrap_or_default());
     let equations = (!scene.impacts.is_empty()).then(with_slopes).transpose()?;
     let mut stepped = None;
-    let mut run = run_by(&problem, proved(mechanism)?.as_ref(), Some(&shown), |y0, options, events| {
-        let run = stepped.insert(Stepped::new(&problem, y0, options, events)?);
-        Ok(run.solution.clone())
-    })?;
+    let mut run = run_problem_by_solver(
+        &problem,
+        prove_integrals_to_watch(mechanism)?.as_ref(),
+        Some(&shown),
+        |y0, options, events| {
+            let run = stepped.insert(RecordedRun::new(&problem, y0, options, events)?);
+            Ok(run.solution.clone())
+        },
+    )?;
     let stepped = stepped.ok_or_else(|| Error::Stopped("the run was not made".to_owned()))?;
-    let through = Through { tapes: &tapes, quantities: &quantities, numbers: &numbers, equations: equations.as_ref() };
-    let parts = Parts { through, target };
-    let is_total = stepped.event().is_some();
+    let through =
+        SweepInputs { tapes: &tapes, quantities: &quantities, numbers: &numbers, equations: equations.as_ref() };
+    let parts = GradientInputs { through, target };
+    let is_total = stepped.ending_event().is_some();
     if target == Target::End && !is_total && !stepped.solution.stop.is_failure() {
         let help = "a gradient of an event's time needs a terminal event: give the scene one";
         return Err(Error::request(
-            format!("no event ended the run at t = {} s", within(stepped.solution.t_end, None)),
+            format!("no event ended the run at t = {} s", with_reliable_digits(stepped.solution.t_end, None)),
             help,
         ));
     }
-    let assessed = if stepped.solution.stop.is_failure() { None } else { Some(parts.assess(&problem, &stepped)?) };
+    let assessed =
+        if stepped.solution.stop.is_failure() { None } else { Some(parts.assess_gradient(&problem, &stepped)?) };
     run.notes.splice(..0, notes(mechanism, own, &scene, &numbers));
-    run.warnings.extend(jumps(mechanism));
+    run.warnings.extend(sign_jump_warning(mechanism));
     let missing: Vec<Option<String>> = match &assessed {
         Some(known) => known.missing.clone(),
         None => numbers.iter().map(|number| number.seed.as_ref().err().cloned()).collect(),
     };
-    run.warnings.extend(without(&numbers, &missing));
+    run.warnings.extend(missing_derivative_warnings(&numbers, &missing));
     let slopes = numbers.iter().zip(missing).enumerate().map(|(at, (number, missing))| {
         let known = assessed.as_ref().filter(|_| missing.is_none());
         Slope {
             by: number.name.clone(),
-            unit: number.seed.as_ref().ok().and_then(|seed| Some(unit(&parts)?.over(&seed.unit).to_string())),
-            value: known.map_or(f64::NAN, |known| known.own.by(at, number).0),
+            unit: number.seed.as_ref().ok().and_then(|seed| Some(unit(&parts)?.divided_by(&seed.unit).to_string())),
+            value: known.map_or(f64::NAN, |known| known.own.derivative_by(at, number).0),
             error: known.and_then(|known| Some(known.errors.as_ref()?[at])),
             missing: missing.or_else(|| assessed.is_none().then(|| "the run came to no end".to_owned())),
         }
@@ -188,7 +196,7 @@ pub fn gradient(
 ///
 /// # Errors
 /// `Error::Request` if the scene shows no quantity named `of`.
-fn by_differences(
+fn gradient_by_differences(
     mechanism: &Mechanism,
     scene: Scene,
     set: &[(String, f64)],
@@ -196,10 +204,10 @@ fn by_differences(
     mut run: Run,
 ) -> Result<Gradient, Error> {
     let quantities = Quantities::new(mechanism, &scene)?;
-    let target = target(&quantities, &scene, of)?;
+    let target = find_target(&quantities, &scene, of)?;
     let by = run.by.clone();
-    let apart = Apart { mechanism, scene: &scene, set, by: &by, names: &quantities.names };
-    let slope = |name: String| match apart.by(&name, &run) {
+    let apart = RunDifferences { mechanism, scene: &scene, set, by: &by, names: &quantities.names };
+    let slope = |name: String| match apart.differentiate_by(&name, &run) {
         Ok(found) => {
             let (value, error, own) = match target {
                 Target::End => (found.t_end, None, Some(Unit::new(0, 0, 1))),
@@ -207,13 +215,19 @@ fn by_differences(
                     (found.values[at], found.errors.map(|errors| errors[at]), quantities.units[at].clone())
                 }
             };
-            Slope { by: name, unit: own.map(|own| own.over(&found.unit).to_string()), value, error, missing: None }
+            Slope {
+                by: name,
+                unit: own.map(|own| own.divided_by(&found.unit).to_string()),
+                value,
+                error,
+                missing: None,
+            }
         }
         Err(error) => {
             Slope { by: name, unit: None, value: f64::NAN, error: None, missing: Some(Error::first_line(&error)) }
         }
     };
-    let slopes: Vec<Slope> = names(mechanism, &scene).into_iter().map(slope).collect();
+    let slopes: Vec<Slope> = varied_number_names(mechanism, &scene).into_iter().map(slope).collect();
     run.warnings.extend(
         slopes
             .iter()
@@ -225,7 +239,7 @@ fn by_differences(
 
 /// Returns the scene with DOP853 if its integrator `own` cannot be swept backwards; the tolerances
 /// stay the same.
-fn steppable(scene: &Scene, own: Method) -> Scene {
+fn with_adjoint_method(scene: &Scene, own: Method) -> Scene {
     let mut scene = scene.clone();
     if !has_adjoint(own) {
         scene.integration.method = Method::Dop853.into();
@@ -235,14 +249,14 @@ fn steppable(scene: &Scene, own: Method) -> Scene {
 
 /// Advice that names the known name which is most similar to an unknown name.
 fn nearest<'n>(name: &str, known: impl Iterator<Item = &'n str>) -> String {
-    tripos_derive::diagnostic::nearest(name, known)
+    tripos_derive::diagnostic::nearest_name_advice(name, known)
 }
 
 /// Finds the quantity at the end of a run that has the name `of`.
 ///
 /// # Errors
 /// `Error::Request` if the scene shows no quantity of this name.
-fn target(quantities: &Quantities, scene: &Scene, of: &str) -> Result<Target, Error> {
+fn find_target(quantities: &Quantities, scene: &Scene, of: &str) -> Result<Target, Error> {
     if of == TIME {
         return Ok(Target::End);
     }
@@ -254,7 +268,7 @@ fn target(quantities: &Quantities, scene: &Scene, of: &str) -> Result<Target, Er
 }
 
 /// Unit of the quantity whose gradient is computed; `None` if it is not known.
-fn unit(parts: &Parts<'_>) -> Option<Unit> {
+fn unit(parts: &GradientInputs<'_>) -> Option<Unit> {
     match parts.target {
         Target::End => Some(Unit::new(0, 0, 1)),
         Target::Shown(at) => parts.through.quantities.units[at].clone(),
@@ -263,7 +277,7 @@ fn unit(parts: &Parts<'_>) -> Option<Unit> {
 
 /// Notes to the user about the gradient of a run, such as an integrator that was replaced. `own` is
 /// the scene's own.
-fn notes(mechanism: &Mechanism, own: Method, scene: &Scene, numbers: &[Number]) -> Vec<String> {
+fn notes(mechanism: &Mechanism, own: Method, scene: &Scene, numbers: &[VariedNumber]) -> Vec<String> {
     let mut list = Vec::new();
     if mechanism.loops.is_empty() {
         list.push("the full equations are integrated, since derivatives need them".to_owned());
@@ -281,7 +295,7 @@ fn notes(mechanism: &Mechanism, own: Method, scene: &Scene, numbers: &[Number]) 
 }
 
 /// Warnings that the derivatives by some numbers do not exist, a warning for each reason.
-fn without(numbers: &[Number], missing: &[Option<String>]) -> Vec<String> {
+fn missing_derivative_warnings(numbers: &[VariedNumber], missing: &[Option<String>]) -> Vec<String> {
     let mut list: Vec<(&String, Vec<String>)> = Vec::new();
     for (number, why) in numbers.iter().zip(missing).filter_map(|(number, why)| Some((number, why.as_ref()?))) {
         let name = format!("`{}`", number.name);
@@ -295,17 +309,17 @@ fn without(numbers: &[Number], missing: &[Option<String>]) -> Vec<String> {
 }
 
 /// Quantity whose gradient is computed, and the tapes and numbers for it.
-struct Parts<'a> {
+struct GradientInputs<'a> {
     /// Tapes, quantities and varied numbers of the backward sweep.
-    through: Through<'a>,
+    through: SweepInputs<'a>,
     /// Quantity at the end of the run that is differentiated.
     target: Target,
 }
 
 /// Gradient with its errors, and a description of the second run that gave the errors.
-struct Assessed {
+struct AssessedGradient {
     /// Gradient of the run itself.
-    own: Swept,
+    own: BackwardSweep,
     /// Estimated error for each varied number; `None` if no second run came to the same end.
     errors: Option<Vec<f64>>,
     /// Description of the second run; `None` if no second run came to the same end.
@@ -317,13 +331,13 @@ struct Assessed {
 /// Least error of a derivative, relative to the size of the terms in its sum: eight roundings.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
-impl Parts<'_> {
+impl GradientInputs<'_> {
     /// Sweeps backwards through the recorded steps of a run, for the derivatives of the target.
     ///
     /// # Errors
     /// `Error::Interrupted` if the observer ends the sweep; `Error::Stopped` if a value does not exist.
-    fn sweep(&self, problem: &Problem<'_>, options: &Options, run: &Stepped) -> Result<Swept, Error> {
-        sweep(problem, &self.through, self.target, options, run)
+    fn sweep(&self, problem: &Problem<'_>, options: &Options, run: &RecordedRun) -> Result<BackwardSweep, Error> {
+        sweep_backwards(problem, &self.through, self.target, options, run)
     }
 
     /// Finds the reason why there is no derivative by each number; `None` if it exists. If only some
@@ -331,21 +345,21 @@ impl Parts<'_> {
     ///
     /// # Errors
     /// `Error` if this run cannot be made.
-    fn missing(&self, problem: &Problem<'_>, y0: &[f64], own: &Swept) -> Result<Vec<Option<String>>, Error> {
+    fn missing(&self, problem: &Problem<'_>, y0: &[f64], own: &BackwardSweep) -> Result<Vec<Option<String>>, Error> {
         let numbers = self.through.numbers;
-        let mut list: Vec<Option<String>> = (0..numbers.len()).map(|at| own.missing(at)).collect();
+        let mut list: Vec<Option<String>> = (0..numbers.len()).map(|at| own.missing_reason(at)).collect();
         let (Some(equations), true, None) = (self.through.equations, own.asks, &own.ended) else { return Ok(list) };
         let known = |at: &usize| list[*at].is_none();
         let places: Vec<usize> = (0..numbers.len()).filter(known).collect();
-        let seeds: Vec<Seed> = places.iter().filter_map(|at| numbers[*at].seed.as_ref().ok().cloned()).collect();
+        let seeds: Vec<VariedStart> = places.iter().filter_map(|at| numbers[*at].seed.as_ref().ok().cloned()).collect();
         if seeds.is_empty() {
             return Ok(list);
         }
         let slopes: Vec<Vec<f64>> = seeds.iter().map(|seed| seed.state.clone()).collect();
         let from = SeededStart { span: problem.scene.span, y: y0, seeds: &seeds, slopes: &slopes };
-        let balance = Balance::new(problem.mechanism, problem.model, problem.scene, problem.by)?;
-        let mut watched = events(problem, &balance);
-        let run = equations.run(problem, &from, &options_of_ends(problem.scene), &mut watched)?;
+        let balance = WatchedFunctions::new(problem.mechanism, problem.model, problem.scene, problem.by)?;
+        let mut watched = watched_events(problem, &balance);
+        let run = equations.run(problem, &from, &integration_options_for_ends(problem.scene), &mut watched)?;
         for (at, ending) in places.into_iter().zip(run.history.endings) {
             list[at] = ending.map(|ending| ending.to_string());
         }
@@ -357,40 +371,41 @@ impl Parts<'_> {
     ///
     /// # Errors
     /// `Error` if a run cannot be made or a sweep stops.
-    fn assess(&self, problem: &Problem<'_>, first: &Stepped) -> Result<Assessed, Error> {
-        let how = options_of_ends(problem.scene);
+    fn assess_gradient(&self, problem: &Problem<'_>, first: &RecordedRun) -> Result<AssessedGradient, Error> {
+        let how = integration_options_for_ends(problem.scene);
         let y0 = problem.start()?;
         let own = self.sweep(problem, &how, first)?;
         let missing = self.missing(problem, &y0, &own)?;
         if first.solution.steps == 0 {
-            return Ok(Assessed { own, errors: None, by: None, missing });
+            return Ok(AssessedGradient { own, errors: None, by: None, missing });
         }
-        let scene = Scene { parameters: other_side(problem.scene), ..problem.scene.clone() };
+        let scene = Scene { parameters: parameters_one_rounding_away(problem.scene), ..problem.scene.clone() };
         let beside = problem.with_scene(&scene);
-        let balance = Balance::new(problem.mechanism, problem.model, &scene, problem.by)?;
+        let balance = WatchedFunctions::new(problem.mechanism, problem.model, &scene, problem.by)?;
         let y: Vec<f64> = y0.iter().map(|y| y * (1.0 + f64::EPSILON)).collect();
-        for Second { options, part, words, .. } in
-            seconds(&how, &first.solution, problem.scene.span, TaylorSeries::Costly)
+        for SecondRun { options, part, words, .. } in
+            second_runs(&how, &first.solution, problem.scene.span, TaylorSeries::Costly)
         {
-            let mut watched = events(&beside, &balance);
-            let run = Stepped::new(&beside, &y, &options, &mut watched)?;
+            let mut watched = watched_events(&beside, &balance);
+            let run = RecordedRun::new(&beside, &y, &options, &mut watched)?;
             if run.solution.stop.code() == first.solution.stop.code() {
                 let other = self.sweep(&beside, &options, &run)?;
                 if other.ended.is_some() == own.ended.is_some() {
-                    let errors = Some(self.errors(&own, &other, part));
-                    return Ok(Assessed { errors, by: Some(words), own, missing });
+                    let errors = Some(self.gradient_errors(&own, &other, part));
+                    return Ok(AssessedGradient { errors, by: Some(words), own, missing });
                 }
             }
         }
-        Ok(Assessed { own, errors: None, by: None, missing })
+        Ok(AssessedGradient { own, errors: None, by: None, missing })
     }
 
     /// Estimates the errors of a gradient from its differences to a second gradient. `part` is the
     /// fraction of a difference that counts. Each entry has at least the median relative difference:
     /// two motions that oscillate about each other may agree in an entry by chance.
-    fn errors(&self, own: &Swept, other: &Swept, part: f64) -> Vec<f64> {
+    fn gradient_errors(&self, own: &BackwardSweep, other: &BackwardSweep, part: f64) -> Vec<f64> {
         let numbers = self.through.numbers.iter().enumerate();
-        let pairs: Vec<_> = numbers.map(|(at, number)| (own.by(at, number), other.by(at, number).0)).collect();
+        let pairs: Vec<_> =
+            numbers.map(|(at, number)| (own.derivative_by(at, number), other.derivative_by(at, number).0)).collect();
         let apart = |((value, _), other): &((f64, f64), f64)| (value - other).abs();
         let known = pairs.iter().filter(|((value, _), _)| value.is_finite() && *value != 0.0);
         let mut relative: Vec<f64> = known.map(|pair| apart(pair) / pair.0.0.abs()).collect();

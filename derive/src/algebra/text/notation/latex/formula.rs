@@ -1,12 +1,12 @@
 //! Translation of sums and products in LaTeX formulas: adjacent operands make a product.
 
-use super::marks::Mark;
 use super::symbol::Cursor;
+use super::tokens::Token;
+use crate::algebra::text::notation::errors::{translation_error, unknown_symbol_error};
 use crate::algebra::text::notation::lexicon::{function, is_letter, latex_function};
-use crate::algebra::text::notation::plain::Plain;
-use crate::algebra::text::notation::refusal::{unknown, wrong};
-use crate::algebra::text::notation::spell::Spell;
-use crate::algebra::text::notation::symbol::Symbol;
+use crate::algebra::text::notation::symbol::LatexSymbol;
+use crate::algebra::text::notation::symbol_names::SymbolNames;
+use crate::algebra::text::notation::translation::Translation;
 use crate::algebra::text::parse::ParseError;
 use std::ops::Range;
 
@@ -18,9 +18,9 @@ pub(super) struct Formula<'a, 's> {
     /// Position of the translation in the tokens of the LaTeX formula.
     pub(super) cursor: Cursor<'a>,
     /// Source of the model's names for LaTeX symbols.
-    pub(super) spell: &'s mut dyn Spell,
+    pub(super) spell: &'s mut dyn SymbolNames,
     /// Formula in the language of model files, as translated so far.
-    pub(super) out: Plain,
+    pub(super) out: Translation,
 }
 
 /// Kind of token before the next operand.
@@ -45,28 +45,28 @@ enum Bars {
 
 impl Formula<'_, '_> {
     /// Translates the whole formula. Error if tokens are left over.
-    pub(super) fn whole(mut self) -> Result<Plain, ParseError> {
+    pub(super) fn whole(mut self) -> Result<Translation, ParseError> {
         self.sum()?;
         if self.cursor.peek().is_none() {
             return Ok(self.out);
         }
         let (span, what) = (self.cursor.here(), self.name_of_mark());
         let help = match self.cursor.peek() {
-            Some(Mark::Char('=')) => "a formula has no `=`: write the right side alone",
-            Some(Mark::Char(',')) => "only min, max and atan2 have several arguments",
-            Some(Mark::Char('^')) => "write one exponent, in braces",
-            Some(Mark::Char('_' | '\'')) => "subscripts and primes stand at symbols only",
+            Some(Token::Char('=')) => "a formula has no `=`: write the right side alone",
+            Some(Token::Char(',')) => "only min, max and atan2 have several arguments",
+            Some(Token::Char('^')) => "write one exponent, in braces",
+            Some(Token::Char('_' | '\'')) => "subscripts and primes stand at symbols only",
             _ => "nothing is open that this could close",
         };
-        Err(wrong(span, format!("unexpected `{what}`"), help))
+        Err(translation_error(span, format!("unexpected `{what}`"), help))
     }
 
     /// Text of the next token as the formula writes it; empty at the end.
     fn name_of_mark(&self) -> String {
         match self.cursor.peek() {
-            Some(Mark::Number(text)) => text.clone(),
-            Some(Mark::Letter(c) | Mark::Char(c)) => c.to_string(),
-            Some(Mark::Command(name)) => format!("\\{name}"),
+            Some(Token::Number(text)) => text.clone(),
+            Some(Token::Letter(c) | Token::Char(c)) => c.to_string(),
+            Some(Token::Command(name)) => format!("\\{name}"),
             None => String::new(),
         }
     }
@@ -79,7 +79,7 @@ impl Formula<'_, '_> {
             if let Some(sign) = self.operator() {
                 if before == Before::Nothing && matches!(sign, "*" | "/") {
                     let message = format!("unexpected `{}`", self.name_of_mark());
-                    return Err(wrong(self.cursor.here(), message, "an operand is missing here"));
+                    return Err(translation_error(self.cursor.here(), message, "an operand is missing here"));
                 }
                 self.out.push(sign, self.cursor.here());
                 self.cursor.at += 1;
@@ -98,11 +98,11 @@ impl Formula<'_, '_> {
     /// Operator that the next token stands for; `None` if the token is not an operator.
     fn operator(&self) -> Option<&'static str> {
         match self.cursor.peek()? {
-            Mark::Char('+') => Some("+"),
-            Mark::Char('-') => Some("-"),
-            Mark::Char('*') => Some("*"),
-            Mark::Char('/') => Some("/"),
-            Mark::Command(name) => match name.as_str() {
+            Token::Char('+') => Some("+"),
+            Token::Char('-') => Some("-"),
+            Token::Char('*') => Some("*"),
+            Token::Char('/') => Some("/"),
+            Token::Command(name) => match name.as_str() {
                 "cdot" | "times" | "ast" => Some("*"),
                 "div" => Some("/"),
                 _ => None,
@@ -116,12 +116,12 @@ impl Formula<'_, '_> {
     fn operand(&mut self, before: Before) -> Result<bool, ParseError> {
         let place = self.cursor.here();
         match self.cursor.peek() {
-            Some(Mark::Number(_)) if before != Before::Nothing => {
+            Some(Token::Number(_)) if before != Before::Nothing => {
                 let help = "write a subscript in braces, as in q_{12}, and a product with \\cdot, as in 2 \\cdot 3";
-                return Err(wrong(place, "a number stands behind a factor", help));
+                return Err(translation_error(place, "a number stands behind a factor", help));
             }
-            None | Some(Mark::Char(')' | ']' | '}' | ',' | '=' | '^' | '_' | '\'')) => return Ok(false),
-            Some(Mark::Command(name)) if matches!(name.as_str(), "rvert" | "}") => return Ok(false),
+            None | Some(Token::Char(')' | ']' | '}' | ',' | '=' | '^' | '_' | '\'')) => return Ok(false),
+            Some(Token::Command(name)) if matches!(name.as_str(), "rvert" | "}") => return Ok(false),
             _ => {}
         }
         match before {
@@ -129,7 +129,7 @@ impl Formula<'_, '_> {
             Before::Operand => self.out.push("*", place),
             Before::Divisor => {
                 let help = "write \\frac{…}{…}, or put \\cdot in front of what the slash does not divide by";
-                return Err(wrong(place, "does the slash divide by this, too?", help));
+                return Err(translation_error(place, "does the slash divide by this, too?", help));
             }
         }
         self.factor()?;
@@ -139,11 +139,11 @@ impl Formula<'_, '_> {
 
     /// Character that closes the parenthesis that the next token opens: `(`, `[` or `\\{`. `None`
     /// if the token opens no parenthesis.
-    pub(super) fn closer(&self) -> Option<char> {
+    pub(super) fn closing_character(&self) -> Option<char> {
         match self.cursor.peek()? {
-            Mark::Char('(') => Some(')'),
-            Mark::Char('[') => Some(']'),
-            Mark::Command(name) if name == "{" => Some('}'),
+            Token::Char('(') => Some(')'),
+            Token::Char('[') => Some(']'),
+            Token::Command(name) if name == "{" => Some('}'),
             _ => None,
         }
     }
@@ -160,17 +160,19 @@ impl Formula<'_, '_> {
     fn one_factor(&mut self) -> Result<(), ParseError> {
         let first = self.cursor.at;
         let place = self.cursor.here();
-        if let Some(end) = self.closer() {
-            return self.parenthesized(end);
+        if let Some(end) = self.closing_character() {
+            return self.translate_parentheses(end);
         }
         match self.cursor.peek() {
-            Some(Mark::Number(digits)) => {
+            Some(Token::Number(digits)) => {
                 self.out.push(digits, place);
                 self.cursor.at += 1;
                 return Ok(());
             }
-            Some(Mark::Command(name)) => match name.as_str() {
-                "lvert" | "vert" => return self.absolute(if name == "lvert" { Bars::Sized } else { Bars::Plain }),
+            Some(Token::Command(name)) => match name.as_str() {
+                "lvert" | "vert" => {
+                    return self.translate_absolute_value(if name == "lvert" { Bars::Sized } else { Bars::Plain });
+                }
                 "sqrt" => return self.root(),
                 "frac" | "tfrac" | "dfrac" => return self.fraction(),
                 name => {
@@ -179,33 +181,33 @@ impl Formula<'_, '_> {
                     }
                 }
             },
-            Some(Mark::Char('|')) => return self.absolute(Bars::Plain),
+            Some(Token::Char('|')) => return self.translate_absolute_value(Bars::Plain),
             _ => {}
         }
         let before = self.cursor.clone();
         let spell = &mut *self.spell;
         if let Some((symbol, place)) = self.cursor.symbol(&|symbol| spell.knows(symbol))? {
             if let Some(function) =
-                function(&symbol.base).filter(|_| symbol.still() == symbol.base && symbol.base.len() > 1)
+                function(&symbol.base).filter(|_| symbol.without_dots() == symbol.base && symbol.base.len() > 1)
             {
                 self.cursor = before;
                 return self.roman_function(function);
             }
-            self.end_of_time();
+            self.skip_time_argument();
             return self.name(&symbol, place, first);
         }
         self.cursor = before;
         if self.cursor.takes('{') {
-            return self.group(&place);
+            return self.translate_group(&place);
         }
-        Err(self.odd())
+        Err(self.unexpected_token())
     }
 
     /// Creates the error for a token where an operand is expected, with advice.
-    fn odd(&self) -> ParseError {
+    fn unexpected_token(&self) -> ParseError {
         let (place, what) = (self.cursor.here(), self.name_of_mark());
         match self.cursor.peek() {
-            Some(Mark::Command(name)) => {
+            Some(Token::Command(name)) => {
                 let help = match name.as_str() {
                     "partial" => {
                         "derivatives are by time, of symbols: \\dot{q}_1; name a partial derivative by its quantity"
@@ -221,30 +223,31 @@ impl Formula<'_, '_> {
                           a symbol of the paper's own is declared in [symbols]"
                     }
                 };
-                wrong(place, format!("`\\{name}` is not known"), help)
+                translation_error(place, format!("`\\{name}` is not known"), help)
             }
-            None => wrong(place, "the expression ends too early", "an operand is missing here"),
-            _ => wrong(place, format!("unexpected `{what}`"), "an operand is missing here"),
+            None => translation_error(place, "the expression ends too early", "an operand is missing here"),
+            _ => translation_error(place, format!("unexpected `{what}`"), "an operand is missing here"),
         }
     }
 
     /// Writes the name of a symbol to the translation. `first` is the index of the symbol's first
     /// token. Error if the symbol has no name in the model.
-    pub(super) fn name(&mut self, symbol: &Symbol, place: Range<usize>, first: usize) -> Result<(), ParseError> {
-        if symbol.base == "\\pi" && symbol.still() == "\\pi" && symbol.dots == 0 && !self.spell.knows(symbol) {
+    pub(super) fn name(&mut self, symbol: &LatexSymbol, place: Range<usize>, first: usize) -> Result<(), ParseError> {
+        if symbol.base == "\\pi" && symbol.without_dots() == "\\pi" && symbol.dots == 0 && !self.spell.knows(symbol) {
             self.out.push("pi", place);
             return Ok(());
         }
-        let run = self.run(first);
-        let name = self.spell.latex(symbol, &run).map_err(|why| unknown(place.clone(), why))?;
+        let run = self.adjacent_word(first);
+        let name =
+            self.spell.name_of_latex_symbol(symbol, &run).map_err(|why| unknown_symbol_error(place.clone(), why))?;
         self.out.push(&name, place);
         Ok(())
     }
 
     /// Skips the argument (t) of a function of time, as in \theta(t), if it comes next.
-    pub(super) fn end_of_time(&mut self) {
+    pub(super) fn skip_time_argument(&mut self) {
         let before = self.cursor.at;
-        let is_time = self.cursor.takes('(') && self.cursor.peek() == Some(&Mark::Letter('t'));
+        let is_time = self.cursor.takes('(') && self.cursor.peek() == Some(&Token::Letter('t'));
         self.cursor.at += 1;
         if !is_time || !self.cursor.takes(')') {
             self.cursor.at = before;
@@ -253,10 +256,10 @@ impl Formula<'_, '_> {
 
     /// Word of adjacent letters and digits around the token with the index `first`, such as `den`
     /// for d e n. Empty if there is only one letter.
-    fn run(&self, first: usize) -> String {
+    fn adjacent_word(&self, first: usize) -> String {
         let part = |at: usize| match &self.cursor.list[at].mark {
-            Mark::Letter(c) => Some(c.to_string()),
-            Mark::Number(digits) => Some(digits.clone()),
+            Token::Letter(c) => Some(c.to_string()),
+            Token::Number(digits) => Some(digits.clone()),
             _ => None,
         };
         let touches = |at: usize| self.cursor.list[at - 1].span.end == self.cursor.list[at].span.start;
@@ -281,9 +284,9 @@ impl Formula<'_, '_> {
         self.out.push_all(&["^", "("], &place);
         self.argument("an exponent")?;
         self.out.push(")", place);
-        if self.cursor.peek() == Some(&Mark::Char('^')) {
+        if self.cursor.peek() == Some(&Token::Char('^')) {
             let help = "write one exponent, in braces; (x^{2})^{3} for a power of a power";
-            return Err(wrong(self.cursor.here(), "a second exponent", help));
+            return Err(translation_error(self.cursor.here(), "a second exponent", help));
         }
         Ok(())
     }
@@ -293,55 +296,55 @@ impl Formula<'_, '_> {
     pub(super) fn argument(&mut self, what: &str) -> Result<(), ParseError> {
         let place = self.cursor.here();
         if self.cursor.takes('{') {
-            return self.braced(&place);
+            return self.translate_braces(&place);
         }
         match self.cursor.peek() {
-            Some(Mark::Number(digits)) if digits.len() > 1 => {
+            Some(Token::Number(digits)) if digits.len() > 1 => {
                 let help = format!("write it in braces: {{{digits}}}");
-                Err(wrong(place, format!("is `{digits}` all of {what}?"), &help))
+                Err(translation_error(place, format!("is `{digits}` all of {what}?"), &help))
             }
-            Some(Mark::Number(_) | Mark::Letter(_) | Mark::Command(_)) => self.factor(),
-            _ => Err(wrong(place, format!("{what} is missing here"), "write it in braces")),
+            Some(Token::Number(_) | Token::Letter(_) | Token::Command(_)) => self.factor(),
+            _ => Err(translation_error(place, format!("{what} is missing here"), "write it in braces")),
         }
     }
 
     /// Translates the rest of a group in braces, up to its closing brace. The opening brace was at
     /// `open`.
-    fn braced(&mut self, open: &Range<usize>) -> Result<(), ParseError> {
+    fn translate_braces(&mut self, open: &Range<usize>) -> Result<(), ParseError> {
         self.sum()?;
         if self.cursor.takes('}') {
             return Ok(());
         }
         if self.cursor.peek().is_some() {
             let message = format!("unexpected `{}`", self.name_of_mark());
-            return Err(wrong(self.cursor.here(), message, "this group ends with `}`"));
+            return Err(translation_error(self.cursor.here(), message, "this group ends with `}`"));
         }
-        Err(wrong(open.clone(), "this `{` is never closed", "add `}`"))
+        Err(translation_error(open.clone(), "this `{` is never closed", "add `}`"))
     }
 
     /// Translates the rest of a group in braces that is a factor, and writes it in parentheses.
-    fn group(&mut self, open: &Range<usize>) -> Result<(), ParseError> {
+    fn translate_group(&mut self, open: &Range<usize>) -> Result<(), ParseError> {
         self.out.push("(", open.clone());
-        self.braced(open)?;
+        self.translate_braces(open)?;
         self.out.push(")", open.clone());
         Ok(())
     }
 
     /// Translates a parenthesis with its content. Its opening token comes next, and `end` closes
     /// it. Commas may separate several sums.
-    pub(super) fn parenthesized(&mut self, end: char) -> Result<(), ParseError> {
+    pub(super) fn translate_parentheses(&mut self, end: char) -> Result<(), ParseError> {
         let open = self.cursor.here();
         self.cursor.at += 1;
         self.out.push("(", open.clone());
         self.sum()?;
-        while self.cursor.peek() == Some(&Mark::Char(',')) {
+        while self.cursor.peek() == Some(&Token::Char(',')) {
             self.out.push(",", self.cursor.here());
             self.cursor.at += 1;
             self.sum()?;
         }
         let close = self.cursor.here();
         let closed = if end == '}' {
-            let closed = matches!(self.cursor.peek(), Some(Mark::Command(name)) if name == "}");
+            let closed = matches!(self.cursor.peek(), Some(Token::Command(name)) if name == "}");
             self.cursor.at += usize::from(closed);
             closed
         } else {
@@ -353,21 +356,21 @@ impl Formula<'_, '_> {
         }
         if self.cursor.peek().is_some() {
             let message = format!("unexpected `{}`", self.name_of_mark());
-            return Err(wrong(close, message, &format!("`{end}` is due here: it closes what is open")));
+            return Err(translation_error(close, message, &format!("`{end}` is due here: it closes what is open")));
         }
         let message = "what is opened here is never closed";
-        Err(wrong(open, message, &format!("add `{end}`")))
+        Err(translation_error(open, message, &format!("add `{end}`")))
     }
 
     /// Translates an absolute value |…|, whose first bar comes next.
-    fn absolute(&mut self, bars: Bars) -> Result<(), ParseError> {
+    fn translate_absolute_value(&mut self, bars: Bars) -> Result<(), ParseError> {
         let open = self.cursor.here();
         self.cursor.at += 1;
         self.out.push_all(&["abs", "("], &open);
         let first = self.cursor.at;
         let end = self
             .closing_bar(first, bars)
-            .ok_or_else(|| wrong(open.clone(), "this bar is never closed", "write \\left| … \\right|"))?;
+            .ok_or_else(|| translation_error(open.clone(), "this bar is never closed", "write \\left| … \\right|"))?;
         // The tokens between the bars are a formula of their own.
         let list = &self.cursor.list[first..end];
         let limit = self.cursor.list[end].span.start;
@@ -377,7 +380,11 @@ impl Formula<'_, '_> {
         let rest = self.cursor.peek().is_some().then(|| (self.cursor.here(), self.name_of_mark()));
         self.cursor = outer;
         if let Some((place, what)) = rest {
-            return Err(wrong(place, format!("unexpected `{what}`"), "nothing is open that this could close"));
+            return Err(translation_error(
+                place,
+                format!("unexpected `{what}`"),
+                "nothing is open that this could close",
+            ));
         }
         self.cursor.at = end + 1;
         self.out.push(")", self.cursor.list[end].span.clone());
@@ -391,15 +398,15 @@ impl Formula<'_, '_> {
         let mut open = 0_usize;
         for (at, placed) in self.cursor.list.iter().enumerate().skip(first) {
             match &placed.mark {
-                Mark::Command(name) if is_left && name == "lvert" => open += 1,
-                Mark::Command(name) if is_left && name == "rvert" => {
+                Token::Command(name) if is_left && name == "lvert" => open += 1,
+                Token::Command(name) if is_left && name == "rvert" => {
                     if open == 0 {
                         return Some(at);
                     }
                     open -= 1;
                 }
-                Mark::Char('|') if !is_left => return Some(at),
-                Mark::Command(name) if !is_left && name == "vert" => return Some(at),
+                Token::Char('|') if !is_left => return Some(at),
+                Token::Command(name) if !is_left && name == "vert" => return Some(at),
                 _ => {}
             }
         }

@@ -2,10 +2,10 @@
 //! without parentheses.
 
 use super::formula::Formula;
-use super::marks::Mark;
+use super::tokens::Token;
+use crate::algebra::text::notation::errors::translation_error;
 use crate::algebra::text::notation::lexicon::function;
-use crate::algebra::text::notation::refusal::wrong;
-use crate::algebra::text::notation::symbol::Symbol;
+use crate::algebra::text::notation::symbol::LatexSymbol;
 use crate::algebra::text::parse::ParseError;
 use std::ops::Range;
 
@@ -30,7 +30,7 @@ impl Formula<'_, '_> {
         self.cursor.at = first + 1;
         self.out.push_all(&["(", "("], &place);
         // \frac12: the first digit is the numerator, the second the denominator.
-        if let Some(Mark::Number(digits)) = self.cursor.peek()
+        if let Some(Token::Number(digits)) = self.cursor.peek()
             && digits.len() == 2
             && digits.bytes().all(|b| b.is_ascii_digit())
         {
@@ -59,17 +59,17 @@ impl Formula<'_, '_> {
         let order = self.cursor.takes_order();
         let spell = &mut *self.spell;
         let of = match self.cursor.peek() {
-            Some(Mark::Char('}')) => None,
+            Some(Token::Char('}')) => None,
             _ => match self.cursor.symbol(&|symbol| spell.knows(symbol))? {
                 Some((symbol, at)) => Some((symbol, at)),
                 None => return Ok(false),
             },
         };
-        self.end_of_time();
+        self.skip_time_argument();
         let is_by_time = self.cursor.takes('}')
             && self.cursor.takes('{')
             && self.cursor.takes_d()
-            && self.cursor.peek() == Some(&Mark::Letter('t'));
+            && self.cursor.peek() == Some(&Token::Letter('t'));
         self.cursor.at += 1;
         let below = self.cursor.takes_order();
         if !is_by_time || !self.cursor.takes('}') || below != order || order == 0 {
@@ -94,8 +94,8 @@ impl Formula<'_, '_> {
     pub(super) fn root(&mut self) -> Result<(), ParseError> {
         let place = self.cursor.here();
         self.cursor.at += 1;
-        if self.cursor.peek() == Some(&Mark::Char('[')) {
-            return Err(wrong(self.cursor.here(), "only square roots are known", "write \\sqrt{…}"));
+        if self.cursor.peek() == Some(&Token::Char('[')) {
+            return Err(translation_error(self.cursor.here(), "only square roots are known", "write \\sqrt{…}"));
         }
         self.out.push_all(&["sqrt", "("], &place);
         self.argument("what the root is of")?;
@@ -108,8 +108,8 @@ impl Formula<'_, '_> {
     pub(super) fn roman_function(&mut self, name: &str) -> Result<(), ParseError> {
         let first = self.cursor.at;
         self.cursor.symbol(&|_| false)?;
-        let place = self.cursor.since(first);
-        self.applied(name, &place)
+        let place = self.cursor.span_since(first);
+        self.translate_call(name, &place)
     }
 
     /// Translates a function that is a command, such as \sin, which comes next. `name` is its name
@@ -117,19 +117,19 @@ impl Formula<'_, '_> {
     pub(super) fn function(&mut self, name: &str) -> Result<(), ParseError> {
         let place = self.cursor.here();
         self.cursor.at += 1;
-        self.applied(name, &place)
+        self.translate_call(name, &place)
     }
 
     /// Translates the power and the argument of a function, which come next. `name` is its name in
     /// model files, and `place` its byte range.
-    fn applied(&mut self, name: &str, place: &Range<usize>) -> Result<(), ParseError> {
+    fn translate_call(&mut self, name: &str, place: &Range<usize>) -> Result<(), ParseError> {
         let power = self.power_of_function()?;
         self.out.push(name, place.clone());
-        if let Some(end) = self.closer() {
-            self.parenthesized(end)?;
+        if let Some(end) = self.closing_character() {
+            self.translate_parentheses(end)?;
         } else {
             self.out.push("(", place.clone());
-            if self.cursor.peek() == Some(&Mark::Char('{')) {
+            if self.cursor.peek() == Some(&Token::Char('{')) {
                 self.argument("an argument")?;
             } else {
                 self.bare_argument(name, place)?;
@@ -152,7 +152,7 @@ impl Formula<'_, '_> {
         }
         let braced = self.cursor.takes('{');
         let power = match self.cursor.peek() {
-            Some(Mark::Number(digits)) if braced || digits.len() == 1 => Some((digits.clone(), self.cursor.here())),
+            Some(Token::Number(digits)) if braced || digits.len() == 1 => Some((digits.clone(), self.cursor.here())),
             _ => None,
         };
         self.cursor.at += 1;
@@ -164,7 +164,7 @@ impl Formula<'_, '_> {
                     self.cursor.at += 1;
                 }
                 let help = "write \\sin^{2} x for a power, \\arcsin x for an inverse, \\csc x or \\frac{1}{\\sin x} for a quotient";
-                Err(wrong(self.cursor.since(first), "the power of a function is a whole number", help))
+                Err(translation_error(self.cursor.span_since(first), "the power of a function is a whole number", help))
             }
         }
     }
@@ -173,12 +173,12 @@ impl Formula<'_, '_> {
     /// a time t after it. Error if its end is not clear.
     fn bare_argument(&mut self, name: &str, place: &Range<usize>) -> Result<(), ParseError> {
         let first = self.cursor.at;
-        let is_number = |mark: Option<&Mark>| matches!(mark, Some(Mark::Number(_)));
-        let is_pi = |mark: Option<&Mark>| matches!(mark, Some(Mark::Command(name)) if name == "pi");
+        let is_number = |mark: Option<&Token>| matches!(mark, Some(Token::Number(_)));
+        let is_pi = |mark: Option<&Token>| matches!(mark, Some(Token::Command(name)) if name == "pi");
         let (mut only_numbers, mut is_coordinate) = (true, false);
         loop {
             let mark = self.cursor.peek();
-            let begins = matches!(mark, Some(Mark::Number(_) | Mark::Letter(_) | Mark::Command(_)));
+            let begins = matches!(mark, Some(Token::Number(_) | Token::Letter(_) | Token::Command(_)));
             if !begins {
                 break;
             }
@@ -200,18 +200,18 @@ impl Formula<'_, '_> {
                 break;
             }
             // A symbol may follow a number: \sin 2 q.
-            let goes_on = matches!(self.cursor.peek(), Some(Mark::Letter(_)));
+            let goes_on = matches!(self.cursor.peek(), Some(Token::Letter(_)));
             if !(goes_on || self.begins_symbol()) {
                 break;
             }
         }
         if self.cursor.at == first {
             let help = format!("write \\{name}(…)");
-            return Err(wrong(place.clone(), format!("`{name}` needs an argument"), &help));
+            return Err(translation_error(place.clone(), format!("`{name}` needs an argument"), &help));
         }
         // Nobody multiplies a coordinate by a parenthesis inside a function: \sin\theta(…) is (sin
         // θ)·(…).
-        let ends = is_coordinate && matches!(self.cursor.peek(), Some(Mark::Char('(' | '[')));
+        let ends = is_coordinate && matches!(self.cursor.peek(), Some(Token::Char('(' | '[')));
         let argument = if only_numbers { Argument::Number } else { Argument::Term };
         if ends { Ok(()) } else { self.end_of_argument(name, argument) }
     }
@@ -233,7 +233,7 @@ impl Formula<'_, '_> {
         let before = self.cursor.clone();
         let found = self.cursor.symbol(&|_| false);
         self.cursor = before;
-        matches!(found, Ok(Some((symbol, _))) if symbol == Symbol::plain("t"))
+        matches!(found, Ok(Some((symbol, _))) if symbol == LatexSymbol::plain("t"))
     }
 
     /// True if a symbol comes next. False for the name of a function.
@@ -262,14 +262,14 @@ impl Formula<'_, '_> {
         let is_rate = !only_numbers && self.begins_rate();
         let open = !is_rate
             && match self.cursor.peek() {
-                Some(Mark::Char('^' | '/') | Mark::Number(_) | Mark::Letter(_)) => true,
-                Some(Mark::Char('(' | '[' | '{')) => only_numbers || !apart,
-                Some(Mark::Command(_)) => self.begins_symbol(),
+                Some(Token::Char('^' | '/') | Token::Number(_) | Token::Letter(_)) => true,
+                Some(Token::Char('(' | '[' | '{')) => only_numbers || !apart,
+                Some(Token::Command(_)) => self.begins_symbol(),
                 _ => false,
             };
         if open {
             let help = format!("write \\{name}(…) with its argument in parentheses");
-            return Err(wrong(
+            return Err(translation_error(
                 self.cursor.here(),
                 format!("the end of the argument of `{name}` is not clear here"),
                 &help,

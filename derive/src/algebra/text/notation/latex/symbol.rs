@@ -1,17 +1,17 @@
 //! Symbols of LaTeX: a letter with its accents, subscript, superscript and dots.
 
-use super::marks::{Mark, Placed, marks};
+use super::tokens::{PlacedToken, Token, tokens};
+use crate::algebra::text::notation::errors::translation_error;
 use crate::algebra::text::notation::lexicon::is_letter;
-use crate::algebra::text::notation::refusal::wrong;
-use crate::algebra::text::notation::symbol::Symbol;
+use crate::algebra::text::notation::symbol::LatexSymbol;
 use crate::algebra::text::parse::{MAX_DEPTH, ParseError};
 use std::ops::Range;
 
 /// Reads a text that is a single LaTeX symbol; a superscript belongs to the symbol. `None` if the
 /// text is anything else.
 #[must_use]
-pub fn read_symbol(text: &str) -> Option<Symbol> {
-    let list = marks(text).ok()?;
+pub fn read_symbol(text: &str) -> Option<LatexSymbol> {
+    let list = tokens(text).ok()?;
     let mut cursor = Cursor { list: &list, at: 0, depth: 0, end: text.len() };
     let (symbol, _) = cursor.symbol(&|_| true).ok()??;
     (cursor.at == list.len()).then_some(symbol)
@@ -48,7 +48,7 @@ const MOST_DOTS: usize = 3;
 #[derive(Clone)]
 pub(super) struct Cursor<'a> {
     /// All tokens of the LaTeX formula.
-    pub(super) list: &'a [Placed],
+    pub(super) list: &'a [PlacedToken],
     /// Index of the next token.
     pub(super) at: usize,
     /// Number of groups and parentheses that are open.
@@ -59,7 +59,7 @@ pub(super) struct Cursor<'a> {
 
 impl<'a> Cursor<'a> {
     /// Next token; `None` at the end.
-    pub(super) fn peek(&self) -> Option<&'a Mark> {
+    pub(super) fn peek(&self) -> Option<&'a Token> {
         self.list.get(self.at).map(|placed| &placed.mark)
     }
 
@@ -69,7 +69,7 @@ impl<'a> Cursor<'a> {
     }
 
     /// Byte range from the token with the index `first` to the last token that was read.
-    pub(super) fn since(&self, first: usize) -> Range<usize> {
+    pub(super) fn span_since(&self, first: usize) -> Range<usize> {
         let start = self.list.get(first).map_or(self.end, |placed| placed.span.start);
         let last = self.list[..self.at.min(self.list.len())].last().map_or(start, |placed| placed.span.end);
         start..last.max(start)
@@ -77,7 +77,7 @@ impl<'a> Cursor<'a> {
 
     /// Skips the character `c` if it comes next; true if it did.
     pub(super) fn takes(&mut self, c: char) -> bool {
-        let found = self.peek() == Some(&Mark::Char(c));
+        let found = self.peek() == Some(&Token::Char(c));
         self.at += usize::from(found);
         found
     }
@@ -85,10 +85,10 @@ impl<'a> Cursor<'a> {
     /// Reads the letter d of a derivative, in roman type or not. False if it does not come next.
     pub(super) fn takes_d(&mut self) -> bool {
         let before = self.at;
-        let is_face = matches!(self.peek(), Some(Mark::Command(name)) if UPRIGHT.contains(&name.as_str()));
+        let is_face = matches!(self.peek(), Some(Token::Command(name)) if UPRIGHT.contains(&name.as_str()));
         self.at += usize::from(is_face);
         let braced = is_face && self.takes('{');
-        let found = self.peek() == Some(&Mark::Letter('d'));
+        let found = self.peek() == Some(&Token::Letter('d'));
         self.at += usize::from(found);
         if found && (!braced || self.takes('}')) {
             return true;
@@ -105,7 +105,7 @@ impl<'a> Cursor<'a> {
         }
         let braced = self.takes('{');
         let order = match self.peek() {
-            Some(Mark::Number(digits)) => digits.parse().ok().filter(|order| *order <= MOST_DOTS).unwrap_or(0),
+            Some(Token::Number(digits)) => digits.parse().ok().filter(|order| *order <= MOST_DOTS).unwrap_or(0),
             _ => 0,
         };
         self.at += 1;
@@ -116,7 +116,11 @@ impl<'a> Cursor<'a> {
     pub(super) fn enter(&mut self) -> Result<(), ParseError> {
         self.depth += 1;
         if self.depth > MAX_DEPTH {
-            return Err(wrong(self.here(), format!("nesting deeper than {MAX_DEPTH}"), "split the expression"));
+            return Err(translation_error(
+                self.here(),
+                format!("nesting deeper than {MAX_DEPTH}"),
+                "split the expression",
+            ));
         }
         Ok(())
     }
@@ -125,11 +129,11 @@ impl<'a> Cursor<'a> {
     /// token. A superscript belongs to the symbol if `knows` accepts the symbol with it.
     pub(super) fn symbol(
         &mut self,
-        knows: &dyn Fn(&Symbol) -> bool,
-    ) -> Result<Option<(Symbol, Range<usize>)>, ParseError> {
+        knows: &dyn Fn(&LatexSymbol) -> bool,
+    ) -> Result<Option<(LatexSymbol, Range<usize>)>, ParseError> {
         let first = self.at;
         self.enter()?;
-        let base = self.base(knows)?;
+        let base = self.read_base(knows)?;
         self.depth -= 1;
         let Some(mut symbol) = base else {
             self.at = first;
@@ -137,24 +141,24 @@ impl<'a> Cursor<'a> {
         };
         loop {
             match self.peek() {
-                Some(Mark::Char('\'')) => {
+                Some(Token::Char('\'')) => {
                     self.at += 1;
                     symbol.dots += 1;
                 }
-                Some(Mark::Char('_')) if symbol.subscript.is_empty() => {
+                Some(Token::Char('_')) if symbol.subscript.is_empty() => {
                     self.at += 1;
-                    symbol.subscript = self.script()?;
+                    symbol.subscript = self.read_script()?;
                 }
-                Some(Mark::Char('^')) if symbol.mark.is_empty() => {
+                Some(Token::Char('^')) if symbol.mark.is_empty() => {
                     let before = self.at;
                     self.at += 1;
-                    let text = self.script()?;
+                    let text = self.read_script()?;
                     let primes = text.matches("\\prime").count();
                     let primes_only = primes > 0 && text.len() == primes * "\\prime".len();
-                    let mut marked = Symbol { mark: text, ..symbol.clone() };
+                    let mut marked = LatexSymbol { mark: text, ..symbol.clone() };
                     // I^B_{11}: the subscript belongs to the symbol that is passed to `knows`.
                     if !primes_only && marked.subscript.is_empty() && self.takes('_') {
-                        marked.subscript = self.script()?;
+                        marked.subscript = self.read_script()?;
                     }
                     if primes_only {
                         symbol.dots += primes;
@@ -168,41 +172,41 @@ impl<'a> Cursor<'a> {
                 _ => break,
             }
         }
-        Ok(Some((symbol, self.since(first))))
+        Ok(Some((symbol, self.span_since(first))))
     }
 
     /// Reads the letter of a symbol, within any braces, accents and dots. `None` if no letter
     /// begins at the next token.
-    fn base(&mut self, knows: &dyn Fn(&Symbol) -> bool) -> Result<Option<Symbol>, ParseError> {
+    fn read_base(&mut self, knows: &dyn Fn(&LatexSymbol) -> bool) -> Result<Option<LatexSymbol>, ParseError> {
         let Some(mark) = self.peek() else { return Ok(None) };
         self.at += 1;
         match mark {
-            Mark::Letter(c) => Ok(Some(Symbol::plain(*c))),
-            Mark::Command(name) if is_letter(name) => Ok(Some(Symbol::plain(format!("\\{name}")))),
-            Mark::Command(name) if UPRIGHT.contains(&name.as_str()) => {
-                let word = self.script()?;
-                Ok(Some(Symbol::plain(word)))
+            Token::Letter(c) => Ok(Some(LatexSymbol::plain(*c))),
+            Token::Command(name) if is_letter(name) => Ok(Some(LatexSymbol::plain(format!("\\{name}")))),
+            Token::Command(name) if UPRIGHT.contains(&name.as_str()) => {
+                let word = self.read_script()?;
+                Ok(Some(LatexSymbol::plain(word)))
             }
-            Mark::Command(name) if ACCENTS.contains(&name.as_str()) => {
+            Token::Command(name) if ACCENTS.contains(&name.as_str()) => {
                 let inner = self.symbol(knows)?;
                 let accented =
-                    |(inner, _): (Symbol, _)| Symbol { base: format!("\\{name}{{{}}}", inner.base), ..inner };
+                    |(inner, _): (LatexSymbol, _)| LatexSymbol { base: format!("\\{name}{{{}}}", inner.base), ..inner };
                 Ok(inner.map(accented))
             }
-            Mark::Command(name) => {
+            Token::Command(name) => {
                 let Some((_, dots)) = DOTS.iter().find(|(n, _)| n == name) else { return Ok(None) };
-                let place = self.since(self.at - 1);
+                let place = self.span_since(self.at - 1);
                 let Some((inner, _)) = self.symbol_without_scripts(knows)? else {
                     let message = format!("`\\{name}` stands on no symbol");
-                    return Err(wrong(
+                    return Err(translation_error(
                         place,
                         message,
                         "write the derivatives of single symbols: \\dot{q}_1 + \\dot{q}_2",
                     ));
                 };
-                Ok(Some(Symbol { dots: inner.dots + dots, ..inner }))
+                Ok(Some(LatexSymbol { dots: inner.dots + dots, ..inner }))
             }
-            Mark::Char('{') => {
+            Token::Char('{') => {
                 let inner = self.symbol(knows)?;
                 Ok(inner.filter(|_| self.takes('}')).map(|(symbol, _)| symbol))
             }
@@ -214,44 +218,48 @@ impl<'a> Cursor<'a> {
     /// next.
     fn symbol_without_scripts(
         &mut self,
-        knows: &dyn Fn(&Symbol) -> bool,
-    ) -> Result<Option<(Symbol, Range<usize>)>, ParseError> {
+        knows: &dyn Fn(&LatexSymbol) -> bool,
+    ) -> Result<Option<(LatexSymbol, Range<usize>)>, ParseError> {
         self.enter()?;
-        let (first, base) = (self.at, self.base(knows)?);
+        let (first, base) = (self.at, self.read_base(knows)?);
         self.depth -= 1;
-        Ok(base.map(|symbol| (symbol, self.since(first))))
+        Ok(base.map(|symbol| (symbol, self.span_since(first))))
     }
 
     /// Reads a subscript or superscript as text, without braces, spaces and upright type faces.
     /// Error if it is missing or ambiguous.
-    fn script(&mut self) -> Result<String, ParseError> {
+    fn read_script(&mut self) -> Result<String, ParseError> {
         let (mut text, mut open) = (String::new(), 0_usize);
         let first = self.at;
         loop {
             let Some(mark) = self.peek() else {
-                let place = self.since(first.saturating_sub(1));
-                return Err(wrong(place, "this script never ends", "write it in braces, as in q_{12}"));
+                let place = self.span_since(first.saturating_sub(1));
+                return Err(translation_error(place, "this script never ends", "write it in braces, as in q_{12}"));
             };
             // Without braces, only one digit belongs to a subscript or superscript.
-            if let (Mark::Number(digits), 0) = (mark, open)
+            if let (Token::Number(digits), 0) = (mark, open)
                 && digits.len() > 1
             {
                 let help = format!("write it in braces: {{{digits}}}; without them only {} is meant", &digits[..1]);
-                return Err(wrong(self.here(), format!("is `{digits}` all below or above?"), &help));
+                return Err(translation_error(self.here(), format!("is `{digits}` all below or above?"), &help));
             }
             self.at += 1;
             match mark {
-                Mark::Char('{') => open += 1,
-                Mark::Char('}') if open == 0 => {
+                Token::Char('{') => open += 1,
+                Token::Char('}') if open == 0 => {
                     let help = "write it in braces, as in q_{12}";
-                    return Err(wrong(self.since(self.at - 1), "a script is missing in front of `}`", help));
+                    return Err(translation_error(
+                        self.span_since(self.at - 1),
+                        "a script is missing in front of `}`",
+                        help,
+                    ));
                 }
-                Mark::Char('}') => open -= 1,
-                Mark::Char(c) | Mark::Letter(c) => text.push(*c),
-                Mark::Number(digits) => text.push_str(digits),
-                Mark::Command(name) if UPRIGHT.contains(&name.as_str()) => continue,
-                Mark::Command(name) if name == "_" => text.push('_'),
-                Mark::Command(name) => {
+                Token::Char('}') => open -= 1,
+                Token::Char(c) | Token::Letter(c) => text.push(*c),
+                Token::Number(digits) => text.push_str(digits),
+                Token::Command(name) if UPRIGHT.contains(&name.as_str()) => continue,
+                Token::Command(name) if name == "_" => text.push('_'),
+                Token::Command(name) => {
                     text.push('\\');
                     text.push_str(name);
                 }

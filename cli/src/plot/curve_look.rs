@@ -1,0 +1,285 @@
+//! Looks of curves and markers, and functions that draw lines, areas and texts.
+
+use super::axis::truncate_to_integer;
+use super::error::PlotError;
+use super::svg_pen::Pen;
+use plotters::coord::Shift;
+use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+
+/// Canvas on which a figure is drawn by the library plotters.
+pub type Canvas<'a> = DrawingArea<Pen<'a>, Shift>;
+
+/// Number of canvas units per pixel of a figure.
+const FINE: f64 = 4.0;
+/// Colour of all texts in a figure.
+const TEXT: RGBColor = RGBColor(0x22, 0x22, 0x22);
+/// Colour of the grid lines in a panel.
+pub const GRID: RGBColor = RGBColor(0xe3, 0xe3, 0xe3);
+/// Colour of the axes of a panel and of error bars.
+pub const EDGE: RGBColor = RGBColor(0x88, 0x88, 0x88);
+/// Opacity of an error band, from 0 (invisible) to 1.
+const SHADE: f64 = 0.25;
+/// Width of a marker's outline, px. No curve has this width, so that outlines are never dashed.
+const OUTLINE: f64 = 1.5;
+
+/// Look of a curve: line colour, width (px) and dashes, then marker colour and outline in units of
+/// its radius. An empty outline means a circle.
+pub struct Look(RGBColor, f64, &'static str, RGBColor, &'static [&'static [(f64, f64)]]);
+
+/// Looks of curves, by style number.
+/// The order is: three standard formulations, reduced equations, five printed systems, five wrong
+/// systems, Pareto front, seven methods, numeric solve, quadrature, formulations on request. Only
+/// wrong systems are red.
+/// Each look has a different marker. The first is a thick light line that stays visible under thin
+/// dashed lines. No two looks have both the same colour and the same width.
+pub const LOOKS: [Look; 25] = [
+    Look(RGBColor(0x56, 0xb4, 0xe9), 4.5, "", RGBColor(0x00, 0x72, 0xb2), &[]),
+    Look(
+        RGBColor(0x00, 0x9e, 0x73),
+        2.0,
+        "28 16",
+        RGBColor(0x00, 0x9e, 0x73),
+        &[&[(-1.0, 0.8), (1.0, 0.8), (0.0, -1.0), (-1.0, 0.8), (1.0, 0.8)]],
+    ),
+    Look(
+        RGBColor(0x00, 0x00, 0x00),
+        1.25,
+        "5 13",
+        RGBColor(0x00, 0x00, 0x00),
+        &[&[(-0.9, -0.9), (0.9, 0.9)], &[(-0.9, 0.9), (0.9, -0.9)]],
+    ),
+    Look(
+        RGBColor(0xe6, 0x9f, 0x00),
+        2.0,
+        "40 12 8 12",
+        RGBColor(0xe6, 0x9f, 0x00),
+        &[&[(-0.9, -0.9), (0.9, -0.9), (0.9, 0.9), (-0.9, 0.9), (-0.9, -0.9), (0.9, -0.9)]],
+    ),
+    Look(
+        RGBColor(0xcc, 0x79, 0xa7),
+        2.0,
+        "12 12",
+        RGBColor(0xcc, 0x79, 0xa7),
+        &[&[(0.0, -1.2), (1.2, 0.0), (0.0, 1.2), (-1.2, 0.0), (0.0, -1.2), (1.2, 0.0)]],
+    ),
+    Look(
+        RGBColor(0x00, 0x72, 0xb2),
+        2.0,
+        "52 12",
+        RGBColor(0x00, 0x72, 0xb2),
+        &[&[(-1.1, 0.0), (1.1, 0.0)], &[(0.0, -1.1), (0.0, 1.1)]],
+    ),
+    Look(
+        RGBColor(0x33, 0x22, 0x88),
+        2.0,
+        "20 8",
+        RGBColor(0x33, 0x22, 0x88),
+        &[&[(-1.0, -0.8), (1.0, -0.8), (0.0, 1.0), (-1.0, -0.8), (1.0, -0.8)]],
+    ),
+    Look(RGBColor(0x8b, 0x5a, 0x2b), 2.0, "4 8 24 8", RGBColor(0x8b, 0x5a, 0x2b), &[&[(0.0, -1.2), (0.0, 1.2)]]),
+    Look(RGBColor(0x99, 0x99, 0x33), 2.0, "8 6", RGBColor(0x99, 0x99, 0x33), &[&[(-1.2, 0.0), (1.2, 0.0)]]),
+    Look(
+        RGBColor(0xcc, 0x33, 0x11),
+        2.0,
+        "24 10",
+        RGBColor(0xcc, 0x33, 0x11),
+        &[&[(-1.1, 0.0), (1.1, 0.0)], &[(-0.6, -1.0), (0.6, 1.0)], &[(-0.6, 1.0), (0.6, -1.0)]],
+    ),
+    Look(
+        RGBColor(0xcc, 0x33, 0x11),
+        1.75,
+        "8 8",
+        RGBColor(0xcc, 0x33, 0x11),
+        &[&[(0.0, 0.0), (0.0, 1.2)], &[(0.0, 0.0), (-1.0, -0.8)], &[(0.0, 0.0), (1.0, -0.8)]],
+    ),
+    Look(
+        RGBColor(0xcc, 0x33, 0x11),
+        2.25,
+        "44 10",
+        RGBColor(0xcc, 0x33, 0x11),
+        &[&[(-1.0, -0.9), (1.0, 0.9), (1.0, -0.9), (-1.0, 0.9), (-1.0, -0.9), (1.0, 0.9)]],
+    ),
+    Look(
+        RGBColor(0xcc, 0x33, 0x11),
+        2.5,
+        "30 8 6 8",
+        RGBColor(0xcc, 0x33, 0x11),
+        &[&[(-0.9, -1.0), (0.9, -1.0), (-0.9, 1.0), (0.9, 1.0), (-0.9, -1.0), (0.9, -1.0)]],
+    ),
+    Look(
+        RGBColor(0xcc, 0x33, 0x11),
+        2.75,
+        "14 6",
+        RGBColor(0xcc, 0x33, 0x11),
+        &[&[(0.0, -1.1), (1.05, -0.35), (0.65, 0.9), (-0.65, 0.9), (-1.05, -0.35), (0.0, -1.1), (1.05, -0.35)]],
+    ),
+    Look(
+        RGBColor(0xbb, 0xbb, 0xbb),
+        4.5,
+        "",
+        RGBColor(0xbb, 0xbb, 0xbb),
+        &[&[
+            (-0.55, -1.0),
+            (0.55, -1.0),
+            (1.1, 0.0),
+            (0.55, 1.0),
+            (-0.55, 1.0),
+            (-1.1, 0.0),
+            (-0.55, -1.0),
+            (0.55, -1.0),
+        ]],
+    ),
+    Look(RGBColor(0x44, 0x77, 0xaa), 2.0, "", RGBColor(0x44, 0x77, 0xaa), &[&[(-1.0, 0.6), (0.0, -0.8), (1.0, 0.6)]]),
+    Look(
+        RGBColor(0x66, 0xcc, 0xee),
+        2.0,
+        "30 8",
+        RGBColor(0x66, 0xcc, 0xee),
+        &[&[(-1.0, -0.6), (0.0, 0.8), (1.0, -0.6)]],
+    ),
+    Look(
+        RGBColor(0x22, 0x88, 0x33),
+        2.0,
+        "16 8",
+        RGBColor(0x22, 0x88, 0x33),
+        &[&[(0.7, -1.0), (-0.7, 0.0), (0.7, 1.0)]],
+    ),
+    Look(
+        RGBColor(0xcc, 0xbb, 0x44),
+        2.0,
+        "40 8",
+        RGBColor(0xcc, 0xbb, 0x44),
+        &[&[(-0.7, -1.0), (0.7, 0.0), (-0.7, 1.0)]],
+    ),
+    Look(
+        RGBColor(0xaa, 0x33, 0x77),
+        2.0,
+        "10 6",
+        RGBColor(0xaa, 0x33, 0x77),
+        &[&[(0.0, 0.0), (0.0, -1.2)], &[(0.0, 0.0), (-1.0, 0.8)], &[(0.0, 0.0), (1.0, 0.8)]],
+    ),
+    Look(
+        RGBColor(0x00, 0x99, 0x88),
+        2.0,
+        "6 4 16 4",
+        RGBColor(0x00, 0x99, 0x88),
+        &[&[(-0.8, -1.0), (-0.8, 0.9), (0.9, 0.9)]],
+    ),
+    Look(
+        RGBColor(0x55, 0x55, 0x55),
+        2.0,
+        "24 6 6 6",
+        RGBColor(0x55, 0x55, 0x55),
+        &[&[(0.0, 1.2), (0.0, -1.1)], &[(-0.8, -0.3), (0.0, -1.1), (0.8, -0.3)]],
+    ),
+    Look(
+        RGBColor(0x77, 0x77, 0x77),
+        1.25,
+        "5 9",
+        RGBColor(0x77, 0x77, 0x77),
+        &[&[(-0.8, -1.0), (-0.8, 1.0)], &[(0.8, -1.0), (0.8, 1.0)], &[(-0.8, 0.0), (0.8, 0.0)]],
+    ),
+    Look(
+        RGBColor(0xdd, 0xaa, 0x33),
+        2.0,
+        "16 6",
+        RGBColor(0xdd, 0xaa, 0x33),
+        &[&[(-0.9, -0.9), (0.9, -0.9), (-0.9, 0.9), (0.9, 0.9)]],
+    ),
+    Look(
+        RGBColor(0x11, 0x77, 0x66),
+        2.0,
+        "36 6 4 6",
+        RGBColor(0x11, 0x77, 0x66),
+        &[&[(-1.0, -0.5), (1.0, -0.5)], &[(-1.0, 0.5), (1.0, 0.5)]],
+    ),
+];
+
+#[cfg(test)]
+impl Look {
+    /// True if two looks could be mistaken for each other.
+    pub fn is_like(&self, other: &Self) -> bool {
+        self.4 == other.4 || (self.0 == other.0 && size_to_units(self.1) == size_to_units(other.1))
+    }
+}
+
+/// Returns the look of a style number. After the last look they begin again.
+pub fn look(style: usize) -> &'static Look {
+    &LOOKS[style % LOOKS.len()]
+}
+
+/// Returns the dashes of curves with this colour and this width in canvas units; `None` for solid
+/// lines. No other strokes have these colours and widths.
+pub fn dashes([r, g, b]: [u8; 3], width: u32) -> Option<&'static str> {
+    let drawn = LOOKS.iter().find(|look| look.0 == RGBColor(r, g, b) && size_to_units(look.1) == width);
+    drawn.map(|look| look.2).filter(|dashes| !dashes.is_empty())
+}
+
+/// Draws a curve through points, px.
+/// `Err` if plotters fails.
+pub fn draw_curve(canvas: &Canvas, points: &[(f64, f64)], look: &Look) -> Result<(), PlotError> {
+    draw_line(canvas, points, look.1, look.0)
+}
+
+/// Draws the area between the edges `low` and `high`, px, in a pale shade of the curve's colour.
+/// `Err` if plotters fails.
+pub fn draw_band(canvas: &Canvas, low: &[(f64, f64)], high: &[(f64, f64)], look: &Look) -> Result<(), PlotError> {
+    let corners = low
+        .iter()
+        .chain(high.iter().rev())
+        .map(|(x, y)| (pixels_to_units(*x), pixels_to_units(*y)))
+        .collect::<Vec<_>>();
+    Ok(canvas.draw(&Polygon::new(corners, look.0.mix(SHADE)))?)
+}
+
+/// Draws the marker of a look around the point `middle`, px.
+/// `Err` if plotters fails.
+pub fn draw_marker(canvas: &Canvas, middle: (f64, f64), look: &Look) -> Result<(), PlotError> {
+    let (x, y) = middle;
+    let radius = 3.6;
+    if look.4.is_empty() {
+        let style = ShapeStyle { color: look.3.into(), filled: false, stroke_width: size_to_units(OUTLINE) };
+        canvas.draw(&Circle::new((pixels_to_units(x), pixels_to_units(y)), pixels_to_units(radius), style))?;
+    }
+    for outline in look.4 {
+        let points: Vec<_> = outline.iter().map(|(dx, dy)| (x + radius * dx, y + radius * dy)).collect();
+        draw_line(canvas, &points, OUTLINE, look.3)?;
+    }
+    Ok(())
+}
+
+/// Draws a line through points; points and width in px.
+/// `Err` if plotters fails.
+pub fn draw_line(canvas: &Canvas, points: &[(f64, f64)], width: f64, color: RGBColor) -> Result<(), PlotError> {
+    let mut points: Vec<_> = points.iter().map(|(x, y)| (pixels_to_units(*x), pixels_to_units(*y))).collect();
+    points.dedup();
+    let style = ShapeStyle { color: color.into(), filled: false, stroke_width: size_to_units(width) };
+    Ok(canvas.draw(&PathElement::new(points, style))?)
+}
+
+/// Draws a filled rectangle with the opposite corners `a` and `b`, px.
+/// `Err` if plotters fails.
+pub fn draw_rectangle(canvas: &Canvas, a: (f64, f64), b: (f64, f64), color: RGBColor) -> Result<(), PlotError> {
+    let corners = [(pixels_to_units(a.0), pixels_to_units(a.1)), (pixels_to_units(b.0), pixels_to_units(b.1))];
+    Ok(canvas.draw(&Rectangle::new(corners, ShapeStyle { color: color.into(), filled: true, stroke_width: 0 }))?)
+}
+
+/// Writes a text at the point `at`, px. `side` is the end of the text that lies there.
+/// `Err` if plotters fails.
+pub fn draw_text(canvas: &Canvas, text: &str, at: (f64, f64), side: HPos, style: FontStyle) -> Result<(), PlotError> {
+    // Plotters divides a font size by 1.24.
+    let font = FontDesc::new(FontFamily::SansSerif, 12.5 * 1.24 * FINE, style);
+    let style = TextStyle::from(font).color(&TEXT).pos(Pos::new(side, VPos::Center));
+    Ok(canvas.draw(&Text::new(text, (pixels_to_units(at.0), pixels_to_units(at.1)), style))?)
+}
+
+/// Converts a length in pixels to canvas units, rounded.
+fn pixels_to_units(pixels: f64) -> i32 {
+    truncate_to_integer((pixels * FINE).round())
+}
+
+/// Converts a size in pixels to canvas units, rounded and not negative.
+pub fn size_to_units(pixels: f64) -> u32 {
+    pixels_to_units(pixels).unsigned_abs()
+}

@@ -1,0 +1,180 @@
+//! Text of the file `modelDescription.xml` of a functional mock-up unit by FMI 3.0, and the parts
+//! that FMI 2.0 shares.
+
+use super::fmu_instantiation_token;
+use super::functions::FmuFunctions;
+use super::variables::{Role, Variable, Variables};
+use crate::languages::Module;
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use tripos_derive::model::Unit;
+use tripos_derive::plain_text::{one_line, with_visible_characters};
+use tripos_derive::scene::Scene;
+
+/// Name of the XML element for an unknown at the start time. No dependencies are written there: a
+/// missing list means all variables.
+const INITIAL: &str = "InitialUnknown";
+
+/// Returns the text of `modelDescription.xml` by FMI 3.0 for a scene. `identifier` is the name of
+/// the unit's binary.
+pub fn fmi3_description_text(
+    identifier: &str,
+    module: &Module<'_>,
+    scene: &Scene,
+    functions: &FmuFunctions,
+    variables: &Variables,
+) -> String {
+    let has_slopes = functions.has_directional_derivatives(module.plan);
+    let mut out = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
+    let list = &variables.list;
+    let _ = writeln!(
+        out,
+        "<fmiModelDescription fmiVersion=\"3.0\" modelName=\"{}\" instantiationToken=\"{}\" description=\"{}\" \
+         generationTool=\"Tripos\" variableNamingConvention=\"flat\">",
+        escape_xml_attribute(&unit_title(module, scene)),
+        fmu_instantiation_token(module, scene),
+        escape_xml_attribute(&format!("{} {}", scene.about, module.origin))
+    );
+    let slopes =
+        if has_slopes { " providesDirectionalDerivatives=\"true\" providesAdjointDerivatives=\"true\"" } else { "" };
+    let states = "canGetAndSetFMUState=\"true\" canSerializeFMUState=\"true\"";
+    let completed = if module.plan.has("constraints") { " needsCompletedIntegratorStep=\"true\"" } else { "" };
+    let _ = writeln!(out, "  <ModelExchange modelIdentifier=\"{identifier}\" {states}{slopes}{completed}/>");
+    let _ = writeln!(
+        out,
+        "  <CoSimulation modelIdentifier=\"{identifier}\" {states}{slopes} canHandleVariableCommunicationStepSize=\"true\"/>"
+    );
+    write_unit_definitions(&mut out, list);
+    write_default_experiment_element(&mut out, scene);
+    out.push_str("  <ModelVariables>\n");
+    for variable in list {
+        write_fmi3_variable_element(&mut out, variable);
+    }
+    out.push_str("  </ModelVariables>\n  <ModelStructure>\n");
+    write_model_structure(&mut out, list);
+    out.push_str("  </ModelStructure>\n</fmiModelDescription>\n");
+    out
+}
+
+/// Returns the title of the model, followed by the title of the scene if it has one.
+pub fn unit_title(module: &Module<'_>, scene: &Scene) -> String {
+    let title = &module.model().title;
+    if scene.title.is_empty() { title.clone() } else { format!("{title}: {}", scene.title) }
+}
+
+/// Writes the XML element `DefaultExperiment`: the scene's start and stop time in s, its relative
+/// tolerance, and 1/500 of the span as step.
+pub fn write_default_experiment_element(out: &mut String, scene: &Scene) {
+    let (start, stop) = scene.span;
+    let _ = writeln!(
+        out,
+        "  <DefaultExperiment startTime=\"{start:?}\" stopTime=\"{stop:?}\" tolerance=\"{:?}\" stepSize=\"{:?}\"/>",
+        scene.integration.rtol,
+        (stop - start) / 500.0
+    );
+}
+
+/// Writes the XML definitions of all units of the variables, by their exponents of m, kg and s. A
+/// unit with fractional exponents gets only its name.
+pub fn write_unit_definitions(out: &mut String, list: &[Variable]) {
+    let units: BTreeMap<String, &Unit> =
+        list.iter().filter_map(|v| Some((v.unit.as_ref()?.to_string(), v.unit.as_ref()?))).collect();
+    out.push_str("  <UnitDefinitions>\n");
+    for (name, unit) in units {
+        let _ = write!(out, "    <Unit name=\"{}\"", escape_xml_attribute(&name));
+        match unit.whole_exponents() {
+            Some(exponents) => {
+                let base: String = (["m", "kg", "s"].iter().zip(exponents))
+                    .filter(|(_, exponent)| *exponent != 0)
+                    .fold(String::new(), |text, (base, exponent)| text + &format!(" {base}=\"{exponent}\""));
+                let _ = writeln!(out, "><BaseUnit{base}/></Unit>");
+            }
+            None => out.push_str("/>\n"),
+        }
+    }
+    out.push_str("  </UnitDefinitions>\n");
+}
+
+/// Writes the XML element of one variable: name, value reference, role, unit, description and start
+/// value.
+fn write_fmi3_variable_element(out: &mut String, variable: &Variable) {
+    let role = match variable.role {
+        Role::Time => "causality=\"independent\" variability=\"continuous\"".to_owned(),
+        Role::Parameter => "causality=\"parameter\" variability=\"tunable\"".to_owned(),
+        Role::Input => "causality=\"input\" variability=\"continuous\"".to_owned(),
+        Role::State(true) => "causality=\"output\" variability=\"continuous\" initial=\"exact\"".to_owned(),
+        Role::State(false) => "causality=\"local\" variability=\"continuous\" initial=\"exact\"".to_owned(),
+        Role::Derivative(of) => format!("causality=\"local\" variability=\"continuous\" derivative=\"{of}\""),
+        Role::Output => "causality=\"output\" variability=\"continuous\"".to_owned(),
+        Role::Indicator => "causality=\"local\" variability=\"continuous\"".to_owned(),
+    };
+    let _ = write!(
+        out,
+        "    <Float64 name=\"{}\" valueReference=\"{}\" {role}",
+        escape_xml_attribute(&variable.name),
+        variable.reference
+    );
+    if let Some(unit) = &variable.unit {
+        let _ = write!(out, " unit=\"{}\"", escape_xml_attribute(&unit.to_string()));
+    }
+    if !variable.about.is_empty() {
+        let _ = write!(out, " description=\"{}\"", escape_xml_attribute(&variable.about));
+    }
+    if let Some(start) = variable.start {
+        let _ = write!(out, " start=\"{}\"", xml_number(start));
+    }
+    out.push_str("/>\n");
+}
+
+/// Writes the XML list of outputs, state derivatives and event indicators, each with the variables
+/// on which it depends.
+fn write_model_structure(out: &mut String, list: &[Variable]) {
+    let mut unknown = |element: &str, variable: &Variable| {
+        let _ = write!(out, "    <{element} valueReference=\"{}\"", variable.reference);
+        if let Some(depends_on) = variable.depends_on.as_ref().filter(|_| element != INITIAL) {
+            let names: Vec<String> = depends_on.iter().map(ToString::to_string).collect();
+            let _ = write!(out, " dependencies=\"{}\"", names.join(" "));
+        }
+        out.push_str("/>\n");
+    };
+    let of = |wanted: fn(&Role) -> bool| list.iter().filter(move |variable| wanted(&variable.role));
+    for output in of(|role| matches!(role, Role::Output | Role::State(true))) {
+        unknown("Output", output);
+    }
+    for derivative in of(|role| matches!(role, Role::Derivative(_))) {
+        unknown("ContinuousStateDerivative", derivative);
+    }
+    for computed in of(|role| matches!(role, Role::Derivative(_) | Role::Output)) {
+        unknown(INITIAL, computed);
+    }
+    for indicator in of(|role| matches!(role, Role::Indicator)) {
+        unknown("EventIndicator", indicator);
+    }
+}
+
+/// Returns a number in the notation of XML schemas: `NaN`, `INF`, `-INF` or a decimal.
+pub fn xml_number(value: f64) -> String {
+    if value.is_nan() {
+        "NaN".to_owned()
+    } else if value.is_infinite() {
+        if value > 0.0 { "INF".to_owned() } else { "-INF".to_owned() }
+    } else {
+        format!("{value:?}")
+    }
+}
+
+/// Returns a text as the value of an XML attribute: on one line, with `&`, `<`, `>` and quotes
+/// escaped.
+pub fn escape_xml_attribute(text: &str) -> String {
+    let mut out = String::new();
+    for c in with_visible_characters(&one_line(text)).trim().chars() {
+        match c {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            c => out.push(c),
+        }
+    }
+    out
+}

@@ -1,0 +1,264 @@
+//! Target for C, Python, MATLAB and CasADi: writes the modules of a model's formulations and
+//! printed equations.
+
+use super::module_contents::identifier_word;
+use super::{CompositeFunction, Dialect, Module, SceneRun};
+use crate::emit::Emission;
+use crate::origin::Origin;
+use crate::plan::{
+    MissingOutputReason, ModulePlan, Planner, RegressorFunctions, SceneOutputs, Sharing, Solution, module_name,
+};
+use crate::target::{self, Target};
+use std::collections::BTreeMap;
+use tripos_derive::algebra::form::simplify::Simplifier;
+use tripos_derive::algebra::{Arena, Expr};
+use tripos_derive::diagnostic::{Diagnostic, Diagnostics};
+use tripos_derive::mechanics::{Derivation, DeriveError, SolvedAccelerations, Unsolved, parameter_jacobian};
+use tripos_derive::scene::Scene;
+use tripos_derive::{Equations, Formulation, Model};
+
+/// Choice of the equations and functions that are written into modules.
+#[derive(Clone, Copy, Default)]
+pub struct Selection<'a> {
+    /// Formulations to write. If empty, all that the model supports are written, and the printed
+    /// equations of its publication.
+    pub formulations: &'a [Formulation],
+    /// Names of the functions to write; if empty, all functions are written.
+    pub functions: &'a [String],
+    /// Scene with which the model was read; `None` if only the model is given. The scene's outputs
+    /// and events become functions, and scripts run it.
+    pub scene: Option<&'a Scene>,
+}
+
+/// Files of a model in one language, with the names of the functions that they contain.
+pub struct LanguageEmission {
+    /// Texts of the files, and the formulations that were left out.
+    pub emission: Emission,
+    /// Name of the file that a program imports or includes to use the first module.
+    pub main_file: String,
+    /// Names of the functions that at least one module contains, without repetition.
+    pub functions: Vec<&'static str>,
+    /// Outputs, events and conditions that no function gives. Each has its name, the title of the
+    /// equations and the reason.
+    pub hidden: Vec<(String, String, MissingOutputReason)>,
+}
+
+/// Writes the modules of a model in one language.
+///
+/// # Errors
+/// [`Diagnostics`] of the publication, of a given formulation that the model does not support, or
+/// of a requested function that no module has.
+pub fn emit_model(
+    model: &Model,
+    dialect: &dyn Dialect,
+    selection: Selection<'_>,
+) -> Result<LanguageEmission, Diagnostics> {
+    let origin = Origin::origin_of_model_file(&model.source.path, dialect.command());
+    let run = || {
+        selection
+            .scene
+            .map_or_else(|| SceneRun::first_scene_run(model), |scene| SceneRun::plain_scene_run(scene, model))
+    };
+    let mut modules = Modules {
+        dialect,
+        model_word: identifier_word(model_name_of_origin(&origin)).to_ascii_lowercase(),
+        selection,
+        run: if selection.functions.is_empty() { run() } else { None },
+        files: dialect.shared_files(&origin.shared_file_origin_sentence()).into_iter().collect(),
+        written: Vec::new(),
+        hidden: Vec::new(),
+        main_file: None,
+        origin,
+    };
+    let left_out = target::write_equations_to_target(model, selection.formulations, &mut modules)?;
+    if let Some(name) = selection.functions.iter().find(|name| !modules.written.contains(&name.as_str())) {
+        let message = format!("the equations of this model have no function `{name}`");
+        let help = missing_function_help(name, model, dialect, selection)?;
+        return Err(Diagnostics::new(model.source.clone(), vec![Diagnostic::of_file(message, help)]));
+    }
+    let emission =
+        Emission { files: modules.files, left_out, command: dialect.command(), extensions: dialect.extensions() };
+    let main_file = modules.main_file.unwrap_or_default();
+    Ok(LanguageEmission { emission, main_file, functions: modules.written, hidden: modules.hidden })
+}
+
+/// Returns the help text for a requested function that no module of the model has: a way to get it,
+/// and the names of all functions.
+/// `Err` if the model has errors.
+fn missing_function_help(
+    name: &str,
+    model: &Model,
+    dialect: &dyn Dialect,
+    selection: Selection<'_>,
+) -> Result<String, Diagnostics> {
+    let functions = emit_model(model, dialect, Selection { functions: &[], ..selection })?.functions;
+    let why = match name {
+        "outputs" | "events" if selection.scene.is_none() => {
+            "give a scene file in place of the model: its outputs and events become functions; "
+        }
+        "reactions" => "reactions are unknowns of `--formulation newton-euler`; ",
+        "base_regressor" | "base_parameters" if functions.contains(&"inverse_dynamics") => {
+            "the base parameters of this model have no formulas; `regressor` has a column for each inertial parameter; "
+        }
+        name if RegressorFunctions::FUNCTIONS.contains(&name) => "regressors belong to `--formulation kane`; ",
+        _ => "",
+    };
+    Ok(format!("{why}its functions are {}", functions.join(", ")))
+}
+
+/// Returns the name of the model's folder, or the name of its file without extension if the origin
+/// states no folder.
+pub(crate) fn model_name_of_origin(origin: &Origin) -> &str {
+    let stem = origin.folder.trim_end_matches('/');
+    if stem.is_empty() { origin.model.trim_end_matches(".toml") } else { stem }
+}
+
+/// Modules of a model in one language while they are written, as a target.
+struct Modules<'a> {
+    /// Language in which the modules are written.
+    dialect: &'a dyn Dialect,
+    /// Source file and command, as the headers state them.
+    origin: Origin,
+    /// Word for the model in names of files and functions.
+    model_word: String,
+    /// Choice of the equations and functions that are written.
+    selection: Selection<'a>,
+    /// Texts of the files written so far, by file name.
+    files: BTreeMap<String, String>,
+    /// Scene that the simulation scripts run; `None` if there is none, or if only chosen functions
+    /// are written.
+    run: Option<SceneRun>,
+    /// Names of the functions that were written so far.
+    written: Vec<&'static str>,
+    /// Outputs, events and conditions without a function: name, title of the equations, reason.
+    hidden: Vec<(String, String, MissingOutputReason)>,
+    /// Name of the file of the first module; `None` until it is written.
+    main_file: Option<String>,
+}
+
+impl Target for Modules<'_> {
+    fn files(&self) -> &BTreeMap<String, String> {
+        &self.files
+    }
+
+    fn file_of(&self, equations: &str) -> String {
+        self.dialect.main_file(&self.model_word, &module_name(equations))
+    }
+
+    fn write_derived_equations(&mut self, model: &Model, derivation: Derivation) -> Result<(), Diagnostics> {
+        let Derivation { mut arena, equations } = derivation;
+        let equations = equations.with_definitions(&mut arena);
+        let parameters = self.wants("parameter_jacobian").then(|| model.p());
+        let solution =
+            solve_accelerations(&mut arena, &equations, parameters.as_deref()).map_err(|why| model.diagnose(&why))?;
+        let shown = self.selection.scene.map(|scene| {
+            let solved = solution.as_ref().map(|solution| &solution.by_state.accelerations);
+            SceneOutputs::new(model, scene, &mut arena, &equations, solved)
+        });
+        let equations = equations
+            .with_certified_inverse_dynamics(&mut arena)
+            .map_err(|why| model.diagnose(&DeriveError::Unsolved(why.into())))?;
+        let wants_regressor = RegressorFunctions::FUNCTIONS.iter().any(|name| self.names(name));
+        // The forces act along the generalized speeds and there is no reaction among the unknowns,
+        // as in inverse dynamics.
+        let is_in_speeds = !equations.required.is_empty()
+            && equations.variables == model.u()
+            && equations.unknowns.iter().copied().eq(model.speeds.iter().map(|speed| speed.rate));
+        let regression = if wants_regressor && is_in_speeds {
+            Some(RegressorFunctions::new(model, &equations).map_err(|why| model.diagnose(&why))?)
+        } else {
+            None
+        };
+        let language = self.dialect.language();
+        let planner = Planner::new(model, &arena, &equations, language, Sharing::Shared);
+        let mut plan = ModulePlan::new(&planner, solution.as_ref());
+        if let Some(regression) = &regression {
+            plan.add_regressor(&planner, regression, language);
+        }
+        let title = equations.title(model);
+        if self.wants("conditions") {
+            self.hidden
+                .extend(plan.unchecked.iter().map(|name| (name.clone(), title.clone(), MissingOutputReason::Reaction)));
+        }
+        if let Some(shown) = &shown {
+            plan.add_scene_outputs(&planner, shown);
+            self.hidden.extend(shown.left_out.iter().map(|(name, why)| (name.clone(), title.clone(), *why)));
+        }
+        let origin = self.origin.model_origin_sentence();
+        self.add(&planner, plan, &origin);
+        Ok(())
+    }
+
+    fn printed(&mut self, model: &Model, arena: &Arena, equations: &Equations) {
+        let origin = self.origin.publication_origin_sentence();
+        let planner = Planner::new(model, arena, equations, self.dialect.language(), Sharing::AsStated);
+        self.add(&planner, ModulePlan::new(&planner, None), &origin);
+    }
+}
+
+impl Modules<'_> {
+    /// True if a function of this name is to be written: all functions are, or this name is
+    /// requested.
+    fn wants(&self, name: &str) -> bool {
+        self.selection.functions.is_empty() || self.names(name)
+    }
+
+    /// True if the function is requested by its name.
+    fn names(&self, name: &str) -> bool {
+        self.selection.functions.iter().any(|wanted| wanted == name)
+    }
+
+    /// Writes the module of one set of equations: the wanted planned functions, the composite
+    /// functions that can be built from them, and a script.
+    fn add(&mut self, planner: &Planner<'_>, mut plan: ModulePlan, origin: &str) {
+        let name = planner.equations.name(planner.model);
+        let can_write = |composite: &CompositeFunction| {
+            composite.needs().iter().all(|needed| plan.has(needed)) && composite.exists_for_equations(planner.equations)
+        };
+        let composites = self.dialect.composites().iter().copied().filter(can_write);
+        let composites: Vec<CompositeFunction> = composites.filter(|composite| self.wants(composite.name())).collect();
+        let needed: Vec<&str> = composites.iter().flat_map(|composite| composite.needs()).copied().collect();
+        plan.functions.retain(|function| self.wants(function.name) || needed.contains(&function.name));
+        let own = composites.iter().map(|composite| composite.name());
+        for name in plan.functions.iter().map(|function| function.name).chain(own) {
+            if !self.written.contains(&name) {
+                self.written.push(name);
+            }
+        }
+        let module = Module {
+            model_word: &self.model_word,
+            equations_word: &module_name(&name),
+            planner,
+            plan: &plan,
+            composites: &composites,
+            origin,
+        };
+        self.files.extend(self.dialect.files(&module));
+        let script = self.run.as_ref().filter(|_| composites.contains(&CompositeFunction::StateDerivative));
+        self.files.extend(script.and_then(|run| self.dialect.script(&module, run)));
+        self.main_file.get_or_insert_with(|| self.dialect.main_file(&self.model_word, &module_name(&name)));
+    }
+}
+
+/// Solves the equations for the accelerations in closed form and differentiates these by the state.
+/// Differentiates also by the given parameters.
+/// `None` if the equations do not determine the accelerations in closed form.
+/// `Err` if a result is not proved.
+fn solve_accelerations(
+    arena: &mut Arena,
+    equations: &Equations,
+    parameters: Option<&[Expr]>,
+) -> Result<Option<Solution>, DeriveError> {
+    let by_state = match SolvedAccelerations::new(arena, equations) {
+        Ok(solved) => solved,
+        Err(Unsolved::Singular(_)) => return Ok(None),
+        Err(why) => return Err(DeriveError::Unsolved(why)),
+    };
+    let solved = &by_state.accelerations;
+    let by_parameters = match parameters {
+        Some(parameters) => parameter_jacobian(arena, &mut Simplifier::default(), equations, solved, parameters)
+            .map_err(|why| DeriveError::Unsolved(why.into()))?,
+        None => None,
+    };
+    Ok(Some(Solution { by_state, by_parameters }))
+}

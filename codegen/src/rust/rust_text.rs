@@ -1,0 +1,177 @@
+//! Text of Rust files, formatted from tokens, with comments.
+
+use crate::lines::wrap;
+use crate::plan::{Entry, Function, LineComments};
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+use std::fmt::Write;
+use tripos_derive::plain_text::{one_line, with_visible_characters};
+
+/// Makes a text from a model file safe in a Rust doc comment: on one line, with Markdown escaped.
+/// Otherwise rustdoc would run indented text as examples, and make links of brackets and addresses.
+#[must_use]
+pub fn escape_doc_comment(text: &str) -> String {
+    let line = one_line(text);
+    let mut out = String::new();
+    for c in with_visible_characters(&line).chars() {
+        if matches!(c, '`' | '~' | '[' | ']' | '<' | '>') {
+            out.push('\\');
+        }
+        out.push(c);
+    }
+    // An address in the text must not become a link.
+    out.replace("://", "\\://")
+}
+
+/// Returns the lines of a file's header: its title, the sentence on its origin, and facts about its
+/// contents.
+#[must_use]
+pub fn rust_file_header(first: String, origin: &str, facts: &[String]) -> Vec<String> {
+    let mut lines = vec![first, String::new(), origin.to_owned()];
+    lines.extend(facts.iter().map(|fact| escape_doc_comment(fact)));
+    lines
+}
+
+/// Returns the doc attributes of a planned function: description of its result, with the equations
+/// that it computes.
+#[must_use]
+pub fn function_documentation(planned: &Function) -> TokenStream {
+    let mut lines = vec![format!(" {}", planned.about), String::new()];
+    if planned.program.equations().next().is_none() {
+        lines.push(" All entries are 0.".to_owned());
+        return quote!(#(#[doc = #lines])*);
+    }
+    if planned.entries.contains(&Entry::Zero) {
+        lines[0].push_str(" Entries that are not listed are 0.");
+    }
+    if planned.explanation == LineComments::Names {
+        lines.push(format!(" {}, step by step: the code names every term.", planned.cost));
+        return quote!(#(#[doc = #lines])*);
+    }
+    lines.push(" ```text".to_owned());
+    for equation in planned.program.equations() {
+        let wrapped = wrap(&with_visible_characters(equation), EQUATION).into_iter().enumerate();
+        lines.extend(wrapped.map(|(at, part)| format!(" {}{part}", if at == 0 { "" } else { "    " })));
+    }
+    lines.push(" ```".to_owned());
+    quote!(#(#[doc = #lines])*)
+}
+
+/// Largest number of bytes in a line of equations in documentation.
+const EQUATION: usize = 160;
+
+/// Returns a doc attribute that marks a comment on the next statement. Formatting turns it into a
+/// plain comment.
+#[must_use]
+pub fn comment(text: &str) -> TokenStream {
+    let marked = format!("{MARK}{text}");
+    quote!(#[doc = #marked])
+}
+
+/// Mark at the beginning of doc attributes that become plain comments.
+const MARK: &str = "~";
+
+/// Returns the Rust item `pub use` for names of a module, in alphabetical order.
+pub fn reexport<'n>(parent: &TokenStream, module: &str, names: impl IntoIterator<Item = &'n str>) -> TokenStream {
+    let mut names: Vec<&str> = names.into_iter().collect();
+    names.sort_unstable();
+    let (module, names) = (format_ident!("{module}"), names.into_iter().map(|name| format_ident!("{name}")));
+    quote!(pub use #parent::#module::{#(#names),*};)
+}
+
+/// Formats the items of a Rust file. The header becomes file documentation, and marked attributes
+/// become comments.
+///
+/// # Panics
+/// If the tokens are not a Rust file, which would be a defect of the generator.
+#[must_use]
+pub fn format(header: &[String], items: TokenStream) -> String {
+    format_with_header("//!", header, items)
+}
+
+/// Formats the items of a Rust file that another file can contain by `include!`. The header becomes
+/// a plain comment, because file documentation would be an error there.
+///
+/// # Panics
+/// If the tokens are not a Rust file, which would be a defect of the generator.
+#[must_use]
+pub fn format_to_include(header: &[String], items: TokenStream) -> String {
+    format_with_header("//", header, items)
+}
+
+/// Formats the items of a Rust file. The header becomes comments that begin with `sign`.
+fn format_with_header(sign: &str, header: &[String], items: TokenStream) -> String {
+    let file: syn::File = syn::parse2(items).expect("generated tokens are a Rust file");
+    let body = join_short_lines(&prettyplease::unparse(&file));
+    // A line break in a header line would end the comment, and the rest would be code.
+    let lines = header.iter().map(|line| one_line(&with_visible_characters(line)));
+    let mut out: String =
+        lines.map(|line| if line.is_empty() { format!("{sign}\n") } else { format!("{sign} {line}\n") }).collect();
+    out.push('\n');
+    let marked = format!("///{MARK}");
+    let mut before = "";
+    for line in body.lines() {
+        // Items are separated by blank lines, as rustfmt would keep them.
+        let starts = ["///", "pub ", "impl", "fn ", "use ", "#["].iter().any(|start| line.starts_with(start));
+        let ended = before.starts_with('}') || before.ends_with(';') && !before.starts_with(' ');
+        let both = |start: &str| before.starts_with(start) && line.starts_with(start);
+        let in_list = before.starts_with("pub mod") && line.starts_with("#[rustfmt");
+        if starts && ended && !(both("use") || both("pub mod") || in_list) {
+            out.push('\n');
+        }
+        before = line;
+        match line.split_once(&marked) {
+            Some((indent, text)) if indent.trim().is_empty() => {
+                for (at, part) in wrap(&with_visible_characters(text), 104 - indent.len().min(60)).iter().enumerate() {
+                    let hang = if at == 0 { "" } else { "  " };
+                    let _ = writeln!(out, "{indent}// {hang}{part}");
+                }
+            }
+            _ => {
+                out.push_str(line);
+                out.push('\n');
+            }
+        }
+    }
+    out
+}
+
+/// Largest number of bytes in a line of code.
+const WIDTH: usize = 100;
+
+/// Joins lines of code up to `WIDTH` bytes: short items of lists and fields, and continuations that
+/// begin with an operator.
+fn join_short_lines(body: &str) -> String {
+    let is_short = |item: &str| {
+        // A struct field that is set from an array entry counts as short.
+        let item = if item.ends_with("],") { item.replacen(": ", "", 1) } else { item.to_owned() };
+        let opens = item.starts_with(|c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | '"'));
+        opens && item.ends_with(',') && !item.contains([' ', '(', ')', '{', '}', '|', '&'])
+    };
+    let goes_on = |item: &str| ["+ ", "- ", "* ", "/ "].iter().any(|operator| item.starts_with(operator));
+    let mut out = String::with_capacity(body.len());
+    // Indent of the list whose last line can be continued, and length of the last line.
+    let (mut open, mut length): (Option<usize>, usize) = (None, 0);
+    let indent_of = |line: &str| line.len() - line.trim_start().len();
+    let mut lines = body.lines().peekable();
+    while let Some(line) = lines.next() {
+        let (item, indent) = (line.trim_start(), indent_of(line));
+        // An item with lines of its own below it keeps its line.
+        let is_whole = lines.peek().is_none_or(|next| indent_of(next) <= indent);
+        let fits = length + 1 + item.len() <= WIDTH;
+        if fits && (open == Some(indent) && is_short(item) || is_whole && goes_on(item)) {
+            out.push(' ');
+            out.push_str(item);
+            length += 1 + item.len();
+        } else {
+            if !out.is_empty() {
+                out.push('\n');
+            }
+            out.push_str(line);
+            length = line.len();
+            open = is_short(item).then_some(indent);
+        }
+    }
+    out.push('\n');
+    out
+}

@@ -1,0 +1,44 @@
+//! Parts of formulas that are too long to be written out: each part gets a name in the formulas
+//! that contain it.
+
+use super::BUDGET;
+use crate::algebra::{Arena, Expr, Node};
+use rustc_hash::FxHashMap;
+
+/// Number of nodes above which a sum or product is split off as a part. Parts within it count as
+/// one node each.
+const PART: usize = 500;
+
+/// Sums and products that must get names so that formulas of more than [`BUDGET`] nodes become
+/// short. Each comes after the parts that it contains. Empty if all formulas are short.
+/// Without these names, terms that are shared many times would be written out again and again.
+#[must_use]
+pub fn long_parts(arena: &Arena, formulas: &[Expr]) -> Vec<Expr> {
+    let whole = sizes(arena, &arena.terms_shown_in_text(formulas), usize::MAX);
+    let long: Vec<Expr> = formulas.iter().copied().filter(|e| whole[e].0 > BUDGET).collect();
+    let shown = arena.terms_shown_in_text(&long);
+    let sizes = sizes(arena, &shown, PART);
+    shown.into_iter().filter(|e| sizes[e].1).collect()
+}
+
+/// Number of nodes of a formula as it is printed in full. The text has three to four characters per
+/// node.
+#[must_use]
+pub fn printed_length(arena: &Arena, formula: Expr) -> usize {
+    sizes(arena, &arena.terms_shown_in_text(&[formula]), usize::MAX)[&formula].0
+}
+
+/// Number of printed nodes of each term, and true if the term is a part. Operands come first in
+/// `terms`. A sum or product of more than `part` nodes is a part, and counts as one node in other
+/// terms.
+fn sizes(arena: &Arena, terms: &[Expr], part: usize) -> FxHashMap<Expr, (usize, bool)> {
+    let mut known: FxHashMap<Expr, (usize, bool)> = FxHashMap::default();
+    for e in terms {
+        let operands = if arena.written_name(*e).is_some() { 0 } else { usize::MAX };
+        let inner = arena.operands(*e).take(operands).map(|o| if known[&o].1 { 1 } else { known[&o].0 });
+        let size = inner.fold(1, usize::saturating_add);
+        let is_part = size > part && matches!(arena.node(*e), Node::Sum(..) | Node::Product(_));
+        known.insert(*e, (size, is_part));
+    }
+    known
+}

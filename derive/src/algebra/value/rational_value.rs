@@ -1,0 +1,84 @@
+//! Exact values of terms as rational numbers.
+
+use crate::algebra::term::fold::{Fold, Values, fold};
+use crate::algebra::{Arena, Expr, Function, Rational};
+
+/// Decimals of π, 60 of them: more than twice the digits of a double are never needed.
+const PI: &str = "3.141592653589793238462643383279502884197169399375105820974945";
+
+/// Rational approximation of π to 60 decimals, which exceeds every precision in use.
+#[must_use]
+pub fn rational_pi() -> Rational {
+    Rational::parse_decimal(PI).expect("decimals")
+}
+
+/// Value of the term `e` as a rational number, with π to 60 decimals. `known` gives the values of
+/// some terms, such as symbols.
+/// `None` if a function, a symbol without a value or a division by 0 occurs.
+#[must_use]
+pub fn exact_value(arena: &Arena, e: Expr, known: &[(Expr, Rational)]) -> Option<Rational> {
+    fold(arena, e, &mut Exact(known))
+}
+
+/// Rules that evaluate terms in rational numbers. The list gives the values of some terms as pairs
+/// (term, value).
+struct Exact<'a>(&'a [(Expr, Rational)]);
+
+impl Fold for Exact<'_> {
+    type Value = Rational;
+    fn number(&mut self, value: &Rational) -> Option<Rational> {
+        Some(value.clone())
+    }
+    fn pi(&mut self) -> Option<Rational> {
+        Some(rational_pi())
+    }
+    fn symbol(&mut self, _: Expr) -> Option<Rational> {
+        None
+    }
+    fn sum(&mut self, constant: &Rational, terms: &[(Expr, Rational)], of: &Values<'_, Rational>) -> Option<Rational> {
+        Some(terms.iter().fold(constant.clone(), |sum, (term, k)| sum.add(&of[*term].mul(k))))
+    }
+    fn product(&mut self, factors: &[(Expr, i32)], of: &Values<'_, Rational>) -> Option<Rational> {
+        factors.iter().try_fold(Rational::ONE, |product, (base, n)| Some(product.mul(&of[*base].pow(*n)?)))
+    }
+    fn apply(&mut self, _: Function, _: Expr, _: &Values<'_, Rational>) -> Option<Rational> {
+        None
+    }
+    fn known(&mut self, term: Expr) -> Option<Rational> {
+        self.0.iter().find(|(known, _)| *known == term).map(|(_, value)| value.clone())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::algebra::text::parse::parse_free;
+    use crate::algebra::value::tape::Numeric;
+    use tripos_traits::DoubleDouble;
+
+    fn extended(text: &str) -> Option<DoubleDouble> {
+        let mut arena = Arena::new();
+        let e = parse_free(&mut arena, text).unwrap();
+        exact_value(&arena, e, &[]).map(|value| DoubleDouble::from_rational(&value))
+    }
+
+    /// The second double of 9.81 is 9.81 minus the first, by exact decimal expansion of both:
+    /// 9.81000000000000049737991503207013010978698730468750 is the first.
+    #[test]
+    fn what_a_double_leaves_of_a_decimal_is_kept() {
+        assert_eq!(extended("9.81"), Some(DoubleDouble::sum(9.81, -4.973_799_150_320_702e-16)));
+    }
+
+    /// The second double of π is 1.2246467991473532e-16 (sin of the first one, to its own rounding).
+    #[test]
+    fn pi_has_more_digits_than_a_double() {
+        assert_eq!(extended("pi"), Some(DoubleDouble::sum(std::f64::consts::PI, 1.224_646_799_147_353_2e-16)));
+        let small = DoubleDouble::sum(-1e-3, 2.081_668_171_172_168_5e-20);
+        assert_eq!(extended("pi/2 - 1/1000 - pi/2"), Some(small));
+    }
+
+    #[test]
+    fn function_values_have_no_exact_value() {
+        assert_eq!(extended("sqrt(2)"), None);
+    }
+}

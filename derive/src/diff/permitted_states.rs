@@ -1,0 +1,236 @@
+//! Permitted states, in which printed and derived values are compared: on the constraints of a model and in its domain.
+//!
+//! Rates are those that the speeds permit, q̇ = W u + w. Each equation between coordinates is solved for one symbol:
+//! for a coordinate in which it is linear, else for a parameter, such as a length of a loop, else for the root of a
+//! quadratic equation. A statement proved for the other symbols then holds in every state on the constraints, except
+//! where a divisor is 0.
+
+use crate::algebra::form::normal_form::Normalizer;
+use crate::algebra::form::simplify::Simplifier;
+use crate::algebra::meaning::permitted_states::PermittedStates;
+use crate::algebra::solve::linear::LinearForm;
+use crate::algebra::term::calculus::{Differential, Substitution};
+use crate::algebra::term::elementary::expand_multiple_angles;
+use crate::algebra::term::steps::fresh_symbol;
+use crate::algebra::value::zero_test::{ZeroTest, zero_test};
+use crate::algebra::{Arena, Expr, Function, Node, Rational};
+use crate::mechanics::{Kinematics, Quantities};
+use crate::model::{Model, MotionConstraintKind, TIME};
+
+/// Largest number of multiplications of terms spent on the numerator of one loop equation.
+const BUDGET: u64 = 100_000;
+
+/// Permitted states of a model: values for the symbols that its constraints determine, and the
+/// conditions of its domain.
+pub fn permitted_states(quantities: &mut Quantities<'_>) -> PermittedStates {
+    let model = quantities.model;
+    let (mut solved, open) = permitted_values_from_loops(quantities);
+    if !model.motion_constraints.is_empty() {
+        let mut put = Substitution::new(&solved);
+        let mut free = |arena: &mut Arena, e: Expr| {
+            let separate = expand_multiple_angles(arena, e);
+            put.apply(arena, separate)
+        };
+        for c in &model.coordinates {
+            for rate in [c.rate, c.second_rate] {
+                let in_speeds = quantities.in_speeds(rate);
+                let arena = &mut quantities.derivations.kinematics.arena;
+                solved.push((rate, free(arena, in_speeds)));
+            }
+        }
+    }
+    let conditions = model.domain.iter().map(|condition| condition.positive).collect();
+    let arena = &mut quantities.derivations.kinematics.arena;
+    let shorter = sums_fixed_by_constraints(model, arena);
+    let permitted =
+        PermittedStates::new(arena, solved, conditions).with_shorter_terms(&shorter).with_unsolved_equation(open);
+    let is_told = model.motion_constraints.iter().any(|constraint| constraint.kind != MotionConstraintKind::Clock);
+    if is_told { permitted } else { permitted.hide_free_symbols() }
+}
+
+/// Solves the loop equations of a model. Returns pairs (symbol, value).
+/// The second part is the reason if an equation gives no symbol in closed form, else `None`.
+fn permitted_values_from_loops(quantities: &mut Quantities<'_>) -> (Vec<(Expr, Expr)>, Option<String>) {
+    let model = quantities.model;
+    let Kinematics { arena, simplifier, .. } = &mut quantities.derivations.kinematics;
+    let mut solved: Vec<(Expr, Expr)> = Vec::new();
+    let mut open = None;
+    for one in model.loops.iter().chain(&model.closed) {
+        let equation = expand_multiple_angles(arena, one.equation);
+        let equation = Substitution::new(&solved).apply(arena, equation);
+        let equation = numerator(arena, equation);
+        if zero_test(arena, equation) == ZeroTest::Zero {
+            continue;
+        }
+        let found = solve_constraint_for_symbol(model, arena, simplifier, equation).map(|pair| vec![pair]);
+        let Some(found) = found.or_else(|| solve_constraint_for_angle(model, arena, equation)) else {
+            open = Some(format!(
+                "the equation of `{}` gives no symbol in closed form, so that no state on it is known",
+                one.name
+            ));
+            continue;
+        };
+        let found: Vec<_> = found.into_iter().map(|(e, value)| (e, simplifier.simplify(arena, value))).collect();
+        let mut put = Substitution::new(&found);
+        for (_, earlier) in &mut solved {
+            let separate = expand_multiple_angles(arena, *earlier);
+            *earlier = put.apply(arena, separate);
+        }
+        solved.extend(found);
+    }
+    (solved, open)
+}
+
+/// Sums of coordinates that a loop equation fixes, each with its value in parameters, such as (x² +
+/// y², l²).
+fn sums_fixed_by_constraints(model: &Model, arena: &mut Arena) -> Vec<(Expr, Expr)> {
+    let coordinates = model.q();
+    let mut list = Vec::new();
+    for one in model.loops.iter().chain(&model.closed) {
+        let Node::Sum(constant, terms) = arena.node(one.equation).clone() else { continue };
+        let moves = |term: &Expr| coordinates.iter().any(|q| arena.mentions(*term, *q));
+        let (moving, fixed): (Vec<_>, Vec<_>) = terms.iter().cloned().partition(|(term, _)| moves(term));
+        if moving.len() < 2 || (fixed.is_empty() && constant.is_zero()) {
+            continue;
+        }
+        let constant = arena.number(constant);
+        let fixed: Vec<_> = fixed.into_iter().chain([(constant, Rational::ONE)]).collect();
+        let (sum, rest) = (arena.linear_combination(&moving), arena.linear_combination(&fixed));
+        // sum + rest = 0. In terms, sums occur without a factor that is a number.
+        let (content, sum) = arena.split_content(sum);
+        let Some(inverse) = content.reciprocal() else { continue };
+        list.push((sum, arena.scale(rest, &inverse.neg())));
+    }
+    list
+}
+
+/// Numerator of the fraction `e`, expanded. Returns `e` itself if the numerator exceeds the work
+/// limit.
+fn numerator(arena: &mut Arena, e: Expr) -> Expr {
+    let mut normalizer = Normalizer::new(BUDGET);
+    match normalizer.normal_form(arena, e) {
+        Some(form) => normalizer.polynomial(&form.numerator).expand(arena),
+        None => e,
+    }
+}
+
+/// Equation A x² + B x + C = 0 in one symbol x.
+struct Quadratic {
+    /// Coefficient A of x², a term without x.
+    a: Expr,
+    /// Coefficient B of x, a term without x.
+    b: Expr,
+    /// Term C, which is the value of the left side at x = 0.
+    c: Expr,
+}
+
+impl Quadratic {
+    /// Coefficients of an equation in a symbol; `None` unless the equation depends on the symbol and is at most
+    /// quadratic in it.
+    fn new(arena: &mut Arena, equation: Expr, symbol: Expr) -> Option<Self> {
+        let mut along = Differential::partial(symbol);
+        let slope = along.apply(arena, equation);
+        let bend = along.apply(arena, slope);
+        let mut at_zero = Substitution::new(&[(symbol, Expr::ZERO)]);
+        let (b, c) = (at_zero.apply(arena, slope), at_zero.apply(arena, equation));
+        let a = arena.scale(bend, &Rational::fraction(1, 2)?);
+        let is_free = [a, b, c].into_iter().all(|e| !arena.mentions(e, symbol));
+        let depends = [a, b].into_iter().any(|e| zero_test(arena, e) == ZeroTest::NonZero);
+        (is_free && depends).then_some(Self { a, b, c })
+    }
+
+    /// True if A = 0, so that the equation is linear in the symbol.
+    fn is_linear(&self) -> bool {
+        self.a == Expr::ZERO
+    }
+
+    /// Solution x of A x² + B x + C = 0: −C/B if linear, else the root −B/(2 A) + √(B²/(4 A²) −
+    /// C/A).
+    /// Returns `None` if a divisor is zero.
+    fn value(&self, arena: &mut Arena) -> Option<Expr> {
+        if self.is_linear() {
+            let quotient = arena.div(self.c, self.b)?;
+            return Some(arena.neg(quotient));
+        }
+        // −B/(2 A) + √(B²/(4 A²) − C/A).
+        let twice = arena.add(self.a, self.a);
+        let middle = arena.div(self.b, twice)?;
+        let (square, product) = (arena.square(middle), arena.div(self.c, self.a)?);
+        let radicand = arena.sub(square, product);
+        let root = arena.apply(Function::Sqrt, radicand);
+        Some(arena.sub(root, middle))
+    }
+}
+
+/// Solves a loop equation for one symbol. Returns the symbol and its value, or `None` if no symbol
+/// can be solved for.
+/// The value must contain a coordinate, because a symbol that occurs in only one factor of a
+/// product is not determined. Linear symbols are preferred, then positive parameters that occur as
+/// a pure square.
+fn solve_constraint_for_symbol(
+    model: &Model,
+    arena: &mut Arena,
+    simplifier: &mut Simplifier,
+    equation: Expr,
+) -> Option<(Expr, Expr)> {
+    let ties_coordinates = |arena: &Arena, e: Expr| {
+        let parts = arena.reachable(&[e]);
+        model.coordinates.iter().any(|c| parts.binary_search(&c.symbol).is_ok())
+    };
+    let coordinates = model.coordinates.iter().filter(|c| c.name != TIME).map(|c| (c.symbol, false));
+    let parameters = model.parameters.iter().filter(|p| !p.is_input).map(|p| (p.symbol, p.positive));
+    let mut found: Option<(usize, Expr, Expr)> = None;
+    for (symbol, positive) in coordinates.chain(parameters) {
+        if !arena.mentions(equation, symbol) {
+            continue;
+        }
+        let Some(quadratic) = Quadratic::new(arena, equation, symbol) else { continue };
+        // The best symbol is linear; next is a positive parameter that enters as a pure square, because its root is
+        // unique.
+        let rank = match (quadratic.is_linear(), positive && quadratic.b == Expr::ZERO) {
+            (true, _) => 0,
+            (false, true) => 1,
+            (false, false) => 2,
+        };
+        if found.as_ref().is_some_and(|(best, ..)| *best <= rank) {
+            continue;
+        }
+        let Some(value) = quadratic.value(arena) else { continue };
+        let value = simplifier.simplify(arena, value);
+        if ties_coordinates(arena, value) {
+            found = Some((rank, symbol, value));
+        }
+    }
+    found.map(|(_, symbol, value)| (symbol, value))
+}
+
+/// Solves a sin q + b cos q + c = 0 for a coordinate q. Returns the values of sin q, cos q and q.
+/// Returns `None` if no coordinate occurs in this form.
+fn solve_constraint_for_angle(model: &Model, arena: &mut Arena, equation: Expr) -> Option<Vec<(Expr, Expr)>> {
+    model.coordinates.iter().filter(|c| c.name != TIME).find_map(|q| {
+        let (sine, cosine) = (arena.sin(q.symbol), arena.cos(q.symbol));
+        let [s, c] = ["sine", "cosine"].map(|name| fresh_symbol(arena, name));
+        let plain = Substitution::new(&[(sine, s), (cosine, c)]).apply(arena, equation);
+        let Ok((factors, rest)) = LinearForm::new(&[s, c]).coefficients(arena, plain) else { return None };
+        let (a, b) = (factors[0], factors[1]);
+        let is_free = [a, b, rest].into_iter().all(|e| !arena.mentions(e, q.symbol));
+        let depends = [a, b].into_iter().any(|e| zero_test(arena, e) == ZeroTest::NonZero);
+        if !is_free || !depends {
+            return None;
+        }
+        // (sin, cos) = (−a c + b r, −b c − a r)/(a² + b²) with r² = a² + b² − c².
+        let squares = [a, b, rest].map(|e| arena.square(e));
+        let length = arena.add(squares[0], squares[1]);
+        let radicand = arena.sub(length, squares[2]);
+        let root = arena.apply(Function::Sqrt, radicand);
+        let products = [(b, root), (a, rest), (b, rest), (a, root)].map(|(x, y)| arena.mul(x, y));
+        let (above_sine, below) = (arena.sub(products[0], products[1]), arena.add(products[2], products[3]));
+        let (value, opposite) = (arena.div(above_sine, length)?, arena.div(below, length)?);
+        let across = arena.neg(opposite);
+        // q = 2 atan(sin q/(1 + cos q)).
+        let beside = arena.add(Expr::ONE, across);
+        let tangent = arena.div(value, beside)?;
+        let half = arena.apply(Function::Atan, tangent);
+        Some(vec![(sine, value), (cosine, across), (q.symbol, arena.add(half, half))])
+    })
+}

@@ -1,0 +1,41 @@
+//! Inertial parameters of a body: mass, first moments and inertia. Kinetic energy and weight are
+//! linear in them.
+
+use crate::model::Unit;
+
+/// Inertial parameter of a body, about a point of the body, along body-fixed axes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum InertialParameter {
+    /// Mass m of the body, kg.
+    Mass,
+    /// First moment m x, kg m: mass times the coordinate of the mass centre from the point, along axis
+    /// 0, 1 or 2.
+    FirstMoment(usize),
+    /// Entry (row, column) of the inertia tensor about the point, kg m². Off the diagonal it has the
+    /// sign of the tensor, −∫ x y dm.
+    Inertia(usize, usize),
+}
+
+impl InertialParameter {
+    /// Symbol of the parameter without the name of the body: `m`, `mx`, `Ixy`.
+    #[must_use]
+    pub fn parameter_symbol(self) -> String {
+        let axis = |i: usize| ["x", "y", "z"][i];
+        match self {
+            Self::Mass => "m".to_owned(),
+            Self::FirstMoment(i) => format!("m{}", axis(i)),
+            Self::Inertia(i, j) => format!("I{}{}", axis(i.min(j)), axis(i.max(j))),
+        }
+    }
+
+    /// Unit of the inertial parameter: kg, kg m or kg m².
+    #[must_use]
+    pub fn unit(self) -> Unit {
+        let lengths = match self {
+            Self::Mass => 0,
+            Self::FirstMoment(_) => 1,
+            Self::Inertia(..) => 2,
+        };
+        Unit::new(lengths, 1, 0)
+    }
+}

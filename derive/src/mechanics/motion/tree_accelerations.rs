@@ -1,0 +1,155 @@
+//! Accelerations of frames and points of large models, computed along the tree with a name for each
+//! long subterm.
+
+use super::kinematics::{Kinematics, Velocities};
+use crate::algebra::term::calculus::Differential;
+use crate::algebra::{Expr, Rational};
+use crate::geometry::{Components, Placement, Vector, apply_tensor, cross_components};
+use crate::model::Model;
+
+/// Accelerations of all frames and points, relative to free fall.
+pub(in crate::mechanics) struct Accelerations {
+    /// Angular acceleration α of each frame of the model, rad/s².
+    pub angular: Vec<Vector>,
+    /// Acceleration of each point of the model less the acceleration of free fall, m/s².
+    pub linear: Vec<Vector>,
+}
+
+/// Choice where the angular acceleration α of a frame enters the acceleration of its points.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(in crate::mechanics) enum AlphaTerms {
+    /// Angular acceleration α is part of the named matrix α× + ω×ω× of the frame.
+    InMatrix,
+    /// Angular acceleration α stays outside the named matrix, which is then only ω×ω×. Chosen if α is
+    /// unknown.
+    Separate,
+}
+
+/// Angular accelerations and angular velocities of all frames of a model.
+#[derive(Clone, Copy)]
+struct FrameRotations<'a> {
+    /// Angular acceleration of each frame of the model, rad/s².
+    angular: &'a [Vector],
+    /// Components of each frame's angular velocity along its own axes, rad/s.
+    spins: &'a [Components],
+}
+
+impl Kinematics {
+    /// Accelerations in a motion whose state has the given rates: α of each frame, and a − g of each
+    /// point. Subtracting g makes the weight an inertia force.
+    pub(in crate::mechanics) fn accelerations(
+        &mut self,
+        model: &Model,
+        velocities: &Velocities,
+        rates: &mut Differential,
+        fall: &Vector,
+        terms: AlphaTerms,
+    ) -> Accelerations {
+        let mut angular: Vec<Vector> = Vec::new();
+        let mut spins: Vec<Components> = Vec::new();
+        for (at, frame) in model.frames.iter().enumerate() {
+            let Some((parent, _)) = frame.rotation else {
+                angular.push(Vector::default());
+                spins.push([Expr::ZERO; 3]);
+                continue;
+            };
+            let name = &frame.name;
+            let omega = self.frames.express_frame_by_frame(&mut self.arena, &velocities.angular[at], at, "w", name);
+            let own = velocities.angular[at].parts.iter().find(|(of, _)| *of == at);
+            let own = own.map_or([Expr::ZERO; 3], |(_, components)| *components);
+            let arena = &mut self.arena;
+            // ᴺd(σ' e)/dt = σ'' e + ω × σ' e.
+            let turning = cross_components(arena, &omega, &own);
+            let rate = std::array::from_fn(|i| {
+                let along = rates.apply(arena, own[i]);
+                arena.add(along, turning[i])
+            });
+            let step = Vector::in_frame(at, rate);
+            angular.push(angular[parent].add(arena, &step));
+            spins.push(omega);
+        }
+        let linear =
+            self.linear_accelerations(model, FrameRotations { angular: &angular, spins: &spins }, rates, fall, terms);
+        Accelerations { angular, linear }
+    }
+
+    /// Acceleration of each point less that of free fall, m/s²: from its parent point by a + α × r + ω
+    /// × (ω × r) + 2 ω × r' + r''.
+    fn linear_accelerations(
+        &mut self,
+        model: &Model,
+        turning: FrameRotations<'_>,
+        rates: &mut Differential,
+        fall: &Vector,
+        terms: AlphaTerms,
+    ) -> Vec<Vector> {
+        let FrameRotations { angular, spins } = turning;
+        let split = terms == AlphaTerms::Separate;
+        let mut turns: Vec<Option<[Components; 3]>> = vec![None; model.frames.len()];
+        let mut linear: Vec<Vector> = Vec::new();
+        for point in &model.points {
+            let Some(Placement { parent, frame, components }) = point.position else {
+                linear.push(fall.neg(&mut self.arena));
+                continue;
+            };
+            let alpha = self.frames.express_frame_by_frame(
+                &mut self.arena,
+                &angular[frame],
+                frame,
+                "alpha",
+                &model.frames[frame].name,
+            );
+            let (given, sought) = if split { ([Expr::ZERO; 3], alpha) } else { (alpha, [Expr::ZERO; 3]) };
+            let turn = *turns[frame]
+                .get_or_insert_with(|| self.relative_acceleration_matrix(model, frame, &given, &spins[frame]));
+            let arena = &mut self.arena;
+            let moving = components.map(|e| rates.apply(arena, e));
+            // a + α × r + ω × (ω × r) + 2 ω × r' + r''.
+            let fixed = apply_tensor(arena, &turn, &components);
+            let fixed =
+                fixed.map(|e| if split { arena.name(e, &format!("a_within_{}", model.frames[frame].name)) } else { e });
+            let turning = cross_components(arena, &sought, &components);
+            let coriolis = cross_components(arena, &spins[frame], &moving);
+            let two = Rational::integer(2);
+            let rate = std::array::from_fn(|i| {
+                let within = rates.apply(arena, moving[i]);
+                let twice = arena.scale(coriolis[i], &two);
+                arena.sum(&[fixed[i], turning[i], twice, within])
+            });
+            let step = Vector::in_frame(frame, rate);
+            linear.push(linear[parent].add(arena, &step));
+        }
+        linear
+    }
+
+    /// Named matrix α× + ω×ω× of a frame, s⁻². Its product with the position of a fixed point is the
+    /// point's relative acceleration.
+    fn relative_acceleration_matrix(
+        &mut self,
+        model: &Model,
+        frame: usize,
+        alpha: &Components,
+        omega: &Components,
+    ) -> [Components; 3] {
+        let name = &model.frames[frame].name;
+        let arena = &mut self.arena;
+        let mut product = |i: usize, j: usize| {
+            let (i, j) = (i.min(j), i.max(j));
+            let product = arena.mul(omega[i], omega[j]);
+            arena.name(product, &format!("w_{name}_{}{}", i + 1, j + 1))
+        };
+        let squares: [Components; 3] = std::array::from_fn(|i| std::array::from_fn(|j| product(i, j)));
+        std::array::from_fn(|i| {
+            std::array::from_fn(|j| {
+                let entry = if i == j {
+                    let sum = arena.add(squares[(i + 1) % 3][(i + 1) % 3], squares[(i + 2) % 3][(i + 2) % 3]);
+                    arena.neg(sum)
+                } else {
+                    let other = alpha[3 - i - j];
+                    if (j + 3 - i) % 3 == 1 { arena.sub(squares[i][j], other) } else { arena.add(squares[i][j], other) }
+                };
+                arena.name(entry, &format!("turn_{name}_{}{}", i + 1, j + 1))
+            })
+        })
+    }
+}

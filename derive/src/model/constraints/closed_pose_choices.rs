@@ -1,0 +1,96 @@
+//! Choices made in the closed poses of a mechanism: which constraints are redundant there, and
+//! which joint speeds become generalized speeds.
+
+use super::closed_poses::{ClosedPoseSearch, ClosedPoses, RedundantRow, random_coordinate_ranges};
+use super::motion_constraints::{MotionConstraints, SpeedDefinitions};
+use crate::algebra::Expr;
+use crate::algebra::solve::linear::LinearForm;
+use crate::model::reading::model_reader::Loading;
+use crate::model::{Coordinate, MotionConstraintKind, RedundantConstraint, Unit};
+use std::ops::{Range, RangeInclusive};
+
+impl Loading<'_> {
+    /// Removes constraints from `ties` that follow from others wherever the loops are closed. If there
+    /// are too many speeds, it chooses among those of joints. If no closed pose is found, it removes
+    /// the constraints at the indices `also`, whose rates follow from the other constraints everywhere.
+    pub fn choose_in_closed_poses(
+        &mut self,
+        coordinates: &[Coordinate],
+        speeds: SpeedDefinitions<'_>,
+        defaults: &[(Expr, f64)],
+        also: Range<usize>,
+        ties: &mut MotionConstraints,
+    ) {
+        let SpeedDefinitions { definitions: speeds, brought } = speeds;
+        if ties.loops.is_empty() {
+            return;
+        }
+        let declared = brought.iter().filter(|brought| !**brought).count()..=speeds.len();
+        let Some(closed) = self.closed_poses(coordinates, speeds, declared, defaults, ties) else {
+            for at in also.rev() {
+                remove_redundant_constraint(ties, at);
+            }
+            return;
+        };
+        let count = ties.motion.len();
+        ties.branch = Some(closed.branch().clone());
+        let (stated, may_go): (Vec<usize>, Vec<usize>) = (0..speeds.len()).partition(|at| !brought[*at]);
+        let kept: Vec<usize> = closed.independent().iter().copied().chain(stated.iter().map(|at| count + at)).collect();
+        let wanted = coordinates.len().saturating_sub(kept.len());
+        if may_go.len() > wanted {
+            let among = may_go.iter().map(|at| count + at).collect();
+            let chosen = closed.choose_independent_rows(kept, among, wanted);
+            ties.speeds = Some(stated.into_iter().chain(chosen.into_iter().map(|row| row - count)).collect());
+        }
+        let names: Vec<String> = ties.motion.iter().map(|(c, _)| c.name.clone()).collect();
+        for RedundantRow { at, of } in closed.dependent().iter().rev() {
+            let (name, equation) = remove_redundant_constraint(ties, *at);
+            let of = of.iter().map(|at| names[*at].clone()).collect();
+            ties.dependent.insert(0, RedundantConstraint { name, equation, of, poses: closed.count() });
+        }
+    }
+
+    /// Derivatives of constraints and speeds in closed poses, on a branch whose number of degrees of
+    /// freedom is in `declared`. `None` if no closed pose is found.
+    fn closed_poses(
+        &mut self,
+        coordinates: &[Coordinate],
+        speeds: &[Expr],
+        declared: RangeInclusive<usize>,
+        defaults: &[(Expr, f64)],
+        ties: &MotionConstraints,
+    ) -> Option<ClosedPoses> {
+        let rates: Vec<Expr> = coordinates.iter().map(|c| c.rate).collect();
+        let mut form = LinearForm::new(&rates);
+        let equations = ties.motion.iter().map(|(c, _)| c.equation).chain(speeds.iter().copied());
+        let rows: Result<Vec<Vec<Expr>>, _> =
+            equations.map(|e| form.coefficients(&mut self.arena, e).map(|(row, _)| row)).collect();
+        // A row that is not linear is reported later, when the equations are solved for the rates.
+        let rows = rows.ok()?;
+        let lengths = defaults.iter().filter(|(symbol, _)| self.units.get(symbol) == Some(&Unit::new(1, 0, 0)));
+        let reach =
+            random_coordinate_ranges(coordinates.iter().map(|c| c.unit.is_plain()), lengths.map(|(_, value)| *value));
+        let places: Vec<Expr> = coordinates.iter().map(|c| c.symbol).collect();
+        let equations: Vec<Expr> = ties.loops.iter().map(|c| c.equation).collect();
+        let poses =
+            ClosedPoseSearch { known: defaults, coordinates: &places, reach: &reach, loops: &equations, flat: 0.0 };
+        let count = ties.motion.len();
+        ClosedPoses::new(&mut self.arena.clone(), &poses, count, &rows, declared)
+    }
+}
+
+/// Removes the constraint at an index from the independent constraints; a loop still has to be
+/// closed. Returns its name, and for a constraint between velocities the term that is zero.
+fn remove_redundant_constraint(ties: &mut MotionConstraints, at: usize) -> (String, Option<Expr>) {
+    let (constraint, _) = ties.motion.remove(at);
+    let MotionConstraintKind::Loop(place) = constraint.kind else {
+        return (constraint.name, Some(constraint.equation));
+    };
+    ties.closed.insert(0, ties.loops.remove(place));
+    for (other, _) in &mut ties.motion {
+        if let MotionConstraintKind::Loop(at) = &mut other.kind {
+            *at -= usize::from(*at > place);
+        }
+    }
+    (constraint.name, None)
+}

@@ -1,0 +1,244 @@
+//! Configuration constraints: equations between coordinates, solved for a coordinate if possible.
+//! Reads all entries of `[constraints]`.
+//!
+//! A coordinate for which a constraint is solved leaves the model. Each new solution is substituted
+//! into the earlier solutions, so no solution contains these coordinates.
+//!
+//! A prescribed coordinate stays, with its constraint, if a potential depends on it. If a value
+//! replaced the coordinate, the potential would depend on time alone there and exert no force. The
+//! power of the drive would then lack the potential's part.
+
+use crate::algebra::solve::linear::LinearForm;
+use crate::algebra::term::calculus::{Differential, Substitution};
+use crate::algebra::value::zero_test::{ZeroTest, zero_test};
+use crate::algebra::{Arena, Expr};
+use crate::model::bodies::elements::Elements;
+use crate::model::reading::declared_names::{MOTION, NameKind, TIME};
+use crate::model::reading::model_reader::Loading;
+use crate::model::{Constraint, Coordinate, Potential};
+use crate::toml_reader::TomlReader;
+use std::ops::Range;
+use toml::de::DeTable;
+
+/// Constraint of a model file as read, before it is solved.
+pub struct StatedConstraint {
+    /// Name of the constraint in the model file.
+    pub name: String,
+    /// Left side less right side of the constraint: the term that is zero.
+    pub equation: Expr,
+    /// Index of the reaction that enforces the constraint; `None` if the model file states none.
+    pub enforced_by: Option<usize>,
+    /// Byte range of the equation in the model file.
+    pub span: Range<usize>,
+    /// True if the equation may be redundant without an error; it is then no constraint. False for an
+    /// entry of `[constraints]`, whose redundancy is an error.
+    pub may_repeat: bool,
+}
+
+impl StatedConstraint {
+    /// Copy of the constraint with a substitution applied to its equation.
+    pub fn substitute(self, arena: &mut Arena, put: &mut Substitution) -> Self {
+        Self { equation: put.apply(arena, self.equation), ..self }
+    }
+}
+
+impl<'a> Loading<'a> {
+    /// Reads the section `[constraints]` of a model file. Errors are recorded in the reader.
+    pub fn constraints(&mut self, table: &'a DeTable<'a>, elements: &Elements) -> Vec<StatedConstraint> {
+        let mut stated = Vec::new();
+        for (name, value) in self.section(table, "constraints", &[]) {
+            let (value, enforced_by) = if value.get_ref().is_str() {
+                // `NAME = "z = 0"` is the short form of a constraint with only an equation.
+                self.names.declare(&mut self.reader, &name, NameKind::Constraint, None);
+                (value, None)
+            } else {
+                let entry =
+                    self.entry(&name, value, NameKind::Constraint, None, "\"z = 0\" or { equation = \"z = 0\" }");
+                let Some((entry, what)) = entry else { continue };
+                self.reader.report_unknown_keys(entry, "a constraint", &["equation", "enforced_by", "about"]);
+                let enforced_by = self.enforced_by(entry, elements);
+                let Some(value) = self.reader.required(entry, "equation", &what, &name.span) else { continue };
+                (value, enforced_by)
+            };
+            let Some(text) = self.reader.string(value, "`equation`") else { continue };
+            let help = "write the equation as \"z = 0\"";
+            let Some((left, (_, right))) = self.split_relation(&text, &["="], help) else { continue };
+            let what = "a constraint";
+            let left = self.formula(&left, MOTION, what);
+            let right = self.formula(&right, MOTION, what);
+            let (Some(left), Some(right)) = (left, right) else { continue };
+            self.record_units_of_velocities();
+            if !self.have_same_unit(left, right, &text.span) {
+                continue;
+            }
+            let equation = self.arena.sub(left, right);
+            stated.push(StatedConstraint {
+                name: name.text,
+                equation,
+                enforced_by,
+                span: text.span,
+                may_repeat: false,
+            });
+        }
+        stated
+    }
+
+    /// Index of the reaction under the key `enforced_by`. `None` if the key is absent, or after an
+    /// error is reported.
+    fn enforced_by(&mut self, entry: &'a DeTable<'a>, elements: &Elements) -> Option<usize> {
+        let value = self.reader.get(entry, "enforced_by")?;
+        let reaction = self.reader.string(value, "`enforced_by`")?;
+        let known = self.names.expect(&mut self.reader, &reaction, NameKind::Reaction);
+        elements.reactions.iter().position(|r| known && r.name == reaction.text)
+    }
+}
+
+/// Results of solving the constraints between coordinates.
+pub struct SolvedConfiguration {
+    /// Constraints that were solved for a coordinate.
+    pub constraints: Vec<Constraint>,
+    /// Coordinates that constraints determine, and their rates, each with the term that replaces it.
+    pub replacements: Vec<(Expr, Expr)>,
+    /// Constraints that could not be solved for a coordinate: loops and prescribed coordinates.
+    pub kept: Vec<StatedConstraint>,
+    /// Names of redundant constraints whose redundancy is no error.
+    pub repeated: Vec<String>,
+    /// Names of unsolved constraints of the model file that contain a single coordinate other than
+    /// time.
+    pub prescribing: Vec<String>,
+    /// Coordinates that equations of closing joints determine.
+    pub opened: OpenedCoordinates,
+    /// Term that divides by zero after the solutions are substituted into one another; `None` if there
+    /// is none.
+    pub undefined: Option<Expr>,
+}
+
+/// Coordinates that equations of closing joints determine, and that would move freely if these
+/// joints were open.
+#[derive(Default)]
+pub struct OpenedCoordinates {
+    /// Symbols of the coordinates that equations of closing joints determine.
+    pub symbols: Vec<Expr>,
+    /// Symbols of the rates of the coordinates in `symbols`, in the same order.
+    pub rates: Vec<Expr>,
+    /// Coordinates and rates that the model file's own constraints determine, each with its value in
+    /// the remaining coordinates.
+    pub before: Vec<(Expr, Expr)>,
+}
+
+/// Solves constraints one after the other for a coordinate and removes these coordinates from the
+/// list. Reports constraints that are always or never satisfied.
+pub fn solve_configuration_constraints(
+    reader: &mut TomlReader<'_>,
+    arena: &mut Arena,
+    coordinates: &mut Vec<Coordinate>,
+    potentials: &[Potential],
+    stated: Vec<StatedConstraint>,
+) -> SolvedConfiguration {
+    let (mut solved, mut kept, mut repeated) = (Vec::<Constraint>::new(), Vec::new(), Vec::new());
+    let mut undefined = None;
+    let mut replacements: Vec<(Expr, Expr)> = Vec::new();
+    let (mut prescribing, every) = (Vec::new(), symbols_without_time(coordinates));
+    let mut opened = OpenedCoordinates::default();
+    for constraint in stated {
+        let equation = Substitution::new(&replacements).apply(arena, constraint.equation);
+        let all = symbols_without_time(coordinates);
+        let mentions = |e: Expr| all.iter().any(|symbol| arena.mentions(e, *symbol));
+        let depends = equation != constraint.equation && constraint.equation != Expr::ZERO;
+        if zero_test(arena, equation) == ZeroTest::Zero {
+            if constraint.may_repeat {
+                repeated.push(constraint.name);
+                continue;
+            }
+            let name = &constraint.name;
+            let (message, help) = if depends {
+                (format!("the constraint `{name}` follows from those before it"), "remove it")
+            } else {
+                let help = "remove it, or state a relation that restricts the coordinates";
+                (format!("the constraint `{name}` is always fulfilled"), help)
+            };
+            reader.error(constraint.span, message, help);
+            continue;
+        }
+        if !mentions(equation) {
+            let name = &constraint.name;
+            let (message, help) = if depends {
+                (format!("the constraint `{name}` contradicts those before it"), "remove one of them")
+            } else if arena.as_number(equation).is_some() {
+                let help = "a holonomic constraint is an equation between coordinates";
+                (format!("the constraint `{name}` is never fulfilled"), help)
+            } else {
+                let help = "a holonomic constraint is an equation between coordinates";
+                (format!("the constraint `{name}` has no coordinate"), help)
+            };
+            reader.error(constraint.span, message, help);
+            continue;
+        }
+        let mut put = Substitution::new(&replacements);
+        let energies: Vec<Expr> = potentials.iter().map(|potential| put.apply(arena, potential.energy)).collect();
+        let Some((at, solution)) = solve_configuration_constraint(arena, coordinates, &energies, equation) else {
+            let named = every.iter().filter(|symbol| arena.mentions(constraint.equation, **symbol)).count();
+            if named == 1 && !constraint.may_repeat {
+                prescribing.push(constraint.name.clone());
+            }
+            kept.push(StatedConstraint { equation, ..constraint });
+            continue;
+        };
+        let fixed = coordinates.remove(at);
+        // Equations of joints come after the constraints of the model file.
+        if constraint.may_repeat {
+            if opened.symbols.is_empty() {
+                opened.before.clone_from(&replacements);
+            }
+            opened.symbols.push(fixed.symbol);
+            opened.rates.push(fixed.rate);
+        }
+        let rates: Vec<_> = coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
+        let rate = Differential::along(&rates).apply(arena, solution);
+        let mut earlier = Substitution::new(&[(fixed.symbol, solution), (fixed.rate, rate)]);
+        let before = replacements.iter_mut().map(|(_, replacement)| replacement);
+        for solution in before.chain(solved.iter_mut().map(|constraint| &mut constraint.value)) {
+            *solution = earlier.apply(arena, *solution);
+        }
+        undefined = undefined.or(earlier.undefined);
+        replacements.extend([(fixed.symbol, solution), (fixed.rate, rate)]);
+        solved.push(Constraint {
+            name: constraint.name,
+            equation: constraint.equation,
+            fixes: fixed.name,
+            value: solution,
+            enforced_by: constraint.enforced_by,
+        });
+    }
+    SolvedConfiguration { constraints: solved, replacements, kept, repeated, prescribing, opened, undefined }
+}
+
+/// Symbols of the coordinates without time.
+fn symbols_without_time(coordinates: &[Coordinate]) -> Vec<Expr> {
+    coordinates.iter().filter(|c| c.name != TIME).map(|c| c.symbol).collect()
+}
+
+/// Solves an equation for the last coordinate in which it is linear with a constant, nonzero
+/// factor. Returns the coordinate's index and value; `None` if there is none. If the equation
+/// contains time, coordinates that occur in `energies` are excluded.
+fn solve_configuration_constraint(
+    arena: &mut Arena,
+    coordinates: &[Coordinate],
+    energies: &[Expr],
+    equation: Expr,
+) -> Option<(usize, Expr)> {
+    let is_driven = coordinates.iter().any(|c| c.name == TIME && arena.mentions(equation, c.symbol));
+    // An equation is never solved for time.
+    for (at, coordinate) in coordinates.iter().enumerate().rev().filter(|(_, c)| c.name != TIME) {
+        if is_driven && energies.iter().any(|energy| arena.mentions(*energy, coordinate.symbol)) {
+            continue;
+        }
+        let Ok((factors, rest)) = LinearForm::new(&[coordinate.symbol]).coefficients(arena, equation) else { continue };
+        let constant = !coordinates.iter().any(|c| arena.mentions(factors[0], c.symbol));
+        if constant && zero_test(arena, factors[0]) == ZeroTest::NonZero {
+            let quotient = arena.div(rest, factors[0])?;
+            return Some((at, arena.neg(quotient)));
+        }
+    }
+    None
+}

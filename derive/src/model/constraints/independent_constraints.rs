@@ -1,0 +1,422 @@
+//! Independent motion constraints: chooses them among all constraints and leaves out redundant
+//! ones.
+//!
+//! Components of rolling that follow from other constraints are left out. Often the coordinates
+//! already keep a body from penetrating the ground. Along some axes a component follows in most
+//! poses only. An example is two wheels on an axle: the second wheel's slip along a fixed axis of
+//! the ground determines its rotation, except where the wheel heads across that axis.
+//!
+//! So a contact whose frame the model file does not state may be taken along the axes of another
+//! frame. In that frame every redundant component is redundant in every pose, if the mechanism has
+//! such a frame.
+
+use super::closed_poses::{ClosedPoseSearch, random_coordinate_ranges};
+use crate::algebra::form::simplify::Simplifier;
+use crate::algebra::solve::linear::LinearForm;
+use crate::algebra::term::calculus::Differential;
+use crate::algebra::value::rank::{is_combination_everywhere, rank};
+use crate::algebra::value::tape::Tape;
+use crate::algebra::value::zero_test::{ZeroTest, zero_test};
+use crate::algebra::{Arena, Expr};
+use crate::geometry::{Frames, Vector};
+use crate::model::bodies::elements::Elements;
+use crate::model::reading::declared_names::NameKind;
+use crate::model::reading::model_reader::Loading;
+use crate::model::{
+    Coordinate, LoopEquation, MotionConstraint, MotionConstraintKind, RedundantEquation, SlipComponent, Unit,
+};
+use crate::plain_text::with_significant_digits;
+use crate::toml_reader::Located;
+use rustc_hash::FxHashSet;
+use std::ops::Range;
+
+/// Candidate for a motion constraint: an equation A q̇ + a = 0 before its independence is known.
+pub struct ConstraintCandidate {
+    /// Name of the constraint.
+    pub name: String,
+    /// Left side of the equation, linear in the rates.
+    pub equation: Expr,
+    /// Kind of the constraint.
+    pub kind: MotionConstraintKind,
+    /// Index of the reaction that enforces the constraint; `None` if the model file states none.
+    pub enforced_by: Option<usize>,
+    /// Byte range of the constraint in the model file.
+    pub span: Range<usize>,
+    /// True if the equation may be redundant without an error.
+    pub may_repeat: bool,
+}
+
+/// Independent motion constraints, and redundant equations.
+#[derive(Default)]
+pub struct IndependentConstraints {
+    /// Independent constraints, each with its byte range in the model file.
+    pub motion: Vec<(MotionConstraint, Range<usize>)>,
+    /// Redundant equations of rolling and of joints.
+    pub repeated: Vec<RedundantEquation>,
+    /// Loops of joints whose rates follow from other constraints. Where the other loops are closed,
+    /// these loops may be closed or open.
+    pub also: Vec<(MotionConstraint, Range<usize>)>,
+}
+
+/// Coordinates, elements, loops and parameter values to which the constraints refer.
+pub struct ConstrainedSystem<'m> {
+    /// Coordinates that no constraint has eliminated.
+    pub coordinates: &'m [Coordinate],
+    /// Frames, points and bodies.
+    pub elements: &'m Elements,
+    /// Equations between coordinates, indexed by [`MotionConstraintKind::Loop`].
+    pub loops: &'m [LoopEquation],
+    /// Symbols of the parameters with their default values, in SI units.
+    pub defaults: &'m [(Expr, f64)],
+}
+
+/// Number of closed poses in which a redundant equation between coordinates is tested.
+const POSES: usize = 6;
+/// Residual up to which a redundant equation holds in a closed pose, relative to the sum of its
+/// derivatives times the ranges of the coordinates.
+const CLOSED: f64 = 1e-8;
+
+/// Constraints accepted so far, with the rows against which further candidates are tested.
+struct AcceptedConstraints {
+    /// Form that extracts the coefficients of the rates from a linear term.
+    form: LinearForm,
+    /// Rows of the accepted constraints: coefficients of the rates, then the term without rates.
+    rows: Vec<Vec<Expr>>,
+    /// Coefficients of the rates in the accepted constraints that are not rolling contacts.
+    others: Vec<Vec<Expr>>,
+    /// Slip velocities of the accepted rolling contacts, each with all three components.
+    slips: Vec<Vector>,
+    /// Frames of the model, with their rotation matrices.
+    frames: Frames,
+    /// Simplifier of slip components.
+    simplifier: Simplifier,
+    /// Symbols of the coordinates, time included.
+    places: FxHashSet<Expr>,
+    /// Independent constraints and redundant equations found so far.
+    found: IndependentConstraints,
+}
+
+impl AcceptedConstraints {
+    /// Coefficients of the rates in every accepted constraint, without the term that has no rates.
+    fn slopes(&self) -> Vec<Vec<Expr>> {
+        self.rows.iter().map(|row| row[..row.len() - 1].to_vec()).collect()
+    }
+
+    /// Components of a slip velocity along the axes of a frame, simplified.
+    fn components(&mut self, arena: &mut Arena, slip: &Vector, frame: usize) -> [Expr; 3] {
+        let components = self.frames.express(arena, slip, frame);
+        components.map(|e| self.simplifier.simplify(arena, e))
+    }
+
+    /// True if every redundant component of a contact, taken along the axes of a frame, is redundant in
+    /// every pose. A component may also follow from other components of the contact. Earlier contacts
+    /// are taken along the same axes, which does not change what their three components together
+    /// restrict.
+    fn are_redundant_everywhere(&mut self, arena: &mut Arena, slip: &Vector, frame: usize) -> bool {
+        let mut kept = self.others.clone();
+        for before in self.slips.clone() {
+            let components = self.components(arena, &before, frame);
+            if self.keep_independent(arena, &mut kept, &components).is_none() {
+                return true;
+            }
+        }
+        let components = self.components(arena, slip, frame);
+        let Some(left) = self.keep_independent(arena, &mut kept, &components) else { return true };
+        left.iter().all(|row| is_combination_everywhere(arena, &kept, row, &self.places))
+    }
+
+    /// Adds to `kept` the rows of equations that are independent of it, and returns the dependent rows.
+    /// `None` if independence is undecided.
+    fn keep_independent(
+        &mut self,
+        arena: &mut Arena,
+        kept: &mut Vec<Vec<Expr>>,
+        equations: &[Expr],
+    ) -> Option<Vec<Vec<Expr>>> {
+        let mut left = Vec::new();
+        for equation in equations {
+            let (row, _) = self.form.coefficients(arena, *equation).ok()?;
+            kept.push(row);
+            if rank(arena, kept)?.dependent.is_some() {
+                left.extend(kept.pop());
+            }
+        }
+        Some(left)
+    }
+}
+
+/// Poses in which a redundant constraint follows from other constraints.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum RedundantPoses {
+    /// The redundant constraint follows in every pose.
+    EveryPose,
+    /// The redundant constraint follows in all poses except those in which the other constraints are
+    /// dependent themselves.
+    MostPoses,
+}
+
+impl Loading<'_> {
+    /// Chooses the candidates that are independent of earlier candidates. Reports constraints that
+    /// contradict or repeat others.
+    pub fn choose_independent_constraints(
+        &mut self,
+        given: &ConstrainedSystem<'_>,
+        candidates: Vec<ConstraintCandidate>,
+    ) -> IndependentConstraints {
+        let coordinates = given.coordinates;
+        let rates: Vec<Expr> = coordinates.iter().map(|c| c.rate).collect();
+        let form = LinearForm::new(&rates);
+        let places = coordinates.iter().map(|c| c.symbol).collect();
+        let mut taken = AcceptedConstraints {
+            form,
+            rows: Vec::new(),
+            others: Vec::new(),
+            slips: Vec::new(),
+            frames: Frames::new(&given.elements.frames),
+            simplifier: Simplifier::default(),
+            places,
+            found: IndependentConstraints::default(),
+        };
+        let mut waiting = candidates.into_iter();
+        while let Some(candidate) = waiting.next() {
+            let MotionConstraintKind::Rolling(rolled) = candidate.kind else {
+                self.accept_constraint(&mut taken, given, candidate, RedundantPoses::EveryPose);
+                continue;
+            };
+            // The three components of a rolling contact come one after another.
+            let mut group = vec![candidate];
+            group.extend(waiting.by_ref().take(2));
+            let reach = self.turn_contact(&mut taken, given.elements, rolled, &mut group);
+            for candidate in group {
+                self.accept_constraint(&mut taken, given, candidate, reach);
+            }
+        }
+        taken.found
+    }
+
+    /// Takes a rolling contact along the axes of another frame if a component along its own axes is
+    /// redundant in most poses only. Returns the poses in which its redundant components follow.
+    fn turn_contact(
+        &mut self,
+        taken: &mut AcceptedConstraints,
+        elements: &Elements,
+        rolled: SlipComponent,
+        group: &mut [ConstraintCandidate],
+    ) -> RedundantPoses {
+        let stated: Vec<Expr> = group.iter().map(|c| c.equation).collect();
+        let &[x, y, z] = stated.as_slice() else { return RedundantPoses::EveryPose };
+        let slip = Vector::in_frame(rolled.frame, [x, y, z]);
+        let mut everywhere = taken.are_redundant_everywhere(&mut self.arena, &slip, rolled.frame);
+        let others = if everywhere || rolled.is_stated { Vec::new() } else { frames_of_contact(elements, rolled) };
+        if let Some(frame) =
+            others.into_iter().find(|frame| taken.are_redundant_everywhere(&mut self.arena, &slip, *frame))
+        {
+            let turned = taken.components(&mut self.arena, &slip, frame);
+            for (candidate, equation) in group.iter_mut().zip(turned) {
+                candidate.equation = equation;
+                candidate.kind = match candidate.kind {
+                    MotionConstraintKind::Rolling(rolled) => {
+                        MotionConstraintKind::Rolling(SlipComponent { frame, ..rolled })
+                    }
+                    kind => kind,
+                };
+            }
+            everywhere = true;
+        }
+        taken.slips.push(slip);
+        if everywhere { RedundantPoses::EveryPose } else { RedundantPoses::MostPoses }
+    }
+
+    /// Accepts a candidate if it is independent of the accepted constraints. Otherwise records it as
+    /// redundant, in the poses `reach`, or reports an error.
+    fn accept_constraint(
+        &mut self,
+        taken: &mut AcceptedConstraints,
+        given: &ConstrainedSystem<'_>,
+        candidate: ConstraintCandidate,
+        reach: RedundantPoses,
+    ) {
+        let ConstraintCandidate { name, equation, kind, enforced_by, span, may_repeat } = candidate;
+        let (row, rest) = match taken.form.coefficients(&mut self.arena, equation) {
+            Ok(linear) => linear,
+            Err(not_linear) => {
+                let of = self.arena.symbol_name(not_linear.symbol).unwrap_or_default();
+                let message = format!(
+                    "the constraint `{name}` is not linear in velocities: its slope along {of} depends on them"
+                );
+                self.reader.error(span, message, "a motion constraint must read  Σ a_i(q) q_i' + a(q) = 0");
+                return;
+            }
+        };
+        let is_zero = |arena: &Arena, e: &Expr| zero_test(arena, *e) == ZeroTest::Zero;
+        if row.iter().all(|e| is_zero(&self.arena, e)) {
+            match (may_repeat, is_zero(&self.arena, &rest)) {
+                // An equation between coordinates that is identically zero was left out earlier.
+                (true, true) if matches!(kind, MotionConstraintKind::Loop(_)) => {
+                    self.report_unclosed_loop(given, &name, span, kind);
+                }
+                (true, true) => taken.found.repeated.push(RedundantEquation::of(name, kind, None)),
+                (_, true) => self.report_redundant_constraint(&name, span, "is always fulfilled"),
+                (_, false) => self.report_redundant_constraint(&name, span, "is never fulfilled"),
+            }
+            return;
+        }
+        taken.rows.push([row.as_slice(), &[rest]].concat());
+        let Some(found) = rank(&self.arena, &taken.slopes()) else {
+            self.report_undecided_constraint(&name, span);
+            taken.rows.pop();
+            return;
+        };
+        let is_new = found.dependent.is_none();
+        if is_new || may_repeat && matches!(kind, MotionConstraintKind::Loop(_)) {
+            let unit = self.unit_of_difference(equation);
+            let drive = if is_zero(&self.arena, &rest) { Expr::ZERO } else { rest };
+            let stated = Located { text: format!("lambda_{name}"), span: span.clone(), exact: false };
+            let multiplier = self.arena.symbol(&stated.text);
+            self.names.declare(&mut self.reader, &stated, NameKind::Multiplier, Some(multiplier));
+            if is_new && !matches!(kind, MotionConstraintKind::Rolling(_)) {
+                taken.others.push(row);
+            }
+            let list = if is_new { &mut taken.found.motion } else { &mut taken.found.also };
+            list.push((MotionConstraint { name, equation, drive, unit, multiplier, kind, enforced_by }, span));
+            if !is_new {
+                taken.rows.pop();
+            }
+            return;
+        }
+        let all = rank(&self.arena, &taken.rows).map(|found| found.dependent.is_some());
+        taken.rows.pop();
+        match (may_repeat, all) {
+            (_, None) => self.report_undecided_constraint(&name, span),
+            (_, Some(false)) => self.report_redundant_constraint(&name, span, "contradicts those before it"),
+            (true, Some(true)) => {
+                taken.found.repeated.push(RedundantEquation::of(
+                    name,
+                    kind,
+                    (reach == RedundantPoses::MostPoses).then_some(equation),
+                ));
+            }
+            (_, Some(true)) => {
+                let how = match kind {
+                    MotionConstraintKind::Loop(place) => self.redundancy_in_words(taken, given, place),
+                    _ => "follows from those before it",
+                };
+                self.report_redundant_constraint(&name, span, how);
+            }
+        }
+    }
+
+    /// Words for an equation between coordinates whose rate is redundant. In the poses where the
+    /// earlier equations hold, it follows from them or contradicts them.
+    fn redundancy_in_words(
+        &mut self,
+        taken: &AcceptedConstraints,
+        given: &ConstrainedSystem<'_>,
+        place: usize,
+    ) -> &'static str {
+        let others = taken.found.motion.iter().filter_map(|(c, _)| match c.kind {
+            MotionConstraintKind::Loop(at) => Some(given.loops[at].equation),
+            _ => None,
+        });
+        let others: Vec<Expr> = others.collect();
+        match self.count_closed_poses_with(given, &others, given.loops[place].equation) {
+            Some((0, _)) => "contradicts those before it",
+            Some((closed, all)) if closed == all => "follows from those before it",
+            Some(_) => {
+                "follows from those before it in some of the poses in which they hold, and contradicts them in the others"
+            }
+            None => "adds nothing to the constraints before it: it follows from them, or contradicts them",
+        }
+    }
+
+    /// Counts the closed poses of the equations `others` in which `equation` holds, at the default
+    /// values: (number in which it holds, number tested). `None` if no pose was found.
+    fn count_closed_poses_with(
+        &mut self,
+        given: &ConstrainedSystem<'_>,
+        others: &[Expr],
+        equation: Expr,
+    ) -> Option<(usize, usize)> {
+        let lengths = given.defaults.iter().filter(|(symbol, _)| self.units.get(symbol) == Some(&Unit::new(1, 0, 0)));
+        let reach = random_coordinate_ranges(
+            given.coordinates.iter().map(|c| c.unit.is_plain()),
+            lengths.map(|(_, value)| *value),
+        );
+        let places: Vec<Expr> = given.coordinates.iter().map(|c| c.symbol).collect();
+        let poses =
+            ClosedPoseSearch { known: given.defaults, coordinates: &places, reach: &reach, loops: others, flat: 0.0 };
+        let found = poses.find_closed_poses(&mut self.arena, POSES)?;
+        let mut values = vec![equation];
+        for place in &places {
+            values.push(Differential::partial(*place).apply(&mut self.arena, equation));
+        }
+        let inputs: Vec<Expr> = given.defaults.iter().map(|(symbol, _)| *symbol).chain(places).collect();
+        let tape = Tape::new(&self.arena, &inputs, &values).ok()?;
+        let is_closed = |q: &&Vec<f64>| {
+            let known = given.defaults.iter().map(|(_, value)| *value);
+            let values = tape.evaluate(&known.chain(q.iter().copied()).collect::<Vec<f64>>());
+            let size: f64 = values[1..].iter().zip(&reach).map(|(slope, reach)| (slope * reach).abs()).sum();
+            values[0].abs() <= CLOSED * size
+        };
+        (!found.is_empty()).then(|| (found.iter().filter(is_closed).count(), found.len()))
+    }
+
+    /// Reports an equation of a joint that no coordinate changes and that is not exactly zero. The
+    /// other joints then keep its points or axes apart in every pose.
+    fn report_unclosed_loop(
+        &mut self,
+        given: &ConstrainedSystem<'_>,
+        name: &str,
+        span: Range<usize>,
+        kind: MotionConstraintKind,
+    ) {
+        let MotionConstraintKind::Loop(place) = kind else { return };
+        let known = given.defaults.iter().map(|(symbol, value)| (*symbol, *value));
+        let rest = given.coordinates.iter().map(|c| (c.symbol, 0.0));
+        let (symbols, values): (Vec<Expr>, Vec<f64>) = known.chain(rest).unzip();
+        let tape = Tape::new(&self.arena, &symbols, &[given.loops[place].equation]);
+        let value = tape.map_or_else(
+            |_| String::new(),
+            |tape| format!(": it is {} at the default values", with_significant_digits(tape.evaluate(&values)[0], 4)),
+        );
+        let message = format!(
+            "the loop does not close: no coordinate changes `{name}`, which must be 0 whatever the parameters are{value}"
+        );
+        let help = "write the parameters as formulas of one another so that it is exactly 0, or let a joint of the loop \
+                    leave that direction free";
+        self.reader.error(span, message, help);
+    }
+
+    /// Reports a constraint whose independence could not be decided.
+    fn report_undecided_constraint(&mut self, name: &str, span: Range<usize>) {
+        let message = format!("it cannot be decided whether the constraint `{name}` follows from those before it");
+        self.reader.error(
+            span,
+            message,
+            "none of the random points at which it was asked gives it a value: state it otherwise",
+        );
+    }
+
+    /// Reports a constraint that restricts nothing, or contradicts others; `how` completes the
+    /// sentence.
+    fn report_redundant_constraint(&mut self, name: &str, span: Range<usize>, how: &str) {
+        self.reader.error(span, format!("the constraint `{name}` {how}"), "remove it, or correct one of the others");
+    }
+}
+
+/// Frames along whose axes a rolling contact may be taken: on the paths from the ground to its
+/// bodies and its point.
+fn frames_of_contact(elements: &Elements, rolled: SlipComponent) -> Vec<usize> {
+    let of_body = |body: usize| elements.bodies[body].rigid.as_ref().map(|(frame, _)| *frame);
+    let of_point = elements.points[rolled.point].position.map(|placement| placement.frame);
+    let mut list: Vec<usize> = Vec::new();
+    for last in [of_body(rolled.body), rolled.against.and_then(of_body), of_point].into_iter().flatten() {
+        let parent = |at: &usize| elements.frames[*at].rotation.as_ref().map(|(parent, _)| *parent);
+        let mut chain: Vec<usize> = std::iter::successors(Some(last), parent).collect();
+        chain.reverse();
+        list.extend(chain.into_iter().filter(|at| *at != rolled.frame));
+    }
+    let mut seen = FxHashSet::default();
+    list.retain(|at| seen.insert(*at));
+    list
+}

@@ -1,0 +1,128 @@
+//! Variables that a printed program assigns, for the reading of formulas that use them.
+
+use crate::algebra::Expr;
+use crate::diagnostic::shortened_for_message;
+use rustc_hash::FxHashMap;
+use std::ops::Range;
+
+/// Prefix of the substitute names for a program's variables while a formula is read.
+const LOCAL: &str = "_local_";
+
+/// Substitute name, used while a formula is read, for the program's variable with this number.
+pub fn variable_substitute(number: usize) -> String {
+    format!("{LOCAL}{number}_")
+}
+
+/// Number of the program's variable for which a name is the substitute; `None` for any other name.
+pub fn variable_number_of_substitute(name: &str) -> Option<usize> {
+    name.strip_prefix(LOCAL)?.strip_suffix('_')?.parse().ok()
+}
+
+/// Variables that a printed program assigns, with their values.
+#[derive(Default)]
+pub struct ProgramVariables {
+    /// Index, in the list of values, of the latest value of each variable, by the name in the
+    /// program.
+    numbers: FxHashMap<String, usize>,
+    /// Assigned values, in the order of the assignments.
+    values: Vec<ProgramValue>,
+    /// Lists of variables that the program assigns together from one vector, as in `q, w = state`.
+    unpacked: Vec<Vec<String>>,
+}
+
+/// Value of a variable of a printed program.
+#[derive(Clone)]
+pub enum ProgramValue {
+    /// Value that was read as a term.
+    Value(Expr),
+    /// Value that was not read, with the reason.
+    Unread(UnreadAssignment),
+}
+
+/// Reason why an assignment of a program was not read, for an error message.
+#[derive(Clone)]
+pub struct UnreadAssignment {
+    /// Place of the cause, as a byte range in the reader's texts.
+    pub place: Range<usize>,
+    /// Message that says why the assignment was not read.
+    pub message: String,
+    /// Advice that goes with the message.
+    pub help: String,
+    /// True if the message names the assignment that was not read, which may be an earlier
+    /// assignment.
+    pub names_assignment: bool,
+}
+
+impl UnreadAssignment {
+    /// Adds the name of the assigned variable to the message, unless the message already names an
+    /// assignment.
+    #[must_use]
+    pub fn naming(mut self, name: &str) -> Self {
+        if !self.names_assignment {
+            self.message =
+                format!("the assignment of `{}` was not read: {}", shortened_for_message(name), self.message);
+            self.names_assignment = true;
+        }
+        self
+    }
+}
+
+impl ProgramVariables {
+    /// Assigns a value to a variable; an earlier value of the variable is kept under its number.
+    pub fn assign_variable(&mut self, name: &str, value: ProgramValue) {
+        self.numbers.insert(name.to_owned(), self.values.len());
+        self.values.push(value);
+    }
+
+    /// Records variables that the program assigns together from one vector, in their order.
+    pub fn record_unpacking(&mut self, names: &[String]) {
+        self.unpacked.push(names.to_vec());
+    }
+
+    /// Lists of variables that the program assigns together from one vector, one list for each
+    /// assignment.
+    pub fn unpacked_variables(&self) -> &[Vec<String>] {
+        &self.unpacked
+    }
+
+    /// Removes a variable, so that its name has the meaning from the publication file or the model
+    /// again.
+    pub fn forget(&mut self, name: &str) {
+        self.numbers.remove(name);
+    }
+
+    /// True if the program has assigned a variable of this name.
+    pub fn has_variable(&self, name: &str) -> bool {
+        self.numbers.contains_key(name)
+    }
+
+    /// Number of the latest value of a variable; `None` for a name that was not assigned.
+    pub fn variable_number(&self, name: &str) -> Option<usize> {
+        self.numbers.get(name).copied()
+    }
+
+    /// Reason why the assignment with this number was not read; `None` if it was read.
+    pub fn unread(&self, number: usize) -> Option<&UnreadAssignment> {
+        match self.values.get(number)? {
+            ProgramValue::Unread(unread) => Some(unread),
+            ProgramValue::Value(_) => None,
+        }
+    }
+
+    /// Names of the entries assigned to the vector or matrix `whole`, each with its index as text,
+    /// such as `[0]`.
+    pub fn entries(&self, whole: &str) -> Vec<(String, String)> {
+        let index = |name: &String| {
+            let index = name.strip_prefix(whole)?;
+            index.starts_with(['[', '(']).then(|| (name.clone(), index.to_owned()))
+        };
+        let mut list: Vec<_> = self.numbers.keys().filter_map(index).collect();
+        list.sort();
+        list
+    }
+
+    /// Value with this number; `None` for an unknown number.
+    pub fn value(&self, number: usize) -> Option<&ProgramValue> {
+        self.values.get(number)
+    }
+}

@@ -1,0 +1,355 @@
+//! Search for the moving frame in which a scene's reduced equations cost least.
+//!
+//! Symmetries that leave all wanted quantities unchanged are tried singly and in sets that close
+//! under brackets. The frame keeps states at zero (pins them) that the scene would otherwise
+//! integrate.
+
+use crate::algebra::term::calculus::{Differential, Substitution};
+use crate::algebra::value::rank::rank;
+use crate::algebra::value::zero_test::{ZeroTest, zero_test};
+use crate::algebra::{Arena, Expr};
+use crate::flow::{Flow as Whole, Symmetry, symmetries_that_turn_states};
+use crate::mechanics::SolvedAccelerations;
+use crate::reduce::basis::moving_frame::FrameSymmetry;
+use crate::reduce::basis::reduction_basis::ReductionBasis;
+use crate::reduce::basis::search_work::SearchWork;
+use crate::reduce::slices::slice::Slice;
+use crate::reduce::slices::wanted_outputs::WantedOutputs;
+
+/// Largest number of symmetries for which sets of two and three are formed.
+const MOST_TURNS: usize = 9;
+/// Largest number of sets of pinned states that are tried for each set of symmetries and momenta.
+const MOST_SECTIONS: usize = 4;
+/// Operations that an integrated state costs in addition to its rate: sums of stages, error
+/// estimate and dense output.
+const STATE: usize = 12;
+
+/// Choice of the momenta that are kept constant, and of a moving frame, for reduced equations.
+#[derive(Clone, Debug, Default)]
+pub struct FrameAndMomenta {
+    /// Momenta that are kept constant, as indices into `ReductionBasis::momenta`.
+    pub momenta: Vec<usize>,
+    /// Symmetries along which the frame moves, as indices into `ReductionBasis::turns`; empty without a
+    /// frame.
+    pub turns: Vec<usize>,
+    /// States that the frame keeps at zero, as indices in q, then u.
+    pub pins: Vec<usize>,
+}
+
+/// Cost of reduced equations, in operations, from the number of integrated variables and the
+/// operations of their rates.
+fn frame_choice_cost(integrated: usize, operations: usize) -> usize {
+    STATE * integrated + operations
+}
+
+impl ReductionBasis {
+    /// Finds the moving frame with the least cost that leaves fewer variables to integrate than the
+    /// given momenta alone. `None` if no frame is better, or if the limit on work is reached first.
+    pub(in crate::reduce) fn find_frame(
+        &mut self,
+        wanted: &WantedOutputs,
+        choices: &[Vec<usize>],
+        momenta: &[usize],
+        work: &mut SearchWork,
+    ) -> Option<FrameAndMomenta> {
+        if work.is_search_work_used_up() {
+            return None;
+        }
+        let plain = FrameAndMomenta { momenta: momenta.to_vec(), ..FrameAndMomenta::default() };
+        let mut trial = self.clone();
+        let flow = trial.flow_of(&plain, wanted)?;
+        let (_, without, operations) = flow.slice_cost(&trial);
+        let (mut least, mut best) = (frame_choice_cost(without, operations), None);
+        // Start values of the scene's integrated variables, in the variables of the model.
+        let mut back = trial.basis_to_model_substitution();
+        let variables = flow.core.iter().chain(&flow.quadratures);
+        let starts: Vec<Expr> = variables.map(|v| back.apply(&mut trial.arena, v.symbol)).collect();
+        let states = [self.q.as_slice(), &self.kane.variables].concat();
+        let is_needed = |at: &usize| starts.iter().any(|start| trial.arena.mentions(*start, states[*at]));
+        let needed: Vec<usize> = (0..states.len()).filter(is_needed).collect();
+        self.find_frame_symmetries(&needed, wanted);
+        for turns in self.closed_symmetry_sets() {
+            for choice in self.frame_choices(&turns, wanted, choices) {
+                if work.is_search_work_used_up() {
+                    return best;
+                }
+                let mut trial = self.clone();
+                let flow = trial.flow_of(&choice, wanted);
+                work.add(&trial, self);
+                let Some(flow) = flow else { continue };
+                let (_, integrated, operations) = flow.slice_cost(&trial);
+                let weight = frame_choice_cost(integrated, operations);
+                if integrated < without && weight < least {
+                    (least, best) = (weight, Some(choice));
+                }
+            }
+        }
+        best
+    }
+
+    /// Replaces variables that the symmetries of a choice's momenta move together by differences.
+    /// Returns the wanted quantities in the new variables.
+    ///
+    /// With a frame, only momenta whose symmetries move all speeds at constant ratios are used, because
+    /// on the frame's section other symmetries move fewer variables.
+    pub(in crate::reduce) fn differences(&mut self, choice: &FrameAndMomenta, wanted: &WantedOutputs) -> WantedOutputs {
+        let momenta = if choice.turns.is_empty() {
+            choice.momenta.clone()
+        } else {
+            self.momenta_with_constant_directions(&choice.momenta)
+        };
+        self.replace_by_differences(&momenta, wanted.clone())
+    }
+
+    /// Selects the momenta whose symmetries move all speeds at constant ratios.
+    fn momenta_with_constant_directions(&self, momenta: &[usize]) -> Vec<usize> {
+        let is_plain = |at: &&usize| self.momenta[**at].direction.iter().all(|e| self.arena.as_number(*e).is_some());
+        momenta.iter().filter(is_plain).copied().collect()
+    }
+
+    /// Smallest system that a scene integrates with a choice; `None` if its equations are not
+    /// determined.
+    fn flow_of(&mut self, choice: &FrameAndMomenta, wanted: &WantedOutputs) -> Option<Slice> {
+        let wanted = self.differences(choice, wanted);
+        let wanted = self.write_in_chosen_frame(choice, wanted)?;
+        let level = self.equations_on_momentum_level(&choice.momenta, None)?;
+        Slice::new(self, &level, &wanted)
+    }
+
+    /// Writes the equations in the frame of a choice, if it has a frame, and returns the wanted
+    /// quantities in it. `None` if the frame is singular.
+    pub(in crate::reduce) fn write_in_chosen_frame(
+        &mut self,
+        choice: &FrameAndMomenta,
+        wanted: WantedOutputs,
+    ) -> Option<WantedOutputs> {
+        match choice.turns.as_slice() {
+            [] => Some(wanted),
+            turns => self.equations_on_section(turns, &choice.pins, &choice.momenta, &wanted),
+        }
+    }
+
+    /// Finds symmetries that move at least one of the states `needed` and leave the wanted quantities
+    /// unchanged. Stores them in `turns`.
+    fn find_frame_symmetries(&mut self, needed: &[usize], wanted: &WantedOutputs) {
+        let Some(mut whole) = self.whole_flow() else { return };
+        let rates = whole.rates.clone();
+        let rates = whole.without_definitions(&rates);
+        let accelerations: Vec<(Expr, Expr)> =
+            self.kane.unknowns.iter().copied().zip(rates[self.q.len()..].iter().copied()).collect();
+        let mut solved = Substitution::new(&accelerations);
+        let shown = WantedOutputs { conditions: Vec::new(), ..wanted.clone() };
+        let mut solve = |e: Expr| solved.apply(&mut whole.arena, e);
+        let [all, shown] =
+            [wanted, &shown].map(|wanted| wanted.values().into_iter().map(&mut solve).collect::<Vec<_>>());
+        let states = whole.states.clone();
+        let mut found = |values: &[Expr]| {
+            let mut is_wanted = |arena: &mut Arena, along: &[Expr]| {
+                let mut change =
+                    Differential::along(&states.iter().copied().zip(along.iter().copied()).collect::<Vec<_>>());
+                needed.iter().any(|at| along[*at] != Expr::ZERO)
+                    && values.iter().all(|e| {
+                        let change = change.apply(arena, *e);
+                        zero_test(arena, change) == ZeroTest::Zero
+                    })
+            };
+            symmetries_that_turn_states(&self.model, &mut whole, self.fields.clone(), &mut is_wanted)
+        };
+        let symmetries = found(&all);
+        let mut kept = Vec::new();
+        if symmetries.is_empty() && all.len() > shown.len() {
+            kept = found(&shown);
+        }
+        let words = |symmetry: &Symmetry| symmetry.words(&self.model);
+        let kept = kept.iter().map(words).collect();
+        let turns = symmetries.into_iter().map(|symmetry| FrameSymmetry {
+            words: words(&symmetry),
+            of_model: symmetry.along.clone(),
+            along: symmetry.along,
+        });
+        let turns = turns.collect();
+        (self.turns, self.kept_by_domain) = (turns, kept);
+        self.arena = whole.arena;
+    }
+
+    /// First-order system x' = f(x) of the whole model, with solved rates. `None` if the accelerations
+    /// are not determined.
+    fn whole_flow(&self) -> Option<Whole> {
+        let mut arena = self.arena.clone();
+        let steps = SolvedAccelerations::steps(&mut arena, &self.kane).ok()?;
+        let unknowns = self.kane.unknowns.iter().take(self.model.speeds.len());
+        Some(Whole {
+            arena,
+            steps,
+            parameters: self.model.p(),
+            states: [self.q.clone(), self.kane.variables.clone()].concat(),
+            rates: self.kane.coordinate_rates.iter().chain(unknowns).copied().collect(),
+            inertia: self.kane.matrix.clone(),
+            balances: self.kane.forcing.clone(),
+            loops: Vec::new(),
+            closed: Vec::new(),
+            symmetries: Vec::new(),
+            energies: [Expr::ZERO; 3],
+            divisors: Vec::new(),
+        })
+    }
+
+    /// Sets of symmetries (single, pairs and triples) whose brackets are zero or symmetries of the
+    /// set, up to sign.
+    fn closed_symmetry_sets(&mut self) -> Vec<Vec<usize>> {
+        let count = self.turns.len();
+        let mut sets: Vec<Vec<usize>> = (0..count).map(|at| vec![at]).collect();
+        if count > MOST_TURNS {
+            return sets;
+        }
+        // Brackets of each symmetry with the symmetries before it.
+        let mut bracket: Vec<Vec<Bracket>> = Vec::new();
+        for a in 0..count {
+            bracket.push((0..a).map(|b| self.symmetry_bracket(a, b)).collect());
+        }
+        let inside = |a: usize, b: usize, set: &[usize]| match bracket[a.max(b)][a.min(b)] {
+            Bracket::Zero => true,
+            Bracket::Turn(c) => set.contains(&c),
+            Bracket::Other => false,
+        };
+        for a in 0..count {
+            for b in a + 1..count {
+                if inside(a, b, &[a, b]) {
+                    sets.push(vec![a, b]);
+                }
+                for c in b + 1..count {
+                    let set = [a, b, c];
+                    if inside(a, b, &set) && inside(b, c, &set) && inside(a, c, &set) {
+                        sets.push(set.to_vec());
+                    }
+                }
+            }
+        }
+        sets
+    }
+
+    /// Classifies the bracket of the symmetries with the indices `a` and `b`: zero, a known symmetry,
+    /// or another field.
+    fn symmetry_bracket(&mut self, a: usize, b: usize) -> Bracket {
+        let states = [self.q.clone(), self.kane.variables.clone()].concat();
+        let arena = &mut self.arena;
+        let along = |field: &[Expr]| {
+            Differential::along(&states.iter().copied().zip(field.iter().copied()).collect::<Vec<_>>())
+        };
+        let (one, other) = (&self.turns[a].along, &self.turns[b].along);
+        let (mut by_one, mut by_other) = (along(one), along(other));
+        let mut bracket = Vec::new();
+        for (x, y) in one.iter().zip(other) {
+            let (first, second) = (by_one.apply(arena, *y), by_other.apply(arena, *x));
+            bracket.push(arena.sub(first, second));
+        }
+        let is_zero = |e: Expr, arena: &Arena| zero_test(arena, e) == ZeroTest::Zero;
+        if bracket.iter().all(|e| is_zero(*e, arena)) {
+            return Bracket::Zero;
+        }
+        for (at, turn) in self.turns.iter().enumerate() {
+            let mut vanishes = |of: fn(&mut Arena, Expr, Expr) -> Expr| {
+                bracket.iter().zip(&turn.along).all(|(e, x)| {
+                    let rest = of(arena, *e, *x);
+                    is_zero(rest, arena)
+                })
+            };
+            if vanishes(Arena::add) || vanishes(Arena::sub) {
+                return Bracket::Turn(at);
+            }
+        }
+        Bracket::Other
+    }
+
+    /// Lists choices of momenta and pinned states for a frame along the given symmetries, with the
+    /// largest possible sets of momenta.
+    fn frame_choices(&self, turns: &[usize], wanted: &WantedOutputs, choices: &[Vec<usize>]) -> Vec<FrameAndMomenta> {
+        let mut list: Vec<FrameAndMomenta> = Vec::new();
+        let mut sorted: Vec<&Vec<usize>> = choices.iter().collect();
+        sorted.sort_by_key(|momenta| std::cmp::Reverse(momenta.len()));
+        for momenta in sorted {
+            let smaller = list.first().is_some_and(|found| found.momenta.len() > momenta.len());
+            if smaller {
+                break;
+            }
+            let mut basis = self.clone();
+            let wanted = basis.replace_by_differences(&self.momenta_with_constant_directions(momenta), wanted.clone());
+            for pins in basis.frame_sections(turns, momenta, &wanted) {
+                let mut trial = basis.clone();
+                let framed = trial.equations_on_section(turns, &pins, momenta, &wanted);
+                if framed.is_some_and(|_| trial.equations_on_momentum_level(momenta, None).is_some()) {
+                    list.push(FrameAndMomenta { momenta: momenta.clone(), turns: turns.to_vec(), pins });
+                }
+            }
+        }
+        list
+    }
+
+    /// Candidate sets of states that a frame may keep at zero: the frame's symmetries move them, and
+    /// the scene would integrate them. Coordinates come first, then speeds, each from the last to the
+    /// first, so that a distance lies along the first axis.
+    fn frame_sections(&self, turns: &[usize], momenta: &[usize], wanted: &WantedOutputs) -> Vec<Vec<usize>> {
+        let needed = self.variables_integrated_without_frame(momenta, wanted);
+        let states = [self.q.clone(), self.kane.variables.clone()].concat();
+        let moved = |at: usize| turns.iter().any(|turn| self.turns[*turn].along[at] != Expr::ZERO);
+        let order = (0..self.q.len()).rev().chain((self.q.len()..states.len()).rev());
+        let open: Vec<usize> = order.filter(|at| needed.contains(&states[*at]) && moved(*at)).collect();
+        let mut sections: Vec<Vec<usize>> = Vec::new();
+        for first in &open {
+            let mut pins = vec![*first];
+            for next in &open {
+                if pins.len() < turns.len()
+                    && !pins.contains(next)
+                    && self.is_section(turns, &[&pins[..], &[*next]].concat())
+                {
+                    pins.push(*next);
+                }
+            }
+            pins.sort_unstable();
+            let is_whole = pins.len() == turns.len() && self.is_section(turns, &pins);
+            if is_whole && !sections.contains(&pins) {
+                sections.push(pins);
+            }
+            if sections.len() == MOST_SECTIONS {
+                break;
+            }
+        }
+        sections
+    }
+
+    /// True if the symmetries' components at the pinned states are linearly independent where these
+    /// states are zero.
+    fn is_section(&self, turns: &[usize], pins: &[usize]) -> bool {
+        let states = [self.q.clone(), self.kane.variables.clone()].concat();
+        let mut arena = self.arena.clone();
+        let mut put = Substitution::new(&pins.iter().map(|at| (states[*at], Expr::ZERO)).collect::<Vec<_>>());
+        let mut rows: Vec<Vec<Expr>> = Vec::new();
+        for pin in pins {
+            rows.push(turns.iter().map(|turn| put.apply(&mut arena, self.turns[*turn].along[*pin])).collect());
+        }
+        put.undefined.is_none() && rank(&arena, &rows).is_some_and(|found| found.rank == pins.len())
+    }
+
+    /// Symbols of the variables that a scene integrates without a frame. Of the momenta, only those are
+    /// kept constant whose symmetries move all speeds at constant ratios. Empty if the equations are
+    /// not determined.
+    fn variables_integrated_without_frame(&self, momenta: &[usize], wanted: &WantedOutputs) -> Vec<Expr> {
+        let mut trial = self.clone();
+        let level = trial
+            .equations_on_momentum_level(&self.momenta_with_constant_directions(momenta), None)
+            .or_else(|| trial.equations_on_momentum_level(&[], None));
+        let Some(flow) = level.and_then(|level| Slice::new(&mut trial, &level, wanted)) else { return Vec::new() };
+        flow.core.iter().chain(&flow.quadratures).map(|v| v.symbol).collect()
+    }
+}
+
+/// Kind of the bracket of two symmetries of the reduction basis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Bracket {
+    /// Bracket is zero: the symmetries commute.
+    Zero,
+    /// Bracket is the symmetry with this index, or its negative.
+    Turn(usize),
+    /// Bracket is a field that is not a symmetry in the list.
+    Other,
+}

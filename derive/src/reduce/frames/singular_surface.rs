@@ -1,0 +1,114 @@
+//! Singular surface of a reduction, and equations in the distance from it.
+//!
+//! On a singular surface a momentum does not determine its speed; an example is the spin about a
+//! vertical axis. There, the reduced equations contain a quotient N(q; c)/D(q) of two terms that
+//! vanish together. In d = q − q_s, the divisor is computed without cancellation; the module
+//! `separate` treats the numerator.
+
+use crate::algebra::form::simplify::Simplifier;
+use crate::algebra::term::calculus::Substitution;
+use crate::algebra::term::steps::fresh_symbol;
+use crate::algebra::{Arena, Expr};
+use crate::mechanics::SingularDistance;
+use crate::reduce::basis::reduction_basis::ReductionBasis;
+use crate::reduce::levels::momentum_level::Level;
+use crate::reduce::levels::surface_quotients::SingularSurface;
+use crate::reduce::slices::slice::Slice;
+use crate::reduce::slices::wanted_outputs::WantedOutputs;
+use crate::scene::Scene;
+use std::f64::consts::FRAC_PI_2;
+
+/// Number of whole turns on either side of a coordinate's origin within which singular surfaces are
+/// searched.
+const MOST_TURNS: i32 = 100;
+
+impl ReductionBasis {
+    /// Finds the singular surface of reduced equations, if it is a multiple of a quarter turn of an
+    /// integrated coordinate. A surface that the scene names takes precedence over the surface nearest
+    /// to the start. `None` if there is no such surface, or if the scene forbids distances.
+    pub(in crate::reduce) fn find_singular_surface(
+        &mut self,
+        level: &Level,
+        wanted: &WantedOutputs,
+        scene: &Scene,
+    ) -> Option<SingularDistance> {
+        let stated = scene.integration.distance;
+        if !scene.integration.may_measure || (level.divisors.is_empty() && stated.is_none()) {
+            return None;
+        }
+        let flow = Slice::new(self, level, wanted)?;
+        let candidates: Vec<usize> = (0..self.q.len()).filter(|at| flow.is_slice_state(self.q[*at])).collect();
+        let mut found: Vec<(f64, usize, i32)> = Vec::new();
+        for at in candidates {
+            let away = |turns: i32| (scene.q[at] - f64::from(turns) * FRAC_PI_2).abs();
+            for quarter_turns in -2..2 {
+                // The surface repeats after each whole turn; the repetition nearest to the start counts.
+                let again = (-MOST_TURNS..=MOST_TURNS).map(|turn| quarter_turns + 4 * turn);
+                let nearest = again.min_by(|a, b| away(*a).total_cmp(&away(*b))).unwrap_or(quarter_turns);
+                let place = SingularDistance { coordinate: at, quarter_turns: nearest };
+                if level.divisors.iter().any(|d| self.vanishes_on_surface(*d, place)) {
+                    found.push((away(nearest), at, nearest));
+                }
+            }
+        }
+        found.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
+        let nearest = found.first().map(|(_, coordinate, quarter_turns)| SingularDistance {
+            coordinate: *coordinate,
+            quarter_turns: *quarter_turns,
+        });
+        stated.filter(|d| flow.is_slice_state(self.q[d.coordinate])).or(nearest)
+    }
+
+    /// True if a term is zero where a coordinate has the value of `place`.
+    fn vanishes_on_surface(&mut self, e: Expr, place: SingularDistance) -> bool {
+        let origin = quarter_turn_angle(&mut self.arena, place.quarter_turns);
+        let mut there = Substitution::new(&[(self.q[place.coordinate], origin)]);
+        let value = there.apply(&mut self.arena, e);
+        there.undefined.is_none() && self.simplifier.simplify(&mut self.arena, value) == Expr::ZERO
+    }
+
+    /// Writes all equations in the distance from a surface. Returns the surface, and the wanted
+    /// quantities in the distance.
+    pub(in crate::reduce) fn write_in_distance_from_surface(
+        &mut self,
+        place: SingularDistance,
+        wanted: &WantedOutputs,
+    ) -> (SingularSurface, WantedOutputs) {
+        let surface = SingularSurface { symbol: self.distance_symbol(place) };
+        let SingularDistance { coordinate, quarter_turns } = place;
+        if quarter_turns == 0 {
+            return (surface, wanted.clone());
+        }
+        let origin = quarter_turn_angle(&mut self.arena, quarter_turns);
+        let sum = self.arena.add(surface.symbol, origin);
+        let mut put = Substitution::new(&[(self.q[coordinate], sum)]);
+        let mut rewrite = |arena: &mut Arena, simplifier: &mut Simplifier, e: Expr| {
+            let moved = put.apply(arena, e);
+            simplifier.simplify(arena, moved)
+        };
+        self.rewrite_basis_terms(&mut rewrite);
+        let wanted = wanted.map(|e| put.apply(&mut self.arena, e));
+        self.q[coordinate] = surface.symbol;
+        self.q_start[coordinate] = self.arena.sub(self.q_start[coordinate], origin);
+        self.kane.coordinates[coordinate] = surface.symbol;
+        (surface, wanted)
+    }
+
+    /// Symbol of the distance from a surface; the coordinate itself if the surface is at 0.
+    fn distance_symbol(&mut self, place: SingularDistance) -> Expr {
+        let name = &self.model.coordinates[place.coordinate].name;
+        let degrees = 90 * place.quarter_turns;
+        let side = if degrees < 0 { "plus" } else { "minus" };
+        match degrees {
+            0 => self.q[place.coordinate],
+            _ => fresh_symbol(&mut self.arena, &format!("{name}_{side}_{}deg", degrees.abs())),
+        }
+    }
+}
+
+/// Angle k π/2 of k = `turns` quarter turns, rad, as a term.
+pub fn quarter_turn_angle(arena: &mut Arena, turns: i32) -> Expr {
+    let pi = arena.pi();
+    let half_turns = arena.ratio(i64::from(turns), 2);
+    arena.mul(half_turns, pi)
+}

@@ -1,0 +1,293 @@
+//! Elements of a drawn sheet: labels, and marks, which are paths that each have a role.
+
+/// Point on the sheet: distances to the right and down, px.
+pub type SheetPoint = [f64; 2];
+
+/// Straight or curved part of a path; it begins at the end of the part before.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum PathPart {
+    /// Straight line to the given point of the sheet.
+    Line(SheetPoint),
+    /// Cubic Bézier curve: its two control points and its end.
+    Curve([SheetPoint; 3]),
+}
+
+/// Path on the sheet, made of straight and curved parts.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Path {
+    /// First point of the path on the sheet.
+    pub from: SheetPoint,
+    /// Parts of the path; each begins at the end of the part before.
+    pub parts: Vec<PathPart>,
+    /// True if the end of the path is joined to its beginning by a straight line.
+    pub is_closed: bool,
+}
+
+/// Meaning of a mark or label. The renderer decides how each role looks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum MarkRole {
+    /// Plane on which a body rolls or slides.
+    Ground,
+    /// Line of the ground, with the hatching behind it.
+    Support,
+    /// Rigid body of the mechanism.
+    Body,
+    /// Particle, or a ball that represents a particle.
+    Mass,
+    /// Spring or damper between two points.
+    Spring,
+    /// Pin that joins bodies, or joins a body to the ground.
+    Joint,
+    /// Line from which an angle or a length is measured.
+    Reference,
+    /// Axis of a frame, drawn as an arrow.
+    Axis,
+    /// Generalized coordinate, drawn as an arc, a dimension line or an arrow.
+    Coordinate,
+    /// Direction of gravity, drawn as an arrow.
+    Gravity,
+    /// Named point of the model.
+    Point,
+    /// Line from a label to the item that it names.
+    Leader,
+}
+
+impl MarkRole {
+    /// All roles, in the order of their declaration.
+    pub const ALL: [Self; 12] = [
+        Self::Ground,
+        Self::Support,
+        Self::Body,
+        Self::Mass,
+        Self::Spring,
+        Self::Joint,
+        Self::Reference,
+        Self::Axis,
+        Self::Coordinate,
+        Self::Gravity,
+        Self::Point,
+        Self::Leader,
+    ];
+}
+
+/// Ways of drawing a path of the sheet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PaintKind {
+    /// The line is drawn; the enclosed area stays empty.
+    Line,
+    /// The enclosed area is filled with the colour of the line.
+    Filled,
+    /// The line is drawn, and the enclosed area has the shade of the role, so that it hides marks
+    /// behind it.
+    Solid,
+}
+
+/// Path on the sheet, with its role and its way of drawing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mark {
+    /// Role of the mark, on which its colour and line depend.
+    pub role: MarkRole,
+    /// Way in which the path is drawn: as a line, filled, or solid.
+    pub paint: PaintKind,
+    /// Line or outline of the mark on the sheet.
+    pub path: Path,
+}
+
+/// Part of the text of a label.
+#[derive(Clone, Debug, PartialEq)]
+pub enum LabelWord {
+    /// Name of the model, set as mathematics: `q1` becomes q with a subscript.
+    Name(String),
+    /// Basis vector of a frame: name of the frame, and index of the axis from 0.
+    Basis(String, usize),
+    /// Plain text, not set as mathematics.
+    Plain(String),
+    /// Minus sign before a basis vector.
+    Minus,
+}
+
+/// Label: a text at a place on the sheet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Label {
+    /// Role of the item that the label names.
+    pub role: MarkRole,
+    /// Text of the label, as a list of parts.
+    pub words: Vec<LabelWord>,
+    /// Middle of the label's box on the sheet, px.
+    pub at: SheetPoint,
+    /// Width and height of the label's box, px, estimated because no font is available.
+    pub size: SheetPoint,
+}
+
+/// Distance of the control points of a quarter circle of radius 1 from its ends.
+const QUARTER: f64 = 0.552_284_749_830_793_4;
+
+impl Path {
+    /// Path of straight lines through the given points.
+    pub(super) fn line(spots: &[SheetPoint]) -> Self {
+        let from = spots.first().copied().unwrap_or_default();
+        Self { from, parts: spots.iter().skip(1).map(|spot| PathPart::Line(*spot)).collect(), is_closed: false }
+    }
+
+    /// Closed path of a polygon with the given corners.
+    pub(super) fn polygon(corners: &[SheetPoint]) -> Self {
+        Self { is_closed: true, ..Self::line(corners) }
+    }
+
+    /// Arc c + cos t · a + sin t · b of an ellipse, for t between `from` and `to`, rad; lengths in
+    /// px.
+    /// The vectors a and b are conjugate semi-diameters of the ellipse, which is the projection of
+    /// a circle in space.
+    pub(super) fn arc(c: SheetPoint, a: SheetPoint, b: SheetPoint, from: f64, to: f64) -> Self {
+        let pieces = ((to - from).abs() / std::f64::consts::FRAC_PI_2).ceil().max(1.0);
+        let step = (to - from) / pieces;
+        // 4/3 tan(step/4): the curve is within 3e-4 of the radius.
+        let handle = 4.0 / 3.0 * (step / 4.0).tan();
+        let at = |t: f64| [0, 1].map(|i| c[i] + t.cos() * a[i] + t.sin() * b[i]);
+        let slope = |t: f64| [0, 1].map(|i| t.cos() * b[i] - t.sin() * a[i]);
+        let piece = |k: f64| {
+            let (t, s) = (from + k * step, from + (k + 1.0) * step);
+            let (p, q) = (at(t), at(s));
+            let first = [0, 1].map(|i| p[i] + handle * slope(t)[i]);
+            PathPart::Curve([first, [0, 1].map(|i| q[i] - handle * slope(s)[i]), q])
+        };
+        let parts = std::iter::successors(Some(0.0), |k| Some(k + 1.0)).take_while(|k| *k < pieces).map(piece);
+        Self { from: at(from), parts: parts.collect(), is_closed: false }
+    }
+
+    /// Closed path of an ellipse about the centre c, with the conjugate semi-diameters a and b, px.
+    pub(super) fn ellipse(c: SheetPoint, a: SheetPoint, b: SheetPoint) -> Self {
+        Self { is_closed: true, ..Self::arc(c, a, b, 0.0, std::f64::consts::TAU) }
+    }
+
+    /// Closed path of a circle about the centre c; the radius is in px.
+    pub(super) fn circle(c: SheetPoint, radius: f64) -> Self {
+        Self::ellipse(c, [radius, 0.0], [0.0, radius])
+    }
+
+    /// Closed path around all points within `radius`, px, of the line from a to b.
+    pub(super) fn capsule(a: SheetPoint, b: SheetPoint, radius: f64) -> Self {
+        let way = [b[0] - a[0], b[1] - a[1]];
+        let long = way[0].hypot(way[1]);
+        if long < 1e-6 {
+            return Self::circle(a, radius);
+        }
+        let along = way.map(|x| radius * x / long);
+        let across = [-along[1], along[0]];
+        let moved = |s: SheetPoint, x: f64, y: f64| [0, 1].map(|i| s[i] + x * along[i] + y * across[i]);
+        let end = |s: SheetPoint, side: f64| {
+            [
+                PathPart::Curve([moved(s, QUARTER * side, side), moved(s, side, QUARTER * side), moved(s, side, 0.0)]),
+                PathPart::Curve([
+                    moved(s, side, -QUARTER * side),
+                    moved(s, QUARTER * side, -side),
+                    moved(s, 0.0, -side),
+                ]),
+            ]
+        };
+        let mut parts = vec![PathPart::Line(moved(b, 0.0, 1.0))];
+        parts.extend(end(b, 1.0));
+        parts.push(PathPart::Line(moved(a, 0.0, -1.0)));
+        parts.extend(end(a, -1.0));
+        Self { from: moved(a, 0.0, 1.0), parts, is_closed: true }
+    }
+
+    /// Last point of the path; the first point if the path has no parts.
+    pub(super) fn end(&self) -> SheetPoint {
+        match self.parts.last() {
+            None => self.from,
+            Some(PathPart::Line(to) | PathPart::Curve([.., to])) => *to,
+        }
+    }
+
+    /// Unit vector in which the path arrives at its end; it points to the right if the path has no
+    /// length.
+    pub(super) fn end_direction(&self) -> SheetPoint {
+        let end = self.end();
+        let before = match self.parts.as_slice() {
+            [.., PathPart::Curve([_, handle, _])] => *handle,
+            [.., PathPart::Line(to) | PathPart::Curve([.., to]), PathPart::Line(_)] => *to,
+            _ => self.from,
+        };
+        sheet_unit_vector([end[0] - before[0], end[1] - before[1]])
+    }
+
+    /// Points along the path, at most `step` apart, px.
+    #[must_use]
+    pub fn points_along_path(&self, step: f64) -> Vec<SheetPoint> {
+        let (mut list, mut at) = (vec![self.from], self.from);
+        let closing = self.is_closed.then_some(PathPart::Line(self.from));
+        for part in self.parts.iter().copied().chain(closing) {
+            let (to, of): (SheetPoint, Box<dyn Fn(f64) -> SheetPoint>) = match part {
+                PathPart::Line(to) => (to, Box::new(move |t| [0, 1].map(|i| at[i] + t * (to[i] - at[i])))),
+                PathPart::Curve([a, b, to]) => {
+                    let of = move |t: f64, i: usize| {
+                        let s = 1.0 - t;
+                        s * s * s * at[i] + 3.0 * s * s * t * a[i] + 3.0 * s * t * t * b[i] + t * t * t * to[i]
+                    };
+                    (to, Box::new(move |t| [of(t, 0), of(t, 1)]))
+                }
+            };
+            let long = (to[0] - at[0]).hypot(to[1] - at[1]);
+            // An arc of a quarter is 1.11 times as long as its chord.
+            let count = (1.2 * long / step).ceil().clamp(1.0, 2000.0);
+            let shares = std::iter::successors(Some(1.0), |k| Some(k + 1.0)).take_while(|k| *k <= count);
+            list.extend(shares.map(|k| of(k / count)));
+            at = to;
+        }
+        list
+    }
+}
+
+impl Mark {
+    /// Mark of a line of the given role, without a filled area.
+    pub(super) fn line(role: MarkRole, path: Path) -> Self {
+        Self { role, paint: PaintKind::Line, path }
+    }
+
+    /// Mark of an outline that hides the marks behind it.
+    pub(super) fn solid(role: MarkRole, path: Path) -> Self {
+        Self { role, paint: PaintKind::Solid, path }
+    }
+
+    /// Mark of a filled circle about the point `at` of the sheet; the radius is in px.
+    pub(super) fn dot(role: MarkRole, at: SheetPoint, radius: f64) -> Self {
+        Self { role, paint: PaintKind::Filled, path: Path::circle(at, radius) }
+    }
+
+    /// Marks of a path and of an arrow tip at its end; `long` is the length of the tip, px.
+    pub(super) fn arrow(role: MarkRole, path: Path, long: f64) -> [Self; 2] {
+        let tip = arrow_tip(role, path.end(), path.end_direction(), long);
+        [Self::line(role, path), tip]
+    }
+}
+
+/// Mark of an arrow tip that ends at `end` and points along the unit vector `heading`; `long` is
+/// its length, px.
+pub(super) fn arrow_tip(role: MarkRole, end: SheetPoint, heading: SheetPoint, long: f64) -> Mark {
+    let at = |x: f64, y: f64| [end[0] - x * heading[0] - y * heading[1], end[1] - x * heading[1] + y * heading[0]];
+    let corners = [end, at(long, 0.32 * long), at(0.8 * long, 0.0), at(long, -0.32 * long)];
+    Mark { role, paint: PaintKind::Filled, path: Path::polygon(&corners) }
+}
+
+/// Unit vector along a vector on the sheet; it points to the right if the vector is zero.
+pub(super) fn sheet_unit_vector(way: SheetPoint) -> SheetPoint {
+    let long = way[0].hypot(way[1]);
+    if long > 1e-9 { way.map(|x| x / long) } else { [1.0, 0.0] }
+}
+
+/// Least and greatest corner of the box around marks and labels; `None` if there are none.
+pub(super) fn drawing_extent<'a>(
+    marks: impl IntoIterator<Item = &'a Mark>,
+    labels: &[Label],
+) -> Option<(SheetPoint, SheetPoint)> {
+    let corners = labels.iter().flat_map(|label| {
+        let half = label.size.map(|x| 0.5 * x);
+        [-1.0, 1.0].map(|side| [label.at[0] + side * half[0], label.at[1] + side * half[1]])
+    });
+    let mut all = marks.into_iter().flat_map(|mark| mark.path.points_along_path(4.0)).chain(corners);
+    let first = all.next()?;
+    Some(all.fold((first, first), |(low, high), spot| {
+        ([0, 1].map(|i| low[i].min(spot[i])), [0, 1].map(|i| high[i].max(spot[i])))
+    }))
+}

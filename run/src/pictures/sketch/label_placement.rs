@@ -1,0 +1,157 @@
+//! Placement of labels: near the items that they name, clear of other labels, and crossing as few
+//! lines as possible.
+//!
+//! Each label has candidate places in rings about its anchor. The labels choose in turn, the needed
+//! ones first, and take the place with the lowest cost. Then each label chooses again, twice. Costs
+//! are rounded, so that machines whose last digits differ give the same places.
+
+use super::drawing_elements::{Label, LabelWord, Mark, MarkRole, Path, SheetPoint, sheet_unit_vector};
+use tripos_derive::algebra::text::print::name_parts;
+
+/// Additional distances of a label's box from its anchor, px, one for each ring of candidate
+/// places.
+const RINGS: [f64; 10] = [0.0, 5.0, 11.0, 18.0, 27.0, 38.0, 52.0, 70.0, 92.0, 118.0];
+/// Number of candidate places in each ring, in equally spaced directions.
+const DIRECTIONS: usize = 24;
+/// Cost of a label that covers another label; it exceeds all other costs together.
+const OVERLAP: f64 = 1e5;
+/// Cost of its best place above which an optional label is left out.
+const WORTH: f64 = 24.0;
+/// Distance between a label and its item from which on a leader line joins them, px.
+const LEADER: f64 = 24.0;
+/// Least distances of a label from another label, and from a line, px.
+const CLEAR: (f64, f64) = (2.0, 1.0);
+/// Distance between the points by which a line is represented, px.
+const STEP: f64 = 2.5;
+/// Height of a line of text, px.
+const HIGH: f64 = 17.0;
+
+/// Request for a label on the sheet, before its place is chosen.
+#[derive(Clone, Debug)]
+pub struct LabelRequest {
+    /// Role of the item that the label names.
+    pub role: MarkRole,
+    /// Text of the label, as a list of parts.
+    pub words: Vec<LabelWord>,
+    /// Point of the sheet beside which the label is placed.
+    pub anchor: SheetPoint,
+    /// Preferred direction from the anchor, a unit vector on the sheet; `None` for any direction.
+    pub towards: Option<SheetPoint>,
+    /// Least distance of the label from the anchor, px.
+    pub gap: f64,
+    /// True if the label must be placed, false if it may be left out for lack of room.
+    pub is_needed: bool,
+}
+
+/// Estimated width of a text, px. It is slightly too wide, because no font is available.
+fn label_width(words: &[LabelWord]) -> f64 {
+    let of = |word: &LabelWord| match word {
+        LabelWord::Name(name) => {
+            let (letters, subscript, _) = name_parts(name);
+            9.0 * letters.chars().count() as f64 + 6.5 * subscript.chars().count() as f64
+        }
+        LabelWord::Basis(frame, _) => 9.5 * frame.chars().count() as f64 + 6.5,
+        LabelWord::Plain(text) => 7.6 * text.chars().count() as f64,
+        LabelWord::Minus => 8.0,
+    };
+    words.iter().map(of).sum::<f64>() + 1.0
+}
+
+/// Places all needed labels, and the optional labels that find room. Returns the labels and their
+/// leader lines.
+pub fn place_labels(wishes: &[LabelRequest], marks: &[Mark]) -> (Vec<Label>, Vec<Mark>) {
+    let ink: Vec<(SheetPoint, f64)> = marks.iter().flat_map(label_cost_of_mark).collect();
+    let sizes: Vec<SheetPoint> = wishes.iter().map(|wish| [label_width(&wish.words), HIGH]).collect();
+    let mut order: Vec<usize> = (0..wishes.len()).collect();
+    order.sort_by_key(|at| !wishes[*at].is_needed);
+    let candidates: Vec<Vec<(SheetPoint, f64)>> =
+        wishes.iter().zip(&sizes).map(|(wish, size)| label_candidates(wish, *size, &ink)).collect();
+    let mut chosen: Vec<Option<(SheetPoint, f64)>> = vec![None; wishes.len()];
+    for _ in 0..3 {
+        for at in &order {
+            chosen[*at] = None;
+            let taken: Vec<(SheetPoint, SheetPoint)> =
+                chosen.iter().zip(&sizes).filter_map(|(spot, size)| Some(((*spot)?.0, *size))).collect();
+            let of = |(spot, cost): &(SheetPoint, f64)| {
+                let on = taken.iter().filter(|other| label_boxes_overlap((*spot, sizes[*at]), **other)).count();
+                (*spot, cost + OVERLAP * on as f64)
+            };
+            let best = candidates[*at].iter().map(of).min_by(|a, b| a.1.total_cmp(&b.1));
+            chosen[*at] = best.filter(|(_, cost)| wishes[*at].is_needed || *cost < WORTH);
+        }
+    }
+    let (mut labels, mut leaders) = (Vec::new(), Vec::new());
+    for ((wish, size), spot) in wishes.iter().zip(&sizes).zip(&chosen) {
+        let Some((spot, _)) = spot else { continue };
+        labels.push(Label { role: wish.role, words: wish.words.clone(), at: *spot, size: *size });
+        leaders.extend(leader_line(wish, *spot, *size));
+    }
+    (labels, leaders)
+}
+
+/// Points of a mark's line, each with the cost of a label that covers it.
+fn label_cost_of_mark(mark: &Mark) -> Vec<(SheetPoint, f64)> {
+    let weight = match mark.role {
+        MarkRole::Ground => 0.2,
+        MarkRole::Support => 0.8,
+        MarkRole::Reference | MarkRole::Leader => 1.0,
+        MarkRole::Body | MarkRole::Spring => 1.2,
+        MarkRole::Mass | MarkRole::Joint | MarkRole::Point => 3.0,
+        MarkRole::Axis | MarkRole::Coordinate | MarkRole::Gravity => 2.0,
+    };
+    mark.path.points_along_path(STEP).into_iter().map(|spot| (spot, weight)).collect()
+}
+
+/// Candidate places of a label, each with its cost without other labels. `size` is the size of its
+/// box, px.
+fn label_candidates(wish: &LabelRequest, size: SheetPoint, ink: &[(SheetPoint, f64)]) -> Vec<(SheetPoint, f64)> {
+    let half = size.map(|x| 0.5 * x);
+    let mut list = Vec::with_capacity(RINGS.len() * DIRECTIONS);
+    for (ring, further) in RINGS.iter().enumerate() {
+        for direction in 0..DIRECTIONS {
+            let angle = std::f64::consts::TAU * direction as f64 / DIRECTIONS as f64;
+            let way = [angle.cos(), -angle.sin()];
+            let gap = wish.gap + further;
+            // The box touches the circle of this radius from outside.
+            let reach = gap + half[0] * way[0].abs() + half[1] * way[1].abs() - 0.3 * half[1].min(half[0]);
+            let spot = [0, 1].map(|i| wish.anchor[i] + reach * way[i]);
+            let turned = wish.towards.map_or(0.0, |to| 1.0 - to[0] * way[0] - to[1] * way[1]);
+            // There is more room along the sides of a box than at its corners.
+            let slanted = 0.4 * (way[0] * way[1]).abs();
+            let on: f64 =
+                ink.iter().filter(|(at, _)| label_box_contains(spot, half, *at)).map(|(_, weight)| weight).sum();
+            // The name of a body that is far from the body could be taken for the name of another
+            // body.
+            let further_cost = if wish.role == MarkRole::Body { 4.0 } else { 2.2 };
+            let cost = on + further_cost * ring as f64 + 0.12 * further + 5.0 * turned + slanted;
+            list.push((spot, (cost * 1e3).round() / 1e3));
+        }
+    }
+    list
+}
+
+/// True if a point is inside a box, or too close to it. The box has its middle at `middle` and half
+/// the size `half`.
+fn label_box_contains(middle: SheetPoint, half: SheetPoint, at: SheetPoint) -> bool {
+    (0..2).all(|i| (at[i] - middle[i]).abs() <= half[i] + CLEAR.1)
+}
+
+/// True if two boxes overlap or are too close; each box is given by its middle and its size.
+fn label_boxes_overlap(a: (SheetPoint, SheetPoint), b: (SheetPoint, SheetPoint)) -> bool {
+    (0..2).all(|i| (a.0[i] - b.0[i]).abs() < 0.5 * (a.1[i] + b.1[i]) + CLEAR.0)
+}
+
+/// Leader line from a label at `spot` to its anchor; `None` if the label is near its anchor.
+fn leader_line(wish: &LabelRequest, spot: SheetPoint, size: SheetPoint) -> Option<Mark> {
+    let way = [wish.anchor[0] - spot[0], wish.anchor[1] - spot[1]];
+    let towards = sheet_unit_vector(way);
+    let long = way[0].hypot(way[1]);
+    // The leader runs from the edge of the box to just beside the anchor.
+    let edge = (0..2).map(|i| 0.5 * size[i] / towards[i].abs().max(1e-9)).fold(f64::MAX, f64::min) + 1.0;
+    let gap = long - edge - 3.0_f64.max(wish.gap - 4.0);
+    if gap < LEADER {
+        return None;
+    }
+    let at = |t: f64| [0, 1].map(|i| spot[i] + t * towards[i]);
+    Some(Mark::line(MarkRole::Leader, Path::line(&[at(edge), at(edge + gap)])))
+}

@@ -1,0 +1,187 @@
+//! Reduced equations of a scene, ready to run: the smallest system that gives all outputs of the
+//! scene.
+
+use super::exact_start::symbols_known_at_start;
+use super::moving_frame_start::move_start_to_section;
+use crate::code::{Code, CodePreparation, compile_tape, compiled_scene_code, interpreted_scene_code};
+use crate::error::Error;
+use crate::mechanism::Mechanism;
+use tripos_codegen::plan::{Costs, costs};
+use tripos_derive::Model;
+use tripos_derive::algebra::Expr;
+use tripos_derive::mechanics::EquationsOrigin;
+use tripos_derive::reduce::{ReducedQuantity, Reduction, ReductionBasis};
+use tripos_derive::scene::{ExactStart, InitialMotion, Scene, SceneEvent};
+use tripos_traits::{AbsoluteTolerance, DoubleDouble};
+
+/// Reduced equations of motion of a scene, and the scene expressed in their variables.
+pub struct ReducedScene {
+    /// Derived equations of the reduced system, with their proof.
+    pub reduction: Reduction,
+    /// Scene in the variables of the reduced model. The constant momenta are among its parameters.
+    pub scene: Scene,
+    /// Origin of the equations, always [`EquationsOrigin::Reduced`].
+    pub by: EquationsOrigin,
+}
+
+impl ReducedScene {
+    /// Derives the reduced equations of a scene of a model.
+    ///
+    /// # Errors
+    /// [`Error`] if the model cannot be derived, or does not determine an output of the scene.
+    pub fn new(model: &Model, scene: &Scene) -> Result<Self, Error> {
+        let basis = ReductionBasis::new(model).map_err(|error| model.diagnose(&error))?;
+        Self::from_basis(&basis, model, scene)
+    }
+
+    /// Derives the reduced equations of a scene from the prepared basis of its model. If the start
+    /// cannot be moved to the section of the moving frame, the equations are derived without a frame.
+    ///
+    /// # Errors
+    /// [`Error`] if the model does not determine an output of the scene.
+    pub fn from_basis(basis: &ReductionBasis, model: &Model, scene: &Scene) -> Result<Self, Error> {
+        let reduction = basis.reduce(scene).map_err(|error| model.diagnose(&error))?;
+        let turns = reduction.frame.is_some();
+        match Self::from_reduction(reduction, model, scene) {
+            // Some starts cannot be moved to the section of the moving frame (the states that the frame
+            // represents).
+            Err(Error::Stopped(_)) if turns => {
+                let plain = basis.reduce_without_frame(scene).map_err(|error| model.diagnose(&error))?;
+                Self::from_reduction(plain, model, scene)
+            }
+            found => found,
+        }
+    }
+
+    /// Derives the reduced equations of a scene without the use of constant momenta. They are singular
+    /// only in states where the model's own equations are singular.
+    ///
+    /// # Errors
+    /// `Error` if the model does not determine an output of the scene, or the start of a reduced
+    /// variable has no value.
+    pub fn without_momenta(basis: &ReductionBasis, model: &Model, scene: &Scene) -> Result<Self, Error> {
+        let reduction = basis.reduce_without_momenta(scene).map_err(|error| model.diagnose(&error))?;
+        Self::from_reduction(reduction, model, scene)
+    }
+
+    /// Makes the reduced equations of a scene from the reduction of another scene that differs only in
+    /// its numbers. Both scenes must have the same model, outputs, events and names of parameters.
+    ///
+    /// # Errors
+    /// [`Error::Request`] if a variable depends on a symbol that has no value at the start;
+    /// [`Error::Stopped`] if the start cannot be moved to the section of the moving frame.
+    pub fn from_reduction(reduction: Reduction, model: &Model, scene: &Scene) -> Result<Self, Error> {
+        let [parameters, q, v] = reduced_start(&reduction, model, &scene.exact)?;
+        let doubles = |list: &[DoubleDouble]| list.iter().map(|x| x.hi()).collect::<Vec<_>>();
+        let mut integration = scene.integration.clone();
+        integration.distance = None;
+        if let AbsoluteTolerance::Each(each) = &integration.atol {
+            integration.atol = AbsoluteTolerance::Each(reduced_tolerances(&reduction, model, each));
+        }
+        let events = scene.events.iter().zip(&reduction.events);
+        let own = Scene {
+            parameters: doubles(&parameters),
+            q: doubles(&q),
+            u: doubles(&v),
+            exact: ExactStart {
+                rational: vec![None; parameters.len()],
+                parameters,
+                q,
+                motion: InitialMotion::Speeds(v),
+            },
+            integration,
+            ladder: None,
+            events: events.map(|(event, function)| SceneEvent { function: *function, ..event.clone() }).collect(),
+            ..scene.clone()
+        };
+        Ok(Self { reduction, scene: own, by: EquationsOrigin::Reduced })
+    }
+
+    /// Makes the reduced equations ready to run. They are compiled if the program contains code that
+    /// was generated from the same reduction. Otherwise they are interpreted.
+    ///
+    /// # Errors
+    /// [`Error`] if the equations cannot be compiled to tapes.
+    pub fn code(&self, mechanism: &Mechanism) -> Result<Code, Error> {
+        match compiled_scene_code(mechanism, &self.reduction, CodePreparation::preparation_for_runs(&self.scene)) {
+            Some(code) => Ok(code),
+            None => interpreted_scene_code(&self.reduction),
+        }
+    }
+
+    /// Returns the reason why the reduced equations are no gain over the full ones. Either impacts
+    /// break their constants, or they have as many variables and each evaluation costs at least as
+    /// much. `None` if they are a gain.
+    ///
+    /// # Errors
+    /// [`Error`] if Kane's equations cannot be derived for the model.
+    pub fn reason_against_reduction(&self, model: &Model) -> Result<Option<String>, Error> {
+        if !self.scene.impacts.is_empty() {
+            return Ok(Some("impacts change what reduced equations hold constant".to_owned()));
+        }
+        let whole = model.coordinates.len() + model.speeds.len();
+        if self.reduction.states.len() + self.reduction.quadratures.len() < whole {
+            return Ok(None);
+        }
+        let Costs { full, scene } = costs(model, &self.reduction).map_err(|error| model.diagnose(&error))?;
+        Ok((scene.weight() >= full.weight()).then(|| {
+            format!(
+                "the scene's reduced equations carry all {whole} variables and take {scene} a call, the whole ones {full}"
+            )
+        }))
+    }
+
+    /// Constants of the motion that the reduction uses, each with its value in this scene.
+    pub fn constants(&self) -> impl Iterator<Item = (&ReducedQuantity, f64)> {
+        let first = self.scene.parameters.len() - self.reduction.constants.len();
+        self.reduction.constants.iter().zip(self.scene.parameters[first..].iter().copied())
+    }
+}
+
+/// Computes the parameters, coordinates and motion variables of a reduced system at the start of a
+/// scene, in this order and to 32 digits. `exact` holds the start of the whole model.
+///
+/// # Errors
+/// `Error::Request` for a symbol without a value; `Error::Stopped` if the start cannot be moved to
+/// the frame's section.
+fn reduced_start(reduction: &Reduction, model: &Model, exact: &ExactStart) -> Result<[Vec<DoubleDouble>; 3], Error> {
+    let (mut symbols, mut values) = symbols_known_at_start(model, exact)?;
+    if let Some(frame) = &reduction.frame {
+        let count = model.parameters.len() + model.coordinates.len() + model.speeds.len();
+        // Rates in the scene file belong to the start before its motion along symmetries. The speeds say
+        // the same.
+        symbols.truncate(count);
+        values.truncate(count);
+        let states = values.split_off(model.parameters.len());
+        let turned = move_start_to_section(reduction.arena(), frame, &symbols, &values, &states)?;
+        values.extend(turned);
+    }
+    let free = reduction.model.parameters.len() - reduction.constants.len();
+    let equations = &reduction.derivation.equations;
+    let variables = || reduction.states.iter().chain(&reduction.quadratures);
+    let of_start = |symbol: &Expr| variables().find(|q| q.symbol == *symbol).map_or(*symbol, |q| q.of_start);
+    let mut wanted: Vec<Expr> = reduction.model.parameters[..free].iter().map(|p| p.symbol).collect();
+    wanted.extend(reduction.constants.iter().map(|constant| constant.of_start));
+    wanted.extend(equations.coordinates.iter().chain(&equations.variables).map(of_start));
+    let tape = compile_tape(reduction.arena(), &symbols, &wanted, "the start of a reduced variable")?.to();
+    let mut parameters: Vec<DoubleDouble> = tape.evaluate(&values);
+    let mut q = parameters.split_off(reduction.model.parameters.len());
+    let v = q.split_off(equations.coordinates.len());
+    Ok([parameters, q, v])
+}
+
+/// Absolute tolerances of the reduced variables, each in its unit. Each is the least tolerance of
+/// the whole model's variables from which the reduced variable is computed. `each` has those of the
+/// coordinates and speeds.
+fn reduced_tolerances(reduction: &Reduction, model: &Model, each: &[f64]) -> Vec<f64> {
+    let arena = reduction.arena();
+    let own: Vec<_> = model.q().into_iter().chain(model.u()).collect();
+    let equations = &reduction.derivation.equations;
+    let all = || reduction.states.iter().chain(&reduction.quadratures);
+    let of = |symbol: &Expr| {
+        let start = all().find(|q| q.symbol == *symbol).map_or(*symbol, |q| q.of_start);
+        let mentioned = own.iter().zip(each).filter(|(e, _)| arena.mentions(start, **e)).map(|(_, x)| *x);
+        mentioned.fold(f64::INFINITY, f64::min)
+    };
+    equations.coordinates.iter().chain(&equations.variables).map(of).collect()
+}

@@ -1,0 +1,279 @@
+//! Cases of a work-precision chart: equations of motion, the method that finds their accelerations,
+//! and integrators.
+
+use crate::code::{Code, CodePreparation, runnable_code};
+use crate::error::{Error, refused_scene_error};
+use crate::mechanism::Mechanism;
+use crate::observer::require_uninterrupted;
+use crate::preparation::problem::Problem;
+use crate::preparation::reduced_equations::ReducedScene;
+use tripos_derive::mechanics::EquationsOrigin;
+use tripos_derive::reduce::Reduction;
+use tripos_derive::scene::{AccelerationSolution, Integrator, Scene};
+use tripos_sim::work_precision::work_precision_options;
+use tripos_sim::{Method, Options, Solution, quadrature};
+
+/// Integrators that also run reduced equations with an absolute tolerance alone. Their errors are
+/// so small that relative tolerances cannot be fine enough.
+const FINE: [Method; 2] = [Method::Dop853, Method::Taylor];
+
+/// Case of a work-precision chart: equations of motion, with the method that finds their
+/// accelerations.
+pub struct ChartCase {
+    /// Origin of the equations of motion: a formulation, a publication or the scene's reduction.
+    pub by: EquationsOrigin,
+    /// Equations ready to run. They use the distance of a coordinate from a singular surface if the
+    /// scene asks for it.
+    pub code: Code,
+    /// Method that finds the accelerations: eliminated beforehand, or solved for numerically at each
+    /// state.
+    pub solve: AccelerationSolution,
+    /// Reduction from which a scene's reduced equations come; `None` for equations of the whole model.
+    pub reduction: Option<Reduction>,
+}
+
+impl ChartCase {
+    /// True if an integrator can run the case. Implicit integrators need a Jacobian. Taylor's method
+    /// needs eliminated accelerations and their series.
+    #[must_use]
+    pub fn can_run_with(&self, method: Method) -> bool {
+        let system = self.code.system();
+        let series = self.solve == AccelerationSolution::Eliminated && system.has_taylor();
+        (!method.needs_jacobian() || system.has_accelerations()) && (!method.needs_series() || series)
+    }
+
+    /// Lists the integrators that can run the case, each at every given tolerance (the finest last).
+    /// Quadrature follows if it can compute the motion.
+    #[must_use]
+    pub fn integrators_and_tolerances(&self, tolerances: &[f64]) -> Vec<MethodAtTolerance> {
+        let mut list = Vec::new();
+        for method in Method::ALL.into_iter().filter(|method| self.can_run_with(*method)) {
+            list.extend(tolerances.iter().map(|tolerance| MethodAtTolerance::Steps(method, *tolerance)));
+            if let (true, Some(finest)) = (self.reduction.is_some() && FINE.contains(&method), tolerances.last()) {
+                list.extend([10.0, 100.0].map(|times| MethodAtTolerance::Absolute(method, finest / times)));
+            }
+        }
+        if self.has_quadrature() {
+            list.push(MethodAtTolerance::Quadrature);
+        }
+        list
+    }
+
+    /// True if quadrature can compute the motion of the case: reduced equations with a potential of one
+    /// coordinate.
+    #[must_use]
+    pub fn has_quadrature(&self) -> bool {
+        self.reduction.is_some() && self.code.system().has_potential_slope()
+    }
+
+    /// Prepares the case for the start of a scene, which must have the model and the outputs of the
+    /// case.
+    ///
+    /// # Errors
+    /// `Error` if the reduced equations have no value at the scene's start, or this cannot be moved to
+    /// their frame.
+    pub fn prepare<'a>(&'a self, model: &'a Mechanism, scene: &'a Scene) -> Result<PreparedCase<'a>, Error> {
+        let reduction = self.reduction.clone();
+        let mut reduced =
+            reduction.map(|reduction| ReducedScene::from_reduction(reduction, model, scene)).transpose()?;
+        if let Some(reduced) = &mut reduced {
+            // The reduced equations exist only with the case's way to find accelerations.
+            reduced.scene.integration.solve = Some(self.solve);
+        }
+        Ok(PreparedCase { case: self, model, scene, reduced })
+    }
+}
+
+/// Case of a work-precision chart that is prepared for the start of a scene.
+pub struct PreparedCase<'a> {
+    /// Equations of the case, and the method that finds their accelerations.
+    case: &'a ChartCase,
+    /// Mechanism of the scene.
+    model: &'a Mechanism,
+    /// Scene whose start and span are used.
+    scene: &'a Scene,
+    /// Reduced equations for the start of the scene; `None` if the case has equations of the whole
+    /// model.
+    reduced: Option<ReducedScene>,
+}
+
+impl PreparedCase<'_> {
+    /// Makes the problem of the case: the scene with its equations, ready to be integrated.
+    ///
+    /// # Errors
+    /// `Error` if the accelerations are not eliminated although they must be, or a moving body has no
+    /// mass.
+    pub fn problem(&self) -> Result<Problem<'_>, Error> {
+        let Self { case, model, scene, reduced } = self;
+        match reduced {
+            Some(reduced) => Problem::reduced(model, reduced, scene, &case.code),
+            None => Problem::new(model, scene, &case.by, &case.code, Some(case.solve)),
+        }
+    }
+}
+
+/// Integrator and tolerance of a run in a work-precision chart.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum MethodAtTolerance {
+    /// Steps of an integrator, with the same number as relative and absolute tolerance.
+    Steps(Method, f64),
+    /// Steps of an integrator with an absolute tolerance alone. It may be finer than a relative
+    /// tolerance, which must exceed the rounding of a double several times.
+    Absolute(Method, f64),
+    /// Quadrature: the time as an integral over the only coordinate, exact to rounding.
+    Quadrature,
+}
+
+impl MethodAtTolerance {
+    /// Integrator of the steps; `None` for quadrature.
+    #[must_use]
+    pub fn method(self) -> Option<Method> {
+        match self {
+            Self::Steps(method, _) | Self::Absolute(method, _) => Some(method),
+            Self::Quadrature => None,
+        }
+    }
+
+    /// Name of the integrator, or of quadrature, for tables.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        self.method().map_or(Integrator::Quadrature, Integrator::Steps).name()
+    }
+
+    /// Tolerance of the steps, relative or absolute; `None` for quadrature.
+    #[must_use]
+    pub fn tolerance(self) -> Option<f64> {
+        match self {
+            Self::Steps(_, tolerance) | Self::Absolute(_, tolerance) => Some(tolerance),
+            Self::Quadrature => None,
+        }
+    }
+
+    /// Name of the method that finds accelerations, for tables; `-` for quadrature, which needs none.
+    #[must_use]
+    pub fn solve(self, solve: AccelerationSolution) -> &'static str {
+        match self {
+            Self::Steps(..) | Self::Absolute(..) => solve.name(),
+            Self::Quadrature => "-",
+        }
+    }
+
+    /// Integration options for a span of `length` s, with at most `step_limit` steps.
+    #[must_use]
+    pub fn options(self, length: f64, step_limit: u64) -> Options {
+        match self {
+            Self::Steps(method, tolerance) => work_precision_options(method, tolerance, length, step_limit),
+            Self::Absolute(method, tolerance) => {
+                Options { rtol: 0.0, ..work_precision_options(method, tolerance, length, step_limit) }
+            }
+            // Only the step limit matters for quadrature.
+            Self::Quadrature => work_precision_options(Method::Dop853, 1e-12, length, step_limit),
+        }
+    }
+
+    /// Integrates a problem over a span, s, from the integrated state `y0`.
+    ///
+    /// # Errors
+    /// [`Error::Request`] if the options are invalid, or quadrature does not give the motion.
+    /// `Error::Interrupted` if the observer of the run ended it.
+    pub fn run(
+        self,
+        problem: &Problem<'_>,
+        span: (f64, f64),
+        y0: &[f64],
+        options: &Options,
+    ) -> Result<Solution, Error> {
+        match self {
+            Self::Steps(..) | Self::Absolute(..) => {
+                let run = problem.integrate_over(span, y0, options, &mut []);
+                require_uninterrupted(run.map_err(|error| refused_scene_error(problem.scene, &error))?)
+            }
+            Self::Quadrature => {
+                let p = &problem.scene.parameters;
+                quadrature::run_by_quadrature(problem.system(), p, span, y0, options, &mut []).map_err(|error| {
+                    Error::request(format!("no motion by quadrature: {error}"), "integrate step by step".to_owned())
+                })
+            }
+        }
+    }
+}
+
+/// Choice to run the equations of a publication in addition to the derived equations, or not.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PrintedEquationsChoice {
+    /// The printed equations are run as they stand.
+    Included,
+    /// Only derived equations are run, no printed equations.
+    LeftOut,
+}
+
+/// Lists the cases of a work-precision chart: every standard formulation with each way to find its
+/// accelerations. Printed equations follow if `printed` includes them, then the scene's reduced
+/// equations. The second list gives the reason for each missing case.
+///
+/// # Errors
+/// [`Error`] if no equations of the whole model can be run.
+pub fn cases(
+    model: &Mechanism,
+    scene: &Scene,
+    printed: PrintedEquationsChoice,
+) -> Result<(Vec<ChartCase>, Vec<String>), Error> {
+    let (mut list, mut left_out) = full_equation_cases(model, scene, printed)?;
+    match reduced_equation_case(model, scene) {
+        Ok(case) => list.push(case),
+        Err(failure) => left_out.push(format!("the scene's reduced equations: {}", failure.first_line())),
+    }
+    Ok((list, left_out))
+}
+
+/// Lists the cases with equations of the whole model: derived, and printed if `printed` includes
+/// them. The second list gives the reason for each missing case.
+///
+/// # Errors
+/// `Error` if no equations can be run, or the publication has errors.
+pub fn full_equation_cases(
+    model: &Mechanism,
+    scene: &Scene,
+    printed: PrintedEquationsChoice,
+) -> Result<(Vec<ChartCase>, Vec<String>), Error> {
+    let (mut list, mut left_out) = (Vec::new(), Vec::new());
+    let mut why = None;
+    let mut names: Vec<EquationsOrigin> = tripos_derive::Formulation::STANDARD.map(EquationsOrigin::from).to_vec();
+    if printed == PrintedEquationsChoice::Included {
+        names.extend(crate::code::list_printed_equations(model)?);
+    }
+    for by in names {
+        match runnable_code(model, &by, scene.integration.distance, CodePreparation::Solved) {
+            Ok(code) => {
+                let can = |solve: &AccelerationSolution| {
+                    *solve == AccelerationSolution::Numeric || code.system().has_accelerations()
+                };
+                let solves = AccelerationSolution::ALL.into_iter().filter(can);
+                list.extend(solves.map(|solve| ChartCase {
+                    by: by.clone(),
+                    code: code.clone(),
+                    solve,
+                    reduction: None,
+                }));
+            }
+            Err(failure) => {
+                left_out.push(format!("{}: {}", by.name(), failure.first_line()));
+                why = Some(failure);
+            }
+        }
+    }
+    match why {
+        Some(failure) if list.is_empty() => Err(failure),
+        _ => Ok((list, left_out)),
+    }
+}
+
+/// Makes the case of a scene's reduced equations, whose accelerations are eliminated.
+///
+/// # Errors
+/// [`Error`] if the scene has no reduced equations. Other cases may still exist.
+pub fn reduced_equation_case(model: &Mechanism, scene: &Scene) -> Result<ChartCase, Error> {
+    let reduced = ReducedScene::new(model, scene)?;
+    let code = reduced.code(model)?;
+    Ok(ChartCase { by: reduced.by, code, solve: AccelerationSolution::Eliminated, reduction: Some(reduced.reduction) })
+}

@@ -1,0 +1,126 @@
+//! Identification of inertial parameters from motions: values of the base parameters, and the
+//! regressor at given states.
+//!
+//! Base parameters are the combinations of inertial parameters that motions can determine;
+//! [`tripos_derive::identify`] finds them. The rows of the regressor are the equations Y_b π_b +
+//! rest = tau. Here tau = B r is the generalized force of the inputs r ([`super::inverse`]).
+
+use crate::{Error, Mechanism};
+use tripos_derive::algebra::Expr;
+use tripos_derive::algebra::value::tape::Tape;
+use tripos_derive::identify::{BaseParameterFactor, Identification};
+use tripos_derive::mechanics::RegressorParameters;
+use tripos_derive::scene::MotionSample;
+use tripos_traits::DoubleDouble;
+
+/// Finds the base parameters of a mechanism: the combinations of inertial parameters that motions
+/// can determine.
+///
+/// # Errors
+/// [`Error::Input`] if the model cannot be derived.
+pub fn identify(model: &Mechanism, varied: RegressorParameters) -> Result<Identification, Error> {
+    Identification::new(model, varied).map_err(|error| Error::Input(model.diagnose(&error)))
+}
+
+/// Computes the numerical values of the base parameters from the model's bodies and the given
+/// parameters, to 32 digits. `None` for a base parameter that contains a factor without a closed
+/// form.
+///
+/// # Errors
+/// [`Error::Request`] if a formula contains a symbol without a value.
+pub fn base_parameter_values(
+    model: &Mechanism,
+    found: &Identification,
+    parameters: &[DoubleDouble],
+) -> Result<Vec<Option<DoubleDouble>>, Error> {
+    let columns = &found.regressor.columns;
+    let mut terms: Vec<Expr> = columns.iter().map(|column| column.stated).collect();
+    let groups = || found.base.iter().chain(&found.grouped);
+    terms.extend(groups().flat_map(|base| &base.with).filter_map(|(_, factor)| match factor {
+        BaseParameterFactor::Exact(e) => Some(*e),
+        _ => None,
+    }));
+    let tape: Tape<DoubleDouble> =
+        crate::code::compile_tape(&found.regressor.arena, &model.p(), &terms, "a parameter")?.to();
+    let values = tape.evaluate(parameters);
+    let (stated, factors) = values.split_at(columns.len());
+    let mut factors = factors.iter();
+    let mut of_groups: Vec<Vec<(usize, Option<DoubleDouble>)>> = Vec::new();
+    for base in groups() {
+        let value = |factor: &BaseParameterFactor, next: &mut std::slice::Iter<'_, DoubleDouble>| match factor {
+            BaseParameterFactor::Exact(_) => next.next().copied(),
+            BaseParameterFactor::Number(x) => Some((*x).into()),
+            BaseParameterFactor::Unknown => None,
+        };
+        of_groups.push(base.with.iter().map(|(at, factor)| (*at, value(factor, &mut factors))).collect());
+    }
+    // With closed loops, a column of the regressor may stand for a combination of columns. It then has
+    // the combined value.
+    let whole: Vec<(usize, usize)> =
+        found.grouped.iter().enumerate().map(|(k, base)| (base.column, found.base.len() + k)).collect();
+    let own = |at: usize, with: &[(usize, Option<DoubleDouble>)]| {
+        with.iter().try_fold(stated[at], |sum, (at, factor)| Some(sum + stated[*at] * (*factor)?))
+    };
+    let value_of = |at: usize| match whole.iter().find(|(column, _)| *column == at) {
+        Some((column, k)) => own(*column, &of_groups[*k]),
+        None => Some(stated[at]),
+    };
+    let of_base = found.base.iter().zip(&of_groups).map(|(base, with)| {
+        with.iter().try_fold(stated[base.column], |sum, (at, factor)| Some(sum + value_of(*at)? * (*factor)?))
+    });
+    Ok(of_base.collect())
+}
+
+/// Row of the regressor: the generalized force along one generalized speed at one state, linear in
+/// base parameters.
+#[derive(Clone, Debug)]
+pub struct RegressorRow {
+    /// Index of the state among the given states, from 0.
+    pub state: usize,
+    /// Index of the generalized speed along which the force acts, from 0.
+    pub speed: usize,
+    /// Factor of each base parameter π in the force, in the order of the base parameters.
+    pub factors: Vec<DoubleDouble>,
+    /// Known part of the force with all inputs at 0. The whole force is Σ factor π + rest.
+    pub rest: DoubleDouble,
+}
+
+/// Computes the rows of the regressor of the base parameters at the given states, a row for each
+/// state and speed.
+///
+/// # Errors
+/// [`Error::Request`] if a column contains a symbol without a value; [`Error::Stopped`] if a column
+/// has no finite value at a state.
+pub fn regressor_rows(
+    model: &Mechanism,
+    found: &Identification,
+    parameters: &[DoubleDouble],
+    states: &[MotionSample],
+) -> Result<Vec<RegressorRow>, Error> {
+    let regressor = &found.regressor;
+    let speeds = model.speeds.len();
+    let columns = found.base.iter().map(|base| &regressor.columns[base.column].forces);
+    let terms: Vec<Expr> = columns.chain([&regressor.rest]).flatten().copied().collect();
+    let rates = model.speeds.iter().map(|speed| speed.rate).collect();
+    let known = [model.p(), model.q(), model.u(), rates].concat();
+    let tape: Tape<DoubleDouble> = crate::code::compile_tape(&regressor.arena, &known, &terms, "the regressor")?.to();
+    let mut p = parameters.to_vec();
+    let inputs = (0..p.len())
+        .filter(|at| model.parameters[*at].is_input && model.parameters[*at].unit.kilogram_exponent().is_one());
+    for at in inputs.collect::<Vec<_>>() {
+        p[at] = 0.0.into();
+    }
+    let mut list = Vec::new();
+    for (state, moving) in states.iter().enumerate() {
+        let values = tape.evaluate(&[p.as_slice(), &moving.q, &moving.u, &moving.rates].concat());
+        if values.iter().any(|x| !x.hi().is_finite()) {
+            return Err(Error::Stopped(format!("the regressor has no value at state {}", state + 1)));
+        }
+        for speed in 0..speeds {
+            let of = |column: usize| values[column * speeds + speed];
+            let factors = (0..found.base.len()).map(of).collect();
+            list.push(RegressorRow { state, speed, factors, rest: of(found.base.len()) });
+        }
+    }
+    Ok(list)
+}

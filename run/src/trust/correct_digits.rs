@@ -1,0 +1,376 @@
+//! Number of correct digits of a run, estimated by a second run.
+//!
+//! The second run follows the same motion with other steps ([`tripos_sim::seconds`]). Its start and
+//! its parameters are one rounding away. So the difference of the two runs contains the errors of
+//! the steps, of rounding, and of numbers that doubles cannot represent. Each of these errors
+//! appears with the amplification by the motion.
+//!
+//! During the run, an error is measured relative to the largest size s of its value along the run.
+//! A curve through zero has no digits of its own at the zero. s is at least absolute ÷ relative
+//! tolerance, since a smaller size does not matter by these tolerances. At the end, the number
+//! itself is wanted. There the error is measured relative to |value| + s, with s at most 1 in its
+//! SI unit.
+
+use super::watched_functions::{WatchedFunctions, watched_events};
+use crate::error::Error;
+use crate::preparation::problem::Problem;
+use rustc_hash::FxHashMap;
+use tripos_derive::scene::{Integrator, Scene};
+use tripos_sim::{
+    Effect, Event, EventRecord, Kind, Options, OutputOption, SecondRun, Solution, Stop, TaylorSeries, second_runs,
+};
+use tripos_traits::{DoubleDouble, Real, Scalar, larger, largest};
+
+/// Greatest number of instants at which a run and its second run are compared.
+const INSTANTS: usize = 400;
+/// Number of parts into which the compared instants are divided. An instant's error includes the
+/// differences in the part before it.
+const NEAR: usize = 40;
+/// Least number of earlier instants whose differences count for the error of an instant.
+const NEAREST: usize = 2;
+/// Number of correct digits below which a run gets an objection.
+pub const FEW: f64 = 3.0;
+/// Relative error that every value has at least: eight roundings of its terms.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
+/// Size, in SI units, below which a value does not matter if no tolerances define this size. It is
+/// the quotient of the default tolerances.
+const SMALL: f64 = 1e-3;
+/// Factor from the difference between two motions by quadrature to the error of each. Both share
+/// all errors except those of the start.
+const QUADRATURE_PART: f64 = 4.0;
+
+/// Estimated errors and numbers of correct digits of the values that a run shows.
+#[derive(Clone, Debug)]
+pub struct CorrectDigits {
+    /// Compared instants, s, in the order of the run. The last is the end of the run, if errors
+    /// were estimated to the end.
+    pub t: Vec<f64>,
+    /// Estimated error of each shown value at each instant of `t`, in the unit of the value: one
+    /// list for each instant.
+    pub errors: Vec<Vec<f64>>,
+    /// Correct digits of each shown value at each instant of `t`: −log₁₀ of its error relative to
+    /// its largest size.
+    pub digits: Vec<Vec<f64>>,
+    /// Correct digits of each shown value at the last compared instant: −log₁₀ of its error
+    /// relative to the value itself.
+    last: Vec<f64>,
+    /// Estimated error of the instant of each event of the run, s; `None` for an event that the
+    /// second run lacks.
+    pub events: Vec<Option<f64>>,
+    /// Description of the second run, such as its method and tolerances.
+    pub by: String,
+    /// Instant at which the assessed run ends, s.
+    pub t_end: f64,
+    /// Data on the end of the second run.
+    pub(crate) second: SecondEnd,
+}
+
+/// Data on the end of a second run, which was made to estimate the errors of a first run.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct SecondEnd {
+    /// Instant at which the second run ended, s.
+    pub t: f64,
+    /// Reason why the second run ended.
+    pub stop: Stop,
+    /// True if the second run was finer than the first.
+    pub is_finer: bool,
+}
+
+/// Shown value, and instant, with the fewest correct digits in a run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FewestDigits {
+    /// Index of the instant among the compared instants.
+    pub instant: usize,
+    /// Index of the value among the shown values.
+    pub value: usize,
+    /// Number of correct digits of the value at the instant.
+    pub digits: f64,
+}
+
+impl CorrectDigits {
+    /// True if errors were estimated to the end of the run.
+    #[must_use]
+    pub fn is_complete(&self) -> bool {
+        self.last_assessed_instant() == Some(self.t_end)
+    }
+
+    /// Last instant at which errors were estimated, s; `None` if there is none.
+    #[must_use]
+    pub fn last_assessed_instant(&self) -> Option<f64> {
+        self.t.last().copied()
+    }
+
+    /// Correct digits of each shown value at the end of the run; `None` if errors were not
+    /// estimated to the end.
+    #[must_use]
+    pub fn digits_at_end(&self) -> Option<&[f64]> {
+        self.is_complete().then_some(self.last.as_slice())
+    }
+
+    /// Least number of correct digits of all shown values at the end of the run; `None` if errors
+    /// were not estimated to the end.
+    #[must_use]
+    pub fn digits_at_end_least(&self) -> Option<f64> {
+        self.digits_at_end()?.iter().copied().reduce(f64::min)
+    }
+
+    /// Estimated error of each shown value at the end of the run, in its unit; `None` if errors
+    /// were not estimated to the end.
+    #[must_use]
+    pub fn errors_at_end(&self) -> Option<&[f64]> {
+        self.errors.last().filter(|_| self.is_complete()).map(Vec::as_slice)
+    }
+
+    /// Index and correct digits of the shown value with the fewest correct digits at the instant
+    /// with the index `instant`.
+    /// Returns `None` if no values are shown.
+    #[must_use]
+    pub fn fewest_digits(&self, instant: usize) -> Option<(usize, f64)> {
+        self.digits[instant].iter().copied().enumerate().min_by(|a, b| a.1.total_cmp(&b.1))
+    }
+
+    /// Fewest correct digits of all shown values and instants; the first such instant if several
+    /// are equal.
+    /// Returns `None` if errors were estimated at no instant.
+    #[must_use]
+    pub fn fewest_of_all(&self) -> Option<FewestDigits> {
+        let at = |instant| self.fewest_digits(instant).map(|(value, digits)| FewestDigits { instant, value, digits });
+        (0..self.t.len()).filter_map(at).min_by(|a, b| a.digits.total_cmp(&b.digits))
+    }
+
+    /// Indices (instant, value) of the first value with fewer than three correct digits; `None` if
+    /// there is none.
+    #[must_use]
+    pub fn first_with_few(&self) -> Option<(usize, usize)> {
+        let few = |at: usize| self.fewest_digits(at).filter(|(_, digits)| *digits < FEW).map(|(which, _)| (at, which));
+        let at_end =
+            || Some((self.t.len().checked_sub(1)?, self.digits_at_end()?.iter().position(|digits| *digits < FEW)?));
+        (0..self.t.len()).find_map(few).or_else(at_end)
+    }
+}
+
+/// Function for the values that a run shows at an instant, s, and an integrated state.
+/// Its error is the reason why a value cannot be computed.
+pub type Values<'a> = dyn Fn(&Problem<'_>, f64, &[f64]) -> Result<Vec<f64>, Error> + 'a;
+
+/// Estimates the correct digits of a run that started from the integrated state `y0`, by a second
+/// run.
+/// Returns `None` if the run took no step or was interrupted.
+///
+/// # Errors
+/// [`Error`] if the second run is invalid although the first was not, or a value cannot be
+/// computed.
+pub fn estimate_digits(
+    problem: &Problem<'_>,
+    y0: &[f64],
+    options: &Options,
+    solution: &Solution,
+    values: &Values<'_>,
+    balance: &WatchedFunctions,
+) -> Result<Option<CorrectDigits>, Error> {
+    if solution.steps == 0 || solution.stop == Stop::Interrupted || y0.is_empty() {
+        return Ok(None);
+    }
+    let scene = scene_of_second(problem.scene, solution.t_end);
+    let beside = problem.with_scene(&scene);
+    let mut watched: Vec<Event<'_>> =
+        if solution.events.is_empty() { Vec::new() } else { watched_events(&beside, balance) };
+    for event in &mut watched {
+        event.effect = Effect::Record;
+    }
+    let start: Vec<f64> = y0.iter().map(|y| y * (1.0 + f64::EPSILON)).collect();
+    let samples = run_samples(solution);
+    let times: Vec<f64> = samples.iter().map(|(t, _)| *t).collect();
+    let mut best: Option<(Solution, SecondRun)> = None;
+    for second in second_run_choices(problem, options, solution) {
+        let how = Options { output: OutputOption::At(times.clone()), ..second.options.clone() };
+        let run = beside.solve(&start, &how, &mut watched, None)?;
+        if run.stop == Stop::Interrupted {
+            return Ok(None);
+        }
+        if best.as_ref().is_none_or(|(other, _)| run.t.len() > other.t.len()) {
+            best = Some((run, second));
+        }
+        if best.as_ref().is_some_and(|(run, _)| run.t.len() == times.len()) {
+            break;
+        }
+    }
+    let Some((run, SecondRun { part, words, is_finer, .. })) = best else { return Ok(None) };
+    let first: Vec<Vec<f64>> = samples.iter().map(|(t, y)| values(problem, *t, y)).collect::<Result<_, _>>()?;
+    let second: Vec<Vec<f64>> =
+        run.t.iter().zip(&run.y).map(|(t, y)| values(&beside, *t, y)).collect::<Result<_, _>>()?;
+    let sizes = value_sizes(problem.scene, &first);
+    let (mut errors, mut digits, mut last) = (Vec::new(), Vec::new(), Vec::new());
+    let mut apart: Vec<Vec<f64>> = first.iter().zip(&second).map(|(a, b)| value_differences(a, b)).collect();
+    leave_out_jumps(&mut apart, &times, solution, &run, problem.scene.span);
+    for (instant, a) in first.iter().take(apart.len()).enumerate() {
+        let near = differences_up_to_instant(&apart, instant);
+        let own = |at: usize| a[at].abs() + sizes[at].min(1.0);
+        let error = |at: usize| {
+            // An earlier instant without a value does not change the error of this instant.
+            let others = near.iter().map(|apart| apart[at]).filter(|apart| !apart.is_nan());
+            let largest = others.fold(apart[instant][at], larger);
+            part * largest + ROUNDING * own(at)
+        };
+        errors.push((0..a.len()).map(error).collect::<Vec<_>>());
+        digits.push((0..a.len()).map(|at| digits_left(error(at) / sizes[at])).collect::<Vec<_>>());
+        last = (0..a.len()).map(|at| digits_left(error(at) / own(at))).collect();
+    }
+    let events = errors_of_events(&solution.events, &run.events, part);
+    let second = SecondEnd { t: run.t_end, stop: run.stop, is_finer };
+    Ok(Some(CorrectDigits { t: run.t, errors, digits, last, events, by: words, t_end: solution.t_end, second }))
+}
+
+/// Absolute differences of two lists of values, one for each value.
+fn value_differences(a: &[f64], b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| (a - b).abs()).collect()
+}
+
+/// Longest time between the instants at which two runs have the same impact, relative to the length
+/// of the span.
+const ONE_IMPACT: f64 = 1e-3;
+
+/// Corrects the differences of two runs at samples that lie between the instants of the same impact
+/// in both runs.
+/// At such a sample, only one run has jumped, so the difference is the jump. The uncertainty of the
+/// impact's instant is given separately. The sample gets the differences of the sample before it.
+fn leave_out_jumps(apart: &mut [Vec<f64>], times: &[f64], first: &Solution, second: &Solution, span: (f64, f64)) {
+    let between: Vec<(f64, f64)> = first
+        .impacts
+        .iter()
+        .zip(&second.impacts)
+        .map(|(own, other)| (own.t.min(other.t), own.t.max(other.t)))
+        .filter(|(from, to)| to - from <= ONE_IMPACT * (span.1 - span.0))
+        .collect();
+    let mut next = 0;
+    for (at, t) in times.iter().enumerate().take(apart.len()) {
+        while between.get(next).is_some_and(|(_, to)| to < t) {
+            next += 1;
+        }
+        if at > 0 && between.get(next).is_some_and(|(from, _)| from <= t) {
+            let (before, from) = apart.split_at_mut(at);
+            from[0].clone_from(&before[at - 1]);
+        }
+    }
+}
+
+/// Differences of two runs at the instant with the index `instant`, and at the compared instants
+/// shortly before it.
+/// Two motions that oscillate about each other meet now and then, although the errors of both are
+/// as large as elsewhere. So the earlier differences count too.
+fn differences_up_to_instant(apart: &[Vec<f64>], instant: usize) -> &[Vec<f64>] {
+    let near = (apart.len() / NEAR).max(NEAREST);
+    &apart[instant.saturating_sub(near)..=instant]
+}
+
+/// Estimated errors of the instants of a run's events, s, by comparison with another run.
+/// The counterpart of an event is the event of the other run with as many events of its kind before
+/// it; `None` without counterpart. For a repeated event, the largest of neighbouring errors is
+/// taken: two runs that oscillate about each other may meet at one of the events.
+fn errors_of_events(list: &[EventRecord], others: &[EventRecord], part: f64) -> Vec<Option<f64>> {
+    let mut errors = vec![None; list.len()];
+    for (own, its) in records_by_event(list).iter().zip(records_by_event(others)) {
+        let same_kind = |kind: Kind| its.iter().map(move |at| &others[*at]).filter(move |other| other.kind == kind);
+        let mut met: FxHashMap<Kind, _> = FxHashMap::default();
+        let mut counterpart =
+            |event: &EventRecord| met.entry(event.kind).or_insert_with(|| same_kind(event.kind)).next();
+        let apart: Vec<Option<f64>> =
+            own.iter().map(|at| Some((list[*at].t - counterpart(&list[*at])?.t).abs())).collect();
+        for (place, at) in own.iter().enumerate() {
+            let near = &apart[place.saturating_sub(NEAREST)..(place + NEAREST + 1).min(apart.len())];
+            let largest = near.iter().flatten().copied().fold(0.0, larger);
+            errors[*at] = apart[place].map(|_| part * largest + ROUNDING * list[*at].t.abs());
+        }
+    }
+    errors
+}
+
+/// Groups the records of events: for each watched event, the indices of its records, in the order
+/// of the list.
+fn records_by_event(list: &[EventRecord]) -> Vec<Vec<usize>> {
+    let mut places = Vec::new();
+    for (at, record) in list.iter().enumerate() {
+        if places.len() <= record.event {
+            places.resize(record.event + 1, Vec::new());
+        }
+        places[record.event].push(at);
+    }
+    places
+}
+
+/// Correct digits that a relative error leaves, −log₁₀; 0 if the error is 1 or more, or not a
+/// number.
+fn digits_left(relative: f64) -> f64 {
+    if relative < 1.0 { -relative.log10() } else { 0.0 }
+}
+
+/// Possible settings for the second run, in the order of preference.
+fn second_run_choices(problem: &Problem<'_>, options: &Options, solution: &Solution) -> Vec<SecondRun> {
+    if problem.scene.integration.method == Integrator::Quadrature {
+        let words = "quadrature from numbers one rounding away".to_owned();
+        return vec![SecondRun { options: options.clone(), part: QUADRATURE_PART, is_finer: false, words }];
+    }
+    let series = if problem.has_short_series() { TaylorSeries::Cheap } else { TaylorSeries::Costly };
+    second_runs(options, solution, problem.scene.span, series)
+}
+
+/// Samples (t, y) spread evenly over a run, at most [`INSTANTS`], and the end of the run.
+fn run_samples(solution: &Solution) -> Vec<(f64, &Vec<f64>)> {
+    let every = solution.y.len().div_ceil(INSTANTS).max(1);
+    let mut list: Vec<_> = solution.t.iter().copied().zip(&solution.y).step_by(every).collect();
+    if list.last().is_none_or(|(t, _)| t.total_cmp(&solution.t_end).is_ne()) {
+        list.push((solution.t_end, &solution.y_end));
+    }
+    list
+}
+
+/// Time by which the second run goes beyond the end of the first, relative to the duration of the
+/// first.
+/// An event at the end of the first run may happen later in the second run.
+const BEYOND: f64 = 0.02;
+
+/// Scene for the second run, from the start of the first run to slightly beyond its end.
+/// A parameter that doubles cannot represent gets the neighbouring double on the other side of its
+/// exact number.
+fn scene_of_second(scene: &Scene, t_end: f64) -> Scene {
+    let (start, end) = scene.span;
+    let beyond = t_end + BEYOND * (t_end - start);
+    let is_inside = (end - beyond) * (end - start) > 0.0;
+    Scene {
+        parameters: parameters_one_rounding_away(scene),
+        span: (start, if is_inside { beyond } else { end }),
+        ..scene.clone()
+    }
+}
+
+/// Parameters of a scene, moved by one rounding error.
+/// A parameter that doubles cannot represent is replaced by the neighbouring double on the other
+/// side of its exact number. The other parameters are unchanged.
+pub fn parameters_one_rounding_away(scene: &Scene) -> Vec<f64> {
+    let other = |(x, exact): (&f64, &DoubleDouble)| {
+        let rest = (*exact - DoubleDouble::from_f64(*x)).to_f64();
+        if rest > 0.0 {
+            x.next_up()
+        } else if rest < 0.0 {
+            x.next_down()
+        } else {
+            *x
+        }
+    };
+    scene.parameters.iter().zip(&scene.exact.parameters).map(other).collect()
+}
+
+/// Largest size of each shown value along a run, but at least the size below which a value does not
+/// matter.
+fn value_sizes(scene: &Scene, values: &[Vec<f64>]) -> Vec<f64> {
+    let how = &scene.integration;
+    let adaptive = how.step.is_none() && how.method != Integrator::Quadrature;
+    let matters = match (adaptive, how.rtol > 0.0) {
+        (true, true) => (how.atol.smallest() / how.rtol).clamp(f64::MIN_POSITIVE, 1.0),
+        (true, false) => 1.0,
+        (false, _) => SMALL,
+    };
+    let count = values.first().map_or(0, Vec::len);
+    let of = |at: usize| largest(values.iter().map(|list| list[at])).max(matters);
+    (0..count).map(of).map(|size| larger(size, f64::MIN_POSITIVE)).collect()
+}

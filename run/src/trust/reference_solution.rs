@@ -1,0 +1,198 @@
+//! Reference solutions, by which the errors of other runs are measured, and their certification.
+//!
+//! The equations run in twice the precision of a double, compiled or interpreted, with eliminated
+//! accelerations, by DOP853. Doubles could not reach the tolerances. The runs are made by two
+//! formulations and at two tolerances. The difference of the two runs is the uncertainty of the
+//! reference.
+
+use crate::code::{Code, CodePreparation, compiled_code, runnable_code};
+use crate::error::{Error, refused_scene_error};
+use crate::mechanism::Mechanism;
+use crate::preparation::problem::Problem;
+use tripos_derive::Formulation;
+use tripos_derive::mechanics::EquationsOrigin;
+use tripos_derive::mechanics::SingularDistance;
+use tripos_derive::scene::{AccelerationSolution, Scene};
+use tripos_sim::work_precision::work_precision_error;
+use tripos_sim::{
+    EliminatedDynamics, LentRightHandSide, Method, Options, OutputOption, RightHandSide, SimError, Solution, integrate,
+};
+use tripos_traits::{DoubleDouble, Real, Scalar, larger};
+
+/// Reference solution: states at given instants, more accurate than any run in doubles.
+pub struct ReferenceSolution {
+    /// Instants of the reference states, s.
+    pub times: Vec<f64>,
+    /// State at each instant of `times`: coordinates, then generalized speeds, in SI units.
+    pub states: Vec<Vec<DoubleDouble>>,
+    /// Uncertainty of the states, in the measure of [`work_precision_error`], relative to their size.
+    pub uncertainty: f64,
+    /// Text that describes how the reference was certified.
+    pub how: String,
+}
+
+/// Relative tolerances of the run that is kept as the reference, and of the second run that checks
+/// it.
+const TOLERANCES: [f64; 2] = [1e-22, 1e-20];
+/// Number of steps after which a reference is given up.
+const MOST_STEPS: u64 = 5_000_000;
+/// Number of states near the start at which the rates of two formulations are compared.
+const STATES: usize = 4;
+
+impl ReferenceSolution {
+    /// Computes the reference of a scene without its events, at the given instants in the order of the run.
+    ///
+    /// # Errors
+    /// [`Error`] if a run does not reach the last instant, or no formulation has eliminated accelerations.
+    pub fn new(model: &Mechanism, scene: &Scene, times: &[f64]) -> Result<Self, Error> {
+        if !scene.impacts.is_empty() {
+            let help = "use the errors that the run prints, or leave the impacts out";
+            return Err(Error::request("references in 32 digits know no impacts", help));
+        }
+        let mut scene = scene.clone();
+        scene.integration.distance = distance_from_singularity(model, &scene);
+        let [first, second] = reference_equations(model, &scene)?;
+        let names = [&first, &second].map(|witness| witness.by.name()).into_iter().zip(TOLERANCES);
+        let names: Vec<String> = names.map(|(name, rtol)| format!("{name} at {rtol:.0e}")).collect();
+        let kept = first.run(model, &scene, times, TOLERANCES[0])?;
+        let check = second.run(model, &scene, times, TOLERANCES[1])?;
+        let difference = kept.iter().zip(&check).map(|(a, b)| work_precision_error(a, b)).fold(0.0, larger);
+        let same = first.runs_the_terms_of(&second, model, &scene)?;
+        let more = if same { "; both run the same terms, so that they are one witness at two tolerances" } else { "" };
+        let how = format!(
+            "DOP853 in double-double (32 digits), {}: they differ by {difference:.1e}{more}",
+            names.join(" against ")
+        );
+        Ok(Self { times: times.to_vec(), states: kept, uncertainty: larger(difference, DoubleDouble::EPSILON), how })
+    }
+
+    /// State at the last instant of the reference; empty if it has no instants.
+    pub fn end(&self) -> &[DoubleDouble] {
+        self.states.last().map_or(&[], Vec::as_slice)
+    }
+}
+
+/// Equations of one formulation from which a reference is computed.
+#[derive(Clone)]
+struct ReferenceEquations {
+    /// Formulation that gave the equations.
+    by: EquationsOrigin,
+    /// Code of the equations, compiled or interpreted.
+    code: Code,
+}
+
+/// Equations of two formulations, or the same equations twice if the model has only one
+/// formulation.
+///
+/// # Errors
+/// `Error::Request` if no formulation has eliminated accelerations.
+fn reference_equations(model: &Mechanism, scene: &Scene) -> Result<[ReferenceEquations; 2], Error> {
+    let mut list = Vec::new();
+    for formulation in [Formulation::Lagrange, Formulation::Kane] {
+        let by = EquationsOrigin::from(formulation);
+        match runnable_code(model, &by, scene.integration.distance, CodePreparation::Solved) {
+            Ok(code) if code.system().has_accelerations() => list.push(ReferenceEquations { by, code }),
+            Ok(_) | Err(Error::Unsupported(_)) => {}
+            Err(failure) => return Err(failure),
+        }
+    }
+    list.extend(list.first().cloned().filter(|_| list.len() == 1));
+    list.try_into().map_err(|_| {
+        let help = "give a model that Kane's method or Lagrange's equations can be derived for".to_owned();
+        Error::request("a reference needs two witnesses, and the scene has none".to_owned(), help)
+    })
+}
+
+/// Variable for the distance from the scene's singular surface; `None` if the scene has none.
+/// Also `None` if compiled equations exist, but not in this distance.
+fn distance_from_singularity(model: &Mechanism, scene: &Scene) -> Option<SingularDistance> {
+    tripos_derive::mechanics::singular_distances(model).first().copied().or(scene.integration.distance).filter(
+        |distance| {
+            // Interpreted equations in 32 digits resolve a small distance well enough.
+            let is_compiled = |distance| {
+                compiled_code(model, &EquationsOrigin::from(Formulation::Lagrange), distance, CodePreparation::Solved)
+                    .is_some()
+            };
+            !is_compiled(None) || is_compiled(Some(*distance))
+        },
+    )
+}
+
+impl ReferenceEquations {
+    /// Integrates the equations at a relative tolerance; returns coordinates and generalized speeds
+    /// at the given instants.
+    ///
+    /// # Errors
+    /// `Error` if the run cannot start or does not reach the last instant.
+    fn run(&self, model: &Mechanism, scene: &Scene, times: &[f64], rtol: f64) -> Result<Vec<Vec<DoubleDouble>>, Error> {
+        let problem = Problem::new(model, scene, &self.by, &self.code, Some(AccelerationSolution::Eliminated))?;
+        let (p, y0) = problem.extended_start()?;
+        let system = self.code.extended();
+        let mut rhs =
+            EliminatedDynamics::new(system, &p).expect("checked to be eliminated, with the model's parameters");
+        let options = problem.run_options(&reference_options(rtol));
+        let walk = |t0: f64, t1: f64, y: &[DoubleDouble]| {
+            let rhs = LentRightHandSide(&mut rhs as &mut dyn RightHandSide<DoubleDouble>);
+            integrate(rhs, (t0, t1), y, &options, &mut [])
+        };
+        let states = integrate_between_instants(scene, times, y0, walk)?;
+        Ok(times.iter().zip(&states).map(|(t, y)| problem.extended_state(&p, *t, y)).collect())
+    }
+
+    /// True if two formulations compute with identical terms: their rates near the start agree in
+    /// every bit.
+    ///
+    /// Different terms for the same rates give values that differ in one of 106 bits at one of the
+    /// tested states. The result is stated with the reference, and decides no other question.
+    fn runs_the_terms_of(&self, other: &Self, model: &Mechanism, scene: &Scene) -> Result<bool, Error> {
+        if self.code.system().lengths().state() != other.code.system().lengths().state() {
+            return Ok(false);
+        }
+        let problem = Problem::new(model, scene, &self.by, &self.code, Some(AccelerationSolution::Eliminated))?;
+        let (p, y0) = problem.extended_start()?;
+        let rates = |witness: &Self, y: &[DoubleDouble]| {
+            let (q, v) = y.split_at(witness.code.system().lengths().coordinates);
+            let (mut q_dot, mut v_dot) = (q.to_vec(), v.to_vec());
+            witness.code.extended().derivative(&p, q, v, &mut q_dot, &mut v_dot);
+            [q_dot, v_dot].concat()
+        };
+        let beside = |k: usize| {
+            let offset =
+                |at: usize| DoubleDouble::ratio(1, 7) * DoubleDouble::from_f64((1 + at + k) as f64).sin_cos().0;
+            y0.iter().enumerate().map(|(at, y)| *y + offset(at)).collect::<Vec<_>>()
+        };
+        Ok((0..STATES).map(beside).all(|y| rates(self, &y) == rates(other, &y)))
+    }
+}
+
+/// Options for a reference run: DOP853 with `rtol` as relative and absolute tolerance.
+fn reference_options(rtol: f64) -> Options {
+    let method = Method::Dop853;
+    Options { method, step_limit: MOST_STEPS, output: OutputOption::Ends, ..Options::tolerances(rtol, rtol) }
+}
+
+/// Integrates from each instant to the next by `walk`, and returns the states at the instants.
+/// Each instant is the end of an integration, where the solution is as accurate as the tolerance.
+///
+/// # Errors
+/// `Error` if an integration fails or stops before its end.
+fn integrate_between_instants(
+    scene: &Scene,
+    times: &[f64],
+    start: Vec<DoubleDouble>,
+    mut walk: impl FnMut(f64, f64, &[DoubleDouble]) -> Result<Solution<DoubleDouble>, SimError>,
+) -> Result<Vec<Vec<DoubleDouble>>, Error> {
+    let (mut t, mut y) = (scene.span.0, start);
+    let mut states = Vec::new();
+    for &next in times {
+        if next - t != 0.0 {
+            let solution = walk(t, next, &y).map_err(|error| refused_scene_error(scene, &error))?;
+            if solution.stop.is_failure() {
+                return Err(Error::Stopped(format!("the reference run {solution}")));
+            }
+            (t, y) = (next, solution.y_end);
+        }
+        states.push(y.clone());
+    }
+    Ok(states)
+}
