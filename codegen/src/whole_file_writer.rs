@@ -142,7 +142,10 @@ impl Draft {
         let file = open_locked_file(path, &part, wait)?;
         // With this lock, every other writer of the name has finished or given up.
         if existing == ExistingFilePolicy::Kept && target.symlink_metadata().is_ok() {
-            let _ = std::fs::remove_file(&part);
+            // The text of an earlier draft stays: only a file that the lock has made is removed.
+            if file.metadata().is_ok_and(|made| made.len() == 0) {
+                let _ = std::fs::remove_file(&part);
+            }
             return Err(WriteError::There(path.to_owned()));
         }
         let mut part = TempPath::try_from_path(part).map_err(failed)?;

@@ -336,8 +336,8 @@ fn a_pose_follows_from_any_number_that_determines_it() {
     }
 }
 
-/// Goal: derivatives of a run that changes its speeds are those of the motion, and the stated errors hold. Method:
-/// differences of the chain.
+/// Goal: derivatives of a run that replaces its generalized speeds are those of the motion, and the stated errors hold.
+/// Method: differences of the chain.
 #[test]
 fn derivatives_of_runs_that_change_their_speeds_hold() {
     let mut random = Random(12);

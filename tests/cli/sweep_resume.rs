@@ -93,6 +93,19 @@ fn a_table_that_goes_on_is_that_of_an_uninterrupted_sweep() {
     assert!(status == 2 && said.contains("is there already"), "{said}");
 }
 
+/// Goal: a refused command destroys no work. Method: the unfinished table of an earlier sweep beside a finished one.
+#[test]
+fn a_refused_sweep_leaves_the_unfinished_table() {
+    let folder = tempfile::tempdir().unwrap();
+    let (out, part) = (folder.path().join("out.csv"), folder.path().join("out.csv.part"));
+    std::fs::write(&out, "finished\n").unwrap();
+    std::fs::write(&part, "rows of an earlier sweep\n").unwrap();
+    let scene = "models/pendulum/scenes/over.toml";
+    let output = tripos(&["sweep", scene, "--over", "l=1,2", "--out", out.to_str().unwrap()]);
+    assert!(status(&output) == 2 && stderr(&output).contains("is there already"), "{}", stderr(&output));
+    assert_eq!((bytes(&out), bytes(&part)), (b"finished\n".to_vec(), b"rows of an earlier sweep\n".to_vec()));
+}
+
 /// Goal: rows of two sweeps never stand in one table. Method: each input that a row depends on is changed, and refused
 /// with its reason; the unfinished table stays unchanged.
 #[test]

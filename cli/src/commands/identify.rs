@@ -226,7 +226,7 @@ fn text_of(model: &Mechanism, found: &Identification, values: Option<&[Option<Do
 /// that none is missing.
 fn certainty_sentences(found: &Identification) -> String {
     let minimal = format!(
-        "no fewer do: the regressor has rank {} at {} random states modulo a prime",
+        "none can be left out: the regressor has rank {} at {} random states modulo a prime",
         found.base.len(),
         found.states
     );
@@ -234,13 +234,21 @@ fn certainty_sentences(found: &Identification) -> String {
         Completeness::Proved(bound) => {
             let zero = format!("is zero by exact algebra (wrong with a probability below 2^-{bound:.0})");
             if let Some(count) = found.before_grouping() {
-                format!("no more are needed: with the {count} base parameters before closed poses grouped them, M u' - f less what they give {zero}; factors that are numbers hold in the sampled poses")
+                format!(
+                    "they are enough: M u' - f less the terms of {count} base parameters {zero}; closed poses group these {count}, and factors that are numbers hold in the sampled poses"
+                )
             } else {
-                format!("no more are needed: M u' - f less what they give {zero}")
+                format!("they are enough: M u' - f less the terms of the base parameters {zero}")
             }
         }
-        Completeness::AtPoints => "no more are needed at random states and parameters modulo a prime; factors marked ? have no short closed form".to_owned(),
-        Completeness::Undecided => "whether more are needed is not decided: there are functions in it that algebra knows nothing of".to_owned(),
+        Completeness::AtPoints => {
+            "they are enough at random states and parameters modulo a prime; factors marked ? have no short closed form"
+                .to_owned()
+        }
+        Completeness::Undecided => {
+            "whether they are enough is not decided: the equations contain functions that algebra has no rules for"
+                .to_owned()
+        }
         Completeness::No => "the base parameters do not reproduce M u' - f: please report this model".to_owned(),
     };
     if found.is_minimal() && found.on_loops.is_none() {

@@ -21,7 +21,11 @@ impl fmt::Display for Unproved {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Accelerations(row) => {
-                write!(out, "the eliminated accelerations do not satisfy row {} of the equations of motion", row + 1)
+                write!(
+                    out,
+                    "the accelerations found by elimination do not satisfy row {} of the equations of motion",
+                    row + 1
+                )
             }
             Self::Jacobian(row) => write!(out, "row {} of the Jacobian is not the derivative of the rates", row + 1),
             Self::InverseDynamics(row) => write!(out, "row {} of inverse dynamics is not M v̇ - f", row + 1),

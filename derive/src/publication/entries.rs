@@ -208,7 +208,7 @@ impl<'a> PublicationReader<'a, '_> {
         let MatrixCells { rows, factor } = match printed_matrix_cells(&printed.text, item.notation) {
             Ok(cells) => cells,
             Err(why) => {
-                let help = "print the whole matrix, or give each component an [[equation]] of its own";
+                let help = "write the whole matrix under `printed`, or give each component an [[equation]] of its own";
                 self.reader.error(printed.span, why, help);
                 return None;
             }

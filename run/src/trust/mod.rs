@@ -65,7 +65,7 @@ fn too_few_digits_objection(digits: &CorrectDigits, names: &[String]) -> Option<
     let (t, error, name) = (digits.t[instant], digits.errors[instant][which], &names[which]);
     if error.is_nan() {
         return Some(format!(
-            "`{name}` has no value at t = {} s, in this run or in another, {}",
+            "`{name}` has no value at t = {} s in this run, or in the second run: {}",
             with_significant_digits(t, 4),
             digits.by
         ));

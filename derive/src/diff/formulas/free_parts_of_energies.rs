@@ -54,7 +54,7 @@ impl EntryJudge<'_, '_> {
             return None;
         }
         let zero = print_text(&self.quantities.derivations.kinematics.arena, zero);
-        found.remarks.push(format!("the derived value is shown with the printed zero, {zero} higher"));
+        found.remarks.push(format!("the derived value is shown plus {zero}, so that its zero is the printed one"));
         found.change.is_some_and(|(own, _)| own != printed.value).then_some(found)
     }
 

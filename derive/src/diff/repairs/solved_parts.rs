@@ -145,6 +145,14 @@ fn solvable_parts(
     list
 }
 
+/// Kind of the mistake in a part that is printed with a wrong value: that of the factor between both values, or a wrong
+/// symbol if the factor tells no kind.
+fn kind_of_value(tools: &mut RepairTools<'_, '_>, printed: Expr, right: Expr) -> MistakeKind {
+    let Kinematics { arena, simplifier, .. } = &mut tools.quantities.derivations.kinematics;
+    let ratio = arena.div(printed, right).map(|ratio| simplifier.simplify(arena, ratio));
+    ratio.and_then(|ratio| MistakeKind::of_factor(arena, ratio)).unwrap_or(MistakeKind::Symbol)
+}
+
 /// Repair by the right value of a part, proved equal to the derived value.
 /// Returns `None` if the value cannot be solved for, is not simple, or has a long text.
 fn solve_part(
@@ -189,6 +197,8 @@ fn solve_part(
     if !tools.comparer.compare(main, corrected, derived).is_equal() {
         return None;
     }
+    let kind = kind_of_value(tools, part, right);
+    let main = &mut tools.quantities.derivations.kinematics.arena;
     let (words, before) = (print_text(main, shown), print_text(&formula.arena, spot.part));
     if words.len() > LONGEST || (spot.kind != PartKind::Sum && before.len() > LONGEST) {
         return None;
@@ -207,10 +217,10 @@ fn solve_part(
         }
         (PartKind::Whole, Some(name)) if !is_throughout => {
             let words = format!("{before} should be {words}");
-            return Some(Repair::at(place, format!("in {name}, {words}"), (part, right), MistakeKind::Symbol, changed));
+            return Some(Repair::at(place, format!("in {name}, {words}"), (part, right), kind, changed));
         }
-        (PartKind::Whole, _) => (format!("{before} should be {words}{throughout}"), MistakeKind::Symbol),
-        (PartKind::Term, _) => (format!("the term {before} should be {words}"), MistakeKind::LostFactor),
+        (PartKind::Whole, _) => (format!("{before} should be {words}{throughout}"), kind),
+        (PartKind::Term, _) => (format!("the term {before} should be {words}"), kind),
     };
     let words = formula.mistake_text_with_place(place, &words);
     let parts = (spot.kind != PartKind::Sum || place.at.is_some()).then_some((part, right));

@@ -227,7 +227,7 @@ fn sensitivities_by_differences(
     run: Run,
 ) -> Result<Sensitivities, Error> {
     if at == DerivativeInstants::Samples {
-        let what = "a run that changes its speeds has no derivatives at samples";
+        let what = "a run that replaces its generalized speeds has no derivatives at samples";
         return Err(Error::request(
             what,
             "ask for derivatives at the end, or choose speeds that determine the motion everywhere",

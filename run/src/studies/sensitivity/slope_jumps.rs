@@ -344,7 +344,10 @@ impl<'c> CrossingDerivatives<'c> {
                 self.wide.velocity_derivative(contacts.rows[contact][1], &self.crossing.after.y, direction);
             if change.abs() > SMALL * size {
                 let name = self.name(contact);
-                return Err(format!("the contact `{name}` begins to slip at rest, and `{}` moves it", varied.name));
+                return Err(format!(
+                    "the contact `{name}` begins to slip from rest, at an instant that `{}` changes",
+                    varied.name
+                ));
             }
         }
         let (lying, at_limit) = (self.contacts_without_force(), self.contacts_at_friction_limit());

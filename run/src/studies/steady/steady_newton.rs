@@ -197,7 +197,7 @@ impl SteadyProblem {
             .iter()
             .map(|(at, left)| format!("`{}` by {}", self.loops[*at], with_significant_digits(*left, 4)));
         let what = format!("loops are open at this state: {}", open.collect::<Vec<_>>().join(", "));
-        Err(Error::request(what, "state coordinates that close the loops, or put enough coordinates under [guess]"))
+        Err(Error::request(what, "give coordinates that close the loops, or list enough coordinates under [guess]"))
     }
 
     /// Improves a guess by Newton's method as long as the residual falls: first with all loops, then
