@@ -132,8 +132,12 @@ def identities(place, module, given, in_rates):
         return call(getattr(module, name), moved)
 
     def slope(name, direction, of="dx"):
-        above, below = (at(name, **{of: sign * STEP * direction}) for sign in (1, -1))
-        return (above - below) / (2 * STEP)
+        """Slope by differences of two steps: their errors, which grow with the square of the step, cancel."""
+        wide, narrow = (
+            (at(name, **{of: step * direction}) - at(name, **{of: -step * direction})) / (2 * step)
+            for step in (2 * STEP, STEP)
+        )
+        return (4 * narrow - wide) / 3
 
     unknowns = call(module.unknowns, given)
     if numpy.isfinite(unknowns).all():
@@ -150,9 +154,10 @@ def identities(place, module, given, in_rates):
             compare(place, f"{name} by differences", at(name), numpy.transpose(columns), 1e-4)
     if not GIVEN:
         rates = at("derivative")
-        rate = slope("kinetic_energy", rates) + slope("potential_energy", rates)
         power = at("power") if hasattr(module, "power") else [0.0]
-        compare(place, "power by differences", rate, power, 1e-4)
+        # Near a dead point both energies change fast and their sum does not: each stands on a side of its own.
+        rate = power - slope("potential_energy", rates)
+        compare(place, "power by differences", slope("kinetic_energy", rates), rate, 1e-4)
     if hasattr(module, "regressor"):
         for table, values in [("regressor", "inertial_parameters"), ("base_regressor", "base_parameters")]:
             if hasattr(module, table):
