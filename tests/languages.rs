@@ -17,7 +17,7 @@ use tripos_codegen::languages::c::C;
 use tripos_codegen::languages::casadi::CasADi;
 use tripos_codegen::languages::matlab::Matlab;
 use tripos_codegen::languages::python::Python;
-use tripos_codegen::languages::{Dialect, Selection, emit_model};
+use tripos_codegen::languages::{Dialect, Selection, emit_language_modules};
 use tripos_codegen::plan::{ModulePlan, RegressorFunctions, module_name};
 use tripos_derive::scene::{Scene, load_scene_with_inputs};
 use tripos_derive::{Formulation, Model};
@@ -129,7 +129,7 @@ fn emitted(model: &str, dialect: &dyn Dialect, folder: &Path) -> PathBuf {
     let folder = folder.join(model);
     std::fs::create_dir_all(&folder).unwrap();
     let model = Model::read(&sympy::root().join("models").join(model).join("model.toml")).unwrap();
-    let emitted = emit_model(&model, dialect, Selection::default()).unwrap();
+    let emitted = emit_language_modules(&model, dialect, Selection::default()).unwrap();
     for (name, text) in &emitted.emission.files {
         std::fs::write(folder.join(name), text).unwrap();
     }
@@ -541,7 +541,7 @@ fn hostile_models_stay_names_and_comments() {
             Selection { formulations: &[Formulation::Kane, Formulation::NewtonEuler], functions, scene: Some(&scene) };
         let dialects: [&dyn Dialect; 4] = [&C, &Python, &CasADi, &Matlab];
         for dialect in dialects {
-            let emitted = emit_model(&model, dialect, selection).unwrap();
+            let emitted = emit_language_modules(&model, dialect, selection).unwrap();
             for (name, text) in &emitted.emission.files {
                 std::fs::write(folder.path().join(name), text).unwrap();
                 sources.extend(name.strip_suffix(".c").map(|_| name.clone()));

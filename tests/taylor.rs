@@ -6,7 +6,7 @@ use std::path::Path;
 use support::{compiled, system};
 use tripos::Mechanism;
 use tripos::code::{CodePreparation, runnable_code};
-use tripos_codegen::taylor::{Tape, recurrences, recurrences_of};
+use tripos_codegen::taylor::{Tape, cheapest_recurrences, cheapest_recurrences_of};
 use tripos_derive::algebra::term::calculus::Differential;
 use tripos_derive::algebra::text::parse::parse_free;
 use tripos_derive::algebra::value::tape::Tape as Values;
@@ -114,7 +114,7 @@ fn compiled_series_equal_interpreted_ones() {
             let mut derivation = derive(&model, formulation).unwrap();
             let solved = SolvedAccelerations::new(&mut derivation.arena, &derivation.equations).unwrap();
             let equations = &derivation.equations;
-            let list = recurrences_of(&mut derivation.arena, equations, &solved.accelerations).unwrap();
+            let list = cheapest_recurrences_of(&mut derivation.arena, equations, &solved.accelerations).unwrap();
             let tape = Tape::new(&derivation.arena, &model.p(), &list).unwrap();
             let named = compiled(folder, formulation.name());
             if !named.double.has_taylor() {
@@ -196,7 +196,7 @@ fn every_operation_has_the_series_that_its_derivatives_give() {
         let formula = parse_free(&mut arena, text).unwrap_or_else(|error| panic!("{text}: {error:?}"));
         let y_rate = arena.sub(a, x);
         let rates = [(x, y), (y, y_rate)];
-        let list = recurrences(&mut arena, &[x, y, z], &[y, y_rate, formula], &[]).unwrap();
+        let list = cheapest_recurrences(&mut arena, &[x, y, z], &[y, y_rate, formula], &[]).unwrap();
         let tape = Tape::new(&arena, &[a], &list).unwrap();
         let exact = derivatives(&mut arena, formula, &rates, ORDER);
         let exact = Values::new(&arena, &[a, x, y], &exact).unwrap();
@@ -224,7 +224,7 @@ fn functions_without_a_series_are_refused() {
         let mut arena = Arena::new();
         let [x, y] = ["x", "y"].map(|name| arena.symbol(name));
         let formula = parse_free(&mut arena, text).unwrap();
-        assert_eq!(recurrences(&mut arena, &[x, y], &[y, formula], &[]), None, "{text}");
+        assert_eq!(cheapest_recurrences(&mut arena, &[x, y], &[y, formula], &[]), None, "{text}");
     }
 }
 

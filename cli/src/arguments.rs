@@ -210,7 +210,7 @@ pub enum Command {
     /// Print the JSON Schema of a format of files, for editors
     Schema {
         /// Format of the files
-        #[arg(value_parser = tripos_derive::schema::Format::ALL.map(tripos_derive::schema::Format::name))]
+        #[arg(value_parser = tripos_derive::schema::SchemaFormat::ALL.map(tripos_derive::schema::SchemaFormat::name))]
         format: String,
     },
     /// Print completions of commands and options, for a shell to read at its start

@@ -4,10 +4,10 @@
 use serde_json::{Value, json};
 use std::fmt;
 use tripos::Error;
-use tripos_codegen::whole_file_writer::WriteError;
+use tripos_codegen::draft_file::WriteError;
 use tripos_derive::SCHEMA;
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics};
-use tripos_derive::plain_text::{is_forbidden, path_in_line, with_visible_characters};
+use tripos_derive::plain_text::{is_forbidden, path_as_plain_text, with_visible_characters};
 
 /// Exit statuses, which mean the same for every command.
 pub mod status {
@@ -129,7 +129,7 @@ impl From<WriteError> for Failure {
             WriteError::Busy(_) => Self::request(what, "wait for it, or give another file".to_owned()),
             // The program that reads the output has ended.
             WriteError::Io(_, error) if error.kind() == std::io::ErrorKind::BrokenPipe => Self::Hangup,
-            WriteError::Io(path, error) => Self::Output(path_in_line(&path), error),
+            WriteError::Io(path, error) => Self::Output(path_as_plain_text(&path), error),
         }
     }
 }

@@ -11,7 +11,7 @@ use tripos_derive::algebra::{Arena, Expr};
 
 /// Returns a paragraph that defines every name in the formulas `shown`, each line by names of
 /// earlier lines. Empty if the formulas contain no names.
-pub fn names_text(arena: &Arena, shown: &[Expr]) -> String {
+pub fn glossary_text(arena: &Arena, shown: &[Expr]) -> String {
     let names = definitions_shown(arena, shown);
     if names.is_empty() {
         return String::new();
@@ -25,7 +25,7 @@ pub fn names_text(arena: &Arena, shown: &[Expr]) -> String {
 }
 
 /// Returns the definitions of every name in the formulas `shown` as a JSON object.
-pub fn names_json(arena: &Arena, shown: &[Expr]) -> Value {
+pub fn glossary_json(arena: &Arena, shown: &[Expr]) -> Value {
     let names = definitions_shown(arena, shown).into_iter();
     Value::Object(
         names.map(|d| (print_text(arena, d.symbol), json!(print_whole_text(arena, d.value)))).collect::<Map<_, _>>(),

@@ -7,9 +7,9 @@ mod commands;
 mod failure;
 mod glossary;
 mod interruption;
-mod judgement;
+mod judged_publication;
 mod latex;
-mod output;
+mod output_files;
 mod page;
 mod phrases;
 mod picture;
@@ -26,7 +26,7 @@ use arguments::{Arguments, Command};
 use clap::Parser;
 use commands::derive::latex::LatexExtent;
 use commands::diff::coordinates::in_found_coordinates;
-use commands::diff::{Compare, compare_with_file};
+use commands::diff::{Compare, diff_with_file};
 use commands::inverse::Shape;
 use commands::linearise::LinearSystemFormat;
 use failure::{Failure, Output, print_json, print_to_stderr};
@@ -89,7 +89,7 @@ fn run(command: Command) -> Result<u8, Failure> {
             commands::derive::derive(&model, by.as_deref(), form, format, part)
         }
         Command::Diff { model, others, find_coordinates, json } => {
-            let compare: Compare = if find_coordinates { in_found_coordinates } else { compare_with_file };
+            let compare: Compare = if find_coordinates { in_found_coordinates } else { diff_with_file };
             commands::diff::diff(&model, &others, compare, Output::of_flag(json))
         }
         Command::Shelf { folder, out, json } => {

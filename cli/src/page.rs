@@ -47,7 +47,7 @@ pub fn render_page(page: &Page) -> String {
         include_str!("page/style.css"),
         viewer.map_or("", |viewer| viewer.style),
         abstract_section::section(page),
-        page_body(page),
+        page_sections(page),
         page_footer(page),
         include_str!("page/open.js"),
         viewer.map_or("", |viewer| viewer.script.as_str()),
@@ -55,7 +55,7 @@ pub fn render_page(page: &Page) -> String {
 }
 
 /// Returns the HTML of all sections after the abstract, in order of importance.
-fn page_body(page: &Page) -> String {
+fn page_sections(page: &Page) -> String {
     let mut out = table_of_contents(page);
     if let Some(why) = &page.unfinished {
         let _ = writeln!(out, "<p class=\"missing\">This page is partial: {}.</p>", escape(why));
@@ -64,7 +64,7 @@ fn page_body(page: &Page) -> String {
     if let Some(published) = &page.study.published {
         out += &print::errata::section(page, published);
     }
-    out += &scenes_section(page);
+    out += &page_scenes_section(page);
     out += &model::mechanism::section(page.model);
     out += "<section id=\"equations\">\n<h2>Equations of motion</h2>\n";
     for (formulation, result) in &page.derivations {
@@ -77,7 +77,7 @@ fn page_body(page: &Page) -> String {
 
 /// Returns the HTML of the scenes. The scene whose motion is shown is open; the other scenes are
 /// folded.
-fn scenes_section(page: &Page) -> String {
+fn page_scenes_section(page: &Page) -> String {
     if page.scenes.is_empty() {
         return String::new();
     }
@@ -103,7 +103,8 @@ fn derivations_section(page: &Page) -> String {
 fn table_of_contents(page: &Page) -> String {
     let scenes: Vec<String> =
         page.scenes.iter().enumerate().map(|(at, scene)| link(&scene_anchor(at), &escape(&scene.title))).collect();
-    let formulations: Vec<String> = page.derivations.iter().map(|(of, result)| contents_of(*of, result)).collect();
+    let formulations: Vec<String> =
+        page.derivations.iter().map(|(of, result)| page_contents_entry(*of, result)).collect();
     let entries = [
         page.moving.as_ref().map(|_| ("motion", "The motion", Vec::new())),
         page.study.published.as_ref().map(|_| ("errata", "Errata", Vec::new())),
@@ -122,7 +123,7 @@ fn table_of_contents(page: &Page) -> String {
 }
 
 /// Returns the HTML of a formulation's entry in the table of contents.
-fn contents_of(formulation: Formulation, result: &Result<DerivationInSteps, String>) -> String {
+fn page_contents_entry(formulation: Formulation, result: &Result<DerivationInSteps, String>) -> String {
     let missing = if result.is_err() { " <span class=\"quiet\">(not derived)</span>" } else { "" };
     format!("{}{missing}", link(formulation.name(), &escape(formulation.title())))
 }
@@ -138,6 +139,6 @@ fn page_footer(page: &Page) -> String {
 }
 
 #[cfg(test)]
-mod face_tests;
+mod links_and_abstract_tests;
 #[cfg(test)]
 mod tests;

@@ -5,12 +5,12 @@
 //! their libraries add a third to the compile time.
 
 #[cfg(feature = "pictures")]
-mod formats;
+mod png_and_pdf;
 
 use crate::failure::Failure;
-use crate::output::write_text_file;
+use crate::output_files::write_text_file;
 use std::path::Path;
-use tripos_derive::plain_text::path_in_line;
+use tripos_derive::plain_text::path_as_plain_text;
 
 /// Default resolution of a PNG, in dots per inch.
 pub const DPI: u32 = 200;
@@ -48,7 +48,7 @@ pub fn picture_format(path: &Path, more: &str) -> Result<PictureFormat, Failure>
         Some("png") => PictureFormat::Png,
         Some("pdf") => PictureFormat::Pdf,
         _ => {
-            let what = format!("`{}` names no kind of figure", path_in_line(path));
+            let what = format!("`{}` names no kind of figure", path_as_plain_text(path));
             return Err(Failure::request(what, format!("give a file that ends in .svg, .png or .pdf{more}")));
         }
     };
@@ -82,8 +82,8 @@ pub fn write_picture(path: &Path, kind: PictureFormat, svg: &str, dpi: u32) -> R
 
 #[cfg(feature = "pictures")]
 fn write_converted_picture(path: &Path, kind: PictureFormat, svg: &str, dpi: u32) -> Result<(), Failure> {
-    let bytes = if kind == PictureFormat::Png { formats::png(svg, dpi) } else { formats::pdf(svg) };
-    crate::output::write_binary_file(path, &bytes?)
+    let bytes = if kind == PictureFormat::Png { png_and_pdf::png(svg, dpi) } else { png_and_pdf::pdf(svg) };
+    crate::output_files::write_binary_file(path, &bytes?)
 }
 
 #[cfg(not(feature = "pictures"))]
@@ -93,7 +93,7 @@ fn write_converted_picture(path: &Path, _: PictureFormat, _: &str, _: u32) -> Re
 
 /// Returns the failure for a file format that this program was built without.
 fn missing_format_failure(path: &Path) -> Failure {
-    let what = format!("`{}` is a kind of figure that this program was built without", path_in_line(path));
+    let what = format!("`{}` is a kind of figure that this program was built without", path_as_plain_text(path));
     let help = "give a file that ends in .svg, or build with `--features pictures`";
     Failure::request(what, help.to_owned())
 }

@@ -14,13 +14,13 @@ mod svg_pen;
 
 pub use error::PlotError;
 pub use heat_map::draw_heat;
-pub use tripos::studies::figure::{Bounds, Cell, Figure, HeatMap, Panel, Scale, Series, formula_to_symbols};
+pub use tripos::studies::figure::{Bounds, Cell, Figure, HeatMap, Panel, Scale, Series, figure_text_in_symbols};
 
 use axis::Axis;
 use curve_look::{
-    Canvas, EDGE, GRID, dashes, draw_band, draw_curve, draw_line, draw_marker, draw_text, look, size_to_units,
+    Canvas, EDGE, GRID, dashes, draw_band, draw_curve, draw_line, draw_marker, draw_text, look, size_to_canvas_units,
 };
-use curve_thinning::{marker_places, thin_curve};
+use curve_thinning::{thin_curve, thinned_marker_places};
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 use svg_pen::Pen;
@@ -64,7 +64,8 @@ pub fn draw(panels: &[Panel], columns: usize) -> Result<String, PlotError> {
     }
     let mut svg = String::new();
     {
-        let canvas = Pen::new(&mut svg, (size_to_units(WIDTH), size_to_units(y)), dashes).into_drawing_area();
+        let canvas =
+            Pen::new(&mut svg, (size_to_canvas_units(WIDTH), size_to_canvas_units(y)), dashes).into_drawing_area();
         canvas.fill(&WHITE)?;
         draw_legend(&canvas, &shared, (4.0, 2.0))?;
         for ((panel, plot), corner) in panels.iter().zip(&plots).zip(&corners) {
@@ -88,8 +89,8 @@ fn svg_element(elements: &str, about: &str, height: f64) -> String {
         "<svg role=\"img\" aria-label=\"{about}\" xmlns=\"http://www.w3.org/2000/svg\" width=\"{WIDTH}\" \
          height=\"{height}\" viewBox=\"0 0 {} {}\" stroke-linejoin=\"round\" \
          font-family=\"sans-serif\">\n<title>{about}</title>\n{elements}</svg>\n",
-        size_to_units(WIDTH),
-        size_to_units(height),
+        size_to_canvas_units(WIDTH),
+        size_to_canvas_units(height),
     )
 }
 
@@ -98,7 +99,8 @@ fn figure_description(panels: &[Panel]) -> String {
     if panels.is_empty() {
         return "Empty figure".to_owned();
     }
-    let panel = |p: &Panel| format!("{} against {}", formula_to_symbols(&p.y_label), formula_to_symbols(&p.x_label));
+    let panel =
+        |p: &Panel| format!("{} against {}", figure_text_in_symbols(&p.y_label), figure_text_in_symbols(&p.x_label));
     let of = |panels: &[Panel]| {
         let entries = legend_entries(panels, WIDTH);
         let curves: Vec<&str> = entries.iter().map(|entry| entry.series.label.as_str()).collect();
@@ -162,7 +164,7 @@ fn legend_entries(panels: &[Panel], room: f64) -> Vec<LegendEntry<'_>> {
             {
                 continue;
             }
-            let width = 80.0 + text_width(&series.label);
+            let width = 80.0 + plot_text_width(&series.label);
             if x > 0.0 && x + width > room {
                 (x, y) = (0.0, y + LINE);
             }
@@ -212,10 +214,10 @@ impl<'a> PanelLayout<'a> {
         };
         let mut head = vec![(y.label.clone(), FontStyle::Normal)];
         if !panel.y_label.starts_with(panel.title.as_str()) {
-            head.insert(0, (formula_to_symbols(&panel.title), FontStyle::Bold));
+            head.insert(0, (figure_text_in_symbols(&panel.title), FontStyle::Bold));
         }
-        let foot = panel.note.as_ref().map_or(Vec::new(), |note| wrap_note(note, WIDTH / columns as f64 - 90.0));
-        let tick_width = y.ticks.iter().map(|(_, text)| text_width(text)).fold(0.0, f64::max);
+        let foot = panel.note.as_ref().map_or(Vec::new(), |note| wrap_plot_note(note, WIDTH / columns as f64 - 90.0));
+        let tick_width = y.ticks.iter().map(|(_, text)| plot_text_width(text)).fold(0.0, f64::max);
         // With two logarithmic axes, slopes matter. Therefore such a panel is higher.
         let height = if columns == 1 || panel.x_scale == Scale::Logarithmic { 300.0 } else { 150.0 };
         Self { panel, x, y, head, names, foot, tick_width, height }
@@ -280,7 +282,7 @@ impl<'a> PanelLayout<'a> {
                 let run: Vec<_> = run.iter().map(|p| place(*p)).collect();
                 draw_curve(canvas, &thin_curve(&run), look)?;
                 let share = (at as f64 + 0.5) / self.panel.series.len() as f64;
-                let markers = if series.spread.is_empty() { marker_places(&run, width, share) } else { run };
+                let markers = if series.spread.is_empty() { thinned_marker_places(&run, width, share) } else { run };
                 for point in markers {
                     draw_marker(canvas, point, look)?;
                 }
@@ -300,11 +302,11 @@ impl<'a> PanelLayout<'a> {
 }
 
 /// Breaks a text into lines of about `width` px.
-fn wrap_note(text: &str, width: f64) -> Vec<String> {
+fn wrap_plot_note(text: &str, width: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split_whitespace() {
         match lines.last_mut() {
-            Some(line) if text_width(line) + text_width(word) < width => line.extend([" ", word]),
+            Some(line) if plot_text_width(line) + plot_text_width(word) < width => line.extend([" ", word]),
             _ => lines.push(word.to_owned()),
         }
     }
@@ -313,7 +315,7 @@ fn wrap_note(text: &str, width: f64) -> Vec<String> {
 
 /// Returns the estimated width of a text in px. The estimate is a little too wide, because the font
 /// is not known.
-fn text_width(text: &str) -> f64 {
+fn plot_text_width(text: &str) -> f64 {
     7.0 * text.chars().count() as f64
 }
 

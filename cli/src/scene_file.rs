@@ -1,14 +1,14 @@
 //! Scene files that arguments name, each read with its model, and new values for their numbers.
 
 use crate::failure::{Failure, print_to_stderr, warn};
-use crate::workspace::{edited_model_warning, model_file, read_model};
+use crate::workspace::{edited_workspace_model_warning, model_file, read_model};
 use std::path::{Path, PathBuf};
 use tripos::{Error, Mechanism};
-use tripos_codegen::scene_files::scene_files;
+use tripos_codegen::model_folders::scenes_in_model_folder;
 use tripos_derive::diagnostic::{Source, nearest_name_advice};
 use tripos_derive::model::is_model;
-use tripos_derive::plain_text::path_in_line;
-use tripos_derive::scene::{Family, Grid, Scene, load_scene_with_inputs, model_path};
+use tripos_derive::plain_text::path_as_plain_text;
+use tripos_derive::scene::{Family, Grid, Scene, load_scene_with_inputs, model_path_of_scene};
 
 /// Reads a scene file and its model.
 ///
@@ -17,15 +17,19 @@ use tripos_derive::scene::{Family, Grid, Scene, load_scene_with_inputs, model_pa
 /// every error of the scene and its model.
 pub fn read_scene(path: &Path) -> Result<(Mechanism, Scene), Failure> {
     let source = scene_source(path)?;
-    let place = model_path(&source)?;
+    let place = model_path_of_scene(&source)?;
     if !place.exists() {
-        let what = format!("`{}` names a model that does not exist: `{}`", path_in_line(path), path_in_line(&place));
+        let what = format!(
+            "`{}` names a model that does not exist: `{}`",
+            path_as_plain_text(path),
+            path_as_plain_text(&place)
+        );
         let help = "write `model = \"…\"` in the scene: the path of its model file, seen from the scene";
         return Err(Failure::request(what, help));
     }
     let mut model = read_model(&place)?;
     let scene = load_scene_with_inputs(&source, &mut model)?;
-    edited_model_warning(&model).iter().chain(&scene.degree_warnings(&model)).for_each(|note| warn(note));
+    edited_workspace_model_warning(&model).iter().chain(&scene.degree_warnings(&model)).for_each(|note| warn(note));
     Ok((model, scene))
 }
 
@@ -92,23 +96,24 @@ pub fn set_scene_values(
 /// [`Failure`] for a folder, a missing file or a model file, with advice on the scenes that may be
 /// meant.
 fn scene_source(path: &Path) -> Result<Source, Failure> {
-    let scenes_of =
-        |model: &Path| -> Vec<String> { scene_files(model).iter().map(|file| path_in_line(file)).collect() };
+    let scenes_of = |model: &Path| -> Vec<String> {
+        scenes_in_model_folder(model).iter().map(|file| path_as_plain_text(file)).collect()
+    };
     let offer = |scenes: &[String]| match scenes {
         [] => "write a scene: docs/scene.md describes it".to_owned(),
         scenes => format!("give one of its scenes: {}", scenes.join(", ")),
     };
     if path.is_dir() {
-        let what = format!("`{}` is a folder, not a scene", path_in_line(path));
+        let what = format!("`{}` is a folder, not a scene", path_as_plain_text(path));
         return Err(Failure::request(what, offer(&scenes_of(&model_file(path)))));
     }
     if !path.exists() {
-        let what = format!("there is no scene at `{}`", path_in_line(path));
+        let what = format!("there is no scene at `{}`", path_as_plain_text(path));
         return Err(Failure::request(what, missing_scene_advice(path)));
     }
     let source = Source::read(path)?;
     if is_model(&source) {
-        let what = format!("`{}` is a model, not a scene", path_in_line(path));
+        let what = format!("`{}` is a model, not a scene", path_as_plain_text(path));
         return Err(Failure::request(what, offer(&scenes_of(path))));
     }
     Ok(source)
@@ -119,7 +124,7 @@ fn scene_source(path: &Path) -> Result<Source, Failure> {
 fn missing_scene_advice(path: &Path) -> String {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let Ok(entries) = std::fs::read_dir(folder) else {
-        return format!("there is no folder `{}` either", path_in_line(folder));
+        return format!("there is no folder `{}` either", path_as_plain_text(folder));
     };
     let files = entries.filter_map(|entry| Some(entry.ok()?.path()));
     let files: Vec<PathBuf> = files.filter(|file| file.extension().is_some_and(|end| end == "toml")).collect();
@@ -127,7 +132,7 @@ fn missing_scene_advice(path: &Path) -> String {
     let mut names: Vec<String> = files.iter().map(|file| name(file)).collect();
     names.sort();
     if names.is_empty() {
-        return format!("`{}` holds no scene", path_in_line(folder));
+        return format!("`{}` holds no scene", path_as_plain_text(folder));
     }
     nearest_name_advice(&name(path), names.iter().map(String::as_str))
 }

@@ -11,7 +11,7 @@ pub use latex::tikz_picture;
 pub use svg::{sketch_svg_element, sketch_svg_file};
 
 /// Returns a coordinate of the sheet as text, rounded to tenths of a pixel.
-fn rounded_sheet_coordinate(x: f64) -> String {
+fn sketch_coordinate_text(x: f64) -> String {
     // The sum with 0 removes the sign of -0.
     ((x * 10.0).round() / 10.0 + 0.0).to_string()
 }

@@ -1,13 +1,13 @@
 //! Output of the stability studies of a scene: tables, figures and sentences.
 
-pub mod sentences;
+pub mod passage_sentences;
 
 use crate::chart::figure::draw_figure_svg;
 use crate::failure::Failure;
-use crate::output::{write_csv_file, write_text_file};
+use crate::output_files::{write_csv_file, write_text_file};
 use std::path::Path;
 use tripos::Mechanism;
-use tripos::studies::stability::{Findings, Topic};
+use tripos::studies::stability::{FindingTopic, Findings};
 
 /// Writes the tables `stability.csv` and `passages.csv` and the figures of the studies into the
 /// folder `out`.
@@ -50,10 +50,11 @@ pub fn write_stability_tables(findings: &Findings, out: &Path) -> Result<(), Fai
 /// Returns the conclusions of the studies, one sentence each. Conclusions from the table of
 /// passages follow those of the study of passages.
 pub fn stability_conclusions(model: &Mechanism, findings: &Findings) -> Vec<String> {
-    let (passages, others): (Vec<_>, Vec<_>) = findings.statements.iter().partition(|s| s.study == Topic::Passages);
+    let (passages, others): (Vec<_>, Vec<_>) =
+        findings.statements.iter().partition(|s| s.study == FindingTopic::Passages);
     let mut list: Vec<String> = passages.into_iter().map(|s| s.text.clone()).collect();
-    list.extend(sentences::reduced_passages_sentence(&findings.passages));
-    list.extend(sentences::lagrange_coordinate_sentence(model, &findings.passages));
+    list.extend(passage_sentences::reduced_passages_sentence(&findings.passages));
+    list.extend(passage_sentences::lagrange_passage_sentence(model, &findings.passages));
     list.extend(others.into_iter().map(|s| s.text.clone()));
     list
 }

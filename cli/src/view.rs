@@ -14,8 +14,8 @@ pub use live_equations::LiveEquations;
 use data::{as_script, figure_data};
 use std::fmt::Write;
 use tripos::Mechanism;
-use tripos::pictures::view::{ForceSource, Forces, Motion, SolidForm, View};
-use tripos_codegen::js::{RUNNERS, without_module_syntax};
+use tripos::pictures::view::{ForceArrows, ForceSource, SolidForm, View, ViewMotion};
+use tripos_codegen::js::{RUNNERS, javascript_script_text};
 use tripos_derive::scene::Scene;
 
 /// JavaScript sources of the viewer, in the order of their dependence.
@@ -48,7 +48,7 @@ pub struct ViewContent<'a> {
     /// Solids of the mechanism, and the size and orientation of the view.
     pub view: View,
     /// Motions of the mechanism: the first is drawn as solids, the others as ghosts.
-    pub motions: Vec<Motion>,
+    pub motions: Vec<ViewMotion>,
     /// Title of the scene, or the name of its file.
     pub title: String,
 }
@@ -120,7 +120,7 @@ impl ViewPlace {
 /// Returns the `<script>` element with the viewer, once for all views of a page, and with the
 /// equations of the views that run.
 pub fn script(list: &[LiveView<'_>]) -> String {
-    let method: String = RUNNERS.iter().map(|(_, text)| without_module_syntax(text)).collect();
+    let method: String = RUNNERS.iter().map(|(_, text)| javascript_script_text(text)).collect();
     let equations = list.iter().map(|shown| match shown.live {
         LiveEquations::Runs(running) => running.equations.as_str(),
         LiveEquations::Rests(_) => "null",
@@ -241,14 +241,14 @@ fn force_legend(seen: &ViewContent<'_>) -> String {
 }
 
 /// Returns HTML sentences about forces: the scale of the arrows, and the forces that are not shown.
-fn forces_in_words(forces: &Forces) -> String {
+fn view_forces_in_words(forces: &ForceArrows) -> String {
     let mut out = String::new();
     if !forces.list.is_empty() {
         let largest = forces.largest();
-        let _ = write!(out, " Arrows are forces, of at most {} N", short_number(largest));
-        let cut = Forces::CUT * forces.usual;
+        let _ = write!(out, " Arrows are forces, of at most {} N", view_number_text(largest));
+        let cut = ForceArrows::CUT * forces.usual;
         if largest > cut {
-            let _ = write!(out, "; those over {} N are cut, and have two heads", short_number(cut));
+            let _ = write!(out, "; those over {} N are cut, and have two heads", view_number_text(cut));
         }
         out += ".";
     }
@@ -283,8 +283,8 @@ fn view_description(seen: &ViewContent<'_>) -> String {
         let _ = write!(
             out,
             "The motion from t = {} s to {} s by {}",
-            short_number(from),
-            short_number(to),
+            view_number_text(from),
+            view_number_text(to),
             escape(&motion.title)
         );
     }
@@ -304,7 +304,7 @@ fn view_description(seen: &ViewContent<'_>) -> String {
         let _ = write!(out, " Seen through, beside it: {}.", ghosts.join(", "));
     }
     if let Some(motion) = seen.motions.first() {
-        out += &forces_in_words(&motion.forces);
+        out += &view_forces_in_words(&motion.forces);
     }
     for motion in &seen.motions {
         for why in &motion.objections {
@@ -320,6 +320,6 @@ fn view_description(seen: &ViewContent<'_>) -> String {
 }
 
 /// Returns a number as text with five significant digits.
-fn short_number(x: f64) -> String {
+fn view_number_text(x: f64) -> String {
     crate::page::rounded_number_html(x, 5).replace('-', "−")
 }

@@ -5,12 +5,12 @@ use crate::interruption::run_follower;
 use std::path::{Path, PathBuf};
 use tripos::Mechanism;
 use tripos::code::compiled_model;
-use tripos_codegen::scene_files::is_same_file;
+use tripos_codegen::model_folders::is_same_model_file;
 use tripos_derive::Model;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::model::is_model;
-use tripos_derive::plain_text::path_in_line;
-use tripos_derive::scene::{is_scene, model_path};
+use tripos_derive::plain_text::path_as_plain_text;
+use tripos_derive::scene::{is_scene, model_path_of_scene};
 use tripos_models::MODELS;
 
 /// Returns the model file that an argument names: the file itself, or `model.toml` in a folder.
@@ -24,7 +24,7 @@ pub fn model_file(argument: &Path) -> PathBuf {
 /// `Failure` for a missing file, for a scene, and for every error of the model.
 pub fn read_model(argument: &Path) -> Result<Mechanism, Failure> {
     if std::fs::symlink_metadata(argument).is_err_and(|error| error.kind() == std::io::ErrorKind::NotFound) {
-        let what = format!("there is no model at `{}`: no such file or folder", path_in_line(argument));
+        let what = format!("there is no model at `{}`: no such file or folder", path_as_plain_text(argument));
         let help = "give a model file, or a folder that holds `model.toml`".to_owned();
         return Err(Failure::request(what, help));
     }
@@ -39,10 +39,12 @@ pub fn read_model(argument: &Path) -> Result<Mechanism, Failure> {
 /// `None` for other files.
 fn scene_instead_of_model_failure(path: &Path) -> Option<Failure> {
     let source = Source::read(path).ok().filter(|source| is_scene(source) && !is_model(source))?;
-    let what = format!("`{}` is a scene, not a model", path_in_line(path));
-    let model = model_path(&source).ok().filter(|model| model.is_file());
-    let help = model
-        .map_or_else(|| "give a model file".to_owned(), |model| format!("give its model, `{}`", path_in_line(&model)));
+    let what = format!("`{}` is a scene, not a model", path_as_plain_text(path));
+    let model = model_path_of_scene(&source).ok().filter(|model| model.is_file());
+    let help = model.map_or_else(
+        || "give a model file".to_owned(),
+        |model| format!("give its model, `{}`", path_as_plain_text(&model)),
+    );
     Some(Failure::request(what, help))
 }
 
@@ -60,8 +62,8 @@ pub fn short_name(model: &Model) -> String {
 
 /// Returns a warning about a workspace model that was edited after its equations were compiled.
 /// `None` if it was not edited.
-pub fn edited_model_warning(model: &Mechanism) -> Option<String> {
-    let of_place = MODELS.iter().find(|m| is_compiled_model_file(model, m.name))?;
+pub fn edited_workspace_model_warning(model: &Mechanism) -> Option<String> {
+    let of_place = MODELS.iter().find(|m| is_workspace_model_file(model, m.name))?;
     (compiled_model(model).is_none()).then(|| {
         let name = of_place.name;
         format!(
@@ -73,11 +75,11 @@ pub fn edited_model_warning(model: &Mechanism) -> Option<String> {
 
 /// True if the model file is the file in the workspace from which the compiled model `name` was
 /// derived.
-fn is_compiled_model_file(model: &Model, name: &str) -> bool {
+fn is_workspace_model_file(model: &Model, name: &str) -> bool {
     let path = &model.source.path;
     let folder = path.canonicalize().ok().and_then(|path| path.parent().map(Path::to_owned));
     let root = folder.and_then(|folder| workspace_around(&folder));
-    root.is_some_and(|root| is_same_file(&root.join("models").join(name).join("model.toml"), path))
+    root.is_some_and(|root| is_same_model_file(&root.join("models").join(name).join("model.toml"), path))
 }
 
 /// Returns the workspace around a folder: the nearest folder upwards that contains `models` and
@@ -96,7 +98,7 @@ pub fn workspace_here() -> Result<PathBuf, Failure> {
     workspace_around(&here).ok_or_else(|| {
         let what = format!(
             "no workspace: neither `{}` nor a folder above it holds `models` and `generated/src`",
-            path_in_line(&here)
+            path_as_plain_text(&here)
         );
         let help = "go to a checkout that has both; `tripos emit MODEL --out DIR` writes the code of a model anywhere";
         Failure::request(what, help.to_owned())

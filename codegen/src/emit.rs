@@ -5,21 +5,21 @@
 //! of a new file, no file is changed at all. The header of a file tells whether [`write_emission`] wrote it.
 //! A Rust module comes without a crate around it and needs the crate `tripos-traits`.
 
+use crate::draft_file::{self, Draft, WriteError};
 #[cfg(feature = "rust")]
-use crate::generated_workspace::{ModuleFiles, module_files, requested_extras};
+use crate::generated_workspace::{ModuleFiles, generated_module_files, requested_extras};
 #[cfg(feature = "rust")]
 use crate::optional_functions::Extras;
 #[cfg(feature = "rust")]
 use crate::origin::Origin;
 use crate::origin::{EMIT, is_written_by, read_origin_source};
 use crate::target::UnsupportedFormulations;
-use crate::whole_file_writer::{self, Draft, WriteError};
 use std::collections::BTreeMap;
 use std::fmt;
 use std::path::{Path, PathBuf};
 #[cfg(feature = "rust")]
 use tripos_derive::diagnostic::Diagnostics;
-use tripos_derive::plain_text::path_in_line;
+use tripos_derive::plain_text::path_as_plain_text;
 #[cfg(feature = "rust")]
 use tripos_derive::{Formulation, Model};
 
@@ -75,7 +75,7 @@ pub fn emit_rust_model(
 ) -> Result<Emission, Diagnostics> {
     let origin = Origin::origin_of_model_file(&model.source.path, EMIT);
     let extras = extras.and(requested_extras(model, &model.source.path)?);
-    let ModuleFiles { files, left_out, .. } = module_files(model, module, &origin, formulations, extras)?;
+    let ModuleFiles { files, left_out, .. } = generated_module_files(model, module, &origin, formulations, extras)?;
     Ok(Emission { files, left_out, command: EMIT, extensions: &["rs"] })
 }
 
@@ -137,11 +137,13 @@ impl std::error::Error for EmissionError {}
 impl fmt::Display for EmissionError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Foreign(path) => write!(f, "the file `{}` was not written by `tripos {EMIT}`", path_in_line(path)),
-            Self::OtherModel(path, model) => {
-                write!(f, "the file `{}` was written from another model, `{model}`", path_in_line(path))
+            Self::Foreign(path) => {
+                write!(f, "the file `{}` was not written by `tripos {EMIT}`", path_as_plain_text(path))
             }
-            Self::Io(path, error) => write!(f, "cannot read or remove `{}`: {error}", path_in_line(path)),
+            Self::OtherModel(path, model) => {
+                write!(f, "the file `{}` was written from another model, `{model}`", path_as_plain_text(path))
+            }
+            Self::Io(path, error) => write!(f, "cannot read or remove `{}`: {error}", path_as_plain_text(path)),
             Self::Write(error) => error.fmt(f),
         }
     }
@@ -169,7 +171,7 @@ pub fn write_emission(emission: &Emission, folder: &Path) -> Result<Vec<EmittedF
             return Err(EmissionError::OtherModel(path, other));
         }
     }
-    whole_file_writer::create_folder(folder)?;
+    draft_file::create_folder(folder)?;
     let (mut placed, mut drafts) = (Vec::new(), Vec::new());
     for (file, text) in &emission.files {
         if old.get(file) == Some(text) {
@@ -177,8 +179,8 @@ pub fn write_emission(emission: &Emission, folder: &Path) -> Result<Vec<EmittedF
             continue;
         }
         let path = folder.join(file);
-        whole_file_writer::create_folder(path.parent().unwrap_or(folder))?;
-        drafts.push(whole_file_writer::draft(&path, text)?);
+        draft_file::create_folder(path.parent().unwrap_or(folder))?;
+        drafts.push(draft_file::write_draft(&path, text)?);
         placed.push(EmittedFileChange::Written(file.clone()));
     }
     // All texts are on the disk, under temporary names, before the first file is replaced.

@@ -1,21 +1,21 @@
 //! Generated code of all models in a workspace, in the folder `generated/`.
 
+use crate::draft_file::{self, WriteError};
+use crate::model_folders::{is_same_model_file, scene_path_in_model_folder, scenes_in_model_folder};
 use crate::optional_functions::Extras;
 use crate::origin::Origin;
 use crate::rust::{
-    ModuleHeaderData, RustModule, SceneFile, SceneHeaderData, generated_library_text, is_name,
+    ModuleHeaderData, RustTarget, SceneFile, SceneHeaderData, generated_library_text, is_name,
     module_files as module_files_of, scene_file, scene_list, unsolved_equations_error,
 };
-use crate::scene_files::{is_same_file, scene_files, scene_path_from_model};
 use crate::target::{self, UnsupportedFormulations};
-use crate::whole_file_writer::{self, WriteError};
 use std::collections::BTreeMap;
 use std::path::Path;
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source};
-use tripos_derive::mechanics::is_reducible;
+use tripos_derive::mechanics::has_reducible_form;
 use tripos_derive::publication::hash_publication_of_model;
 use tripos_derive::reduce::reduce;
-use tripos_derive::scene::{load_scene_with_inputs as load_scene, model_path as scene_model};
+use tripos_derive::scene::{load_scene_with_inputs as load_scene, model_path_of_scene as scene_model};
 use tripos_derive::{Formulation, Model};
 
 /// Generated files of all models of a workspace, with the models and scenes that have errors.
@@ -57,7 +57,7 @@ pub fn model_folders(models: &Path) -> std::io::Result<Vec<String>> {
 pub fn generate(models: &Path, folders: &[String]) -> GeneratedFiles {
     let mut generated = GeneratedFiles::default();
     for folder in folders.iter().cloned() {
-        match generate_without_panic(&models.join(&folder).join("model.toml"), &folder) {
+        match workspace_module_without_panic(&models.join(&folder).join("model.toml"), &folder) {
             Ok(module) => {
                 let files = module.files.into_iter().map(|(name, text)| (format!("{folder}/{name}"), text));
                 generated.files.extend(files);
@@ -73,7 +73,7 @@ pub fn generate(models: &Path, folders: &[String]) -> GeneratedFiles {
 
 /// Generates the module of one model, and turns a panic during the derivation into an error of this
 /// model.
-fn generate_without_panic(path: &Path, folder: &str) -> Result<ModuleFiles, Diagnostics> {
+fn workspace_module_without_panic(path: &Path, folder: &str) -> Result<ModuleFiles, Diagnostics> {
     std::panic::catch_unwind(|| workspace_module(path, folder)).unwrap_or_else(|_| {
         let source = Source { path: path.to_owned(), text: String::new() };
         let help = "this is a defect of the program, not of the model: please report it with the model file";
@@ -98,7 +98,7 @@ fn workspace_module(path: &Path, folder: &str) -> Result<ModuleFiles, Diagnostic
     let origin = Origin { folder: format!("models/{folder}/"), model: "model.toml".to_owned(), command: "regenerate" };
     let model = Model::read(path)?;
     let extras = requested_extras(&model, path)?;
-    let mut module = module_files(&model, folder, &origin, &[], extras)?;
+    let mut module = generated_module_files(&model, folder, &origin, &[], extras)?;
     module.files.insert(DERIVED_MODEL_COPY.to_owned(), model.source.text);
     Ok(module)
 }
@@ -110,9 +110,9 @@ fn workspace_module(path: &Path, folder: &str) -> Result<ModuleFiles, Diagnostic
 /// [`Diagnostics`] of `code.toml`. Scenes with errors are skipped.
 pub(crate) fn requested_extras(model: &Model, path: &Path) -> Result<Extras, Diagnostics> {
     // Scenes with errors are skipped here, and reported where their own equations are derived.
-    let scenes = scene_files(path).into_iter().filter_map(|scene| {
+    let scenes = scenes_in_model_folder(path).into_iter().filter_map(|scene| {
         let source = Source::read(&scene).ok()?;
-        let belongs = scene_model(&source).is_ok_and(|of| is_same_file(&of, path));
+        let belongs = scene_model(&source).is_ok_and(|of| is_same_model_file(&of, path));
         belongs.then(|| load_scene(&source, &mut model.clone()).ok())?
     });
     let methods = scenes.filter_map(|scene| scene.integration.method.method());
@@ -140,7 +140,7 @@ pub(crate) struct ModuleFiles {
 /// # Errors
 /// [`Diagnostics`] of the publication or a formulation, or if `module` cannot be a Rust module
 /// name.
-pub(crate) fn module_files(
+pub(crate) fn generated_module_files(
     model: &Model,
     module: &str,
     origin: &Origin,
@@ -154,16 +154,16 @@ pub(crate) fn module_files(
         let diagnostic = Diagnostic::of_file(message, help);
         return Err(Diagnostics::new(model.source.clone(), vec![diagnostic]));
     }
-    let mut text = RustModule::new(origin, extras);
-    let left_out = target::write_equations_to_target(model, formulations, &mut text)?;
+    let mut text = RustTarget::new(origin, extras);
+    let left_out = target::pass_equations_to_target(model, formulations, &mut text)?;
     let (mut files, entries) = text.finish(model)?;
     let publication_hash = if formulations.is_empty() { hash_publication_of_model(path) } else { String::new() };
     let (mut scenes, mut broken_scenes) = (Vec::<SceneFile>::new(), Vec::new());
     if origin.has_scenes() {
-        for scene in scene_files(path) {
-            match file_of_scene(model, &scene, origin, extras, &scenes) {
+        for scene in scenes_in_model_folder(path) {
+            match generated_scene_file(model, &scene, origin, extras, &scenes) {
                 Ok(file) => scenes.extend(file),
-                Err(diagnostics) => broken_scenes.push((scene_path_from_model(path, &scene), diagnostics)),
+                Err(diagnostics) => broken_scenes.push((scene_path_in_model_folder(path, &scene), diagnostics)),
             }
         }
     }
@@ -192,7 +192,7 @@ pub(crate) fn module_files(
 ///
 /// # Errors
 /// [`Diagnostics`] of the scene file, or if its reduced equations cannot be solved.
-fn file_of_scene(
+fn generated_scene_file(
     model: &Model,
     path: &Path,
     origin: &Origin,
@@ -201,17 +201,17 @@ fn file_of_scene(
 ) -> Result<Option<SceneFile>, Diagnostics> {
     let source = Source::read(path)?;
     let belongs = scene_model(&source)?;
-    if !is_same_file(&belongs, &model.source.path) {
+    if !is_same_model_file(&belongs, &model.source.path) {
         return Ok(None);
     }
-    if !is_reducible(model) {
+    if !has_reducible_form(model) {
         return Ok(None);
     }
     // The scene gets its own arena, so that its text does not depend on other scenes.
     let mut model = model.clone();
     let loaded = load_scene(&source, &mut model)?;
     let reduction = reduce(&model, &loaded).map_err(|error| model.diagnose(&error))?;
-    let name = scene_path_from_model(&model.source.path, path);
+    let name = scene_path_in_model_folder(&model.source.path, path);
     let stem = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
     let named = SceneHeaderData { name: &stem, title: &loaded.title, origin: &origin.scene_origin_sentence(&name) };
     let file = scene_file(&model, &reduction, &named, extras, before);
@@ -220,7 +220,7 @@ fn file_of_scene(
 
 /// Difference between a committed file of `generated/src` and the file that the models generate.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Difference {
+pub enum GeneratedFileDifference {
     /// The models generate the file, but it is not committed.
     Missing(String),
     /// The committed file differs from the generated text.
@@ -229,7 +229,7 @@ pub enum Difference {
     Extra(String),
 }
 
-impl std::fmt::Display for Difference {
+impl std::fmt::Display for GeneratedFileDifference {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::Missing(file) => write!(f, "missing  {file}"),
@@ -239,7 +239,7 @@ impl std::fmt::Display for Difference {
     }
 }
 
-impl Difference {
+impl GeneratedFileDifference {
     /// Path of the file, relative to `generated/src`.
     #[must_use]
     pub fn file(&self) -> &str {
@@ -256,7 +256,7 @@ pub struct Freshness {
     /// committed files.
     pub generated: GeneratedFiles,
     /// Files that are missing, changed or no longer generated.
-    pub differences: Vec<Difference>,
+    pub differences: Vec<GeneratedFileDifference>,
 }
 
 /// Generates every model, or only those in the folders `only`, and compares the text with the
@@ -281,13 +281,13 @@ pub fn freshness(models: &Path, committed: &Path, only: Option<&[String]>) -> st
     let mut differences = Vec::new();
     for (file, text) in &generated.files {
         match on_disk.get(file) {
-            None => differences.push(Difference::Missing(file.clone())),
-            Some(old) if old != text => differences.push(Difference::Changed(file.clone())),
+            None => differences.push(GeneratedFileDifference::Missing(file.clone())),
+            Some(old) if old != text => differences.push(GeneratedFileDifference::Changed(file.clone())),
             Some(_) => {}
         }
     }
     let extra = on_disk.into_keys().filter(|file| !generated.files.contains_key(file));
-    differences.extend(extra.map(Difference::Extra));
+    differences.extend(extra.map(GeneratedFileDifference::Extra));
     Ok(Freshness { generated, differences })
 }
 
@@ -326,9 +326,9 @@ pub fn write(freshness: &Freshness, committed: &Path) -> Result<(), WriteError> 
         match freshness.generated.files.get(difference.file()) {
             Some(text) => {
                 if let Some(folder) = path.parent() {
-                    whole_file_writer::create_folder(folder)?;
+                    draft_file::create_folder(folder)?;
                 }
-                whole_file_writer::write(&path, text)?;
+                draft_file::write(&path, text)?;
             }
             None => {
                 std::fs::remove_file(&path).map_err(|error| WriteError::Io(path.clone(), error))?;

@@ -9,6 +9,8 @@
 // The examples of the README are tested too.
 #![cfg_attr(all(doctest, feature = "rust"), doc = include_str!("../README.md"))]
 
+#[cfg(feature = "files")]
+pub mod draft_file;
 #[cfg(any(feature = "rust", feature = "js", feature = "languages"))]
 pub mod emit;
 #[cfg(feature = "languages")]
@@ -21,6 +23,8 @@ pub mod js;
 pub mod languages;
 #[cfg(any(feature = "rust", feature = "js", feature = "languages"))]
 mod lines;
+#[cfg(feature = "files")]
+pub mod model_folders;
 #[cfg(feature = "rust")]
 mod optional_functions;
 #[cfg(any(feature = "rust", feature = "js", feature = "languages"))]
@@ -28,17 +32,13 @@ mod origin;
 pub mod plan;
 #[cfg(feature = "rust")]
 pub mod rust;
-#[cfg(feature = "files")]
-pub mod scene_files;
 #[cfg(any(feature = "js", feature = "languages"))]
 pub mod syntax;
 #[cfg(any(feature = "rust", feature = "js", feature = "languages"))]
 pub mod target;
 pub mod taylor;
-#[cfg(feature = "files")]
-pub mod whole_file_writer;
 
 #[cfg(feature = "rust")]
-pub use generated_workspace::{Difference, Freshness, GeneratedFiles, freshness};
+pub use generated_workspace::{Freshness, GeneratedFileDifference, GeneratedFiles, freshness};
 #[cfg(feature = "rust")]
 pub use optional_functions::Extras;

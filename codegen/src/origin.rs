@@ -76,12 +76,12 @@ impl Origin {
     fn origin_sentence(&self, file: &str) -> String {
         // The path is in Markdown's quotes, which a backquote in the path would end.
         let path = format!("{}{file}", self.folder).replace('`', "'");
-        format!("{GENERATED_FILE_PREFIX}{path}`. {}", regeneration_advice(self.command))
+        format!("{GENERATED_FILE_PREFIX}{path}`. {}", origin_sentence_advice(self.command))
     }
 }
 
 /// Returns the header's advice not to edit the file, with the `tripos` command that writes it.
-fn regeneration_advice(command: &str) -> String {
+fn origin_sentence_advice(command: &str) -> String {
     format!("Do not edit; run `tripos {command}`.")
 }
 
@@ -121,7 +121,7 @@ impl OriginSource {
 /// Reads the header of a generated text and returns the source file that it states. `None` if
 /// `command` did not write the text.
 pub(crate) fn read_origin_source(text: &str, command: &str) -> Option<OriginSource> {
-    let advice = regeneration_advice(command);
+    let advice = origin_sentence_advice(command);
     let comment = |line: &'_ str| COMMENT_MARKS.iter().find_map(|mark| line.strip_prefix(mark)).map(str::to_owned);
     let origin = |line: String| {
         let line = line.trim_start();

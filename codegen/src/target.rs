@@ -42,7 +42,7 @@ pub type UnsupportedFormulations = Vec<(Formulation, DeriveError)>;
 /// # Errors
 /// [`Diagnostics`] of the model or the publication, of a given formulation that the model does not support, or of two
 /// printed systems whose files would have one name.
-pub fn write_equations_to_target(
+pub fn pass_equations_to_target(
     model: &Model,
     formulations: &[Formulation],
     target: &mut dyn Target,
@@ -59,7 +59,7 @@ pub fn write_equations_to_target(
         }
     }
     if formulations.is_empty() {
-        write_printed_equations(model, target)?;
+        pass_printed_equations_to_target(model, target)?;
     }
     Ok(left_out)
 }
@@ -70,7 +70,7 @@ pub fn write_equations_to_target(
 ///
 /// # Errors
 /// [`Diagnostics`] of the publication, or of two entries whose files would have the same name.
-fn write_printed_equations(model: &Model, target: &mut dyn Target) -> Result<(), Diagnostics> {
+fn pass_printed_equations_to_target(model: &Model, target: &mut dyn Target) -> Result<(), Diagnostics> {
     let mut with_publication = model.clone();
     let Some(publication) = load_publication_of_model(&model.source.path, &mut with_publication)? else {
         return Ok(());

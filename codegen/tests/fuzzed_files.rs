@@ -58,7 +58,7 @@ fn spoilt_files_are_read_or_refused() {
             _ if is_model(path) => model::load(&source).map(drop),
             Some(model) if is_publication => publication::load_publication(&source, &mut model.clone()).map(drop),
             Some(model) => scene::load(&source, &mut model.clone()).map(drop),
-            None => scene::model_path(&source).map(drop),
+            None => scene::model_path_of_scene(&source).map(drop),
         });
         match answer {
             Ok(()) => read += 1,

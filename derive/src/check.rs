@@ -147,16 +147,18 @@ pub fn check(model: &Model) -> Result<ModelCheck, DeriveError> {
     }));
     let mut notes: Vec<String> =
         model.unused.iter().map(|(kind, name)| format!("nothing names the {kind} `{name}`")).collect();
-    notes.extend(model.dependent.iter().map(redundant_constraint_note));
-    notes.extend(model.repeated.iter().filter(|r| r.elsewhere.is_some()).map(|r| rolling_dependence_note(&r.name)));
-    notes.extend(speeds_note(model));
+    notes.extend(model.dependent.iter().map(check_note_on_redundant_constraint));
+    notes.extend(
+        model.repeated.iter().filter(|r| r.elsewhere.is_some()).map(|r| check_note_on_dependent_rolling(&r.name)),
+    );
+    notes.extend(check_note_on_speeds(model));
     let mut indeterminate = Vec::new();
     let mut names = Vec::new();
     match derive(model, Formulation::Kane) {
         Ok(mut derivation) => {
             derivation.write_names();
             let Derivation { arena, equations } = &derivation;
-            if let Some(note) = power_note(model, arena, equations.power) {
+            if let Some(note) = check_note_on_power(model, arena, equations.power) {
                 notes.push(note);
                 let named = definitions_shown(arena, &[equations.power]).into_iter();
                 names.extend(named.map(|d| (print_text(arena, d.symbol), print_whole_text(arena, d.value))));
@@ -164,7 +166,7 @@ pub fn check(model: &Model) -> Result<ModelCheck, DeriveError> {
         }
         Err(error @ DeriveError::NoInertia { .. }) => {
             if let DeriveError::NoInertia { speed } = &error {
-                notes.extend(notes_on_bodies_without_inertia(model, speed)?);
+                notes.extend(check_notes_on_missing_inertia(model, speed)?);
                 indeterminate.push(speed.clone());
             }
             notes.push(error.to_string());
@@ -220,7 +222,7 @@ fn mobility_count(model: &Model) -> i64 {
 
 /// Writes the note that a component of rolling follows from the other constraints, except in single
 /// poses.
-fn rolling_dependence_note(name: &str) -> String {
+fn check_note_on_dependent_rolling(name: &str) -> String {
     format!(
         "`{name}` follows from the other constraints except in single poses: in these the equations of Lagrange and of Newton and Euler \
          have no solution, though the mechanism may be regular. State `frame`, in which the body's own heading is an axis"
@@ -229,7 +231,7 @@ fn rolling_dependence_note(name: &str) -> String {
 
 /// Writes the note on a constraint that follows from other constraints wherever the loops are
 /// closed.
-fn redundant_constraint_note(d: &RedundantConstraint) -> String {
+fn check_note_on_redundant_constraint(d: &RedundantConstraint) -> String {
     let poses = if d.poses == 1 { "the closed pose" } else { "each of the closed poses" };
     format!(
         "wherever the loops are closed, `{}` follows from {}: found in doubles, in {poses} that {} reached from random ones ({}), at the \
@@ -243,7 +245,7 @@ fn redundant_constraint_note(d: &RedundantConstraint) -> String {
 
 /// Writes the note on speeds that joints name but that the constraints determine from other speeds;
 /// `None` if there are none.
-fn speeds_note(model: &Model) -> Option<String> {
+fn check_note_on_speeds(model: &Model) -> Option<String> {
     let names =
         |list: &mut dyn Iterator<Item = &String>| list.map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
     let none = names(&mut model.dependent_speeds.iter().filter(|speed| speed.is_stated).map(|speed| &speed.name));
@@ -256,7 +258,7 @@ fn speeds_note(model: &Model) -> Option<String> {
 
 /// Writes the notes on bodies that have no inertia about the axis about which the speed `speed`
 /// turns them.
-fn notes_on_bodies_without_inertia(model: &Model, speed: &str) -> Result<Vec<String>, DeriveError> {
+fn check_notes_on_missing_inertia(model: &Model, speed: &str) -> Result<Vec<String>, DeriveError> {
     let Some(at) = model.speeds.iter().position(|s| s.name == speed) else { return Ok(Vec::new()) };
     let mut kinematics = Kinematics::new(model)?;
     let velocities = kinematics.in_speeds(model);
@@ -278,7 +280,7 @@ fn notes_on_bodies_without_inertia(model: &Model, speed: &str) -> Result<Vec<Str
 }
 
 /// Writes the note on the power that changes the total energy T + V; `None` if T + V is constant.
-fn power_note(model: &Model, arena: &Arena, power: Expr) -> Option<String> {
+fn check_note_on_power(model: &Model, arena: &Arena, power: Expr) -> Option<String> {
     if model.is_driven() {
         return Some("constraints drive the mechanism: T + V changes by the work of their forces".to_owned());
     }

@@ -1,6 +1,6 @@
 //! Diagnostics: errors of an input file, each with its place, a message and advice.
 
-use crate::plain_text::{one_line, path_in_line, with_visible_characters};
+use crate::plain_text::{one_line, path_as_plain_text, with_visible_characters};
 use annotate_snippets::{AnnotationKind, Level, Origin, Renderer, Snippet};
 use std::fmt;
 #[cfg(feature = "files")]
@@ -178,7 +178,7 @@ impl fmt::Display for Diagnostics {
             }
             let file = self.file(diagnostic);
             f.write_str(&with_visible_characters(&render_diagnostic(
-                &path_in_line(&file.path),
+                &path_as_plain_text(&file.path),
                 &file.text,
                 diagnostic,
             )))?;

@@ -95,7 +95,7 @@ pub fn with_reliable_digits(x: f64, error: Option<f64>) -> String {
 /// Path as one line of text for a message. Line breaks and forbidden characters in file names are
 /// written as escapes.
 #[must_use]
-pub fn path_in_line(path: &Path) -> String {
+pub fn path_as_plain_text(path: &Path) -> String {
     with_visible_characters(&path.display().to_string()).replace('\n', "\\u{a}")
 }
 
@@ -131,7 +131,7 @@ mod tests {
         assert_eq!(with_visible_characters("plain — θ̇ 🎢\nand a line"), "plain — θ̇ 🎢\nand a line");
         assert_eq!(one_line("  two\r\n\twords "), "two words");
         assert_eq!(code_point_text('\u{1b}'), "U+001B");
-        assert_eq!(path_in_line(Path::new("a\nb\u{7}/é")), "a\\u{a}b\\u{7}/é");
+        assert_eq!(path_as_plain_text(Path::new("a\nb\u{7}/é")), "a\\u{a}b\\u{7}/é");
     }
 
     #[test]

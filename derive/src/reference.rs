@@ -16,7 +16,7 @@ use crate::algebra::text::parse::ParseError;
 use crate::diagnostic::{Source, shortened_for_message};
 use crate::mechanics::{Formulation, QuantityError};
 use crate::model::text_hash;
-use crate::plain_text::path_in_line;
+use crate::plain_text::path_as_plain_text;
 use serde_json::{Map, Value};
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -115,25 +115,35 @@ impl std::error::Error for ReferenceError {}
 impl fmt::Display for ReferenceError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::NotJson { file, why } => write!(f, "{}: this is not JSON: {why}", path_in_line(file)),
-            Self::Form { file, key, expected } => write!(f, "{}: `{key}` must be {expected}", path_in_line(file)),
+            Self::NotJson { file, why } => write!(f, "{}: this is not JSON: {why}", path_as_plain_text(file)),
+            Self::Form { file, key, expected } => write!(f, "{}: `{key}` must be {expected}", path_as_plain_text(file)),
             Self::OtherText { file, recorded, current } => {
                 let recorded = shortened_for_message(recorded);
-                write!(f, "{}: derived from the model text {recorded}, which now is {current}", path_in_line(file))
+                write!(
+                    f,
+                    "{}: derived from the model text {recorded}, which now is {current}",
+                    path_as_plain_text(file)
+                )
             }
             Self::Quantity { file, name, error } => {
                 write!(
                     f,
                     "{}: `{}`: {} ({})",
-                    path_in_line(file),
+                    path_as_plain_text(file),
                     shortened_for_message(name),
                     error.message,
                     error.help
                 )
             }
-            Self::NotDerived { file, why } => write!(f, "{}: {}", path_in_line(file), shortened_for_message(why)),
+            Self::NotDerived { file, why } => write!(f, "{}: {}", path_as_plain_text(file), shortened_for_message(why)),
             Self::Formula { file, name, error } => {
-                write!(f, "{}: the value of `{}`: {}", path_in_line(file), shortened_for_message(name), error.message)
+                write!(
+                    f,
+                    "{}: the value of `{}`: {}",
+                    path_as_plain_text(file),
+                    shortened_for_message(name),
+                    error.message
+                )
             }
         }
     }
@@ -249,7 +259,8 @@ impl<'a> ReferenceTable<'a> {
 
     /// Reads an entry that must be a list of strings, with `count` strings if given.
     fn list(&self, key: &str, count: Option<usize>) -> Result<Vec<String>, ReferenceError> {
-        let found = self.entries.get(key).and_then(string_list).filter(|list| count.is_none_or(|n| n == list.len()));
+        let found =
+            self.entries.get(key).and_then(reference_string_list).filter(|list| count.is_none_or(|n| n == list.len()));
         found.ok_or_else(|| self.wrong_entry_error(key, "strings, one for each unknown"))
     }
 
@@ -258,7 +269,7 @@ impl<'a> ReferenceTable<'a> {
         let unknowns = self.list("unknowns", None)?;
         let n = unknowns.len();
         let rows = self.entries.get("matrix").and_then(Value::as_array);
-        let rows = rows.and_then(|rows| rows.iter().map(string_list).collect::<Option<Vec<_>>>());
+        let rows = rows.and_then(|rows| rows.iter().map(reference_string_list).collect::<Option<Vec<_>>>());
         let matrix = rows.filter(|rows| rows.len() == n && rows.iter().all(|row| row.len() == n));
         let matrix = matrix.ok_or_else(|| {
             self.wrong_entry_error("matrix", "a list of n rows of n strings, with n the number of unknowns")
@@ -268,6 +279,6 @@ impl<'a> ReferenceTable<'a> {
 }
 
 /// Reads a JSON value as a list of strings; `None` if it is not.
-fn string_list(value: &Value) -> Option<Vec<String>> {
+fn reference_string_list(value: &Value) -> Option<Vec<String>> {
     value.as_array()?.iter().map(|entry| entry.as_str().map(str::to_owned)).collect()
 }

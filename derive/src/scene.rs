@@ -182,7 +182,7 @@ pub fn is_scene(source: &Source) -> bool {
 ///
 /// # Errors
 /// [`Diagnostics`] if the scene file is not TOML, or if its key `model` is not a string.
-pub fn model_path(source: &Source) -> Result<PathBuf, Diagnostics> {
+pub fn model_path_of_scene(source: &Source) -> Result<PathBuf, Diagnostics> {
     let (mut reader, table) = TomlReader::parse(source)?;
     let stated = reader.get(table.get_ref(), "model").and_then(|v| reader.string(v, "`model`"));
     reader.finish()?;
@@ -211,12 +211,12 @@ pub fn load(source: &Source, model: &mut Model) -> Result<Scene, Diagnostics> {
     let ladder = values.ladder(table, &numbers.p, &numbers.start.exact);
     let (outputs, states_outputs) = values.outputs(table);
     let free = values.free_parameters(table);
-    let events = values.events(table);
+    let events = values.scene_events(table);
     let impacts = values.impacts(table, &numbers.coefficients);
     let figures = values.figures(table);
     let title = values.reader.get(table, "title").and_then(|v| values.reader.name(v, "`title`"));
     let title = title.map_or_else(String::new, |title| title.text);
-    let about = values.text(table, "about").unwrap_or_default();
+    let about = values.scene_text(table, "about").unwrap_or_default();
     values.reader.finish()?;
     let Start { q, u, exact, closed } = numbers.start;
     Ok(Scene {
@@ -337,7 +337,7 @@ impl<'a> ValueReader<'a, '_> {
     /// file. Errors are recorded in the reader.
     fn scene_numbers(&mut self, table: &'a DeTable<'a>) -> SceneNumbers {
         let parameters = self.parameters(table);
-        let span = self.span(table, parameters.as_deref().unwrap_or_default());
+        let span = self.scene_span(table, parameters.as_deref().unwrap_or_default());
         self.instant = span.as_ref().map(|(from, _)| from.clone());
         let start = match (self.section(table, "start"), &parameters) {
             (None, _) => {
@@ -361,7 +361,7 @@ impl<'a> ValueReader<'a, '_> {
     }
 
     /// Reads `span`: first and last instant, s. `None` after an error is reported.
-    fn span(&mut self, table: &'a DeTable<'a>, p: &[Number]) -> Option<(Number, Number)> {
+    fn scene_span(&mut self, table: &'a DeTable<'a>, p: &[Number]) -> Option<(Number, Number)> {
         let Some(value) = self.reader.get(table, "span") else {
             let help = "add span = [0, 1], in seconds";
             self.reader.errors.push(Diagnostic::of_file("the scene has no `span`", help));
@@ -393,7 +393,7 @@ impl<'a> ValueReader<'a, '_> {
 
     /// Tables of an array of tables such as `[[events]]`, each with its TOML value, which has its
     /// place. Empty if the key is absent.
-    fn entries(&mut self, table: &'a DeTable<'a>, key: &str) -> Vec<(&'a DeTable<'a>, &'a Spanned<DeValue<'a>>)> {
+    fn scene_entries(&mut self, table: &'a DeTable<'a>, key: &str) -> Vec<(&'a DeTable<'a>, &'a Spanned<DeValue<'a>>)> {
         let Some(value) = self.reader.get(table, key) else { return Vec::new() };
         let DeValue::Array(array) = value.get_ref() else {
             let help = format!("write each as [[{key}]]");
@@ -407,15 +407,15 @@ impl<'a> ValueReader<'a, '_> {
     }
 
     /// Reads the events of a scene file; reports wrong ones.
-    fn events(&mut self, table: &'a DeTable<'a>) -> Vec<SceneEvent> {
+    fn scene_events(&mut self, table: &'a DeTable<'a>) -> Vec<SceneEvent> {
         let mut events: Vec<SceneEvent> = Vec::new();
-        for (entry, value) in self.entries(table, "events") {
+        for (entry, value) in self.scene_entries(table, "events") {
             self.reader.report_unknown_keys(entry, "an event", &["name", "zero", "direction", "terminal", "about"]);
             let name = self.reader.required(entry, "name", "an event", &value.span());
             let name = name.and_then(|v| self.reader.name(v, "an event's name"));
             let zero = self.reader.required(entry, "zero", "an event", &value.span());
             let zero = zero.and_then(|v| self.reader.formula(v, "an event function"));
-            let function = zero.and_then(|f| self.motion_formula(&f));
+            let function = zero.and_then(|f| self.value_formula(&f));
             let direction = self.choice(Some(entry), "direction", &["rising", "falling", "either"]);
             let terminal = self.reader.get(entry, "terminal").and_then(|v| self.reader.boolean(v, "`terminal`"));
             let direction = match direction {
@@ -440,20 +440,20 @@ impl<'a> ValueReader<'a, '_> {
     /// Reads the figures of a scene file; reports wrong ones.
     fn figures(&mut self, table: &'a DeTable<'a>) -> Vec<Figure> {
         let mut figures = Vec::new();
-        for (entry, value) in self.entries(table, "figures") {
+        for (entry, value) in self.scene_entries(table, "figures") {
             self.reader.report_unknown_keys(entry, "a figure", &["kind", "caption"]);
             if self.reader.required(entry, "kind", "a figure", &value.span()).is_none() {
                 continue;
             }
             let name = self.choice(Some(entry), "kind", &FIGURES);
             let Some(kind) = FigureKind::ALL.into_iter().find(|kind| Some(kind.name()) == name) else { continue };
-            figures.push(Figure { kind, caption: self.text(entry, "caption").unwrap_or_default() });
+            figures.push(Figure { kind, caption: self.scene_text(entry, "caption").unwrap_or_default() });
         }
         figures
     }
 
     /// Text of an optional key on one line; `None` if the key is absent.
-    fn text(&mut self, table: &'a DeTable<'a>, key: &str) -> Option<String> {
+    fn scene_text(&mut self, table: &'a DeTable<'a>, key: &str) -> Option<String> {
         self.reader.prose(table, key)
     }
 }

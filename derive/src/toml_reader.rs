@@ -2,7 +2,7 @@
 //! its place in the file.
 
 use crate::algebra::text::print::print_text;
-use crate::algebra::value::interval::{lost_constant, number_beyond_doubles};
+use crate::algebra::value::interval::{constant_with_wide_interval, number_beyond_doubles};
 use crate::algebra::{Arena, Expr};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, nearest_name_advice, shortened_for_message};
 use crate::plain_text::{code_point_text, compare_with_numbers, is_blank, is_forbidden, one_line};
@@ -259,7 +259,7 @@ impl<'a> TomlReader<'a> {
             self.error(formula.span.clone(), message, help);
             return false;
         }
-        match lost_constant(arena, e) {
+        match constant_with_wide_interval(arena, e) {
             Some(lost) => self.report_lost_constant(arena, formula, lost),
             None => return true,
         }

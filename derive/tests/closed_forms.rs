@@ -4,7 +4,7 @@ use expect_test::expect;
 use std::f64::consts::{PI, TAU};
 use std::fmt::Write;
 use tripos_derive::algebra::solve::closed::{
-    Branch, Condition, Relation, RelationKind, Solutions, solve_in_closed_form,
+    Branch, Relation, RelationCondition, RelationKind, Solutions, solve_in_closed_form,
 };
 use tripos_derive::algebra::text::parse::parse_free;
 use tripos_derive::algebra::text::print::print_text;
@@ -39,7 +39,7 @@ fn told(case: &Case) -> String {
             let _ = write!(out, "{kind:?} {} = {}; ", print_text(a, *angle), print_text(a, *value));
         }
         for need in &branch.needs {
-            let kind = if matches!(need, Condition::Unit(_)) { "unit" } else { "not negative" };
+            let kind = if matches!(need, RelationCondition::Unit(_)) { "unit" } else { "not negative" };
             let _ = write!(out, "{kind} {}; ", print_text(a, need.term()));
         }
         branch.divided_by.iter().for_each(|e| write!(out, "not 0 {}; ", print_text(a, *e)).unwrap());
@@ -97,8 +97,8 @@ impl Case {
         let needs: Vec<Expr> = branch.needs.iter().map(|need| need.term()).collect();
         let met = |list: &Vec<(Expr, f64)>| {
             branch.needs.iter().zip(self.at(&needs, list)).all(|(need, x)| match need {
-                Condition::NotNegative(_) => x >= 0.0,
-                Condition::Unit(_) => x.abs() <= 1.0,
+                RelationCondition::NotNegative(_) => x >= 0.0,
+                RelationCondition::Unit(_) => x.abs() <= 1.0,
             })
         };
         lists.retain(met);

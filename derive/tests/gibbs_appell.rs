@@ -7,7 +7,7 @@ use tripos_derive::algebra::term::calculus::{Differential, Gradient};
 use tripos_derive::algebra::text::print::print_text;
 use tripos_derive::algebra::value::zero_test::{ZeroTest, zero_test};
 use tripos_derive::geometry::Vector;
-use tripos_derive::mechanics::{DeriveError, Kinematics, Stage, derive_all, derive_in_steps, motion_rates};
+use tripos_derive::mechanics::{DeriveError, Kinematics, Stage, derive_all, derive_in_steps, kinematic_rates};
 use tripos_derive::prove::prove;
 use tripos_derive::{Formulation, Model, derive};
 
@@ -66,7 +66,7 @@ fn disks_move_as_their_particles_make_s_stationary() {
             let arm = Vector::in_frame(*own, arm);
             particles.extend([(1, 8, arm.neg(&mut kinematics.arena)), (1, 8, arm)]);
         }
-        let mut along = motion_rates(&model);
+        let mut along = kinematic_rates(&model);
         let mut terms = Vec::new();
         for (share, of, arm) in particles {
             let position = kinematics.positions[body.centre].add(&mut kinematics.arena, &arm);

@@ -12,7 +12,7 @@ use tripos_derive::algebra::text::parse::parse_free;
 use tripos_derive::algebra::text::print::print_text;
 use tripos_derive::algebra::value::tape::Tape;
 use tripos_derive::algebra::{Arena, Expr};
-use tripos_derive::mechanics::{Quantities, Quantity, derive_all, moving_places, rates_to_speeds};
+use tripos_derive::mechanics::{Quantities, Quantity, derive_all, moving_load_places, rates_to_speeds};
 use tripos_derive::prove::prove;
 use tripos_derive::{Formulation, Model, derive};
 
@@ -131,7 +131,7 @@ fn at_a_point_fixed_in_the_body_both_names_are_the_same() {
         let model = read(&edited(&[("[points]\n", point), ("g =", c)], &damper)).unwrap_or_else(|e| panic!("{e}"));
         let derivation = derive(&model, Formulation::Kane).unwrap();
         let texts = derivation.equations.forcing.iter().map(|e| print_text(&derivation.arena, *e));
-        (texts.collect::<Vec<_>>(), moving_places(&model).unwrap())
+        (texts.collect::<Vec<_>>(), moving_load_places(&model).unwrap())
     };
     let (by_point, by_material) = (with("v(T)"), with("v(rod, T)"));
     assert_eq!(by_point.0, by_material.0);
@@ -143,7 +143,7 @@ fn at_a_point_fixed_in_the_body_both_names_are_the_same() {
 #[test]
 fn what_is_said_of_loads_at_moving_points() {
     let model = disk(DRAG);
-    let said: Vec<String> = moving_places(&model).unwrap().iter().map(|place| place.text(&model)).collect();
+    let said: Vec<String> = moving_load_places(&model).unwrap().iter().map(|place| place.text(&model)).collect();
     expect![[r"
         The force film acts on the material of disk that is at P: P moves in disk, so that power is taken with v(disk, P), not with v(P).
         The reaction N acts on the material of disk that is at P: P moves in disk, so that power is taken with v(disk, P), not with v(P)."]]

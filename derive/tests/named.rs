@@ -10,7 +10,7 @@ use tripos_derive::algebra::solve::quadratic_minimum::minimize_quadratic_form;
 use tripos_derive::algebra::term::adjoint::adjoint_product;
 use tripos_derive::algebra::term::calculus::{Differential, Gradient, Substitution};
 use tripos_derive::algebra::term::steps::{Definition, needed_steps};
-use tripos_derive::algebra::text::definitions::define_named_terms;
+use tripos_derive::algebra::text::definitions::write_definitions;
 use tripos_derive::algebra::text::parse::parse_free;
 use tripos_derive::algebra::text::print::print_text;
 use tripos_derive::algebra::value::tape::Tape;
@@ -291,7 +291,7 @@ fn a_name_changes_no_value() {
     assert_eq!(arena.name(one, "again"), one);
 
     let last = *terms.last().unwrap();
-    let (steps, values) = define_named_terms(&mut arena, &[], &[last]);
+    let (steps, values) = write_definitions(&mut arena, &[], &[last]);
     let mut out = Substitution::default();
     for step in &steps {
         let value = out.apply(&mut arena, step.value);

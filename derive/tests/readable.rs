@@ -3,8 +3,8 @@
 use crate::chain::chain;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
-use tripos_derive::algebra::form::readable::readable;
 use tripos_derive::algebra::form::simplify::Simplifier;
+use tripos_derive::algebra::form::written_out_formula::written_out_formula;
 use tripos_derive::algebra::text::print::{print_text, printed_length};
 use tripos_derive::algebra::value::zero_test::{ZeroTest, zero_test};
 use tripos_derive::algebra::{Arena, Expr};
@@ -102,6 +102,6 @@ fn integrals_and_reactions_are_written_out_where_they_are_short() {
     let mut derivations = derive_all(&model).unwrap();
     let energy = derivations.get(Formulation::Kane).unwrap().kinetic_energy;
     let arena = &mut derivations.kinematics.arena;
-    assert_eq!(readable(arena, &mut Simplifier::default(), energy), energy, "it would fill pages");
+    assert_eq!(written_out_formula(arena, &mut Simplifier::default(), energy), energy, "it would fill pages");
     let _ = first_integrals(&model, &mut derivations);
 }

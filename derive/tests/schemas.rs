@@ -9,7 +9,7 @@ use tripos_derive::diagnostic::{Diagnostics, Source};
 use tripos_derive::model::load;
 use tripos_derive::publication;
 use tripos_derive::scene::{self, load_state_with_unknowns};
-use tripos_derive::schema::Format;
+use tripos_derive::schema::SchemaFormat;
 
 /// Content of a TOML value, as JSON.
 fn as_json(value: &DeValue<'_>) -> Value {
@@ -30,7 +30,7 @@ fn table_as_json(table: &DeTable<'_>) -> Value {
 }
 
 /// Objection of the schema of a format to a text; `None` if it accepts the text.
-fn objection(format: Format, text: &str) -> Option<String> {
+fn objection(format: SchemaFormat, text: &str) -> Option<String> {
     let (mut schemas, mut compiler) = (Schemas::new(), Compiler::new());
     compiler.add_resource("format.json", format.schema()).unwrap();
     let index = compiler.compile("format.json", &mut schemas).unwrap();
@@ -51,15 +51,15 @@ fn files(folder: &Path, list: &mut Vec<PathBuf>) {
 }
 
 /// The format of a file of the library, by what is in it.
-fn format(text: &str) -> Option<Format> {
+fn format(text: &str) -> Option<SchemaFormat> {
     let table = DeTable::parse(text).ok()?;
     let has = |key: &str| table.get_ref().contains_key(key);
     let marks = [
-        ("inertial", Format::Model),
-        ("span", Format::Scene),
-        ("state", Format::State),
-        ("equation", Format::Publication),
-        ("system", Format::Publication),
+        ("inertial", SchemaFormat::Model),
+        ("span", SchemaFormat::Scene),
+        ("state", SchemaFormat::State),
+        ("equation", SchemaFormat::Publication),
+        ("system", SchemaFormat::Publication),
     ];
     marks.into_iter().find(|(key, _)| has(key)).map(|(_, format)| format)
 }
@@ -110,7 +110,7 @@ fn known(errors: &Diagnostics) -> BTreeSet<String> {
 }
 
 /// The keys that a schema knows at a place.
-fn stated(format: Format, place: &str) -> BTreeSet<String> {
+fn stated(format: SchemaFormat, place: &str) -> BTreeSet<String> {
     let mut schema = format.schema();
     for part in place.split('/').filter(|part| !part.is_empty()) {
         let of_kind = |schema: &Value| schema["anyOf"].as_array().and_then(|kinds| kinds.last().cloned());
@@ -168,7 +168,7 @@ fn schemas_state_the_keys_that_readers_know() {
         ("shapes/*", &["globe = {", "plate = {", "drum = {", "crate = {", "cord = {", "floor = {"]),
     ];
     for (place, marks) in model {
-        let mut keys = stated(Format::Model, place);
+        let mut keys = stated(SchemaFormat::Model, place);
         // Repetition is written out before the file is read.
         keys.remove("counts");
         assert_eq!(known_at(MODEL, marks, &of_model), keys, "{place}");
@@ -188,12 +188,12 @@ fn schemas_state_the_keys_that_readers_know() {
             let source = Source::from_text("scene.toml", text);
             scene::load(&source, &mut mechanism.clone()).map(|_| ()).unwrap_err()
         });
-        assert_eq!(keys, stated(Format::Scene, place), "{place}");
+        assert_eq!(keys, stated(SchemaFormat::Scene, place), "{place}");
     }
     let state = format!("{ODD} = 1\n[state]\n");
     let errors =
         load_state_with_unknowns(&Source::from_text("state.toml", &state), &mut mechanism.clone(), &[]).unwrap_err();
-    assert_eq!(known(&errors), stated(Format::State, ""));
+    assert_eq!(known(&errors), stated(SchemaFormat::State, ""));
     for (place, mark) in [
         ("equation", "[[equation]]"),
         ("definition", "[[definition]]"),
@@ -204,21 +204,21 @@ fn schemas_state_the_keys_that_readers_know() {
         let text = PUBLICATION.replace(mark, &format!("{mark}\n{ODD} = 1"));
         let errors =
             publication::load_publication(&Source::from_text("publication.toml", &text), &mut mechanism).unwrap_err();
-        assert_eq!(known(&errors), stated(Format::Publication, &format!("{place}/[]")), "{place}");
+        assert_eq!(known(&errors), stated(SchemaFormat::Publication, &format!("{place}/[]")), "{place}");
     }
     let errors = publication::load_publication(
         &Source::from_text("publication.toml", &format!("{ODD} = 1\n{PUBLICATION}")),
         &mut mechanism,
     )
     .unwrap_err();
-    assert_eq!(known(&errors), stated(Format::Publication, ""));
+    assert_eq!(known(&errors), stated(SchemaFormat::Publication, ""));
 }
 
 /// Goal: a schema sees what is wrong in form. Method: a wrong key, kind, word and number in right files.
 #[test]
 fn the_schemas_refuse_wrong_forms() {
-    assert_eq!(objection(Format::Model, MODEL), None);
-    assert_eq!(objection(Format::Scene, SCENE), None);
+    assert_eq!(objection(SchemaFormat::Model, MODEL), None);
+    assert_eq!(objection(SchemaFormat::Scene, SCENE), None);
     for (right, wrong) in [
         ("[inertial]", "[inertail]"),
         ("kind = \"screw\"", "kind = \"skrew\""),
@@ -227,10 +227,10 @@ fn the_schemas_refuse_wrong_forms() {
         ("mass = \"m\"\ninertia", "mass = true\ninertia"),
     ] {
         assert!(MODEL.contains(right), "{right}");
-        assert!(objection(Format::Model, &MODEL.replacen(right, wrong, 1)).is_some(), "{wrong}");
+        assert!(objection(SchemaFormat::Model, &MODEL.replacen(right, wrong, 1)).is_some(), "{wrong}");
     }
     for (right, wrong) in [("span = [0, 1]", ""), ("\"dop853\"", "\"ode23\""), ("\"falling\"", "\"down\"")] {
         assert!(SCENE.contains(right), "{right}");
-        assert!(objection(Format::Scene, &SCENE.replacen(right, wrong, 1)).is_some(), "{wrong}");
+        assert!(objection(SchemaFormat::Scene, &SCENE.replacen(right, wrong, 1)).is_some(), "{wrong}");
     }
 }

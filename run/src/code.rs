@@ -120,7 +120,7 @@ impl Code {
 ///
 /// # Errors
 /// [`Error::Request`] if there is no formulation of this name.
-pub fn formulation(name: &str) -> Result<Formulation, Error> {
+pub fn formulation_of_name(name: &str) -> Result<Formulation, Error> {
     Formulation::from_name(name).ok_or_else(|| {
         let names = Formulation::ALL.map(Formulation::name);
         Error::request(
@@ -143,7 +143,7 @@ pub fn find_equations(model: &Mechanism, name: &EquationsName) -> Result<Equatio
         EquationsName::Printed(id) => id,
         // The reduced equations belong to a scene, and a model does not have them.
         EquationsName::Reduced | EquationsName::Unknown(_) => {
-            return formulation(&name.to_string()).map(EquationsOrigin::from);
+            return formulation_of_name(&name.to_string()).map(EquationsOrigin::from);
         }
     };
     let list = list_printed_equations(model)?;

@@ -2,7 +2,7 @@
 
 use std::fmt;
 use tripos_derive::diagnostic::{Diagnostics, UnknownName};
-use tripos_derive::plain_text::path_in_line;
+use tripos_derive::plain_text::path_as_plain_text;
 use tripos_derive::scene::Scene;
 use tripos_sim::SimError;
 
@@ -96,7 +96,7 @@ impl From<Diagnostics> for Error {
 /// advice to check the scene file.
 #[must_use]
 pub fn refused_scene_error(scene: &Scene, error: &SimError) -> Error {
-    Error::request(error.to_string(), format!("check {}", path_in_line(&scene.source.path)))
+    Error::request(error.to_string(), format!("check {}", path_as_plain_text(&scene.source.path)))
 }
 
 impl From<UnknownName> for Error {

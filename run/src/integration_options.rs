@@ -26,7 +26,7 @@ pub fn integration_options_for_ends(scene: &Scene) -> Options {
 }
 
 /// Describes the method of a scene with its tolerances or step, such as "ode45 with rtol 1e-3, atol 1e-5".
-pub fn method_words(scene: &Scene) -> String {
+pub fn integration_method_words(scene: &Scene) -> String {
     let how = &scene.integration;
     if how.method == Integrator::Quadrature {
         return how.method.to_string();

@@ -5,7 +5,7 @@
 //! the same tapes, with their exact constants rounded to that type.
 
 use crate::scratch_pool::ScratchPool;
-use tripos_codegen::taylor::{Tape as Series, recurrences_of};
+use tripos_codegen::taylor::{Tape as Series, cheapest_recurrences_of};
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::form::simplify::Simplifier;
@@ -188,7 +188,7 @@ impl InterpretedEquations {
         let divisors = Divisors::of(&arena, &e, Some(&accelerations));
         self.divisors = divisors.names(&arena);
         let parameters = &self.state[..self.lengths.parameters];
-        let recurrences = recurrences_of(&mut arena, &e, &accelerations);
+        let recurrences = cheapest_recurrences_of(&mut arena, &e, &accelerations);
         self.series = recurrences.map(|list| Series::new(&arena, parameters, &list)).transpose()?;
         let rates = &e.unknowns[..e.variables.len()];
         let both = [&e.coordinate_rates, rates].concat();

@@ -41,7 +41,7 @@ pub mod trust;
 
 pub use equations_name::EquationsName;
 pub use error::Error;
-pub use integration_options::method_words;
+pub use integration_options::integration_method_words;
 pub use mechanism::Mechanism;
 pub use overrides::Overrides;
 pub use preparation::near_divisors::near_divisors;
@@ -59,5 +59,5 @@ pub use tripos_derive::scene::{AccelerationSolution, Integrator, ProjectionTarge
 pub use tripos_sim::Method;
 pub use trust::constraint_residuals::Residual;
 pub use trust::correct_digits::CorrectDigits;
-pub use trust::invariants::{ConservedQuantity, Drift, InvariantValues, WatchedInvariants};
 pub use trust::reference_solution::ReferenceSolution;
+pub use trust::watched_invariants::{ConservedQuantity, Drift, InvariantValues, WatchedInvariants};

@@ -16,7 +16,7 @@ use std::path::Path;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::prove::Proof;
 #[cfg(feature = "files")]
-use tripos_derive::scene::model_path;
+use tripos_derive::scene::model_path_of_scene;
 use tripos_derive::scene::{self as description, Family, Grid, load_scene_with_inputs};
 use tripos_traits::CompiledModel;
 
@@ -42,7 +42,7 @@ impl Scene {
     #[cfg(feature = "files")]
     pub fn read(path: impl AsRef<Path>) -> Result<Self, Error> {
         let source = Source::read(path.as_ref())?;
-        let mechanism = Mechanism::read(&model_path(&source)?)?;
+        let mechanism = Mechanism::read(&model_path_of_scene(&source)?)?;
         Self::from_source(mechanism, &source)
     }
 

@@ -6,7 +6,7 @@
 
 use std::path::Path;
 use tripos::Mechanism;
-use tripos::studies::steady::{BranchesAt, ClosedForm, Conditions, FoundMotion, conditions, find_equilibria};
+use tripos::studies::steady::{BranchesAt, Conditions, FoundMotion, SteadyConditions, conditions, find_equilibria};
 use tripos_derive::algebra::Arena;
 use tripos_derive::algebra::text::parse::parse_free;
 use tripos_derive::algebra::value::tape::Tape;
@@ -22,7 +22,7 @@ fn read(model: &str) -> Mechanism {
     Mechanism::read(&path).unwrap_or_else(|e| panic!("{e}"))
 }
 
-fn closed(model: &str, wanted: &[&str]) -> ClosedForm {
+fn closed(model: &str, wanted: &[&str]) -> SteadyConditions {
     let wanted: Vec<String> = wanted.iter().map(|name| (*name).to_owned()).collect();
     conditions(&read(model), &wanted).unwrap_or_else(|e| panic!("{e}"))
 }
@@ -283,11 +283,11 @@ fn formulas_meet_the_equations_of_the_textbook() {
     }
 }
 
-fn closed_top() -> ClosedForm {
+fn closed_top() -> SteadyConditions {
     closed("heavy_top", &["Omega_n3"])
 }
 
-fn found(model: &str, state: &str, starts: u64) -> (ClosedForm, StateWithUnknowns, Vec<FoundMotion>) {
+fn found(model: &str, state: &str, starts: u64) -> (SteadyConditions, StateWithUnknowns, Vec<FoundMotion>) {
     let mut mechanism = read(model);
     let asked = load_state_with_unknowns(&Source::from_text("state.toml", state), &mut mechanism, &[])
         .unwrap_or_else(|e| panic!("{e}"));

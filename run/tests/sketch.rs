@@ -1,7 +1,7 @@
 //! Sketches, against closed forms and against properties of every sketch.
 
 use std::path::{Path, PathBuf};
-use tripos::pictures::sketch::{Label, LabelWord, Mark, MarkRole, PaintKind, PathPart, SheetPoint, Sketch};
+use tripos::pictures::sketch::{DrawingPoint, Label, LabelWord, Mark, MarkRole, PaintKind, PathPart, Sketch};
 use tripos::{Mechanism, Scene};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::model::{TIME, load};
@@ -39,7 +39,7 @@ fn of(sketch: &Sketch, role: MarkRole, paint: PaintKind) -> Vec<&Mark> {
 }
 
 /// The middle of a closed path.
-fn middle(mark: &Mark) -> SheetPoint {
+fn middle(mark: &Mark) -> DrawingPoint {
     let spots = mark.path.points_along_path(0.2);
     [0, 1].map(|i| {
         let all = spots.iter().map(|spot| spot[i]);
@@ -47,7 +47,7 @@ fn middle(mark: &Mark) -> SheetPoint {
     })
 }
 
-fn end(mark: &Mark) -> SheetPoint {
+fn end(mark: &Mark) -> DrawingPoint {
     match mark.path.parts.last().unwrap() {
         PathPart::Line(to) | PathPart::Curve([.., to]) => *to,
     }
@@ -73,7 +73,7 @@ fn a_pendulum_hangs_at_its_angle_and_the_arc_leads_to_it() {
         let way = [bob[0] - pin[0], bob[1] - pin[1]];
         assert!((way[0].atan2(way[1]) - theta).abs() < 1e-3, "{theta}: {way:?}");
         let arc = of(&sketch, MarkRole::Coordinate, PaintKind::Line)[0];
-        let of_arc = |spot: SheetPoint| (spot[0] - pin[0]).atan2(spot[1] - pin[1]);
+        let of_arc = |spot: DrawingPoint| (spot[0] - pin[0]).atan2(spot[1] - pin[1]);
         assert!(of_arc(arc.path.from).abs() < 1e-3 && (of_arc(end(arc)) - theta).abs() < 1e-3, "{theta}");
         // All spots of the arc are on a circle about the pin.
         let radii: Vec<f64> =
@@ -89,14 +89,14 @@ fn a_pendulum_hangs_at_its_angle_and_the_arc_leads_to_it() {
 fn lengths_are_measured_by_lines_as_long_as_they_are() {
     let sketch = at_state("elastic_pendulum", "[state]\nx = 0.6\ny = -0.8\nu = 0\nv = 0\n");
     let lines = of(&sketch, MarkRole::Coordinate, PaintKind::Line);
-    let long: Vec<SheetPoint> = lines.iter().map(|line| [0, 1].map(|i| end(line)[i] - line.path.from[i])).collect();
+    let long: Vec<DrawingPoint> = lines.iter().map(|line| [0, 1].map(|i| end(line)[i] - line.path.from[i])).collect();
     assert_eq!(long.len(), 2);
     assert!(long[0][1].abs() < 1e-9 && long[1][0].abs() < 1e-9 && long[0][0] > 0.0 && long[1][1] > 0.0, "{long:?}");
     assert!((long[0][0] / long[1][1] - 0.75).abs() < 1e-9, "{long:?}");
 }
 
 /// Spots of the names of the inertial axes, relative to that of the origin.
-fn axes(name: &str) -> [SheetPoint; 3] {
+fn axes(name: &str) -> [DrawingPoint; 3] {
     let folder = Path::new("../models").join(name);
     let scene = &scenes(&folder)[0];
     let sketch = Sketch::of_scene(scene.mechanism(), scene.description()).unwrap();
@@ -115,7 +115,7 @@ fn axes(name: &str) -> [SheetPoint; 3] {
 /// a bicycle, whose third axis points down, it is clockwise.
 #[test]
 fn axes_are_right_handed_and_up_is_up() {
-    let turn = |a: SheetPoint, b: SheetPoint| a[0] * b[1] - a[1] * b[0];
+    let turn = |a: DrawingPoint, b: DrawingPoint| a[0] * b[1] - a[1] * b[0];
     let [a1, a2, a3] = axes("disk");
     assert!(a3[1] < a1[1].min(a2[1]) && turn(a1, a2) < 0.0, "{a1:?} {a2:?} {a3:?}");
     let [n1, n2, n3] = axes("whipple_bicycle");
@@ -125,7 +125,7 @@ fn axes_are_right_handed_and_up_is_up() {
 /// Checks properties of any sketch: everything lies on its sheet, every coordinate has its name, and no label lies on
 /// another.
 fn check(name: &str, mechanism: &Mechanism, sketch: &Sketch) {
-    let inside = |spot: SheetPoint, half: SheetPoint| {
+    let inside = |spot: DrawingPoint, half: DrawingPoint| {
         (0..2).all(|i| spot[i] - half[i] >= 0.0 && spot[i] + half[i] <= sketch.size[i])
     };
     assert!(sketch.size.iter().all(|x| (60.0..1200.0).contains(x)), "{name}: {:?}", sketch.size);

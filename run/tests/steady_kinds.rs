@@ -4,7 +4,7 @@
 
 use tripos::Mechanism;
 use tripos::studies::steady::{
-    ClosedForm, FoundMotion, LinearisationOptions, Stability, SteadyLinearSystem, SymbolicEntry, conditions,
+    FoundMotion, LinearisationOptions, Stability, SteadyConditions, SteadyLinearSystem, SymbolicEntry, conditions,
     find_equilibria, linearise, symbolic_linear_system,
 };
 use tripos_derive::diagnostic::Source;
@@ -35,7 +35,7 @@ pub fn rests(text: &str, state: &str, starts: u64) -> Vec<FoundMotion> {
     find_equilibria(&model, &asked, starts).unwrap_or_else(|e| panic!("{e}"))
 }
 
-pub fn closed(text: &str) -> ClosedForm {
+pub fn closed(text: &str) -> SteadyConditions {
     conditions(&model(text), &[]).unwrap_or_else(|e| panic!("{e}"))
 }
 

@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 use std::path::Path;
-use tripos::pictures::view::{ForceSource, Motion, Pose, SolidForm, Triple, View};
+use tripos::pictures::view::{ForceSource, Pose, SolidForm, Triple, View, ViewMotion};
 use tripos::{Mechanism, Overrides, Scene};
 use tripos_derive::model::load;
 
@@ -10,8 +10,8 @@ fn scene(path: &str) -> Scene {
     Scene::read(Path::new("../models").join(path)).unwrap_or_else(|error| panic!("{path}: {error}"))
 }
 
-fn seen(scene: &Scene) -> (Motion, View) {
-    let motion = Motion::of_scene(scene.mechanism(), scene.description(), None).unwrap();
+fn seen(scene: &Scene) -> (ViewMotion, View) {
+    let motion = ViewMotion::of_scene(scene.mechanism(), scene.description(), None).unwrap();
     let view = View::new(scene.mechanism(), scene.description(), &[&motion]).unwrap();
     (motion, view)
 }
@@ -199,7 +199,7 @@ fn every_model_of_the_library_is_seen() {
         let scene = Scene::read(&files[0]).unwrap_or_else(|error| panic!("{}: {error}", files[0].display()));
         let mut short = scene.description().clone();
         short.span.1 = short.span.0 + 0.02 * (short.span.1 - short.span.0);
-        let motion = Motion::of_scene(scene.mechanism(), &short, None)
+        let motion = ViewMotion::of_scene(scene.mechanism(), &short, None)
             .unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
         let view = View::new(scene.mechanism(), &short, &[&motion]).unwrap();
         let name = folder.display();
@@ -214,15 +214,15 @@ fn every_model_of_the_library_is_seen() {
 }
 
 /// A motion by Kane's method of a scene as text.
-fn motion_of(model: &str, scene: &str) -> (Scene, Motion) {
+fn motion_of(model: &str, scene: &str) -> (Scene, ViewMotion) {
     let source = tripos_derive::diagnostic::Source::from_text("model.toml", model);
     let mechanism = Mechanism::new(load(&source).unwrap_or_else(|e| panic!("{e}")));
     let scene = Scene::parse(mechanism, scene).unwrap_or_else(|e| panic!("{e}"));
-    let motion = Motion::of_scene(scene.mechanism(), scene.description(), None).unwrap();
+    let motion = ViewMotion::of_scene(scene.mechanism(), scene.description(), None).unwrap();
     (scene, motion)
 }
 
-fn arrows_of(motion: &Motion) -> Vec<(ForceSource, &str, usize, bool)> {
+fn arrows_of(motion: &ViewMotion) -> Vec<(ForceSource, &str, usize, bool)> {
     motion.forces.list.iter().map(|a| (a.kind, a.name.as_str(), a.point, a.is_opposite)).collect()
 }
 
@@ -311,7 +311,7 @@ fn arrows_on_a_body_add_up_to_its_mass_times_acceleration() {
         let mut description = scene.description().clone();
         description.integration.rtol = 1e-12;
         description.span.1 = description.span.0 + 0.6;
-        let motion = Motion::of_scene(scene.mechanism(), &description, None).unwrap();
+        let motion = ViewMotion::of_scene(scene.mechanism(), &description, None).unwrap();
         let [body] = scene.mechanism().bodies.as_slice() else { panic!("{path}: more than one body") };
         let arrows = arrows_of(&motion);
         assert!(arrows.iter().any(|(kind, ..)| *kind == ForceSource::Reaction), "{path}: {arrows:?}");
@@ -392,7 +392,7 @@ fn stated_shapes_are_drawn_at_the_parameters_of_the_scene() {
     // A length that is zero at the parameters of a scene is refused.
     let mut flat = scene.clone();
     flat.set_number("w", 0.0).unwrap();
-    let motion = Motion::of_scene(flat.mechanism(), flat.description(), None).unwrap();
+    let motion = ViewMotion::of_scene(flat.mechanism(), flat.description(), None).unwrap();
     let refused = View::new(flat.mechanism(), flat.description(), &[&motion]).unwrap_err();
     assert!(
         refused.to_string().contains("the radius of shape `wheel` is 0 at the parameters of this scene"),
@@ -405,6 +405,6 @@ fn stated_shapes_are_drawn_at_the_parameters_of_the_scene() {
 fn a_reduced_run_is_refused_with_a_way_out() {
     let scene = scene("disk/scenes/lean.toml");
     let run = scene.simulate(&Overrides::default()).unwrap();
-    let refused = Motion::of_run(scene.mechanism(), scene.description(), &run).unwrap_err();
+    let refused = ViewMotion::of_run(scene.mechanism(), scene.description(), &run).unwrap_err();
     assert!(refused.to_string().contains("shows no poses"), "{refused}");
 }

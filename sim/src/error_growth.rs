@@ -6,14 +6,14 @@
 
 use crate::driver::integrate::integrate;
 use crate::error::{Failure, SimError};
-use crate::methods::options::{Options, OutputOption};
+use crate::methods::run_options::{Options, OutputOption};
 use crate::right_hand_side::{LentRightHandSide, RightHandSide};
 use crate::solution::Stop;
 use tripos_traits::largest;
 
 /// Growth of a small error at the start of a run, as a function of time.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Growth {
+pub struct ErrorGrowth {
     /// Times at which the growth is known, s.
     pub times: Vec<f64>,
     /// Logarithm ln(|w(t)| / |w(t0)|) at each of the times, for a solution w of the linearized equations.
@@ -24,7 +24,7 @@ pub struct Growth {
     pub stop: Stop,
 }
 
-impl Growth {
+impl ErrorGrowth {
     /// Time from which on errors have grown to 1 or more, s, so that no correct digit is left. `None` if
     /// digits are left at the end of the run.
     ///
@@ -76,14 +76,14 @@ pub fn error_growth(
     y0: &[f64],
     direction: &[f64],
     options: &Options,
-) -> Result<Growth, SimError> {
+) -> Result<ErrorGrowth, SimError> {
     let n = y0.len();
     // Without states there is no error that could grow.
     if n == 0 {
-        return Ok(Growth { times: Vec::new(), logarithms: Vec::new(), stop: Stop::End });
+        return Ok(ErrorGrowth { times: Vec::new(), logarithms: Vec::new(), stop: Stop::End });
     }
     let mut slope = JacobianProduct::new(n);
-    let length = relative_size_of_error(direction, y0);
+    let length = size_of_growing_error(direction, y0);
     let start: Vec<f64> = y0.iter().copied().chain(direction.iter().map(|w| w / length)).chain([0.0]).collect();
     // y' = f, w' = J w − r w, l' = r with r = (w · J w) / (w · w): w keeps its length, and l is the logarithm of the
     // removed factor.
@@ -102,8 +102,8 @@ pub fn error_growth(
     let options = Options { output: OutputOption::Steps { refine: 1 }, ..options.clone() };
     let solution =
         integrate(LentRightHandSide(&mut joined as &mut dyn RightHandSide<f64>), span, &start, &options, &mut [])?;
-    let logarithms = solution.y.iter().map(|z| z[2 * n] + relative_size_of_error(&z[n..2 * n], &z[..n]).ln()).collect();
-    Ok(Growth { times: solution.t, logarithms, stop: solution.stop })
+    let logarithms = solution.y.iter().map(|z| z[2 * n] + size_of_growing_error(&z[n..2 * n], &z[..n]).ln()).collect();
+    Ok(ErrorGrowth { times: solution.t, logarithms, stop: solution.stop })
 }
 
 /// Working space for the product J w of a Jacobian and a vector.
@@ -143,7 +143,7 @@ impl JacobianProduct {
             return Ok(());
         }
         // The third root of ε balances rounding against the curvature that a central difference leaves.
-        let h = f64::EPSILON.cbrt() / relative_size_of_error(w, y).max(f64::MIN_POSITIVE);
+        let h = f64::EPSILON.cbrt() / size_of_growing_error(w, y).max(f64::MIN_POSITIVE);
         for (step, into) in [(h, &mut self.ahead), (-h, &mut self.behind)] {
             for ((place, y), w) in self.place.iter_mut().zip(y).zip(w) {
                 *place = y + step * w;
@@ -158,7 +158,7 @@ impl JacobianProduct {
 }
 
 /// Largest quotient |wᵢ| / (1 + |yᵢ|): the measure of errors w of a state y.
-fn relative_size_of_error(w: &[f64], y: &[f64]) -> f64 {
+fn size_of_growing_error(w: &[f64], y: &[f64]) -> f64 {
     largest(w.iter().zip(y).map(|(w, y)| w / (1.0 + y.abs())))
 }
 

@@ -65,12 +65,12 @@ mod warning;
 pub mod work_precision;
 
 pub use constraints::multipliers::{DistancesFromSingularity, Multipliers};
+pub use contacts::closed_contacts::{ClosedContacts, ImpactRecord, ImpactShare};
 pub use contacts::friction::{ContactMode, ContactSolution, UndecidedContacts};
-pub use contacts::impact::{ClosedContacts, ImpactRecord, ImpactShare};
 pub use driver::integrate::{integrate, integrate_projected};
 pub use driver::second_run::{SecondRun, TaylorSeries, second_runs};
+pub use equations::dynamics::Dynamics;
 pub use equations::eliminated::EliminatedDynamics;
-pub use equations::linear_system::Dynamics;
 pub use equations::tangents::DynamicsWithTangents;
 pub use error::{Failure, SimError};
 pub use error_test::SMALLEST_RTOL;
@@ -78,7 +78,7 @@ pub use events::corners::{Corner, SLOPE_DIRECTIONS};
 pub use events::{Effect, Event, EventFunction, EventRecord, InRanges, Kind, RangeFunction};
 pub use methods::dormand_prince::DORMAND_PRINCE_54;
 pub use methods::dormand_prince_853::{DORMAND_PRINCE_853, Decimal, Published853, Row};
-pub use methods::options::{Options, OutputOption, Poll};
+pub use methods::run_options::{Options, OutputOption, Poll};
 pub use methods::tableau::{Fraction, Tableau};
 pub use right_hand_side::{
     AccompaniedRightHandSide, HandsOver, LentRightHandSide, PowerAt, ProductSums, RightHandSide,

@@ -21,7 +21,7 @@ use tripos_traits::Real;
 use crate::constraints::correction::{Correction, LeastVectorSolver};
 use crate::error_test::ErrorTest;
 use crate::linear::metric::{DEPENDENT, dot};
-use crate::methods::options::Options;
+use crate::methods::run_options::Options;
 use crate::right_hand_side::RightHandSide;
 
 /// Largest number of Newton iterations for a correction that has not become as small as rounding.

@@ -6,7 +6,7 @@ pub(crate) fn rounding_unit(t: f64) -> f64 {
 }
 
 /// Smallest step size that a run tries at time `t`, s: 16 units in the last place of t.
-pub(crate) fn smallest_step(t: f64) -> f64 {
+pub(crate) fn smallest_step_beyond_rounding(t: f64) -> f64 {
     16.0 * rounding_unit(t)
 }
 

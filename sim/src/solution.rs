@@ -7,7 +7,7 @@ use std::fmt;
 
 use tripos_traits::{Real, larger};
 
-use crate::contacts::impact::ImpactRecord;
+use crate::contacts::closed_contacts::ImpactRecord;
 use crate::error::Failure;
 use crate::events::EventRecord;
 use crate::projection::ProjectionReport;

@@ -10,7 +10,7 @@ use std::time::Instant;
 
 use tripos_traits::{DoubleDouble, Method, Real, Scalar, larger};
 
-use crate::methods::options::{Options, OutputOption};
+use crate::methods::run_options::{Options, OutputOption};
 
 /// Statistics of the measured times of repeated runs, s.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -87,7 +87,7 @@ pub fn timed_in_turn(
 /// Indices of the points (time in s, error) that no other point beats in both time and error, ordered
 /// by time. Points that are not finite are left out.
 #[must_use]
-pub fn pareto_front(points: &[(f64, f64)]) -> Vec<usize> {
+pub fn work_precision_front(points: &[(f64, f64)]) -> Vec<usize> {
     let mut order: Vec<usize> =
         (0..points.len()).filter(|i| points[*i].0.is_finite() && points[*i].1.is_finite()).collect();
     order.sort_by(|a, b| points[*a].0.total_cmp(&points[*b].0).then(points[*a].1.total_cmp(&points[*b].1)));
@@ -136,7 +136,7 @@ mod tests {
     fn the_front_has_what_nothing_beats() {
         let points =
             [(1.0, 1e-3), (2.0, 1e-6), (3.0, 1e-5), (2.0, 1e-7), (f64::NAN, 0.0), (9.0, f64::NAN), (5.0, 1e-7)];
-        assert_eq!(pareto_front(&points), [0, 3]);
+        assert_eq!(work_precision_front(&points), [0, 3]);
         assert_eq!(fastest_within_error(&points, 1e-5), Some(1));
         assert_eq!(fastest_within_error(&points, 1e-9), None);
     }

@@ -77,7 +77,7 @@ impl Problem {
         let (name, edge) = random.one(&LIBRARY);
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("models").join(format!("{name}.toml"));
         let source = Source::read(&path).unwrap();
-        let model = Mechanism::read(&tripos_derive::scene::model_path(&source).unwrap()).unwrap();
+        let model = Mechanism::read(&tripos_derive::scene::model_path_of_scene(&source).unwrap()).unwrap();
         let mut mechanism =
             if random.chance(70) { model.with_compiled_equations(tripos_models::MODELS) } else { model };
         let mut scene = load(&source, &mut mechanism).unwrap();

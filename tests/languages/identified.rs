@@ -11,7 +11,7 @@ use tripos_codegen::languages::c::C;
 use tripos_codegen::languages::casadi::CasADi;
 use tripos_codegen::languages::matlab::Matlab;
 use tripos_codegen::languages::python::Python;
-use tripos_codegen::languages::{Dialect, Selection, emit_model};
+use tripos_codegen::languages::{Dialect, Selection, emit_language_modules};
 use tripos_codegen::plan::RegressorFunctions;
 use tripos_derive::{Formulation, Model};
 use tripos_models::MODELS;
@@ -125,10 +125,10 @@ impl Moved {
 fn write(model: &Model, dialect: &dyn Dialect, folder: &Path) -> Vec<String> {
     let formulations = &[Formulation::Kane];
     let mut functions: Vec<String> = RegressorFunctions::FUNCTIONS.map(str::to_owned).to_vec();
-    let emitted = emit_model(model, dialect, Selection { formulations, functions: &functions, scene: None });
+    let emitted = emit_language_modules(model, dialect, Selection { formulations, functions: &functions, scene: None });
     let emitted = emitted.or_else(|_| {
         functions.truncate(3);
-        emit_model(model, dialect, Selection { formulations, functions: &functions, scene: None })
+        emit_language_modules(model, dialect, Selection { formulations, functions: &functions, scene: None })
     });
     let emitted = emitted.unwrap_or_else(|error| panic!("{error}"));
     for (name, text) in &emitted.emission.files {

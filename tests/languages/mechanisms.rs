@@ -10,7 +10,7 @@ use std::process::Command;
 use tripos_codegen::languages::c::C;
 use tripos_codegen::languages::casadi::CasADi;
 use tripos_codegen::languages::python::Python;
-use tripos_codegen::languages::{Dialect, Selection, emit_model};
+use tripos_codegen::languages::{Dialect, Selection, emit_language_modules};
 use tripos_codegen::plan::RegressorFunctions;
 use tripos_derive::Model;
 use tripos_derive::diagnostic::Source;
@@ -30,8 +30,9 @@ fn write(model: &Model, folder: &Path) -> usize {
     let dialects: [&dyn Dialect; 3] = [&C, &Python, &CasADi];
     let mut longest = 0;
     for dialect in dialects {
-        let emit =
-            |functions: &[String]| emit_model(model, dialect, Selection { formulations: &[], functions, scene: None });
+        let emit = |functions: &[String]| {
+            emit_language_modules(model, dialect, Selection { formulations: &[], functions, scene: None })
+        };
         let mut emitted = emit(&[]).unwrap_or_else(|error| panic!("{error}\n{}", model.source.text));
         if is_tree {
             let all = emitted.functions.iter().chain(&RegressorFunctions::FUNCTIONS).map(|name| (*name).to_owned());

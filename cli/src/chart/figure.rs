@@ -10,14 +10,14 @@ use tripos::studies::work_precision_chart::Measurement;
 use tripos_derive::mechanics::EquationsOrigin;
 use tripos_derive::scene::AccelerationSolution;
 use tripos_sim::Method;
-use tripos_sim::work_precision::pareto_front;
+use tripos_sim::work_precision::work_precision_front;
 
 /// Draws the speed chart as one `<svg>` element, with a panel each for methods, formulations and solves.
 ///
 /// # Errors
 /// [`Failure::Output`] if the figure cannot be drawn.
 pub fn draw_speed_chart(list: &[Measurement], uncertainty: f64) -> Result<String, Failure> {
-    draw(&chart_panels(list, uncertainty), 3).map_err(|error| figure_failure(&error))
+    draw(&chart_panels(list, uncertainty), 3).map_err(|error| chart_figure_failure(&error))
 }
 
 /// Draws any figure, panels or a heat map, as one `<svg>` element.
@@ -29,11 +29,11 @@ pub fn draw_figure_svg(figure: &Figure) -> Result<String, Failure> {
         Figure::Panels(panels, columns) => draw(panels, *columns),
         Figure::HeatMap(map) => draw_heat(map),
     };
-    svg.map_err(|error| figure_failure(&error))
+    svg.map_err(|error| chart_figure_failure(&error))
 }
 
 /// Returns the failure for a figure that could not be drawn.
-pub fn figure_failure(error: &PlotError) -> Failure {
+pub fn chart_figure_failure(error: &PlotError) -> Failure {
     Failure::Output("the figure".to_owned(), std::io::Error::other(error.to_string()))
 }
 
@@ -97,7 +97,7 @@ fn chart_panel(list: &[Measurement], title: &str, group: CurveOfMeasurement<'_>,
         }
     }
     let points: Vec<(f64, f64)> = shown.iter().map(|(_, m)| chart_point(m)).collect();
-    let front: Vec<(f64, f64)> = pareto_front(&points).into_iter().map(|at| points[at]).collect();
+    let front: Vec<(f64, f64)> = work_precision_front(&points).into_iter().map(|at| points[at]).collect();
     // The points of the front are measurements too, so markers are at these points and not along
     // the line.
     let spread = front.iter().map(|(x, _)| (*x, *x)).collect();

@@ -1,16 +1,16 @@
 //! Command `tripos chart`: measures speed against accuracy for every formulation, solve and method.
 
-use crate::chart::{figure, files};
+use crate::chart::{chart_tables, figure};
 use crate::failure::{Failure, Output, print_result, print_to_stderr, warn};
 use crate::interruption::{self, ProgressBarReporter};
-use crate::output::{make_folder, refuse_overwriting_inputs, write_text_file};
+use crate::output_files::{make_folder, refuse_overwriting_inputs, write_text_file};
 use crate::scene_file::SceneWithSetValues;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::json;
 use std::path::{Path, PathBuf};
 use tripos::studies::chart_case::PrintedEquationsChoice;
-use tripos::studies::work_precision_chart::{ChartPlan, session};
-use tripos_derive::plain_text::path_in_line;
+use tripos::studies::work_precision_chart::{ChartPlan, scene_chart};
+use tripos_derive::plain_text::path_as_plain_text;
 
 /// Measures the speed of a scene with all formulations, solves and methods, and writes tables and a
 /// chart to the folder `out`. Returns the exit status. An interruption keeps partial tables and
@@ -26,8 +26,8 @@ pub fn chart(
     refuse_overwriting_inputs(model, Some(scene), names.iter().map(PathBuf::as_path))?;
     make_folder(out)?;
     interruption::listen_for_interruption();
-    let bar = progress();
-    let session = session::chart_scene(model, scene, printed, plan, &ProgressBarReporter(&bar))?;
+    let bar = counting_progress_bar();
+    let session = scene_chart::chart_scene(model, scene, printed, plan, &ProgressBarReporter(&bar))?;
     bar.finish_and_clear();
     if let Some(cut) = &session.cut {
         print_to_stderr(cut);
@@ -38,14 +38,15 @@ pub fn chart(
     if interruption::is_interrupted() && session.list.is_empty() {
         return Err(Failure::Interrupted(String::new()));
     }
-    files::write_chart_tables(out, &session.list, &session.watch.integrals)?;
+    chart_tables::write_chart_tables(out, &session.list, &session.watch.integrals)?;
     let svg = figure::draw_speed_chart(&session.list, session.reference.uncertainty)?;
     write_text_file(&out.join("work_precision.svg"), &svg)?;
-    let (compared, advice) = (session.compared.clone().unwrap_or_default(), files::chart_advice_table(&session.list));
+    let (compared, advice) =
+        (session.compared.clone().unwrap_or_default(), chart_tables::chart_advice_table(&session.list));
     let value = json!({
         "model": model.title, "until": session.until, "reference": session.reference.how,
         "uncertainty": session.reference.uncertainty, "compared": session.compared, "advice": advice,
-        "not_charted": session.left_out, "files": names.iter().map(|name| path_in_line(name)).collect::<Vec<_>>(),
+        "not_charted": session.left_out, "files": names.iter().map(|name| path_as_plain_text(name)).collect::<Vec<_>>(),
     });
     let compared = if compared.is_empty() { compared } else { compared + "\n" };
     let lines = format!(
@@ -67,7 +68,7 @@ pub fn chart(
 }
 
 /// Returns a progress bar with a count and a message.
-pub fn progress() -> ProgressBar {
+pub fn counting_progress_bar() -> ProgressBar {
     let bar = ProgressBar::new(1);
     let style = ProgressStyle::with_template("{bar:30} {pos}/{len} {msg}");
     bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));

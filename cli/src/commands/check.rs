@@ -28,7 +28,7 @@ pub fn check(model: &Path, output: Output) -> Result<u8, Failure> {
 }
 
 /// Returns the word for a kind of constraint: `configuration` or `motion`.
-fn constraint_kind_word(kind: ConstraintKind) -> &'static str {
+fn checked_constraint_word(kind: ConstraintKind) -> &'static str {
     match kind {
         ConstraintKind::Configuration => "configuration",
         ConstraintKind::Motion => "motion",
@@ -39,7 +39,7 @@ fn constraint_kind_word(kind: ConstraintKind) -> &'static str {
 fn check_json(model: &Mechanism, found: &ModelCheck) -> Value {
     let constraint = |c: &CheckedConstraint| {
         json!({
-            "name": c.name, "kind": constraint_kind_word(c.kind), "integrable": c.integrable, "integral": c.integral, "redundant": c.redundant,
+            "name": c.name, "kind": checked_constraint_word(c.kind), "integrable": c.integrable, "integral": c.integral, "redundant": c.redundant,
         })
     };
     json!({
@@ -66,7 +66,7 @@ fn branch_of(model: &Mechanism, branch: &AssemblyBranch) -> Value {
     let names = model.coordinates.iter().map(|c| c.name.clone());
     let pose: Map<String, Value> = names.zip(branch.pose.iter().map(|x| json!(x))).collect();
     json!({
-        "name": branch_name(model, branch),
+        "name": checked_branch_name(model, branch),
         "pose": pose,
         "kind": "numeric",
         "poses": branch.poses,
@@ -78,19 +78,19 @@ fn branch_of(model: &Mechanism, branch: &AssemblyBranch) -> Value {
 }
 
 /// Returns the name of an assembly branch, by a pose on it.
-fn branch_name(model: &Mechanism, branch: &AssemblyBranch) -> String {
+fn checked_branch_name(model: &Mechanism, branch: &AssemblyBranch) -> String {
     pose_text(model, &branch.pose)
 }
 
 /// Returns the words `through q1 = …` for a pose, with four decimals.
 fn pose_text(model: &Mechanism, pose: &[f64]) -> String {
     let coordinates = model.coordinates.iter().zip(pose);
-    let at: Vec<String> = coordinates.map(|(c, x)| format!("{} = {}", c.name, round_to_four_decimals(*x))).collect();
+    let at: Vec<String> = coordinates.map(|(c, x)| format!("{} = {}", c.name, round_checked_coordinate(*x))).collect();
     format!("through {}", at.join(", "))
 }
 
 /// Rounds a number to four decimals, without the sign of a zero.
-fn round_to_four_decimals(x: f64) -> f64 {
+fn round_checked_coordinate(x: f64) -> f64 {
     (x * 1e4).round() / 1e4 + 0.0
 }
 
@@ -146,7 +146,7 @@ fn singular_text(loss: &RankLoss) -> String {
     match (&loss.pose, loss.rank_there) {
         (Some(pose), Some(rank)) => {
             let pose: Vec<String> =
-                pose.iter().map(|(name, x)| format!("{name} = {}", round_to_four_decimals(*x))).collect();
+                pose.iter().map(|(name, x)| format!("{name} = {}", round_checked_coordinate(*x))).collect();
             let _ = writeln!(
                 out,
                 "\nA singular pose of the mechanism, at the default values: {} (rank {rank} instead of {})",
@@ -194,7 +194,7 @@ fn check_text(model: &Mechanism, found: &ModelCheck) -> String {
         let _ = writeln!(
             out,
             "assembly branch {}: rank {} of {} constraints, in {} closed poses, in doubles, at the default values",
-            branch_name(model, branch),
+            checked_branch_name(model, branch),
             branch.rank,
             branch.constraints,
             branch.poses
@@ -221,7 +221,7 @@ fn check_text(model: &Mechanism, found: &ModelCheck) -> String {
                 (Some(e), ConstraintKind::Motion) => format!("integrable: {} is constant", shorten_formula(e)),
             },
         };
-        let _ = writeln!(out, "  {} ({}): {what}", constraint.name, constraint_kind_word(constraint.kind));
+        let _ = writeln!(out, "  {} ({}): {what}", constraint.name, checked_constraint_word(constraint.kind));
     }
     if !found.singular_where.is_empty() {
         let _ = writeln!(

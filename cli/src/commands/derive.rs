@@ -1,9 +1,9 @@
 //! Command `tripos derive`: prints equations of motion for people and for programs.
 
 mod derivation_document;
-mod document_formulas;
 mod json;
 pub mod latex;
+mod latex_formulas;
 mod layout;
 mod markdown;
 mod sympy;
@@ -19,14 +19,14 @@ use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;
 use tripos::Mechanism;
-use tripos::code::formulation;
+use tripos::code::formulation_of_name;
 use tripos_derive::Formulation;
 use tripos_derive::algebra::form::simplify::Simplifier;
 use tripos_derive::algebra::solve::elimination::Elimination;
 use tripos_derive::algebra::text::print::{mathml, print_text};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{
-    DerivationInSteps, EquationForm, MovingPlace, accelerations, derive_all, derive_in_steps, moving_places,
+    DerivationInSteps, EquationForm, MovingLoadPlace, accelerations, derive_all, derive_in_steps, moving_load_places,
 };
 use tripos_derive::prove::{first_integrals, write_integral_names};
 
@@ -58,7 +58,7 @@ pub fn derive(
         arguments::Form::Steps => EquationForm::Steps,
     });
     let derived = derivations(&model, by, form)?;
-    let moving = moving_places(&model).map_err(|error| model.diagnose(&error))?;
+    let moving = moving_load_places(&model).map_err(|error| model.diagnose(&error))?;
     let document = || derivation_document(&model, &moving, &derived);
     let out = match format {
         Format::Text => derivation_text(&model, &moving, &derived),
@@ -66,7 +66,7 @@ pub fn derive(
         Format::Markdown => markdown::markdown(&document()?),
         Format::Typst => typst::typst(&document()?),
         Format::Sympy => sympy::sympy(&model, &derived)?,
-        Format::Mathml => derivation_mathml(&derived),
+        Format::Mathml => solved_formulations_mathml(&derived),
         Format::Json => {
             let list: Vec<Value> = derived.iter().map(|d| json::formulation_json(&model, d)).collect();
             let (name, title) = (short_name(&model), &model.title);
@@ -88,7 +88,8 @@ fn derivations(
     form: Option<EquationForm>,
 ) -> Result<Vec<SolvedFormulation>, Failure> {
     if let Some(name) = by {
-        let derivation = derive_in_steps(model, formulation(name)?, form).map_err(|error| model.diagnose(&error))?;
+        let derivation =
+            derive_in_steps(model, formulation_of_name(name)?, form).map_err(|error| model.diagnose(&error))?;
         return Ok(vec![SolvedFormulation::new(derivation)]);
     }
     let mut list = Vec::new();
@@ -117,7 +118,7 @@ impl SolvedFormulation {
 }
 
 /// Returns the derivation as plain text.
-fn derivation_text(model: &Mechanism, moving: &[MovingPlace], derived: &[SolvedFormulation]) -> String {
+fn derivation_text(model: &Mechanism, moving: &[MovingLoadPlace], derived: &[SolvedFormulation]) -> String {
     let mut out = format!("{}\n{}\n", model.title, model.counts_in_words());
     for place in moving {
         let _ = writeln!(out, "{}", place.text(model));
@@ -190,7 +191,7 @@ const MOST_PROVED: usize = 8;
 /// `Err` if the model cannot be derived by all formulations.
 fn derivation_document(
     model: &Mechanism,
-    moving: &[MovingPlace],
+    moving: &[MovingLoadPlace],
     derived: &[SolvedFormulation],
 ) -> Result<Document, Failure> {
     let mut document = Document::new(model, moving);
@@ -208,7 +209,7 @@ fn derivation_document(
 }
 
 /// Returns the definitions and the equations of motion as MathML.
-fn derivation_mathml(derived: &[SolvedFormulation]) -> String {
+fn solved_formulations_mathml(derived: &[SolvedFormulation]) -> String {
     let mut out = String::new();
     for DerivationInSteps { arena, equations: e, .. } in derived.iter().map(|derived| &derived.derivation) {
         for step in &e.definitions {

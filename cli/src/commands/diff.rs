@@ -6,10 +6,10 @@ mod root_mistakes;
 
 pub use models::changed_equations;
 
-use crate::commands::prove::{verdict_word, witness};
+use crate::commands::prove::{proof_verdict_word, proof_witness_json};
 use crate::failure::{Failure, Output, print, print_json, print_result, print_to_stderr, status};
-use crate::glossary::{names_json, names_text};
-use crate::judgement::JudgedPublication;
+use crate::glossary::{glossary_json, glossary_text};
+use crate::judged_publication::JudgedPublication;
 use crate::phrases::{entry_count_words, shorten_formula};
 use crate::workspace::{model_file, read_model, short_name};
 use serde_json::{Value, json};
@@ -22,7 +22,7 @@ use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::diff::{Consequences, Difference, Finding, Judgement};
 use tripos_derive::model::is_model;
-use tripos_derive::plain_text::path_in_line;
+use tripos_derive::plain_text::path_as_plain_text;
 
 /// Result of a comparison of a model with one other file, as text and as JSON.
 pub struct Comparison {
@@ -53,7 +53,7 @@ pub fn diff(model: &Path, others: &[PathBuf], compare: Compare, output: Output) 
     }
     let (mut code, mut list) = (0, Vec::new());
     for (at, other) in others.iter().enumerate() {
-        let name = path_in_line(other);
+        let name = path_as_plain_text(other);
         let heading = format!("{}{name}\n", if at == 0 { "" } else { "\n" });
         let (lines, value) = match compare(&model, other) {
             Ok(Comparison { is_clean, text, json }) => {
@@ -71,7 +71,7 @@ pub fn diff(model: &Path, others: &[PathBuf], compare: Compare, output: Output) 
         if output == Output::Text {
             print(&lines)?;
         }
-        list.push(with_file(value, &name));
+        list.push(add_file_to_diff(value, &name));
     }
     if output == Output::Json {
         print_json(&json!({ "comparisons": list }))?;
@@ -80,7 +80,7 @@ pub fn diff(model: &Path, others: &[PathBuf], compare: Compare, output: Output) 
 }
 
 /// Adds the name of the compared file to a comparison in JSON.
-fn with_file(mut value: Value, file: &str) -> Value {
+fn add_file_to_diff(mut value: Value, file: &str) -> Value {
     value["file"] = json!(file);
     value
 }
@@ -89,7 +89,7 @@ fn with_file(mut value: Value, file: &str) -> Value {
 ///
 /// # Errors
 /// `Failure` if a file cannot be read, or a model cannot be derived.
-pub fn compare_with_file(model: &Mechanism, other: &Path) -> Result<Comparison, Failure> {
+pub fn diff_with_file(model: &Mechanism, other: &Path) -> Result<Comparison, Failure> {
     let source = Source::read(&model_file(other))?;
     if is_model(&source) {
         return models::diff(model, &tripos_derive::model::load(&source)?);
@@ -132,13 +132,13 @@ pub fn json_of(model: &Mechanism, arena: &Arena, difference: &Difference) -> Val
                 "id": f.id,
                 "section": f.section,
                 "verdict": f.judgement.word(),
-                "holds": domain_of_validity(f),
+                "holds": diff_validity_domain(f),
                 "up_to": f.up_to,
                 "factor": shown(f.factor),
                 "printed": f.printed,
                 "derived": shown(f.derived).or_else(|| number(|w| w.right)),
                 "difference": shown(f.difference).or_else(|| number(|w| w.difference)),
-                "witness": f.witness.as_ref().map(witness),
+                "witness": f.witness.as_ref().map(proof_witness_json),
                 "remarks": f.remarks,
             });
             if let Judgement::Undecided(why) = &f.judgement {
@@ -160,18 +160,18 @@ pub fn json_of(model: &Mechanism, arena: &Arena, difference: &Difference) -> Val
         }
         systems.push(json!({
             "system": system.system,
-            "accelerations": verdict_word(&system.accelerations),
+            "accelerations": proof_verdict_word(&system.accelerations),
             "determinant": system.determinant.as_ref().map(|(printed, derived, verdict)| json!({
                 "printed": print_whole_text(arena, *printed),
                 "derived": print_whole_text(arena, *derived),
-                "verdict": verdict_word(verdict),
+                "verdict": proof_verdict_word(verdict),
             })),
         }));
     }
     let agreements: Vec<Value> = difference
         .agreements
         .iter()
-        .map(|a| json!({ "left": a.left, "right": a.right, "verdict": verdict_word(&a.verdict) }))
+        .map(|a| json!({ "left": a.left, "right": a.right, "verdict": proof_verdict_word(&a.verdict) }))
         .collect();
     json!({
         "model": short_name(model),
@@ -180,14 +180,14 @@ pub fn json_of(model: &Mechanism, arena: &Arena, difference: &Difference) -> Val
         "systems": systems,
         "agreements": agreements,
         "roots": root_mistakes::json_of(difference),
-        "names": names_json(arena, &difference.shown_formulas()),
+        "names": glossary_json(arena, &difference.shown_formulas()),
         "summary": summary(difference),
     })
 }
 
 /// Returns the domain in which a right entry holds: `everywhere`, on the constraints, or in the
 /// domain of the model. `None` for an entry that is not right.
-fn domain_of_validity(finding: &Finding) -> Option<&'static str> {
+fn diff_validity_domain(finding: &Finding) -> Option<&'static str> {
     let is_right = matches!(finding.judgement, Judgement::Equal | Judgement::Scaled);
     is_right.then(|| finding.holds.words().unwrap_or("everywhere"))
 }
@@ -219,7 +219,7 @@ fn text_of(model: &Mechanism, title: &str, arena: &Arena, difference: &Differenc
     }
     for system in &difference.consequences {
         let _ = writeln!(out, "\nWhat {} makes of the motion", system.system);
-        let verdict = match verdict_word(&system.accelerations) {
+        let verdict = match proof_verdict_word(&system.accelerations) {
             "equal" => "are the derived ones",
             "different" => "are not the derived ones",
             _ => "could not be compared",
@@ -246,14 +246,14 @@ fn text_of(model: &Mechanism, title: &str, arena: &Arena, difference: &Differenc
         out.push_str("\nDo the printed systems give the same motion?\n");
     }
     for a in &difference.agreements {
-        let answer = match verdict_word(&a.verdict) {
+        let answer = match proof_verdict_word(&a.verdict) {
             "equal" => "yes",
             "different" => "no",
             _ => "undecided",
         };
         let _ = writeln!(out, "  {} and {}: {answer}", a.left, a.right);
     }
-    out += &names_text(arena, &formulas_in_report(difference));
+    out += &glossary_text(arena, &formulas_in_report(difference));
     let count = |word| difference.count(word);
     let _ = writeln!(
         out,

@@ -5,7 +5,7 @@ use crate::scene_file::read_scene;
 use crate::workspace::model_file;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
-use tripos::code::formulation;
+use tripos::code::formulation_of_name;
 use tripos_codegen::Extras;
 use tripos_codegen::emit::{Emission, EmissionError, EmittedFileChange, emit_rust_module as emission, write_emission};
 use tripos_codegen::js::RUNNERS;
@@ -17,7 +17,7 @@ use tripos_codegen::languages::python::Python;
 use tripos_codegen::languages::{self, Dialect, Selection};
 use tripos_codegen::plan::{MissingOutputReason, ModulePlan};
 use tripos_derive::diagnostic::{Source, nearest_name_advice};
-use tripos_derive::plain_text::path_in_line;
+use tripos_derive::plain_text::path_as_plain_text;
 use tripos_derive::scene::{Scene, is_scene};
 use tripos_derive::{Formulation, Model};
 
@@ -48,7 +48,8 @@ pub struct EmitRequest {
 /// be written.
 pub fn emit(request: &EmitRequest, output: Output) -> Result<u8, Failure> {
     let EmitRequest { model, out, language, with, .. } = request;
-    let formulations = request.formulations.iter().map(|name| formulation(name)).collect::<Result<Vec<_>, _>>()?;
+    let formulations =
+        request.formulations.iter().map(|name| formulation_of_name(name)).collect::<Result<Vec<_>, _>>()?;
     let extras = Extras::extras_from_names(with.iter().map(String::as_str))
         .map_err(|(what, help)| Failure::request(what, help))?;
     if language != "rust" && extras != Extras::default() {
@@ -89,7 +90,7 @@ pub fn emit(request: &EmitRequest, output: Output) -> Result<u8, Failure> {
             Failure::request(error.to_string(), "give another folder, or move the file away".to_owned())
         }
         EmissionError::Write(error) => error.into(),
-        EmissionError::Io(path, error) => Failure::Output(path_in_line(&path), error),
+        EmissionError::Io(path, error) => Failure::Output(path_as_plain_text(&path), error),
     })?;
     let lines: Vec<String> = placed.iter().map(|file| format!("{file}\n")).collect();
     let left_out: Vec<Value> =
@@ -99,7 +100,7 @@ pub fn emit(request: &EmitRequest, output: Output) -> Result<u8, Failure> {
         .map(EmittedFileChange::word_and_file)
         .map(|(word, file)| json!({ "file": file, "change": word }))
         .collect();
-    let value = json!({ "folder": path_in_line(out), "files": files, "left_out": left_out, "use": then });
+    let value = json!({ "folder": path_as_plain_text(out), "files": files, "left_out": left_out, "use": then });
     print_result(output, &lines.concat(), &value)?;
     print_to_stderr(&then);
     Ok(0)
@@ -146,9 +147,9 @@ fn emit_in_dialect(
         let what = format!("there is no function `{name}`");
         return Err(Failure::request(what, nearest_name_advice(name, known())));
     }
-    let (model, scene) = read_model_or_scene(&request.model)?;
+    let (model, scene) = read_emit_source(&request.model)?;
     let selection = Selection { formulations, functions: &request.functions, scene: scene.as_ref() };
-    let emitted = languages::emit_model(&model, dialect, selection)?;
+    let emitted = languages::emit_language_modules(&model, dialect, selection)?;
     for (name, equations, why) in &emitted.hidden {
         let why = match why {
             MissingOutputReason::Reaction => "the function needs a reaction, which has no closed form here",
@@ -172,7 +173,7 @@ fn emit_in_dialect(
 /// Reads the model file that an argument names, or the scene file with its model. The scene is
 /// `None` for a model file.
 /// `Err` if the file has errors.
-fn read_model_or_scene(argument: &Path) -> Result<(Model, Option<Scene>), Failure> {
+fn read_emit_source(argument: &Path) -> Result<(Model, Option<Scene>), Failure> {
     let path = model_file(argument);
     if Source::read(&path).is_ok_and(|source| is_scene(&source)) {
         let (mechanism, scene) = read_scene(&path)?;
@@ -190,7 +191,7 @@ fn rust_module_name(out: &Path) -> Result<String, Failure> {
     let named =
         if out.file_name().is_some() { out.to_owned() } else { out.canonicalize().unwrap_or_else(|_| PathBuf::new()) };
     named.file_name().map(|name| name.to_string_lossy().into_owned()).ok_or_else(|| {
-        let what = format!("the name of the folder `{}` cannot be a module's name", path_in_line(out));
+        let what = format!("the name of the folder `{}` cannot be a module's name", path_as_plain_text(out));
         Failure::request(what, "give a folder whose name is a Rust module, as in `--out src/pendulum`".to_owned())
     })
 }

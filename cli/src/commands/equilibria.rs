@@ -6,7 +6,7 @@ mod equilibria_figure;
 mod followed_motion;
 mod range;
 
-use super::linearise::{modes_of, modes_text, motion_directions_json, motion_kind_words, state_json};
+use super::linearise::{linearised_modes_json, linearised_motion_json, modes_text, motion_kind_words, state_json};
 use crate::failure::{Failure, Output, print, print_json};
 use crate::workspace::{read_model, short_name};
 use range::Range;
@@ -15,7 +15,7 @@ use std::fmt::Write;
 use std::path::Path;
 use tripos::Error;
 use tripos::studies::steady::{
-    BranchesAt, ClosedForm, FoundMotion, SteadyLinearSystem, conditions, find_equilibria as of_model,
+    BranchesAt, FoundMotion, SteadyConditions, SteadyLinearSystem, conditions, find_equilibria as of_model,
 };
 use tripos_derive::diagnostic::Source;
 use tripos_derive::plain_text::with_significant_digits;
@@ -58,7 +58,7 @@ pub fn equilibria(
     let source = Source::read(file)?;
     let asked = load_state_with_unknowns(&source, &mut model, &[])?;
     if let Some(out) = out {
-        equilibria_figure::check_figure_path(out, &model, file)?;
+        equilibria_figure::check_equilibria_figure_path(out, &model, file)?;
     }
     let ranges: Result<Vec<Range>, Error> = over.iter().map(|over| Range::new(&model, &asked, over)).collect();
     match ranges?.as_slice() {
@@ -76,13 +76,13 @@ pub fn equilibria(
     let closed = conditions(&model, wanted)?;
     let on = |found: &FoundMotion| closed.branches_at(&asked.parameters, &found.steady);
     if output == Output::Json {
-        let list: Vec<Value> = found.iter().map(|found| with_branches(json_of(found), on(found))).collect();
+        let list: Vec<Value> = found.iter().map(|found| add_equilibrium_branches(json_of(found), on(found))).collect();
         let value = json!({ "model": short_name(&model), "steady": list, "conditions": closed_form::json(&closed) });
         print_json(&value)?;
     } else {
         let mut out = format!("{}\n", model.title);
         for found in &found {
-            let _ = write!(out, "\n{}{}", text_of(found), branches_text(&closed, on(found)));
+            let _ = write!(out, "\n{}{}", text_of(found), equilibrium_branches_text(&closed, on(found)));
         }
         let _ = write!(out, "\n{}", closed_form::text(&closed));
         print(&out)?;
@@ -91,7 +91,7 @@ pub fn equilibria(
 }
 
 /// Returns words for the closed-form solutions on which a motion lies. Empty if it lies on none.
-fn branches_text(closed: &ClosedForm, on: Option<BranchesAt>) -> String {
+fn equilibrium_branches_text(closed: &SteadyConditions, on: Option<BranchesAt>) -> String {
     let Some(BranchesAt { conditions, branches }) = on.filter(|on| !on.branches.is_empty()) else {
         return String::new();
     };
@@ -102,7 +102,7 @@ fn branches_text(closed: &ClosedForm, on: Option<BranchesAt>) -> String {
 
 /// Adds the closed-form solutions on which a motion lies, by their indices, to the JSON of the
 /// motion.
-fn with_branches(mut value: Value, on: Option<BranchesAt>) -> Value {
+fn add_equilibrium_branches(mut value: Value, on: Option<BranchesAt>) -> Value {
     if let Some(BranchesAt { conditions, branches }) = on {
         value["on"] = json!({ "conditions": conditions, "branches": branches });
     }
@@ -125,13 +125,13 @@ fn point_of(about: &SteadyLinearSystem) -> Value {
     json!({
         "at": state_json(about),
         "rest": about.moves.is_empty(),
-        "moves": motion_directions_json(about),
+        "moves": linearised_motion_json(about),
         "residual": about.steady.residual,
         "stability": about.stability.name(),
         "power_of_t": about.stability.growth_power(),
         "family": about.family,
         "eigenvalues": about.modes.iter().map(|mode| mode.value).collect::<Vec<_>>(),
-        "modes": modes_of(about),
+        "modes": linearised_modes_json(about),
     })
 }
 

@@ -7,9 +7,9 @@ use std::ffi::OsString;
 use std::io::{Cursor, Write};
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use tripos_codegen::draft_file;
 use tripos_codegen::fmu::{Fmu, Version};
-use tripos_codegen::whole_file_writer;
-use tripos_derive::plain_text::path_in_line;
+use tripos_derive::plain_text::path_as_plain_text;
 use zip::write::SimpleFileOptions;
 use zip::{DateTime, ZipWriter};
 
@@ -35,7 +35,7 @@ pub struct UnitRequest {
 /// written.
 pub fn fmu(request: &UnitRequest, output: Output) -> Result<u8, Failure> {
     if request.out.extension().is_none_or(|extension| extension != "fmu") {
-        let what = format!("`{}` does not end with .fmu", path_in_line(&request.out));
+        let what = format!("`{}` does not end with .fmu", path_as_plain_text(&request.out));
         return Err(Failure::request(what, "importing tools know a unit by this ending: write --out disk.fmu"));
     }
     let version = match request.fmi.as_str() {
@@ -53,17 +53,17 @@ pub fn fmu(request: &UnitRequest, output: Output) -> Result<u8, Failure> {
     }
     let binary = if request.only_sources { None } else { Some(compile_fmu(&unit)?) };
     let bytes = fmu_archive(&unit, version, binary.as_deref()).map_err(|error| archive_failure(&request.out, error))?;
-    whole_file_writer::write(&request.out, &bytes)?;
+    draft_file::write(&request.out, &bytes)?;
     let platform = binary.as_ref().map(|_| platform(version));
     let value = json!({
-        "file": path_in_line(&request.out),
+        "file": path_as_plain_text(&request.out),
         "fmi": version.number(),
         "identifier": unit.identifier,
         "platform": platform,
         "directional_derivatives": unit.has_slopes,
         "left_out": unit.left_out,
     });
-    let words = format!("written    {}\n", path_in_line(&request.out));
+    let words = format!("written    {}\n", path_as_plain_text(&request.out));
     print_result(output, &words, &value)?;
     if !unit.has_slopes {
         print_to_stderr("the unit has no directional derivatives, because they would be too long");
@@ -73,7 +73,7 @@ pub fn fmu(request: &UnitRequest, output: Output) -> Result<u8, Failure> {
 
 /// Returns the failure for an archive that could not be written to `out`.
 fn archive_failure(out: &Path, error: zip::result::ZipError) -> Failure {
-    Failure::Output(path_in_line(out), std::io::Error::other(error))
+    Failure::Output(path_as_plain_text(out), std::io::Error::other(error))
 }
 
 /// Returns the name of this platform's folder for binaries in a unit, such as `x86_64-linux` or
@@ -108,7 +108,7 @@ fn compile_fmu(unit: &Fmu) -> Result<Vec<u8>, Failure> {
     let mut command = Command::new(words.next().unwrap_or("cc"));
     command.args(words);
     command.current_dir(folder.path()).args(["-std=c99", "-O2", "-fPIC", "-shared", "-fvisibility=hidden"]);
-    command.args(unit.sources.iter().map(|(name, _)| name).filter(|name| is_source(name)));
+    command.args(unit.sources.iter().map(|(name, _)| name).filter(|name| is_fmu_source(name)));
     command.args(["-lm", "-o", "unit"]);
     let help = "install a C compiler, name it by the environment variable CC, or give --only-sources";
     let result = command
@@ -124,7 +124,7 @@ fn compile_fmu(unit: &Fmu) -> Result<Vec<u8>, Failure> {
 
 /// True for sources that the compiler gets as arguments, by the extension `.c`. Other sources are
 /// included by these.
-fn is_source(name: &str) -> bool {
+fn is_fmu_source(name: &str) -> bool {
     Path::new(name).extension().is_some_and(|extension| extension == "c")
 }
 
@@ -155,7 +155,7 @@ fn fmu_archive(unit: &Fmu, version: Version, binary: Option<&[u8]>) -> zip::resu
 /// Returns the text of `buildDescription.xml`, by which importing tools compile the sources of a
 /// unit by FMI 3.0.
 fn build_description(unit: &Fmu) -> String {
-    let sources = unit.sources.iter().map(|(name, _)| name).filter(|name| is_source(name));
+    let sources = unit.sources.iter().map(|(name, _)| name).filter(|name| is_fmu_source(name));
     let list: Vec<String> = sources.map(|name| format!("      <SourceFile name=\"{name}\"/>\n")).collect();
     format!(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<fmiBuildDescription fmiVersion=\"3.0\">\n  <BuildConfiguration \

@@ -2,8 +2,8 @@
 
 use crate::arguments::{Grade as Request, MarksFormat};
 use crate::failure::{Failure, print, print_json, status};
-use crate::judgement::JudgedPublication;
-use crate::output;
+use crate::judged_publication::JudgedPublication;
+use crate::output_files;
 use crate::page::markup::html::escape;
 use crate::workspace::{read_model, short_name};
 use serde_json::{Value, json};
@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use tripos::Mechanism;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::diff::grade::{FeedbackLevel, Grade, Mark, Outcome, Rubric, grade as graded};
-use tripos_derive::plain_text::path_in_line;
+use tripos_derive::plain_text::path_as_plain_text;
 
 /// Largest size of a submission that is read, in bytes.
 const LARGEST: u64 = 1_000_000;
@@ -57,7 +57,7 @@ pub fn grade(request: &Request) -> Result<u8, Failure> {
         }
     }
     if let Some(out) = &request.out {
-        output::write_text_file(out, &grades_page(&model, &list))?;
+        output_files::write_text_file(out, &grades_page(&model, &list))?;
     }
     let is_right = |one: &GradedSubmission| one.grade.as_ref().is_ok_and(|grade| grade.marks.iter().all(is_right));
     Ok(if list.iter().all(is_right) { 0 } else { status::NO })
@@ -94,8 +94,9 @@ fn files(given: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
             files.push(path.clone());
             continue;
         }
-        let failed =
-            |error| Failure::request(format!("{}: {error}", path_in_line(path)), "give a folder that can be read");
+        let failed = |error| {
+            Failure::request(format!("{}: {error}", path_as_plain_text(path)), "give a folder that can be read")
+        };
         let mut inside = Vec::new();
         for entry in std::fs::read_dir(path).map_err(failed)? {
             let file = entry.map_err(failed)?.path();
@@ -104,7 +105,7 @@ fn files(given: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
             }
         }
         if inside.is_empty() {
-            let what = format!("{} has no submission", path_in_line(path));
+            let what = format!("{} has no submission", path_as_plain_text(path));
             return Err(Failure::request(what, "a submission is a TOML file, as docs/publication.md describes it"));
         }
         inside.sort();
@@ -115,7 +116,7 @@ fn files(given: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
 
 /// Judges one submission; a failure becomes the reason why it has no marks.
 fn submission(model: &Mechanism, rubric: &Rubric, file: &Path) -> GradedSubmission {
-    let name = file.file_stem().map_or_else(|| path_in_line(file), |stem| stem.to_string_lossy().into_owned());
+    let name = file.file_stem().map_or_else(|| path_as_plain_text(file), |stem| stem.to_string_lossy().into_owned());
     GradedSubmission { name, grade: grade_submission(model, rubric, file).map_err(|failure| failure.to_string()) }
 }
 
@@ -125,7 +126,7 @@ fn submission(model: &Mechanism, rubric: &Rubric, file: &Path) -> GradedSubmissi
 /// `Failure` if the file is too large, cannot be read, or is no publication of the model.
 fn grade_submission(model: &Mechanism, rubric: &Rubric, file: &Path) -> Result<Grade, Failure> {
     if std::fs::metadata(file).is_ok_and(|about| about.len() > LARGEST) {
-        let what = format!("{} has more than {LARGEST} bytes", path_in_line(file));
+        let what = format!("{} has more than {LARGEST} bytes", path_as_plain_text(file));
         return Err(Failure::request(what, "a submission is a text of some pages"));
     }
     Ok(graded(&JudgedPublication::new(model, &Source::read(file)?)?.difference, rubric))

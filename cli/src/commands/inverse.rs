@@ -108,7 +108,7 @@ pub fn inverse(model: &Path, motion: &Path, inputs: &[String], shape: Shape) -> 
 }
 
 /// Returns named numbers as a JSON object.
-fn named_numbers_json(names: &[String], values: &[f64]) -> Map<String, Value> {
+fn inverse_numbers_json(names: &[String], values: &[f64]) -> Map<String, Value> {
     names.iter().cloned().zip(values.iter().map(|x| json!(x))).collect()
 }
 
@@ -131,10 +131,10 @@ fn json_of(model: &Mechanism, inverse: &InverseDynamics, list: &[(MotionSample, 
         let (names, values): (Vec<String>, Vec<f64>) = state_of(model, moving).into_iter().unzip();
         json!({
             "t": moving.t,
-            "at": named_numbers_json(&names, &values),
-            "forces": named_numbers_json(&inverse.speeds, &force_values(forces)),
-            "inputs": forces.inputs.as_ref().map(|inputs| named_numbers_json(&inverse.inputs, inputs)),
-            "left": named_numbers_json(&inverse.speeds, &forces.left),
+            "at": inverse_numbers_json(&names, &values),
+            "forces": inverse_numbers_json(&inverse.speeds, &force_values(forces)),
+            "inputs": forces.inputs.as_ref().map(|inputs| inverse_numbers_json(&inverse.inputs, inputs)),
+            "left": inverse_numbers_json(&inverse.speeds, &forces.left),
             "reached": forces.reached,
             "loops_open": forces.open,
         })

@@ -61,7 +61,7 @@ pub fn linearise(
         LinearSystemFormat::Json => {
             let mut value = json_of(&model, &found);
             if let Some(letters) = &letters {
-                value["symbolic"] = json_of_letters(letters);
+                value["symbolic"] = symbolic_linearisation_json(letters);
             }
             print_json(&value)?;
         }
@@ -83,9 +83,9 @@ pub fn state_json(found: &SteadyLinearSystem) -> Map<String, Value> {
 
 /// Returns the modes of a linear system as JSON, each with its eigenvalue and the states that take
 /// part in it.
-pub fn modes_of(found: &SteadyLinearSystem) -> Vec<Value> {
+pub fn linearised_modes_json(found: &SteadyLinearSystem) -> Vec<Value> {
     let shares = |mode: &Mode| -> Map<String, Value> {
-        states_in_mode(found, mode).into_iter().map(|(n, s)| (n, json!(s))).collect()
+        linearised_mode_states(found, mode).into_iter().map(|(n, s)| (n, json!(s))).collect()
     };
     let mode = |mode: &Mode| {
         json!({
@@ -104,7 +104,7 @@ fn damping(mode: &Mode) -> Option<f64> {
 }
 
 /// Returns the states with a share of more than 0.01 in a mode, with their shares, largest first.
-fn states_in_mode(found: &SteadyLinearSystem, mode: &Mode) -> Vec<(String, f64)> {
+fn linearised_mode_states(found: &SteadyLinearSystem, mode: &Mode) -> Vec<(String, f64)> {
     let names = found.system.kept.iter().map(|at| found.all[*at].clone());
     let mut list: Vec<(String, f64)> =
         names.zip(mode.shares.iter().copied()).filter(|(_, share)| *share > 0.01).collect();
@@ -142,19 +142,19 @@ fn json_of(model: &Mechanism, found: &SteadyLinearSystem) -> Value {
         "stability": found.stability.name(),
         "power_of_t": found.stability.growth_power(),
         "family": found.family,
-        "modes": modes_of(found),
+        "modes": linearised_modes_json(found),
         "controllable": found.controllable,
         "observable": found.observable,
         "transfer_functions": found.transfers.iter().map(transfer).collect::<Vec<_>>(),
         "at": state_json(found),
-        "moves": motion_directions_json(found),
+        "moves": linearised_motion_json(found),
         "closed_by_loops": names(found, &system.closed),
         "shifted_by_symmetries": names(found, &system.shifted),
     })
 }
 
 /// Returns the matrices with symbolic parameters as JSON.
-fn json_of_letters(letters: &SymbolicLinearForm) -> Value {
+fn symbolic_linearisation_json(letters: &SymbolicLinearForm) -> Value {
     let letter = letters.names.first().map_or("", String::as_str);
     let rows = |matrix: &Vec<Vec<SymbolicEntry>>| -> Vec<Vec<String>> {
         matrix.iter().map(|row| row.iter().map(|entry| entry.text(letter)).collect()).collect()
@@ -185,7 +185,7 @@ fn text_of_letters(found: &SteadyLinearSystem, letters: &SymbolicLinearForm) -> 
 }
 
 /// Returns the coordinates along which a steady motion goes, with their rates, as JSON.
-pub fn motion_directions_json(found: &SteadyLinearSystem) -> Vec<Value> {
+pub fn linearised_motion_json(found: &SteadyLinearSystem) -> Vec<Value> {
     found.moves.iter().map(|(along, rate)| json!({ "along": along, "rate": rate })).collect()
 }
 
@@ -219,7 +219,7 @@ pub fn modes_text(found: &SteadyLinearSystem) -> String {
     let mut out = String::new();
     for mode in found.modes.iter().filter(|mode| mode.value[1] >= 0.0) {
         let value = eigenvalue_text(mode, 12);
-        let parts: Vec<String> = states_in_mode(found, mode)
+        let parts: Vec<String> = linearised_mode_states(found, mode)
             .iter()
             .take(4)
             .map(|(name, share)| format!("{name} {:.0} %", 100.0 * share))

@@ -3,12 +3,12 @@
 
 use crate::arguments::Arguments;
 use crate::failure::{Failure, print};
-use crate::output::{make_folder, write_text_file};
+use crate::output_files::{make_folder, write_text_file};
 use clap::CommandFactory;
 use clap_complete::Shell;
 use clap_mangen::Man;
 use std::path::Path;
-use tripos_derive::plain_text::path_in_line;
+use tripos_derive::plain_text::path_as_plain_text;
 
 /// Prints the script with a shell's completions to standard output. Returns the exit status.
 ///
@@ -40,7 +40,7 @@ pub fn man(out: Option<&Path>) -> Result<u8, Failure> {
         let man = Man::new(command);
         let place = out.join(man.get_filename());
         write_text_file(&place, &page(&man)?)?;
-        print(&format!("page     {}\n", path_in_line(&place)))?;
+        print(&format!("page     {}\n", path_as_plain_text(&place)))?;
     }
     Ok(0)
 }

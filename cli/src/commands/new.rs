@@ -3,10 +3,10 @@
 use crate::failure::{Failure, print};
 use crate::workspace::{model_file, workspace_around};
 use std::path::{Path, PathBuf};
-use tripos_codegen::whole_file_writer;
+use tripos_codegen::draft_file;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::model::is_model;
-use tripos_derive::plain_text::{one_line, path_in_line};
+use tripos_derive::plain_text::{one_line, path_as_plain_text};
 
 /// Text of the commented model file for a new folder.
 const MODEL: &str = include_str!("new/model.toml");
@@ -34,7 +34,8 @@ pub fn new(folder: &Path, like: Option<&Path>) -> Result<u8, Failure> {
     };
     let title = folder.file_name().map(|name| one_line(&name.to_string_lossy()));
     let (true, Some(title)) = (is_free, title) else {
-        let what = format!("the new folder `{}` cannot be made: something with this name exists", path_in_line(folder));
+        let what =
+            format!("the new folder `{}` cannot be made: something with this name exists", path_as_plain_text(folder));
         return Err(Failure::request(what, "give the name of a folder that does not exist, or is empty".to_owned()));
     };
     let made = match like {
@@ -49,14 +50,14 @@ pub fn new(folder: &Path, like: Option<&Path>) -> Result<u8, Failure> {
     let scenes = made.scenes.iter().map(|(name, text)| (place_of(name), text));
     for (path, text) in [(model.clone(), &made.model)].into_iter().chain(scenes) {
         let parent = path.parent().unwrap_or(folder);
-        std::fs::create_dir_all(parent).map_err(|error| Failure::Output(path_in_line(parent), error))?;
-        whole_file_writer::write(&path, text)?;
-        print(&format!("new      {}\n", path_in_line(&path)))?;
+        std::fs::create_dir_all(parent).map_err(|error| Failure::Output(path_as_plain_text(parent), error))?;
+        draft_file::write(&path, text)?;
+        print(&format!("new      {}\n", path_as_plain_text(&path)))?;
     }
-    let model = path_in_line(&model);
+    let model = path_as_plain_text(&model);
     print(&format!("\nnext:\n  tripos check {model}\n  tripos prove {model}\n"))?;
     if let Some((scene, _)) = made.scenes.first() {
-        print(&format!("  tripos simulate {}\n", path_in_line(&place_of(scene))))?;
+        print(&format!("  tripos simulate {}\n", path_as_plain_text(&place_of(scene))))?;
     }
     Ok(0)
 }
@@ -74,7 +75,7 @@ fn read_model_to_copy(like: &Path) -> Result<Folder, Failure> {
     let path = if like.exists() { model_file(like) } else { named().unwrap_or_else(|| model_file(like)) };
     let source = Source::read(&path).map_err(tripos::Error::from)?;
     if !is_model(&source) {
-        let what = format!("`{}` is no model file", path_in_line(&path));
+        let what = format!("`{}` is no model file", path_as_plain_text(&path));
         return Err(Failure::request(what, "give a model.toml, or the folder that holds it"));
     }
     let model = source.text;
@@ -84,7 +85,7 @@ fn read_model_to_copy(like: &Path) -> Result<Folder, Failure> {
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => Ok(Vec::new()),
         Err(error) => Err(error),
     };
-    let entries = entries.map_err(|error| Failure::Output(path_in_line(&folder), error))?;
+    let entries = entries.map_err(|error| Failure::Output(path_as_plain_text(&folder), error))?;
     let mut paths: Vec<PathBuf> = entries.iter().map(std::fs::DirEntry::path).collect();
     paths.retain(|path| path.is_file() && path.extension().is_some_and(|end| end == "toml"));
     paths.sort();

@@ -10,35 +10,35 @@ mod standings;
 mod study_figures;
 
 use crate::arguments::Page as Request;
-use crate::commands::chart::progress;
+use crate::commands::chart::counting_progress_bar;
 use crate::failure::{Failure, print_json, print_to_stderr, status, warn};
 use crate::interruption;
-use crate::output::{make_folder, refuse_overwriting_inputs, write_text_file};
+use crate::output_files::{make_folder, refuse_overwriting_inputs, write_text_file};
 use crate::page::{self, Page, RunRow, SceneSection, Standing};
 use crate::plot::{Panel, styles};
 use crate::run_panels::{self, RunCurves};
 use crate::scene_file::set_scene_values;
-use crate::workspace::{current_folder, edited_model_warning, model_file, read_model, workspace_around};
+use crate::workspace::{current_folder, edited_workspace_model_warning, model_file, read_model, workspace_around};
 use indicatif::ProgressBar;
 use motion_figure::page_motion_figure;
-use reduced_run::{ReducedRun, output_values_along_run};
+use reduced_run::{ReducedRun, page_run_outputs};
 use rows::{EMPTY_COURSE, impacts_words, reduced_run_row, row, scene_facts, title};
-use run_figures::{RunFigureWriter, caption_with_sentence, folder_of, run_figure};
+use run_figures::{RunFigureWriter, run_figure, run_figure_caption, run_figure_folder};
 use serde_json::json;
 use sketch::page_sketch;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use study_figures::StudyFigures;
-use tripos::code::{Code, CodePreparation, formulation, runnable_code};
+use tripos::code::{Code, CodePreparation, formulation_of_name, runnable_code};
 use tripos::studies::model_analysis::{ModelAnalysis, PrintedSystem};
 use tripos::trust::compared_quantities::ComparedQuantities;
 use tripos::{Error, InvariantValues, Mechanism, Run, WatchedInvariants, run_code};
-use tripos_codegen::scene_files::{is_same_file, scene_files};
+use tripos_codegen::model_folders::{is_same_model_file, scenes_in_model_folder};
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source};
 use tripos_derive::mechanics::EquationsOrigin;
 use tripos_derive::mechanics::{DerivationInSteps, derive_in_steps};
-use tripos_derive::plain_text::path_in_line;
-use tripos_derive::scene::{AccelerationSolution, FigureKind, Integrator, Scene, load, model_path};
+use tripos_derive::plain_text::path_as_plain_text;
+use tripos_derive::scene::{AccelerationSolution, FigureKind, Integrator, Scene, load, model_path_of_scene};
 use tripos_derive::{Formulation, Model};
 use tripos_sim::Method;
 
@@ -54,24 +54,24 @@ const MOST_PRINTED_STEPS: u64 = 10_000;
 /// written. An interruption and scenes with errors are also errors, after the page is written.
 pub fn page(request: &Request) -> Result<u8, Failure> {
     let out = request.out.as_path();
-    let also = request.also.iter().map(|name| formulation(name)).collect::<Result<Vec<_>, _>>()?;
+    let also = request.also.iter().map(|name| formulation_of_name(name)).collect::<Result<Vec<_>, _>>()?;
     let argument = request.model.as_deref().map_or_else(default_page_model, |given| Ok(given.to_owned()))?;
     let mut model = read_model(&argument)?;
     // The page shows names of the model file next to formulas, so formulas use exactly these
     // names.
     model.arena.clear_printed_names();
-    if let Some(note) = edited_model_warning(&model) {
+    if let Some(note) = edited_workspace_model_warning(&model) {
         warn(&note);
     }
-    let (scenes, mut broken) = scenes(&model_file(&argument), &mut model)?;
-    let scenes = scenes_with_set_values(scenes, &mut model, &request.set.set)?;
+    let (scenes, mut broken) = read_page_scenes(&model_file(&argument), &mut model)?;
+    let scenes = set_page_scene_values(scenes, &mut model, &request.set.set)?;
     let page = out.join("index.html");
     refuse_overwriting_inputs(&model, None, [page.as_path()])?;
     for scene in &scenes {
         refuse_overwriting_inputs(&model, Some(scene), [page.as_path()])?;
     }
     interruption::listen_for_interruption();
-    let bar = progress();
+    let bar = counting_progress_bar();
     let figures: usize = scenes.iter().map(|scene| scene.figures.len()).sum();
     let formulations: Vec<Formulation> = Formulation::STANDARD.into_iter().chain(also.iter().copied()).collect();
     bar.set_length((formulations.len() * (1 + scenes.len()) + figures) as u64 + 3);
@@ -105,7 +105,7 @@ pub fn page(request: &Request) -> Result<u8, Failure> {
     }
     if request.json {
         let value = json!({
-            "files": [path_in_line(&page)], "warnings": done.doubts, "unfinished": unfinished, "stopped": done.stopped,
+            "files": [path_as_plain_text(&page)], "warnings": done.doubts, "unfinished": unfinished, "stopped": done.stopped,
         });
         print_json(&value)?;
     } else {
@@ -128,7 +128,7 @@ pub fn page(request: &Request) -> Result<u8, Failure> {
 fn default_page_model() -> Result<PathBuf, Failure> {
     let here = current_folder()?;
     let root = workspace_around(&here).ok_or_else(|| {
-        let what = format!("no model is given, and `{}` is in no workspace that has one", path_in_line(&here));
+        let what = format!("no model is given, and `{}` is in no workspace that has one", path_as_plain_text(&here));
         let help = "give a model file, or a folder that holds `model.toml`, as in `tripos page FOLDER`".to_owned();
         Failure::request(what, help)
     })?;
@@ -138,12 +138,12 @@ fn default_page_model() -> Result<PathBuf, Failure> {
 
 /// Reads the scenes of a model file. The second list holds the errors of scenes that cannot be
 /// read.
-fn scenes(model_file: &Path, model: &mut Model) -> Result<(Vec<Scene>, Vec<Diagnostics>), Failure> {
+fn read_page_scenes(model_file: &Path, model: &mut Model) -> Result<(Vec<Scene>, Vec<Diagnostics>), Failure> {
     let (mut scenes, mut broken) = (Vec::new(), Vec::new());
-    for file in scene_files(model_file) {
+    for file in scenes_in_model_folder(model_file) {
         let scene = Source::read(&file).and_then(|source| {
-            if !is_same_file(&model_path(&source)?, model_file) {
-                let message = format!("this scene is of another model than {}", path_in_line(model_file));
+            if !is_same_model_file(&model_path_of_scene(&source)?, model_file) {
+                let message = format!("this scene is of another model than {}", path_as_plain_text(model_file));
                 let help = "move it to the scenes of its own model, or leave its `model` out";
                 return Err(Diagnostics::new(source, vec![Diagnostic::of_file(message, help)]));
             }
@@ -162,7 +162,7 @@ fn scenes(model_file: &Path, model: &mut Model) -> Result<(Vec<Scene>, Vec<Diagn
 
 /// Changes the scenes by the values of the option `--set`, and prints the changed values once.
 /// `Err` for an unknown name or a value that a scene cannot have.
-fn scenes_with_set_values(scenes: Vec<Scene>, model: &mut Mechanism, set: &[String]) -> Result<Vec<Scene>, Failure> {
+fn set_page_scene_values(scenes: Vec<Scene>, model: &mut Mechanism, set: &[String]) -> Result<Vec<Scene>, Failure> {
     let mut list = Vec::new();
     for scene in scenes {
         let (scene, values) = set_scene_values(scene, model, set)?;
@@ -263,7 +263,7 @@ impl<'a> PageRuns<'a> {
             let (mut doubts, mut stopped) = (Vec::new(), false);
             let own = runs.own.iter().map(|own| &own.run);
             for run in runs.derived.iter().map(|(run, _)| run).chain(own) {
-                let place = format!("{} by {}", path_in_line(&scene.source.path), run.by.name());
+                let place = format!("{} by {}", path_as_plain_text(&scene.source.path), run.by.name());
                 stopped |= run.failure().is_some();
                 doubts.extend(run.objections().into_iter().map(|objection| format!("{place}: {objection}")));
             }
@@ -272,7 +272,7 @@ impl<'a> PageRuns<'a> {
                 break;
             }
             let section = section?;
-            let path = path_in_line(&scene.source.path);
+            let path = path_as_plain_text(&scene.source.path);
             doubts.extend(section.not_drawn.iter().map(|why| format!("{path}: {why}")));
             done.sections.push(section);
             done.doubts.extend(doubts);
@@ -285,7 +285,8 @@ impl<'a> PageRuns<'a> {
     /// page and does not stop the command.
     /// `Err` if derived equations cannot run the scene.
     fn runs(&self, scene: &Scene, bar: &ProgressBar) -> Result<SceneRuns, Failure> {
-        let message = |by: &EquationsOrigin| format!("running {} by {}", path_in_line(&scene.source.path), by.name());
+        let message =
+            |by: &EquationsOrigin| format!("running {} by {}", path_as_plain_text(&scene.source.path), by.name());
         let own = ReducedRun::new(self.model, scene, &self.watch).map_err(|failure| failure.first_line());
         let mut runs =
             SceneRuns { derived: Vec::new(), own, printed: Vec::new(), standings: Vec::new(), not_run: Vec::new() };
@@ -336,7 +337,7 @@ impl<'a> PageRuns<'a> {
     /// give the same motion only the first is drawn.
     /// The note is `None` if every printed system has a curve.
     fn curves_to_draw<'r>(&self, runs: &'r SceneRuns) -> (Vec<RunCurves<'r>>, Option<String>) {
-        let mut curves = derived_run_curves(runs, |own| own.course.is_some());
+        let mut curves = derived_page_run_curves(runs, |own| own.course.is_some());
         let Some(published) = &self.study.published else { return (curves, None) };
         let (mut alike, mut left_out, mut drawn) = (Vec::new(), Vec::new(), [0; 2]);
         let before = runs.standings.len() - runs.printed.len();
@@ -372,7 +373,7 @@ impl<'a> PageRuns<'a> {
     /// lists.
     /// `Err` if the outputs of the scene cannot be compared.
     fn states(&self, scene: &Scene, runs: &SceneRuns) -> Result<Vec<Panel>, Failure> {
-        let curves = run_panels::merge_equal_curves(derived_run_curves(runs, |_| true));
+        let curves = run_panels::merge_equal_curves(derived_page_run_curves(runs, |_| true));
         if !scene.states_outputs {
             return Ok(run_panels::state_panels(self.model, &curves));
         }
@@ -380,7 +381,7 @@ impl<'a> PageRuns<'a> {
         let values: Vec<_> = curves
             .into_iter()
             .map(|curve| {
-                let values = output_values_along_run(&compared, curve.run);
+                let values = page_run_outputs(&compared, curve.run);
                 (curve, values)
             })
             .collect();
@@ -391,24 +392,25 @@ impl<'a> PageRuns<'a> {
     /// runs.
     /// `Err` if a figure cannot be drawn or a file cannot be written.
     fn section(&self, scene: &Scene, runs: SceneRuns, out: &Path, bar: &ProgressBar) -> Result<SceneSection, Failure> {
-        let folder = folder_of(self.model, scene);
+        let folder = run_figure_folder(self.model, scene);
         let mut measured = StudyFigures::new(self.model, scene, out, folder.clone());
         let mut drawn = RunFigureWriter { out, folder, names: BTreeMap::new() };
         let mut shown = Vec::new();
         for figure in &scene.figures {
             let (kind, caption) = (figure.kind, figure.caption.as_str());
-            bar.set_message(format!("{} of {}", kind.name(), path_in_line(&scene.source.path)));
+            bar.set_message(format!("{} of {}", kind.name(), path_as_plain_text(&scene.source.path)));
             shown.extend(match kind {
                 FigureKind::Energy => {
-                    let curves =
-                        run_panels::merge_equal_curves(derived_run_curves(&runs, |own| !own.run.energies.is_empty()));
-                    let caption = caption_with_sentence(caption, &run_panels::run_figure_sentences(&curves));
+                    let curves = run_panels::merge_equal_curves(derived_page_run_curves(&runs, |own| {
+                        !own.run.energies.is_empty()
+                    }));
+                    let caption = run_figure_caption(caption, &run_panels::run_figure_sentences(&curves));
                     Some(drawn.figure(kind.name(), &caption, &[run_panels::energy_panel(&curves)], 1)?)
                 }
                 FigureKind::States => {
-                    let caption = caption_with_sentence(
+                    let caption = run_figure_caption(
                         caption,
-                        &run_panels::run_figure_sentences(&run_panels::merge_equal_curves(derived_run_curves(
+                        &run_panels::run_figure_sentences(&run_panels::merge_equal_curves(derived_page_run_curves(
                             &runs,
                             |_| true,
                         ))),
@@ -450,7 +452,7 @@ impl<'a> PageRuns<'a> {
         rows.extend(runs.own.iter().map(|own| reduced_run_row(scene, own, next())));
         rows.extend(runs.printed.iter().map(|(run, course)| row(scene, run, course, next())));
         Ok(SceneSection {
-            file: path_in_line(&scene.source.path),
+            file: path_as_plain_text(&scene.source.path),
             title: title(scene),
             about: scene.about.clone(),
             facts,
@@ -468,7 +470,7 @@ impl<'a> PageRuns<'a> {
 
 /// Returns the curves of the runs by derived equations. The reduced equations are included if
 /// `shows` accepts them.
-fn derived_run_curves(runs: &SceneRuns, shows: impl Fn(&ReducedRun) -> bool) -> Vec<RunCurves<'_>> {
+fn derived_page_run_curves(runs: &SceneRuns, shows: impl Fn(&ReducedRun) -> bool) -> Vec<RunCurves<'_>> {
     let own =
         runs.own.iter().filter(|own| shows(own)).map(|own| (&own.run, own.course.as_ref().unwrap_or(&EMPTY_COURSE)));
     let derived = runs.derived.iter().map(|(run, course)| (run, course));

@@ -3,16 +3,16 @@
 use crate::arguments::Plot;
 use crate::failure::{Failure, Output, print_result, print_to_stderr, status, warn};
 use crate::interruption;
-use crate::output::{refuse_overwriting_inputs, write_csv_file};
+use crate::output_files::{refuse_overwriting_inputs, write_csv_file};
 use crate::picture::{self, PictureFormat};
-use crate::plot::{Panel, Scale, Series, draw, formula_to_symbols};
+use crate::plot::{Panel, Scale, Series, draw, figure_text_in_symbols};
 use crate::scene_file::{SceneWithSetValues, read_scene_with};
 use serde_json::json;
 use std::path::{Path, PathBuf};
 use tripos::code::find_equations_or_first;
 use tripos::{EquationsName, Error, Mechanism, Overrides, Run, WatchedInvariants, simulate};
 use tripos_derive::model::TIME;
-use tripos_derive::plain_text::path_in_line;
+use tripos_derive::plain_text::path_as_plain_text;
 use tripos_derive::scene::{ENERGIES, Scene, load_output};
 use tripos_sim::Stop;
 
@@ -71,7 +71,7 @@ pub fn plot(request: &Plot) -> Result<u8, Failure> {
     for path in &request.scenes {
         for (words, way) in &ways {
             let curve = PlottedRun::new(path, way, words, &wanted, request)?;
-            refuse_overwriting_inputs(&curve.model, Some(&curve.scene), [out.as_path(), &figure_data_path(&out)])?;
+            refuse_overwriting_inputs(&curve.model, Some(&curve.scene), [out.as_path(), &plot_data_path(&out)])?;
             curves.push(curve);
         }
     }
@@ -81,11 +81,11 @@ pub fn plot(request: &Plot) -> Result<u8, Failure> {
     if let Some(kind) = kind {
         let svg = draw(&panels, columns).map_err(|error| Failure::from(Error::Stopped(error.to_string())))?;
         picture::write_picture(&out, kind, &svg, dpi)?;
-        lines.push(format!("figure   {}\n", path_in_line(&out)));
+        lines.push(format!("figure   {}\n", path_as_plain_text(&out)));
     }
-    let data = figure_data_path(&out);
+    let data = plot_data_path(&out);
     write_data(&data, &panels)?;
-    lines.push(format!("data     {}\n", path_in_line(&data)));
+    lines.push(format!("data     {}\n", path_as_plain_text(&data)));
     let runs = curves.iter().map(|curve| {
         json!({
             "label": curve.label, "equations": curve.run.by.title(), "failure": curve.run.failure(),
@@ -93,8 +93,8 @@ pub fn plot(request: &Plot) -> Result<u8, Failure> {
         })
     });
     let value = json!({
-        "figure": kind.is_some().then(|| path_in_line(&out)), "data": path_in_line(&data), "runs": runs.collect::<Vec<_>>(),
-        "panels": panels.iter().map(|panel| formula_to_symbols(&panel.title)).collect::<Vec<_>>(),
+        "figure": kind.is_some().then(|| path_as_plain_text(&out)), "data": path_as_plain_text(&data), "runs": runs.collect::<Vec<_>>(),
+        "panels": panels.iter().map(|panel| figure_text_in_symbols(&panel.title)).collect::<Vec<_>>(),
     });
     print_result(Output::of_flag(request.json), &lines.concat(), &value)?;
     let interrupted = curves.iter().any(|curve| curve.run.solution.stop == Stop::Interrupted);
@@ -107,7 +107,7 @@ pub fn plot(request: &Plot) -> Result<u8, Failure> {
 
 impl PlotQuantities {
     fn new(request: &Plot) -> Self {
-        let names = |text: &String| split_at_commas(text).into_iter().map(str::to_owned).collect::<Vec<String>>();
+        let names = |text: &String| split_plot_list(text).into_iter().map(str::to_owned).collect::<Vec<String>>();
         let (all, others): (Vec<_>, Vec<_>) = request.what.iter().map(names).partition(|list| list[..] == [INTEGRALS]);
         let against = request.against.clone().unwrap_or_else(|| TIME.to_owned());
         Self { panels: others, integrals: !all.is_empty(), against }
@@ -127,7 +127,7 @@ impl PlotQuantities {
 }
 
 /// Splits a text at its commas, except at commas inside parentheses or brackets.
-fn split_at_commas(text: &str) -> Vec<&str> {
+fn split_plot_list(text: &str) -> Vec<&str> {
     let (mut list, mut depth, mut from) = (Vec::new(), 0_i32, 0);
     for (at, c) in text.char_indices() {
         match c {
@@ -159,7 +159,7 @@ fn figure_path(request: &Plot) -> Result<(PathBuf, Option<PictureFormat>), Failu
 }
 
 /// Returns the path of the CSV file with the figure's data.
-fn figure_data_path(out: &Path) -> PathBuf {
+fn plot_data_path(out: &Path) -> PathBuf {
     out.with_extension("csv")
 }
 
@@ -173,7 +173,7 @@ fn run_variants(request: &Plot) -> Result<Vec<(String, Overrides)>, Failure> {
     let mut list = vec![(String::new(), base.clone())];
     for also in &request.also {
         let mut way = base.clone();
-        for part in split_at_commas(also) {
+        for part in split_plot_list(also) {
             let wrong = || {
                 let what = format!("`{part}` is no way to run a scene");
                 Failure::request(
@@ -235,7 +235,7 @@ impl PlottedRun {
             print_to_stderr(&failure);
         }
         let integrals = if wanted.integrals { integrals(&model, &scene, &run)? } else { Vec::new() };
-        let named = if scene.title.is_empty() { path_in_line(path) } else { scene.title.clone() };
+        let named = if scene.title.is_empty() { path_as_plain_text(path) } else { scene.title.clone() };
         let label = match (request.scenes.len() > 1, words.is_empty()) {
             (false, true) => run.by.title(),
             (false, false) => words.to_owned(),
@@ -353,7 +353,7 @@ fn write_data(path: &Path, panels: &[Panel]) -> Result<(), Failure> {
         panel.series.iter().flat_map(move |series| {
             series.points.iter().map(move |(x, y)| {
                 vec![
-                    formula_to_symbols(&panel.title),
+                    figure_text_in_symbols(&panel.title),
                     series.label.clone(),
                     panel.x_label.clone(),
                     x.to_string(),
@@ -367,11 +367,11 @@ fn write_data(path: &Path, panels: &[Panel]) -> Result<(), Failure> {
 
 #[cfg(test)]
 mod tests {
-    use super::split_at_commas;
+    use super::split_plot_list;
 
     #[test]
     fn lists_are_parted_at_their_own_commas() {
-        assert_eq!(split_at_commas("q1, v(disk, P) @ A [1]"), ["q1", "v(disk, P) @ A [1]"]);
-        assert_eq!(split_at_commas("total_energy"), ["total_energy"]);
+        assert_eq!(split_plot_list("q1, v(disk, P) @ A [1]"), ["q1", "v(disk, P) @ A [1]"]);
+        assert_eq!(split_plot_list("total_energy"), ["total_energy"]);
     }
 }

@@ -2,13 +2,13 @@
 //! motion.
 
 use crate::failure::{Failure, Output, print, print_json, status};
-use crate::glossary::{names_json, names_text};
+use crate::glossary::{glossary_json, glossary_text};
 use crate::workspace::{read_model, short_name};
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;
 use tripos::Mechanism;
-use tripos::code::formulation;
+use tripos::code::formulation_of_name;
 use tripos_derive::algebra::form::simplify::operation_count;
 use tripos_derive::algebra::meaning::compare::{Engine, Verdict, Witness};
 use tripos_derive::algebra::text::print::{print_text, print_whole_text};
@@ -26,7 +26,7 @@ const LONGEST: usize = 600;
 /// # Errors
 /// `Failure` if the model has errors, or a formulation in `also` is unknown or cannot be derived.
 pub fn prove(model: &Path, also: &[String], output: Output) -> Result<u8, Failure> {
-    let also = also.iter().map(|name| formulation(name)).collect::<Result<Vec<_>, _>>()?;
+    let also = also.iter().map(|name| formulation_of_name(name)).collect::<Result<Vec<_>, _>>()?;
     let model = read_model(model)?;
     let mut derivations = derive_all(&model).map_err(|error| model.diagnose(&error))?;
     for formulation in also {
@@ -44,7 +44,7 @@ pub fn prove(model: &Path, also: &[String], output: Output) -> Result<u8, Failur
 }
 
 /// Returns the word for a verdict in tables and in JSON: `equal`, `different` or `undecided`.
-pub fn verdict_word(verdict: &Verdict) -> &'static str {
+pub fn proof_verdict_word(verdict: &Verdict) -> &'static str {
     match verdict {
         Verdict::Equal(_) => "equal",
         Verdict::Different(_) => "different",
@@ -62,7 +62,7 @@ pub fn proof_method_json(verdict: &Verdict) -> Value {
 }
 
 /// Returns the witness of a difference as JSON: a point, and the values of both sides there.
-pub fn witness(witness: &Witness) -> Value {
+pub fn proof_witness_json(witness: &Witness) -> Value {
     let at: serde_json::Map<String, Value> = witness.at.iter().map(|(name, x)| (name.clone(), json!(x))).collect();
     json!({ "at": at, "left": witness.left, "right": witness.right, "difference": witness.difference })
 }
@@ -76,12 +76,12 @@ pub fn json_of(model: &Mechanism, arena: &Arena, proof: &Proof) -> Value {
             let mut value = json!({
                 "left": pair.left.name(),
                 "right": pair.right.name(),
-                "verdict": verdict_word(&pair.verdict),
+                "verdict": proof_verdict_word(&pair.verdict),
                 "engine": proof_method_json(&pair.verdict),
                 "map": pair.map.text(),
             });
             match &pair.verdict {
-                Verdict::Different(found) => value["witness"] = witness(found),
+                Verdict::Different(found) => value["witness"] = proof_witness_json(found),
                 Verdict::Undecided(why) => value["why"] = json!(why),
                 Verdict::Equal(_) => {}
             }
@@ -96,7 +96,7 @@ pub fn json_of(model: &Mechanism, arena: &Arena, proof: &Proof) -> Value {
                 "name": integral.name(model, arena),
                 "expression": print_whole_text(arena, integral.expression),
                 "except_where": integral.divisors(arena).iter().map(|e| format!("{} = 0", print_whole_text(arena, *e))).collect::<Vec<_>>(),
-                "verdict": if integral.verdict.is_equal() { "proved" } else { verdict_word(&integral.verdict) },
+                "verdict": if integral.verdict.is_equal() { "proved" } else { proof_verdict_word(&integral.verdict) },
                 "engine": proof_method_json(&integral.verdict),
             })
         })
@@ -115,7 +115,7 @@ pub fn json_of(model: &Mechanism, arena: &Arena, proof: &Proof) -> Value {
         "reactions": reactions,
         "integrals": integrals,
         "search": proof.search.text(arena),
-        "names": names_json(arena, &all),
+        "names": glossary_json(arena, &all),
         "loads_divide_by": proof.loads.iter().map(|load| json!({
             "load": load.load, "divisor": print_whole_text(arena, load.value), "meaning": load.zero_divisor_meaning(),
         })).collect::<Vec<_>>(),
@@ -186,7 +186,7 @@ fn text_of(model: &Mechanism, arena: &Arena, proof: &Proof) -> String {
     let reactions = proof.reactions.iter().map(|reaction| reaction.value);
     let shown: Vec<Expr> =
         formulas_in_proof_report(arena, proof).chain(reactions.filter(|e| is_short_reaction(arena, *e))).collect();
-    out + &names_text(arena, &shown)
+    out + &glossary_text(arena, &shown)
 }
 
 /// True if a reaction's formula is short enough to be shown in the text.

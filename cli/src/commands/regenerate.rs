@@ -13,11 +13,13 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use tripos::Error;
-use tripos_codegen::generated_workspace::{DERIVED_MODEL_COPY, Difference, Freshness, freshness, model_folders, write};
+use tripos_codegen::generated_workspace::{
+    DERIVED_MODEL_COPY, Freshness, GeneratedFileDifference, freshness, model_folders, write,
+};
 use tripos_codegen::plan::module_name;
 use tripos_derive::Formulation;
 use tripos_derive::diagnostic::nearest_name_advice;
-use tripos_derive::plain_text::path_in_line;
+use tripos_derive::plain_text::path_as_plain_text;
 
 /// Runs `tripos regenerate --check`: prints generated files and references that differ. Returns the
 /// exit status, 1 if there are any.
@@ -81,7 +83,7 @@ fn models_without_errors(found: &Freshness, mut asked: Vec<String>) -> Vec<Strin
 fn compare_with_committed(root: &Path, models: &[PathBuf]) -> Result<(Freshness, PathBuf, Vec<String>), Failure> {
     let (folder, committed) = (root.join("models"), root.join("generated/src"));
     let unreadable = |error| {
-        let what = format!("cannot read {}: {error}", path_in_line(&folder));
+        let what = format!("cannot read {}: {error}", path_as_plain_text(&folder));
         Failure::request(what, "run this in a checkout that has models/ and generated/".to_owned())
     };
     let all = model_folders(&folder).map_err(unreadable)?;
@@ -90,7 +92,7 @@ fn compare_with_committed(root: &Path, models: &[PathBuf]) -> Result<(Freshness,
         // The argument is a name such as `disk`, or a folder as a shell completes it.
         let name = model.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
         if !all.contains(&name) {
-            let what = format!("there is no model `{}` in {}", path_in_line(model), path_in_line(&folder));
+            let what = format!("there is no model `{}` in {}", path_as_plain_text(model), path_as_plain_text(&folder));
             return Err(Failure::request(what, nearest_name_advice(&name, all.iter().map(String::as_str))));
         }
         asked.push(name);
@@ -115,10 +117,11 @@ fn regeneration_summary(root: &Path, found: &Freshness, committed: &Path, asked:
         let models = if asked == 1 { "1 model".to_owned() } else { format!("{asked} models") };
         return format!("generated/ is fresh: {models}\n");
     }
-    let (code, read): (Vec<_>, Vec<_>) = found.differences.iter().partition(|difference| is_code(difference.file()));
+    let (code, read): (Vec<_>, Vec<_>) =
+        found.differences.iter().partition(|difference| is_regenerated_code(difference.file()));
     let mut out = String::new();
     let mut with_same_equations = Vec::new();
-    let models: BTreeSet<&str> = found.differences.iter().filter_map(changed_model).collect();
+    let models: BTreeSet<&str> = found.differences.iter().filter_map(model_to_regenerate).collect();
     let known: BTreeMap<&str, EquationComparison> = models
         .into_iter()
         .map(|model| (model, compare_with_committed_equations(&root.join("models"), committed, model)))
@@ -126,8 +129,10 @@ fn regeneration_summary(root: &Path, found: &Freshness, committed: &Path, asked:
     // Changed copies of edited models are not listed: the person who edited a model knows of the
     // edit.
     let is_model = |file: &str| file.ends_with(&format!("/{DERIVED_MODEL_COPY}"));
-    for difference in read.into_iter().filter(|d| !matches!(d, Difference::Changed(file) if is_model(file))) {
-        match changed_formulation_model(difference).map(|model| &known[model]) {
+    for difference in
+        read.into_iter().filter(|d| !matches!(d, GeneratedFileDifference::Changed(file) if is_model(file)))
+    {
+        match formulation_model_to_regenerate(difference).map(|model| &known[model]) {
             Some(EquationComparison::Same) => with_same_equations.push(difference.file()),
             _ => out.extend([difference.to_string(), "\n".to_owned()]),
         }
@@ -153,23 +158,23 @@ fn regeneration_summary(root: &Path, found: &Freshness, committed: &Path, asked:
 
 /// Returns the name of the model whose equations, code or model file changed in this difference;
 /// `None` for other files. Equations with many terms exist only as code.
-fn changed_model(difference: &Difference) -> Option<&str> {
-    let Difference::Changed(file) = difference else { return None };
+fn model_to_regenerate(difference: &GeneratedFileDifference) -> Option<&str> {
+    let GeneratedFileDifference::Changed(file) = difference else { return None };
     let (model, file) = file.split_once('/')?;
-    (file == DERIVED_MODEL_COPY || file.starts_with("code/") || changed_formulation_model(difference).is_some())
+    (file == DERIVED_MODEL_COPY || file.starts_with("code/") || formulation_model_to_regenerate(difference).is_some())
         .then_some(model)
 }
 
 /// Returns the name of the model whose formulation file for people changed in this difference.
 /// `None` for all other files.
-fn changed_formulation_model(difference: &Difference) -> Option<&str> {
-    let Difference::Changed(file) = difference else { return None };
+fn formulation_model_to_regenerate(difference: &GeneratedFileDifference) -> Option<&str> {
+    let GeneratedFileDifference::Changed(file) = difference else { return None };
     let (model, file) = file.split_once('/')?;
     let is_formulation = |f: &Formulation| file == format!("{}.rs", module_name(f.name()));
     Formulation::ALL.iter().any(is_formulation).then_some(model)
 }
 
 /// True if a generated file is code for programs; its equations are in another file for people.
-fn is_code(file: &str) -> bool {
+fn is_regenerated_code(file: &str) -> bool {
     Path::new(file).parent().is_some_and(|folder| folder.ends_with("code"))
 }

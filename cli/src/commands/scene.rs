@@ -7,7 +7,7 @@ use crate::workspace::short_name;
 use serde_json::{Value, json};
 use std::fmt::Write;
 use tripos::{Mechanism, ReducedScene};
-use tripos_codegen::plan::{Costs, OperationCount, costs};
+use tripos_codegen::plan::{Costs, OperationCount, scene_costs};
 use tripos_derive::algebra::text::print::print_text;
 use tripos_derive::reduce::ReducedQuantity;
 use tripos_derive::scene::Scene;
@@ -19,21 +19,21 @@ use tripos_derive::scene::Scene;
 /// `Failure` if the scene has no reduced equations, or the output cannot be printed.
 pub fn scene(SceneWithSetValues { model, scene, .. }: &SceneWithSetValues, output: Output) -> Result<u8, Failure> {
     let reduced = ReducedScene::new(model, scene)?;
-    let costs = costs(model, &reduced.reduction).map_err(|error| model.diagnose(&error))?;
+    let costs = scene_costs(model, &reduced.reduction).map_err(|error| model.diagnose(&error))?;
     let no_gain = reduced.reason_against_reduction(model)?;
     if output == Output::Json {
-        let mut value = reduced_equations_json(model, scene, &reduced, costs);
+        let mut value = reduced_scene_json(model, scene, &reduced, costs);
         value["runs_whole"] = json!(no_gain);
         print_json(&value)?;
     } else {
         let why = no_gain.map(|why| format!("\nrun by full equations, unless with --by reduced: {why}\n"));
-        print(&(reduced_equations_text(model, scene, &reduced, costs) + &why.unwrap_or_default()))?;
+        print(&(reduced_scene_text(model, scene, &reduced, costs) + &why.unwrap_or_default()))?;
     }
     Ok(0)
 }
 
 /// Returns the report on the reduced equations as JSON.
-fn reduced_equations_json(model: &Mechanism, scene: &Scene, reduced: &ReducedScene, costs: Costs) -> Value {
+fn reduced_scene_json(model: &Mechanism, scene: &Scene, reduced: &ReducedScene, costs: Costs) -> Value {
     let reduction = &reduced.reduction;
     let arena = reduction.arena();
     let names = |list: &[ReducedQuantity]| list.iter().map(|q| q.name.clone()).collect::<Vec<_>>();
@@ -89,7 +89,7 @@ fn reduced_equation_lines(reduced: &ReducedScene) -> Vec<String> {
 }
 
 /// Returns the report on the reduced equations as text.
-fn reduced_equations_text(model: &Mechanism, scene: &Scene, reduced: &ReducedScene, costs: Costs) -> String {
+fn reduced_scene_text(model: &Mechanism, scene: &Scene, reduced: &ReducedScene, costs: Costs) -> String {
     let reduction = &reduced.reduction;
     let arena = reduction.arena();
     let mut out = format!("{}: {}\n", model.title, if scene.title.is_empty() { "a scene" } else { &scene.title });

@@ -1,7 +1,7 @@
 //! Command `tripos schema`: prints JSON Schemas of the file formats, for editors.
 
 use crate::failure::{Failure, print};
-use tripos_derive::schema::Format;
+use tripos_derive::schema::SchemaFormat;
 
 /// Prints the JSON Schema of a file format. Returns the exit status. An unknown format prints
 /// nothing.
@@ -9,7 +9,7 @@ use tripos_derive::schema::Format;
 /// # Errors
 /// [`Failure`] if the schema cannot be printed.
 pub fn schema(format: &str) -> Result<u8, Failure> {
-    for known in Format::ALL.into_iter().filter(|known| known.name() == format) {
+    for known in SchemaFormat::ALL.into_iter().filter(|known| known.name() == format) {
         print(&format!("{:#}\n", known.schema()))?;
     }
     Ok(0)

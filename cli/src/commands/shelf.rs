@@ -3,28 +3,28 @@
 mod motion;
 
 use crate::failure::{Failure, Output, print_result, status};
-use crate::judgement::JudgedPublication;
-use crate::output;
+use crate::judged_publication::JudgedPublication;
+use crate::output_files;
 use crate::page::markup::html::escape;
 use crate::phrases::{entry_count_words, shorten_formula};
 use crate::workspace::{current_folder, read_model, workspace_around};
-use motion::{Motion, motions};
+use motion::{ShelvedMotion, motions};
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use tripos_derive::diagnostic::Source;
-use tripos_derive::plain_text::path_in_line;
+use tripos_derive::plain_text::path_as_plain_text;
 
 /// Publication of the shelf with its verdict, or with the reason why it has none.
 struct ShelvedPublication {
     /// Name of the publication's folder.
     name: String,
     /// Verdict on the publication; `Err` is the reason why it could not be judged.
-    verdict: Result<Verdict, String>,
+    verdict: Result<ShelfVerdict, String>,
 }
 
 /// Verdict on a publication, as the list of publications shows it.
-struct Verdict {
+struct ShelfVerdict {
     /// Title of the publication, for its heading in the list.
     title: String,
     /// Bibliographic reference of the publication.
@@ -40,12 +40,12 @@ struct Verdict {
     /// integral.
     broken: Vec<(String, String)>,
     /// Motions that wrong printed systems give, compared with the right motions.
-    motions: Vec<Motion>,
+    motions: Vec<ShelvedMotion>,
 }
 
-impl Verdict {
+impl ShelfVerdict {
     /// Collects the verdict from the judged entries of a publication.
-    fn new(judged: &JudgedPublication, motions: Vec<Motion>) -> Self {
+    fn new(judged: &JudgedPublication, motions: Vec<ShelvedMotion>) -> Self {
         let JudgedPublication { model, publication, derivations, difference, .. } = judged;
         let mistake = |root: &tripos_derive::diff::RootMistake| {
             (difference.findings[root.finding].id.clone(), root.mistake.clone(), root.entries())
@@ -94,7 +94,7 @@ pub fn shelf(folder: Option<&Path>, out: Option<&Path>, output: Output) -> Resul
         publication_folders(&folder)?.iter().map(|folder| judge_publication(folder)).collect();
     print_result(output, &text_of(&volumes), &json_of(&volumes))?;
     if let Some(out) = out {
-        output::write_text_file(out, &page(&volumes))?;
+        output_files::write_text_file(out, &page(&volumes))?;
     }
     let is_judged = |volume: &ShelvedPublication| volume.verdict.as_ref().is_ok_and(|verdict| verdict.undecided == 0);
     Ok(if volumes.iter().all(is_judged) { 0 } else { status::NO })
@@ -118,7 +118,7 @@ fn workspace_publications() -> Result<PathBuf, Failure> {
 /// `Failure` if the folder cannot be read or contains no publication.
 fn publication_folders(shelf: &Path) -> Result<Vec<PathBuf>, Failure> {
     let failed =
-        |error| Failure::request(format!("{}: {error}", path_in_line(shelf)), "give a folder that can be read");
+        |error| Failure::request(format!("{}: {error}", path_as_plain_text(shelf)), "give a folder that can be read");
     let mut list = Vec::new();
     for entry in std::fs::read_dir(shelf).map_err(failed)? {
         let folder = entry.map_err(failed)?.path();
@@ -127,7 +127,7 @@ fn publication_folders(shelf: &Path) -> Result<Vec<PathBuf>, Failure> {
         }
     }
     if list.is_empty() {
-        let what = format!("{} has no folder with model.toml and publication.toml", path_in_line(shelf));
+        let what = format!("{} has no folder with model.toml and publication.toml", path_as_plain_text(shelf));
         return Err(Failure::request(what, "docs/shelf.md describes a shelf"));
     }
     list.sort();
@@ -137,10 +137,10 @@ fn publication_folders(shelf: &Path) -> Result<Vec<PathBuf>, Failure> {
 /// Judges the publication in a folder; a failure becomes the reason why it has no verdict.
 fn judge_publication(folder: &Path) -> ShelvedPublication {
     let name = folder.file_name().unwrap_or_default().to_string_lossy().into_owned();
-    let judged = || -> Result<Verdict, Failure> {
+    let judged = || -> Result<ShelfVerdict, Failure> {
         let model = read_model(folder)?;
         let judged = JudgedPublication::new(&model, &Source::read(&folder.join("publication.toml"))?)?;
-        Ok(Verdict::new(&judged, motions(folder, &judged)?))
+        Ok(ShelfVerdict::new(&judged, motions(folder, &judged)?))
     };
     ShelvedPublication { name, verdict: judged().map_err(|failure| failure.to_string()) }
 }
@@ -170,7 +170,7 @@ fn text_of(volumes: &[ShelvedPublication]) -> String {
             let _ = writeln!(out, "  {}", motion.words());
         }
     }
-    let right = volumes.iter().filter(|v| v.verdict.as_ref().is_ok_and(Verdict::is_right)).count();
+    let right = volumes.iter().filter(|v| v.verdict.as_ref().is_ok_and(ShelfVerdict::is_right)).count();
     let mistakes: usize = volumes.iter().filter_map(|v| v.verdict.as_ref().ok()).map(|v| v.mistakes.len()).sum();
     let _ = writeln!(out, "\n{} publications: {right} right, {mistakes} differences in the others", volumes.len());
     out
@@ -191,7 +191,7 @@ fn json_of(volumes: &[ShelvedPublication]) -> Value {
                 .map(|(id, mistake, count)| json!({ "id": id, "mistake": mistake, "entries": count })).collect::<Vec<_>>(),
             "breaks": v.broken.iter()
                 .map(|(system, integral)| json!({ "system": system, "integral": integral })).collect::<Vec<_>>(),
-            "motions": v.motions.iter().map(Motion::json).collect::<Vec<_>>(),
+            "motions": v.motions.iter().map(ShelvedMotion::json).collect::<Vec<_>>(),
         }),
     };
     json!({ "publications": volumes.iter().map(one).collect::<Vec<_>>() })

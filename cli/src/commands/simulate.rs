@@ -6,7 +6,7 @@ mod sensitivity;
 use crate::arguments::Simulate;
 use crate::failure::{Failure, print, print_json, print_to_stderr, status, warn};
 use crate::interruption;
-use crate::output::{csv_name, refuse_overwriting_inputs, write_csv_file};
+use crate::output_files::{csv_name, refuse_overwriting_inputs, write_csv_file};
 use crate::scene_file::{SceneWithSetValues, read_scene_with};
 use crate::workspace::short_name;
 use serde_json::{Map, Value, json};
@@ -14,12 +14,12 @@ use std::fmt::Write;
 use std::path::Path;
 use tripos::code::CodeForm;
 use tripos::{
-    CorrectDigits, DerivativeInstants, Drift, Mechanism, Run, Sensitivities, method_words, sensitivities,
+    CorrectDigits, DerivativeInstants, Drift, Mechanism, Run, Sensitivities, integration_method_words, sensitivities,
     simulate as simulate_scene,
 };
-use tripos_codegen::whole_file_writer::ExistingFilePolicy;
+use tripos_codegen::draft_file::ExistingFilePolicy;
 use tripos_derive::model::TIME;
-use tripos_derive::plain_text::{path_in_line, with_reliable_digits, with_significant_digits};
+use tripos_derive::plain_text::{path_as_plain_text, with_reliable_digits, with_significant_digits};
 use tripos_derive::scene::Scene;
 use tripos_sim::projection::ProjectionReport;
 use tripos_sim::{EventRecord, ImpactRecord, Stop};
@@ -252,7 +252,7 @@ fn as_text(model: &Mechanism, scene: &Scene, run: &Run) -> String {
         run.by.title(),
         run.code.name(),
         run.solve.name(),
-        method_words(scene)
+        integration_method_words(scene)
     );
     let _ = writeln!(out, "{}", run.ending);
     for (at, event) in run.solution.events.iter().enumerate() {
@@ -332,11 +332,11 @@ fn check_csv(path: &Path, existing: ExistingFilePolicy, model: &Mechanism, scene
     csv_name(path)?;
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
     if let Some(Err(error)) = folder.map(std::fs::metadata) {
-        return Err(Failure::Output(path_in_line(path), error));
+        return Err(Failure::Output(path_as_plain_text(path), error));
     }
     let is_table = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv"));
     if path.is_file() && !is_table && existing == ExistingFilePolicy::Kept && !path.starts_with("/dev") {
-        let what = format!("the file `{}` exists, and its name does not end in `.csv`", path_in_line(path));
+        let what = format!("the file `{}` exists, and its name does not end in `.csv`", path_as_plain_text(path));
         return Err(Failure::request(what, "give another --csv, or --overwrite to replace it".to_owned()));
     }
     Ok(())

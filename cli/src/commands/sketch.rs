@@ -1,7 +1,7 @@
 //! Command `tripos sketch`: draws a mechanism as textbooks do, as a picture or in LaTeX.
 
 use crate::failure::{Failure, Output, print_result};
-use crate::output::{refuse_overwriting_inputs, write_text_file};
+use crate::output_files::{refuse_overwriting_inputs, write_text_file};
 use crate::picture;
 use crate::scene_file::read_scene;
 use crate::sketch::{sketch_svg_file, tikz_picture as tikz};
@@ -10,10 +10,10 @@ use serde_json::json;
 use std::path::Path;
 use tripos::Mechanism;
 use tripos::pictures::sketch::Sketch;
-use tripos_codegen::scene_files::scene_files;
+use tripos_codegen::model_folders::scenes_in_model_folder;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::model::is_model;
-use tripos_derive::plain_text::path_in_line;
+use tripos_derive::plain_text::path_as_plain_text;
 use tripos_derive::scene::{Scene, load_scene_with_inputs, load_state};
 
 /// File format of a sketch, chosen by the extension of its file name.
@@ -38,9 +38,12 @@ pub fn sketch(what: &Path, at: Option<&Path>, out: &Path, output: Output) -> Res
     let sketch = match (at, &scene) {
         (Some(at), _) => {
             let state = load_state(&Source::read(at)?, &mut mechanism)?;
-            if tripos_codegen::whole_file_writer::would_change(out, at) {
-                let what =
-                    format!("the output `{}` would overwrite the input `{}`", path_in_line(out), path_in_line(at));
+            if tripos_codegen::draft_file::draft_would_change(out, at) {
+                let what = format!(
+                    "the output `{}` would overwrite the input `{}`",
+                    path_as_plain_text(out),
+                    path_as_plain_text(at)
+                );
                 return Err(Failure::request(what, "give another file".to_owned()));
             }
             Sketch::at_state(&mechanism, &state)?
@@ -52,8 +55,8 @@ pub fn sketch(what: &Path, at: Option<&Path>, out: &Path, output: Output) -> Res
         SketchFormat::Figure(kind) => picture::write_picture(out, kind, &sketch_svg_file(&sketch), picture::DPI)?,
         SketchFormat::Latex => write_text_file(out, &tikz(&sketch))?,
     }
-    let lines = format!("{}\n{}\n{}\n", path_in_line(out), sketch.about, sketch.drawn);
-    let value = json!({ "files": [path_in_line(out)], "about": sketch.about, "drawn": sketch.drawn });
+    let lines = format!("{}\n{}\n{}\n", path_as_plain_text(out), sketch.about, sketch.drawn);
+    let value = json!({ "files": [path_as_plain_text(out)], "about": sketch.about, "drawn": sketch.drawn });
     print_result(output, &lines, &value)?;
     Ok(0)
 }
@@ -79,7 +82,9 @@ fn read_sketched_scene(what: &Path) -> Result<(Mechanism, Option<Scene>), Failur
         return Ok((mechanism, Some(scene)));
     }
     let mut mechanism = read_model(what)?;
-    let Some(first) = scene_files(&model_file(what)).into_iter().next() else { return Ok((mechanism, None)) };
+    let Some(first) = scenes_in_model_folder(&model_file(what)).into_iter().next() else {
+        return Ok((mechanism, None));
+    };
     let scene = load_scene_with_inputs(&Source::read(&first)?, &mut mechanism)?;
     Ok((mechanism, Some(scene)))
 }

@@ -1,17 +1,17 @@
 //! Command `tripos stability`: studies the limits of a scene's runs, such as passages near singular
 //! places and growth of errors.
 
-use crate::commands::chart::progress;
+use crate::commands::chart::counting_progress_bar;
 use crate::failure::{Failure, Output, print_result};
 use crate::interruption::{self, ProgressBarReporter};
-use crate::output::{make_folder, refuse_overwriting_inputs};
+use crate::output_files::{make_folder, refuse_overwriting_inputs};
 use crate::scene_file::SceneWithSetValues;
 use crate::stability::{stability_conclusions, write_stability_results};
 use serde_json::json;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
-use tripos::studies::stability::{StudyInputs, Topic, run_all_studies};
-use tripos_derive::plain_text::path_in_line;
+use tripos::studies::stability::{FindingTopic, StudyInputs, run_all_studies};
+use tripos_derive::plain_text::path_as_plain_text;
 
 /// Runs `tripos stability`: makes every study that applies to the scene, and writes numbers and
 /// figures to the folder `out`. Returns the exit status.
@@ -28,7 +28,7 @@ pub fn stability(
     refuse_overwriting_inputs(model, Some(scene), files.iter().map(PathBuf::as_path))?;
     make_folder(out)?;
     interruption::listen_for_interruption();
-    let bar = progress();
+    let bar = counting_progress_bar();
     let findings = run_all_studies(&StudyInputs { model, scene, quick, progress: &ProgressBarReporter(&bar) })?;
     bar.finish_and_clear();
     if findings.unfinished.is_some() && findings.rows.is_empty() {
@@ -46,11 +46,16 @@ pub fn stability(
         let _ = writeln!(text, "{}", out.join(name).display());
     }
     let figures = findings.figures.iter().map(|(name, _)| out.join(name));
-    let files: Vec<String> =
-        files.iter().cloned().chain(figures).filter(|file| file.exists()).map(|file| path_in_line(&file)).collect();
+    let files: Vec<String> = files
+        .iter()
+        .cloned()
+        .chain(figures)
+        .filter(|file| file.exists())
+        .map(|file| path_as_plain_text(&file))
+        .collect();
     let value = json!({
         "model": model.title, "scene": scene.title, "statements": statements, "numbers": findings.rows.len(),
-        "unfinished": findings.unfinished.map(Topic::name), "files": files,
+        "unfinished": findings.unfinished.map(FindingTopic::name), "files": files,
     });
     print_result(output, &text, &value)?;
     if let Some(topic) = findings.unfinished {

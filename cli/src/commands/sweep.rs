@@ -3,7 +3,7 @@
 use crate::arguments::Sweep as Request;
 use crate::failure::{Failure, print_json, print_to_stderr, status, warn};
 use crate::interruption;
-use crate::output::{GrowingTable, csv_name, refuse_overwriting_inputs};
+use crate::output_files::{GrowingTable, csv_name, refuse_overwriting_inputs};
 use crate::scene_file::read_scene;
 use crate::sweep::{Columns, KeptRows, Record, Tally, UnfinishedTableMismatch, other_sweep_failure, remove_record};
 use crate::workspace::short_name;
@@ -14,9 +14,9 @@ use std::ops::Range;
 use std::time::{Duration, Instant};
 use tripos::Error;
 use tripos::code::find_equations_or_first;
-use tripos::method_words;
+use tripos::integration_method_words;
 use tripos::studies::sweep::{Shard, Sweep, SweepRow, work_in_order};
-use tripos_codegen::whole_file_writer::ExistingFilePolicy;
+use tripos_codegen::draft_file::ExistingFilePolicy;
 use tripos_derive::scene::Grid;
 
 /// Largest number of threads that is accepted. A larger number is probably a typing error.
@@ -82,7 +82,7 @@ pub fn sweep(request: &Request) -> Result<u8, Failure> {
             by.title(),
             sweep.code.name(),
             sweep.solve.name(),
-            method_words(&scene)
+            integration_method_words(&scene)
         ));
         print_to_stderr(&format!(
             "{}\n{}{}",

@@ -3,13 +3,13 @@
 use crate::arguments::View as Request;
 use crate::failure::{Failure, Output, print_result, status, warn};
 use crate::interruption;
-use crate::output::{refuse_overwriting_inputs, write_text_file};
+use crate::output_files::{refuse_overwriting_inputs, write_text_file};
 use crate::scene_file::{SceneWithSetValues, read_scene_with};
 use crate::view::{LiveEquations, ViewContent, ViewPlace, document, turns_truly};
 use serde_json::json;
 use tripos::Mechanism;
-use tripos::pictures::view::{Motion, View};
-use tripos_derive::plain_text::path_in_line;
+use tripos::pictures::view::{View, ViewMotion};
+use tripos_derive::plain_text::path_as_plain_text;
 use tripos_derive::scene::Scene;
 
 /// Runs `tripos view`: runs the scene and the motions to compare with, and writes the HTML file.
@@ -24,7 +24,7 @@ pub fn view(request: &Request) -> Result<u8, Failure> {
     how.apply_to_scene(&mut scene)?;
     refuse_overwriting_inputs(&mechanism, Some(&scene), [request.out.as_path()])?;
     interruption::listen_for_interruption();
-    let mut motions = vec![Motion::of_scene(&mechanism, &scene, how.by.as_ref())?];
+    let mut motions = vec![ViewMotion::of_scene(&mechanism, &scene, how.by.as_ref())?];
     for against in &request.against {
         motions.push(ghost_motion(&mechanism, &scene, request, against)?);
     }
@@ -36,7 +36,7 @@ pub fn view(request: &Request) -> Result<u8, Failure> {
         warn(objection);
     }
     let stopped = motions.iter().any(|motion| motion.failed);
-    let title = if scene.title.is_empty() { path_in_line(&scene.source.path) } else { scene.title.clone() };
+    let title = if scene.title.is_empty() { path_as_plain_text(&scene.source.path) } else { scene.title.clone() };
     let seen = ViewContent { mechanism: &mechanism, scene: &scene, view, motions, title };
     if !turns_truly(&seen, ViewPlace::Alone) {
         warn(
@@ -47,7 +47,7 @@ pub fn view(request: &Request) -> Result<u8, Failure> {
     let live = LiveEquations::of(&seen, how.by.as_ref(), ViewPlace::Alone)?;
     write_text_file(&request.out, &document(&seen, &live))?;
     let objections: Vec<&String> = seen.motions.iter().flat_map(|motion| &motion.objections).collect();
-    let value = json!({ "files": [path_in_line(&request.out)], "stopped": stopped, "warnings": objections });
+    let value = json!({ "files": [path_as_plain_text(&request.out)], "stopped": stopped, "warnings": objections });
     print_result(Output::of_flag(request.json), &format!("{}\n", request.out.display()), &value)?;
     Ok(if stopped { status::STOPPED } else { 0 })
 }
@@ -57,23 +57,23 @@ pub fn view(request: &Request) -> Result<u8, Failure> {
 ///
 /// # Errors
 /// `Failure` if the scene is of another model, or cannot be read or run.
-fn ghost_motion(mechanism: &Mechanism, scene: &Scene, request: &Request, against: &str) -> Result<Motion, Failure> {
+fn ghost_motion(mechanism: &Mechanism, scene: &Scene, request: &Request, against: &str) -> Result<ViewMotion, Failure> {
     let path = std::path::Path::new(against);
     if !path.is_file() {
-        return Ok(Motion::of_scene(mechanism, scene, Some(&against.into()))?);
+        return Ok(ViewMotion::of_scene(mechanism, scene, Some(&against.into()))?);
     }
     let SceneWithSetValues { model: other, scene: mut own, .. } = read_scene_with(path, &request.set.set)?;
     if other.source.text != mechanism.source.text {
         let what = format!(
             "the scene `{}` belongs to another model than the scene `{}`",
-            path_in_line(path),
-            path_in_line(&request.scene)
+            path_as_plain_text(path),
+            path_as_plain_text(&request.scene)
         );
         return Err(Failure::request(what, "give a scene of the same model, or equations such as lagrange".to_owned()));
     }
     let how = request.how.overrides()?;
     how.apply_to_scene(&mut own)?;
-    let mut motion = Motion::of_scene(&other, &own, how.by.as_ref())?;
-    motion.title = if own.title.is_empty() { path_in_line(path) } else { own.title };
+    let mut motion = ViewMotion::of_scene(&other, &own, how.by.as_ref())?;
+    motion.title = if own.title.is_empty() { path_as_plain_text(path) } else { own.title };
     Ok(motion)
 }

@@ -7,10 +7,10 @@
 
 use crate::chart::sentences::{TARGETS, seconds};
 use crate::page::content::{Page, RecommendedRun, SceneSection};
+use crate::page::markup::formula_mathml::{length, zero_formula_mathml};
 use crate::page::markup::html::{counted_noun, escape, link, list_names, number, rounded_number_html, scene_anchor};
-use crate::page::markup::math::{length, zero_statement};
 use crate::page::print::verdict::abstract_of_verdict;
-use crate::page::scenes::outcome::{self, Grade, title};
+use crate::page::scenes::outcome::{self, RunOutcome, title};
 use tripos_derive::Formulation;
 use tripos_derive::algebra::meaning::compare::Verdict;
 use tripos_derive::algebra::{Arena, Expr};
@@ -87,7 +87,7 @@ fn capitalize(words: &str) -> String {
 }
 
 /// Returns the titles of formulations, listed as in a sentence.
-fn formulation_titles(list: impl IntoIterator<Item = Formulation>) -> String {
+fn abstract_formulation_titles(list: impl IntoIterator<Item = Formulation>) -> String {
     list_names(&list.into_iter().map(|formulation| escape(formulation.title())).collect::<Vec<_>>())
 }
 
@@ -99,11 +99,11 @@ fn equality(page: &Page) -> Option<Sentence> {
     let proved = proof.pairs.iter().filter(|pair| pair.verdict.is_equal()).count();
     let (said, many) = if all == 0 {
         let only = page.derivations.iter().find(|(_, result)| result.is_ok())?.0;
-        (format!("{} gives the equations of motion", formulation_titles([only])), "which hold")
+        (format!("{} gives the equations of motion", abstract_formulation_titles([only])), "which hold")
     } else if proof.is_equivalent() {
         let derived =
             Formulation::ALL.into_iter().filter(|f| proof.pairs.iter().any(|p| p.left == *f || p.right == *f));
-        (format!("{} give the same equations of motion", formulation_titles(derived)), "which hold")
+        (format!("{} give the same equations of motion", abstract_formulation_titles(derived)), "which hold")
     } else {
         let different = proof.pairs.iter().filter(|pair| matches!(pair.verdict, Verdict::Different(_))).count();
         let open = all - proved - different;
@@ -113,7 +113,7 @@ fn equality(page: &Page) -> Option<Sentence> {
         );
         (said, "and the equations hold")
     };
-    Some(("equality".to_owned(), format!("{said}, {many} {}.", validity(page))))
+    Some(("equality".to_owned(), format!("{said}, {many} {}.", abstract_validity(page))))
 }
 
 /// Returns the sentence on the first integrals.
@@ -139,9 +139,10 @@ fn integrals(page: &Page) -> Sentence {
 
 /// Returns the HTML of words for the places where one of several terms is zero. Long terms are only
 /// counted.
-fn where_zero(arena: &Arena, terms: &[Expr]) -> String {
+fn abstract_zero_places(arena: &Arena, terms: &[Expr]) -> String {
     let is_short = |e: &Expr| length(arena, *e).is_some_and(|characters| characters <= SHORT);
-    let mut places: Vec<String> = terms.iter().filter(|e| is_short(e)).map(|e| zero_statement(arena, *e)).collect();
+    let mut places: Vec<String> =
+        terms.iter().filter(|e| is_short(e)).map(|e| zero_formula_mathml(arena, *e)).collect();
     match terms.len() - places.len() {
         0 => {}
         1 => places.push("a long term vanishes".to_owned()),
@@ -151,13 +152,13 @@ fn where_zero(arena: &Arena, terms: &[Expr]) -> String {
 }
 
 /// Returns the HTML of words for the configurations in which the equations hold.
-fn validity(page: &Page) -> String {
+fn abstract_validity(page: &Page) -> String {
     let proof = &page.study.proof;
     let arena = &page.study.derivations.kinematics.arena;
     if proof.singular_where.is_empty() {
         "everywhere".to_owned()
     } else {
-        format!("except where {}", where_zero(arena, &proof.singular_where))
+        format!("except where {}", abstract_zero_places(arena, &proof.singular_where))
     }
 }
 
@@ -167,14 +168,15 @@ fn simulation_sentence(page: &Page) -> Option<Sentence> {
         return Some((scene_anchor(0), format!("{}: {}", title(scene), outcome::derived_outcome(scene))));
     }
     let all = page.scenes.len();
-    let of = |grade: Grade| page.scenes.iter().filter(|scene| outcome::worst_grade(scene) == Some(grade)).count();
-    let none = page.scenes.iter().filter(|scene| outcome::worst_grade(scene).is_none()).count();
+    let of =
+        |grade: RunOutcome| page.scenes.iter().filter(|scene| outcome::worst_outcome(scene) == Some(grade)).count();
+    let none = page.scenes.iter().filter(|scene| outcome::worst_outcome(scene).is_none()).count();
     let said = |n: usize, one: &str, many: &str| (n > 0).then(|| format!("{n} {}", if n == 1 { one } else { many }));
     let kinds = [
-        said(of(Grade::Stopped), "has a run that fails", "have runs that fail"),
-        said(of(Grade::Loose), "needs tighter tolerances", "need tighter tolerances"),
-        said(of(Grade::Ended), "ends early at an event", "end early at events"),
-        said(of(Grade::Arrived), "runs to its end without a warning", "run to their ends without a warning"),
+        said(of(RunOutcome::Stopped), "has a run that fails", "have runs that fail"),
+        said(of(RunOutcome::Loose), "needs tighter tolerances", "need tighter tolerances"),
+        said(of(RunOutcome::Ended), "ends early at an event", "end early at events"),
+        said(of(RunOutcome::Arrived), "runs to its end without a warning", "run to their ends without a warning"),
         said(none, "does not run", "do not run"),
     ];
     let kinds: Vec<String> = kinds.into_iter().flatten().collect();
@@ -189,17 +191,17 @@ fn recommendation_sentence(page: &Page) -> Vec<Sentence> {
         let chosen = |target: f64| advice.rows.iter().find(|(error, _)| error.total_cmp(&target).is_eq())?.1.as_ref();
         let best = [TARGETS[1], TARGETS[0]].into_iter().find_map(|target| Some((target, chosen(target)?)));
         if let Some((target, choice)) = best {
-            return vec![(format!("{}-advice", scene_anchor(at)), fastest_run_command(scene, target, choice))];
+            return vec![(format!("{}-advice", scene_anchor(at)), abstract_fastest_run(scene, target, choice))];
         }
     }
     let shown = page.moving.as_ref().map_or(0, |moving| moving.scene);
     page.scenes.get(shown).map_or_else(Vec::new, |scene| {
-        vec![(format!("{}-needs", scene_anchor(shown)), reduced_run_command(page, scene))]
+        vec![(format!("{}-needs", scene_anchor(shown)), abstract_reduced_run(page, scene))]
     })
 }
 
 /// Returns the HTML sentence with the command for the fastest run to an error of at most `target`.
-fn fastest_run_command(scene: &SceneSection, target: f64, choice: &RecommendedRun) -> String {
+fn abstract_fastest_run(scene: &SceneSection, target: f64, choice: &RecommendedRun) -> String {
     let tolerance =
         choice.tolerance.map_or_else(String::new, |tolerance| format!(" --rtol {tolerance:e} --atol {tolerance:e}"));
     format!(
@@ -214,7 +216,7 @@ fn fastest_run_command(scene: &SceneSection, target: f64, choice: &RecommendedRu
 
 /// Returns the HTML of the command that runs a scene, with the number of states in its reduced
 /// equations.
-fn reduced_run_command(page: &Page, scene: &SceneSection) -> String {
+fn abstract_reduced_run(page: &Page, scene: &SceneSection) -> String {
     let command = format!("<code>tripos simulate {}</code>", escape(&scene.file));
     let Ok(needs) = &scene.needs else { return format!("{command}.") };
     let all = page.model.coordinates.len() + page.model.speeds.len();

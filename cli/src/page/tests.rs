@@ -1,6 +1,6 @@
 //! The page as a whole: well formed, escaped, the same each time.
 
-use super::markup::math;
+use super::markup::formula_mathml;
 use crate::page::*;
 use crate::plot::{Panel, Scale, Series, draw};
 use std::path::Path;
@@ -136,7 +136,7 @@ fn needs() -> Result<ReducedEquationsContent, String> {
     let text = "span = [0, 1]\noutputs = [\"q1\"]\n[start]\nq1 = 0.5\nu1 = 0\n";
     let scene = tripos_derive::scene::load(&Source::from_text("scene.toml", text), &mut model).unwrap();
     let reduced = ReducedScene::new(&model, &scene).map_err(|failure| failure.to_string())?;
-    let costs = tripos_codegen::plan::costs(&model, &reduced.reduction).unwrap();
+    let costs = tripos_codegen::plan::scene_costs(&model, &reduced.reduction).unwrap();
     Ok(ReducedEquationsContent { reduced, costs })
 }
 
@@ -371,11 +371,11 @@ fn names_of_steps_are_typeset() {
     ];
     let forces = [LineName::ActiveForce(0), LineName::GeneralizedForce(0), LineName::Symbol("S")];
     for name in names.map(LineName::Quantity).iter().chain(&forces) {
-        let typeset = math::line_name(&model, name);
+        let typeset = formula_mathml::line_name_mathml(&model, name);
         assert_eq!(unbalanced(&typeset), None, "{name:?}");
         assert!(!typeset.contains(['@', '[', '\'']), "{name:?}: {typeset}");
     }
-    let velocity = math::line_name(&model, &LineName::Quantity(component(VectorName::Velocity, 1)));
+    let velocity = formula_mathml::line_name_mathml(&model, &LineName::Quantity(component(VectorName::Velocity, 1)));
     assert!(velocity.contains("<mprescripts/><mrow></mrow><mi>N</mi>"));
 }
 

@@ -3,7 +3,7 @@
 //! Invariant: no tick shows a rounding error. A tick is a whole number times a power of ten,
 //! printed with the digits of that power.
 
-use super::{Scale, formula_to_symbols};
+use super::{Scale, figure_text_in_symbols};
 
 /// Axis of a panel. It shows values less `offset`, or their decimal logarithms, from `low` to
 /// `high`.
@@ -59,7 +59,7 @@ impl Axis {
             let text = if (-3..=3).contains(&power) {
                 10_f64.powi(power).to_string()
             } else {
-                format!("10{}", superscript_digits(&power.to_string()))
+                format!("10{}", axis_superscript_digits(&power.to_string()))
             };
             ((f64::from(power) - low) / (high - low), text)
         };
@@ -114,23 +114,25 @@ fn short_offset(middle: f64, range: f64) -> f64 {
 /// J]`.
 fn scaled_label(label: &str, offset: f64, power: i32) -> String {
     let (stem, unit) = match label.trim_end().strip_suffix(']').and_then(|text| text.rsplit_once('[')) {
-        Some((stem, unit)) => (formula_to_symbols(stem), formula_to_symbols(unit)),
-        None => (formula_to_symbols(label), String::new()),
+        Some((stem, unit)) => (figure_text_in_symbols(stem), figure_text_in_symbols(unit)),
+        None => (figure_text_in_symbols(label), String::new()),
     };
     let sign = if offset < 0.0 { '+' } else { '−' };
     let stem = match offset {
         0.0 => stem,
-        _ => format!("{stem} {sign} {} {unit}", formula_to_symbols(&offset.abs().to_string())).trim_end().to_owned(),
+        _ => {
+            format!("{stem} {sign} {} {unit}", figure_text_in_symbols(&offset.abs().to_string())).trim_end().to_owned()
+        }
     };
     match (power, unit.is_empty()) {
         (0, true) => stem,
         (0, false) => format!("{stem} [{unit}]"),
-        _ => format!("{stem} [{}]", format!("10{} {unit}", superscript_digits(&power.to_string())).trim_end()),
+        _ => format!("{stem} [{}]", format!("10{} {unit}", axis_superscript_digits(&power.to_string())).trim_end()),
     }
 }
 
 /// Returns a whole number in superscript digits.
-fn superscript_digits(number: &str) -> String {
+fn axis_superscript_digits(number: &str) -> String {
     let raise = |c| match c {
         '-' => '⁻',
         '1' => '¹',
@@ -190,9 +192,9 @@ mod tests {
 
     #[test]
     fn names_are_written_as_by_hand() {
-        assert_eq!(formula_to_symbols("q1' [m/s^2]"), "q̇₁ [m/s²]");
-        assert_eq!(formula_to_symbols("T + V"), "T + V");
-        assert_eq!(formula_to_symbols("p_q4 = ∂L/∂q4'  [kg*m/s]"), "p_q4 = ∂L/∂q̇₄ [kg·m/s]");
-        assert_eq!(formula_to_symbols("|cos(q2)| 1e-12 ode45 t₀"), "|cos(q₂)| 1e-12 ode45 t₀");
+        assert_eq!(figure_text_in_symbols("q1' [m/s^2]"), "q̇₁ [m/s²]");
+        assert_eq!(figure_text_in_symbols("T + V"), "T + V");
+        assert_eq!(figure_text_in_symbols("p_q4 = ∂L/∂q4'  [kg*m/s]"), "p_q4 = ∂L/∂q̇₄ [kg·m/s]");
+        assert_eq!(figure_text_in_symbols("|cos(q2)| 1e-12 ode45 t₀"), "|cos(q₂)| 1e-12 ode45 t₀");
     }
 }

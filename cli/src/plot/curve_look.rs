@@ -200,7 +200,7 @@ pub const LOOKS: [Look; 25] = [
 impl Look {
     /// True if two looks could be mistaken for each other.
     pub fn is_like(&self, other: &Self) -> bool {
-        self.4 == other.4 || (self.0 == other.0 && size_to_units(self.1) == size_to_units(other.1))
+        self.4 == other.4 || (self.0 == other.0 && size_to_canvas_units(self.1) == size_to_canvas_units(other.1))
     }
 }
 
@@ -212,7 +212,7 @@ pub fn look(style: usize) -> &'static Look {
 /// Returns the dashes of curves with this colour and this width in canvas units; `None` for solid
 /// lines. No other strokes have these colours and widths.
 pub fn dashes([r, g, b]: [u8; 3], width: u32) -> Option<&'static str> {
-    let drawn = LOOKS.iter().find(|look| look.0 == RGBColor(r, g, b) && size_to_units(look.1) == width);
+    let drawn = LOOKS.iter().find(|look| look.0 == RGBColor(r, g, b) && size_to_canvas_units(look.1) == width);
     drawn.map(|look| look.2).filter(|dashes| !dashes.is_empty())
 }
 
@@ -228,7 +228,7 @@ pub fn draw_band(canvas: &Canvas, low: &[(f64, f64)], high: &[(f64, f64)], look:
     let corners = low
         .iter()
         .chain(high.iter().rev())
-        .map(|(x, y)| (pixels_to_units(*x), pixels_to_units(*y)))
+        .map(|(x, y)| (pixels_to_canvas_units(*x), pixels_to_canvas_units(*y)))
         .collect::<Vec<_>>();
     Ok(canvas.draw(&Polygon::new(corners, look.0.mix(SHADE)))?)
 }
@@ -239,8 +239,12 @@ pub fn draw_marker(canvas: &Canvas, middle: (f64, f64), look: &Look) -> Result<(
     let (x, y) = middle;
     let radius = 3.6;
     if look.4.is_empty() {
-        let style = ShapeStyle { color: look.3.into(), filled: false, stroke_width: size_to_units(OUTLINE) };
-        canvas.draw(&Circle::new((pixels_to_units(x), pixels_to_units(y)), pixels_to_units(radius), style))?;
+        let style = ShapeStyle { color: look.3.into(), filled: false, stroke_width: size_to_canvas_units(OUTLINE) };
+        canvas.draw(&Circle::new(
+            (pixels_to_canvas_units(x), pixels_to_canvas_units(y)),
+            pixels_to_canvas_units(radius),
+            style,
+        ))?;
     }
     for outline in look.4 {
         let points: Vec<_> = outline.iter().map(|(dx, dy)| (x + radius * dx, y + radius * dy)).collect();
@@ -252,16 +256,20 @@ pub fn draw_marker(canvas: &Canvas, middle: (f64, f64), look: &Look) -> Result<(
 /// Draws a line through points; points and width in px.
 /// `Err` if plotters fails.
 pub fn draw_line(canvas: &Canvas, points: &[(f64, f64)], width: f64, color: RGBColor) -> Result<(), PlotError> {
-    let mut points: Vec<_> = points.iter().map(|(x, y)| (pixels_to_units(*x), pixels_to_units(*y))).collect();
+    let mut points: Vec<_> =
+        points.iter().map(|(x, y)| (pixels_to_canvas_units(*x), pixels_to_canvas_units(*y))).collect();
     points.dedup();
-    let style = ShapeStyle { color: color.into(), filled: false, stroke_width: size_to_units(width) };
+    let style = ShapeStyle { color: color.into(), filled: false, stroke_width: size_to_canvas_units(width) };
     Ok(canvas.draw(&PathElement::new(points, style))?)
 }
 
 /// Draws a filled rectangle with the opposite corners `a` and `b`, px.
 /// `Err` if plotters fails.
 pub fn draw_rectangle(canvas: &Canvas, a: (f64, f64), b: (f64, f64), color: RGBColor) -> Result<(), PlotError> {
-    let corners = [(pixels_to_units(a.0), pixels_to_units(a.1)), (pixels_to_units(b.0), pixels_to_units(b.1))];
+    let corners = [
+        (pixels_to_canvas_units(a.0), pixels_to_canvas_units(a.1)),
+        (pixels_to_canvas_units(b.0), pixels_to_canvas_units(b.1)),
+    ];
     Ok(canvas.draw(&Rectangle::new(corners, ShapeStyle { color: color.into(), filled: true, stroke_width: 0 }))?)
 }
 
@@ -271,15 +279,15 @@ pub fn draw_text(canvas: &Canvas, text: &str, at: (f64, f64), side: HPos, style:
     // Plotters divides a font size by 1.24.
     let font = FontDesc::new(FontFamily::SansSerif, 12.5 * 1.24 * FINE, style);
     let style = TextStyle::from(font).color(&TEXT).pos(Pos::new(side, VPos::Center));
-    Ok(canvas.draw(&Text::new(text, (pixels_to_units(at.0), pixels_to_units(at.1)), style))?)
+    Ok(canvas.draw(&Text::new(text, (pixels_to_canvas_units(at.0), pixels_to_canvas_units(at.1)), style))?)
 }
 
 /// Converts a length in pixels to canvas units, rounded.
-fn pixels_to_units(pixels: f64) -> i32 {
+fn pixels_to_canvas_units(pixels: f64) -> i32 {
     truncate_to_integer((pixels * FINE).round())
 }
 
 /// Converts a size in pixels to canvas units, rounded and not negative.
-pub fn size_to_units(pixels: f64) -> u32 {
-    pixels_to_units(pixels).unsigned_abs()
+pub fn size_to_canvas_units(pixels: f64) -> u32 {
+    pixels_to_canvas_units(pixels).unsigned_abs()
 }

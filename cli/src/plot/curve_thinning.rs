@@ -37,7 +37,7 @@ pub fn thin_curve(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
 
 /// Returns the places of about 25 markers on a curve in a panel of this width, px. `share`, from 0
 /// to 1, shifts them, so that equal curves have markers at different places.
-pub fn marker_places(points: &[(f64, f64)], width: f64, share: f64) -> Vec<(f64, f64)> {
+pub fn thinned_marker_places(points: &[(f64, f64)], width: f64, share: f64) -> Vec<(f64, f64)> {
     let spacing = (width / 25.0).max(34.0);
     let mut chosen = Vec::new();
     let mut next = match points {

@@ -1,8 +1,8 @@
 //! Heat map of a table: rows and columns of coloured cells, each with its value as text.
 
-use super::curve_look::{Canvas, EDGE, dashes, draw_line, draw_rectangle, draw_text, size_to_units};
+use super::curve_look::{Canvas, EDGE, dashes, draw_line, draw_rectangle, draw_text, size_to_canvas_units};
 use super::svg_pen::Pen;
-use super::{Cell, HeatMap, LINE, PlotError, WIDTH, svg_element, text_width, wrap_note};
+use super::{Cell, HeatMap, LINE, PlotError, WIDTH, plot_text_width, svg_element, wrap_plot_note};
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
@@ -20,15 +20,16 @@ const GREY: RGBColor = RGBColor(0xdd, 0xdd, 0xdd);
 /// # Errors
 /// [`PlotError`] if plotters fails, which does not happen in memory.
 pub fn draw_heat(map: &HeatMap) -> Result<String, PlotError> {
-    let left = map.rows.iter().map(|(name, _)| text_width(name)).fold(40.0, f64::max) + 14.0;
+    let left = map.rows.iter().map(|(name, _)| plot_text_width(name)).fold(40.0, f64::max) + 14.0;
     let width = (WIDTH - left - 4.0) / map.columns.len().max(1) as f64;
-    let note = wrap_note(&map.note, WIDTH - 20.0);
+    let note = wrap_plot_note(&map.note, WIDTH - 20.0);
     let top = 2.0 * LINE + 12.0;
     let bottom = top + HEIGHT * map.rows.len() as f64;
     let height = bottom + 14.0 + LINE * note.len() as f64;
     let mut svg = String::new();
     {
-        let canvas = Pen::new(&mut svg, (size_to_units(WIDTH), size_to_units(height)), dashes).into_drawing_area();
+        let canvas =
+            Pen::new(&mut svg, (size_to_canvas_units(WIDTH), size_to_canvas_units(height)), dashes).into_drawing_area();
         canvas.fill(&WHITE)?;
         draw_text(&canvas, &map.title, (4.0, LINE / 2.0 + 2.0), HPos::Left, FontStyle::Bold)?;
         for (at, name) in map.columns.iter().enumerate() {

@@ -134,7 +134,7 @@ impl DrawingBackend for Pen<'_> {
     }
 
     fn draw_path<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(&mut self, path: I, style: &S) -> DrawResult {
-        let places = simplify_line(keep_column_extremes(path.into_iter().collect()));
+        let places = thin_line(keep_column_extremes(path.into_iter().collect()));
         let look = stroke(style, self.dashes);
         self.path(look).line(&places);
         Ok(())
@@ -160,7 +160,7 @@ impl DrawingBackend for Pen<'_> {
         self.end_path();
         let look = format!("{}fill=\"{}\"", opacity(style.color()), colour(style.color()));
         let area = self.path(look);
-        area.line(&simplify_line(path.into_iter().collect()));
+        area.line(&thin_line(path.into_iter().collect()));
         area.data.push('z');
         self.end_path();
         Ok(())
@@ -258,7 +258,7 @@ fn keep_column_extremes(places: Vec<BackendCoord>) -> Vec<BackendCoord> {
 
 /// Removes places that are too near the line through the remaining places to be seen (Ramer 1972;
 /// Douglas & Peucker 1973).
-fn simplify_line(places: Vec<BackendCoord>) -> Vec<BackendCoord> {
+fn thin_line(places: Vec<BackendCoord>) -> Vec<BackendCoord> {
     if places.len() < 3 {
         return places;
     }
@@ -288,7 +288,7 @@ fn distance(place: BackendCoord, from: BackendCoord, to: BackendCoord) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{Pen, SEEN, distance, simplify_line};
+    use super::{Pen, SEEN, distance, thin_line};
     use plotters::prelude::*;
 
     /// Goal: strokes stay where they are. Method: two strokes and a ring of one look, an area and a name, by hand.
@@ -321,7 +321,7 @@ mod tests {
     fn a_smooth_curve_needs_few_points() {
         let places: Vec<_> =
             (0..800_i32).map(|x| (2 * x, (400.0 * (f64::from(x) / 60.0).sin()).round() as i32)).collect();
-        let kept = simplify_line(places.clone());
+        let kept = thin_line(places.clone());
         assert!(kept.len() < 160, "{}", kept.len());
         for place in places {
             let nearest = kept.windows(2).map(|pair| distance(place, pair[0], pair[1])).fold(f64::MAX, f64::min);

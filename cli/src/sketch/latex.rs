@@ -1,10 +1,10 @@
 //! Sketch of a mechanism in `TikZ`, for another LaTeX document to `\input`.
 
 use super::look::look_of_role;
-use super::rounded_sheet_coordinate;
+use super::sketch_coordinate_text;
 use crate::latex::{escape_latex, latex_unit_vector};
 use std::fmt::Write;
-use tripos::pictures::sketch::{Label, LabelWord, Mark, MarkRole, PaintKind, Path, PathPart, SheetPoint, Sketch};
+use tripos::pictures::sketch::{DrawingPoint, Label, LabelWord, Mark, MarkRole, PaintKind, Path, PathPart, Sketch};
 use tripos_derive::algebra::text::print::latex_name;
 
 /// Number of TeX points per pixel. With it, letters of 10 points have the size for which the places
@@ -23,8 +23,8 @@ pub fn tikz_picture(sketch: &Sketch) -> String {
         let dashes = look.dashes.map_or_else(String::new, |(on, off)| {
             format!(
                 ",dash pattern=on {}pt off {}pt",
-                rounded_sheet_coordinate(on * SCALE),
-                rounded_sheet_coordinate(off * SCALE)
+                sketch_coordinate_text(on * SCALE),
+                sketch_coordinate_text(off * SCALE)
             )
         });
         let _ = write!(
@@ -32,11 +32,11 @@ pub fn tikz_picture(sketch: &Sketch) -> String {
             ",\n  {}/.style={{draw={},line width={}pt{dashes}}}",
             look.name,
             colour(look.ink),
-            rounded_sheet_coordinate(look.wide * SCALE)
+            sketch_coordinate_text(look.wide * SCALE)
         );
     }
     out += "]\n";
-    let [width, height] = sketch.size.map(rounded_sheet_coordinate);
+    let [width, height] = sketch.size.map(sketch_coordinate_text);
     let _ = writeln!(out, "\\useasboundingbox (0,0) rectangle ({width},{height});");
     for mark in &sketch.marks {
         let _ = writeln!(out, "\\path[{}{}] {};", look_of_role(mark.role).name, tikz_fill(mark), tikz_path(&mark.path));
@@ -65,8 +65,8 @@ fn tikz_fill(mark: &Mark) -> String {
 }
 
 /// Returns a point of the sheet as coordinates in `TikZ`.
-fn tikz_point(at: SheetPoint) -> String {
-    format!("({},{})", rounded_sheet_coordinate(at[0]), rounded_sheet_coordinate(at[1]))
+fn tikz_point(at: DrawingPoint) -> String {
+    format!("({},{})", sketch_coordinate_text(at[0]), sketch_coordinate_text(at[1]))
 }
 
 /// Returns the path of a mark in the syntax of `TikZ`.

@@ -1,10 +1,10 @@
 //! Sketch of a mechanism as SVG, as a file or for a page.
 
 use super::look::{Look, look_of_role};
-use super::rounded_sheet_coordinate;
+use super::sketch_coordinate_text;
 use crate::page::escape;
 use std::fmt::Write;
-use tripos::pictures::sketch::{Label, LabelWord, Mark, MarkRole, PaintKind, Path, PathPart, SheetPoint, Sketch};
+use tripos::pictures::sketch::{DrawingPoint, Label, LabelWord, Mark, MarkRole, PaintKind, Path, PathPart, Sketch};
 use tripos_derive::algebra::text::print::name_parts;
 
 /// Returns a sketch as a complete SVG file. Its colours are light or dark, as the reader's system
@@ -13,11 +13,11 @@ pub fn sketch_svg_file(sketch: &Sketch) -> String {
     let colour = |[r, g, b]: [u8; 3]| format!("#{r:02x}{g:02x}{b:02x}");
     let mut style = String::from("text{font:15px \"STIX Two Text\",\"Times New Roman\",Times,serif;stroke:none}\n");
     for look in MarkRole::ALL.map(look_of_role) {
-        style += &css_rules(&look, &colour(look.ink), &colour(look.shade));
+        style += &svg_css_rules(&look, &colour(look.ink), &colour(look.shade));
     }
     style += "@media (prefers-color-scheme:dark){\n";
     for look in MarkRole::ALL.map(look_of_role) {
-        style += &css_rules(&look, &colour(look.dark[0]), &colour(look.dark[1]));
+        style += &svg_css_rules(&look, &colour(look.dark[0]), &colour(look.dark[1]));
     }
     format!("{}\n", svg_element(sketch, &format!("<style>{style}}}</style>\n")))
 }
@@ -29,14 +29,14 @@ pub fn sketch_svg_element(sketch: &Sketch) -> String {
 
 /// Returns the CSS rules of a class: `ink` colours lines, words and filled shapes; `shade` colours
 /// the inside of outlines.
-fn css_rules(look: &Look, ink: &str, shade: &str) -> String {
+fn svg_css_rules(look: &Look, ink: &str, shade: &str) -> String {
     let name = look.name;
     format!(".{name}{{stroke:{ink};fill:none}}.{name}.full,.{name}.word{{fill:{ink}}}.{name}.over{{fill:{shade}}}\n")
 }
 
 /// Returns the `<svg>` element of a sketch, with the text `style` in front of its marks.
 fn svg_element(sketch: &Sketch, style: &str) -> String {
-    let [width, height] = sketch.size.map(rounded_sheet_coordinate);
+    let [width, height] = sketch.size.map(sketch_coordinate_text);
     let title = escape(&format!("Sketch: {}", sketch.title));
     let mut out = format!(
         "<svg class=\"sketch\" role=\"img\" aria-label=\"{title}\" xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
@@ -75,7 +75,7 @@ fn svg_path_element(marks: &[Mark]) -> String {
 
 /// Returns the path of a mark in the syntax of SVG.
 fn svg_path_data(path: &Path) -> String {
-    let spot = |at: SheetPoint| format!("{} {}", rounded_sheet_coordinate(at[0]), rounded_sheet_coordinate(at[1]));
+    let spot = |at: DrawingPoint| format!("{} {}", sketch_coordinate_text(at[0]), sketch_coordinate_text(at[1]));
     let mut out = format!("M{}", spot(path.from));
     for part in &path.parts {
         let _ = match part {
@@ -92,8 +92,8 @@ fn svg_path_data(path: &Path) -> String {
 /// Returns the text element of a label, centred at its place. The base line lies a third of a
 /// letter below the middle.
 fn svg_label(label: &Label) -> String {
-    let inside: String = label.words.iter().map(word).collect();
-    let (x, y) = (rounded_sheet_coordinate(label.at[0]), rounded_sheet_coordinate(label.at[1] + 4.5));
+    let inside: String = label.words.iter().map(svg_label_word).collect();
+    let (x, y) = (sketch_coordinate_text(label.at[0]), sketch_coordinate_text(label.at[1] + 4.5));
     format!(
         "<text class=\"{} word\" x=\"{x}\" y=\"{y}\" text-anchor=\"middle\">{inside}</text>\n",
         look_of_role(label.role).name
@@ -102,7 +102,7 @@ fn svg_label(label: &Label) -> String {
 
 /// Returns a word of a label as SVG: a name with subscript, a unit vector, plain text or a minus
 /// sign.
-fn word(word: &LabelWord) -> String {
+fn svg_label_word(word: &LabelWord) -> String {
     match word {
         LabelWord::Name(name) => {
             let (letters, subscript, _) = name_parts(name);

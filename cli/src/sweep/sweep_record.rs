@@ -6,20 +6,20 @@
 //! integration.
 
 use crate::failure::Failure;
-use crate::output::write_text_file;
+use crate::output_files::write_text_file;
 use serde_json::{Map, Value};
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
-use tripos::method_words;
+use tripos::integration_method_words;
 use tripos::studies::sweep::Sweep;
 use tripos_derive::Model;
 use tripos_derive::model::text_hash;
-use tripos_derive::plain_text::path_in_line;
+use tripos_derive::plain_text::path_as_plain_text;
 use tripos_derive::publication::hash_publication_of_model;
 
 /// Returns a hash of the formulas that a scene gives to inputs, including those from its tables.
 /// Empty without such formulas.
-fn input_formulas_hash(model: &Model) -> String {
+fn sweep_record_input_hash(model: &Model) -> String {
     if model.bindings.is_empty() {
         return String::new();
     }
@@ -39,14 +39,14 @@ impl Record {
             ("version of tripos", env!("CARGO_PKG_VERSION").to_owned()),
             ("text of the model", text_hash(&model.source.text)),
             ("text of the scene", text_hash(&scene.source.text)),
-            ("signals of the inputs", input_formulas_hash(model)),
+            ("signals of the inputs", sweep_record_input_hash(model)),
             ("text of the publication", hash_publication_of_model(&model.source.path)),
             ("values", over.join(" ")),
             ("part of the points", shard.to_owned()),
             ("equations", by.name()),
             ("code", code.name().to_owned()),
             ("accelerations", solve.name().to_owned()),
-            ("method", method_words(scene)),
+            ("method", integration_method_words(scene)),
             ("span", format!("{} s to {} s", scene.span.0, scene.span.1)),
             ("column of digits", if *tells_digits { "yes" } else { "no" }.to_owned()),
         ])
@@ -72,8 +72,8 @@ impl Record {
         let Some(read) = read else {
             let what = format!(
                 "the sweep `{}` cannot be resumed: its record `{}` is missing",
-                path_in_line(part),
-                path_in_line(&beside)
+                path_as_plain_text(part),
+                path_as_plain_text(&beside)
             );
             return Err(Failure::request(what, HELP));
         };
@@ -98,7 +98,7 @@ pub fn remove_record(part: &Path) {
 
 /// Returns the failure for an unfinished table that does not belong to this sweep, with the reason.
 pub fn other_sweep_failure(part: &Path, why: &str) -> Failure {
-    Failure::request(format!("`{}` was begun by another sweep: {why}", path_in_line(part)), HELP)
+    Failure::request(format!("`{}` was begun by another sweep: {why}", path_as_plain_text(part)), HELP)
 }
 
 /// Advice for an unfinished table that this sweep cannot continue.

@@ -72,13 +72,13 @@ impl Columns {
 
     /// Returns the fields of a row, as texts.
     fn fields(&self, row: &SweepRow) -> Vec<String> {
-        let numbers = |list: &[f64]| list.iter().map(|x| shortest_number_text(*x)).collect::<Vec<String>>();
+        let numbers = |list: &[f64]| list.iter().map(|x| sweep_number_text(*x)).collect::<Vec<String>>();
         let nothing = |count: usize| vec![String::new(); count];
         let mut fields = vec![row.point.to_string()];
         fields.extend(numbers(&row.values));
         match &row.outcome {
             Ok(ended) => {
-                fields.extend([shortest_number_text(ended.t_end), ended.stop.clone()]);
+                fields.extend([sweep_number_text(ended.t_end), ended.stop.clone()]);
                 fields.extend(numbers(&ended.shown));
                 fields.extend([ended.steps, ended.rejected, ended.evaluations].map(|n| n.to_string()));
                 fields.extend(numbers(&ended.changes));
@@ -106,7 +106,7 @@ fn lines(records: impl Iterator<Item = Vec<String>>) -> Vec<u8> {
 }
 
 /// Returns the shortest decimal text that reads back to the same double: `0.01`, `1e-3`, `NaN`.
-pub fn shortest_number_text(x: f64) -> String {
+pub fn sweep_number_text(x: f64) -> String {
     // For numbers of this size with a fraction, text with an exponent is never shorter.
     if x.is_finite() && x.abs() >= 0.01 && x.fract().abs() > 0.0 {
         return x.to_string();
@@ -117,7 +117,7 @@ pub fn shortest_number_text(x: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::shortest_number_text;
+    use super::sweep_number_text;
 
     #[test]
     fn numbers_are_short_and_read_back() {
@@ -138,13 +138,13 @@ mod tests {
             (f64::NAN, "NaN"),
             (f64::NEG_INFINITY, "-inf"),
         ] {
-            assert_eq!(shortest_number_text(x), text);
+            assert_eq!(sweep_number_text(x), text);
             let back: f64 = text.parse().unwrap();
             assert!(back.to_bits() == x.to_bits() || x.is_nan());
         }
         for k in 0..100_000_u64 {
             let x = f64::from_bits(k.wrapping_mul(0x9E37_79B9_7F4A_7C15));
-            let text = shortest_number_text(x);
+            let text = sweep_number_text(x);
             assert!(text.len() <= x.to_string().len().min(format!("{x:e}").len()), "{text}");
         }
     }

@@ -7,7 +7,7 @@
 use super::{LiveEquations, ViewContent, ViewPlace};
 use serde_json::{Map, Value, json};
 use tripos::pictures::view::{
-    ForceSource, Forces, Motion, Quaternion, Solid, SolidForm, SolidPlace, Triple, quaternion,
+    ForceArrows, ForceSource, Quaternion, Solid, SolidForm, SolidPlace, Triple, ViewMotion, quaternion,
 };
 
 /// Steps of the data: of places, relative to the size of the mechanism, and of Euler parameters.
@@ -28,14 +28,14 @@ pub fn as_script(value: &Value) -> String {
 
 /// Points and frames of the mechanism that the viewer needs. The data refer to them by their index
 /// in these lists.
-struct ShownParts {
+struct ViewDataParts {
     /// Indices of the points in the model, in ascending order.
     points: Vec<usize>,
     /// Indices of the frames in the model, in ascending order.
     frames: Vec<usize>,
 }
 
-impl ShownParts {
+impl ViewDataParts {
     /// Collects the points and frames that the solids, traces, axes and forces of a view use.
     fn of_view(seen: &ViewContent<'_>) -> Self {
         let view = &seen.view;
@@ -80,7 +80,7 @@ fn place_of_form(form: &SolidForm) -> Option<&SolidPlace> {
 }
 
 /// Returns the largest number of frames of each motion whose data fit into this number of bytes.
-fn frames_within_bytes(seen: &ViewContent<'_>, kept: &ShownParts, bytes: usize) -> usize {
+fn frames_within_bytes(seen: &ViewContent<'_>, kept: &ViewDataParts, bytes: usize) -> usize {
     let forces = seen.motions.first().map_or(0, |motion| motion.forces.list.len());
     let each = (3 * kept.points.len() + 4 * kept.frames.len() + 1) * seen.motions.len() + 3 * forces;
     (bytes / (each * NUMBER)).max(2)
@@ -89,20 +89,20 @@ fn frames_within_bytes(seen: &ViewContent<'_>, kept: &ShownParts, bytes: usize) 
 /// True if the frames that fit into `bytes` bytes are close enough in time to show correctly how
 /// every body turns.
 pub fn turns_truly(seen: &ViewContent<'_>, bytes: usize) -> bool {
-    let most = frames_within_bytes(seen, &ShownParts::of_view(seen), bytes);
+    let most = frames_within_bytes(seen, &ViewDataParts::of_view(seen), bytes);
     seen.motions.iter().all(|m| m.has_true_rotations(&m.thin_motion(seen.view.size, most).0))
 }
 
 /// Returns all data of a view for the viewer as JSON, with motions of about `bytes` bytes.
 pub fn figure_data(seen: &ViewContent<'_>, live: &LiveEquations, home: ViewPlace, bytes: usize) -> Value {
-    let kept = ShownParts::of_view(seen);
+    let kept = ViewDataParts::of_view(seen);
     let live = match live {
         LiveEquations::Runs(running) => running.shown(&kept.points, &kept.frames),
         LiveEquations::Rests(_) => Value::Null,
     };
     let (mechanism, view) = (seen.mechanism, &seen.view);
     let most = frames_within_bytes(seen, &kept, bytes);
-    let thinned: Vec<Motion> = seen.motions.iter().map(|m| m.thin_motion(view.size, most).0).collect();
+    let thinned: Vec<ViewMotion> = seen.motions.iter().map(|m| m.thin_motion(view.size, most).0).collect();
     let motions: Vec<Value> = thinned.iter().map(|m| motion(m, &kept, view.size)).collect();
     let follow = mechanism.bodies.iter().map(|body| json!([body.name, kept.point(body.centre)]));
     let names = |list: &[usize]| list.iter().map(|at| mechanism.points[*at].name.clone()).collect::<Vec<_>>();
@@ -129,7 +129,7 @@ pub fn figure_data(seen: &ViewContent<'_>, live: &LiveEquations, home: ViewPlace
 
 /// Returns the forces of a motion as JSON: kind, name and point of each, and its components in
 /// whole steps.
-fn arrows(forces: &Forces, kept: &ShownParts) -> Value {
+fn arrows(forces: &ForceArrows, kept: &ViewDataParts) -> Value {
     let step = FORCE * forces.usual;
     let list = forces.list.iter().enumerate().map(|(at, arrow)| {
         let values: Vec<Triple> = forces.values.iter().map(|now| now[at]).collect();
@@ -140,11 +140,11 @@ fn arrows(forces: &Forces, kept: &ShownParts) -> Value {
         };
         json!({ "kind": kind, "name": arrow.name, "point": kept.point(arrow.point), "values": stored_differences(&values, step) })
     });
-    json!({ "usual": forces.usual, "cut": Forces::CUT, "step": step, "list": list.collect::<Vec<_>>() })
+    json!({ "usual": forces.usual, "cut": ForceArrows::CUT, "step": step, "list": list.collect::<Vec<_>>() })
 }
 
 /// Returns a solid as JSON: its form, dimensions, body and place.
-fn solid(solid: &Solid, kept: &ShownParts) -> Value {
+fn solid(solid: &Solid, kept: &ViewDataParts) -> Value {
     let mut out = Map::new();
     let mut put = |key: &str, value: Value| out.insert(key.to_owned(), value);
     put("label", json!(solid.label));
@@ -193,7 +193,7 @@ fn short(x: f64) -> f64 {
 
 /// Returns a motion as JSON: times, places of points and attitudes of frames, in whole steps.
 /// `size` is that of the mechanism, m.
-fn motion(motion: &Motion, kept: &ShownParts, size: f64) -> Value {
+fn motion(motion: &ViewMotion, kept: &ViewDataParts, size: f64) -> Value {
     let (from, to) = (motion.t.first().copied().unwrap_or_default(), motion.t.last().copied().unwrap_or_default());
     let span = (to - from).abs();
     let dt = if span > 0.0 { TIME * span } else { TIME };

@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 use tripos::EquationsName;
 use tripos::code::{derive_or_read_equations, find_equations_or_first};
 use tripos::pictures::view::{FrameTree, stated_solid_lengths};
-use tripos_codegen::js::{Module, WrittenEquations};
+use tripos_codegen::js::{JavaScriptModule, WrittenEquations};
 use tripos_codegen::plan::{Arguments, Function, MotionPlan, Planner, Returns, WatchedQuantity};
 use tripos_derive::Formulation;
 use tripos_derive::algebra::Expr;
@@ -51,7 +51,7 @@ impl RunnableEquations {
 }
 
 /// Returns the reason, in words, why the page cannot run the scene; `None` if it can.
-fn reason_not_live(seen: &ViewContent<'_>) -> Option<&'static str> {
+fn reason_for_no_live_equations(seen: &ViewContent<'_>) -> Option<&'static str> {
     let (mechanism, scene) = (seen.mechanism, seen.scene);
     if mechanism.speeds.is_empty() {
         Some("the constraints leave it no speed")
@@ -71,7 +71,7 @@ impl LiveEquations {
     /// # Errors
     /// [`Failure`] if the equations named by `by` cannot be derived.
     pub fn of(seen: &ViewContent<'_>, by: Option<&EquationsName>, home: ViewPlace) -> Result<Self, Failure> {
-        if let Some(why) = reason_not_live(seen) {
+        if let Some(why) = reason_for_no_live_equations(seen) {
             return Ok(Self::Rests(why.to_owned()));
         }
         let mechanism = seen.mechanism;
@@ -91,14 +91,14 @@ impl LiveEquations {
         let beside = [places(&own), sizes(&own, seen)];
         let names: Vec<String> = stops.watched.iter().map(|watched| watched.name.clone()).collect();
         let module = |own: &Planner<'_>, plan: &MotionPlan, beside: &[Function]| {
-            Module { planner: own, plan, watched: &names, beside, origin: "" }.javascript_module_object()
+            JavaScriptModule { planner: own, plan, watched: &names, beside, origin: "" }.javascript_module_object()
         };
         let mut equations = module(&own, &plan, &beside);
         if equations.len() > home.equations() {
             return Ok(Self::Rests("its equations are too long for a page".to_owned()));
         }
         let title = by.title();
-        let mut data = live_run_data(seen, &plan, &stops, &title);
+        let mut data = live_equations_data(seen, &plan, &stops, &title);
         // If the independent speeds become singular during a run, the equations in all rates can
         // continue.
         if !mechanism.loops.is_empty() && written.solved.is_some() {
@@ -180,7 +180,7 @@ fn numbered_values(stem: &str, values: Vec<Expr>) -> Vec<(String, String, Expr)>
 
 /// Returns the data of the run in the page as JSON: start, tolerances, conditions, links and
 /// sliders.
-fn live_run_data(seen: &ViewContent<'_>, plan: &MotionPlan, stops: &StopConditions, title: &str) -> Value {
+fn live_equations_data(seen: &ViewContent<'_>, plan: &MotionPlan, stops: &StopConditions, title: &str) -> Value {
     let (mechanism, scene) = (seen.mechanism, seen.scene);
     let links = FrameTree::of(mechanism);
     let at = |list: &[i8]| plan.conditions.iter().map(|place| list[*place]).collect::<Vec<_>>();
@@ -208,9 +208,9 @@ fn live_run_data(seen: &ViewContent<'_>, plan: &MotionPlan, stops: &StopConditio
         // Point of contact and middle point of each solid that touches: its radius follows from their distance.
         "touches": seen.view.solids.iter().map(|solid| Some([solid.touches?, *solid.form.points().first()?])).collect::<Vec<_>>(),
         "parameters": parameters(seen),
-        "start": start_sliders(seen),
+        "start": live_start_sliders(seen),
         // Coordinates that close the loops, if the scene leaves some to be solved for.
-        "closing": loop_coordinates(seen),
+        "closing": live_loop_coordinates(seen),
     })
 }
 
@@ -239,7 +239,7 @@ fn parameters(seen: &ViewContent<'_>) -> Vec<Value> {
 }
 
 /// Returns the indices of the coordinates that the closed loops of the scene determine.
-fn loop_coordinates(seen: &ViewContent<'_>) -> Vec<usize> {
+fn live_loop_coordinates(seen: &ViewContent<'_>) -> Vec<usize> {
     let is_closed = |name: &str| seen.scene.closed.iter().any(|closed| closed.name == name);
     let coordinates = seen.mechanism.coordinates.iter().enumerate();
     coordinates.filter(|(_, c)| is_closed(&c.name)).map(|(at, _)| at).collect()
@@ -247,7 +247,7 @@ fn loop_coordinates(seen: &ViewContent<'_>) -> Vec<usize> {
 
 /// Returns the sliders of the start: coordinates except time and dependent coordinates, then
 /// generalized speeds. An angle can change by π rad, other values by their range in the motion.
-fn start_sliders(seen: &ViewContent<'_>) -> Vec<Value> {
+fn live_start_sliders(seen: &ViewContent<'_>) -> Vec<Value> {
     let (mechanism, scene) = (seen.mechanism, seen.scene);
     let ranges = seen.motions.first().map_or(&[][..], |motion| &motion.ranges);
     let reach = |at: usize, value: f64| {
@@ -255,7 +255,7 @@ fn start_sliders(seen: &ViewContent<'_>) -> Vec<Value> {
         Some(spread.max(value.abs())).filter(|reach| *reach > 0.0 && reach.is_finite()).unwrap_or(1.0)
     };
     let n = mechanism.coordinates.len();
-    let (time, closing) = (mechanism.time(), loop_coordinates(seen));
+    let (time, closing) = (mechanism.time(), live_loop_coordinates(seen));
     let is_free = |at: usize| Some(at) != time && !closing.contains(&at);
     let coordinates = mechanism.coordinates.iter().enumerate().filter(|(at, _)| is_free(*at)).map(|(at, c)| {
         let value = scene.q[at];

@@ -1,7 +1,7 @@
 //! Text of the file `modelDescription.xml` of a functional mock-up unit by FMI 2.0.
 
 use super::fmi3_description::{
-    escape_xml_attribute, unit_title, write_default_experiment_element, write_unit_definitions, xml_number,
+    escape_xml_attribute, fmu_title, write_default_experiment_element, write_unit_definitions_element, xml_number,
 };
 use super::fmu_instantiation_token;
 use super::functions::FmuFunctions;
@@ -27,7 +27,7 @@ pub fn fmi2_description_text(
         out,
         "<fmiModelDescription fmiVersion=\"2.0\" modelName=\"{}\" guid=\"{}\" description=\"{}\" generationTool=\"Tripos\" \
          variableNamingConvention=\"flat\" numberOfEventIndicators=\"{indicators}\">",
-        escape_xml_attribute(&unit_title(module, scene)),
+        escape_xml_attribute(&fmu_title(module, scene)),
         fmu_instantiation_token(module, scene),
         escape_xml_attribute(&format!("{} {}", scene.about, module.origin))
     );
@@ -43,7 +43,7 @@ pub fn fmi2_description_text(
          <CoSimulation modelIdentifier=\"{identifier}\" {states}{slopes} \
          canHandleVariableCommunicationStepSize=\"true\">{sources}</CoSimulation>"
     );
-    write_unit_definitions(&mut out, list);
+    write_unit_definitions_element(&mut out, list);
     write_default_experiment_element(&mut out, scene);
     out.push_str("  <ModelVariables>\n");
     for variable in list {

@@ -31,7 +31,7 @@ pub fn fmi3_description_text(
         out,
         "<fmiModelDescription fmiVersion=\"3.0\" modelName=\"{}\" instantiationToken=\"{}\" description=\"{}\" \
          generationTool=\"Tripos\" variableNamingConvention=\"flat\">",
-        escape_xml_attribute(&unit_title(module, scene)),
+        escape_xml_attribute(&fmu_title(module, scene)),
         fmu_instantiation_token(module, scene),
         escape_xml_attribute(&format!("{} {}", scene.about, module.origin))
     );
@@ -44,20 +44,20 @@ pub fn fmi3_description_text(
         out,
         "  <CoSimulation modelIdentifier=\"{identifier}\" {states}{slopes} canHandleVariableCommunicationStepSize=\"true\"/>"
     );
-    write_unit_definitions(&mut out, list);
+    write_unit_definitions_element(&mut out, list);
     write_default_experiment_element(&mut out, scene);
     out.push_str("  <ModelVariables>\n");
     for variable in list {
         write_fmi3_variable_element(&mut out, variable);
     }
     out.push_str("  </ModelVariables>\n  <ModelStructure>\n");
-    write_model_structure(&mut out, list);
+    write_fmi3_model_structure(&mut out, list);
     out.push_str("  </ModelStructure>\n</fmiModelDescription>\n");
     out
 }
 
 /// Returns the title of the model, followed by the title of the scene if it has one.
-pub fn unit_title(module: &Module<'_>, scene: &Scene) -> String {
+pub fn fmu_title(module: &Module<'_>, scene: &Scene) -> String {
     let title = &module.model().title;
     if scene.title.is_empty() { title.clone() } else { format!("{title}: {}", scene.title) }
 }
@@ -76,7 +76,7 @@ pub fn write_default_experiment_element(out: &mut String, scene: &Scene) {
 
 /// Writes the XML definitions of all units of the variables, by their exponents of m, kg and s. A
 /// unit with fractional exponents gets only its name.
-pub fn write_unit_definitions(out: &mut String, list: &[Variable]) {
+pub fn write_unit_definitions_element(out: &mut String, list: &[Variable]) {
     let units: BTreeMap<String, &Unit> =
         list.iter().filter_map(|v| Some((v.unit.as_ref()?.to_string(), v.unit.as_ref()?))).collect();
     out.push_str("  <UnitDefinitions>\n");
@@ -128,7 +128,7 @@ fn write_fmi3_variable_element(out: &mut String, variable: &Variable) {
 
 /// Writes the XML list of outputs, state derivatives and event indicators, each with the variables
 /// on which it depends.
-fn write_model_structure(out: &mut String, list: &[Variable]) {
+fn write_fmi3_model_structure(out: &mut String, list: &[Variable]) {
     let mut unknown = |element: &str, variable: &Variable| {
         let _ = write!(out, "    <{element} valueReference=\"{}\"", variable.reference);
         if let Some(depends_on) = variable.depends_on.as_ref().filter(|_| element != INITIAL) {

@@ -136,7 +136,7 @@ impl Fmu {
 fn fmu_identifier(scene: &Scene, model: &Model) -> String {
     let origin = Origin::origin_of_model_file(&model.source.path, COMMAND);
     let of_scene = scene.source.path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
-    crate::languages::identifier_word(&format!("{}_{of_scene}", crate::languages::model_name_of_origin(&origin)))
+    crate::languages::module_identifier_word(&format!("{}_{of_scene}", crate::languages::model_name_of_origin(&origin)))
         .to_ascii_lowercase()
 }
 

@@ -55,7 +55,7 @@ impl Variables {
     /// Lists the variables of a scene: time, parameters and inputs, states, their derivatives,
     /// outputs, event indicators.
     pub fn new(model: &Model, scene: &Scene, functions: &FmuFunctions, plan: &ModulePlan) -> Self {
-        let mut names = Names::default();
+        let mut names = FmuVariableNames::default();
         let mut list = Vec::new();
         let mut add = |name: &str, role, start, unit: Option<&Unit>, about: &str, depends_on| {
             let (name, reference) = (names.unique(name), list.len());
@@ -133,9 +133,9 @@ fn nonzero_dependencies<'e>(mut slopes: impl Iterator<Item = Option<(usize, &'e 
 
 /// Set of variable names already used.
 #[derive(Default)]
-struct Names(FxHashSet<String>);
+struct FmuVariableNames(FxHashSet<String>);
 
-impl Names {
+impl FmuVariableNames {
     /// Returns the wanted name, or the name with the first free number from 2 appended, such as `q
     /// (2)`.
     fn unique(&mut self, wanted: &str) -> String {

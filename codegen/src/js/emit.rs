@@ -1,6 +1,6 @@
 //! JavaScript modules for any model file, with the modules that integrate them.
 
-use super::{Module, RUNNERS, WrittenEquations};
+use super::{JavaScriptModule, RUNNERS, WrittenEquations};
 use crate::emit::Emission;
 use crate::origin::{EMIT, Origin};
 use crate::plan::{MotionPlan, WatchedQuantity, module_name};
@@ -22,7 +22,7 @@ pub const EXTENSION: &str = "mjs";
 /// [`Diagnostics`] of the model file or the publication, or of a given formulation that the model does not support.
 pub fn emit_javascript_modules(model: &Model, formulations: &[Formulation]) -> Result<Emission, Diagnostics> {
     let mut modules = JavaScriptModules::new(model)?;
-    let left_out = target::write_equations_to_target(model, formulations, &mut modules)?;
+    let left_out = target::pass_equations_to_target(model, formulations, &mut modules)?;
     Ok(Emission { files: modules.files, left_out, command: EMIT, extensions: &[EXTENSION] })
 }
 
@@ -86,6 +86,6 @@ impl JavaScriptModules {
         let values = model.domain.iter().map(|condition| condition.positive);
         let watched = names.iter().cloned().zip(values).map(|(name, value)| WatchedQuantity { name, value });
         let plan = MotionPlan::new(&own, written.solved.as_ref(), &watched.collect::<Vec<_>>(), balance.as_ref());
-        Module { planner: &own, plan: &plan, watched: &names, beside: &[], origin }.text()
+        JavaScriptModule { planner: &own, plan: &plan, watched: &names, beside: &[], origin }.text()
     }
 }

@@ -32,9 +32,9 @@ impl JavaScriptFunctionWriter {
         match &planned.parts {
             Some(parts) => {
                 self.lines.line(&format!("const values = new Array({}).fill(0);", parts.places));
-                let given = part_function_arguments(planned);
+                let given = javascript_part_arguments(planned);
                 for at in 1..=parts.list.len() {
-                    self.lines.line(&format!("{}({}values);", part_name(planned, at), given));
+                    self.lines.line(&format!("{}({}values);", javascript_part_name(planned, at), given));
                 }
                 self.lines.declare_arguments(&parts.arguments);
                 self.lines.declare_array_entries("values", &parts.results);
@@ -56,8 +56,8 @@ impl JavaScriptFunctionWriter {
             self.lines.write_empty_line();
             self.lines.line(&format!(
                 "function {}({}values) {{",
-                part_name(planned, at + 1),
-                part_function_arguments(planned)
+                javascript_part_name(planned, at + 1),
+                javascript_part_arguments(planned)
             ));
             self.lines.indent("  ");
             self.lines.declare_arguments(&part.arguments);
@@ -74,13 +74,13 @@ impl JavaScriptFunctionWriter {
 
 /// Returns the name of the function of part `at`, counted from 1. It contains a `$`, which no name
 /// of a model contains.
-fn part_name(planned: &Function, at: usize) -> String {
+fn javascript_part_name(planned: &Function, at: usize) -> String {
     format!("{}$part{at}", planned.name)
 }
 
 /// Returns the arguments of a long function, each followed by a comma. The functions of its parts
 /// take the same arguments.
-fn part_function_arguments(planned: &Function) -> String {
+fn javascript_part_arguments(planned: &Function) -> String {
     planned.arguments.iter().flat_map(|argument| [argument.name(), ", "]).collect()
 }
 

@@ -49,7 +49,7 @@ pub fn javascript_string_array<'t>(list: impl IntoIterator<Item = &'t str>) -> S
 /// Returns the text of a module for a `script` element of a page, without its imports and the word
 /// `export`.
 #[must_use]
-pub fn without_module_syntax(text: &str) -> String {
+pub fn javascript_script_text(text: &str) -> String {
     let lines = text.lines().filter(|line| !line.starts_with("import "));
     lines.flat_map(|line| [line.strip_prefix("export ").unwrap_or(line), "\n"]).collect()
 }

@@ -12,8 +12,8 @@ mod syntax;
 mod written_equations;
 
 pub use javascript_names::{LANGUAGE, is_name};
-pub use javascript_strings::{javascript_string, without_module_syntax};
-pub use module::Module;
+pub use javascript_strings::{javascript_script_text, javascript_string};
+pub use module::JavaScriptModule;
 pub use written_equations::WrittenEquations;
 
 /// JavaScript sources that run the modules, each with its name: the integrator, the projection onto

@@ -2,7 +2,7 @@
 //! that runs need.
 
 use super::function::JavaScriptFunctionWriter;
-use super::javascript_strings::{javascript_string, javascript_string_array, without_module_syntax};
+use super::javascript_strings::{javascript_script_text, javascript_string, javascript_string_array};
 use super::syntax::JavaScript;
 use crate::plan::{Function, MotionPlan, Planner};
 use crate::syntax::{CodeWriter, Comments, number_literal};
@@ -35,7 +35,7 @@ const FUNCTIONS: [&str; 6] =
 const FUNCTIONS_WITHOUT_RUN: [&str; 1] = ["power"];
 
 /// Contents of a JavaScript module: a plan, the watched quantities and further functions.
-pub struct Module<'a> {
+pub struct JavaScriptModule<'a> {
     /// Planner of the module's functions.
     pub planner: &'a Planner<'a>,
     /// Plan with the functions for motion, and names of divisors, conditions and constraints.
@@ -49,7 +49,7 @@ pub struct Module<'a> {
     pub origin: &'a str,
 }
 
-impl Module<'_> {
+impl JavaScriptModule<'_> {
     /// Returns the text of the module with its header and comments.
     #[must_use]
     pub fn text(&self) -> String {
@@ -71,7 +71,11 @@ impl Module<'_> {
         exports.extend(FUNCTIONS.iter().filter(|name| !self.is_left_out(name, Comments::LeftOut)));
         let planned = self.plan.functions.iter().chain(self.beside).map(|function| function.name);
         exports.extend(planned.filter(|name| !FUNCTIONS.contains(name) && !self.is_left_out(name, Comments::LeftOut)));
-        format!("(() => {{\n{}return {{ {} }};\n}})()", without_module_syntax(&functions.lines.out), exports.join(", "))
+        format!(
+            "(() => {{\n{}return {{ {} }};\n}})()",
+            javascript_script_text(&functions.lines.out),
+            exports.join(", ")
+        )
     }
 
     fn model(&self) -> &Model {

@@ -1,6 +1,6 @@
 //! Syntax of JavaScript expressions and statements, in double precision.
 
-use crate::syntax::{Syntax, assignments};
+use crate::syntax::{Syntax, assignment_statements};
 use tripos_derive::plain_text::{one_line, with_visible_characters};
 
 /// JavaScript as a language for formulas. A product and a sum are never fused into one operation.
@@ -33,7 +33,7 @@ impl Syntax for JavaScript {
     }
 
     fn declare(&self, out: &mut String, indent: &str, list: &[(String, String)]) {
-        self.statement(out, indent, &format!("const {};", assignments(list, ", ")));
+        self.statement(out, indent, &format!("const {};", assignment_statements(list, ", ")));
     }
 }
 

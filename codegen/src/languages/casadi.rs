@@ -4,8 +4,8 @@
 use super::module_contents::result_matrix_size;
 use super::python::names::LANGUAGE;
 use super::python::text::{
-    array_of_entries, docstring, escape_python_comment, names_and_values, python_number_literal,
-    write_python_declarations, write_python_expression,
+    docstring, escape_python_comment, python_number_literal, write_python_array, write_python_declarations,
+    write_python_expression, write_python_names_and_values,
 };
 use super::{CompositeFunction, Dialect, Module};
 use crate::plan::{Argument, Entry, Function, Language, Returns};
@@ -101,7 +101,7 @@ fn casadi_module_text(module: &Module<'_>) -> String {
     writer.write_empty_line();
     writer.write_unbroken(&docstring(&module.title()));
     writer.write_unbroken(&format!("import casadi\n\nimport {HELPERS} as _helpers\n"));
-    names_and_values(&mut writer, module, "casadi.nan");
+    write_python_names_and_values(&mut writer, module, "casadi.nan");
     for planned in &module.plan.functions {
         function(&mut writer, planned);
     }
@@ -155,19 +155,19 @@ fn function(writer: &mut CodeWriter<'_>, planned: &Function) {
         (Returns::Number, _) => write_python_expression(&mut writer.out, "    ", "return ", &entries.concat()),
         (Returns::System(side), _) => {
             let (matrix, right) = entries.split_at(side * side);
-            array_of_entries(writer, &format!("first = _helpers.table({side}, {side}, ["), matrix, "])");
-            array_of_entries(writer, "second = casadi.vertcat(", right, ")");
+            write_python_array(writer, &format!("first = _helpers.table({side}, {side}, ["), matrix, "])");
+            write_python_array(writer, "second = casadi.vertcat(", right, ")");
             writer.write_unbroken("return first, second");
         }
         (Returns::Pair(first), _) => {
-            array_of_entries(writer, "first = casadi.vertcat(", &entries[..first], ")");
-            array_of_entries(writer, "second = casadi.vertcat(", &entries[first..], ")");
+            write_python_array(writer, "first = casadi.vertcat(", &entries[..first], ")");
+            write_python_array(writer, "second = casadi.vertcat(", &entries[first..], ")");
             writer.write_unbroken("return first, second");
         }
         (_, Some([rows, columns])) => {
-            array_of_entries(writer, &format!("return _helpers.table({rows}, {columns}, ["), &entries, "])");
+            write_python_array(writer, &format!("return _helpers.table({rows}, {columns}, ["), &entries, "])");
         }
-        (_, None) => array_of_entries(writer, "return casadi.vertcat(", &entries, ")"),
+        (_, None) => write_python_array(writer, "return casadi.vertcat(", &entries, ")"),
     }
     writer.indent("");
 }

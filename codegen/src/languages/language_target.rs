@@ -1,7 +1,7 @@
 //! Target for C, Python, MATLAB and CasADi: writes the modules of a model's formulations and
 //! printed equations.
 
-use super::module_contents::identifier_word;
+use super::module_contents::module_identifier_word;
 use super::{CompositeFunction, Dialect, Module, SceneRun};
 use crate::emit::Emission;
 use crate::origin::Origin;
@@ -48,7 +48,7 @@ pub struct LanguageEmission {
 /// # Errors
 /// [`Diagnostics`] of the publication, of a given formulation that the model does not support, or
 /// of a requested function that no module has.
-pub fn emit_model(
+pub fn emit_language_modules(
     model: &Model,
     dialect: &dyn Dialect,
     selection: Selection<'_>,
@@ -59,9 +59,9 @@ pub fn emit_model(
             .scene
             .map_or_else(|| SceneRun::first_scene_run(model), |scene| SceneRun::plain_scene_run(scene, model))
     };
-    let mut modules = Modules {
+    let mut modules = LanguageTarget {
         dialect,
-        model_word: identifier_word(model_name_of_origin(&origin)).to_ascii_lowercase(),
+        model_word: module_identifier_word(model_name_of_origin(&origin)).to_ascii_lowercase(),
         selection,
         run: if selection.functions.is_empty() { run() } else { None },
         files: dialect.shared_files(&origin.shared_file_origin_sentence()).into_iter().collect(),
@@ -70,7 +70,7 @@ pub fn emit_model(
         main_file: None,
         origin,
     };
-    let left_out = target::write_equations_to_target(model, selection.formulations, &mut modules)?;
+    let left_out = target::pass_equations_to_target(model, selection.formulations, &mut modules)?;
     if let Some(name) = selection.functions.iter().find(|name| !modules.written.contains(&name.as_str())) {
         let message = format!("the equations of this model have no function `{name}`");
         let help = missing_function_help(name, model, dialect, selection)?;
@@ -91,7 +91,7 @@ fn missing_function_help(
     dialect: &dyn Dialect,
     selection: Selection<'_>,
 ) -> Result<String, Diagnostics> {
-    let functions = emit_model(model, dialect, Selection { functions: &[], ..selection })?.functions;
+    let functions = emit_language_modules(model, dialect, Selection { functions: &[], ..selection })?.functions;
     let why = match name {
         "outputs" | "events" if selection.scene.is_none() => {
             "give a scene file in place of the model: its outputs and events become functions; "
@@ -114,7 +114,7 @@ pub(crate) fn model_name_of_origin(origin: &Origin) -> &str {
 }
 
 /// Modules of a model in one language while they are written, as a target.
-struct Modules<'a> {
+struct LanguageTarget<'a> {
     /// Language in which the modules are written.
     dialect: &'a dyn Dialect,
     /// Source file and command, as the headers state them.
@@ -136,7 +136,7 @@ struct Modules<'a> {
     main_file: Option<String>,
 }
 
-impl Target for Modules<'_> {
+impl Target for LanguageTarget<'_> {
     fn files(&self) -> &BTreeMap<String, String> {
         &self.files
     }
@@ -150,7 +150,7 @@ impl Target for Modules<'_> {
         let equations = equations.with_definitions(&mut arena);
         let parameters = self.wants("parameter_jacobian").then(|| model.p());
         let solution =
-            solve_accelerations(&mut arena, &equations, parameters.as_deref()).map_err(|why| model.diagnose(&why))?;
+            solution_for_target(&mut arena, &equations, parameters.as_deref()).map_err(|why| model.diagnose(&why))?;
         let shown = self.selection.scene.map(|scene| {
             let solved = solution.as_ref().map(|solution| &solution.by_state.accelerations);
             SceneOutputs::new(model, scene, &mut arena, &equations, solved)
@@ -196,7 +196,7 @@ impl Target for Modules<'_> {
     }
 }
 
-impl Modules<'_> {
+impl LanguageTarget<'_> {
     /// True if a function of this name is to be written: all functions are, or this name is
     /// requested.
     fn wants(&self, name: &str) -> bool {
@@ -244,7 +244,7 @@ impl Modules<'_> {
 /// Differentiates also by the given parameters.
 /// `None` if the equations do not determine the accelerations in closed form.
 /// `Err` if a result is not proved.
-fn solve_accelerations(
+fn solution_for_target(
     arena: &mut Arena,
     equations: &Equations,
     parameters: Option<&[Expr]>,

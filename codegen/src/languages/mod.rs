@@ -15,9 +15,9 @@ mod scene_run;
 
 pub use composite::CompositeFunction;
 pub(crate) use language_target::model_name_of_origin;
-pub use language_target::{LanguageEmission, Selection, emit_model};
+pub use language_target::{LanguageEmission, Selection, emit_language_modules};
 pub use module_contents::Module;
-pub(crate) use module_contents::identifier_word;
+pub(crate) use module_contents::module_identifier_word;
 pub use scene_run::SceneRun;
 
 use crate::plan::Language;

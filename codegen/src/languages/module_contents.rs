@@ -1,7 +1,7 @@
 //! Module of one set of equations: its plan and names, before it is written in a language.
 
 use super::CompositeFunction;
-use crate::plan::{Argument, Function, ModulePlan, Planner, Returns, name_without_primes};
+use crate::plan::{Argument, Function, ModulePlan, Planner, Returns, variable_name_without_primes};
 use crate::syntax::CodeWriter;
 use rustc_hash::FxHashSet;
 use tripos_derive::{Equations, Model};
@@ -89,7 +89,7 @@ impl Module<'_> {
     pub fn parameter_words(&self) -> Vec<String> {
         let mut taken = FxHashSet::default();
         let unique = |p: &tripos_derive::model::Parameter| {
-            let word = identifier_word(&name_without_primes(&p.name));
+            let word = module_identifier_word(&variable_name_without_primes(&p.name));
             let mut candidates = std::iter::once(word.clone()).chain((2..).map(|n| format!("{word}_{n}")));
             let found = candidates.find(|name| !taken.contains(name)).expect("numbers do not end");
             taken.insert(found.clone());
@@ -138,7 +138,7 @@ pub fn result_matrix_size(function: &Function) -> Option<[usize; 2]> {
 /// Replaces all characters except letters and digits by underscores. Puts `m_` at the front unless
 /// the text begins with a letter.
 #[must_use]
-pub fn identifier_word(text: &str) -> String {
+pub fn module_identifier_word(text: &str) -> String {
     let spelled: String = text.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect();
     if spelled.starts_with(|c: char| c.is_ascii_alphabetic()) { spelled } else { format!("m_{spelled}") }
 }

@@ -1,7 +1,7 @@
 //! Start values and settings of a scene's run, for the simulation scripts written with the
 //! equations.
 
-use crate::scene_files::scene_files;
+use crate::model_folders::scenes_in_model_folder;
 use tripos_derive::Model;
 use tripos_derive::diagnostic::Source;
 use tripos_derive::scene::{Scene, load_scene_with_inputs};
@@ -29,7 +29,7 @@ impl SceneRun {
     /// terminal events or with formulas for inputs, which no script can follow.
     #[must_use]
     pub fn first_scene_run(model: &Model) -> Option<Self> {
-        let place = scene_files(&model.source.path).into_iter().next()?;
+        let place = scenes_in_model_folder(&model.source.path).into_iter().next()?;
         let mut bound = model.clone();
         let scene = load_scene_with_inputs(&Source::read(&place).ok()?, &mut bound).ok()?;
         Self::plain_scene_run(&scene, &bound)

@@ -1,7 +1,7 @@
 //! Cost of a planned function: its number of operations, counted over its program.
 
-use super::formula_form::{constant_and_factors, order_sum_for_fusion};
-use super::program::{Line, Program};
+use super::fusion::{constant_and_factors, order_sum_for_fusion};
+use super::program::{Program, ProgramLine};
 use std::fmt;
 use tripos_derive::algebra::text::display_tree::DisplayTree;
 
@@ -31,7 +31,7 @@ impl OperationCount {
     pub fn of(program: &Program) -> Self {
         let mut cost = Self::default();
         for line in &program.lines {
-            cost.sincos += usize::from(matches!(line, Line::Circular { .. }));
+            cost.sincos += usize::from(matches!(line, ProgramLine::Circular { .. }));
             cost.count(line.value());
         }
         program.outputs.iter().for_each(|output| cost.count(&output.value));

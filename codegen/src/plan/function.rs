@@ -2,9 +2,9 @@
 
 use super::arguments::{Argument, Entry};
 use super::cost::OperationCount;
-use super::names::{Language, SymbolVariableNames, type_name};
 use super::program::{Output, Program, Statement, program};
 use super::program_parts::Parts;
+use super::variable_names::{Language, SymbolVariableNames, type_name};
 use rustc_hash::FxHashSet;
 use tripos_derive::algebra::form::sharing::{SharingOptions, is_equivalent_after_sharing, share_common_parts};
 use tripos_derive::algebra::form::simplify::Simplifier;

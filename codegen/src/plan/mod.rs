@@ -8,34 +8,35 @@
 
 mod arguments;
 mod cost;
-mod formula_form;
-mod formulation;
+mod equation_functions;
 mod function;
+mod fusion;
 mod module_plan;
-mod motion;
-mod names;
+mod motion_plan;
 mod program;
 mod program_parts;
 mod regressor;
 mod scene_outputs;
 mod scene_plan;
 mod taylor_plan;
+mod variable_names;
 
 pub use arguments::{Argument, Entry};
 pub use cost::OperationCount;
-pub use formula_form::{constant_and_factors, is_plain_product, is_sum_free_formula, order_sum_for_fusion};
-pub use formulation::{FormulationPlan, Jacobian, derivative};
+pub use equation_functions::{FormulationPlan, Jacobian, derivative};
 pub use function::{Arguments, Function, LineComments, Planner, Returns, Sharing, Value};
+pub use fusion::{constant_and_factors, is_fusible_product, is_sum_free_formula, order_sum_for_fusion};
 pub use module_plan::{ModulePlan, Solution};
-pub use motion::{MotionPlan, WatchedQuantity};
-pub use names::{
-    Allocator, Language, SymbolVariableNames, TermNames, identifier, module_name, name_without_primes, type_name,
-};
-pub use program::{Line, Output, Program, Statement, program};
+pub use motion_plan::{MotionPlan, WatchedQuantity};
+pub use program::{Output, Program, ProgramLine, Statement, program};
 pub use program_parts::{Part, Parts};
 pub use regressor::RegressorFunctions;
 #[cfg(feature = "languages")]
 pub(crate) use scene_outputs::numbered_values;
 pub use scene_outputs::{MissingOutputReason, SceneOutputs};
-pub use scene_plan::{Costs, SceneEquations, ScenePlan, Taylor, costs};
+pub use scene_plan::{Costs, SceneEquations, ScenePlan, Taylor, scene_costs};
 pub use taylor_plan::TaylorPlan;
+pub use variable_names::{
+    Allocator, Language, SymbolVariableNames, TermVariableNames, module_name, type_name, variable_name_without_primes,
+    variable_word_of_formula,
+};

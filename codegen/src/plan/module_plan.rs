@@ -1,15 +1,15 @@
 //! Plan of all functions of one set of equations, for modules in C, Python, MATLAB and CasADi.
 
-use super::formulation::{
+use super::equation_functions::{
     accelerations, constraints, derivative, divisors, formulation_facts, inverse_dynamics, jacobian,
     kinematics_and_energies, linear_system, parameter_jacobian, plan_speed_conversions, redundant_constraints,
     residual,
 };
 use super::function::{Arguments, Function, Planner, Returns, Value};
-use super::motion::{needs_reaction, state_steps};
-use super::names::Language;
+use super::motion_plan::{definitions_in_state, needs_reaction};
 use super::regressor::RegressorFunctions;
 use super::scene_outputs::SceneOutputs;
+use super::variable_names::Language;
 use tripos_derive::algebra::Expr;
 use tripos_derive::mechanics::{Jacobian, SolvedAccelerations};
 use tripos_derive::model::DomainCondition;
@@ -108,7 +108,7 @@ impl ModulePlan {
             _ => function,
         }));
         functions.extend(redundant_constraints(planner));
-        let (of_domain, conditions) = plan_domain_conditions(planner);
+        let (of_domain, conditions) = plan_module_conditions(planner);
         functions.extend(of_domain);
         let name = |symbol: &Expr| planner.arena.symbol_name(*symbol).unwrap_or_default().to_owned();
         Self {
@@ -116,12 +116,12 @@ impl ModulePlan {
             divisors,
             constraints: e.constraints.iter().map(|c| c.name.clone()).collect(),
             conditions,
-            unchecked: conditions_with_reactions(planner).map(|condition| condition.name.clone()).collect(),
+            unchecked: unchecked_module_conditions(planner).map(|condition| condition.name.clone()).collect(),
             unknowns: e.unknowns.iter().map(name).collect(),
             further: Vec::new(),
             facts: formulation_facts(planner, solved)
                 .into_iter()
-                .chain(conditions_with_reactions(planner).map(fact_of_unchecked))
+                .chain(unchecked_module_conditions(planner).map(module_fact_of_unchecked))
                 .collect(),
         }
     }
@@ -152,21 +152,21 @@ impl ModulePlan {
 }
 
 /// Returns the header line for a condition that no function checks because it contains a reaction.
-fn fact_of_unchecked(condition: &DomainCondition) -> String {
+fn module_fact_of_unchecked(condition: &DomainCondition) -> String {
     format!("No function checks the condition {} ({}), which contains a reaction.", condition.name, condition.text)
 }
 
 /// Returns the conditions of the model's domain that contain reactions.
-fn conditions_with_reactions<'a>(planner: &'a Planner<'_>) -> impl Iterator<Item = &'a DomainCondition> {
+fn unchecked_module_conditions<'a>(planner: &'a Planner<'_>) -> impl Iterator<Item = &'a DomainCondition> {
     planner.model.domain.iter().filter(|c| needs_reaction(planner, c.positive))
 }
 
 /// Plans the function `conditions`, whose values are positive in the domain of the model, and
 /// returns their names. Conditions on reactions are left out, because a state alone does not give
 /// reactions. `None` if no condition remains.
-fn plan_domain_conditions(planner: &Planner<'_>) -> (Option<Function>, Vec<String>) {
+fn plan_module_conditions(planner: &Planner<'_>) -> (Option<Function>, Vec<String>) {
     let kept: Vec<_> = planner.model.domain.iter().filter(|c| !needs_reaction(planner, c.positive)).collect();
-    let steps = state_steps(planner);
+    let steps = definitions_in_state(planner);
     let values: Vec<Value> =
         kept.iter().enumerate().map(|(at, c)| (format!("condition{}", at + 1), c.name.clone(), c.positive)).collect();
     let about = "Domain of the model: the equations hold as long as these values are positive.";

@@ -1,8 +1,8 @@
 //! Straight-line program of one function: sines and cosines, shared terms and outputs, each with a
 //! descriptive name.
 
-use super::formula_form::is_sum_free_formula;
-use super::names::{SymbolVariableNames, TermNames, identifier};
+use super::fusion::is_sum_free_formula;
+use super::variable_names::{SymbolVariableNames, TermVariableNames, variable_word_of_formula};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::ops::Range;
 use tripos_derive::algebra::form::sharing::is_shared_symbol;
@@ -29,7 +29,7 @@ pub struct Statement {
 
 /// Line of a program: a sine with its cosine, a shared term, or an elimination step.
 #[derive(Clone, Debug)]
-pub enum Line {
+pub enum ProgramLine {
     /// Sine and cosine of one angle, computed together.
     Circular {
         /// Name of the variable for the sine.
@@ -45,7 +45,7 @@ pub enum Line {
     Step(Statement),
 }
 
-impl Line {
+impl ProgramLine {
     /// Returns the formula that the line computes; for a sine and a cosine, the formula of their
     /// angle.
     #[must_use]
@@ -57,7 +57,7 @@ impl Line {
     }
 }
 
-impl Line {
+impl ProgramLine {
     /// Returns the names of the variables that the line sets.
     fn names_set(&self) -> Vec<&str> {
         match self {
@@ -74,7 +74,7 @@ pub struct Program {
     pub inputs: FxHashSet<Expr>,
     /// Lines for sines, cosines, shared terms and elimination steps, each after the lines that it
     /// needs.
-    pub lines: Vec<Line>,
+    pub lines: Vec<ProgramLine>,
     /// Statements that compute the outputs, in order.
     pub outputs: Vec<Statement>,
 }
@@ -83,8 +83,8 @@ impl Program {
     /// Returns the equations `name = formula` of the elimination steps, then of the outputs.
     pub fn equations(&self) -> impl Iterator<Item = &str> {
         let steps = self.lines.iter().filter_map(|line| match line {
-            Line::Step(step) => Some(step),
-            Line::Circular { .. } | Line::Let(_) => None,
+            ProgramLine::Step(step) => Some(step),
+            ProgramLine::Circular { .. } | ProgramLine::Let(_) => None,
         });
         steps.chain(&self.outputs).filter_map(|statement| statement.comment.as_deref())
     }
@@ -112,7 +112,7 @@ impl Program {
     #[must_use]
     pub fn names_read(&self, range: Range<usize>) -> FxHashSet<&str> {
         let mut names = FxHashSet::default();
-        let values = self.lines.iter().map(Line::value).chain(self.outputs.iter().map(|output| &output.value));
+        let values = self.lines.iter().map(ProgramLine::value).chain(self.outputs.iter().map(|output| &output.value));
         values.skip(range.start).take(range.len()).for_each(|value| collect_variable_names(value, &mut names));
         names
     }
@@ -122,7 +122,14 @@ impl Program {
     #[must_use]
     pub fn names_set(&self, range: Range<usize>) -> Vec<&str> {
         let of_outputs = self.outputs.iter().map(|output| vec![output.name.as_str()]);
-        self.lines.iter().map(Line::names_set).chain(of_outputs).skip(range.start).take(range.len()).flatten().collect()
+        self.lines
+            .iter()
+            .map(ProgramLine::names_set)
+            .chain(of_outputs)
+            .skip(range.start)
+            .take(range.len())
+            .flatten()
+            .collect()
     }
 }
 
@@ -176,11 +183,11 @@ pub fn program(
     let values: Vec<Expr> = outputs.iter().map(|o| o.value).collect();
     let roots: Vec<Expr> = steps.iter().map(|step| step.value).chain(values.iter().copied()).collect();
     let parts = arena.reachable(&roots);
-    let mut names = TermNames::new(variables.allocator.clone());
+    let mut names = TermVariableNames::new(variables.allocator.clone());
     let output_names: Vec<String> = outputs.iter().map(|o| names.allocator.unique(&o.name)).collect();
-    let mut builder = Builder {
+    let mut builder = ProgramBuilder {
         arena,
-        uses: use_counts(arena, &parts, &roots),
+        uses: program_use_counts(arena, &parts, &roots),
         needs: first_needs(arena, variables, steps, outputs),
         names,
         shared: variables.of.clone(),
@@ -213,7 +220,7 @@ pub fn program(
 }
 
 /// Builder of a program. It collects lines, and names each term that gets a variable.
-struct Builder<'a> {
+struct ProgramBuilder<'a> {
     /// Arena that stores the terms (symbolic expressions).
     arena: &'a Arena,
     /// Number of times that each term is used in other terms or as an output.
@@ -222,13 +229,13 @@ struct Builder<'a> {
     /// if the term has no better name.
     needs: FxHashMap<Expr, String>,
     /// Names of the program's intermediate terms.
-    names: TermNames,
+    names: TermVariableNames,
     /// Variables of all symbols, including the symbols of steps.
     variables: SymbolVariableNames,
     /// Names of the variables of all terms that have a variable.
     shared: FxHashMap<Expr, String>,
     /// Lines of the program built so far.
-    lines: Vec<Line>,
+    lines: Vec<ProgramLine>,
     /// Terms whose lines are already in the program.
     done: FxHashSet<Expr>,
     /// Angles whose sine and cosine are computed, as formula and as term.
@@ -237,7 +244,7 @@ struct Builder<'a> {
     tangents: Vec<(DisplayTree, String)>,
 }
 
-impl Builder<'_> {
+impl ProgramBuilder<'_> {
     /// Adds lines for the sines, cosines and repeated terms that the terms `roots` contain.
     fn add_term_lines(&mut self, roots: &[Expr]) {
         for e in self.arena.reachable(roots) {
@@ -265,7 +272,7 @@ impl Builder<'_> {
         let view = self.term_in_formula(angle);
         let view = self.replace_tangents_by_variables(view);
         self.circular.push((view.clone(), angle));
-        self.lines.push(Line::Circular { sine, cosine, angle: view });
+        self.lines.push(ProgramLine::Circular { sine, cosine, angle: view });
     }
 
     /// Adds a line for a term that is used more than once, with a descriptive name.
@@ -274,7 +281,7 @@ impl Builder<'_> {
         let value = self.replace_tangents_by_variables(display_tree(self.arena, e, &self.shared, BUDGET));
         let comment = self.shared_term_comment(e, &value);
         self.shared.insert(e, name.clone());
-        self.lines.push(Line::Let(Statement { name, value, comment }));
+        self.lines.push(ProgramLine::Let(Statement { name, value, comment }));
     }
 
     /// Adds a line for the symbol of a shared operation. If its value already has a variable, such
@@ -287,7 +294,10 @@ impl Builder<'_> {
             self.record_variable(step.symbol, &name);
             return;
         }
-        let held = self.arena.symbol_name(step.symbol).and_then(|name| identifier(name.trim_start_matches('#'), 24));
+        let held = self
+            .arena
+            .symbol_name(step.symbol)
+            .and_then(|name| variable_word_of_formula(name.trim_start_matches('#'), 24));
         let name = match held {
             Some(word) => self.names.allocator.unique(&word),
             None => self.descriptive(step.value),
@@ -295,7 +305,7 @@ impl Builder<'_> {
         let comment = self.shared_term_comment(step.value, &value);
         self.variables.behind.insert(step.symbol, step.value);
         self.record_variable(step.symbol, &name);
-        self.lines.push(Line::Let(Statement { name, value, comment }));
+        self.lines.push(ProgramLine::Let(Statement { name, value, comment }));
     }
 
     /// Adds a line for an elimination step. Its variable is named after its symbol.
@@ -306,7 +316,7 @@ impl Builder<'_> {
         let symbol = self.arena.symbol_name(step.symbol).unwrap_or_default();
         let stated = stated.iter().find(|s| s.symbol == step.symbol).map_or(step.value, |s| s.value);
         let comment = Some(self.equation(symbol, stated));
-        self.lines.push(Line::Step(Statement { name, value, comment }));
+        self.lines.push(ProgramLine::Step(Statement { name, value, comment }));
     }
 
     /// Returns the statement of an output with its equation as a comment.
@@ -373,26 +383,26 @@ impl Builder<'_> {
         };
         let name = self.names.allocator.unique(&stem);
         let value = DisplayTree::Fraction(Box::new(DisplayTree::Shared(sine)), Box::new(DisplayTree::Shared(cosine)));
-        self.lines.push(Line::Let(Statement { name: name.clone(), value, comment: None }));
+        self.lines.push(ProgramLine::Let(Statement { name: name.clone(), value, comment: None }));
         self.tangents.push((angle.clone(), name.clone()));
         DisplayTree::Shared(name)
     }
 
     /// Returns the lines of the program. Sines and cosines of input angles are moved to the front.
-    fn lines_in_reading_order(self) -> Vec<Line> {
-        let set: FxHashSet<String> = self.lines.iter().flat_map(Line::names_set).map(str::to_owned).collect();
-        let needs_nothing = |line: &Line| match line {
-            Line::Circular { angle: DisplayTree::Shared(name), .. } => !set.contains(name),
-            Line::Circular { .. } | Line::Let(_) | Line::Step(_) => false,
+    fn lines_in_reading_order(self) -> Vec<ProgramLine> {
+        let set: FxHashSet<String> = self.lines.iter().flat_map(ProgramLine::names_set).map(str::to_owned).collect();
+        let needs_nothing = |line: &ProgramLine| match line {
+            ProgramLine::Circular { angle: DisplayTree::Shared(name), .. } => !set.contains(name),
+            ProgramLine::Circular { .. } | ProgramLine::Let(_) | ProgramLine::Step(_) => false,
         };
-        let (mut first, rest): (Vec<Line>, Vec<Line>) = self.lines.into_iter().partition(needs_nothing);
+        let (mut first, rest): (Vec<ProgramLine>, Vec<ProgramLine>) = self.lines.into_iter().partition(needs_nothing);
         first.extend(rest);
         first
     }
 }
 
 /// Counts the uses of each term, as an operand of another term or as an output.
-fn use_counts(arena: &Arena, parts: &[Expr], roots: &[Expr]) -> FxHashMap<Expr, usize> {
+fn program_use_counts(arena: &Arena, parts: &[Expr], roots: &[Expr]) -> FxHashMap<Expr, usize> {
     let mut uses: FxHashMap<Expr, usize> = FxHashMap::default();
     for operand in parts.iter().flat_map(|part| arena.operands(*part)).chain(roots.iter().copied()) {
         *uses.entry(operand).or_default() += 1;

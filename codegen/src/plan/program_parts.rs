@@ -66,7 +66,7 @@ impl Parts {
         let mut held: Vec<(&str, usize)> = Vec::new();
         let mut list = Vec::with_capacity(ranges.len());
         for (at, range) in ranges.into_iter().enumerate() {
-            let reads = copied_slots(held.iter().filter(|(name, _)| needed[at].contains(name)));
+            let reads = copied_exchange_slots(held.iter().filter(|(name, _)| needed[at].contains(name)));
             let (stays, done): (Vec<_>, Vec<_>) = held.into_iter().partition(|(name, _)| last[name] > at);
             free.extend(done.into_iter().map(|(_, place)| place));
             held = stays;
@@ -77,26 +77,26 @@ impl Parts {
                     places = places.max(held[held.len() - 1].1 + 1);
                 }
             }
-            let writes = copied_slots(held[before..].iter());
+            let writes = copied_exchange_slots(held[before..].iter());
             let program = Program {
                 lines: program.lines[range.start.min(lines)..range.end.min(lines)].to_vec(),
                 outputs: program.outputs[range.start.max(lines) - lines..range.end.max(lines) - lines].to_vec(),
                 ..Program::default()
             };
-            list.push(Part { arguments: needed_arguments(arguments, &needed[at]), reads, program, writes });
+            list.push(Part { arguments: part_arguments(arguments, &needed[at]), reads, program, writes });
         }
-        let mut results = copied_slots(held.iter());
+        let mut results = copied_exchange_slots(held.iter());
         spread_exchange_slots(
             list.iter_mut().flat_map(|part| part.reads.iter_mut().chain(&mut part.writes)).chain(&mut results),
             places,
         );
-        let arguments = needed_arguments(arguments, &needed[list.len()]);
+        let arguments = part_arguments(arguments, &needed[list.len()]);
         Some(Self { list, places, results, arguments })
     }
 }
 
 /// Copies variables with their indices in the exchange array, with the index first.
-fn copied_slots<'v>(held: impl Iterator<Item = &'v (&'v str, usize)>) -> Vec<(usize, String)> {
+fn copied_exchange_slots<'v>(held: impl Iterator<Item = &'v (&'v str, usize)>) -> Vec<(usize, String)> {
     held.map(|(name, place)| (*place, (*name).to_owned())).collect()
 }
 
@@ -111,7 +111,7 @@ fn spread_exchange_slots<'p>(list: impl Iterator<Item = &'p mut (usize, String)>
 }
 
 /// Returns the arguments with only those variables that are in `needed`.
-fn needed_arguments(arguments: &[Argument], needed: &FxHashSet<&str>) -> Vec<Argument> {
+fn part_arguments(arguments: &[Argument], needed: &FxHashSet<&str>) -> Vec<Argument> {
     let kept = |variable: &String| needed.contains(variable.as_str());
     let restrict = |argument: &Argument| match argument {
         Argument::Parameters { read } => {

@@ -6,9 +6,9 @@
 //! proved to equal a formula in the model's parameters.
 
 use super::function::{Arguments, Function, Planner, Returns, Sharing, Value};
-use super::names::Language;
+use super::variable_names::Language;
 use tripos_derive::algebra::form::simplify::Simplifier;
-use tripos_derive::algebra::text::definitions::define_named_terms;
+use tripos_derive::algebra::text::definitions::write_definitions;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::identify::{BaseParameter, BaseParameterFactor, Completeness, Identification};
 use tripos_derive::mechanics::{Column, DeriveError, RegressorParameters};
@@ -53,11 +53,11 @@ impl RegressorFunctions {
         let (mut arena, mut columns) = (regressor.arena, regressor.columns);
         // Closed poses group parameters by numbers of one model, which no formula gives.
         let is_proved = matches!(complete, Completeness::Proved(_)) && grouped.is_empty();
-        let base = is_proved.then(|| base_parameters(&mut arena, &columns, &base)).flatten();
+        let base = is_proved.then(|| base_regressor_parameters(&mut arena, &columns, &base)).flatten();
         let count = columns.iter().map(|column| column.forces.len()).sum::<usize>();
         let all = columns.iter().flat_map(|column| &column.forces).chain(&regressor.rest).copied();
         let all: Vec<Expr> = all.collect();
-        let (definitions, values) = define_named_terms(&mut arena, &[], &all);
+        let (definitions, values) = write_definitions(&mut arena, &[], &all);
         let (of_columns, rest) = values.split_at(count);
         let mut of_columns = of_columns.iter();
         for force in columns.iter_mut().flat_map(|column| &mut column.forces) {
@@ -149,7 +149,11 @@ impl RegressorFunctions {
 
 /// Returns the formulas of the base parameters. `None` if a combination has a factor without a
 /// formula.
-fn base_parameters(arena: &mut Arena, columns: &[Column], base: &[BaseParameter]) -> Option<Vec<RegressorParameter>> {
+fn base_regressor_parameters(
+    arena: &mut Arena,
+    columns: &[Column],
+    base: &[BaseParameter],
+) -> Option<Vec<RegressorParameter>> {
     let mut simplifier = Simplifier::default();
     let mut list = Vec::new();
     for base in base {

@@ -1,7 +1,7 @@
 //! Planned functions for the outputs and events of a scene, which depend on the state alone.
 
 use super::function::{Arguments, Function, Planner, Returns, Value};
-use super::motion::other_variables;
+use super::motion_plan::definitions_of_other_variables;
 use rustc_hash::FxHashSet;
 use tripos_derive::algebra::solve::elimination::Elimination;
 use tripos_derive::algebra::term::steps::{Definition, needed_steps};
@@ -43,7 +43,7 @@ impl SceneOutputs {
         equations: &Equations,
         solved: Option<&Elimination>,
     ) -> Self {
-        let steps = output_definitions(model, arena, equations, solved);
+        let steps = scene_output_definitions(model, arena, equations, solved);
         let rates: Vec<Expr> = equations.unknowns.iter().take(equations.variables.len()).copied().collect();
         let hidden = |value: Expr| {
             // The steps may lead to an acceleration that the formula itself does not contain.
@@ -95,7 +95,7 @@ impl SceneOutputs {
 
 /// Returns definitions of the accelerations v̇, of q̇ or u (whichever is not integrated), of the
 /// rates of u, and of the energies.
-fn output_definitions(
+fn scene_output_definitions(
     model: &Model,
     arena: &mut Arena,
     equations: &Equations,
@@ -104,7 +104,7 @@ fn output_definitions(
     let mut steps = solved.map_or_else(Vec::new, |solved| solved.steps.clone());
     let known: FxHashSet<Expr> = steps.iter().map(|step| step.symbol).collect();
     steps.extend(equations.definitions.iter().filter(|step| !known.contains(&step.symbol)));
-    steps.extend(other_variables(model, equations));
+    steps.extend(definitions_of_other_variables(model, equations));
     if equations.formulation.is_in_rates() {
         // The elimination may have computed the rate of a speed already.
         let rates = model.speeds.iter().map(|speed| speed.rate).zip(&equations.generalized_speed_rates);

@@ -2,13 +2,13 @@
 //! of the whole model.
 
 use super::cost::OperationCount;
-use super::formulation::{
+use super::equation_functions::{
     Jacobian, accelerations, derivative, divisors, jacobian, kinematics_and_energies, singular_text,
 };
 use super::function::{Arguments, Function, Planner, Returns, Sharing, Value};
-use super::names::{Language, name_without_primes};
 use super::taylor_plan::TaylorPlan;
-use crate::taylor::{Recurrences, recurrences_of};
+use super::variable_names::{Language, variable_name_without_primes};
+use crate::taylor::{Recurrences, cheapest_recurrences_of};
 use tripos_derive::Model;
 use tripos_derive::algebra::form::simplify::Simplifier;
 use tripos_derive::algebra::text::print::print_text;
@@ -42,7 +42,7 @@ impl<'a> SceneEquations<'a> {
         let mut arena = reduction.arena().clone();
         let equations = &reduction.derivation.equations;
         let solved = SolvedAccelerations::new(&mut arena, equations)?;
-        let recurrences = recurrences_of(&mut arena, equations, &solved.accelerations);
+        let recurrences = cheapest_recurrences_of(&mut arena, equations, &solved.accelerations);
         let gradient = mechanics::energy_gradient(&mut arena, &mut Simplifier::default(), equations);
         Ok(Self { reduction, arena, solved, recurrences, gradient })
     }
@@ -115,7 +115,7 @@ impl<'a> ScenePlan<'a> {
             machine.push(energy_gradient(planner, &equations.gradient));
         }
         if let Some(slope) = &reduction.slope {
-            machine.extend(potential_slope(planner, slope));
+            machine.extend(plan_scene_potential_slope(planner, slope));
         }
         let recurrences = equations.recurrences.as_ref().filter(|_| taylor == Taylor::Planned);
         let taylor = recurrences.map(|list| TaylorPlan::new(planner, list));
@@ -123,7 +123,7 @@ impl<'a> ScenePlan<'a> {
             None => plan_start_conversion(whole, planner, reduction).to_vec(),
             Some(_) => Vec::new(),
         };
-        Self { reduction, from_start, equations: own, machine, divisors, taylor, facts: facts(reduction) }
+        Self { reduction, from_start, equations: own, machine, divisors, taylor, facts: scene_plan_facts(reduction) }
     }
 }
 
@@ -138,7 +138,7 @@ fn plan_start_conversion(whole: &Model, planner: &Planner<'_>, reduction: &Reduc
         let quantity = kept().find(|quantity| quantity.symbol == symbol);
         let name = planner.arena.symbol_name(symbol).unwrap_or_default();
         (
-            format!("{}_value", name_without_primes(name)),
+            format!("{}_value", variable_name_without_primes(name)),
             name.to_owned(),
             quantity.map_or(symbol, |quantity| quantity.of_start),
         )
@@ -156,7 +156,7 @@ fn plan_start_conversion(whole: &Model, planner: &Planner<'_>, reduction: &Reduc
 
 /// Returns the header lines: outputs, states, quadratures, constants, moving frame, fixed
 /// parameters, singular configurations.
-fn facts(reduction: &Reduction) -> Vec<String> {
+fn scene_plan_facts(reduction: &Reduction) -> Vec<String> {
     let arena = reduction.arena();
     let names = |list: &[ReducedQuantity]| match list {
         [] => "none".to_owned(),
@@ -168,7 +168,7 @@ fn facts(reduction: &Reduction) -> Vec<String> {
         format!("States: {}. Quadratures: {}.", names(&reduction.states), names(&reduction.quadratures)),
     ];
     for constant in &reduction.constants {
-        lines.push(constant_header_line(
+        lines.push(scene_fact_of_constant(
             &constant.name,
             &print_text(arena, constant.of_start),
             &constant.about.text(arena),
@@ -189,7 +189,7 @@ fn facts(reduction: &Reduction) -> Vec<String> {
 
 /// Returns the header line for a constant: name, value at the start and description, without
 /// repetition.
-fn constant_header_line(name: &str, formula: &str, about: &str) -> String {
+fn scene_fact_of_constant(name: &str, formula: &str, about: &str) -> String {
     match (name == formula, formula == about) {
         (true, _) => format!("{name}: {about}."),
         (false, true) => format!("{name} = {formula}."),
@@ -205,8 +205,11 @@ fn outputs(planner: &Planner<'_>, reduction: &Reduction) -> Function {
         .enumerate()
         .map(|(at, o)| {
             let word = o.name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_' || c == '\'');
-            let wanted =
-                if word { format!("{}_value", name_without_primes(&o.name)) } else { format!("output{}", at + 1) };
+            let wanted = if word {
+                format!("{}_value", variable_name_without_primes(&o.name))
+            } else {
+                format!("output{}", at + 1)
+            };
             (wanted, o.name.clone(), o.value)
         })
         .collect();
@@ -226,7 +229,11 @@ fn energy_gradient(planner: &Planner<'_>, gradient: &[Expr]) -> Function {
     let mut values: Vec<Value> = vec![("energy".to_owned(), "T + V".to_owned(), energy)];
     for (symbol, slope) in e.coordinates.iter().chain(&e.variables).zip(gradient) {
         let name = planner.arena.symbol_name(*symbol).unwrap_or_default();
-        values.push((format!("energy_by_{}", name_without_primes(name)), format!("d(T + V)/d({name})"), *slope));
+        values.push((
+            format!("energy_by_{}", variable_name_without_primes(name)),
+            format!("d(T + V)/d({name})"),
+            *slope,
+        ));
     }
     let about = "The energy, then its derivatives by the state.";
     planner.plan_function_in_steps("energy_gradient", about, Arguments::State, Returns::Vector, &e.definitions, &values)
@@ -237,7 +244,7 @@ fn energy_gradient(planner: &Planner<'_>, gradient: &[Expr]) -> Function {
 /// Their coordinates `q` are (a, b). Their `u` holds sin z/z for the angles z that
 /// `half_differences` returns. The formula is not rewritten, because sharing would bring back the
 /// cancellation that it avoids.
-fn potential_slope(planner: &Planner<'_>, slope: &PotentialDifference) -> Vec<Function> {
+fn plan_scene_potential_slope(planner: &Planner<'_>, slope: &PotentialDifference) -> Vec<Function> {
     let (symbols, angles): (Vec<Expr>, Vec<Expr>) = slope.sincs.iter().copied().unzip();
     let equations = Equations {
         coordinates: slope.ends.to_vec(),
@@ -286,7 +293,7 @@ pub struct Costs {
 /// # Errors
 /// [`DeriveError`] if Kane's equations cannot be derived, or if the accelerations are not
 /// determined in any configuration.
-pub fn costs(model: &Model, reduction: &Reduction) -> Result<Costs, DeriveError> {
+pub fn scene_costs(model: &Model, reduction: &Reduction) -> Result<Costs, DeriveError> {
     let of = |model: &Model, arena: &Arena, equations: &Equations| {
         let mut arena = arena.clone();
         let equations = &equations.with_definitions(&mut arena);

@@ -2,7 +2,8 @@
 //! variables, order and comments.
 
 use super::{
-    Allocator, Argument, LineComments, Output, Planner, Program, SymbolVariableNames, TermNames, identifier, program,
+    Allocator, Argument, LineComments, Output, Planner, Program, SymbolVariableNames, TermVariableNames, program,
+    variable_word_of_formula,
 };
 use crate::taylor::{Operand, Recurrences, Rule, Series};
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -51,7 +52,7 @@ impl<'a> TaylorPlan<'a> {
     #[must_use]
     pub fn new(planner: &'a Planner<'_>, list: &'a Recurrences) -> Self {
         let (arena, mut variables) = (planner.arena, planner.variables.clone());
-        let mut names = TermNames::new(variables.allocator.clone());
+        let mut names = TermVariableNames::new(variables.allocator.clone());
         let series = names_of(arena, &variables, &mut names, list);
         variables.allocator = names.allocator;
         let allocator = &mut variables.allocator;
@@ -74,7 +75,7 @@ impl<'a> TaylorPlan<'a> {
         let mut weights = FxHashMap::default();
         for e in list.constants() {
             if !matches!(arena.node(e), Node::Number(_) | Node::Symbol(_)) {
-                let word = identifier(&print_text(arena, e), 24).unwrap_or_else(|| "weight".to_owned());
+                let word = variable_word_of_formula(&print_text(arena, e), 24).unwrap_or_else(|| "weight".to_owned());
                 weights.insert(e, allocator.unique(&word));
             }
         }
@@ -89,7 +90,7 @@ impl<'a> TaylorPlan<'a> {
             rates,
             depths: operation_depths(list),
             slots,
-            parameters: planner.parameters(&inputs(arena, list)),
+            parameters: planner.parameters(&taylor_plan_inputs(arena, list)),
             constants: constants(arena, &variables, list, &weights),
             explanation: planner.explanation(),
             weights,
@@ -110,7 +111,9 @@ impl<'a> TaylorPlan<'a> {
         let state = self.list.states[place];
         match self.list.series.iter().position(|s| s.rule == Rule::State(place)) {
             Some(at) if self.needs_start(at) => Some(format!("{}_0", self.names[at])),
-            None if inputs(self.arena, self.list).contains(&state) => self.variables.of.get(&state).cloned(),
+            None if taylor_plan_inputs(self.arena, self.list).contains(&state) => {
+                self.variables.of.get(&state).cloned()
+            }
             _ => None,
         }
     }
@@ -176,7 +179,7 @@ impl<'a> TaylorPlan<'a> {
 }
 
 /// Returns all symbols and subterms that the constant factors contain.
-fn inputs(arena: &Arena, list: &Recurrences) -> FxHashSet<Expr> {
+fn taylor_plan_inputs(arena: &Arena, list: &Recurrences) -> FxHashSet<Expr> {
     arena.reachable(&list.constants()).into_iter().collect()
 }
 
@@ -200,7 +203,12 @@ const ORDERS: [&str; 3] = ["_0", "_1", "_last"];
 
 /// Names all series, after their term or the first state that needs them. Each name is free with
 /// every suffix for an order.
-fn names_of(arena: &Arena, variables: &SymbolVariableNames, names: &mut TermNames, list: &Recurrences) -> Vec<String> {
+fn names_of(
+    arena: &Arena,
+    variables: &SymbolVariableNames,
+    names: &mut TermVariableNames,
+    list: &Recurrences,
+) -> Vec<String> {
     let rate_of = |at: usize| {
         let place = list.rates.iter().position(|rate| *rate == Operand::Scaled(Expr::ONE, at))?;
         Some(format!("{}_dot", variables.of[&list.states[place]]))

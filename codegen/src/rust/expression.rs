@@ -1,6 +1,6 @@
 //! Formulas as Rust expressions of the scalar type `S`.
 
-use crate::plan::{constant_and_factors, is_plain_product, is_sum_free_formula, order_sum_for_fusion};
+use crate::plan::{constant_and_factors, is_fusible_product, is_sum_free_formula, order_sum_for_fusion};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 use tripos_derive::algebra::Rational;
@@ -101,7 +101,7 @@ fn sum(terms: &[(bool, DisplayTree)]) -> (TokenStream, bool) {
     let (mut tokens, mut call) = (TokenStream::new(), false);
     let mut fused = order.iter().any(|(_, term)| !is_sum_free_formula(term));
     for (at, (negative, term)) in order.into_iter().enumerate() {
-        if at > 0 && !fused && is_plain_product(term) {
+        if at > 0 && !fused && is_fusible_product(term) {
             let (left, right) = mul_add_operands(term);
             let left = if *negative { quote!((- #left)) } else { left };
             tokens = quote!(#left.mul_add(#right, #tokens));

@@ -3,9 +3,9 @@
 use super::jacobian_product::{JACOBIAN_PRODUCT, Rates, jacobian_product};
 use super::rust_function::{Parameters, function};
 use super::rust_text::{escape_doc_comment, format, function_documentation, reexport, rust_file_header};
-use super::system_impl::{self, SystemMethods};
+use super::sorted_functions::WrittenFunctions;
+use super::system_methods::{self, SystemMethods};
 use super::taylor::{self, TaylorText};
-use super::written_functions::WrittenFunctions;
 use crate::plan::{FormulationPlan, module_name, type_name};
 use quote::{format_ident, quote};
 use tripos_derive::algebra::Expr;
@@ -50,7 +50,7 @@ pub fn rust_formulation_files(
     let rates = if together { Rates::Together } else { Rates::Apart };
     let differentiated = product.then(|| jacobian_product(equations, rates));
     let (dual, by_columns) = (product.then(|| quote!(Dual,)), product.then(|| quote!(, by_columns)));
-    let system = system_impl::system(model, equations, &parts);
+    let system = system_methods::system(model, equations, &parts);
     let text = if sorted.has("taylor") { TaylorText::Here } else { TaylorText::Elsewhere };
     let series = plan.taylor.as_ref().map(|plan| taylor::imports(plan, text));
     let (own, imports) = (&sorted.own, sorted.imports());

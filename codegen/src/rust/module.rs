@@ -2,7 +2,7 @@
 //! and list of formulations.
 
 use super::expression::constant;
-use super::rust_function::fields;
+use super::rust_function::parameter_field_names;
 use super::rust_text::{escape_doc_comment, format, format_to_include};
 use crate::plan::{module_name, type_name};
 use proc_macro2::{Literal, TokenStream};
@@ -65,7 +65,7 @@ pub struct ModuleHeaderData<'a> {
 /// Writes two files of a model: its `mod.rs`, and the `mod.rs` of the folder `code`. `equations`
 /// lists all sets of equations.
 #[must_use]
-pub fn rust_model_files(model: &Model, about: &ModuleHeaderData<'_>, equations: &[ModuleEquations]) -> [String; 2] {
+pub fn rust_module_files(model: &Model, about: &ModuleHeaderData<'_>, equations: &[ModuleEquations]) -> [String; 2] {
     [module_file(model, about, equations), code_file(model, about, equations)]
 }
 
@@ -85,7 +85,7 @@ fn module_file(model: &Model, about: &ModuleHeaderData<'_>, equations: &[ModuleE
     let (speed_type, speeds) = rust_name_array(model.speeds.iter().map(|s| s.name.as_str()));
     let in_lanes = equations.iter().any(|entry| entry.solved.is_some()).then(|| quote!(Derivative, InLanes,));
     let systems = equations.iter().map(ModuleEquations::compiled_system_expression);
-    let code = code_module();
+    let code = rust_code_module_declaration();
     let scene_module = about.has_scenes.then(|| {
         quote! {
             #[doc = " The equations of its scenes."]
@@ -134,7 +134,7 @@ pub fn rust_name_array<'n>(list: impl Iterator<Item = &'n str>) -> (TokenStream,
 
 /// Returns the declaration of the Rust module `code`. It switches off lints on names that are not
 /// in snake case and on a final `let`.
-pub fn code_module() -> TokenStream {
+pub fn rust_code_module_declaration() -> TokenStream {
     quote! {
         #[doc = " The code of the equations."]
         #[rustfmt::skip]
@@ -154,7 +154,7 @@ fn code_file(model: &Model, about: &ModuleHeaderData<'_>, equations: &[ModuleEqu
 /// unless every parameter has a value.
 fn rust_default_impl(model: &Model) -> Option<TokenStream> {
     let values: Option<Vec<_>> = model.parameters.iter().map(|p| p.value.as_ref().map(constant)).collect();
-    let names = fields(model);
+    let names = parameter_field_names(model);
     let values = values?.into_iter().zip(&names).map(|(value, name)| {
         let name = format_ident!("{name}");
         quote!(#name: #value)
@@ -174,7 +174,7 @@ fn rust_default_impl(model: &Model) -> Option<TokenStream> {
 /// slice and to an array.
 pub fn rust_parameter_struct(model: &Model) -> TokenStream {
     let count = model.parameters.len();
-    let names = fields(model);
+    let names = parameter_field_names(model);
     let fields = model.parameters.iter().zip(&names).map(|(p, name)| {
         let name = format_ident!("{name}");
         let about = if p.about.is_empty() { "parameter" } else { &p.about };

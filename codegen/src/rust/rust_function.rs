@@ -4,7 +4,7 @@ use super::expression::{expression, method_receiver_expression, rust_identifier}
 use super::names::LANGUAGE;
 use super::rust_text::comment;
 use crate::plan::{
-    Allocator, Argument, Entry, Function, Language, Line, LineComments, Parts, Program, Returns, Statement,
+    Allocator, Argument, Entry, Function, Language, LineComments, Parts, Program, ProgramLine, Returns, Statement,
 };
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -33,13 +33,13 @@ pub struct Parameters {
 impl Parameters {
     /// Returns the struct `Parameters` of a model, as seen from functions in the same module.
     pub fn of(model: &Model) -> Self {
-        Self { path: quote!(Parameters), fields: fields(model) }
+        Self { path: quote!(Parameters), fields: parameter_field_names(model) }
     }
 }
 
 /// Returns the names of the parameter struct's fields: the parameters' names, changed if they are
 /// Rust keywords.
-pub fn fields(model: &Model) -> Vec<String> {
+pub fn parameter_field_names(model: &Model) -> Vec<String> {
     let mut allocator = Allocator::new(&Language { in_scope: &[], ..LANGUAGE });
     model.parameters.iter().map(|p| allocator.unique(&p.name)).collect()
 }
@@ -249,8 +249,8 @@ fn rows(entries: &[TokenStream], columns: usize) -> (TokenStream, TokenStream) {
 
 /// Returns the Rust statements of a program's lines, with one heading for each kind of line.
 /// Comments become doc attributes that are later turned into comments.
-pub fn statements(lines: &[Line], is_read: &dyn Fn(&str) -> bool, explanation: LineComments) -> TokenStream {
-    let is_elimination = lines.iter().any(|line| matches!(line, Line::Step(_)));
+pub fn statements(lines: &[ProgramLine], is_read: &dyn Fn(&str) -> bool, explanation: LineComments) -> TokenStream {
+    let is_elimination = lines.iter().any(|line| matches!(line, ProgramLine::Step(_)));
     let shared = if explanation == LineComments::Names {
         "Step by step, each after the terms that it needs."
     } else if is_elimination {
@@ -262,12 +262,12 @@ pub fn statements(lines: &[Line], is_read: &dyn Fn(&str) -> bool, explanation: L
     let mut headings = Vec::new();
     for line in lines {
         let (wanted, written) = match line {
-            Line::Circular { sine, cosine, angle } => {
+            ProgramLine::Circular { sine, cosine, angle } => {
                 let name = |name: &str| if is_read(name) { rust_identifier(name) } else { quote!(_) };
                 let (sine, cosine, angle) = (name(sine), name(cosine), method_receiver_expression(angle));
                 ("Sines and cosines.", quote!(let (#sine, #cosine) = #angle.sin_cos();))
             }
-            Line::Let(step) | Line::Step(step) => (shared, statement(step, explanation)),
+            ProgramLine::Let(step) | ProgramLine::Step(step) => (shared, statement(step, explanation)),
         };
         if !headings.contains(&wanted) {
             headings.push(wanted);

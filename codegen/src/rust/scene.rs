@@ -2,11 +2,11 @@
 //! code.
 
 use super::jacobian_product::{JACOBIAN_PRODUCT, Rates, jacobian_product};
-use super::module::{code_module, rust_name_array, rust_parameter_struct};
+use super::module::{rust_code_module_declaration, rust_name_array, rust_parameter_struct};
 use super::names::{LANGUAGE, is_name};
-use super::rust_function::{Parameters, fields, function, function_at_points};
+use super::rust_function::{Parameters, function, function_at_points, parameter_field_names};
 use super::rust_text::{escape_doc_comment, format, function_documentation, reexport, rust_file_header};
-use super::system_impl::{self, SystemMethods};
+use super::system_methods::{self, SystemMethods};
 use super::taylor::{self, TaylorText};
 use crate::optional_functions::Extras;
 use crate::plan::{Jacobian, SceneEquations, ScenePlan, Taylor, module_name};
@@ -49,7 +49,7 @@ pub fn rust_scene_file(
     extras: Extras,
     before: &[SceneFile],
 ) -> Result<SceneFile, Unsolved> {
-    let (module, key) = (scene_module_name(named.name, before), reduction.reduction_hash());
+    let (module, key) = (rust_scene_module_name(named.name, before), reduction.reduction_hash());
     let (text, code) = match before.iter().find(|file| file.key == key) {
         Some(same) => (rust_scene_reference(reduction, named, &same.module), None),
         None => {
@@ -62,7 +62,7 @@ pub fn rust_scene_file(
 
 /// Returns a module name for a scene, such as `scene_10s` for `10s`, that no earlier scene in
 /// `before` has.
-fn scene_module_name(name: &str, before: &[SceneFile]) -> String {
+fn rust_scene_module_name(name: &str, before: &[SceneFile]) -> String {
     let stem = module_name(name);
     let stem = if is_name(&stem) { stem } else { format!("scene_{stem}") };
     let taken = |candidate: &String| candidate == "code" || before.iter().any(|file| file.module == *candidate);
@@ -74,7 +74,7 @@ fn scene_module_name(name: &str, before: &[SceneFile]) -> String {
 /// equations.
 fn rust_scene_reference(reduction: &Reduction, named: &SceneHeaderData<'_>, same: &str) -> String {
     let header = vec![
-        first_line(reduction, named),
+        rust_scene_header_line(reduction, named),
         String::new(),
         named.origin.to_owned(),
         format!("It asks for what `{same}` asks for, with the same parameters, and has its equations."),
@@ -92,7 +92,7 @@ fn rust_scene_reference(reduction: &Reduction, named: &SceneHeaderData<'_>, same
 }
 
 /// Returns the first line of the header: titles of the model and the scene.
-fn first_line(reduction: &Reduction, named: &SceneHeaderData<'_>) -> String {
+fn rust_scene_header_line(reduction: &Reduction, named: &SceneHeaderData<'_>) -> String {
     let title = if named.title.is_empty() { named.name } else { named.title };
     format!("{}: {}.", escape_doc_comment(&reduction.model.title), escape_doc_comment(title))
 }
@@ -127,7 +127,10 @@ fn equations_file(plan: &ScenePlan<'_>, named: &SceneHeaderData<'_>, module: &st
     let machine = machine.chain(lacks_jacobian(plan).then_some(JACOBIAN_PRODUCT));
     let names = machine.chain(["OUTPUTS", "PARAMETERS", "Parameters", "Reduced", "SCENE"]);
     let rest = reexport(&quote!(super::code), module, names);
-    format(&rust_file_header(first_line(plan.reduction, named), named.origin, &plan.facts), quote!(#rest #(#shown)*))
+    format(
+        &rust_file_header(rust_scene_header_line(plan.reduction, named), named.origin, &plan.facts),
+        quote!(#rest #(#shown)*),
+    )
 }
 
 /// True if the plan has no function `jacobian`, because it would be long. Then the Jacobian is
@@ -139,7 +142,7 @@ fn lacks_jacobian(plan: &ScenePlan<'_>) -> bool {
 /// Returns the text of a scene's file of code.
 fn code_file(whole: &Model, plan: &ScenePlan<'_>, named: &SceneHeaderData<'_>, key: &str) -> String {
     let (model, reduction) = (&plan.reduction.model, plan.reduction);
-    let of_whole = Parameters { path: quote!(super::super::super::Parameters), fields: fields(whole) };
+    let of_whole = Parameters { path: quote!(super::super::super::Parameters), fields: parameter_field_names(whole) };
     let from_start = plan.from_start.iter().map(|planned| function(planned, &of_whole));
     let own = Parameters::of(model);
     let write = if reduction.slope.is_some() { function_at_points } else { function };
@@ -154,7 +157,7 @@ fn code_file(whole: &Model, plan: &ScenePlan<'_>, named: &SceneHeaderData<'_>, k
     parts.extend(reduction.slope.as_ref().map(|slope| SystemMethods::PotentialSlope(slope.turns.clone())));
     parts.extend(plan.taylor.as_ref().map(|plan| SystemMethods::Taylor(plan.width())));
     parts.extend((!plan.divisors.is_empty()).then(|| SystemMethods::Divisors(plan.divisors.clone())));
-    let system = system_impl::system(model, &reduction.derivation.equations, &parts);
+    let system = system_methods::system(model, &reduction.derivation.equations, &parts);
     let series = plan.taylor.as_ref().map(|plan| taylor::imports(plan, TaylorText::Here));
     let taylor = plan.taylor.as_ref().map(|plan| taylor::function(plan, &own));
     let structure = rust_parameter_struct(model);
@@ -162,7 +165,7 @@ fn code_file(whole: &Model, plan: &ScenePlan<'_>, named: &SceneHeaderData<'_>, k
     let (output_type, output_names) = rust_name_array(reduction.outputs.iter().map(|o| o.name.as_str()));
     let name = named.name;
     format(
-        &rust_file_header(first_line(reduction, named), named.origin, &[]),
+        &rust_file_header(rust_scene_header_line(reduction, named), named.origin, &[]),
         quote! {
             #series
             use tripos_traits::{#at_points CompiledScene, CompiledSystem, #dual Lengths, Scalar, System #by_columns};
@@ -192,11 +195,11 @@ fn code_file(whole: &Model, plan: &ScenePlan<'_>, named: &SceneHeaderData<'_>, k
 
 /// Writes the `mod.rs` that lists a model's scenes, and the `mod.rs` of their code.
 #[must_use]
-pub fn rust_scene_list(title: &str, origin: &str, files: &[SceneFile]) -> [String; 2] {
+pub fn rust_scene_module_files(title: &str, origin: &str, files: &[SceneFile]) -> [String; 2] {
     let header = |what: &str| vec![format!("{}: {what}.", escape_doc_comment(title)), String::new(), origin.to_owned()];
     let modules: Vec<_> = files.iter().map(|file| format_ident!("{}", file.module)).collect();
     let code = files.iter().filter(|file| file.code.is_some()).map(|file| format_ident!("{}", file.module));
-    let code_module = code_module();
+    let code_module = rust_code_module_declaration();
     let scenes = format(
         &header("the equations of its scenes"),
         quote! {
@@ -221,7 +224,7 @@ mod tests {
     fn every_scene_has_a_module_of_its_own() {
         let mut files: Vec<SceneFile> = Vec::new();
         for name in ["report-10s", "report_10s", "10s", "loop", "mod", "my run", "-"] {
-            let module = scene_module_name(name, &files);
+            let module = rust_scene_module_name(name, &files);
             assert!(syn::parse_str::<syn::Ident>(&module).is_ok(), "{name} gives {module}");
             files.push(SceneFile { module, key: String::new(), text: String::new(), code: None });
         }

@@ -4,29 +4,29 @@
 //! rounding.
 
 use super::Syntax;
-use crate::plan::{constant_and_factors, is_plain_product, is_sum_free_formula, order_sum_for_fusion};
+use crate::plan::{constant_and_factors, is_fusible_product, is_sum_free_formula, order_sum_for_fusion};
 use tripos_derive::algebra::Rational;
 use tripos_derive::algebra::text::display_tree::DisplayTree;
 
 /// Returns the expression for a formula in a language.
 #[must_use]
 pub fn formula(syntax: &dyn Syntax, view: &DisplayTree) -> String {
-    Formula(syntax).of(view)
+    InfixFormula(syntax).of(view)
 }
 
 /// Returns the literal of the double nearest to a rational number.
 #[must_use]
 pub fn number_literal(syntax: &dyn Syntax, value: &Rational) -> String {
     let magnitude = if value.is_negative() { value.neg() } else { value.clone() }.to_big();
-    let magnitude = Formula(syntax).number(&magnitude.numer().to_string(), &magnitude.denom().to_string());
+    let magnitude = InfixFormula(syntax).number(&magnitude.numer().to_string(), &magnitude.denom().to_string());
     if value.is_negative() { format!("-{magnitude}") } else { magnitude }
 }
 
 /// Writer of formulas in one language, with its syntax.
 #[derive(Clone, Copy)]
-struct Formula<'s>(&'s dyn Syntax);
+struct InfixFormula<'s>(&'s dyn Syntax);
 
-impl Formula<'_> {
+impl InfixFormula<'_> {
     /// Returns the expression for a formula.
     fn of(self, view: &DisplayTree) -> String {
         match view {
@@ -77,7 +77,7 @@ impl Formula<'_> {
                 (_, true) => " - ",
                 (_, false) => " + ",
             };
-            let is_fused = at > 0 && !has_fused && is_plain_product(term);
+            let is_fused = at > 0 && !has_fused && is_fusible_product(term);
             has_fused |= is_fused;
             out += &match term {
                 DisplayTree::Sum(_) => self.in_parentheses(term),

@@ -30,7 +30,7 @@ pub fn with_firm_spaces(text: &str) -> String {
 /// Returns the texts `name = value` of several variables, joined by `separator`. If there are
 /// several, no line is broken inside an assignment.
 #[must_use]
-pub fn assignments(list: &[(String, String)], separator: &str) -> String {
+pub fn assignment_statements(list: &[(String, String)], separator: &str) -> String {
     let one = |(name, value): &(String, String)| {
         let text = format!("{name} = {value}");
         if list.len() > 1 { with_firm_spaces(&text) } else { text }

@@ -2,7 +2,7 @@
 
 use super::{Syntax, WIDTH, formula};
 use crate::lines::wrap;
-use crate::plan::{Argument, Function, Line, LineComments, Program, Statement};
+use crate::plan::{Argument, Function, LineComments, Program, ProgramLine, Statement};
 use std::fmt::Write;
 
 /// Choice of whether generated code contains comments.
@@ -123,11 +123,11 @@ impl<'s> CodeWriter<'s> {
                 self.comment(wanted);
             }
             match line {
-                Line::Circular { sine, cosine, angle } => {
+                ProgramLine::Circular { sine, cosine, angle } => {
                     let [sine, cosine] = [sine, cosine].map(|name| Some(name.as_str()).filter(|n| read.contains(n)));
                     self.circular(sine, cosine, &formula(self.syntax, angle));
                 }
-                Line::Let(step) | Line::Step(step) => self.step(step, planned.explanation),
+                ProgramLine::Let(step) | ProgramLine::Step(step) => self.step(step, planned.explanation),
             }
         }
         if !program.outputs.is_empty() {
@@ -165,10 +165,10 @@ impl<'s> CodeWriter<'s> {
 }
 
 /// Returns the heading of a line's kind, for a comment.
-fn heading(planned: &Function, line: &Line, lines: &[Line]) -> &'static str {
-    let eliminates = lines.iter().any(|line| matches!(line, Line::Step(_)));
+fn heading(planned: &Function, line: &ProgramLine, lines: &[ProgramLine]) -> &'static str {
+    let eliminates = lines.iter().any(|line| matches!(line, ProgramLine::Step(_)));
     match line {
-        Line::Circular { .. } => "Sines and cosines.",
+        ProgramLine::Circular { .. } => "Sines and cosines.",
         _ if planned.explanation == LineComments::Names => "Step by step, each after the terms that it needs.",
         _ if eliminates => "Elimination, step by step, each after the terms that it shares.",
         _ => "Shared terms.",

@@ -8,14 +8,14 @@
 //! the numerical integration of ODEs by means of high-order Taylor methods", Experimental Mathematics 14 (2005) 99–117,
 //! §2.
 
+mod factored_monomials;
 mod products;
 mod recurrences;
 mod series_from_terms;
-mod tape;
-mod taylor_factoring;
+mod taylor_tape;
 
 pub use recurrences::{Constant, Operand, Recurrences, Rule, Series};
-pub use tape::Tape;
+pub use taylor_tape::Tape;
 
 use tripos_derive::Equations;
 use tripos_derive::algebra::solve::elimination::Elimination;
@@ -34,21 +34,30 @@ const MOST_TRIALS: usize = 150;
 /// Derives the recurrences of the state (q, v) of a set of equations, from the program of its
 /// accelerations. `None` if a function in the equations has no Taylor series everywhere.
 #[must_use]
-pub fn recurrences_of(arena: &mut Arena, equations: &Equations, accelerations: &Elimination) -> Option<Recurrences> {
+pub fn cheapest_recurrences_of(
+    arena: &mut Arena,
+    equations: &Equations,
+    accelerations: &Elimination,
+) -> Option<Recurrences> {
     let states = [equations.coordinates.as_slice(), &equations.variables].concat();
     let rates = [&equations.coordinate_rates, &equations.unknowns[..equations.variables.len()]].concat();
-    recurrences(arena, &states, &rates, &accelerations.steps)
+    cheapest_recurrences(arena, &states, &rates, &accelerations.steps)
 }
 
 /// Derives the recurrences of states whose rates are terms in states, parameters and the symbols of
 /// `steps`. Forms of the terms with few convolutions are chosen. `None` if a term contains |x| or
 /// sign x, which have no Taylor series everywhere.
 #[must_use]
-pub fn recurrences(arena: &mut Arena, states: &[Expr], rates: &[Expr], steps: &[Definition]) -> Option<Recurrences> {
+pub fn cheapest_recurrences(
+    arena: &mut Arena,
+    states: &[Expr],
+    rates: &[Expr],
+    steps: &[Definition],
+) -> Option<Recurrences> {
     let mut steps = needed_steps(arena, steps, rates);
     let mut rates = rates.to_vec();
     let mut best = series_from_terms::series_from_terms(arena, states, &rates, &steps)?;
-    let varying = series_from_terms::varying_terms(arena, states, &rates, &steps);
+    let varying = series_from_terms::terms_with_series(arena, states, &rates, &steps);
     if steps.len() > MOST_IMPROVED {
         return Some(best);
     }
@@ -59,10 +68,10 @@ pub fn recurrences(arena: &mut Arena, states: &[Expr], rates: &[Expr], steps: &[
         None => rates[at - steps.len()],
     };
     let choices: Vec<Vec<Expr>> =
-        (0..count).map(|at| taylor_factoring::factored_forms(arena, &varying, of(&steps, &rates, at))).collect();
+        (0..count).map(|at| factored_monomials::factored_forms(arena, &varying, of(&steps, &rates, at))).collect();
     // Forms that save products only together are found together, one preference at a time.
-    for preference in taylor_factoring::Preference::ALL {
-        let mut form = |e: Expr| taylor_factoring::factored_form(arena, &varying, e, preference);
+    for preference in factored_monomials::Preference::ALL {
+        let mut form = |e: Expr| factored_monomials::factored_form(arena, &varying, e, preference);
         let new_steps: Vec<Definition> = steps.iter().map(|s| Definition { value: form(s.value), ..*s }).collect();
         let new_rates: Vec<Expr> = rates.iter().map(|e| form(*e)).collect();
         together.push((new_steps, new_rates));

@@ -23,9 +23,9 @@ pub fn series_from_terms(
     if !parts.iter().all(analytic) {
         return None;
     }
-    let varying = varying_terms(arena, states, rates, &steps);
+    let varying = terms_with_series(arena, states, rates, &steps);
     let mut pairs = FactorPairs::default();
-    let products = products(arena, &mut pairs, &parts, &varying);
+    let products = products_for_series(arena, &mut pairs, &parts, &varying);
     let mut lowering = SeriesBuilder {
         arena,
         varying,
@@ -68,7 +68,7 @@ pub fn series_from_terms(
 
 /// Returns the terms that change in time: states whose rate is not 0, and all terms that contain
 /// such states, also through steps.
-pub fn varying_terms(arena: &Arena, states: &[Expr], rates: &[Expr], steps: &[Definition]) -> FxHashSet<Expr> {
+pub fn terms_with_series(arena: &Arena, states: &[Expr], rates: &[Expr], steps: &[Definition]) -> FxHashSet<Expr> {
     let value = |rate: Expr| steps.iter().find(|step| step.symbol == rate).map_or(rate, |step| step.value);
     let mut varying: FxHashSet<Expr> =
         states.iter().zip(rates).filter(|(_, rate)| value(**rate) != Expr::ZERO).map(|(state, _)| *state).collect();
@@ -91,7 +91,7 @@ pub fn varying_terms(arena: &Arena, states: &[Expr], rates: &[Expr], steps: &[De
 
 /// Returns the factors of every product that changes in time. Pairs of factors that several
 /// products share are joined.
-fn products(
+fn products_for_series(
     arena: &Arena,
     pairs: &mut FactorPairs,
     parts: &[Expr],
@@ -221,7 +221,7 @@ impl SeriesBuilder<'_> {
         }
         let mut atoms: Vec<(ProductFactor, usize)> = Vec::new();
         for atom in self.products[&e].clone() {
-            let (constant, x) = self.atom(atom);
+            let (constant, x) = self.series_of_factor(atom);
             weight = self.arena.mul(weight, constant);
             atoms.push((atom, x));
         }
@@ -231,7 +231,7 @@ impl SeriesBuilder<'_> {
             let (Some((a, _)), Some((b, _))) = (atoms.pop(), atoms.pop()) else { break };
             let joined = self.pairs.join_factors(a, b);
             // The variable `weight` already contains the weights of both.
-            let (_, x) = self.atom(joined);
+            let (_, x) = self.series_of_factor(joined);
             atoms.push((joined, x));
         }
         let (atom, x) = atoms[0];
@@ -249,7 +249,7 @@ impl SeriesBuilder<'_> {
 
     /// Returns the constant factor of a factor or divisor, and the index of its series. For a
     /// divisor, the constant is the reciprocal of its series' constant.
-    fn atom(&mut self, atom: ProductFactor) -> (Expr, usize) {
+    fn series_of_factor(&mut self, atom: ProductFactor) -> (Expr, usize) {
         let operand = match atom.base {
             FactorBase::Term(e) => self.known[&e],
             FactorBase::Pair(place) => self.pair(place),
@@ -266,7 +266,7 @@ impl SeriesBuilder<'_> {
             return *known;
         }
         let [a, b] = self.pairs.atoms(place);
-        let ((weight_a, x), (weight_b, y)) = (self.atom(a), self.atom(b));
+        let ((weight_a, x), (weight_b, y)) = (self.series_of_factor(a), self.series_of_factor(b));
         let [s, t] = [x, y].map(|x| self.series[x].term);
         let n = if b.inverse { -1 } else { 1 };
         let term = self.arena.try_product(&[(s, 1), (t, n)]).expect("a divisor is not 0");
@@ -377,7 +377,7 @@ fn merge_linear_series(mut list: Recurrences, arena: &mut Arena) -> Recurrences 
         let constant = arena.sum(&constants);
         list.series[at].rule = Rule::Linear { constant, terms: merged };
     }
-    let live = needed_series(&list);
+    let live = series_needed_by_rates(&list);
     let mut place = vec![0; count];
     let mut next = 0;
     for at in 0..count {
@@ -399,7 +399,7 @@ fn merge_linear_series(mut list: Recurrences, arena: &mut Arena) -> Recurrences 
 }
 
 /// Returns, for each series, true if the rates need it. States are always needed.
-fn needed_series(list: &Recurrences) -> Vec<bool> {
+fn series_needed_by_rates(list: &Recurrences) -> Vec<bool> {
     let mut live: Vec<bool> = list.series.iter().map(|s| matches!(s.rule, Rule::State(_))).collect();
     let rate = |operand: &Operand| match operand {
         Operand::Scaled(_, x) => Some(*x),

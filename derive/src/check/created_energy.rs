@@ -13,7 +13,7 @@
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::term::calculus::{Gradient, Substitution};
 use crate::algebra::value::interval::enclose_in_interval;
-use crate::algebra::value::range::never_positive;
+use crate::algebra::value::range::range_excludes_positive;
 use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr, Rational};
 use crate::mechanics::{DeriveError, Kinematics, potential_at_rest, rates_to_speeds};
@@ -58,7 +58,7 @@ pub fn energy_effects_of_loads(model: &Model) -> Result<Vec<LoadEffect>, DeriveE
     }
     let mut kinematics = Kinematics::new(model)?;
     let forces = kinematics.generalized_forces_of_each_load(model);
-    let mut judge = Judge::new(model, kinematics.arena);
+    let mut judge = CreatedEnergyJudge::new(model, kinematics.arena);
     let forces: Vec<Vec<Expr>> = forces.into_iter().map(|list| judge.at_defaults(&list)).collect();
     let all: Vec<Expr> = (0..model.coordinates.len())
         .map(|at| {
@@ -74,7 +74,7 @@ pub fn energy_effects_of_loads(model: &Model) -> Result<Vec<LoadEffect>, DeriveE
     for (at, (load, forces)) in names.into_iter().zip(&forces).enumerate() {
         let force = model.forces.get(at);
         let is_spring = force.is_some_and(|f| f.energy.is_some());
-        let (effect, why) = match input_of(model, at) {
+        let (effect, why) = match input_that_creates_energy(model, at) {
             Some(input) => (EnergyEffect::Creates, format!("the input `{input}` drives it")),
             None if force.and_then(|f| f.damper).is_some_and(|damper| judge.is_damper(forces, damper)) => {
                 (EnergyEffect::Dissipates, String::new())
@@ -91,7 +91,7 @@ pub fn energy_effects_of_loads(model: &Model) -> Result<Vec<LoadEffect>, DeriveE
 
 /// Name of the first input that the load with this index contains; `None` if it contains no input.
 /// Forces are counted before torques.
-fn input_of(model: &Model, at: usize) -> Option<String> {
+fn input_that_creates_energy(model: &Model, at: usize) -> Option<String> {
     let vector = match model.forces.get(at) {
         Some(force) => force.vector,
         None => model.torques[at - model.forces.len()].vector,
@@ -120,7 +120,7 @@ enum PowerOfAllLoads {
 
 /// Judge of loads: decides the effect of generalized forces on the energy, at the default values of
 /// the parameters.
-struct Judge<'m> {
+struct CreatedEnergyJudge<'m> {
     /// Model whose loads are judged.
     model: &'m Model,
     /// Arena of the terms.
@@ -131,7 +131,7 @@ struct Judge<'m> {
     defaults: Substitution,
 }
 
-impl<'m> Judge<'m> {
+impl<'m> CreatedEnergyJudge<'m> {
     fn new(model: &'m Model, mut arena: Arena) -> Self {
         let values = model.parameters.iter().filter_map(|p| Some((p.symbol, p.value.clone()?)));
         let values: Vec<(Expr, Expr)> = values.map(|(symbol, value)| (symbol, arena.number(value))).collect();
@@ -183,7 +183,7 @@ impl<'m> Judge<'m> {
     fn is_damper(&mut self, forces: &[Expr], [coefficient, lengthening]: [Expr; 2]) -> bool {
         let coefficient = self.defaults.apply(&mut self.arena, coefficient);
         let taken = self.arena.neg(coefficient);
-        if coefficient == Expr::ZERO || !never_positive(&self.arena, taken) {
+        if coefficient == Expr::ZERO || !range_excludes_positive(&self.arena, taken) {
             return false;
         }
         let Some(power) = self.power(forces) else { return false };
@@ -257,7 +257,7 @@ impl<'m> Judge<'m> {
 
     /// True if a power is proved never to be positive in any state.
     fn is_power_never_positive(&mut self, power: Expr) -> bool {
-        if never_positive(&self.arena, power) {
+        if range_excludes_positive(&self.arena, power) {
             return true;
         }
         let u = self.model.u();
@@ -305,7 +305,7 @@ impl<'m> Judge<'m> {
                 }
                 continue;
             }
-            if !never_positive(&self.arena, pivot) {
+            if !range_excludes_positive(&self.arena, pivot) {
                 return false;
             }
             for i in 0..row.len() {

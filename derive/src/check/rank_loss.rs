@@ -17,8 +17,8 @@ use crate::algebra::term::calculus::Gradient;
 use crate::algebra::text::print::print_text;
 use crate::algebra::{Arena, Expr};
 use crate::model::{Model, MotionConstraintKind};
-use minors::{Matrix, rank_loss_surfaces};
-use singular_pose::Constraints;
+use minors::{Matrix, common_zeros_of_minors};
+use singular_pose::SingularPoseSearch;
 
 /// Poses where the constraints of a model lose rank: formulas for them, a proof that there are
 /// none, or an example.
@@ -51,7 +51,7 @@ pub struct RankLoss {
 pub fn rank_loss(model: &Model) -> Option<RankLoss> {
     let mut arena = model.arena.clone();
     let columns: Vec<usize> = (0..model.coordinates.len()).filter(|at| Some(*at) != model.time()).collect();
-    let (rows, rank) = constraint_matrix(model, &mut arena, &columns);
+    let (rows, rank) = rank_loss_matrix(model, &mut arena, &columns);
     if rank == 0 {
         return None;
     }
@@ -69,14 +69,14 @@ pub fn rank_loss(model: &Model) -> Option<RankLoss> {
         sought: 0,
     };
     let matrix = Matrix { rows: &rows, rank, known: &known, loops: &closed, places: &model.q() };
-    if let Some(surfaces) = rank_loss_surfaces(&mut arena, &matrix) {
+    if let Some(surfaces) = common_zeros_of_minors(&mut arena, &matrix) {
         found.nowhere = surfaces.all_zero.is_empty();
         found.where_all_zero = Some(surfaces.all_zero.iter().map(|e| print_text(&arena, *e)).collect());
         found.taken = surfaces.taken.iter().map(|e| print_text(&arena, *e)).collect();
         found.proof = if found.nowhere { surfaces.never } else { Vec::new() };
     }
     if !found.nowhere {
-        let rows = Constraints { model, rows: &rows, rank, columns: &columns, known: &known, closed: &closed };
+        let rows = SingularPoseSearch { model, rows: &rows, rank, columns: &columns, known: &known, closed: &closed };
         let sought = rows.search_singular_pose(&mut arena);
         (found.pose, found.rank_there) = sought.pose.unzip();
         found.sought = sought.tries;
@@ -88,7 +88,7 @@ pub fn rank_loss(model: &Model) -> Option<RankLoss> {
 /// of the coordinates `columns`. The rows that are independent in most poses come first, and their
 /// number is returned. The redundant rows follow, without those that depend on others in every
 /// pose.
-fn constraint_matrix(model: &Model, arena: &mut Arena, columns: &[usize]) -> (Vec<Vec<Expr>>, usize) {
+fn rank_loss_matrix(model: &Model, arena: &mut Arena, columns: &[usize]) -> (Vec<Vec<Expr>>, usize) {
     let rates: Vec<Expr> = columns.iter().map(|at| model.coordinates[*at].rate).collect();
     let places: Vec<Expr> = columns.iter().map(|at| model.coordinates[*at].symbol).collect();
     let stated = model.motion_constraints.iter().filter(|c| c.kind != MotionConstraintKind::Clock).map(|c| c.equation);

@@ -4,14 +4,14 @@
 //! The search compares numbers and proves nothing. The publication is afterwards read and judged in
 //! the coordinates found.
 
-mod changes;
+mod coordinate_changes;
 
 use crate::algebra::value::tape::Tape;
 use crate::algebra::{Arena, Expr};
 use crate::mechanics::{Derivations, EnergyQuantity, Quantities, Quantity, QuantityKind};
 use crate::model::{Coordinate, Model, TIME};
 use crate::publication::{EntryKind, Listing, Publication, System};
-use changes::{CoordinateChange, coordinate_changes, coordinate_table};
+use coordinate_changes::{CoordinateChange, coordinate_changes, coordinate_table};
 
 /// Largest number of coordinate choices that are reported if several are equally good.
 const LISTED: usize = 8;
@@ -74,13 +74,16 @@ pub fn find_coordinates(
         return Err("equations tie the coordinates of the model together".to_owned());
     }
     let mut quantities = Quantities::new(model, derivations);
-    let numbers = CoordinateStates::new(&mut quantities)?;
+    let numbers = CoordinateSearchStates::new(&mut quantities)?;
     let checks = numbers.formula_tests(&mut quantities, publication);
     if checks.is_empty() {
         return Err("no formula of the publication can be compared in numbers".to_owned());
     }
-    let moving =
-        mentioned_coordinates(model, &quantities.derivations.kinematics.arena, &printed_terms(model, publication))?;
+    let moving = mentioned_coordinates(
+        model,
+        &quantities.derivations.kinematics.arena,
+        &printed_terms_for_search(model, publication),
+    )?;
     let changes = coordinate_changes(model, &moving);
     let counts: Vec<usize> = changes.iter().map(|change| numbers.count_right_formulas(&checks, change)).collect();
     let most = counts.iter().copied().max().unwrap_or(0);
@@ -98,7 +101,7 @@ pub fn find_coordinates(
 
 /// Numerical states of the model, and programs (tapes) that evaluate a publication's variables in
 /// them.
-struct CoordinateStates {
+struct CoordinateSearchStates {
     /// Symbols that are the inputs of every tape: parameters; q, q' and q'' of each coordinate; u
     /// and u' of each speed.
     inputs: Vec<Expr>,
@@ -115,7 +118,7 @@ struct CoordinateStates {
     motion: Tape,
 }
 
-impl CoordinateStates {
+impl CoordinateSearchStates {
     /// Draws random parameters, coordinates and speeds; rates and accelerations follow from the
     /// derived equations.
     ///
@@ -378,7 +381,7 @@ fn mentioned_coordinates(model: &Model, arena: &Arena, printed: &[Expr]) -> Resu
 
 /// Terms of all printed formulas, with the coordinates, speeds, unknowns and states to which they
 /// give values.
-fn printed_terms(model: &Model, publication: &Publication) -> Vec<Expr> {
+fn printed_terms_for_search(model: &Model, publication: &Publication) -> Vec<Expr> {
     let mut list = Vec::new();
     for entry in &publication.entries {
         match &entry.kind {

@@ -15,7 +15,7 @@ mod repairs;
 mod roots;
 
 pub use coordinate_search::{CoordinateSearch, CoordinateTable, find_coordinates};
-pub use edits::declaration_changes::{Declaration, Edit, Property, Section};
+pub use edits::declaration_changes::{Declaration, DeclaredProperty, Edit, Section};
 pub use edits::derived_model::DerivedModel;
 pub use edits::model_changes::{EntryChange, ModelDifference, diff_models};
 pub use edits::scene_changes::{SettingChange, diff_scenes};
@@ -39,7 +39,7 @@ use equations::lagrange_multipliers::Multipliers;
 use equations::row_judgement::TermTools;
 use formulas::expansion_near_point::PointExpansion;
 use formulas::finding::TracedFinding;
-use printed::printed_motion::MotionSystem;
+use printed::motion_system::MotionSystem;
 
 /// Result of the comparison of a publication with the derived equations.
 #[derive(Clone, Debug)]
@@ -105,7 +105,7 @@ pub fn judge_publication(
     let mut found = judge_entries(model, publication, &mut tools, &mut book, &mut multipliers);
     let Kinematics { arena, simplifier, .. } = &mut tools.quantities.derivations.kinematics;
     let mut terms = TermTools { arena, simplifier, comparer: &mut tools.comparer };
-    if book.accept_suspected_corrections() | multipliers.decide(&mut terms, &model.p()) {
+    if book.accept_suspected_corrections() | multipliers.choose_multiplier_matrix(&mut terms, &model.p()) {
         // Mistakes in abbreviations, and the author's multipliers, are known now for all entries.
         found = judge_entries(model, publication, &mut tools, &mut book, &mut multipliers);
     }
@@ -231,7 +231,7 @@ struct JudgedEntries {
     /// Printed systems matched with derived rows, for the tracing of mistakes.
     tables: Vec<MatchedSystem>,
     /// Motions of the printed systems, for consequences.
-    motions: Vec<printed::linear_systems::MatchedMotion>,
+    motions: Vec<printed::judged_system::MatchedMotion>,
 }
 
 impl JudgedEntries {
@@ -242,7 +242,7 @@ impl JudgedEntries {
     }
 
     /// Adds the findings, the matched rows and the motion of a judged system or program (listing).
-    fn add_judged_system(&mut self, judged: printed::linear_systems::JudgedSystem) {
+    fn add_judged_system(&mut self, judged: printed::judged_system::JudgedSystem) {
         judged.findings.into_iter().for_each(|found| self.push(found));
         self.tables.extend(judged.table);
         self.motions.extend(judged.motion);
@@ -260,7 +260,7 @@ pub fn printed_motions(model: &Model, derivations: &mut Derivations, publication
     for entry in publication.entries.iter().filter(|entry| entry.near.is_none()) {
         match &entry.kind {
             EntryKind::System(system) => {
-                list.extend(printed::linear_systems::motion_of_system(&mut quantities, &names, entry, system));
+                list.extend(printed::judged_system::motion_of_system(&mut quantities, &names, entry, system));
             }
             EntryKind::Listing(listing) => {
                 if let Ok((motion, true)) = printed::listings::listing_motion(&mut quantities, &names, entry, listing) {

@@ -62,8 +62,8 @@ fn permitted_values_from_loops(quantities: &mut Quantities<'_>) -> (Vec<(Expr, E
         if zero_test(arena, equation) == ZeroTest::Zero {
             continue;
         }
-        let found = solve_constraint_for_symbol(model, arena, simplifier, equation).map(|pair| vec![pair]);
-        let Some(found) = found.or_else(|| solve_constraint_for_angle(model, arena, equation)) else {
+        let found = permitted_value_of_symbol(model, arena, simplifier, equation).map(|pair| vec![pair]);
+        let Some(found) = found.or_else(|| permitted_values_of_angle(model, arena, equation)) else {
             open = Some(format!(
                 "the equation of `{}` gives no symbol in closed form, so that no state on it is known",
                 one.name
@@ -115,7 +115,7 @@ fn numerator(arena: &mut Arena, e: Expr) -> Expr {
 }
 
 /// Equation A x² + B x + C = 0 in one symbol x.
-struct Quadratic {
+struct QuadraticEquation {
     /// Coefficient A of x², a term without x.
     a: Expr,
     /// Coefficient B of x, a term without x.
@@ -124,7 +124,7 @@ struct Quadratic {
     c: Expr,
 }
 
-impl Quadratic {
+impl QuadraticEquation {
     /// Coefficients of an equation in a symbol; `None` unless the equation depends on the symbol and is at most
     /// quadratic in it.
     fn new(arena: &mut Arena, equation: Expr, symbol: Expr) -> Option<Self> {
@@ -167,7 +167,7 @@ impl Quadratic {
 /// The value must contain a coordinate, because a symbol that occurs in only one factor of a
 /// product is not determined. Linear symbols are preferred, then positive parameters that occur as
 /// a pure square.
-fn solve_constraint_for_symbol(
+fn permitted_value_of_symbol(
     model: &Model,
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -184,7 +184,7 @@ fn solve_constraint_for_symbol(
         if !arena.mentions(equation, symbol) {
             continue;
         }
-        let Some(quadratic) = Quadratic::new(arena, equation, symbol) else { continue };
+        let Some(quadratic) = QuadraticEquation::new(arena, equation, symbol) else { continue };
         // The best symbol is linear; next is a positive parameter that enters as a pure square, because its root is
         // unique.
         let rank = match (quadratic.is_linear(), positive && quadratic.b == Expr::ZERO) {
@@ -206,7 +206,7 @@ fn solve_constraint_for_symbol(
 
 /// Solves a sin q + b cos q + c = 0 for a coordinate q. Returns the values of sin q, cos q and q.
 /// Returns `None` if no coordinate occurs in this form.
-fn solve_constraint_for_angle(model: &Model, arena: &mut Arena, equation: Expr) -> Option<Vec<(Expr, Expr)>> {
+fn permitted_values_of_angle(model: &Model, arena: &mut Arena, equation: Expr) -> Option<Vec<(Expr, Expr)>> {
     model.coordinates.iter().filter(|c| c.name != TIME).find_map(|q| {
         let (sine, cosine) = (arena.sin(q.symbol), arena.cos(q.symbol));
         let [s, c] = ["sine", "cosine"].map(|name| fresh_symbol(arena, name));

@@ -68,7 +68,7 @@ impl Flow {
     pub fn new(model: &Model) -> Result<Self, DeriveError> {
         let mut kinematics = Kinematics::new(model)?;
         let equations = derive_with(model, &mut kinematics, Formulation::Kane)?;
-        let mut candidates: Vec<VectorField> = symmetry::time_shift_candidate(model).into_iter().collect();
+        let mut candidates: Vec<VectorField> = symmetry::time_symmetry_candidate(model).into_iter().collect();
         candidates.extend(symmetry::symmetry_candidates(model, &mut kinematics));
         let mut arena = kinematics.arena;
         let (inertia, balances) = (equations.matrix.clone(), equations.forcing.clone());

@@ -74,11 +74,11 @@ impl Flow {
         stated: &OperatingPoint,
         chosen: &StateElimination,
     ) -> Result<SymbolicLinearSystem, LinearSystemError> {
-        let mut work = LinearSystemTerms { arena: self.arena.clone(), simplifier: Simplifier::default() };
+        let mut work = SymbolicLinearSystemTerms { arena: self.arena.clone(), simplifier: Simplifier::default() };
         let (values, slopes) = work.slopes(self, stated)?;
         let along = work.velocities_along_symmetries(self, &values, chosen)?;
         let states = self.states.len();
-        let moving = |work: &mut LinearSystemTerms, slope: &FlowProgramResults<Expr>| {
+        let moving = |work: &mut SymbolicLinearSystemTerms, slope: &FlowProgramResults<Expr>| {
             let fields = chosen.carried.1.iter().map(|at| &slope.symmetries[*at]);
             let fields: Vec<&Vec<Expr>> = fields.collect();
             (0..states)
@@ -96,7 +96,7 @@ impl Flow {
         // The states that the loops determine depend on these columns: δx_d = E (δx_k, δr).
         let loops: Vec<usize> = (0..self.loops.len()).collect();
         let follows = work.dependent_columns(&loops, &chosen.closed, &all, |row, column| slopes[column].loops[row])?;
-        let on = |work: &mut LinearSystemTerms, of: &dyn Fn(usize) -> Expr| -> Vec<Expr> {
+        let on = |work: &mut SymbolicLinearSystemTerms, of: &dyn Fn(usize) -> Expr| -> Vec<Expr> {
             let direct = all.iter().enumerate().map(|(k, column)| {
                 let parts: Vec<Expr> = chosen.closed.iter().map(|at| of(*at)).collect();
                 let shares: Vec<Expr> = follows.iter().map(|row| row[k]).collect();
@@ -117,7 +117,7 @@ impl Flow {
         for (k, row) in chosen.kept.iter().enumerate() {
             // Row k of H, from `follows`; `minus` subtracts its products with the shifted rows.
             let factors: Vec<Expr> = shares.iter().map(|share| share[k]).collect();
-            let quotient = |work: &mut LinearSystemTerms, direct: Expr, others: Vec<Expr>| {
+            let quotient = |work: &mut SymbolicLinearSystemTerms, direct: Expr, others: Vec<Expr>| {
                 work.minus_products(direct, &others, &factors)
             };
             let mut line = Vec::new();
@@ -141,14 +141,14 @@ impl Flow {
 }
 
 /// Arena and simplifier of the terms of a linear system while it is derived.
-struct LinearSystemTerms {
+struct SymbolicLinearSystemTerms {
     /// Arena of the terms of the linear system; starts as a copy of the flow's.
     arena: Arena,
     /// Simplifier of terms, which keeps its earlier results.
     simplifier: Simplifier,
 }
 
-impl LinearSystemTerms {
+impl SymbolicLinearSystemTerms {
     /// Values of the flow at the stated state, and derivatives by each state, then by each input.
     ///
     /// # Errors

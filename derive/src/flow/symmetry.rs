@@ -35,7 +35,7 @@ impl Symmetry {
 
 /// Shift of time, as a candidate for a symmetry. It is a symmetry if the equations do not depend on
 /// time, as with a drive at a constant rate. `None` if time is not a coordinate of the model.
-pub(super) fn time_shift_candidate(model: &Model) -> Option<VectorField> {
+pub(super) fn time_symmetry_candidate(model: &Model) -> Option<VectorField> {
     let time = model.time()?;
     let unit = |at| if at == time { Expr::ONE } else { Expr::ZERO };
     Some(VectorField { kind: IntegralKind::Coordinate(time), xi: (0..model.coordinates.len()).map(unit).collect() })
@@ -152,7 +152,7 @@ fn symmetry_prolongation(model: &Model, flow: &mut Flow, xi: &[Expr]) -> Vec<Exp
 
 /// True if all loop equations stay satisfied along a field on the states.
 fn symmetry_keeps_loops(flow: &mut Flow, along: &[Expr]) -> bool {
-    let mut moved = Differential::along(&state_value_pairs(flow, along));
+    let mut moved = Differential::along(&symmetry_state_pairs(flow, along));
     let arena = &mut flow.arena;
     flow.loops.iter().chain(&flow.closed).all(|equation| {
         let change = moved.apply(arena, *equation);
@@ -162,8 +162,8 @@ fn symmetry_keeps_loops(flow: &mut Flow, along: &[Expr]) -> bool {
 
 /// True if a field ζ on the states commutes with the flow f: the bracket `[ζ, f] = Df ζ − Dζ f` is zero.
 fn symmetry_commutes_with_flow(flow: &mut Flow, rates: &[Expr], along: &[Expr]) -> bool {
-    let mut by_field = Differential::along(&state_value_pairs(flow, along));
-    let mut by_time = Differential::along(&state_value_pairs(flow, rates));
+    let mut by_field = Differential::along(&symmetry_state_pairs(flow, along));
+    let mut by_time = Differential::along(&symmetry_state_pairs(flow, rates));
     let arena = &mut flow.arena;
     rates.iter().zip(along).all(|(rate, component)| {
         let (a, b) = (by_field.apply(arena, *rate), by_time.apply(arena, *component));
@@ -173,6 +173,6 @@ fn symmetry_commutes_with_flow(flow: &mut Flow, rates: &[Expr], along: &[Expr]) 
 }
 
 /// Pairs of each state symbol with its value.
-fn state_value_pairs(flow: &Flow, values: &[Expr]) -> Vec<(Expr, Expr)> {
+fn symmetry_state_pairs(flow: &Flow, values: &[Expr]) -> Vec<(Expr, Expr)> {
     flow.states.iter().copied().zip(values.iter().copied()).collect()
 }

@@ -15,11 +15,11 @@ pub fn cross_components(arena: &mut Arena, a: &Components, b: &Components) -> Co
 
 /// Product A · v of a 3 × 3 tensor A and a vector v, both with components in one frame.
 pub fn apply_tensor(arena: &mut Arena, tensor: &[[Expr; 3]; 3], v: &Components) -> Components {
-    tensor.map(|row| row_times(arena, &row, v))
+    tensor.map(|row| dot_components(arena, &row, v))
 }
 
 /// Scalar product Σ row_i v_i of a matrix row and a vector of three components.
-pub(crate) fn row_times(arena: &mut Arena, row: &[Expr; 3], v: &Components) -> Expr {
+pub(crate) fn dot_components(arena: &mut Arena, row: &[Expr; 3], v: &Components) -> Expr {
     let products = [0, 1, 2].map(|i| arena.mul(row[i], v[i]));
     arena.sum(&products)
 }

@@ -1,6 +1,6 @@
 //! Turns: elementary rotations that lead from a frame to the next frame.
 
-use super::components::{Components, row_times, transposed};
+use super::components::{Components, dot_components, transposed};
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::term::calculus::Differential;
 use crate::algebra::value::zero_test::{ZeroTest, zero_test};
@@ -205,7 +205,7 @@ impl Turn {
                     TurnSense::Forward => turn.cosines,
                     TurnSense::Back => transposed(&turn.cosines),
                 };
-                rows.map(|row| row_times(arena, &row, v))
+                rows.map(|row| dot_components(arena, &row, v))
             }
         }
     }

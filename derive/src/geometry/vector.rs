@@ -5,7 +5,7 @@
 //! their angles first, so a planar chain has cosines of sums, not sums of products.
 
 use super::Frame;
-use super::components::{Components, cross_components, row_times, transposed};
+use super::components::{Components, cross_components, dot_components, transposed};
 use super::rotation::{Turn, TurnSense};
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::term::calculus::{Differential, Gradient, Substitution};
@@ -263,7 +263,7 @@ impl Frames {
         let mut products = Vec::new();
         for (from, components) in &v.parts {
             let row = self.rotation(arena, *from, frame)[axis];
-            products.push(row_times(arena, &row, components));
+            products.push(dot_components(arena, &row, components));
         }
         arena.sum(&products)
     }
@@ -271,9 +271,9 @@ impl Frames {
     /// Dot product a · b of two vectors, as one term.
     pub fn dot(&mut self, arena: &mut Arena, a: &Vector, b: &Vector) -> Expr {
         if self.carries {
-            let home = self.common_frame([a, b]);
+            let home = self.common_transport_frame([a, b]);
             let [a, b] = [a, b].map(|v| self.express_frame_by_frame(arena, v, home, "x", &self.tree[home].name));
-            return row_times(arena, &a, &b);
+            return dot_components(arena, &a, &b);
         }
         let mut terms = Vec::new();
         for x in &a.parts {
@@ -302,7 +302,7 @@ impl Frames {
         let mut products = Vec::with_capacity(3);
         for (axis, x) in a.1.into_iter().enumerate().filter(|(_, x)| *x != Expr::ZERO) {
             let y = match rotation {
-                Some(rows) => row_times(arena, &rows[axis], &b.1),
+                Some(rows) => dot_components(arena, &rows[axis], &b.1),
                 None => b.1[axis],
             };
             products.push(arena.mul(x, y));

@@ -2,8 +2,8 @@
 
 use super::known_parameters::KnownParameters;
 use crate::algebra::value::field::Field;
-use crate::algebra::value::points::Sampler;
 use crate::algebra::value::reconstruction::{reduced_echelon_form, unique_solution};
+use crate::algebra::value::residues::ResidueSampler;
 use crate::algebra::{Arena, Expr};
 use crate::mechanics::Column;
 use rustc_hash::FxHashSet;
@@ -17,7 +17,7 @@ const TRIES: usize = 20;
 /// values of the known parameters.
 pub struct ColumnRelations<'a> {
     /// Source of random values, and evaluator of the columns and atoms.
-    sampler: Sampler<'a>,
+    sampler: ResidueSampler<'a>,
     /// Finite field (integers modulo a prime) of all residues.
     field: Field,
     /// Symbols that change during a motion; they get new values for each state.
@@ -53,7 +53,7 @@ impl<'a> ColumnRelations<'a> {
     /// have no values.
     pub fn new(arena: &'a Arena, columns: &[Column], letters: &'a KnownParameters) -> Option<Self> {
         let terms = columns.iter().flat_map(|column| &column.forces).chain(letters.atoms()).copied().collect();
-        let mut sampler = Sampler::new(arena, terms);
+        let mut sampler = ResidueSampler::new(arena, terms);
         let (field, seed) = (sampler.field(), sampler.seed());
         let speeds = columns.first().map_or(0, |column| column.forces.len());
         let (pivots, dependent) = Default::default();

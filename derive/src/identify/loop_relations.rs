@@ -72,7 +72,7 @@ pub fn group_by_loop_relations(model: &Model, found: &mut Identification) -> Opt
         let (relations, sample) = loop_relations_of_sample(&samples, poses);
         let before = seen.replace(sample);
         if let Some(relations) = relations {
-            group_dependent_parameters(found, &relations);
+            group_parameters_on_loops(found, &relations);
             break;
         }
         // There are no more poses.
@@ -132,7 +132,7 @@ fn loop_relations_of_sample([rows, elsewhere]: &[DMatrix<f64>; 2], poses: usize)
 }
 
 /// Adds each dependent base parameter, with its factors, to those that are kept.
-fn group_dependent_parameters(found: &mut Identification, Relations { kept, shares }: &Relations) {
+fn group_parameters_on_loops(found: &mut Identification, Relations { kept, shares }: &Relations) {
     let mut base: Vec<BaseParameter> = kept.iter().map(|at| found.base[*at].clone()).collect();
     for (at, factors) in shares {
         let BaseParameter { column, .. } = found.base[*at];
@@ -201,7 +201,7 @@ fn sample_rows_on_loops(model: &Model, found: &mut Identification, most: usize) 
             of_pose.push(samples.map(matrix));
         }
     }
-    let usual = median_column_sizes(&of_pose);
+    let usual = median_column_sizes_on_loops(&of_pose);
     let forces = |pose: &[DMatrix<f64>; 2]| {
         let size = |column: usize| pose[0].column(column).norm() / usual[column];
         (0..columns).map(size).fold(0.0, f64::max)
@@ -223,7 +223,7 @@ fn sample_rows_on_loops(model: &Model, found: &mut Identification, most: usize) 
 }
 
 /// Median over the poses of the length of each column; 1 for a column that is zero in most poses.
-fn median_column_sizes(of_pose: &[[DMatrix<f64>; 2]]) -> Vec<f64> {
+fn median_column_sizes_on_loops(of_pose: &[[DMatrix<f64>; 2]]) -> Vec<f64> {
     let columns = of_pose.first().map_or(0, |pose| pose[0].ncols());
     let usual = (0..columns).map(|column| {
         let mut sizes: Vec<f64> = of_pose.iter().map(|pose| pose[0].column(column).norm()).collect();

@@ -3,12 +3,12 @@
 
 use super::derivation_limits::check_term_limit;
 use super::derive_error::DeriveError;
-use super::equations::{Equations, complete_equations};
+use super::equations::{Equations, equations_from_rows};
 use super::formulations::formulation::Formulation;
 use super::motion::equation_form::EquationForm;
 use super::motion::kinematics::Kinematics;
 use super::rows::{RowName, Step};
-use crate::algebra::text::definitions::{copy_definitions, define_named_terms, define_names_in_part};
+use crate::algebra::text::definitions::{adopt_definitions, define_names_in_part, write_definitions};
 use crate::algebra::text::print::printed_length;
 use crate::algebra::value::rank::rank;
 use crate::algebra::{Arena, Expr};
@@ -179,7 +179,7 @@ fn derivation_in_form(
     let equations = Equations { required: Vec::new(), ..equations };
     if formulation != REFERENCE {
         if arena.has_names() {
-            copy_definitions(&mut arena, &arena_with_derivation_names(model, formulation, form)?);
+            adopt_definitions(&mut arena, &arena_with_derivation_names(model, formulation, form)?);
         }
         write_names_of_derivation(&mut arena, formulation, &equations);
     }
@@ -226,7 +226,7 @@ fn derivation_with_definitions(mut arena: Arena, equations: &Equations, mut step
     let mut equations = equations.with_definitions(&mut arena);
     let lines = || steps.iter().flat_map(|step| step.lines.iter());
     let values: Vec<Expr> = lines().map(|(_, value)| *value).collect();
-    let (named, values) = define_named_terms(&mut arena, &[], &values);
+    let (named, values) = write_definitions(&mut arena, &[], &values);
     let known: FxHashSet<Expr> = equations.definitions.iter().map(|definition| definition.symbol).collect();
     equations.definitions.extend(named.into_iter().filter(|definition| !known.contains(&definition.symbol)));
     let places = steps.iter_mut().flat_map(|step| &mut step.lines);
@@ -270,7 +270,7 @@ pub(crate) fn derive_with(
 ) -> Result<Equations, DeriveError> {
     let rows = (formulation.method().derive)(model, kinematics)?;
     check_term_limit(model, &kinematics.arena)?;
-    let equations = complete_equations(model, kinematics, formulation, rows)?;
+    let equations = equations_from_rows(model, kinematics, formulation, rows)?;
     match rank(&kinematics.arena, &equations.matrix).and_then(|rank| rank.dependent) {
         Some(row) => Err(singular_derivation_error(model, &equations.rows[row])),
         None => Ok(equations),

@@ -9,7 +9,7 @@ use super::rows::{AccelerationEmbedding, RowName, Rows};
 use crate::algebra::solve::quadratic_minimum::QuadraticForm;
 use crate::algebra::term::calculus::{Differential, Gradient};
 use crate::algebra::term::steps::Definition;
-use crate::algebra::text::definitions::define_named_terms;
+use crate::algebra::text::definitions::write_definitions;
 use crate::algebra::{Arena, Expr};
 use crate::model::{Model, MotionConstraintKind};
 
@@ -132,7 +132,7 @@ impl Equations {
         let mut result = self.clone();
         let values = self.terms(arena);
         let (steps, values) =
-            define_named_terms(arena, &self.definitions, &values[..values.len() - self.definitions.len()]);
+            write_definitions(arena, &self.definitions, &values[..values.len() - self.definitions.len()]);
         let mut values = values.into_iter();
         result.definitions.clear();
         result.change_terms(&mut |e, _| *e = values.next().expect("as many as were read"), arena);
@@ -178,7 +178,7 @@ impl Equations {
 /// # Errors
 /// [`DeriveError::NoZeroOfPotential`] if V has no value at the configuration where the model sets
 /// it to zero.
-pub(super) fn complete_equations(
+pub(super) fn equations_from_rows(
     model: &Model,
     kinematics: &mut Kinematics,
     formulation: Formulation,

@@ -20,23 +20,23 @@ pub use derive_error::DeriveError;
 pub use equations::{Constrained, Equations};
 pub use equations_origin::{EquationsOrigin, SingularDistance};
 pub use formulations::formulation::{Formulation, FormulationProperties};
-pub use formulations::newton_euler::{Balance, balance_partial_velocities, newton_euler_balances};
-pub use formulations::reaction_balance::balance_multipliers_along_reactions;
+pub use formulations::newton_euler::{Balance, newton_euler_balances, newton_euler_partial_velocities};
+pub use formulations::reaction_directions::balance_multipliers_along_reactions;
 pub use motion::energy::VelocityMomentum;
-pub use motion::equation_form::{EquationForm, is_reducible};
+pub use motion::equation_form::{EquationForm, has_reducible_form};
 pub use motion::inertial_anchor::Anchor;
 pub use motion::inertial_parameter::InertialParameter;
 pub use motion::kinematics::{
-    Kinematics, LoadPotential, MotionVariables, Velocities, motion_rates, rates_to_speeds, speeds_to_rates,
+    Kinematics, LoadPotential, MotionVariables, Velocities, kinematic_rates, rates_to_speeds, speeds_to_rates,
 };
-pub use motion::loads::{Load, MovingPlace, moving_places};
+pub use motion::loads::{Load, MovingLoadPlace, moving_load_places};
 pub use motion::potential::potential_at_rest;
 pub use quantity::{EnergyQuantity, Quantity, QuantityKind, QuantityOwner, RowQuantity, VectorName};
 pub use rows::{AccelerationEmbedding, BalanceName, LineName, RowName, Rows, Stage, Step};
 pub use solutions::accelerations::{SolvedAccelerations, accelerations, energy_gradient};
 pub use solutions::certificate::{Certificate, certify_accelerations, certify_inverse_dynamics};
-pub use solutions::distance::{equations_in_distance, singular_distances};
 pub use solutions::divisors::{Divisors, LoadDivisor, divisor_without_number, load_divisors};
+pub use solutions::equations_in_distance::{equations_in_distance, singular_distances};
 pub use solutions::inertia_check::{InertiaCheck, check_inertia_at};
 pub use solutions::jacobian::{Jacobian, jacobian};
 

@@ -16,7 +16,7 @@ use crate::algebra::term::calculus::Substitution;
 use crate::algebra::value::rank::rank;
 use crate::mechanics::{
     Balance, Derivations, Equations, Formulation, Kinematics, RowName, balance_multipliers_along_reactions,
-    balance_partial_velocities, newton_euler_balances, speeds_to_rates,
+    newton_euler_balances, newton_euler_partial_velocities, speeds_to_rates,
 };
 use crate::model::Model;
 
@@ -61,7 +61,7 @@ pub fn prove_equivalence(
     for (at, left) in list.iter().enumerate() {
         for right in &list[at + 1..] {
             let found =
-                prover.prove_combination_between(left, right).or_else(|| prover.prove_combination_between(right, left));
+                prover.prove_equivalence_between(left, right).or_else(|| prover.prove_equivalence_between(right, left));
             pairs.extend(found.map(|EquivalenceResult { verdict, map, combinations }| EquivalentPair {
                 left: left.formulation,
                 right: right.formulation,
@@ -97,7 +97,7 @@ struct Prover<'a> {
 impl Prover<'_> {
     /// Proves two systems equivalent by the combination that leads from `left` to `right` or back.
     /// `None` if only the opposite order of arguments is known.
-    fn prove_combination_between(&mut self, left: &Equations, right: &Equations) -> Option<EquivalenceResult> {
+    fn prove_equivalence_between(&mut self, left: &Equations, right: &Equations) -> Option<EquivalenceResult> {
         let (from, to) = (left.formulation, right.formulation);
         match (from.has_reactions(), to.has_reactions()) {
             (false, false) if from.is_in_rates() == to.is_in_rates() => Some(self.prove_equal_row_by_row(left, right)),
@@ -188,7 +188,7 @@ impl Prover<'_> {
         let names = model.reactions.iter().map(|reaction| reaction.name.clone()).collect();
         let proved =
             self.prove_proposal(Proposal { of: balances, gives: speeds, relations: Vec::new(), multipliers, claims });
-        let (back, equations) = prove_reaction_equations(self.model, self.kinematics, balances);
+        let (back, equations) = prove_reaction_equivalence(self.model, self.kinematics, balances);
         self.reactions.get_or_insert(equations);
         let found = EquivalenceResult::new(CombinationKind::PartialVelocities(names), speeds, balances, [proved]);
         EquivalenceResult { verdict: combined_verdict([found.verdict, back]), ..found }
@@ -197,9 +197,9 @@ impl Prover<'_> {
     /// Proves Rates = P · Balances, with the partial velocities P with respect to q̇.
     fn rates_and_balances(&mut self, rates: &Equations, balances: &Equations) -> EquivalenceResult {
         let Self { model, kinematics, maps, .. } = self;
-        let rows = newton_euler_rows(model, kinematics, balances);
+        let rows = balances_for_equivalence(model, kinematics, balances);
         let velocities = kinematics.in_rates.clone();
-        let mut partial = balance_partial_velocities(model, kinematics, &velocities, &rows, &model.q_dot());
+        let mut partial = newton_euler_partial_velocities(model, kinematics, &velocities, &rows, &model.q_dot());
         if !model.motion_constraints.is_empty() {
             return self.multipliers_and_balances(partial, rates, balances);
         }
@@ -311,7 +311,7 @@ fn equivalence_claims(combined: &CombinedSystem, expected: &Equations, extra: us
 }
 
 /// Balances of the bodies that are rows of the Newton–Euler equations, because they are not 0 = 0.
-fn newton_euler_rows(model: &Model, kinematics: &mut Kinematics, newton_euler: &Equations) -> Vec<Balance> {
+fn balances_for_equivalence(model: &Model, kinematics: &mut Kinematics, newton_euler: &Equations) -> Vec<Balance> {
     let velocities = kinematics.in_speeds(model);
     let mut rows = newton_euler_balances(model, kinematics, &velocities, None);
     rows.retain(|row| newton_euler.rows.contains(&RowName::Balance(row.name)));
@@ -321,7 +321,7 @@ fn newton_euler_rows(model: &Model, kinematics: &mut Kinematics, newton_euler: &
 /// Proves that Kane's rows and a further row for each reaction are equivalent to Newton–Euler, and
 /// solves the further rows for the reactions. On failure, the verdict is undecided and the list is
 /// empty.
-fn prove_reaction_equations(
+fn prove_reaction_equivalence(
     model: &Model,
     kinematics: &mut Kinematics,
     newton_euler: &Equations,

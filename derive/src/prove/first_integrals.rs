@@ -3,8 +3,8 @@
 //! Candidates come from a stated search (see [`find`]). Each integral I is proved by the identity
 //! dI/dt − λᵀ (M u̇ − f) = 0 in q, u and free u̇, with the known multipliers λ = J ξ.
 
-use super::conserved_fields::{Lagrangian, VectorField};
-use super::integral_kind::{IntegralKind, added_function_text};
+use super::integral_kind::{IntegralKind, integral_addition_text};
+use super::noether::{NoetherTerms, VectorField};
 use super::rigid_motions;
 use super::verdicts::{Compared, verdict_on_pairs};
 use crate::algebra::form::simplify::Simplifier;
@@ -15,12 +15,12 @@ use crate::algebra::solve::elimination::divisors;
 use crate::algebra::solve::linear::LinearForm;
 use crate::algebra::term::calculus::{Differential, Substitution};
 use crate::algebra::text::print::print_text;
-use crate::algebra::value::range::never_zero;
+use crate::algebra::value::range::range_excludes_zero;
 use crate::algebra::value::rank::rank;
 use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr};
 use crate::mechanics::{
-    Derivations, Equations, Formulation, Kinematics, motion_rates, potential_at_rest, rates_to_speeds,
+    Derivations, Equations, Formulation, Kinematics, kinematic_rates, potential_at_rest, rates_to_speeds,
 };
 use crate::model::Model;
 
@@ -59,7 +59,7 @@ impl Integral {
     /// Short name of the integral by its first kind. `arena` contains the integral's terms.
     #[must_use]
     pub fn title(&self, model: &Model, arena: &Arena) -> String {
-        self.kinds[0].title(model) + &added_function_text(arena, self.of_places[0])
+        self.kinds[0].title(model) + &integral_addition_text(arena, self.of_places[0])
     }
 
     /// Description of all kinds of the integral in a single text. `arena` contains the integral's
@@ -92,14 +92,14 @@ impl Integral {
     #[must_use]
     pub fn divisors(&self, arena: &Arena) -> Vec<Expr> {
         let all = divisors(arena, &[self.expression]);
-        all.into_iter().filter(|e| !never_zero(arena, *e)).collect()
+        all.into_iter().filter(|e| !range_excludes_zero(arena, *e)).collect()
     }
 }
 
 /// Report on a search for first integrals: what was covered, and the power if no energy is
 /// conserved.
 #[derive(Clone, Debug)]
-pub struct Search {
+pub struct IntegralSearch {
     /// Text that describes the fields and functions that were searched.
     pub covered: String,
     /// Power d(T + V)/dt as a term in q and u, W; `None` if an energy is conserved. If `Some`, the
@@ -107,7 +107,7 @@ pub struct Search {
     pub power: Option<Expr>,
 }
 
-impl Search {
+impl IntegralSearch {
     /// Text of the coverage, and of the power if no energy is conserved, in a single line. `arena`
     /// contains the terms.
     #[must_use]
@@ -136,7 +136,7 @@ pub fn find_first_integrals(
     model: &Model,
     derivations: &mut Derivations,
     comparer: &mut Comparer,
-) -> (Vec<Integral>, Search) {
+) -> (Vec<Integral>, IntegralSearch) {
     match IntegralSearchBasis::new(model, derivations) {
         Some(basis) => {
             let Kinematics { arena, simplifier, .. } = &mut derivations.kinematics;
@@ -145,7 +145,7 @@ pub fn find_first_integrals(
         None => {
             let covered =
                 "first integrals are not searched: the search needs Kane's and Lagrange's equations".to_owned();
-            (Vec::new(), Search { covered, power: None })
+            (Vec::new(), IntegralSearch { covered, power: None })
         }
     }
 }
@@ -155,7 +155,7 @@ pub fn find_first_integrals(
 #[derive(Clone)]
 pub struct IntegralSearchBasis {
     /// Derivatives of T and V, and the generalized forces Q that V does not contain, in q and q̇.
-    pub lagrangian: Lagrangian,
+    pub lagrangian: NoetherTerms,
     /// Symbols of the rates q̇ with which the generalized forces do work.
     rates: Vec<Expr>,
     /// Kane's equations of the model.
@@ -170,7 +170,7 @@ impl IntegralSearchBasis {
     pub fn new(model: &Model, derivations: &mut Derivations) -> Option<Self> {
         let kane = derivations.get(Formulation::Kane)?.clone();
         let lagrange = derivations.get(Formulation::Lagrange)?.clone();
-        let lagrangian = Lagrangian::new(model, derivations, lagrange.kinetic_energy, lagrange.potential_energy);
+        let lagrangian = NoetherTerms::new(model, derivations, lagrange.kinetic_energy, lagrange.potential_energy);
         let mut fields = lagrangian.unit_fields();
         fields.extend(rigid_motions::rigid_motion_fields(model, &mut derivations.kinematics));
         Some(Self { lagrangian, rates: lagrange.variables, kane, fields })
@@ -193,7 +193,7 @@ impl IntegralSearchBasis {
         arena: &mut Arena,
         simplifier: &mut Simplifier,
         comparer: &mut Comparer,
-    ) -> (Vec<Integral>, Search) {
+    ) -> (Vec<Integral>, IntegralSearch) {
         let affine = self.lagrangian.affine_fields(model, arena, simplifier);
         let quasi_cyclic = self.lagrangian.quasi_cyclic_fields(model, arena, simplifier);
         let (gradients, found) = Default::default();
@@ -228,7 +228,7 @@ impl IntegralSearchBasis {
         for field in self.fields.iter().chain(&affine.unwrap_or_default()).chain(&quasi_cyclic) {
             search.momentum(field);
         }
-        (search.found, Search { covered, power })
+        (search.found, IntegralSearch { covered, power })
     }
 }
 
@@ -379,7 +379,7 @@ impl IntegralSearchState<'_> {
     /// coefficient of u̇.
     fn prove(&mut self, value: Expr, multipliers: &[Expr]) -> Compared {
         let (arena, comparer, kane) = (&mut *self.arena, &mut *self.comparer, &self.basis.kane);
-        let rate = motion_rates(self.model).apply(arena, value);
+        let rate = kinematic_rates(self.model).apply(arena, value);
         let Ok((coefficients, rest)) = LinearForm::new(&kane.unknowns).coefficients(arena, rate) else {
             let verdict =
                 Verdict::Undecided("the rate of the first integral is not linear in the accelerations".to_owned());
@@ -407,7 +407,7 @@ fn potential_of_remaining_forces(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
     model: &Model,
-    lagrangian: &Lagrangian,
+    lagrangian: &NoetherTerms,
 ) -> Option<Expr> {
     let energy = potential_at_rest(arena, simplifier, model, &lagrangian.forces)?;
     let mut power = Vec::new();

@@ -74,7 +74,7 @@ impl IntegralKind {
     /// follows. `arena` contains the terms.
     #[must_use]
     pub fn integral_description(self, model: &Model, arena: &Arena, xi: &[Expr], of_place: Expr) -> String {
-        let (title, place) = (self.title(model), added_function_text(arena, of_place));
+        let (title, place) = (self.title(model), integral_addition_text(arena, of_place));
         match self {
             Self::Coordinate(at) => {
                 let coordinate = &model.coordinates[at].name;
@@ -101,23 +101,27 @@ impl IntegralKind {
             Self::EnergyOfForces => "energy T + V, the potential of the applied forces included".to_owned(),
             Self::Jacobi => "Jacobi's integral, the energy less what the drives give".to_owned(),
             Self::Coordinate(at) => format!("momentum p_{}", model.coordinates[at].name),
-            Self::Linear(axis) => format!("linear momentum along {}", axis_name(model, 0, axis)),
+            Self::Linear(axis) => format!("linear momentum along {}", integral_axis_name(model, 0, axis)),
             Self::Angular { axis, through } => {
                 let through = match through {
                     Pivot::MassCentre => "the mass centre",
                     Pivot::Origin => &model.points[0].name,
                 };
-                format!("angular momentum about {} through {through}", axis_name(model, 0, axis))
+                format!("angular momentum about {} through {through}", integral_axis_name(model, 0, axis))
             }
             Self::LinearOfBody { body: of, axis } => {
-                format!("linear momentum of {} along {}", body(of), axis_name(model, 0, axis))
+                format!("linear momentum of {} along {}", body(of), integral_axis_name(model, 0, axis))
             }
             Self::AngularOfBody { body: of, axis } => {
-                format!("angular momentum of {} about {} through its mass centre", body(of), axis_name(model, 0, axis))
+                format!(
+                    "angular momentum of {} about {} through its mass centre",
+                    body(of),
+                    integral_axis_name(model, 0, axis)
+                )
             }
             Self::Spin { body: of, axis } => {
                 let frame = model.bodies[of].rigid.as_ref().map_or(0, |(_, inertia)| inertia.frame);
-                format!("angular momentum of {} about {}", body(of), axis_name(model, frame, axis))
+                format!("angular momentum of {} about {}", body(of), integral_axis_name(model, frame, axis))
             }
             Self::Symmetry => "momentum of the symmetry".to_owned(),
         }
@@ -130,23 +134,27 @@ impl IntegralKind {
         match self {
             Self::Energy | Self::EnergyOfForces | Self::Jacobi => "time".to_owned(),
             Self::Coordinate(at) => format!("a shift of {}", model.coordinates[at].name),
-            Self::Linear(axis) => format!("a translation along {}", axis_name(model, 0, axis)),
+            Self::Linear(axis) => format!("a translation along {}", integral_axis_name(model, 0, axis)),
             Self::Angular { axis, through } => {
                 let through = match through {
                     Pivot::MassCentre => "the mass centre",
                     Pivot::Origin => &model.points[0].name,
                 };
-                format!("a rotation about {} through {through}", axis_name(model, 0, axis))
+                format!("a rotation about {} through {through}", integral_axis_name(model, 0, axis))
             }
             Self::LinearOfBody { body: of, axis } => {
-                format!("a translation of {} along {}", body(of), axis_name(model, 0, axis))
+                format!("a translation of {} along {}", body(of), integral_axis_name(model, 0, axis))
             }
             Self::AngularOfBody { body: of, axis } => {
-                format!("a rotation of {} about {} through its mass centre", body(of), axis_name(model, 0, axis))
+                format!(
+                    "a rotation of {} about {} through its mass centre",
+                    body(of),
+                    integral_axis_name(model, 0, axis)
+                )
             }
             Self::Spin { body: of, axis } => {
                 let frame = model.bodies[of].rigid.as_ref().map_or(0, |(_, inertia)| inertia.frame);
-                format!("a rotation of {} about {}", body(of), axis_name(model, frame, axis))
+                format!("a rotation of {} about {}", body(of), integral_axis_name(model, frame, axis))
             }
             Self::Symmetry => "a motion along a symmetry".to_owned(),
         }
@@ -157,15 +165,15 @@ impl IntegralKind {
     pub(crate) fn symbol(self, model: &Model) -> Option<String> {
         match self {
             Self::Coordinate(at) => Some(format!("p_{}", model.coordinates[at].name)),
-            Self::Linear(axis) => Some(format!("P_{}", axis_name(model, 0, axis))),
-            Self::Angular { axis, .. } => Some(format!("H_{}", axis_name(model, 0, axis))),
+            Self::Linear(axis) => Some(format!("P_{}", integral_axis_name(model, 0, axis))),
+            Self::Angular { axis, .. } => Some(format!("H_{}", integral_axis_name(model, 0, axis))),
             _ => None,
         }
     }
 }
 
 /// Text of a term that is added to a momentum, such as ` + c*x`; empty if the term is 0.
-pub(super) fn added_function_text(arena: &Arena, of_place: Expr) -> String {
+pub(super) fn integral_addition_text(arena: &Arena, of_place: Expr) -> String {
     let mut arena = arena.clone();
     let (content, rest) = arena.split_content(of_place);
     match arena.node(rest) {
@@ -180,6 +188,6 @@ pub(super) fn added_function_text(arena: &Arena, of_place: Expr) -> String {
 }
 
 /// Name of an axis of a frame, such as `a1` for the first axis of frame A.
-fn axis_name(model: &Model, frame: usize, axis: usize) -> String {
+fn integral_axis_name(model: &Model, frame: usize, axis: usize) -> String {
     format!("{}{}", model.frames[frame].name.to_lowercase(), axis + 1)
 }

@@ -5,27 +5,27 @@
 //! proved to be a linear combination of the other, with stated multipliers.
 
 mod combination;
-mod conserved_fields;
 mod equivalence;
 mod first_integrals;
 mod integral_kind;
+mod noether;
 mod rigid_motions;
 mod singularity;
 mod speed_rate_maps;
 mod verdicts;
 
 pub use combination::{Combination, CombinationDescription, CombinationKind, CombinationPart};
-pub(crate) use conserved_fields::VectorField;
 pub use equivalence::{EquivalentPair, ReactionEquation};
 pub(crate) use first_integrals::IntegralSearchBasis;
-pub use first_integrals::{Integral, Search};
+pub use first_integrals::{Integral, IntegralSearch};
 pub use integral_kind::{IntegralKind, Pivot};
+pub(crate) use noether::VectorField;
 pub(crate) use rigid_motions::rigid_motion_fields as rigid_motions;
 pub use singularity::{DeterminantAtZero, Place, Singularity, singularity, singularity_of_determinant};
 pub(crate) use verdicts::combined_verdict;
 
-use crate::algebra::form::readable::readable;
 use crate::algebra::form::simplify::Simplifier;
+use crate::algebra::form::written_out_formula::written_out_formula;
 use crate::algebra::meaning::compare::Comparer;
 use crate::algebra::text::definitions::define_names_in_part;
 use crate::algebra::{Arena, Expr};
@@ -45,7 +45,7 @@ pub struct Proof {
     /// First integrals: functionally independent quantities that are constant along every motion.
     pub integrals: Vec<Integral>,
     /// Report on the search for first integrals: what it covered.
-    pub search: Search,
+    pub search: IntegralSearch,
     /// Divisors at whose zeros the formulations are not equivalent, because the speeds do not determine
     /// q̇ or a load has no value.
     pub singular_where: Vec<Expr>,
@@ -74,7 +74,7 @@ impl Proof {
 /// all of the time in models with loops. [`prove`] finds the integrals too.
 pub fn first_integrals(model: &Model, derivations: &mut Derivations) -> Vec<Integral> {
     let mut integrals = first_integrals::find_first_integrals(model, derivations, &mut Comparer::default()).0;
-    write_out_short_formulas(
+    write_out_proof_formulas(
         &mut derivations.kinematics.arena,
         integrals.iter_mut().map(|integral| &mut integral.expression),
     );
@@ -82,10 +82,10 @@ pub fn first_integrals(model: &Model, derivations: &mut Derivations) -> Vec<Inte
 }
 
 /// Replaces named subterms by their values in those formulas that then remain short enough to read.
-fn write_out_short_formulas<'a>(arena: &mut Arena, formulas: impl Iterator<Item = &'a mut Expr>) {
+fn write_out_proof_formulas<'a>(arena: &mut Arena, formulas: impl Iterator<Item = &'a mut Expr>) {
     let mut simplifier = Simplifier::default();
     for formula in formulas {
-        *formula = readable(arena, &mut simplifier, *formula);
+        *formula = written_out_formula(arena, &mut simplifier, *formula);
     }
 }
 
@@ -112,7 +112,7 @@ pub fn prove(model: &Model, derivations: &mut Derivations) -> Proof {
     let arena = &mut derivations.kinematics.arena;
     let shown = reactions.iter_mut().map(|reaction| &mut reaction.value);
     let shown = shown.chain(integrals.iter_mut().map(|integral| &mut integral.expression));
-    write_out_short_formulas(arena, shown.chain(&mut search.power));
+    write_out_proof_formulas(arena, shown.chain(&mut search.power));
     let missing = derivations.list.iter().filter_map(|(f, result)| Some((*f, result.as_ref().err()?.clone())));
     Proof { pairs, missing: missing.collect(), reactions, integrals, search, singular_where, loads }
 }

@@ -5,8 +5,8 @@
 //! other bodies rest. This is a linear system for ξ with more rows than unknowns. The motion is
 //! permitted if and only if the system is consistent.
 
-use super::conserved_fields::VectorField;
 use super::integral_kind::{IntegralKind, Pivot};
+use super::noether::VectorField;
 use crate::algebra::solve::block_systems::solve_blocks;
 use crate::algebra::term::calculus::Differential;
 use crate::algebra::value::rank::independent_rows;
@@ -40,7 +40,7 @@ pub fn rigid_motion_fields(model: &Model, kinematics: &mut Kinematics) -> Vec<Ve
 }
 
 /// Unit vector along axis 0, 1 or 2 of the inertial frame.
-fn axis(i: usize) -> Vector {
+fn rigid_motion_axis(i: usize) -> Vector {
     let mut components = [Expr::ZERO; 3];
     components[i] = Expr::ONE;
     Vector::in_frame(0, components)
@@ -51,7 +51,7 @@ fn axis(i: usize) -> Vector {
 fn rigid_motions_of_system(model: &Model, kinematics: &mut Kinematics) -> Vec<Motion> {
     let mut list = Vec::new();
     for i in 0..3 {
-        let of_body = vec![Some((Vector::default(), axis(i))); model.bodies.len()];
+        let of_body = vec![Some((Vector::default(), rigid_motion_axis(i))); model.bodies.len()];
         list.push(Motion { kind: IntegralKind::Linear(i), of_body });
     }
     let centre = mass_centre(model, kinematics);
@@ -61,8 +61,8 @@ fn rigid_motions_of_system(model: &Model, kinematics: &mut Kinematics) -> Vec<Mo
             let mut of_body = Vec::new();
             for body in &model.bodies {
                 let arm = kinematics.positions[body.centre].add(&mut kinematics.arena, &back);
-                let velocity = kinematics.frames.cross(&mut kinematics.arena, &axis(at), &arm);
-                of_body.push(Some((axis(at), velocity)));
+                let velocity = kinematics.frames.cross(&mut kinematics.arena, &rigid_motion_axis(at), &arm);
+                of_body.push(Some((rigid_motion_axis(at), velocity)));
             }
             list.push(Motion { kind: IntegralKind::Angular { axis: at, through }, of_body });
         }
@@ -78,9 +78,9 @@ fn rigid_motions_of_body(model: &Model, body: usize) -> Vec<Motion> {
     let mut list = Vec::new();
     for i in 0..3 {
         let kind = IntegralKind::LinearOfBody { body, axis: i };
-        list.push(Motion { kind, of_body: only((Vector::default(), axis(i))) });
+        list.push(Motion { kind, of_body: only((Vector::default(), rigid_motion_axis(i))) });
         let kind = IntegralKind::AngularOfBody { body, axis: i };
-        list.push(Motion { kind, of_body: only((axis(i), Vector::default())) });
+        list.push(Motion { kind, of_body: only((rigid_motion_axis(i), Vector::default())) });
     }
     if let Some((_, inertia)) = &model.bodies[body].rigid {
         for i in 0..3 {

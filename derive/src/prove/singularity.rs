@@ -7,7 +7,7 @@
 
 use crate::algebra::solve::linear::determinant;
 use crate::algebra::term::calculus::Substitution;
-use crate::algebra::value::range::never_zero;
+use crate::algebra::value::range::range_excludes_zero;
 use crate::algebra::{Arena, Expr, Function, Node};
 use crate::mechanics::Kinematics;
 use crate::model::Model;
@@ -67,12 +67,12 @@ pub fn singularity_of_determinant(
     determinant: Expr,
 ) -> Singularity {
     let divisors = &model.kinematic_equations.divisors;
-    let at = divisors.iter().map(|divisor| singular_place(kinematics, matrix, determinant, *divisor)).collect();
-    Singularity { determinant, never: never_zero(&kinematics.arena, determinant), at }
+    let at = divisors.iter().map(|divisor| singularity_place(kinematics, matrix, determinant, *divisor)).collect();
+    Singularity { determinant, never: range_excludes_zero(&kinematics.arena, determinant), at }
 }
 
 /// Examines a matrix and its determinant where a divisor of the kinematic equations is zero.
-fn singular_place(kinematics: &mut Kinematics, matrix: &[Vec<Expr>], determinant: Expr, divisor: Expr) -> Place {
+fn singularity_place(kinematics: &mut Kinematics, matrix: &[Vec<Expr>], determinant: Expr, divisor: Expr) -> Place {
     let Kinematics { arena, simplifier, .. } = kinematics;
     let mut place = Place { divisor, determinant: DeterminantAtZero::Open, entries_divide: false };
     let Some(roots) = divisor_zeros(arena, divisor) else { return place };
@@ -87,7 +87,7 @@ fn singular_place(kinematics: &mut Kinematics, matrix: &[Vec<Expr>], determinant
         let value = put.apply(arena, determinant);
         let value = simplifier.simplify(arena, value);
         zero &= put.undefined.is_none() && value == Expr::ZERO;
-        nonzero &= put.undefined.is_none() && never_zero(arena, value);
+        nonzero &= put.undefined.is_none() && range_excludes_zero(arena, value);
     }
     place.determinant = match (zero, nonzero) {
         (true, _) => DeterminantAtZero::Zero,
@@ -108,7 +108,7 @@ fn divisor_zeros(arena: &mut Arena, divisor: Expr) -> Option<Vec<Vec<(Expr, Expr
         _ => vec![divisor],
     };
     let mut roots = Vec::new();
-    for factor in factors.into_iter().filter(|factor| !never_zero(arena, *factor)).collect::<Vec<_>>() {
+    for factor in factors.into_iter().filter(|factor| !range_excludes_zero(arena, *factor)).collect::<Vec<_>>() {
         match *arena.node(factor) {
             Node::Symbol(_) => roots.push(vec![(factor, Expr::ZERO)]),
             Node::Apply(f @ (Function::Sin | Function::Cos), angle) => {

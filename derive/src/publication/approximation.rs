@@ -57,7 +57,7 @@ impl<'a> PublicationReader<'a, '_> {
             }
             let formula = self.reader.formula(value, &format!("`{}`", shortened_for_message(&name.text)));
             let symbol = self.point_variable(&name);
-            let value = formula.and_then(|f| self.read_formula_in_parameters(&f));
+            let value = formula.and_then(|f| self.read_approximation_value(&f));
             if let (Some(symbol), Some(value)) = (symbol, value) {
                 values.push(PointValue { name: name.text, symbol, value });
             }
@@ -126,7 +126,7 @@ impl<'a> PublicationReader<'a, '_> {
 
     /// Reads a formula that contains only parameters, in the language of model files.
     /// Reports other symbols and returns `None`.
-    fn read_formula_in_parameters(&mut self, formula: &Located) -> Option<Expr> {
+    fn read_approximation_value(&mut self, formula: &Located) -> Option<Expr> {
         let e = self.formula(formula, Notation::default())?;
         let (arena, parameters) = (&self.model.arena, self.model.p());
         let other = arena

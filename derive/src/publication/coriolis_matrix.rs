@@ -54,19 +54,19 @@ impl<'a> PublicationReader<'a, '_> {
             let text = if texts.is_empty() { "0".to_owned() } else { texts.join(" + ") };
             list.push((
                 format!("row{}", i + 1),
-                self.printed_component(QuantityKind::Row(RowQuantity::VelocityTerms, i), sum, text),
+                self.coriolis_component(QuantityKind::Row(RowQuantity::VelocityTerms, i), sum, text),
             ));
         }
         for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))) {
             let (e, text) = &cells[i][j];
             if claims.contains(&CLAIMS[0]) {
-                let kind = self.printed_component(QuantityKind::Christoffel(i, j), *e, text.clone());
+                let kind = self.coriolis_component(QuantityKind::Christoffel(i, j), *e, text.clone());
                 list.push((format!("christoffel-{}{}", i + 1, j + 1), kind));
             }
             if claims.contains(&CLAIMS[1]) && i <= j {
                 let (other, other_text) = &cells[j][i];
                 let sum = self.model.arena.add(*e, *other);
-                let kind = self.printed_component(QuantityKind::MassRate(i, j), sum, format!("{text} + {other_text}"));
+                let kind = self.coriolis_component(QuantityKind::MassRate(i, j), sum, format!("{text} + {other_text}"));
                 list.push((format!("skew-{}{}", i + 1, j + 1), kind));
             }
         }
@@ -74,7 +74,7 @@ impl<'a> PublicationReader<'a, '_> {
     }
 
     /// Equation that states the printed value of a quantity.
-    fn printed_component(&self, kind: QuantityKind, printed: Expr, text: String) -> EntryKind {
+    fn coriolis_component(&self, kind: QuantityKind, printed: Expr, text: String) -> EntryKind {
         EntryKind::Equation { quantity: Quantity::new(kind, self.model), printed, text }
     }
 

@@ -42,7 +42,7 @@ const KINDS: [(Kind, &str, &str); 6] = [
 ];
 
 /// Keys that a table of the given kind of entry may have in a publication file.
-fn keys(kind: Kind) -> Vec<&'static str> {
+fn entry_keys(kind: Kind) -> Vec<&'static str> {
     let own: &[&str] = match kind {
         Kind::Equation => &["quantity", "printed", "label", "line", "formulation", "frame"],
         Kind::Matrix => &["quantity", "printed", "label", "line", "claims"],
@@ -80,7 +80,7 @@ fn trimmed_range(text: &str, range: Range<usize>) -> Range<usize> {
 }
 
 /// Part of a printed formula, without spaces at its ends, with its place in the file.
-pub(super) fn formula_part(printed: &Located, range: Range<usize>) -> Located {
+pub(super) fn entry_formula_part(printed: &Located, range: Range<usize>) -> Located {
     Located {
         text: printed.text[range.clone()].trim().to_owned(),
         span: printed.part(trimmed_range(&printed.text, range)),
@@ -145,7 +145,7 @@ impl<'a> PublicationReader<'a, '_> {
     /// Reads a table of the publication file as its entries: several for a matrix or a chain of formulas. The formulas
     /// may use the variables of the program that the table names.
     fn entry(&mut self, kind: Kind, item: &EntryTable<'a>) -> Option<Vec<Entry>> {
-        let program = self.program_variables(item);
+        let program = self.read_program_assignments(item);
         self.words.locals = program.unwrap_or_default();
         let read = self.read_entry(kind, item);
         self.words.locals = std::sync::Arc::default();
@@ -155,9 +155,9 @@ impl<'a> PublicationReader<'a, '_> {
     /// Reads a table of the publication file as its entries, after the variables of its program are
     /// known; `None` if an error is reported.
     fn read_entry(&mut self, kind: Kind, item: &EntryTable<'a>) -> Option<Vec<Entry>> {
-        self.reader.report_unknown_keys(item.table, item.what, &keys(kind));
-        let id = self.read_id(item);
-        let section = self.required_text(item, "section");
+        self.reader.report_unknown_keys(item.table, item.what, &entry_keys(kind));
+        let id = self.read_entry_id(item);
+        let section = self.required_entry_text(item, "section");
         let repaired = self.read_text(item.table, "repaired");
         let note = self.read_text(item.table, "note");
         let near = match kind {
@@ -169,7 +169,7 @@ impl<'a> PublicationReader<'a, '_> {
             Kind::Matrix => self.matrix_entries(item),
             Kind::Equation => self.read_equation(item),
             Kind::Definition => {
-                self.required_text(item, "printed").map(|text| whole(EntryKind::Definition { text: text.text }))
+                self.required_entry_text(item, "printed").map(|text| whole(EntryKind::Definition { text: text.text }))
             }
             Kind::System => self.read_system(item).map(|system| whole(EntryKind::System(system))),
             Kind::Listing => self.read_listing(item).map(|listing| whole(EntryKind::Listing(listing))),
@@ -191,7 +191,7 @@ impl<'a> PublicationReader<'a, '_> {
             };
             for part in entry.ids() {
                 if part != id.text {
-                    self.reserve_id(&part, &id.span, ", of a part of this entry,");
+                    self.reserve_entry_id(&part, &id.span, ", of a part of this entry,");
                 }
             }
             entries.push(entry);
@@ -203,8 +203,8 @@ impl<'a> PublicationReader<'a, '_> {
     /// the suffix of its id.
     /// The Coriolis matrix C is judged as a whole instead. Returns `None` if an error is reported.
     fn matrix_entries(&mut self, item: &EntryTable<'a>) -> Option<Vec<(String, EntryKind)>> {
-        let quantity = self.required_text(item, "quantity");
-        let printed = self.read_printed_formula(item)?;
+        let quantity = self.required_entry_text(item, "quantity");
+        let printed = self.read_entry_formula(item)?;
         let MatrixCells { rows, factor } = match printed_matrix_cells(&printed.text, item.notation) {
             Ok(cells) => cells,
             Err(why) => {
@@ -214,13 +214,13 @@ impl<'a> PublicationReader<'a, '_> {
             }
         };
         let factor = match factor {
-            Some(factor) => Some(self.matrix_factor(&formula_part(&printed, factor), item.notation)?),
+            Some(factor) => Some(self.entry_matrix_factor(&entry_formula_part(&printed, factor), item.notation)?),
             None => None,
         };
         let factor = factor.as_ref();
         let quantity = quantity?;
         if quantity.text.trim() == "C" {
-            let cells = self.matrix_cells(rows, factor, &printed, item)?;
+            let cells = self.entry_matrix_cells(rows, factor, &printed, item)?;
             return self.coriolis_entries(item, &cells, &printed);
         }
         if let Some(value) = self.reader.get(item.table, "claims") {
@@ -238,7 +238,7 @@ impl<'a> PublicationReader<'a, '_> {
             for (j, cell) in row.into_iter().enumerate() {
                 let index = if by_one { format!("[{}]", i.max(j) + 1) } else { format!("[{},{}]", i + 1, j + 1) };
                 let name = Located { exact: false, ..named(&index) };
-                let formula = formula_part(&printed, cell);
+                let formula = entry_formula_part(&printed, cell);
                 let (quantity, value) =
                     (self.read_quantity(&name), self.cell_with_factor(factor, &formula, item.notation));
                 // One reason for an unknown quantity is enough.
@@ -258,7 +258,7 @@ impl<'a> PublicationReader<'a, '_> {
 
     /// Terms and texts of the elements of a printed matrix, row by row; `None` if an error is
     /// reported.
-    fn matrix_cells(
+    fn entry_matrix_cells(
         &mut self,
         rows: Vec<Vec<Range<usize>>>,
         factor: Option<&(Expr, String)>,
@@ -269,7 +269,7 @@ impl<'a> PublicationReader<'a, '_> {
         for row in rows {
             let mut cells = Vec::new();
             for cell in row {
-                let formula = formula_part(printed, cell);
+                let formula = entry_formula_part(printed, cell);
                 cells.push(self.cell_with_factor(factor, &formula, item.notation));
             }
             list.push(cells);
@@ -279,7 +279,7 @@ impl<'a> PublicationReader<'a, '_> {
 
     /// Value and text of the factor in front of a matrix, which may be only a sign; `None` if an
     /// error is reported.
-    fn matrix_factor(&mut self, printed: &Located, notation: Notation) -> Option<(Expr, String)> {
+    fn entry_matrix_factor(&mut self, printed: &Located, notation: Notation) -> Option<(Expr, String)> {
         let value = if printed.text == "-" { Expr::MINUS_ONE } else { self.formula(printed, notation)? };
         let times = if printed.text == "-" || notation == Notation::Latex { "" } else { "*" };
         Some((value, format!("{}{times}", printed.text)))
@@ -300,19 +300,19 @@ impl<'a> PublicationReader<'a, '_> {
     }
 
     /// Text under a required key of an entry; reports an absent key and returns `None`.
-    pub fn required_text(&mut self, item: &EntryTable<'a>, key: &str) -> Option<Located> {
+    pub fn required_entry_text(&mut self, item: &EntryTable<'a>, key: &str) -> Option<Located> {
         let value = self.reader.required(item.table, key, item.what, &item.span)?;
         self.reader.string(value, &format!("`{key}`"))
     }
 
     /// Printed formula of an entry: the text under `printed`, or the equation of a label in a file.
     /// Returns `None` if an error is reported.
-    fn read_printed_formula(&mut self, item: &EntryTable<'a>) -> Option<Located> {
+    fn read_entry_formula(&mut self, item: &EntryTable<'a>) -> Option<Located> {
         let Some(label) = self.reader.get(item.table, "label") else {
             if let Some(line) = self.reader.get(item.table, "line") {
                 self.reader.error(line.span(), "`line` without `label`", "`line` counts the equations of a label");
             }
-            return self.required_formula(item, "printed");
+            return self.required_entry_formula(item, "printed");
         };
         if let Some(printed) = self.reader.get(item.table, "printed") {
             let help = "give a formula here as `printed`, or give a label of a file, not both";
@@ -342,14 +342,14 @@ impl<'a> PublicationReader<'a, '_> {
     }
 
     /// Formula under a required key of an entry; reports an absent key and returns `None`.
-    fn required_formula(&mut self, item: &EntryTable<'a>, key: &str) -> Option<Located> {
+    fn required_entry_formula(&mut self, item: &EntryTable<'a>, key: &str) -> Option<Located> {
         let value = self.reader.required(item.table, key, item.what, &item.span)?;
         self.reader.formula(value, &format!("`{key}`"))
     }
 
     /// Id of an entry; reports an unsuitable or repeated id and returns `None`.
-    fn read_id(&mut self, item: &EntryTable<'a>) -> Option<Located> {
-        let id = self.required_text(item, "id")?;
+    fn read_entry_id(&mut self, item: &EntryTable<'a>) -> Option<Located> {
+        let id = self.required_entry_text(item, "id")?;
         let odd = |c: char| c.is_whitespace() || c.is_control();
         if id.text.is_empty() || id.text.chars().count() > MAX_ID || id.text.contains(odd) {
             let message = format!("`{}` cannot be an id", shortened_for_message(&id.text).escape_debug());
@@ -358,12 +358,12 @@ impl<'a> PublicationReader<'a, '_> {
             return None;
         }
         let (text, span) = (id.text.clone(), id.span.clone());
-        self.reserve_id(&text, &span, "");
+        self.reserve_entry_id(&text, &span, "");
         Some(id)
     }
 
     /// Reserves an id for an entry; reports an id that is already in use.
-    fn reserve_id(&mut self, id: &str, span: &Range<usize>, of_what: &str) {
+    fn reserve_entry_id(&mut self, id: &str, span: &Range<usize>, of_what: &str) {
         if let Some(first) = self.ids.get(id) {
             let message = format!("the id `{}`{of_what} is used twice", shortened_for_message(id));
             let twice = if first == span {
@@ -382,7 +382,7 @@ impl<'a> PublicationReader<'a, '_> {
     /// equation of motion if no quantity, or 0, is stated. Each value has the suffix of its id, which is empty for the
     /// only one.
     fn read_equation(&mut self, item: &EntryTable<'a>) -> Option<Vec<(String, EntryKind)>> {
-        let printed = self.read_printed_formula(item);
+        let printed = self.read_entry_formula(item);
         if printed.is_none() && self.reader.get(item.table, "label").is_some() {
             return None;
         }
@@ -394,12 +394,12 @@ impl<'a> PublicationReader<'a, '_> {
         let quantity = self.reader.get(item.table, "quantity");
         let is_equation = printed.as_ref().is_some_and(|formula| formula.text.contains('='));
         if quantity.map_or(is_equation, is_zero) {
-            let system = self.equation_of_motion(item, &printed?)?;
+            let system = self.system_of_motion_equation(item, &printed?)?;
             return Some(vec![(String::new(), EntryKind::System(system))]);
         }
-        let name = self.required_text(item, "quantity");
-        let values = printed.map(|formula| values(&formula, item.notation));
-        let unknown = name.as_ref().and_then(|name| self.unknown_by_name(&name.text));
+        let name = self.required_entry_text(item, "quantity");
+        let values = printed.map(|formula| printed_entry_values(&formula, item.notation));
+        let unknown = name.as_ref().and_then(|name| self.system_unknown_by_name(&name.text));
         let kinds: Vec<Option<EntryKind>> = if let Some(unknown) = unknown {
             let values = values?.into_iter();
             values.map(|value| self.value_of_unknown(item, unknown, &value).map(EntryKind::System)).collect()
@@ -423,9 +423,9 @@ impl<'a> PublicationReader<'a, '_> {
     /// Reads an entry `[[initial]]`: a printed number of a parameter or of a start.
     /// Reports a second number for the same quantity in the set. `None` if an error is reported.
     fn read_initial(&mut self, item: &EntryTable<'a>) -> Option<EntryKind> {
-        let set = self.required_text(item, "set");
-        let quantity = self.required_text(item, "quantity").and_then(|name| self.initial_quantity(name));
-        let printed = self.required_formula(item, "printed");
+        let set = self.required_entry_text(item, "set");
+        let quantity = self.required_entry_text(item, "quantity").and_then(|name| self.initial_quantity(name));
+        let printed = self.required_entry_formula(item, "printed");
         let value = printed.as_ref().and_then(|f| self.read_constant(f, item.notation));
         let (set, (name, symbol), text) = (set?.text, quantity?, printed?.text);
         if let Some(first) = self.values.get(&(set.clone(), symbol)) {
@@ -483,11 +483,11 @@ impl<'a> PublicationReader<'a, '_> {
 
 /// Values that an equation or a chain `name = a = b` prints of the quantity on its left side; the whole formula if it
 /// has no `=`.
-fn values(formula: &Located, notation: Notation) -> Vec<Located> {
+fn printed_entry_values(formula: &Located, notation: Notation) -> Vec<Located> {
     let sides = sides(&formula.text, 0..formula.text.len(), notation);
     match &sides[..] {
         [left, right @ ..] if !right.is_empty() && !formula.text[left.clone()].contains(['+', '/']) => {
-            right.iter().map(|side| formula_part(formula, side.clone())).collect()
+            right.iter().map(|side| entry_formula_part(formula, side.clone())).collect()
         }
         _ => vec![formula.clone()],
     }

@@ -12,7 +12,7 @@ pub fn equations(text: &str, notation: Notation) -> Vec<Range<usize>> {
         text[range.clone()].trim_start_matches([' ', '\n', '&', '{', '}']).starts_with(['+', '-', '='])
     };
     let mut parts: Vec<Range<usize>> = Vec::new();
-    for part in parted(text, 0..text.len(), notation, separator) {
+    for part in equality_parts(text, 0..text.len(), notation, equality_separator) {
         match parts.last_mut() {
             Some(last) if !is_equation(last) || !is_equation(&part) || goes_on(&part) => last.end = part.end,
             _ => parts.push(part),
@@ -23,17 +23,17 @@ pub fn equations(text: &str, notation: Notation) -> Vec<Range<usize>> {
 
 /// Byte ranges of the sides of an equation, or of a chain `a = b = c`. A formula without an equals sign is one range.
 pub fn sides(text: &str, range: Range<usize>, notation: Notation) -> Vec<Range<usize>> {
-    parted(text, range, notation, |rest, _| usize::from(rest.starts_with('=')))
+    equality_parts(text, range, notation, |rest, _| usize::from(rest.starts_with('=')))
 }
 
 /// Number of bytes of the mark between two equations with which a text begins; zero if it begins with none.
-fn separator(rest: &str, notation: Notation) -> usize {
+fn equality_separator(rest: &str, notation: Notation) -> usize {
     let marks: &[&str] = if notation == Notation::Latex { &[",", ";", "\\qquad", "\\quad"] } else { &[",", ";"] };
     marks.iter().find(|mark| rest.starts_with(**mark)).map_or(0, |mark| mark.len())
 }
 
 /// Parts of a range of a text between marks that stand outside of all groups and environments.
-fn parted(
+fn equality_parts(
     text: &str,
     range: Range<usize>,
     notation: Notation,

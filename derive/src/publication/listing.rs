@@ -2,7 +2,7 @@
 
 use super::Listing;
 use super::entries::EntryTable;
-use super::linear_systems::{MatrixRequirements, count_with_noun};
+use super::printed_system::{MatrixRequirements, count_with_noun};
 use super::publication_reader::PublicationReader;
 use crate::algebra::Expr;
 use crate::mechanics::{Formulation, MotionVariables};
@@ -16,14 +16,14 @@ impl<'a> PublicationReader<'a, '_> {
     /// state.
     /// Returns `None` if an error is reported.
     pub fn read_listing(&mut self, item: &EntryTable<'a>) -> Option<Listing> {
-        let formulation = self.read_formulation(item);
-        let state = self.required_array(item, "state", "[\"q1\", \"u1\"]");
+        let formulation = self.read_system_formulation(item);
+        let state = self.required_entry_array(item, "state", "[\"q1\", \"u1\"]");
         let length = state.as_ref().map(|(array, _)| array.len());
         let state = state.and_then(|(array, span)| {
             let found = self.read_listing_state(array, &span, formulation?)?;
-            self.is_in_order(&span, &found.0).then_some(found)
+            self.is_listing_state_in_order(&span, &found.0).then_some(found)
         });
-        let derivative = self.required_array(item, "derivative", "[\"u1\", \"-g*sin(q1)\"]");
+        let derivative = self.required_entry_array(item, "derivative", "[\"u1\", \"-g*sin(q1)\"]");
         let derivative = derivative.and_then(|(array, span)| {
             if let Some(states) = length.filter(|n| *n != array.len()) {
                 let message =
@@ -31,7 +31,7 @@ impl<'a> PublicationReader<'a, '_> {
                 self.reader.error(span, message, "one derivative for each entry of the state, 0 where it is left zero");
                 return None;
             }
-            self.read_formulas(array, "an entry of `derivative`", &[], item.notation)
+            self.read_system_formulas(array, "an entry of `derivative`", &[], item.notation)
         });
         let moving = state.as_ref().map(|(_, _, moving)| moving.len());
         let matrix = match self.reader.get(item.table, "matrix") {
@@ -44,7 +44,7 @@ impl<'a> PublicationReader<'a, '_> {
                         self.reader.error(span, message, help);
                         return None;
                     }
-                    self.read_matrix(
+                    self.read_system_matrix(
                         array,
                         &span,
                         MatrixRequirements { columns: moving, help, unknowns: &[], notation: item.notation },
@@ -64,7 +64,7 @@ impl<'a> PublicationReader<'a, '_> {
 
     /// True unless the program unpacks the variables of the state from a vector in another order,
     /// which is reported.
-    fn is_in_order(&mut self, span: &Range<usize>, state: &[Expr]) -> bool {
+    fn is_listing_state_in_order(&mut self, span: &Range<usize>, state: &[Expr]) -> bool {
         let locals = Arc::clone(&self.words.locals);
         for names in locals.unpacked_variables().iter().filter(|names| names.len() == state.len()) {
             let meanings: Option<Vec<Expr>> = names.iter().map(|name| Some(self.words.meaning(name)?.0)).collect();

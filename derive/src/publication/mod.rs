@@ -47,10 +47,10 @@
 //! ```
 
 mod approximation;
+mod author_files;
 mod coriolis_matrix;
 mod entries;
 mod equalities;
-mod linear_systems;
 mod listing;
 mod name_meanings;
 mod name_spelling;
@@ -59,17 +59,17 @@ mod own_coordinates;
 mod printed;
 mod printed_abbreviations;
 mod printed_matrix;
+mod printed_system;
 mod program_variables;
-mod publication_file;
-mod publication_files;
+mod publication_of_model;
 mod publication_reader;
 mod quantity_names;
 mod row_text;
 mod time_derivatives;
 
 pub use printed_abbreviations::{Abbreviation, PrintedAbbreviations};
-pub use publication_file::{
-    hash_publication_of_model, is_publication_path, load_publication_of_model, publication_path,
+pub use publication_of_model::{
+    hash_publication_of_model, is_publication_path, load_publication_of_model, publication_path_of_model,
 };
 pub use publication_reader::{load_publication, load_publication_in_coordinates, load_publication_with_files};
 pub use quantity_names::QuantityNames;

@@ -7,7 +7,7 @@ use super::time_derivatives::TimeDerivatives;
 use crate::algebra::term::calculus::Differential;
 use crate::algebra::term::transfer::Transfer;
 use crate::algebra::text::notation::{Notation, SymbolNames, translate};
-use crate::algebra::text::parse::{ParseError, is_reserved, parse_published};
+use crate::algebra::text::parse::{ParseError, is_reserved_by_parser, parse_published};
 use crate::algebra::{Arena, Expr, Node};
 use crate::diagnostic::{Diagnostic, nearest_name_advice, shortened_for_message};
 use crate::model::{Model, TIME};
@@ -256,7 +256,7 @@ impl NameMeanings {
         let wrong = if !valid {
             let help = format!("a name is an ASCII letter and up to {} letters, digits and `_`", MAX_LENGTH - 1);
             Some((format!("`{}` cannot be a name", shortened_for_message(text)), help))
-        } else if is_reserved(text) {
+        } else if is_reserved_by_parser(text) {
             let help = "choose another name: this one belongs to the expression language";
             Some((format!("`{text}` is reserved"), help.to_owned()))
         } else if let Some(NameMeaning::Model(noun, _)) = self.known.get(text) {

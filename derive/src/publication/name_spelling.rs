@@ -2,7 +2,9 @@
 //! LaTeX form of names.
 
 use super::program_variables::{ProgramVariables, variable_number_of_substitute, variable_substitute};
-use crate::algebra::text::notation::{LatexSymbol, Notation, SymbolNames, Unknown, ascii_names, is_index, read_symbol};
+use crate::algebra::text::notation::{
+    LatexSymbol, Notation, SymbolNames, Unknown, ascii_names_of_unicode, is_program_index, read_symbol,
+};
 use crate::algebra::text::print::latex_name;
 use crate::diagnostic::shortened_for_message;
 use rustc_hash::FxHashMap;
@@ -61,7 +63,7 @@ impl NameSpellings {
         let variable = program_variable_spelling(symbol);
         // A spelling in the form of a program variable is also a LaTeX symbol, as names of a model
         // are.
-        let latex = match ascii_names(symbol).first() {
+        let latex = match ascii_names_of_unicode(symbol).first() {
             Some(name) if is_name(name) => read_symbol(&latex_name(name)),
             Some(name) if !symbol.is_ascii() => read_symbol(&latex_name(name.trim_end_matches('\'')))
                 .map(|still| LatexSymbol { dots: name.len() - name.trim_end_matches('\'').len(), ..still }),
@@ -149,7 +151,7 @@ impl SymbolNames for NameSpeller<'_> {
             return Err((format!("`{symbol}` may stand for several names"), Some(help)));
         }
         // The spelling of a coordinate applies to its time derivatives too.
-        let stated = quoted_toml_key(symbol.trim_end_matches('\''));
+        let stated = toml_key_of_spelling(symbol.trim_end_matches('\''));
         let help = match self.spellings.words.iter().find(|word| *word == run) {
             Some(word) => {
                 format!("side by side letters are a product: the name `{word}` is written {}", latex_name(word))
@@ -175,12 +177,13 @@ impl SymbolNames for NameSpeller<'_> {
                 _ => name.to_owned(),
             });
         }
-        let mut names = ascii_names(name);
+        let mut names = ascii_names_of_unicode(name);
         if let Some(at) = names.iter().position(|name| self.spellings.has_name(name)) {
             return Ok(names.swap_remove(at));
         }
         self.repeated = true;
-        let help = format!("give the meaning of the symbol in [symbols], as in {} = \"u1\"", quoted_toml_key(name));
+        let help =
+            format!("give the meaning of the symbol in [symbols], as in {} = \"u1\"", toml_key_of_spelling(name));
         Err((format!("unknown name `{}`", shortened_for_message(name)), Some(help)))
     }
 }
@@ -206,7 +209,7 @@ fn rate_spellings(name: &str) -> Vec<(&str, usize)> {
 }
 
 /// Text as a quoted TOML key, in single quotes if it contains a backslash.
-fn quoted_toml_key(text: &str) -> String {
+fn toml_key_of_spelling(text: &str) -> String {
     if text.contains('\\') { format!("'{text}'") } else { format!("\"{text}\"") }
 }
 
@@ -229,13 +232,13 @@ fn program_variable_spelling(text: &str) -> Option<String> {
             Some(rest) => rest.split_once(')')?,
             None => rest.strip_prefix('[')?.split_once(']')?,
         };
-        if !is_index(inside) {
+        if !is_program_index(inside) {
             return None;
         }
         rest = after;
     }
     let is_spelled = |name: &String| is_name(name.trim_end_matches('\''));
-    let is_word = |part: &str| is_name(part) || ascii_names(part).first().is_some_and(is_spelled);
+    let is_word = |part: &str| is_name(part) || ascii_names_of_unicode(part).first().is_some_and(is_spelled);
     name.split('.').all(is_word).then_some(text)
 }
 

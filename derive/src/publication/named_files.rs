@@ -1,14 +1,15 @@
 //! Reading of files to which a publication refers: equations of a LaTeX file by labels, and
 //! variables of a program.
 
-use super::entries::{EntryTable, formula_part};
+use super::author_files::notation_of_author_file;
+use super::entries::{EntryTable, entry_formula_part};
 use super::equalities::{equations, sides};
 use super::printed::{
-    LabelChoice, LatexFile, Statement, TracedError, TracedText, is_access, is_number, statements, without_comments,
+    LabelChoice, LatexFile, Statement, TracedError, TracedText, is_program_number, latex_without_comments,
+    statement_copies_value, statements,
 };
 use super::printed_matrix::{MatrixCells, printed_matrix_cells};
 use super::program_variables::{ProgramValue, ProgramVariables, UnreadAssignment};
-use super::publication_files::notation_of_file;
 use super::publication_reader::PublicationReader;
 use crate::algebra::Expr;
 use crate::algebra::text::notation::Notation;
@@ -22,11 +23,11 @@ use toml::de::DeTable;
 const MAX_NAME: usize = 100;
 impl<'a> PublicationReader<'a, '_> {
     /// Reads the file and the macros that the publication file states at its top, for all entries.
-    pub fn files_of(&mut self, table: &'a DeTable<'a>) {
+    pub fn read_named_files(&mut self, table: &'a DeTable<'a>) {
         if let Some(value) = self.reader.get(table, "file")
             && let Some(name) = self.reader.string(value, "`file`")
         {
-            if notation_of_file(&name.text) == Some(Notation::Latex) {
+            if notation_of_author_file(&name.text) == Some(Notation::Latex) {
                 if let Some(paper) = self.read_paper(&name) {
                     self.files.macros = paper.macros.at_the_end();
                 }
@@ -39,7 +40,7 @@ impl<'a> PublicationReader<'a, '_> {
             && let Some(text) = self.reader.string(value, "`macros`")
         {
             let mut macros = self.files.macros.at_the_end();
-            let rest = macros.take_macro_definitions(&without_comments(&text.text));
+            let rest = macros.take_macro_definitions(&latex_without_comments(&text.text));
             if !rest.text.trim().is_empty() {
                 let start = text.part(rest.place_of_part(0..rest.text.len()));
                 let help = "write \\newcommand{\\name}[1]{…} or \\def\\name{…}";
@@ -68,7 +69,7 @@ impl<'a> PublicationReader<'a, '_> {
         let is_plain = text.chars().all(|c| c.is_alphanumeric() || matches!(c, '_' | '-' | '.' | ' '))
             && !text.starts_with(['.', ' '])
             && text.len() <= MAX_NAME;
-        let read = if !is_plain || notation_of_file(text).is_none() {
+        let read = if !is_plain || notation_of_author_file(text).is_none() {
             let help = "name a file in the folder of the publication, such as paper.tex, model.m, model.py or model.c";
             self.reader.error(
                 name.span.clone(),
@@ -100,7 +101,7 @@ impl<'a> PublicationReader<'a, '_> {
         let paper = match LatexFile::read(&source.text) {
             Ok(paper) => Some(Arc::new(paper)),
             Err(problem) => {
-                self.report_problem(Some(source), problem);
+                self.report_problem_in_named_file(Some(source), problem);
                 None
             }
         };
@@ -109,7 +110,7 @@ impl<'a> PublicationReader<'a, '_> {
     }
 
     /// Reports an error at its place in a file; `None` means the publication file itself.
-    fn report_problem(&mut self, file: Option<Arc<Source>>, problem: TracedError) {
+    fn report_problem_in_named_file(&mut self, file: Option<Arc<Source>>, problem: TracedError) {
         self.reader.errors.push(Diagnostic { file, ..Diagnostic::new(problem.place, problem.message, problem.help) });
     }
 
@@ -122,9 +123,9 @@ impl<'a> PublicationReader<'a, '_> {
         label: &Located,
         choice: LabelChoice,
     ) -> Option<Vec<Located>> {
-        let mut list = self.all_labelled(item, label, choice)?;
+        let mut list = self.all_labelled_equations(item, label, choice)?;
         let is_defined = |equation: &Located| {
-            let left = self.left_name(equation);
+            let left = self.name_of_labelled_equation(equation);
             left.is_some_and(|name| self.files.defined.contains(&name))
         };
         if !list.iter().all(is_defined) {
@@ -146,9 +147,11 @@ impl<'a> PublicationReader<'a, '_> {
         self.reader.report_unknown_keys(item.table, item.what, &["label"]);
         let label = self.reader.required(item.table, "label", item.what, &item.span)?;
         let label = self.reader.string(label, "`label`")?;
-        let list = self.all_labelled(item, &label, LabelChoice::Display)?;
-        let named: Vec<&Located> =
-            list.iter().filter(|equation| self.left_name(equation).is_some_and(|left| left == name.text)).collect();
+        let list = self.all_labelled_equations(item, &label, LabelChoice::Display)?;
+        let named: Vec<&Located> = list
+            .iter()
+            .filter(|equation| self.name_of_labelled_equation(equation).is_some_and(|left| left == name.text))
+            .collect();
         let [equation] = named[..] else {
             let what = if named.is_empty() { "no equation" } else { "more than one equation" };
             let message = format!(
@@ -167,12 +170,12 @@ impl<'a> PublicationReader<'a, '_> {
             return None;
         };
         self.files.defined.push(name.text.clone());
-        Some(formula_part(equation, right.clone()))
+        Some(entry_formula_part(equation, right.clone()))
     }
 
     /// Name that an equation has alone on its left side, or with arguments, as in `h(q) = …`; `None` if a formula or an
     /// unknown symbol stands there.
-    fn left_name(&self, equation: &Located) -> Option<String> {
+    fn name_of_labelled_equation(&self, equation: &Located) -> Option<String> {
         let left = sides(&equation.text, 0..equation.text.len(), Notation::Latex).swap_remove(0);
         let left = equation.text[left].trim();
         let name = left.split_once('(').map_or(left, |(name, _)| name);
@@ -180,12 +183,17 @@ impl<'a> PublicationReader<'a, '_> {
     }
 
     /// Equations of a label, also those side by side in one line.
-    fn all_labelled(&mut self, item: &EntryTable<'a>, label: &Located, choice: LabelChoice) -> Option<Vec<Located>> {
+    fn all_labelled_equations(
+        &mut self,
+        item: &EntryTable<'a>,
+        label: &Located,
+        choice: LabelChoice,
+    ) -> Option<Vec<Located>> {
         let Some(name) = self.file_of(item) else {
             self.reader.error(label.span.clone(), "a label of no file", "name the file: file = \"paper.tex\"");
             return None;
         };
-        if notation_of_file(&name.text) != Some(Notation::Latex) {
+        if notation_of_author_file(&name.text) != Some(Notation::Latex) {
             let help = "labels are of LaTeX files; name the variable of a program under `printed`";
             self.reader.error(
                 label.span.clone(),
@@ -203,14 +211,14 @@ impl<'a> PublicationReader<'a, '_> {
                 None
             }
             Ok(Err(problem)) => {
-                self.report_problem(Some(source), problem);
+                self.report_problem_in_named_file(Some(source), problem);
                 None
             }
             Ok(Ok(list)) => {
                 let list = list.into_iter().map(|formula| self.register_assembled_formula(&source, formula));
                 let apart = |line: Located| {
                     let parts = equations(&line.text, Notation::Latex).into_iter();
-                    parts.map(|range| formula_part(&line, range)).collect::<Vec<_>>()
+                    parts.map(|range| entry_formula_part(&line, range)).collect::<Vec<_>>()
                 };
                 Some(list.flat_map(apart).collect())
             }
@@ -236,7 +244,7 @@ impl<'a> PublicationReader<'a, '_> {
         match self.files.macros.expand_macros(&traced, &|_| true) {
             Ok(expanded) => Some(self.reader.register_assembled_text(None, expanded.text, expanded.places)),
             Err(problem) => {
-                self.report_problem(None, problem);
+                self.report_problem_in_named_file(None, problem);
                 None
             }
         }
@@ -244,7 +252,7 @@ impl<'a> PublicationReader<'a, '_> {
 
     /// Variables that the program of an entry assigns; `None` if the entry names no program, or if
     /// an error is reported.
-    pub fn program_variables(&mut self, item: &EntryTable<'a>) -> Option<Arc<ProgramVariables>> {
+    pub fn read_program_assignments(&mut self, item: &EntryTable<'a>) -> Option<Arc<ProgramVariables>> {
         let own = self.reader.get(item.table, "file");
         let part = self.reader.get(item.table, "part");
         if own.is_none() && part.is_none() {
@@ -259,7 +267,7 @@ impl<'a> PublicationReader<'a, '_> {
             self.reader.error(span, "a part of no file", "name the file: file = \"model.py\"");
             return None;
         };
-        let notation = notation_of_file(&name.text);
+        let notation = notation_of_author_file(&name.text);
         if notation == Some(Notation::Latex) {
             if let Some(part) = part {
                 self.reader.error(part.span, "`part` is of a program", "a LaTeX file has labels: label = \"eq:1\"");
@@ -304,12 +312,13 @@ impl<'a> PublicationReader<'a, '_> {
             let help = "name the part of the program that decides".to_owned();
             let place = line.span.clone();
             ProgramValue::Unread(
-                UnreadAssignment { place, message: why.to_owned(), help, names_assignment: false }.naming(name),
+                UnreadAssignment { place, message: why.to_owned(), help, names_assignment: false }
+                    .naming_variable(name),
             )
         };
         if is_nested {
             for name in &targets {
-                self.assign_value(name, unread(name, "a condition or a loop decides about it"));
+                self.assign_program_value(name, unread(name, "a condition or a loop decides about it"));
             }
             return;
         }
@@ -319,21 +328,19 @@ impl<'a> PublicationReader<'a, '_> {
                 locals.record_unpacking(&targets);
             }
             for name in &targets {
-                self.restore_declared_meaning(name, &right.text, || {
-                    unread(name, "it is assigned together with others")
-                });
+                self.assign_declared_meaning(name, &right.text, || unread(name, "it is assigned together with others"));
             }
             return;
         }
         let name = targets[0].clone();
-        if is_number(&right.text) && operator.is_none() && self.words.meaning(&name).is_some_and(|(_, is)| is) {
+        if is_program_number(&right.text) && operator.is_none() && self.words.meaning(&name).is_some_and(|(_, is)| is) {
             // A program's number for a parameter of the model is a value, and changes no formula.
             // The key `name = ` marks that the number is assigned; it cannot be the name of a
             // variable.
             if self.words.locals.has_variable(&name) || self.words.locals.has_variable(&format!("{name} = ")) {
-                self.assign_value(&name, unread(&name, "it gets two values"));
+                self.assign_program_value(&name, unread(&name, "it gets two values"));
             } else {
-                self.assign_value(&format!("{name} = "), ProgramValue::Value(Expr::ZERO));
+                self.assign_program_value(&format!("{name} = "), ProgramValue::Value(Expr::ZERO));
             }
             return;
         }
@@ -342,7 +349,7 @@ impl<'a> PublicationReader<'a, '_> {
         match (value, operator) {
             (ProgramValue::Value(value), None) => {
                 self.words.record_program_variable(&self.model.arena, &name, &formula, notation, value);
-                self.assign_value(&name, ProgramValue::Value(value));
+                self.assign_program_value(&name, ProgramValue::Value(value));
             }
             (ProgramValue::Value(value), Some(operator)) => {
                 self.apply_compound_assignment(&name, operator, value, &unread);
@@ -352,23 +359,25 @@ impl<'a> PublicationReader<'a, '_> {
                 if is_whole {
                     return;
                 }
-                let wrong = || ProgramValue::Unread(unread.naming(&name));
+                let wrong = || ProgramValue::Unread(unread.naming_variable(&name));
                 if operator.is_none() {
-                    self.restore_declared_meaning(&name, &formula.text, wrong);
+                    self.assign_declared_meaning(&name, &formula.text, wrong);
                 } else {
-                    self.assign_value(&name, wrong());
+                    self.assign_program_value(&name, wrong());
                 }
             }
         }
     }
 
     /// Assigns a value to a variable, and an unread value also to each entry of a range of indices.
-    fn assign_value(&mut self, name: &str, value: ProgramValue) {
+    fn assign_program_value(&mut self, name: &str, value: ProgramValue) {
         if let Some(locals) = Arc::get_mut(&mut self.words.locals) {
             // An assignment to several entries at once is not read, and this reason holds for each
             // entry.
-            for entry in
-                entries_of_range(name).filter(|_| matches!(value, ProgramValue::Unread(_))).into_iter().flatten()
+            for entry in entries_of_assigned_range(name)
+                .filter(|_| matches!(value, ProgramValue::Unread(_)))
+                .into_iter()
+                .flatten()
             {
                 locals.assign_variable(&entry, value.clone());
             }
@@ -379,17 +388,17 @@ impl<'a> PublicationReader<'a, '_> {
     /// Restores the meaning from the publication file or the model, if the program only copies a
     /// variable from elsewhere.
     /// Else assigns the unread value `wrong`. An acceleration is always computed, never copied.
-    fn restore_declared_meaning(&mut self, name: &str, right: &str, wrong: impl FnOnce() -> ProgramValue) {
+    fn assign_declared_meaning(&mut self, name: &str, right: &str, wrong: impl FnOnce() -> ProgramValue) {
         let model = &self.model;
         let is_acceleration =
             |e: Expr| model.coordinates.iter().any(|c| c.second_rate == e) || model.speeds.iter().any(|s| s.rate == e);
         let is_declared = self.words.meaning(name).is_some_and(|(e, _)| !is_acceleration(e));
-        if is_declared && is_access(right) {
+        if is_declared && statement_copies_value(right) {
             if let Some(locals) = Arc::get_mut(&mut self.words.locals) {
                 locals.forget(name);
             }
         } else {
-            self.assign_value(name, wrong());
+            self.assign_program_value(name, wrong());
         }
     }
 
@@ -419,7 +428,7 @@ impl<'a> PublicationReader<'a, '_> {
             || unread(name, "the change is made to a value that is unknown, or divides by one"),
             ProgramValue::Value,
         );
-        self.assign_value(name, value);
+        self.assign_program_value(name, value);
     }
 
     /// Assigns the entries of a vector or matrix, or of a copy of one; returns false if the formula
@@ -430,7 +439,7 @@ impl<'a> PublicationReader<'a, '_> {
             for (from, index) in copied {
                 let value = self.words.locals.variable_number(&from).and_then(|n| self.words.locals.value(n)).cloned();
                 if let Some(value) = value {
-                    self.assign_value(&format!("{name}{index}"), value);
+                    self.assign_program_value(&format!("{name}{index}"), value);
                 }
             }
             return true;
@@ -455,7 +464,7 @@ impl<'a> PublicationReader<'a, '_> {
                 let entry = Located { text: text[cell.clone()].to_owned(), span: formula.part(range), exact: true };
                 let value = self.words.read_program_formula(&mut self.model.arena, &entry, notation);
                 let value = match value {
-                    ProgramValue::Unread(unread) => ProgramValue::Unread(unread.naming(name)),
+                    ProgramValue::Unread(unread) => ProgramValue::Unread(unread.naming_variable(name)),
                     value @ ProgramValue::Value(_) => value,
                 };
                 let (i, j) = (i + first, j + first);
@@ -470,7 +479,7 @@ impl<'a> PublicationReader<'a, '_> {
                     names.push(format!("{name}{}{at}{}", brackets.0, brackets.1));
                 }
                 for name in names {
-                    self.assign_value(&name, value.clone());
+                    self.assign_program_value(&name, value.clone());
                 }
             }
         }
@@ -484,7 +493,7 @@ const MOST_ENTRIES: usize = 100;
 /// Names of the vector entries in a range of indices, such as z(1:4) in MATLAB or `z[0:4]` in
 /// Python.
 /// Returns `None` for a name without a range.
-fn entries_of_range(name: &str) -> Option<Vec<String>> {
+fn entries_of_assigned_range(name: &str) -> Option<Vec<String>> {
     let open = name.find(['(', '['])?;
     let is_python = name[open..].starts_with('[');
     let (first, last) = name[open + 1..].strip_suffix([')', ']'])?.split_once(':')?;

@@ -34,7 +34,7 @@ impl<'a> PublicationReader<'a, '_> {
 
     /// Reports names of derived quantities whose coordinate or speed has another meaning in the
     /// publication.
-    pub fn names_are_of_the_model(&mut self, names: &[(String, Quantity, Expr)]) {
+    pub fn report_names_in_own_coordinates(&mut self, names: &[(String, Quantity, Expr)]) {
         for (name, quantity, _) in names {
             let own = self.kind_in_model_coordinates(quantity.kind());
             if own.is_none_or(|(kind, is_turned)| is_turned || kind != *quantity.kind()) {
@@ -113,7 +113,7 @@ impl<'a> PublicationReader<'a, '_> {
         let list: Vec<Expr> = self.model.coordinates.iter().map(|c| c.rate).collect();
         let arena = &mut self.model.arena;
         let turned = arena.neg(rate);
-        position_up_to_sign(&list, rate, turned)
+        position_of_own_coordinate(&list, rate, turned)
     }
 
     /// Index of the model's speed that equals the speed `name` up to its sign; true for the
@@ -126,7 +126,7 @@ impl<'a> PublicationReader<'a, '_> {
         let value = self.words.declared_formula(name)?;
         let list: Vec<Expr> = self.model.speeds.iter().map(|s| s.symbol).collect();
         let turned = self.model.arena.neg(value);
-        position_up_to_sign(&list, value, turned)
+        position_of_own_coordinate(&list, value, turned)
     }
 
     /// Converts the state of a printed program (listing), its derivative and its matrix to the
@@ -191,7 +191,7 @@ impl<'a> PublicationReader<'a, '_> {
 
 /// Index of a value in a list, or of its negative `turned`; true if the negative was found. `None`
 /// if neither is in the list.
-fn position_up_to_sign(list: &[Expr], value: Expr, turned: Expr) -> Option<(usize, bool)> {
+fn position_of_own_coordinate(list: &[Expr], value: Expr, turned: Expr) -> Option<(usize, bool)> {
     let of = |e: Expr| list.iter().position(|one| *one == e);
     of(value).map(|at| (at, false)).or_else(|| of(turned).map(|at| (at, true)))
 }

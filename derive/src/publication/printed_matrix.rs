@@ -223,12 +223,12 @@ fn bracket_matrix_cells(text: &str) -> Result<Found, &'static str> {
     let close = closing.map(|(at, _)| open + at).ok_or("the `[` of the matrix is never closed")?;
     let inside = open + 1..close;
     if !text[inside.clone()].trim_start().starts_with('[') {
-        let rows = split_outside_brackets(text, inside, |c| c == ';' || c == '\n').into_iter();
+        let rows = split_matrix_outside_brackets(text, inside, |c| c == ';' || c == '\n').into_iter();
         let rows = rows.filter(|row| !text[row.clone()].trim().is_empty()).map(|row| row_cells(text, row));
         return Ok((rows.collect(), Some(open..close + 1)));
     }
     let mut rows = Vec::new();
-    for part in split_outside_brackets(text, inside, |c| c == ',') {
+    for part in split_matrix_outside_brackets(text, inside, |c| c == ',') {
         let row = &text[part.clone()];
         if row.trim().is_empty() {
             continue;
@@ -261,7 +261,7 @@ fn stacked_matrix_cells(text: &str) -> Option<Result<Vec<Vec<Range<usize>>>, &'s
             text[range.start..range.start + at].chars().all(|c| c.is_alphanumeric() || matches!(c, '_' | '.'));
         let inside = range.start + at + name.len()..range.end.checked_sub(1)?;
         let closes = is_module && text[range].ends_with(')') && inside.start <= inside.end;
-        closes.then(|| (name, split_outside_brackets(text, inside, |c| c == ',')))
+        closes.then(|| (name, split_matrix_outside_brackets(text, inside, |c| c == ',')))
     };
     let (outer, parts) = call(0..text.len())?;
     let lists: Vec<Vec<Range<usize>>> = parts
@@ -284,7 +284,7 @@ fn stacked_matrix_cells(text: &str) -> Option<Result<Vec<Vec<Range<usize>>>, &'s
 
 /// Byte ranges of the entries of one row: separated by commas, else by spaces as MATLAB reads them.
 fn row_cells(text: &str, row: Range<usize>) -> Vec<Range<usize>> {
-    let by_comma: Vec<Range<usize>> = split_outside_brackets(text, row.clone(), |c| c == ',')
+    let by_comma: Vec<Range<usize>> = split_matrix_outside_brackets(text, row.clone(), |c| c == ',')
         .into_iter()
         .filter(|cell| !text[cell.clone()].trim().is_empty())
         .collect();
@@ -293,7 +293,9 @@ fn row_cells(text: &str, row: Range<usize>) -> Vec<Range<usize>> {
     }
     // `a -b` is two entries, `a - b` and `a-b` are one.
     let mut cells: Vec<Range<usize>> = Vec::new();
-    for word in split_outside_brackets(text, row, char::is_whitespace).into_iter().filter(|word| !word.is_empty()) {
+    for word in
+        split_matrix_outside_brackets(text, row, char::is_whitespace).into_iter().filter(|word| !word.is_empty())
+    {
         let binds = |c: char| matches!(c, '+' | '-' | '*' | '/' | '^');
         let own = &text[word.clone()];
         let goes_on = cells.last().is_some_and(|cell| {
@@ -309,7 +311,7 @@ fn row_cells(text: &str, row: Range<usize>) -> Vec<Range<usize>> {
 
 /// Byte ranges of the parts of a range between separators that are outside of all parentheses and
 /// brackets.
-fn split_outside_brackets(text: &str, range: Range<usize>, is_mark: impl Fn(char) -> bool) -> Vec<Range<usize>> {
+fn split_matrix_outside_brackets(text: &str, range: Range<usize>, is_mark: impl Fn(char) -> bool) -> Vec<Range<usize>> {
     let (mut parts, mut depth, mut from) = (Vec::new(), 0_usize, range.start);
     for (at, c) in text[range.clone()].char_indices() {
         let at = range.start + at;

@@ -57,7 +57,7 @@ impl UnreadAssignment {
     /// Adds the name of the assigned variable to the message, unless the message already names an
     /// assignment.
     #[must_use]
-    pub fn naming(mut self, name: &str) -> Self {
+    pub fn naming_variable(mut self, name: &str) -> Self {
         if !self.names_assignment {
             self.message =
                 format!("the assignment of `{}` was not read: {}", shortened_for_message(name), self.message);

@@ -4,9 +4,9 @@
 //! Every error is reported once, at its cause. In this folder, `None` means that an error is
 //! reported in the reader.
 
+use super::author_files::{AuthorFiles, notation_of_author_file, read_file_beside_publication};
 use super::name_meanings::NameMeanings;
 use super::name_spelling::notation_names;
-use super::publication_files::{PublicationFiles, notation_of_file, read_file_beside_publication};
 use super::{Approximation, Publication};
 use crate::algebra::Expr;
 use crate::algebra::text::notation::Notation;
@@ -109,7 +109,7 @@ fn load_publication_from(
         near: None,
         ids: FxHashMap::default(),
         values: FxHashMap::default(),
-        files: PublicationFiles::new(read),
+        files: AuthorFiles::new(read),
         stated,
         coordinates: Vec::new(),
         redefined: Vec::new(),
@@ -117,10 +117,10 @@ fn load_publication_from(
     let title = loading.read_text(table, "title").unwrap_or_default();
     let reference = loading.read_text(table, "source").unwrap_or_default();
     let names = loading.read_names(table);
-    loading.files_of(table);
+    loading.read_named_files(table);
     loading.notation = loading.notation(table);
     let abbreviations = loading.read_abbreviations(table);
-    loading.names_are_of_the_model(&names);
+    loading.report_names_in_own_coordinates(&names);
     loading.near = loading.read_approximation(table);
     let entries = loading.entries(table);
     let shorthand = loading.words.shorthand;
@@ -148,7 +148,7 @@ pub struct PublicationReader<'a, 'm> {
     /// Byte range of each stated number, by its set and quantity.
     pub values: FxHashMap<(String, Expr), Range<usize>>,
     /// Files to which the publication refers.
-    pub files: PublicationFiles<'m>,
+    pub files: AuthorFiles<'m>,
     /// Coordinates that replace the table `[coordinates]` of the file; `None` to use the file's
     /// own.
     stated: Option<&'m [(String, String)]>,
@@ -167,7 +167,7 @@ impl<'a> PublicationReader<'a, '_> {
         let Some(value) = self.reader.get(table, "notation") else {
             // The ending of a file's name tells the language.
             let file = self.reader.get(table, "file").and_then(|file| file.get_ref().as_str());
-            return file.and_then(notation_of_file).unwrap_or(self.notation);
+            return file.and_then(notation_of_author_file).unwrap_or(self.notation);
         };
         let Some(name) = self.reader.string(value, "`notation`") else { return self.notation };
         Notation::from_name(&name.text).unwrap_or_else(|| {

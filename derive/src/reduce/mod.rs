@@ -21,7 +21,7 @@ pub use basis::prose::{Piece, Prose};
 pub use basis::reduction_basis::ReductionBasis;
 pub use result::reduction::{MovingFrame, Omission, ReducedOutput, ReducedQuantity, Reduction};
 pub use result::reduction_proof::ReductionProof;
-pub use slices::one_degree_potential::PotentialDifference;
+pub use slices::potential_difference::PotentialDifference;
 
 use crate::mechanics::{DeriveError, check_inertia_at};
 use crate::model::Model;
@@ -80,7 +80,7 @@ impl ReductionBasis {
         basis.fix_parameters_of_basis(scene);
         let wanted = basis.wanted(scene)?;
         let mut best: Option<(ReductionCost, Vec<usize>)> = None;
-        let choices = basis.commuting_momentum_sets();
+        let choices = basis.commuting_momenta_of_basis();
         // A single choice needs no comparison. Choices with most constant momenta come first: they are most
         // often the best, and the work is limited.
         let mut compared = if choices.len() > 1 { choices.clone() } else { Vec::new() };
@@ -173,7 +173,7 @@ impl ReductionBasis {
     ) -> Result<Reduction, String> {
         let momenta = &choice.momenta;
         let wanted = self.differences(choice, &whole.wanted);
-        let wanted = self.write_in_chosen_frame(choice, wanted).ok_or("that the frame is determined")?;
+        let wanted = self.write_in_frame_choice(choice, wanted).ok_or("that the frame is determined")?;
         // The equations are rewritten in the distance from the singular surface of this choice, unless they are in a
         // frame.
         let mut trial = self.clone();

@@ -46,7 +46,7 @@ pub fn compare_reference(
     if let Some(why) = &reference.not_derived {
         return Err(ReferenceError::NotDerived { file: reference.file.clone(), why: why.clone() });
     }
-    let names = reference_names(model);
+    let names = compared_reference_names(model);
     let quantities = Quantities::new(model, derivations);
     let mut judge =
         ReferenceComparison { reference, names, quantities, comparer: Comparer::default(), found: Vec::new() };
@@ -223,7 +223,7 @@ impl ReferenceComparison<'_, '_> {
 }
 
 /// Maps all names that a formula of a reference may use to their symbols.
-fn reference_names(model: &Model) -> FxHashMap<String, Expr> {
+fn compared_reference_names(model: &Model) -> FxHashMap<String, Expr> {
     let mut names = FxHashMap::default();
     names.extend(model.parameters.iter().map(|p| (p.name.clone(), p.symbol)));
     for c in &model.coordinates {

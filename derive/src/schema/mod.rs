@@ -15,7 +15,7 @@ use serde_json::{Map, Value, json};
 
 /// Format of a file that people write: model, scene, state or publication.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Format {
+pub enum SchemaFormat {
     /// Format of a mechanism, `model.toml`.
     Model,
     /// Format of a scene: the parameters, start and span of a run.
@@ -26,7 +26,7 @@ pub enum Format {
     Publication,
 }
 
-impl Format {
+impl SchemaFormat {
     /// All formats, in the order in which commands list them.
     pub const ALL: [Self; 4] = [Self::Model, Self::Scene, Self::State, Self::Publication];
 

@@ -27,7 +27,7 @@ mod sheet;
 mod sketch_description;
 mod supports;
 
-pub use drawing_elements::{Label, LabelWord, Mark, MarkRole, PaintKind, Path, PathPart, SheetPoint};
+pub use drawing_elements::{DrawingPoint, Label, LabelWord, Mark, MarkRole, PaintKind, Path, PathPart};
 pub use drawn_pose::ChangedCoordinate;
 
 use super::view::space::dot;
@@ -43,7 +43,7 @@ use pose_formulas::PoseFormulas;
 use sheet::{Sheet, SketchSubject};
 use sketch_description::{CoordinateMark, MarkedCoordinate};
 use tripos_derive::model::TIME;
-use tripos_derive::plain_text::path_in_line;
+use tripos_derive::plain_text::path_as_plain_text;
 use tripos_derive::scene::{Scene, State};
 
 /// Greatest width and height of the solids on the sheet of a sketch, px.
@@ -63,7 +63,7 @@ pub struct Sketch {
     /// Values of the coordinates in the drawn pose, as a sentence.
     pub drawn: String,
     /// Width and height of the sheet, px. All marks and labels lie within the sheet.
-    pub size: SheetPoint,
+    pub size: DrawingPoint,
     /// Lines and areas of the sketch, from back to front.
     pub marks: Vec<Mark>,
     /// Labels in front of the marks. No label covers another.
@@ -94,7 +94,7 @@ impl Sketch {
     /// [`Error::Request`] if a shape has a length that is not positive, or the place of a frame or
     /// point is not a finite number at this start.
     pub fn of_scene(mechanism: &Mechanism, scene: &Scene) -> Result<Self, Error> {
-        let name = path_in_line(&scene.source.path);
+        let name = path_as_plain_text(&scene.source.path);
         let of = if name.is_empty() {
             "the start of the scene".to_owned()
         } else {
@@ -177,7 +177,7 @@ impl Sketch {
         axes::draw_gravity_arrow(&subject, &mut sheet);
         add_body_names_to_sheet(&subject, &mut sheet);
         let about = sketch_description::describe_sketch(&subject, &shown);
-        let drawn = sketch_description::describe_drawn_pose(&subject, &given.changed, &given.of);
+        let drawn = sketch_description::describe_pose_of_sketch(&subject, &given.changed, &given.of);
         let (size, marks, labels) = finish_sheet(sheet);
         Ok(Self { title: mechanism.title.clone(), about, drawn, size, marks, labels, changed: given.changed })
     }
@@ -315,8 +315,8 @@ fn add_body_names_to_sheet(subject: &SketchSubject<'_>, sheet: &mut Sheet) {
             _ => None,
         });
         // The longest of the rods is taken, compared in steps of 4 px; the first of equal ones.
-        let long = |[a, b]: &[SheetPoint; 2]| ((b[0] - a[0]).hypot(b[1] - a[1]) / 4.0).round();
-        let longest = rods.fold(None, |best: Option<[SheetPoint; 2]>, rod| match best {
+        let long = |[a, b]: &[DrawingPoint; 2]| ((b[0] - a[0]).hypot(b[1] - a[1]) / 4.0).round();
+        let longest = rods.fold(None, |best: Option<[DrawingPoint; 2]>, rod| match best {
             Some(best) if long(&best) >= long(&rod) => Some(best),
             _ => Some(rod),
         });
@@ -331,12 +331,12 @@ fn add_body_names_to_sheet(subject: &SketchSubject<'_>, sheet: &mut Sheet) {
 
 /// Places the labels of a sheet, and moves its origin so that all marks and labels lie on it.
 /// Returns the size of the sheet, px, its marks and its labels.
-fn finish_sheet(sheet: Sheet) -> (SheetPoint, Vec<Mark>, Vec<Label>) {
+fn finish_sheet(sheet: Sheet) -> (DrawingPoint, Vec<Mark>, Vec<Label>) {
     let (mut labels, leaders) = label_placement::place_labels(&sheet.wishes, &sheet.marks);
     let mut marks = sheet.marks;
     marks.extend(leaders);
     let (low, high) = drawing_elements::drawing_extent(&marks, &labels).unwrap_or_default();
-    let moved = |spot: SheetPoint| [0, 1].map(|i| spot[i] - low[i] + MARGIN);
+    let moved = |spot: DrawingPoint| [0, 1].map(|i| spot[i] - low[i] + MARGIN);
     for mark in &mut marks {
         mark.path.from = moved(mark.path.from);
         for part in &mut mark.path.parts {

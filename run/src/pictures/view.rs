@@ -12,12 +12,12 @@ pub(crate) mod space;
 mod stated_solids;
 mod view_motion;
 
-pub use force_arrows::{ForceArrow, ForceSource, Forces};
+pub use force_arrows::{ForceArrow, ForceArrows, ForceSource};
 pub use pose::{Configuration, FrameTree, Pose, Poses};
 pub use solid::{Solid, SolidForm, SolidPlace};
 pub use space::{Quaternion, Rotation, Triple, quaternion};
 pub use stated_solids::stated_solid_lengths;
-pub use view_motion::Motion;
+pub use view_motion::ViewMotion;
 
 use crate::error::Error;
 use crate::mechanism::Mechanism;
@@ -52,7 +52,7 @@ impl View {
     /// # Errors
     /// [`Error::Request`] if a shape has a length that is not positive at the parameters of the
     /// scene.
-    pub fn new(mechanism: &Mechanism, scene: &Scene, motions: &[&Motion]) -> Result<Self, Error> {
+    pub fn new(mechanism: &Mechanism, scene: &Scene, motions: &[&ViewMotion]) -> Result<Self, Error> {
         let at = Configuration { parameters: &scene.parameters, q: &scene.q };
         let motions: Vec<&[Pose]> = motions.iter().map(|motion| motion.poses.as_slice()).collect();
         Self::of_poses(mechanism, at, &motions)

@@ -54,7 +54,7 @@ pub fn move_start_to_section(
 ) -> Result<Vec<DoubleDouble>, Error> {
     let what = "a moving frame";
     let of_pins = frame.pins.iter().chain(frame.slopes.iter().flatten()).copied().collect::<Vec<_>>();
-    let turning = SymmetryMotion {
+    let turning = MovingFrameMotion {
         parameters,
         fields: compile_tape(arena, symbols, &frame.fields.concat(), what)?.to(),
         pins: compile_tape(arena, symbols, &of_pins, what)?.to(),
@@ -70,7 +70,7 @@ pub fn move_start_to_section(
 
 /// Symmetries and pins of a moving frame as tapes in 32 digits, with the values of the parameters.
 /// The pins are functions of the state that the frame makes zero.
-struct SymmetryMotion<'a> {
+struct MovingFrameMotion<'a> {
     /// Values of the model's parameters, to 32 digits.
     parameters: &'a [DoubleDouble],
     /// Directions of the symmetries, a block for each; a block has a component for each coordinate and
@@ -82,7 +82,7 @@ struct SymmetryMotion<'a> {
     count: usize,
 }
 
-impl SymmetryMotion<'_> {
+impl MovingFrameMotion<'_> {
     /// Solves for a state with zero pins by Newton's method. The start is first moved by about `detour`
     /// along each symmetry. `None` if the slopes of the pins are singular or the method does not
     /// converge.

@@ -4,9 +4,9 @@
 //! 90°. The integrated state then contains this distance. States for the user contain the
 //! coordinate itself.
 
+mod chosen_speeds;
 mod contacts;
 mod extended_precision;
-mod speed_change;
 
 use super::initial_state::InitialState;
 use super::near_divisors::near_divisors;

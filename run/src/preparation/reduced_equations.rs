@@ -6,7 +6,7 @@ use super::moving_frame_start::move_start_to_section;
 use crate::code::{Code, CodePreparation, compile_tape, compiled_scene_code, interpreted_scene_code};
 use crate::error::Error;
 use crate::mechanism::Mechanism;
-use tripos_codegen::plan::{Costs, costs};
+use tripos_codegen::plan::{Costs, scene_costs};
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
 use tripos_derive::mechanics::EquationsOrigin;
@@ -123,7 +123,7 @@ impl ReducedScene {
         if self.reduction.states.len() + self.reduction.quadratures.len() < whole {
             return Ok(None);
         }
-        let Costs { full, scene } = costs(model, &self.reduction).map_err(|error| model.diagnose(&error))?;
+        let Costs { full, scene } = scene_costs(model, &self.reduction).map_err(|error| model.diagnose(&error))?;
         Ok((scene.weight() >= full.weight()).then(|| {
             format!(
                 "the scene's reduced equations carry all {whole} variables and take {scene} a call, the whole ones {full}"

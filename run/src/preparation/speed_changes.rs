@@ -14,15 +14,15 @@
 //! The whole solution is given in (q, q̇). The shown quantities, and the speeds u among them, are
 //! computed from it.
 
-mod changes;
-mod parts;
+mod part_options;
+mod rates_intervals;
 
-pub use changes::{RatesInterval, notes_on_speed_changes};
-pub use parts::{join_solutions, options_for_rest_of_run};
+pub use part_options::{join_part_solutions, options_for_next_part};
+pub use rates_intervals::{RatesInterval, notes_on_rates_intervals};
 
 use super::initial_state::InitialState;
 use crate::code::Code;
-use parts::{options_in_rates, options_with_wider_tolerances, projection_report_in_rates};
+use part_options::{part_options_in_rates, part_projection_in_rates, wider_part_options};
 use std::cell::{Cell, RefCell};
 use std::sync::Mutex;
 use tripos_derive::mechanics::EquationsOrigin;
@@ -160,14 +160,14 @@ pub fn run_with_speed_changes(
         stop => in_speeds && stop.is_failure(),
     } {
         in_speeds = !in_speeds;
-        let (rest, y) = (options_for_rest_of_run(options, &whole, span), whole.y_end.clone());
+        let (rest, y) = (options_for_next_part(options, &whole, span), whole.y_end.clone());
         let start = InitialState { span: (whole.t_end, span.1), y: &y };
         let leg = if in_speeds {
             passage.run_part_in_speeds_as_rates(rhs, start, &rest, events, power.as_mut())?
         } else {
             passage.run_part_in_rates(start, &rest, events, power.as_mut())?
         };
-        whole = join_solutions(whole, leg, options);
+        whole = join_part_solutions(whole, leg, options);
     }
     Ok((whole, passage.changes))
 }
@@ -319,7 +319,7 @@ impl<'r> SpeedChangingRun<'r> {
         for y in leg.y.iter_mut().chain([&mut leg.y_end]).chain(leg.events.iter_mut().map(|event| &mut event.y)) {
             *y = to_rates(y);
         }
-        leg.projection = leg.projection.map(|report| projection_report_in_rates(&report, self.rates));
+        leg.projection = leg.projection.map(|report| part_projection_in_rates(&report, self.rates));
         // The next part lasts at least as long as the step whose failure ended this part.
         let beyond = (beyond - leg.t_end).abs();
         self.dwell = if leg.t_end.total_cmp(&span.0).is_eq() { beyond.max(2.0 * self.lasted) } else { beyond };
@@ -337,14 +337,13 @@ impl<'r> SpeedChangingRun<'r> {
         power: Option<&mut Power<'_>>,
     ) -> Result<Solution, SimError> {
         let InitialState { span, y } = start;
-        let options = options_in_rates(options, y.len() / 2);
+        let options = part_options_in_rates(options, y.len() / 2);
         let mut power = power.map(|power| power.as_mut() as &mut dyn FnMut(f64, &[f64]) -> f64);
         // Near a singular pose, rounding errors may exceed the tolerances. Steps then become tiny. Wider
         // tolerances help.
         let (mut leg, mut is_singular, mut coarser) = (None, false, 1.0);
         for times in COARSER {
-            let few =
-                Options { step_limit: options.step_limit.min(FEW), ..options_with_wider_tolerances(&options, times) };
+            let few = Options { step_limit: options.step_limit.min(FEW), ..wider_part_options(&options, times) };
             let lent = power.as_mut().map(|power| &mut **power as &mut dyn FnMut(f64, &[f64]) -> f64);
             let (found, nearest) = self.try_part_in_rates(start, &few, events, lent)?;
             (is_singular, coarser) = (nearest < SINGULAR * self.best.borrow().constraints, times);

@@ -5,7 +5,7 @@ use crate::error::{Error, refused_scene_error};
 use crate::preparation::problem::Problem;
 use crate::trust::constraint_residuals::Residual;
 use crate::trust::correct_digits::CorrectDigits;
-use crate::trust::invariants::{Drift, InvariantValues, WatchedInvariants};
+use crate::trust::watched_invariants::{Drift, InvariantValues, WatchedInvariants};
 use tripos_derive::mechanics::EquationsOrigin;
 use tripos_derive::plain_text::with_reliable_digits;
 use tripos_derive::scene::{AccelerationSolution, Scene};

@@ -12,10 +12,10 @@ use crate::preparation::speed_changes::{self, ChosenSpeedEquations};
 use crate::trust;
 use crate::trust::constraint_residuals::constraint_residuals;
 use crate::trust::correct_digits::{CorrectDigits, Values, estimate_digits};
-use crate::trust::invariants::WatchedInvariants;
 use crate::trust::load_power::accumulated_load_power;
 use crate::trust::stiffness;
 use crate::trust::watched_functions::{WatchedFunctions, watched_events};
+use crate::trust::watched_invariants::WatchedInvariants;
 use tripos_derive::algebra::text::print::print_text;
 use tripos_derive::mechanics::{EquationsOrigin, load_divisors};
 use tripos_derive::scene::Scene;
@@ -161,7 +161,7 @@ fn speed_change_notes(model: &Model, chosen: ChosenSpeedEquations<'_>) -> Vec<St
     chosen
         .changes
         .lock()
-        .map_or_else(|_| Vec::new(), |list| speed_changes::notes_on_speed_changes(&list, &speeds, chosen.by))
+        .map_or_else(|_| Vec::new(), |list| speed_changes::notes_on_rates_intervals(&list, &speeds, chosen.by))
 }
 
 /// Completes a solution to the result of a run: shown values, energies, notes and objections.

@@ -11,7 +11,7 @@
 //! that the decisions amplify. Source: K. J. Åström & B. Wittenmark, *Computer-Controlled Systems*,
 //! 3rd edition (1997), § 2.3 (zero-order hold).
 
-mod windows;
+mod control_loop;
 
 use super::shown_quantities::state_names;
 use crate::code::{CodeForm, CodePreparation, find_equations_or_first, runnable_code};
@@ -22,11 +22,11 @@ use crate::mechanism::Mechanism;
 use crate::preparation::problem::Problem;
 use crate::trust::correct_digits::parameters_one_rounding_away;
 use crate::trust::watched_functions::WatchedFunctions;
+use control_loop::{ControlLoop, finer_loop_options};
 use tripos_derive::diagnostic::nearest_name_advice;
 use tripos_derive::mechanics::EquationsOrigin;
 use tripos_derive::scene::{Integrator, Scene};
 use tripos_sim::{EventRecord, Stop};
-use windows::{ControlLoop, finer_options};
 
 /// State of a run at an instant, as passed to a controller.
 #[derive(Clone, Copy, Debug)]
@@ -144,7 +144,7 @@ pub fn simulate_recorded_signals(
         }
         // The instants of all signals together can be in order although those of a single signal
         // are not.
-        check_instants(scene, instants)?;
+        check_sampled_instants(scene, instants)?;
     }
     let inputs: Vec<&str> = signals.iter().map(|signal| signal.input).collect();
     let places = input_parameter_indices(mechanism, &inputs)?;
@@ -185,7 +185,7 @@ pub fn simulate_sampled<C: FnMut(&ControllerSample<'_>) -> Vec<f64>>(
     by: Option<&EquationsName>,
 ) -> Result<SampledRun, Error> {
     let places = input_parameter_indices(mechanism, inputs)?;
-    check_instants(scene, instants)?;
+    check_sampled_instants(scene, instants)?;
     check_integration(scene)?;
     let by = find_equations_or_first(mechanism, by)?;
     let code = runnable_code(mechanism, &by, scene.integration.distance, CodePreparation::preparation_for_runs(scene))?;
@@ -200,7 +200,7 @@ pub fn simulate_sampled<C: FnMut(&ControllerSample<'_>) -> Vec<f64>>(
     let nearby: Vec<f64> = start.iter().map(|y| y * (1.0 + f64::EPSILON)).collect();
     let second = match first.stop {
         Stop::Interrupted => None,
-        _ => Some(loop_.run(&beside, &nearby, &finer_options(&options), &mut controller())?),
+        _ => Some(loop_.run(&beside, &nearby, &finer_loop_options(&options), &mut controller())?),
     };
     Ok(loop_.sampled_run(first, second.as_ref(), code.form()))
 }
@@ -241,7 +241,7 @@ const ROUNDINGS: f64 = 64.0;
 ///
 /// # Errors
 /// `Error::Request` if a check fails.
-fn check_instants(scene: &Scene, instants: &[f64]) -> Result<(), Error> {
+fn check_sampled_instants(scene: &Scene, instants: &[f64]) -> Result<(), Error> {
     let (from, to) = scene.span;
     if to < from {
         let help = "end the span after its start";

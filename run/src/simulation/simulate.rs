@@ -14,12 +14,12 @@ use crate::mechanism::Mechanism;
 use crate::preparation::problem::Problem;
 use crate::preparation::reduced_equations::ReducedScene;
 use crate::preparation::speed_changes::ChosenSpeedEquations;
-use crate::trust::invariants::WatchedInvariants;
 use crate::trust::load_power::accumulated_load_power;
 use crate::trust::watched_functions::{WatchedFunctions, watched_events};
+use crate::trust::watched_invariants::WatchedInvariants;
 use std::sync::Mutex;
 use tripos_derive::Formulation;
-use tripos_derive::mechanics::{EquationsOrigin, is_reducible};
+use tripos_derive::mechanics::{EquationsOrigin, has_reducible_form};
 use tripos_derive::plain_text::with_reliable_digits;
 use tripos_derive::reduce::ReductionBasis;
 use tripos_derive::scene::{AccelerationSolution, Integrator, Scene};
@@ -38,7 +38,7 @@ pub fn simulate(mechanism: &Mechanism, scene: &Scene, by: Option<&EquationsName>
         Some(EquationsName::Reduced) => ReducedRun::Asked,
         Some(by) => return simulate_full_equations(mechanism, scene, &find_equations_or_first(mechanism, Some(by))?),
     };
-    match why_reduced_equations_are_not_tried(mechanism, scene, reduced) {
+    match reason_to_simulate_full_equations(mechanism, scene, reduced) {
         Some(why) => {
             let mut done = simulate_full_equations(mechanism, scene, &find_equations_or_first(mechanism, None)?)?;
             done.notes.insert(0, why.to_owned());
@@ -60,7 +60,7 @@ enum ReducedRun {
 
 /// Reason why a scene's reduced equations are not tried and full equations run; `None` if they are
 /// tried.
-fn why_reduced_equations_are_not_tried(
+fn reason_to_simulate_full_equations(
     mechanism: &Mechanism,
     scene: &Scene,
     reduced: ReducedRun,
@@ -80,7 +80,7 @@ fn why_reduced_equations_are_not_tried(
     if mechanism.speeds.is_empty() {
         return Some("the constraints leave no speed: the coordinates follow from them, and forces from the motion");
     }
-    (!is_reducible(mechanism)).then_some(if mechanism.loops.is_empty() {
+    (!has_reducible_form(mechanism)).then_some(if mechanism.loops.is_empty() {
         "the full equations are integrated: this model is too large for reduced equations"
     } else {
         "the full equations are integrated: a mechanism with closed loops needs all of them"
@@ -226,10 +226,10 @@ pub fn simulate_full_equations_watched(
     let Some(rates) = equations_in_all_rates(&problem)? else {
         return run_problem_with_quantities(&problem, watch, Some(&shown));
     };
-    match solve_in_chosen_speeds(&problem, &rates)? {
+    match simulate_in_chosen_speeds(&problem, &rates)? {
         Some(solution) => run_problem_by_solver(&problem, watch, Some(&shown), |_, _, _| Ok(solution)),
         None => {
-            let mut run = with_changing_speeds(&problem, &rates, |problem| {
+            let mut run = simulate_with_changing_speeds(&problem, &rates, |problem| {
                 run_problem_with_quantities(problem, watch, Some(&shown))
             })?;
             (run.by, run.code, run.solve) = (problem.by.clone(), problem.code.form(), problem.solve);
@@ -243,7 +243,7 @@ pub fn simulate_full_equations_watched(
 ///
 /// # Errors
 /// `Error` if the problem cannot be run.
-fn solve_in_chosen_speeds(problem: &Problem<'_>, rates: &Code) -> Result<Option<Solution>, Error> {
+fn simulate_in_chosen_speeds(problem: &Problem<'_>, rates: &Code) -> Result<Option<Solution>, Error> {
     let balance = WatchedFunctions::new(problem.mechanism, problem.model, problem.scene, problem.by)?;
     let mut events = watched_events(problem, &balance);
     problem.run_in_chosen_speeds_alone(
@@ -266,7 +266,7 @@ pub fn simulate_if_speeds_change(model: &Mechanism, scene: &Scene, by: &Equation
     let code = runnable_code(model, by, scene.integration.distance, CodePreparation::preparation_for_runs(scene))?;
     let problem = Problem::new(model, scene, by, &code, None)?;
     let Some(rates) = equations_in_all_rates(&problem)? else { return Ok(None) };
-    if solve_in_chosen_speeds(&problem, &rates)?.is_some() {
+    if simulate_in_chosen_speeds(&problem, &rates)?.is_some() {
         return Ok(None);
     }
     let run = simulate_full_equations(model, scene, by)?;
@@ -299,7 +299,7 @@ pub fn equations_in_all_rates(problem: &Problem<'_>) -> Result<Option<Code>, Err
 ///
 /// # Errors
 /// Errors of [`Problem::new`], and the errors of `run`.
-pub fn with_changing_speeds<T>(
+pub fn simulate_with_changing_speeds<T>(
     problem: &Problem<'_>,
     code: &Code,
     run: impl FnOnce(&Problem<'_>) -> Result<T, Error>,

@@ -117,14 +117,14 @@ pub struct HeatMap {
 /// Converts the formulas in a text to mathematical symbols: `q1'` to q̇₁, `cos(q2)` to cos(q₂),
 /// `m/s^2` to m/s², `kg*m` to kg·m.
 #[must_use]
-pub fn formula_to_symbols(text: &str) -> String {
+pub fn figure_text_in_symbols(text: &str) -> String {
     let belongs = |c: char| c.is_alphanumeric() || c == '_' || c == '\'';
     let mut out = String::new();
     let mut rest = text.trim();
     while let Some(first) = rest.chars().next() {
         let end = rest.find(|c| belongs(c) != belongs(first)).unwrap_or(rest.len());
         let (part, others) = rest.split_at(end);
-        out += &if belongs(first) { name_to_symbols(part) } else { part.to_owned() };
+        out += &if belongs(first) { figure_name_in_symbols(part) } else { part.to_owned() };
         rest = others;
     }
     let out = out.replace("^2", "²").replace("^3", "³").replace('*', "·");
@@ -133,7 +133,7 @@ pub fn formula_to_symbols(text: &str) -> String {
 
 /// Converts a name such as `q1'` to q̇₁: digits become a subscript, primes become dots. Other words
 /// are unchanged.
-fn name_to_symbols(word: &str) -> String {
+fn figure_name_in_symbols(word: &str) -> String {
     let stem = word.trim_end_matches('\'');
     let dots = ["", "\u{307}", "\u{308}"][(word.len() - stem.len()).min(2)];
     match (stem.chars().next(), stem.get(1..)) {

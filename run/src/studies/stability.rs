@@ -10,10 +10,10 @@ pub mod domain;
 pub mod drift;
 mod findings;
 pub mod growth;
-pub mod ladder;
+pub mod passages;
 
 pub use findings::{
-    ConditioningFinding, FindingRow, Findings, PassageRun, PassageVariable, Statement, StudyInputs, Topic,
+    ConditioningFinding, FindingRow, FindingTopic, Findings, PassageRun, PassageVariable, Statement, StudyInputs,
 };
 
 use crate::error::Error;
@@ -33,12 +33,12 @@ pub fn run_all_studies(study: &StudyInputs<'_>) -> Result<Findings, Error> {
         return Err(Error::request("this study needs a smooth motion, and the scene has impacts", help));
     }
     let mut findings = Findings::default();
-    let studies: [(Topic, TopicStudy); 5] = [
-        (Topic::Passages, ladder::study_passages),
-        (Topic::Conditioning, conditioning::study_conditioning),
-        (Topic::Domain, domain::study_domain),
-        (Topic::Growth, growth::study_growth),
-        (Topic::Drift, drift::study_drift),
+    let studies: [(FindingTopic, TopicStudy); 5] = [
+        (FindingTopic::Passages, passages::study_passages),
+        (FindingTopic::Conditioning, conditioning::study_conditioning),
+        (FindingTopic::Domain, domain::study_domain),
+        (FindingTopic::Growth, growth::study_growth),
+        (FindingTopic::Drift, drift::study_drift),
     ];
     study.progress.set_length(studies.len() as u64);
     for (topic, run) in studies {

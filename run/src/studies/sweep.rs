@@ -24,6 +24,6 @@ mod unthreaded_work;
 pub use ordered_work::work_in_order;
 pub use shard::Shard;
 pub use sweep_row::{NO_START, RunEnd, SweepRow};
-pub use sweep_worker::{Sweep, Worker};
+pub use sweep_worker::{Sweep, SweepWorker};
 #[cfg(not(feature = "threads"))]
 pub use unthreaded_work::work_in_order;

@@ -1,7 +1,7 @@
 //! Work-precision charts: the duration of runs against their error. Every formulation and
 //! integrator is measured at many tolerances, with errors from a reference in higher precision.
 
-pub mod session;
+pub mod scene_chart;
 
 use super::chart_case::{ChartCase, MethodAtTolerance, PreparedCase};
 use crate::error::Error;
@@ -9,8 +9,8 @@ use crate::mechanism::Mechanism;
 use crate::observer::Progress;
 use crate::preparation::problem::Problem;
 use crate::trust::compared_quantities::ComparedQuantities;
-use crate::trust::invariants::WatchedInvariants;
 use crate::trust::reference_solution::ReferenceSolution;
+use crate::trust::watched_invariants::WatchedInvariants;
 use tripos_derive::mechanics::EquationsOrigin;
 use tripos_derive::scene::{AccelerationSolution, Scene};
 use tripos_sim::work_precision::{TimeStatistics, timed_in_turn, work_precision_error};
@@ -36,20 +36,20 @@ impl ChartPlan {
     /// steps.
     #[must_use]
     pub fn full() -> Self {
-        Self { tolerances: powers_of_ten(2..=14), repeats: 7, step_limit: 1_000_000, quick: false, patience: 1.0 }
+        Self { tolerances: chart_tolerances(2..=14), repeats: 7, step_limit: 1_000_000, quick: false, patience: 1.0 }
     }
 
     /// Makes the plan of a quick chart that takes less than two minutes, with every second tolerance
     /// and three repeats.
     #[must_use]
     pub fn quick() -> Self {
-        let tolerances = powers_of_ten((3..=13).step_by(2));
+        let tolerances = chart_tolerances((3..=13).step_by(2));
         Self { tolerances, repeats: 3, step_limit: 100_000, quick: true, patience: 0.1 }
     }
 }
 
 /// Tolerances 10⁻ⁿ for the given powers n.
-fn powers_of_ten(powers: impl Iterator<Item = i32>) -> Vec<f64> {
+fn chart_tolerances(powers: impl Iterator<Item = i32>) -> Vec<f64> {
     powers.map(|n| 10_f64.powi(-n)).collect()
 }
 

@@ -171,7 +171,7 @@ pub fn estimate_digits(
     if solution.steps == 0 || solution.stop == Stop::Interrupted || y0.is_empty() {
         return Ok(None);
     }
-    let scene = scene_of_second(problem.scene, solution.t_end);
+    let scene = second_run_scene(problem.scene, solution.t_end);
     let beside = problem.with_scene(&scene);
     let mut watched: Vec<Event<'_>> =
         if solution.events.is_empty() { Vec::new() } else { watched_events(&beside, balance) };
@@ -199,7 +199,7 @@ pub fn estimate_digits(
     let first: Vec<Vec<f64>> = samples.iter().map(|(t, y)| values(problem, *t, y)).collect::<Result<_, _>>()?;
     let second: Vec<Vec<f64>> =
         run.t.iter().zip(&run.y).map(|(t, y)| values(&beside, *t, y)).collect::<Result<_, _>>()?;
-    let sizes = value_sizes(problem.scene, &first);
+    let sizes = value_sizes_for_digits(problem.scene, &first);
     let (mut errors, mut digits, mut last) = (Vec::new(), Vec::new(), Vec::new());
     let mut apart: Vec<Vec<f64>> = first.iter().zip(&second).map(|(a, b)| value_differences(a, b)).collect();
     leave_out_jumps(&mut apart, &times, solution, &run, problem.scene.span);
@@ -332,7 +332,7 @@ const BEYOND: f64 = 0.02;
 /// Scene for the second run, from the start of the first run to slightly beyond its end.
 /// A parameter that doubles cannot represent gets the neighbouring double on the other side of its
 /// exact number.
-fn scene_of_second(scene: &Scene, t_end: f64) -> Scene {
+fn second_run_scene(scene: &Scene, t_end: f64) -> Scene {
     let (start, end) = scene.span;
     let beyond = t_end + BEYOND * (t_end - start);
     let is_inside = (end - beyond) * (end - start) > 0.0;
@@ -362,7 +362,7 @@ pub fn parameters_one_rounding_away(scene: &Scene) -> Vec<f64> {
 
 /// Largest size of each shown value along a run, but at least the size below which a value does not
 /// matter.
-fn value_sizes(scene: &Scene, values: &[Vec<f64>]) -> Vec<f64> {
+fn value_sizes_for_digits(scene: &Scene, values: &[Vec<f64>]) -> Vec<f64> {
     let how = &scene.integration;
     let adaptive = how.step.is_none() && how.method != Integrator::Quadrature;
     let matters = match (adaptive, how.rtol > 0.0) {

@@ -5,17 +5,17 @@
 pub mod compared_quantities;
 pub(super) mod constraint_residuals;
 pub(super) mod correct_digits;
-pub(super) mod invariants;
 pub(super) mod load_power;
 pub(super) mod reference_solution;
 pub(super) mod stiffness;
 pub(super) mod watched_functions;
+pub(super) mod watched_invariants;
 
 use crate::error::{Error, refused_scene_error};
 use crate::preparation::problem::Problem;
 use crate::trust::constraint_residuals::{broken_constraint_objection, opened_loop_objections};
 use crate::trust::correct_digits::{CorrectDigits, FEW, SecondEnd};
-use crate::trust::invariants::{ConservedQuantity, Excursion, WatchedInvariants};
+use crate::trust::watched_invariants::{ConservedQuantity, Excursion, WatchedInvariants};
 use tripos_derive::plain_text::{with_reliable_digits, with_significant_digits};
 use tripos_derive::scene::AccelerationSolution;
 use tripos_sim::{Solution, Stop};
@@ -46,8 +46,8 @@ pub fn objections_to_run(
     list.extend(digits.and_then(|digits| too_few_digits_objection(digits, names)));
     list.extend(digits.and_then(|digits| contradiction_objection(digits, &problem.variable_names())));
     if let Some(watch) = watch {
-        let worst = worst_excursions(problem, solution, watch);
-        list.extend(worst.iter().filter(|(_, furthest)| furthest.ratio > 1.0).map(excursion_in_words));
+        let worst = excursions_for_objections(problem, solution, watch);
+        list.extend(worst.iter().filter(|(_, furthest)| furthest.ratio > 1.0).map(excursion_objection));
     }
     if !watch.is_some_and(|watch| watch.integrals.iter().any(|integral| integral.kind.is_energy())) {
         list.extend(energy_drift.and_then(|drift| energy_objection(problem, solution, drift)));
@@ -167,7 +167,11 @@ type Worst<'a> = (&'a ConservedQuantity, Excursion);
 
 /// Largest change of each existing first integral, relative to the change at three correct digits
 /// of the state.
-fn worst_excursions<'a>(problem: &Problem<'_>, solution: &Solution, watch: &'a WatchedInvariants) -> Vec<Worst<'a>> {
+fn excursions_for_objections<'a>(
+    problem: &Problem<'_>,
+    solution: &Solution,
+    watch: &'a WatchedInvariants,
+) -> Vec<Worst<'a>> {
     // The allowed change is that of a state with three correct digits.
     let worst = watch.worst_excursions(problem, solution, MOST_SAMPLES, &|_, x| THREE_DIGITS * (1.0 + x.abs()));
     let list = watch.integrals.iter().zip(worst).zip(watch.integrals_exist(&problem.shown.parameters));
@@ -175,7 +179,7 @@ fn worst_excursions<'a>(problem: &Problem<'_>, solution: &Solution, watch: &'a W
 }
 
 /// Objection that states the change of a first integral, with its instant.
-fn excursion_in_words((integral, Excursion { t, change, .. }): &Worst<'_>) -> String {
+fn excursion_objection((integral, Excursion { t, change, .. }): &Worst<'_>) -> String {
     let (name, unit, t) = (integral.name(), &integral.unit, with_significant_digits(*t, 4));
     if change.is_nan() {
         return format!("{name}, constant in this motion, has no value at t = {t} s: do not trust this run");
@@ -187,7 +191,7 @@ fn excursion_in_words((integral, Excursion { t, change, .. }): &Worst<'_>) -> St
 }
 
 /// States (t, y) spread evenly over a run, at most about [`MOST_SAMPLES`].
-fn evenly_spaced_samples(solution: &Solution) -> impl Iterator<Item = (f64, &Vec<f64>)> {
+fn samples_for_objections(solution: &Solution) -> impl Iterator<Item = (f64, &Vec<f64>)> {
     let every = solution.y.len().div_ceil(MOST_SAMPLES).max(1);
     solution.t.iter().copied().zip(&solution.y).step_by(every)
 }
@@ -204,7 +208,7 @@ fn condition_objection(problem: &Problem<'_>, solution: &Solution) -> Result<Opt
         return Ok(None);
     }
     let mut dynamics = problem.dynamics().map_err(|error| refused_scene_error(problem.scene, &error))?;
-    let worst = evenly_spaced_samples(solution)
+    let worst = samples_for_objections(solution)
         .map(|(t, y)| {
             let (q, v) = dynamics.split(y);
             let (q, v) = (q.to_vec(), v.to_vec());

@@ -50,7 +50,7 @@ impl ReferenceSolution {
             return Err(Error::request("references in 32 digits know no impacts", help));
         }
         let mut scene = scene.clone();
-        scene.integration.distance = distance_from_singularity(model, &scene);
+        scene.integration.distance = distance_for_reference(model, &scene);
         let [first, second] = reference_equations(model, &scene)?;
         let names = [&first, &second].map(|witness| witness.by.name()).into_iter().zip(TOLERANCES);
         let names: Vec<String> = names.map(|(name, rtol)| format!("{name} at {rtol:.0e}")).collect();
@@ -105,7 +105,7 @@ fn reference_equations(model: &Mechanism, scene: &Scene) -> Result<[ReferenceEqu
 
 /// Variable for the distance from the scene's singular surface; `None` if the scene has none.
 /// Also `None` if compiled equations exist, but not in this distance.
-fn distance_from_singularity(model: &Mechanism, scene: &Scene) -> Option<SingularDistance> {
+fn distance_for_reference(model: &Mechanism, scene: &Scene) -> Option<SingularDistance> {
     tripos_derive::mechanics::singular_distances(model).first().copied().or(scene.integration.distance).filter(
         |distance| {
             // Interpreted equations in 32 digits resolve a small distance well enough.

@@ -157,8 +157,8 @@ fn bind_watched_function<'a>(
     match watched {
         WatchedFunction::OfState { tape, ranges } => {
             let p = problem.scene.parameters.as_slice();
-            let mut value = function_of_last_inputs(tape, p.to_vec());
-            let mut range = function_of_last_inputs(ranges, p.iter().map(|p| Enclosure::from_f64(*p)).collect());
+            let mut value = watched_function_of_inputs(tape, p.to_vec());
+            let mut range = watched_function_of_inputs(ranges, p.iter().map(|p| Enclosure::from_f64(*p)).collect());
             let components = tape.used_inputs().into_iter().filter_map(|at| at.checked_sub(p.len())).collect();
             let ranges = InRanges { function: Box::new(move |_t, y| range(y)), components: Some(components) };
             (Box::new(move |_t, y| value(y)), Some(ranges))
@@ -171,7 +171,7 @@ fn bind_watched_function<'a>(
 }
 
 /// Function of the last inputs of a tape, whose first inputs are given.
-fn function_of_last_inputs<S: Numeric>(tape: &Tape<S>, mut inputs: Vec<S>) -> impl FnMut(&[S]) -> S + '_ {
+fn watched_function_of_inputs<S: Numeric>(tape: &Tape<S>, mut inputs: Vec<S>) -> impl FnMut(&[S]) -> S + '_ {
     let (given, mut scratch) = (inputs.len(), Vec::new());
     move |rest: &[S]| {
         inputs.truncate(given);

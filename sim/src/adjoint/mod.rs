@@ -22,7 +22,7 @@ mod transposed_step;
 
 use crate::error::Failure;
 use crate::events::corners::{BetweenCorners, Corner, Corners, IntervalsBetweenCorners};
-use crate::methods::options::{Options, Poll};
+use crate::methods::run_options::{Options, Poll};
 use crate::projection::{ProjectionTarget, Projector};
 use crate::right_hand_side::{RightHandSide, TransposedRightHandSide};
 use std::fmt;
@@ -170,7 +170,7 @@ impl<'a> Adjoint<'a> {
         if segments.iter().sum::<usize>() != course.ends.len() {
             return Err(AdjointError::Segments);
         }
-        let stretches = steps_between_corners(&course);
+        let stretches = adjoint_steps_between_corners(&course);
         let mut run = Self { course, rows, stretches, kept: Vec::new(), end: course.y0.to_vec() };
         let mut under = run.sweep_data(rhs);
         let mut y = course.y0.to_vec();
@@ -315,7 +315,7 @@ fn weighted_jump_of_rates<R: TransposedRightHandSide>(
 }
 
 /// Divides the steps of a run into groups between corners. Runs with equal steps ignore corners.
-fn steps_between_corners(course: &RecordedSteps<'_>) -> Vec<StepsBetweenCorners> {
+fn adjoint_steps_between_corners(course: &RecordedSteps<'_>) -> Vec<StepsBetweenCorners> {
     let RecordedSteps { span, ends, options, moved, .. } = course;
     let all: &[Corner] = if options.step.is_some() { &[] } else { &options.corners };
     let mut corners = Corners::new(all, *span);

@@ -20,22 +20,22 @@ const A: [[f64; STAGES]; STAGES] = {
     let mut a = [[0.0; STAGES]; STAGES];
     let mut i = 0;
     while i < STAGES {
-        a[i] = row_with_zeros(PUBLISHED.a[i]);
+        a[i] = lane_row_with_zeros(PUBLISHED.a[i]);
         i += 1;
     }
     a
 };
 /// Weights of the stages in the last four coefficients of the dense output.
 const DENSE: [[f64; STAGES]; 4] = [
-    row_with_zeros(PUBLISHED.dense[0]),
-    row_with_zeros(PUBLISHED.dense[1]),
-    row_with_zeros(PUBLISHED.dense[2]),
-    row_with_zeros(PUBLISHED.dense[3]),
+    lane_row_with_zeros(PUBLISHED.dense[0]),
+    lane_row_with_zeros(PUBLISHED.dense[1]),
+    lane_row_with_zeros(PUBLISHED.dense[2]),
+    lane_row_with_zeros(PUBLISHED.dense[3]),
 ];
 /// Weights of the stages in the error against a solution of order 5.
-const ERROR5: [f64; STAGES] = row_with_zeros(PUBLISHED.error5);
+const ERROR5: [f64; STAGES] = lane_row_with_zeros(PUBLISHED.error5);
 /// Weights of the stages in the solution of order 3, with which DOP853 estimates its error.
-const ERROR3: [f64; STAGES] = row_with_zeros(PUBLISHED.error3);
+const ERROR3: [f64; STAGES] = lane_row_with_zeros(PUBLISHED.error3);
 /// True for each stage of DOP853 that the solution of order 3, used for the error estimate, contains.
 const USED_BY_ERROR3: [bool; STAGES] = {
     let mut used = [false; STAGES];
@@ -48,7 +48,7 @@ const USED_BY_ERROR3: [bool; STAGES] = {
 };
 
 /// Row of coefficients with an entry for each stage, from the published entries that are not 0.
-const fn row_with_zeros(row: Row) -> [f64; STAGES] {
+const fn lane_row_with_zeros(row: Row) -> [f64; STAGES] {
     let mut values = [0.0; STAGES];
     let mut entry = 0;
     while entry < row.len() {

@@ -6,7 +6,7 @@ use std::collections::VecDeque;
 use tripos_traits::Lanes;
 
 use super::lane_method::{Attempt, LaneMethod};
-use super::trajectory_watcher::{Ending, WatchOfTrajectory, Watcher};
+use super::trajectory_watcher::{Ending, TrajectoryWatcher, WatchOfTrajectory};
 use super::{BatchOutcome, Trajectory};
 use crate::driver::step_control::{StepControl, Verdict};
 use crate::solution::Stop;
@@ -29,7 +29,7 @@ struct LaneRun<'w> {
     /// True if the next step of the trajectory is not chosen yet.
     is_fresh: bool,
     /// Watcher of events and divisors; `None` if nothing is watched.
-    watcher: Option<Watcher<'w>>,
+    watcher: Option<TrajectoryWatcher<'w>>,
 }
 
 impl LaneRun<'_> {
@@ -42,7 +42,7 @@ impl LaneRun<'_> {
             steps: self.steps,
             rejected: self.rejected,
             evaluations: self.evaluations + self.pace.evaluations,
-            events: self.watcher.map_or_else(Vec::new, Watcher::records),
+            events: self.watcher.map_or_else(Vec::new, TrajectoryWatcher::records),
         }
     }
 
@@ -94,7 +94,7 @@ pub(super) struct BatchWork<'a, 'w> {
 }
 
 /// State of a thread that integrates trajectories in N lanes.
-struct Worker<'a, 'w, M, const N: usize> {
+struct QueueWorker<'a, 'w, M, const N: usize> {
     /// Method that takes a step in all lanes at once.
     method: M,
     /// Trajectories of the batch and the settings of their integration.
@@ -118,13 +118,13 @@ pub(super) fn run<'a, const N: usize>(
     done: &'a mut dyn FnMut(usize, BatchOutcome),
 ) {
     let (lanes, ready) = (std::array::from_fn(|_| None), VecDeque::new());
-    let mut worker = Worker { method, work, lanes, ready, next, done };
+    let mut worker = QueueWorker { method, work, lanes, ready, next, done };
     while worker.fill() {
         worker.step();
     }
 }
 
-impl<M: LaneMethod<N>, const N: usize> Worker<'_, '_, M, N> {
+impl<M: LaneMethod<N>, const N: usize> QueueWorker<'_, '_, M, N> {
     /// Loads the next trajectories into empty lanes. True if any lane has a trajectory afterwards.
     fn fill(&mut self) -> bool {
         for l in 0..N {
@@ -193,7 +193,7 @@ impl<M: LaneMethod<N>, const N: usize> Worker<'_, '_, M, N> {
         let (t, n) = (pace.t0, self.method.states());
         let mut run = LaneRun { index, pace, t, steps: 0, rejected: 0, evaluations: 1, is_fresh: true, watcher: None };
         let watched = self.work.watching.map(|watching| watching(index));
-        let outside = match watched.map(|watched| Watcher::new(watched, t, &begun[..n])).transpose() {
+        let outside = match watched.map(|watched| TrajectoryWatcher::new(watched, t, &begun[..n])).transpose() {
             Ok(watcher) => {
                 run.watcher = watcher;
                 None
@@ -229,7 +229,7 @@ impl<M: LaneMethod<N>, const N: usize> Worker<'_, '_, M, N> {
         let mut judged: [LaneVerdict; N] = std::array::from_fn(|_| LaneVerdict::Accepted { last: false });
         for (l, run) in self.lanes.iter_mut().enumerate() {
             let Some(run) = run else { continue };
-            judged[l] = judge_lane(run, l, &attempt, test.tolerance);
+            judged[l] = judge_lane_run(run, l, &attempt, test.tolerance);
             if let LaneVerdict::GivenUp(Stop::NotFinite { component }) = &mut judged[l] {
                 *component = self.method.first_not_finite(l, h, test);
             }
@@ -296,7 +296,12 @@ fn values_of_lane<const N: usize>(values: &[Lanes<N>], l: usize) -> Vec<f64> {
 }
 
 /// Decides on the step that a lane with index `l` tried, and counts the step.
-fn judge_lane<const N: usize>(run: &mut LaneRun<'_>, l: usize, attempt: &Attempt<N>, tolerance: f64) -> LaneVerdict {
+fn judge_lane_run<const N: usize>(
+    run: &mut LaneRun<'_>,
+    l: usize,
+    attempt: &Attempt<N>,
+    tolerance: f64,
+) -> LaneVerdict {
     let TrialStep { h, .. } = run.pace.trial;
     let passed = attempt.finite[l] && attempt.error[l] <= tolerance;
     run.evaluations += attempt.evaluations[l];

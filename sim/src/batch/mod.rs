@@ -27,7 +27,7 @@ use tripos_traits::{AbsoluteTolerance, InLanes, Lanes, Method, Rates, Series};
 use crate::driver::step_control::StepControl;
 use crate::error::SimError;
 use crate::events::EventRecord;
-use crate::methods::options::{self, Options, OutputOption};
+use crate::methods::run_options::{self, Options, OutputOption};
 use crate::methods::taylor::taylor_order;
 use crate::solution::Stop;
 use lane_queue::BatchWork;
@@ -165,7 +165,7 @@ pub fn integrate_in_lanes<const N: usize>(
     watching: Option<&WatchOfTrajectory<'_>>,
 ) -> Result<Vec<BatchOutcome>, SimError> {
     let (pace, way) = check_batch(equations, plan, trajectories)?;
-    let mut outcomes = Outcomes::new(trajectories.len());
+    let mut outcomes = BatchOutcomes::new(trajectories.len());
     let mut waiting = 0..trajectories.len();
     let work = BatchWork { trajectories, pace: &pace, limit: plan.step_limit, watching };
     way.run(&work, &mut || waiting.next(), &mut |index, outcome| outcomes.store_outcome(index, outcome));
@@ -174,14 +174,14 @@ pub fn integrate_in_lanes<const N: usize>(
 
 /// Method of integration in lanes, with the functions of the equations that it needs.
 #[derive(Clone, Copy)]
-enum LaneMethod<'a, const N: usize> {
+enum BatchMethod<'a, const N: usize> {
     /// The method DOP853, with the rates of the equations in lanes.
     Dop853(&'a (dyn Rates<Lanes<N>> + Sync)),
     /// Taylor's method, with the equations in lanes and the order of the polynomials.
     Taylor(taylor_in_lanes::Equations<'a, N>, usize),
 }
 
-impl<'a, const N: usize> LaneMethod<'a, N> {
+impl<'a, const N: usize> BatchMethod<'a, N> {
     /// Selects the method of the plan. Error if it does not exist in lanes for these equations.
     fn new(Equations { rates, series }: Equations<'a, N>, plan: &BatchPlan) -> Result<Self, SimError> {
         match (plan.method, series) {
@@ -211,9 +211,9 @@ impl<'a, const N: usize> LaneMethod<'a, N> {
 }
 
 /// Outcomes of a batch, in the order of the trajectories; `None` for a trajectory that has not ended.
-struct Outcomes(Vec<Option<BatchOutcome>>);
+struct BatchOutcomes(Vec<Option<BatchOutcome>>);
 
-impl Outcomes {
+impl BatchOutcomes {
     /// Creates the list for a batch of `n` trajectories, none of which has ended.
     fn new(n: usize) -> Self {
         Self(vec![None; n])
@@ -239,11 +239,11 @@ fn check_batch<'a, const N: usize>(
     equations: Equations<'a, N>,
     plan: &BatchPlan,
     trajectories: &[Trajectory<'_>],
-) -> Result<(StepControl, LaneMethod<'a, N>), SimError> {
-    let way = LaneMethod::new(equations, plan)?;
+) -> Result<(StepControl, BatchMethod<'a, N>), SimError> {
+    let way = BatchMethod::new(equations, plan)?;
     let lengths = equations.rates.lengths();
     let (options, n) = (plan.options(), lengths.state());
-    options::check_options::<f64>(plan.span, &[], &options)?;
+    run_options::check_options::<f64>(plan.span, &[], &options)?;
     let (pace, _) = StepControl::new::<f64>(plan.span, n, &options)?;
     for (index, trajectory) in trajectories.iter().enumerate() {
         let parts = [

@@ -13,7 +13,7 @@ use tripos_traits::{Lanes, Lengths, Rates, Scalar, Series};
 
 use super::lane_method::{Attempt, LaneMethod, lane_mask, mark_not_finite_lanes, select_lanes};
 use crate::error_test::ErrorTest;
-use crate::methods::taylor::{ALLOWED_JUMP, powi, proposed_taylor_step_size};
+use crate::methods::taylor::{ALLOWED_JUMP, proposed_taylor_step_size, taylor_step_power};
 
 /// Equations of motion in N lanes, for Taylor's method: rates and Taylor coefficients.
 #[derive(Clone, Copy)]
@@ -240,7 +240,7 @@ impl<const N: usize> LaneMethod<N> for Taylor<'_, N> {
         );
         let last_terms: [f64; N] = std::array::from_fn(|l| {
             let ([before, last], size) = (self.norms[l], h[l].abs());
-            let power = powi(size, self.usable[l] - 1);
+            let power = taylor_step_power(size, self.usable[l] - 1);
             (before * power).max(last * (power * size))
         });
         let mut odd_end = Lanes([0.0; N]);

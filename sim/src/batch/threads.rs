@@ -2,7 +2,7 @@
 
 use super::lane_queue::BatchWork;
 use super::{
-    BatchOutcome, BatchPlan, Equations, Outcomes, Trajectory, check_batch, equations_in_eight_lanes,
+    BatchOutcome, BatchOutcomes, BatchPlan, Equations, Trajectory, check_batch, equations_in_eight_lanes,
     equations_in_four_lanes,
 };
 use crate::error::SimError;
@@ -39,7 +39,7 @@ fn run_on_all_threads<const N: usize>(
     progress: &(dyn Fn(usize) + Sync),
 ) -> Result<Vec<BatchOutcome>, SimError> {
     let (pace, way) = check_batch(equations, plan, trajectories)?;
-    let outcomes = Mutex::new(Outcomes::new(trajectories.len()));
+    let outcomes = Mutex::new(BatchOutcomes::new(trajectories.len()));
     let (taken, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
     // All threads take from one queue, so that no thread has much work left when the others are done.
     let worker = || {

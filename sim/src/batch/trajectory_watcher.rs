@@ -37,7 +37,7 @@ pub(super) struct Ending {
 }
 
 /// Watcher of a trajectory, with the data that it keeps from step to step.
-pub(super) struct Watcher<'w> {
+pub(super) struct TrajectoryWatcher<'w> {
     /// Equations of the trajectory in plain doubles, whose divisors are watched.
     equations: Box<dyn RightHandSide<f64> + 'w>,
     /// Guard that finds zeros of the divisors inside a step.
@@ -50,7 +50,7 @@ pub(super) struct Watcher<'w> {
     suspects: bool,
 }
 
-impl<'w> Watcher<'w> {
+impl<'w> TrajectoryWatcher<'w> {
     /// Creates the watcher at the start (t, y) of a trajectory. The error is the reason why the trajectory
     /// cannot start.
     pub(super) fn new(
@@ -67,7 +67,7 @@ impl<'w> Watcher<'w> {
     }
 
     /// Examines the ends of an accepted step of a lane over `span`, s. True if its inside must be examined,
-    /// too, by [`Watcher::ending`].
+    /// too, by [`TrajectoryWatcher::ending`].
     pub(super) fn watch_step_ends<M: LaneMethod<N>, const N: usize>(
         &mut self,
         method: &M,
@@ -82,7 +82,7 @@ impl<'w> Watcher<'w> {
         self.suspects || !self.watch.is_empty()
     }
 
-    /// Finds the end of the trajectory inside the step over `span`, s, that [`Watcher::look`] has examined.
+    /// Finds the end of the trajectory inside the step over `span`, s, that [`TrajectoryWatcher::look`] has examined.
     /// `None` if the trajectory continues.
     pub(super) fn watch_step_inside<M: LaneMethod<N>, const N: usize>(
         &mut self,

@@ -11,9 +11,9 @@ use crate::methods::dop853::Dop853;
 use crate::methods::dormand_prince::DORMAND_PRINCE_54;
 use crate::methods::explicit_runge_kutta::{ExplicitRungeKutta, StepLength};
 use crate::methods::gauss6::Gauss6;
-use crate::methods::options::{self, Options};
 use crate::methods::radau::Radau5;
 use crate::methods::rk4::Rk4;
+use crate::methods::run_options::{self, Options};
 use crate::methods::taylor::{Taylor, taylor_order};
 use crate::projection::{Invariants, ProjectionTarget, Projector};
 use crate::right_hand_side::RightHandSide;
@@ -92,7 +92,7 @@ where
     S: Real,
     R: RightHandSide<S>,
 {
-    options::check_options(span, y0, options)?;
+    run_options::check_options(span, y0, options)?;
     let n = y0.len();
     let (pace, warning) = StepControl::new::<S>(span, n, options)?;
     let rhs = &mut rhs;

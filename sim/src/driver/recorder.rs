@@ -7,8 +7,8 @@
 use tripos_traits::Real;
 
 use crate::events::corners::replace_slopes;
-use crate::methods::options::OutputOption;
-use crate::rounding::smallest_step;
+use crate::methods::run_options::OutputOption;
+use crate::rounding::smallest_step_beyond_rounding;
 use crate::stepper::{DenseStep, Interpolant, exactly_equal};
 
 /// Largest number of points of steps that a recorder keeps; beyond it every second point is dropped.
@@ -77,9 +77,9 @@ impl<'a, S: Real> Recorder<'a, S> {
         self.passed = 0;
         self.sample(step.time_at(theta), theta, sampled);
         if self.t.len() > MOST {
-            drop_every_second(&mut self.t);
-            drop_every_second(&mut self.y);
-            drop_every_second(&mut self.work);
+            drop_every_second_record(&mut self.t);
+            drop_every_second_record(&mut self.y);
+            drop_every_second_record(&mut self.work);
             self.every *= 2;
         }
     }
@@ -130,7 +130,7 @@ impl<'a, S: Real> Recorder<'a, S> {
         if S::SLOPES == 0 {
             return;
         }
-        let is_there = |at: f64| (t - at).abs() < smallest_step(t);
+        let is_there = |at: f64| (t - at).abs() < smallest_step_beyond_rounding(t);
         let kept = self.t.iter().zip(&mut self.y).rev().take_while(|(at, _)| is_there(**at));
         kept.for_each(|(_, own)| replace_slopes(own, y));
     }
@@ -151,7 +151,7 @@ impl<'a, S: Real> Recorder<'a, S> {
 }
 
 /// Drops every second entry of a list; the first entry stays.
-fn drop_every_second<T>(list: &mut Vec<T>) {
+fn drop_every_second_record<T>(list: &mut Vec<T>) {
     let mut stays = false;
     list.retain(|_| {
         stays = !stays;

@@ -11,7 +11,7 @@ use super::work::Work;
 use crate::events::Event;
 use crate::events::corners::BetweenCorners;
 use crate::events::divisor_guard::{DivisorGuard, DivisorZero};
-use crate::methods::options::{Options, Poll};
+use crate::methods::run_options::{Options, Poll};
 use crate::projection::Projector;
 use crate::right_hand_side::RightHandSide;
 use crate::solution::{Solution, Stop};
@@ -124,7 +124,7 @@ impl<M: Stepper> Run<'_, M> {
             return Some(stop);
         }
         if let Err(trouble) = self.stepper.start(rhs, t0, y0) {
-            return Some(stop_for_trouble(trouble));
+            return Some(stop_of_failed_run(trouble));
         }
         self.pace.start(rhs, y0, self.stepper.slope(), self.options.initial_step);
         None
@@ -196,7 +196,7 @@ impl<M: Stepper> Run<'_, M> {
                     None => self.stepper.continue_unmoved(rhs),
                 };
                 if let Err(trouble) = outcome {
-                    break stop_for_trouble(trouble);
+                    break stop_of_failed_run(trouble);
                 }
             }
             if last {
@@ -211,7 +211,7 @@ impl<M: Stepper> Run<'_, M> {
                 rhs.pass_jump(self.pace.smooth_intervals(), now, &mut here, &moves);
                 recorder.record_jump_of_derivatives(now, &here);
                 if let Err(trouble) = self.stepper.continue_from_moved_state(rhs, &here) {
-                    break stop_for_trouble(trouble);
+                    break stop_of_failed_run(trouble);
                 }
             }
             if Poll::ends(self.options.poll.as_ref(), self.stepper.span().0) {
@@ -278,7 +278,7 @@ impl<M: Stepper> Run<'_, M> {
                     self.rejected += 1;
                     return Err(match attempt {
                         Ok(_) => Stop::StepTooSmall { step: tried },
-                        Err(trouble) => stop_for_trouble(trouble),
+                        Err(trouble) => stop_of_failed_run(trouble),
                     });
                 }
             }
@@ -317,7 +317,7 @@ where
 }
 
 /// Reason to stop a run whose smallest step had this trouble.
-fn stop_for_trouble(trouble: StepFailure) -> Stop {
+fn stop_of_failed_run(trouble: StepFailure) -> Stop {
     match trouble {
         StepFailure::NotFinite { component } => Stop::NotFinite { component },
         StepFailure::Failed(failure) => Stop::Failed(failure),

@@ -13,7 +13,7 @@
 
 use crate::error_test::SMALLEST_RTOL;
 use crate::methods::method_rules::method_rules;
-use crate::methods::options::Options;
+use crate::methods::run_options::Options;
 use crate::methods::step_size_rules::StepSizeRules;
 use crate::methods::taylor::taylor_order;
 use crate::solution::Solution;
@@ -68,9 +68,9 @@ pub enum TaylorSeries {
 #[must_use]
 pub fn second_runs(options: &Options, solution: &Solution, span: (f64, f64), series: TaylorSeries) -> Vec<SecondRun> {
     let method = options.method;
-    let spent = solution.evaluations as f64 * cost_of_evaluation(options);
+    let spent = solution.evaluations as f64 * second_run_evaluation_cost(options);
     let first = FirstRun { options, spent, length: (span.1 - span.0).abs() };
-    let is_cheap = tolerance(options) <= FINE || COARSE_COST * spent <= LEAST;
+    let is_cheap = first_run_tolerance(options) <= FINE || COARSE_COST * spent <= LEAST;
     let finer_by = |other: Method, cost: f64| first.finer_second_run(other, TIMES, cost);
     if options.step.is_some() {
         return vec![finer_by(Method::Dop853, 0.5), first.coarser_second_run()];
@@ -109,7 +109,7 @@ impl FirstRun<'_> {
         };
         options.max_step = if same { Some(self.longest_step_of_second_run(1.0 / times)) } else { first.max_step };
         if same && method == Method::Taylor {
-            options.order = Some((taylor_order(first) + 3).min(crate::methods::options::ORDERS.1));
+            options.order = Some((taylor_order(first) + 3).min(crate::methods::run_options::ORDERS.1));
         }
         let how = if first.step.is_some() {
             format!("at tolerances of {EQUAL:e}")
@@ -164,20 +164,21 @@ impl FirstRun<'_> {
     fn limit_second_run(&self, options: Options, cost: f64) -> Options {
         let evaluations = (cost * self.spent).max(LEAST);
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "positive, and far below 2^64")]
-        let step_limit =
-            (evaluations / (evaluations_per_step(options.method) * cost_of_evaluation(&options))).ceil() as u64;
+        let step_limit = (evaluations
+            / (second_run_evaluations_per_step(options.method) * second_run_evaluation_cost(&options)))
+        .ceil() as u64;
         Options { step_limit, ..options }
     }
 }
 
 /// Tolerance that decides most steps: the relative tolerance, or the smallest absolute one if that is
 /// zero.
-fn tolerance(options: &Options) -> f64 {
+fn first_run_tolerance(options: &Options) -> f64 {
     if options.rtol > 0.0 { options.rtol } else { options.atol.smallest() }
 }
 
 /// Typical number of evaluations of the right-hand side in an attempted step of a method.
-fn evaluations_per_step(method: Method) -> f64 {
+fn second_run_evaluations_per_step(method: Method) -> f64 {
     match method {
         Method::Taylor => 1.0,
         Method::Rk4 => 4.0,
@@ -189,7 +190,7 @@ fn evaluations_per_step(method: Method) -> f64 {
 
 /// Cost of an evaluation in calls of the right-hand side: 1, or the order of the series for Taylor's
 /// method.
-fn cost_of_evaluation(options: &Options) -> f64 {
+fn second_run_evaluation_cost(options: &Options) -> f64 {
     if options.method == Method::Taylor { taylor_order(options) as f64 } else { 1.0 }
 }
 

@@ -5,7 +5,7 @@ use tripos_traits::Real;
 use crate::error::SimError;
 use crate::error_test::ErrorTest;
 use crate::events::corners::{Corners, IntervalsBetweenCorners, SLOPE_DIRECTIONS};
-use crate::methods::options::Options;
+use crate::methods::run_options::Options;
 use crate::methods::step_size_rules::{self, StepSizeControl, StepSizeRules};
 use crate::right_hand_side::RightHandSide;
 use crate::stepper::{TrialStep, evaluate, exactly_equal};
@@ -196,7 +196,7 @@ impl StepControl {
                 self.trial = TrialStep { h: t_new - t, t_new };
             }
             Kind::Adaptive(adaptive) => {
-                adaptive.smallest = crate::rounding::smallest_step(t);
+                adaptive.smallest = crate::rounding::smallest_step_beyond_rounding(t);
                 let size = adaptive.size.min(adaptive.longest).max(adaptive.smallest);
                 let corner = self.corners.next_corner();
                 let end = corner.unwrap_or(self.t1);

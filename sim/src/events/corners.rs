@@ -8,7 +8,7 @@
 
 use crate::error::Failure;
 use crate::right_hand_side::{ProductSums, RightHandSide, TransposedRightHandSide};
-use crate::rounding::smallest_step;
+use crate::rounding::smallest_step_beyond_rounding;
 use tripos_traits::Real;
 
 /// Time at which a right-hand side f(t, y) is not smooth: it has a kink or a jump.
@@ -90,7 +90,7 @@ impl Corners {
     /// Returns the newly passed corners.
     pub(crate) fn passed_corners(&mut self, t: f64) -> &[Corner] {
         let before = self.behind;
-        let least = smallest_step(t);
+        let least = smallest_step_beyond_rounding(t);
         while self.all.get(self.behind).is_some_and(|corner| self.toward * (corner.at - t) < least) {
             self.behind += 1;
         }
@@ -100,7 +100,7 @@ impl Corners {
     /// Time of the next corner, s; `None` if there is none before the end of the run.
     pub(crate) fn next_corner(&self) -> Option<f64> {
         let next = self.all.get(self.behind).map(|corner| corner.at);
-        next.filter(|corner| self.toward * (self.end - corner) >= smallest_step(self.end))
+        next.filter(|corner| self.toward * (self.end - corner) >= smallest_step_beyond_rounding(self.end))
     }
 
     /// Intervals between the neighbouring jumps and between the neighbouring corners of any kind.
@@ -115,7 +115,7 @@ impl Corners {
     /// smallest step inside; infinite if there is no corner on a side.
     fn interval_between_corners(&self, is_meant: impl Fn(&Corner) -> bool) -> (f64, f64) {
         // Farther from the corner than the rounding error of an argument such as `k*t - a`.
-        let beside = |corner: &Corner, toward: f64| corner.at + toward * smallest_step(corner.at) / 2.0;
+        let beside = |corner: &Corner, toward: f64| corner.at + toward * smallest_step_beyond_rounding(corner.at) / 2.0;
         let (behind, ahead) = self.all.split_at(self.behind);
         let behind = behind.iter().rfind(|corner| is_meant(corner)).map(|corner| beside(corner, self.toward));
         let ahead = ahead.iter().find(|corner| is_meant(corner)).map(|corner| beside(corner, -self.toward));

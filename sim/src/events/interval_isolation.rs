@@ -3,7 +3,7 @@
 //!
 //! A part is halved until one of four conditions holds. The range of the function excludes 0, so that
 //! it has no zero in the part. The range of its slope excludes 0, so that it has at most one zero. The
-//! part is as narrow as [`resolution`]. The range is no wider than rounding makes it. Work is counted:
+//! part is as narrow as [`isolation_resolution`]. The range is no wider than rounding makes it. Work is counted:
 //! a part that is not decided after [`MOST`] ranges stays open.
 
 use tripos_traits::{Enclosure, Interval};
@@ -101,14 +101,14 @@ impl Isolation {
 
 /// Width of the narrowest part of a step over `span`, s, that the search for events halves no more, as
 /// a fraction of the step. It is 2⁻⁴⁰, or 8 ε of the time over the length of the step if that is more.
-pub(crate) fn resolution(span: (f64, f64)) -> f64 {
+pub(crate) fn isolation_resolution(span: (f64, f64)) -> f64 {
     let (start, end) = span;
     NARROW.max(8.0 * f64::EPSILON * start.abs().max(end.abs()) / (end - start).abs())
 }
 
 /// Divides a step into parts on which the behaviour of an event function is known.
 pub(crate) fn isolate(probe: &mut Probe<'_>, ranges: &mut Ranges<'_, '_>) -> Isolation {
-    let narrow = resolution(probe.step.times());
+    let narrow = isolation_resolution(probe.step.times());
     let mut search = IsolationSearch { probe, ranges, narrow, spent: 0, cut: f64::INFINITY, steady: false };
     let mut parts = vec![search.judge_part(0.0, 1.0)];
     while parts.iter().any(|part| part.known == Known::Open) && !search.gives_up(&parts) {

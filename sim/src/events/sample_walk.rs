@@ -132,17 +132,17 @@ pub(crate) fn walk_over_samples(
         if memory.side == 0 {
             memory.side = node.sign;
         } else if node.sign != memory.side {
-            findings.found.push(find_change_of_sign(probe, nodes, clear.unwrap_or(k.saturating_sub(1)), k, tolerance)?);
+            findings.found.push(walk_across_zero(probe, nodes, clear.unwrap_or(k.saturating_sub(1)), k, tolerance)?);
             memory.side = node.sign;
         } else if let (Some(low), Some(_)) = (clear, zeros) {
-            find_zeros_at_minimum(probe, [nodes[low], *node], Doubt::Dip, tolerance, findings)?;
+            walk_past_minimum(probe, [nodes[low], *node], Doubt::Dip, tolerance, findings)?;
         } else if k > 0 && clear.is_some() && doubt(k) != Doubt::None {
-            find_zeros_at_minimum(probe, [nodes[k - 1], *node], doubt(k), tolerance, findings)?;
+            walk_past_minimum(probe, [nodes[k - 1], *node], doubt(k), tolerance, findings)?;
         }
         (clear, zeros) = (Some(k), None);
     }
     if let Some(z) = zeros.filter(|z| *z > 0) {
-        findings.found.push(find_arrival_at_zero(probe, &nodes[z..], memory, tolerance));
+        findings.found.push(walk_onto_zero(probe, &nodes[z..], memory, tolerance));
     }
     Ok(())
 }
@@ -152,7 +152,7 @@ pub(crate) fn walk_over_samples(
 ///
 /// If both values have the same sign before rounding, the change counts as being at the last sample
 /// before `high`.
-fn find_change_of_sign(
+fn walk_across_zero(
     probe: &mut Probe<'_>,
     nodes: &[Node],
     low: usize,
@@ -172,7 +172,7 @@ fn find_change_of_sign(
 
 /// Follows |g| to its minimum between two samples on the same side of zero. Adds two crossings, a
 /// touch, an undecided place or nothing to `findings`. Error if a value is not a number.
-fn find_zeros_at_minimum(
+fn walk_past_minimum(
     probe: &mut Probe<'_>,
     [a, b]: [Node; 2],
     doubt: Doubt,
@@ -199,7 +199,7 @@ fn find_zeros_at_minimum(
 
 /// Reports an event function that is zero from the first of `zeros` to the last sample of the step. It
 /// is a touch if the function returns to its side shortly after the step, else a crossing.
-fn find_arrival_at_zero(probe: &mut Probe<'_>, zeros: &[Node], memory: &mut EventMemory, tolerance: f64) -> Finding {
+fn walk_onto_zero(probe: &mut Probe<'_>, zeros: &[Node], memory: &mut EventMemory, tolerance: f64) -> Finding {
     let end = zeros.last().map_or(1.0, |n| n.theta);
     let mut sides = LADDER.iter().map(|d| sign_or_zero(probe.event_value(end + d), tolerance));
     let beyond = sides.find(|s| *s != 0);

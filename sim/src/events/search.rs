@@ -35,12 +35,12 @@ fn search_by_ranges(probe: &mut Probe<'_>, memory: &mut EventMemory, ranges: &mu
         return findings;
     }
     let mut nodes = Vec::new();
-    sample(probe, isolation.ends(), &mut nodes, &mut findings);
+    add_samples_to_search(probe, isolation.ends(), &mut nodes, &mut findings);
     let Some(near) = sample_nearest_to_zero(&nodes) else { return findings };
     let tolerance = probe.rounding(near, 0.0) + 0.5 * ranges.rounding_spread(near);
     let slope = if memory.begun { 0.0 } else { ranges.range_over_part(0.0, 0.0).slope.size() };
-    set_signs(probe, &mut nodes, memory, tolerance, slope, &mut findings);
-    stay_at_start(probe, &mut nodes, memory);
+    set_signs_before_search(probe, &mut nodes, memory, tolerance, slope, &mut findings);
+    set_start_signs_before_search(probe, &mut nodes, memory);
     let doubt = |k: usize| doubt_about_part(isolation.parts[k - 1].known);
     let outcome = walk_over_samples(probe, &nodes, &doubt, memory, tolerance, &mut findings);
     findings.note_not_a_number(outcome);
@@ -70,9 +70,9 @@ fn undecided_event(isolation: &Isolation, nodes: &[Node], memory: &EventMemory) 
 /// Searches a step for the zeros of an event function from samples of it.
 fn search_by_samples(probe: &mut Probe<'_>, memory: &mut EventMemory) -> Findings {
     let mut findings = Findings::default();
-    let nodes = &mut gather_samples(probe, memory, &mut findings);
+    let nodes = &mut samples_to_search(probe, memory, &mut findings);
     let scale = nodes.iter().map(|n| n.g.abs()).filter(|g| g.is_finite()).fold(0.0, f64::max);
-    if !(memory.begun && has_surely_no_zero(nodes, memory, scale)) {
+    if !(memory.begun && needs_no_search(nodes, memory, scale)) {
         let outcome = search_among_samples(probe, nodes, memory, scale, &mut findings);
         findings.note_not_a_number(outcome);
     }
@@ -82,16 +82,16 @@ fn search_by_samples(probe: &mut Probe<'_>, memory: &mut EventMemory) -> Finding
 
 /// Takes the samples of an event function in a step, in order, up to the first value that is not a
 /// number.
-fn gather_samples(probe: &mut Probe<'_>, memory: &EventMemory, findings: &mut Findings) -> Vec<Node> {
+fn samples_to_search(probe: &mut Probe<'_>, memory: &EventMemory, findings: &mut Findings) -> Vec<Node> {
     let mut nodes = vec![Node { theta: 0.0, g: memory.value, sign: memory.sign }];
     let thetas = (1..INTERVALS).map(|i| f64::from(i) / f64::from(INTERVALS));
     let thetas = std::iter::once(DELTA).chain(thetas).chain([1.0 - DELTA, 1.0]);
-    sample(probe, thetas, &mut nodes, findings);
-    if is_far(&nodes) {
+    add_samples_to_search(probe, thetas, &mut nodes, findings);
+    if samples_are_far_from_zero(&nodes) {
         return nodes;
     }
     let hidden: Vec<f64> = (1..nodes.len()).flat_map(|k| hidden_extrema(&nodes, k)).collect();
-    sample(probe, hidden.into_iter(), &mut nodes, findings);
+    add_samples_to_search(probe, hidden.into_iter(), &mut nodes, findings);
     if let Some(end) = findings.not_a_number {
         nodes.retain(|n| n.theta < end);
     }
@@ -102,7 +102,7 @@ fn gather_samples(probe: &mut Probe<'_>, memory: &EventMemory, findings: &mut Fi
 
 /// True if all samples of an event function have the same sign and are more than 4 times as far from
 /// zero as they vary. This is a shortcut for the usual case.
-fn is_far(nodes: &[Node]) -> bool {
+fn samples_are_far_from_zero(nodes: &[Node]) -> bool {
     let low = nodes.iter().map(|n| n.g).fold(f64::INFINITY, f64::min);
     let high = nodes.iter().map(|n| n.g).fold(f64::NEG_INFINITY, f64::max);
     low.max(-high) > 4.0 * (high - low)
@@ -110,7 +110,12 @@ fn is_far(nodes: &[Node]) -> bool {
 
 /// Appends samples of the event function at the fractions `thetas` of the step to `nodes`, until a
 /// value is not a number.
-fn sample(probe: &mut Probe<'_>, thetas: impl Iterator<Item = f64>, nodes: &mut Vec<Node>, findings: &mut Findings) {
+fn add_samples_to_search(
+    probe: &mut Probe<'_>,
+    thetas: impl Iterator<Item = f64>,
+    nodes: &mut Vec<Node>,
+    findings: &mut Findings,
+) {
     for theta in thetas {
         let g = probe.event_value(theta);
         if g.is_nan() {
@@ -123,8 +128,8 @@ fn sample(probe: &mut Probe<'_>, thetas: impl Iterator<Item = f64>, nodes: &mut 
 
 /// True if the samples show beyond doubt that the event function had no zero in the step. `scale` is
 /// the largest |g| of the samples.
-fn has_surely_no_zero(nodes: &[Node], memory: &EventMemory, scale: f64) -> bool {
-    if is_far(nodes) && nodes[0].sign == memory.side {
+fn needs_no_search(nodes: &[Node], memory: &EventMemory, scale: f64) -> bool {
+    if samples_are_far_from_zero(nodes) && nodes[0].sign == memory.side {
         return true;
     }
     let same_side = nodes.iter().all(|n| n.sign == memory.side);
@@ -143,7 +148,7 @@ fn search_among_samples(
 ) -> Result<(), NotANumber> {
     let tolerance = probe.rounding(sample_nearest_to_zero(nodes).unwrap_or(0.0), scale);
     let slope = nodes.get(1).map_or(0.0, |next| (next.g - nodes[0].g).abs() / next.theta);
-    set_signs(probe, nodes, memory, tolerance, slope, findings);
+    set_signs_before_search(probe, nodes, memory, tolerance, slope, findings);
     if nodes[0].sign == 0 && nodes.len() > 2 {
         let mut ladder = Vec::new();
         for theta in LADDER {
@@ -152,7 +157,7 @@ fn search_among_samples(
         }
         nodes.splice(2..2, ladder);
     }
-    stay_at_start(probe, nodes, memory);
+    set_start_signs_before_search(probe, nodes, memory);
     let nodes = &nodes[..];
     let doubt = |k: usize| if samples_may_hide_zero(nodes, k) { Doubt::Dip } else { Doubt::None };
     walk_over_samples(probe, nodes, &doubt, memory, tolerance, findings)
@@ -168,7 +173,7 @@ fn sample_nearest_to_zero(nodes: &[Node]) -> Option<f64> {
 /// The time at which a run starts is uncertain by rounding. During that time the function changes by
 /// `slope`, its derivative by the fraction of the step. So a run that begins where an event ended
 /// another run begins at zero.
-fn set_signs(
+fn set_signs_before_search(
     probe: &Probe<'_>,
     nodes: &mut [Node],
     memory: &mut EventMemory,
@@ -191,7 +196,7 @@ fn set_signs(
 
 /// Sets the signs of the first samples to zero, as long as rounding cannot separate them from the start
 /// of a run that begins at a zero.
-fn stay_at_start(probe: &Probe<'_>, nodes: &mut [Node], memory: &mut EventMemory) {
+fn set_start_signs_before_search(probe: &Probe<'_>, nodes: &mut [Node], memory: &mut EventMemory) {
     let Some(zero_at) = memory.zero_at else { return };
     let (end, instant) = (probe.step.times().1, probe.rounding_of_time());
     let within = |n: &&mut Node| (probe.step.time_at(n.theta) - zero_at).abs() <= instant;

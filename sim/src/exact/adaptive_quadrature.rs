@@ -43,7 +43,7 @@ impl<S: Real> Panel<S> {
 impl<S: Real> Quadrature<S> {
     /// Computes the points and weights of the rule in the scalar `S`.
     pub(super) fn new() -> Self {
-        Self { points: (1..=POINTS / 2).map(gauss_point_and_weight).collect() }
+        Self { points: (1..=POINTS / 2).map(adaptive_gauss_point_and_weight).collect() }
     }
 
     /// Integral of f from `a` to `b`, with an error of about 16 EPSILON of ∫ |f|.
@@ -83,7 +83,7 @@ impl<S: Real> Quadrature<S> {
 
 /// Computes the i-th largest zero x of the Legendre polynomial P_n by Newton's method, with its weight
 /// 2/((1 − x²) P_n′(x)²) in the rule.
-fn gauss_point_and_weight<S: Real>(i: i64) -> (S, S) {
+fn adaptive_gauss_point_and_weight<S: Real>(i: i64) -> (S, S) {
     let one = S::int(1);
     let guess = (core::f64::consts::PI * (i as f64 - 0.25) / (POINTS as f64 + 0.5)).cos();
     let mut x = S::from_f64(guess);

@@ -43,14 +43,14 @@ pub struct FreeSymmetricBody<S> {
     /// Rate (1 − I₃/I₁) ω₃ at which the body turns about its axis relative to the rotation about H, rad/s.
     spin: S,
     /// Ellipse that cos ½θ e^{i(ψ+φ)/2}, a part of the body's quaternion, goes round.
-    z: Ellipse<S>,
+    z: SymmetricBodyEllipse<S>,
     /// Ellipse that sin ½θ e^{i(ψ−φ)/2}, a part of the body's quaternion, goes round.
-    w: Ellipse<S>,
+    w: SymmetricBodyEllipse<S>,
 }
 
 /// Ellipse cos s · a + sin s · b in the plane of complex numbers.
 #[derive(Clone, Debug)]
-struct Ellipse<S> {
+struct SymmetricBodyEllipse<S> {
     /// Point of the ellipse at s = 0: real and imaginary part.
     a: [S; 2],
     /// Point of the ellipse at s = π/2: real and imaginary part.
@@ -66,7 +66,7 @@ impl<S: Real> FreeSymmetricBody<S> {
     pub fn new(transverse: S, axial: S, start: BodyStart<S>) -> Self {
         let [zero, two] = [0, 2].map(S::int);
         let [node, across, along] = start.angular_velocity;
-        let axes = moving_axes(start.precession, start.nutation);
+        let axes = symmetric_body_axes(start.precession, start.nutation);
         let weights = [transverse * node, transverse * across, axial * along];
         let momentum = [0, 1, 2].map(|k| (0..3).fold(zero, |sum, axis| sum + weights[axis] * axes[axis][k]));
         let size = weights.iter().fold(zero, |sum, h| sum + *h * *h).sqrt();
@@ -85,8 +85,8 @@ impl<S: Real> FreeSymmetricBody<S> {
             direction: [h1, h2, h3],
             axial: along,
             spin: along - along * (axial / transverse),
-            z: Ellipse { a: z, b: turned_z, argument: sum },
-            w: Ellipse { a: w, b: turned_w, argument: difference },
+            z: SymmetricBodyEllipse { a: z, b: turned_z, argument: sum },
+            w: SymmetricBodyEllipse { a: w, b: turned_w, argument: difference },
         }
     }
 
@@ -105,7 +105,7 @@ impl<S: Real> FreeSymmetricBody<S> {
     #[must_use]
     pub fn angular_velocity(&self, t: S) -> [S; 3] {
         let [precession, nutation, _] = self.angles(t);
-        let [node, across, _] = moving_axes(precession, nutation);
+        let [node, across, _] = symmetric_body_axes(precession, nutation);
         let along = |axis: [S; 3]| {
             let cosine = (0..3).fold(S::int(0), |sum, k| sum + axis[k] * self.direction[k]);
             self.rate * cosine
@@ -122,12 +122,12 @@ impl<S: Real> FreeSymmetricBody<S> {
 
 /// Three unit vectors, in the fixed axes: along the line of nodes, across it and the body's axis, and
 /// along the body's axis. Angles are in rad.
-fn moving_axes<S: Real>(precession: S, nutation: S) -> [[S; 3]; 3] {
+fn symmetric_body_axes<S: Real>(precession: S, nutation: S) -> [[S; 3]; 3] {
     let ((sin_p, cos_p), (sin_n, cos_n)) = (precession.sin_cos(), nutation.sin_cos());
     [[cos_p, sin_p, S::int(0)], [-sin_p * cos_n, cos_p * cos_n, sin_n], [sin_p * sin_n, -cos_p * sin_n, cos_n]]
 }
 
-impl<S: Real> Ellipse<S> {
+impl<S: Real> SymmetricBodyEllipse<S> {
     /// Absolute value of the ellipse's point cos s · a + sin s · b, as a complex number.
     fn size_at(&self, s: S) -> S {
         let (sin, cos) = s.sin_cos();

@@ -99,7 +99,7 @@ impl Metric {
     /// with z = Lᵀ x are those of the form with x.
     pub(crate) fn form_in_metric(&self, form: &mut [f64]) {
         if self.kind == Kind::Weights {
-            return scale(form, &self.entries);
+            return scale_vector_components(form, &self.entries);
         }
         for (i, row) in self.entries.chunks_exact(self.length.max(1)).enumerate() {
             form[i] = (form[i] - dot(&row[..i], &form[..i])) * row[i];
@@ -110,7 +110,7 @@ impl Metric {
     /// each component is multiplied by its weight.
     pub(crate) fn vector_from_metric(&self, z: &mut [f64]) {
         if self.kind == Kind::Weights {
-            return scale(z, &self.entries);
+            return scale_vector_components(z, &self.entries);
         }
         for (i, row) in self.entries.chunks_exact(self.length.max(1)).enumerate().rev() {
             z[i] *= row[i];
@@ -230,7 +230,7 @@ impl LinearConditions {
         for other in before.chunks_exact(n) {
             axpy(-dot(other, axis), other, axis);
         }
-        normalize(axis);
+        normalize_vector(axis);
         for other in &self.open {
             let rest = &mut self.rest[other * n..(other + 1) * n];
             axpy(-dot(axis, rest), axis, rest);
@@ -284,7 +284,7 @@ pub(crate) fn axpy(a: f64, x: &[f64], y: &mut [f64]) {
 }
 
 /// Scales a vector to the length 1, in place; a vector of zeros becomes not a number.
-pub(crate) fn normalize(x: &mut [f64]) {
+pub(crate) fn normalize_vector(x: &mut [f64]) {
     let size = dot(x, x).sqrt();
     for x in x {
         *x /= size;
@@ -292,7 +292,7 @@ pub(crate) fn normalize(x: &mut [f64]) {
 }
 
 /// Multiplies each component of `x` by the component of `by`, in place.
-fn scale(x: &mut [f64], by: &[f64]) {
+fn scale_vector_components(x: &mut [f64], by: &[f64]) {
     for (x, by) in x.iter_mut().zip(by) {
         *x *= by;
     }

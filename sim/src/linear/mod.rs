@@ -49,18 +49,18 @@ pub fn solve_linear_system(a: &[f64], b: &mut [f64], shape: MatrixKind) -> Resul
     }
     let solved = match b.len() {
         0 => true,
-        1 => solve_static::<1>(a, b, shape),
-        2 => solve_static::<2>(a, b, shape),
-        3 => solve_static::<3>(a, b, shape),
-        4 => solve_static::<4>(a, b, shape),
-        5 => solve_static::<5>(a, b, shape),
-        6 => solve_static::<6>(a, b, shape),
-        7 => solve_static::<7>(a, b, shape),
-        8 => solve_static::<8>(a, b, shape),
-        9 => solve_static::<9>(a, b, shape),
-        10 => solve_static::<10>(a, b, shape),
-        11 => solve_static::<11>(a, b, shape),
-        12 => solve_static::<12>(a, b, shape),
+        1 => solve_on_stack::<1>(a, b, shape),
+        2 => solve_on_stack::<2>(a, b, shape),
+        3 => solve_on_stack::<3>(a, b, shape),
+        4 => solve_on_stack::<4>(a, b, shape),
+        5 => solve_on_stack::<5>(a, b, shape),
+        6 => solve_on_stack::<6>(a, b, shape),
+        7 => solve_on_stack::<7>(a, b, shape),
+        8 => solve_on_stack::<8>(a, b, shape),
+        9 => solve_on_stack::<9>(a, b, shape),
+        10 => solve_on_stack::<10>(a, b, shape),
+        11 => solve_on_stack::<11>(a, b, shape),
+        12 => solve_on_stack::<12>(a, b, shape),
         _ => solve_dynamic(a, b, shape),
     };
     if solved && b.iter().all(|x| x.is_finite()) { Ok(()) } else { Err(UnsolvableSystem::Singular) }
@@ -68,7 +68,7 @@ pub fn solve_linear_system(a: &[f64], b: &mut [f64], shape: MatrixKind) -> Resul
 
 /// Solves a linear system of order N, known at compile time, on the stack; the solution replaces `b`.
 /// False if a pivot is zero.
-fn solve_static<const N: usize>(a: &[f64], b: &mut [f64], shape: MatrixKind) -> bool
+fn solve_on_stack<const N: usize>(a: &[f64], b: &mut [f64], shape: MatrixKind) -> bool
 where
     Const<N>: DimMin<Const<N>, Output = Const<N>>,
 {

@@ -30,16 +30,16 @@ pub(crate) const USED: [[bool; STAGES]; STAGES] = {
     let mut used = [[false; STAGES]; STAGES];
     let mut i = 0;
     while i < STAGES {
-        used[i] = used_by(PUBLISHED.a[i]);
+        used[i] = dop853_stages_used_by(PUBLISHED.a[i]);
         i += 1;
     }
     used
 };
 /// True for each stage of DOP853 that its error estimate of order 5 uses.
-pub(crate) const USED_BY_ERROR: [bool; STAGES] = used_by(PUBLISHED.error5);
+pub(crate) const USED_BY_ERROR: [bool; STAGES] = dop853_stages_used_by(PUBLISHED.error5);
 
 /// Marks the stages that a row of coefficients uses.
-const fn used_by(row: Row) -> [bool; STAGES] {
+const fn dop853_stages_used_by(row: Row) -> [bool; STAGES] {
     let mut used = [false; STAGES];
     let mut entry = 0;
     while entry < row.len() {

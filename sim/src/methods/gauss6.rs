@@ -56,7 +56,7 @@ impl<S: Real> Nodes<S> {
 
 /// Derivative u' of a component inside a step, as a polynomial: `middle` + 2 `first` τ + 3 `second` τ².
 /// τ is the fraction of the step, counted from its middle.
-struct Slope<S> {
+struct GaussSlope<S> {
     /// Value of the derivative u' at the middle of the step.
     middle: S,
     /// Half of the coefficient of τ in the derivative polynomial u', with τ counted from the middle of the
@@ -67,7 +67,7 @@ struct Slope<S> {
     second: S,
 }
 
-impl<S: Real> Slope<S> {
+impl<S: Real> GaussSlope<S> {
     /// Derivative polynomial through the values k₁, k₂, k₃ at the nodes, whose outer distance from the
     /// middle is `s`.
     fn slope_through_nodes(s: S, [k1, k2, k3]: [S; 3]) -> Self {
@@ -176,9 +176,9 @@ impl<S: Real> Gauss6<S> {
     }
 
     /// Derivative polynomial of component `i` inside a step, from the derivatives `k` at the nodes.
-    fn slope_of_component(&self, k: &[S], i: usize) -> Slope<S> {
+    fn slope_of_component(&self, k: &[S], i: usize) -> GaussSlope<S> {
         let n = self.y.len();
-        Slope::slope_through_nodes(self.nodes.s, [k[i], k[n + i], k[2 * n + i]])
+        GaussSlope::slope_through_nodes(self.nodes.s, [k[i], k[n + i], k[2 * n + i]])
     }
 
     /// Sets the first values of the derivatives k for Newton's method, for a step of `h` s, by continuing

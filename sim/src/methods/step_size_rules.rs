@@ -3,7 +3,7 @@
 //! Sizes are positive in both directions of time. No rule tries a failed step again below 16 ulp of t.
 
 use crate::error_test::ErrorTest;
-use crate::rounding::smallest_step;
+use crate::rounding::smallest_step_beyond_rounding;
 
 /// Rules by which the size of the next step follows from the error of the last step.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -115,7 +115,7 @@ impl StepSizeControl {
             StepSizeRules::Proposed => size,
             StepSizeRules::Ode45 { .. } if failed => size,
             StepSizeRules::Ode45 { order } => {
-                let shrink = 1.25 * root(error / self.tolerance, order);
+                let shrink = 1.25 * step_size_root(error / self.tolerance, order);
                 if shrink > 0.2 { size / shrink } else { 5.0 * size }
             }
             StepSizeRules::Hairer { exponent, earlier, shrink, grow, .. } => {
@@ -149,7 +149,7 @@ impl StepSizeControl {
         let failed = std::mem::replace(&mut self.failed, true);
         match (self.rules, error) {
             (StepSizeRules::Ode45 { order }, Some(error)) if !failed => {
-                size * (0.8 * root(self.tolerance / error, order)).max(0.1)
+                size * (0.8 * step_size_root(self.tolerance / error, order)).max(0.1)
             }
             (StepSizeRules::Hairer { exponent, shrink, .. }, Some(error)) => {
                 size / (power(error, exponent) * MARGIN / self.margin).min(1.0 / shrink)
@@ -160,7 +160,7 @@ impl StepSizeControl {
 }
 
 /// Root of x of the degree `order`, x^(1/order).
-fn root(x: f64, order: u32) -> f64 {
+fn step_size_root(x: f64, order: u32) -> f64 {
     x.powf(1.0 / f64::from(order))
 }
 
@@ -172,9 +172,9 @@ fn power(x: f64, exponent: f64) -> f64 {
 /// Size of the first step of `ode45`, s. It is so small that y' alone would change y by about
 /// rtol^(1/order), but not above `longest`, s. `slope_norm` is the weighted norm of y' at the start.
 pub(crate) fn initial_step_size(test: &ErrorTest, order: u32, longest: f64, t: f64, slope_norm: f64) -> f64 {
-    let rate = slope_norm / (0.8 * root(test.tolerance, order));
+    let rate = slope_norm / (0.8 * step_size_root(test.tolerance, order));
     let size = if longest * rate > 1.0 { 1.0 / rate } else { longest };
-    size.max(smallest_step(t))
+    size.max(smallest_step_beyond_rounding(t))
 }
 
 /// Hairer's first guess of the first step, s: a step of Euler's method that changes y by a hundredth of
@@ -190,7 +190,7 @@ pub(crate) fn first_guess_of_step_size(y: f64, slope: f64, longest: f64) -> f64 
 /// 0.01. `guess` is the first guess, s; `slope` and `curvature` are the weighted norms of y' and y''.
 pub(crate) fn second_guess_of_step_size(guess: f64, slope: f64, curvature: f64, order: u32, longest: f64) -> f64 {
     let larger = slope.max(curvature);
-    let size = if larger <= 1e-15 { (1e-3 * guess).max(1e-6) } else { root(0.01 / larger, order) };
+    let size = if larger <= 1e-15 { (1e-3 * guess).max(1e-6) } else { step_size_root(0.01 / larger, order) };
     size.min(100.0 * guess).min(longest)
 }
 

@@ -50,7 +50,7 @@ impl<T: Real, const S: usize> Coefficients<T, S> {
     pub(crate) fn new(tableau: &Tableau<S>) -> Self {
         Self {
             a: tableau.a.map(|row| row.map(round)),
-            c: tableau.a.map(|row| round(sum_of_fractions(&row))),
+            c: tableau.a.map(|row| round(sum_of_tableau_row(&row))),
             error: tableau.error.map(round),
             dense: tableau.dense.map(|row| row.map(round)),
         }
@@ -63,7 +63,7 @@ fn round<T: Real>((numerator, denominator): Fraction) -> T {
 }
 
 /// Exact sum of the fractions of a row; numerators and denominators stay small enough for 128 bits.
-fn sum_of_fractions(row: &[Fraction]) -> Fraction {
+fn sum_of_tableau_row(row: &[Fraction]) -> Fraction {
     let (mut n, mut d) = (0_i128, 1_i128);
     for &(numerator, denominator) in row {
         n = n * i128::from(denominator) + i128::from(numerator) * d;

@@ -12,7 +12,7 @@
 
 use tripos_traits::Real;
 
-use super::options::{ORDERS, Options};
+use super::run_options::{ORDERS, Options};
 use crate::error_test::ErrorTest;
 use crate::right_hand_side::RightHandSide;
 use crate::stepper::{Interpolant, StepFailure, Stepper, TrialStep, check_finite};
@@ -142,7 +142,7 @@ impl<S: Real> Taylor<S> {
     /// error test.
     fn last_terms(&self, h: f64) -> f64 {
         let [before, last] = self.norms;
-        let power = powi(h, self.usable - 1);
+        let power = taylor_step_power(h, self.usable - 1);
         (before * power).max(last * (power * h))
     }
 
@@ -169,7 +169,7 @@ impl<S: Real> Taylor<S> {
 }
 
 /// Power hⁿ with a whole exponent.
-pub(crate) fn powi(h: f64, n: usize) -> f64 {
+pub(crate) fn taylor_step_power(h: f64, n: usize) -> f64 {
     h.powi(i32::try_from(n).unwrap_or(i32::MAX))
 }
 
@@ -180,7 +180,7 @@ pub(crate) fn proposed_taylor_step_size(norms: [f64; 2], order: usize, tolerance
     let [before, last] = norms.map(|norm| norm / tolerance);
     // The term of order k is as large as the allowed error after norm^(−1/k) seconds.
     let size = last.powf(-1.0 / order as f64);
-    let enough = order < 2 || before * powi(size, order - 1) <= 1.0;
+    let enough = order < 2 || before * taylor_step_power(size, order - 1) <= 1.0;
     let size = if enough { size } else { before.powf(-1.0 / (order - 1) as f64) };
     size * (1.0 - 1e-9)
 }
@@ -306,7 +306,7 @@ impl<S: Real> Stepper for Taylor<S> {
 
     fn component_of_largest_error(&self, test: &ErrorTest) -> Option<usize> {
         let (y, y_new) = self.ends();
-        let h = S::from_f64(powi(self.t_new - self.t, self.usable));
+        let h = S::from_f64(taylor_step_power(self.t_new - self.t, self.usable));
         let last = &self.x[self.usable * self.n..(self.usable + 1) * self.n];
         test.component_of_largest_weighted_error(last.iter().map(|x| *x * h), y, y_new)
     }

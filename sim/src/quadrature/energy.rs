@@ -228,7 +228,7 @@ impl<'a> Energy<'a> {
     /// Zero of the kinetic energy between a coordinate `good`, where it is positive, and a coordinate
     /// `bad`, where it is not. Newton's method in the bracket finds it.
     fn zero_of_kinetic_energy(&self, mut good: f64, mut bad: f64) -> f64 {
-        let mut x = middle_of_bracket(good, bad);
+        let mut x = middle_of_energy_bracket(good, bad);
         let mut before = (bad - good).abs();
         for _ in 0..ITERATIONS {
             if (x - good) * (x - bad) >= 0.0 {
@@ -251,7 +251,7 @@ impl<'a> Energy<'a> {
                 x = next;
             } else {
                 before = (bad - good).abs();
-                x = middle_of_bracket(good, bad);
+                x = middle_of_energy_bracket(good, bad);
             }
         }
         good
@@ -273,7 +273,7 @@ impl<'a> Energy<'a> {
 
 /// Middle of two numbers: the geometric mean if they have the same sign and differ by a factor of 4,
 /// else the arithmetic mean.
-fn middle_of_bracket(a: f64, b: f64) -> f64 {
+fn middle_of_energy_bracket(a: f64, b: f64) -> f64 {
     let ratio = a / b;
     if ratio > 4.0 || (ratio > 0.0 && ratio < 0.25) {
         a.signum() * (a.abs().sqrt() * b.abs().sqrt())

@@ -118,7 +118,7 @@ pub(super) fn integrated_series(c: &Series) -> LegendreValues {
 }
 
 /// Dot product Σ cᵢ xᵢ, computed as four partial sums for vector instructions.
-pub(super) fn dot_of_series(c: &[f64], x: &[f64]) -> f64 {
+pub(super) fn dot_of_legendre_series(c: &[f64], x: &[f64]) -> f64 {
     let (c, c_rest) = c.as_chunks::<4>();
     let (x, x_rest) = x.as_chunks::<4>();
     let mut sum = [0.0; 4];
@@ -161,8 +161,8 @@ mod tests {
         let d = integrated_series(&c);
         for x in [-1.0, -0.7, 0.0, 0.3, 1.0_f64] {
             let p = rule.values(x);
-            assert!((dot_of_series(&c, &p[..POINTS]) - 24.0 * x.powi(23)).abs() < 24.0 * 8.0 * f64::EPSILON);
-            assert!((dot_of_series(&d, &p) - (x.powi(24) - 1.0)).abs() < 8.0 * f64::EPSILON, "{x}");
+            assert!((dot_of_legendre_series(&c, &p[..POINTS]) - 24.0 * x.powi(23)).abs() < 24.0 * 8.0 * f64::EPSILON);
+            assert!((dot_of_legendre_series(&d, &p) - (x.powi(24) - 1.0)).abs() < 8.0 * f64::EPSILON, "{x}");
         }
     }
 }

@@ -15,7 +15,7 @@
 //! number of panels does not resolve is refused with its reason.
 
 mod energy;
-mod integrands;
+mod integrand_sampler;
 mod legendre_rule;
 mod motion_kind;
 mod quadrature_error;
@@ -27,7 +27,7 @@ use tripos_traits::{Lengths, System};
 
 use crate::error::SimError;
 use energy::Energy;
-use motion_kind::{MotionKind, add_far_turning_point};
+use motion_kind::{MotionKind, add_far_turning_point_of_motion};
 pub use quadrature_error::NoQuadrature;
 pub use quadrature_run::run_by_quadrature;
 use stretch::Scratch;
@@ -136,7 +136,7 @@ impl<'a> MotionByQuadrature<'a> {
                     self.lead = lead;
                     break;
                 }
-                Err(obstacle) => add_far_turning_point(&self.energy, &mut self.turns, obstacle)?,
+                Err(obstacle) => add_far_turning_point_of_motion(&self.energy, &mut self.turns, obstacle)?,
             }
             if self.turns == known {
                 return Err(NoQuadrature::Asymptotic { at: self.start[0] });
@@ -144,7 +144,7 @@ impl<'a> MotionByQuadrature<'a> {
         }
         if let Some(spot) = self.course.point_of_motion(self.lead) {
             for i in 1..n {
-                self.sums[i] = spot.quadrature(i, n - 1);
+                self.sums[i] = spot.integral_along_motion(i, n - 1);
             }
         }
         Ok(())
@@ -217,7 +217,7 @@ impl<'a> MotionByQuadrature<'a> {
         let speed = place.reach * spot.track.rate_of_variable(&spot.found) / rates[0];
         y[n] = if spot.rising { speed } else { -speed };
         for (i, y) in y.iter_mut().enumerate().take(n).skip(1) {
-            *y += spot.quadrature(i, n - 1) - self.sums[i];
+            *y += spot.integral_along_motion(i, n - 1) - self.sums[i];
         }
         Ok(())
     }

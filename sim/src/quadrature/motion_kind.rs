@@ -80,7 +80,7 @@ impl MotionKind {
                 [Some(low), Some(high)] => match Self::oscillation(energy, n, [low, high], scratch) {
                     Ok(course) => return Ok(course),
                     Err(obstacle) => {
-                        add_turning_point(energy, turns, obstacle, PANELS_OF_SWING)?;
+                        add_turning_point_of_motion(energy, turns, obstacle, PANELS_OF_SWING)?;
                         continue;
                     }
                 },
@@ -93,7 +93,7 @@ impl MotionKind {
                         match Self::rotation(energy, n, length, v, scratch)? {
                             Ok(course) => return Ok(course),
                             Err(obstacle) => {
-                                add_turning_point(energy, turns, obstacle, PANELS_OF_SWING)?;
+                                add_turning_point_of_motion(energy, turns, obstacle, PANELS_OF_SWING)?;
                                 continue;
                             }
                         }
@@ -352,7 +352,7 @@ impl MotionKind {
 
 /// Adds to `turns` the turning point between the start and a barrier that the motion met. Error for a
 /// stretch that is not resolved by `panels` panels.
-pub(super) fn add_turning_point(
+pub(super) fn add_turning_point_of_motion(
     energy: &Energy<'_>,
     turns: &mut [Option<f64>; 2],
     obstacle: StretchObstacle,
@@ -369,18 +369,18 @@ pub(super) fn add_turning_point(
 
 /// Adds to `turns` the turning point before a barrier that a motion without a known end met. Error for
 /// a stretch that is not resolved.
-pub(super) fn add_far_turning_point(
+pub(super) fn add_far_turning_point_of_motion(
     energy: &Energy<'_>,
     turns: &mut [Option<f64>; 2],
     obstacle: StretchObstacle,
 ) -> Result<(), NoQuadrature> {
-    add_turning_point(energy, turns, obstacle, PANELS)
+    add_turning_point_of_motion(energy, turns, obstacle, PANELS)
 }
 
 impl MotionPoint<'_> {
     /// Integral of the rate of coordinate `i` ≥ 1 from τ = 0 to this instant. `count` is the number of
     /// coordinates other than coordinate 0.
-    pub(super) fn quadrature(&self, i: usize, count: usize) -> f64 {
+    pub(super) fn integral_along_motion(&self, i: usize, count: usize) -> f64 {
         let along = |rising: bool| if rising { i } else { i + count };
         let own = self.track.value(&self.found, along(self.rising));
         let Some(halves) = self.halves else { return self.sign * own };

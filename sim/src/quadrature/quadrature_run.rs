@@ -8,7 +8,7 @@ use crate::driver::event_watch::{EventWatch, Events};
 use crate::driver::recorder::Recorder;
 use crate::error::SimError;
 use crate::events::Event;
-use crate::methods::options::{self, Options, OutputOption, Poll};
+use crate::methods::run_options::{self, Options, OutputOption, Poll};
 use crate::solution::{Solution, Stop};
 use crate::stepper::{DenseStep, Interpolant, exactly_equal};
 
@@ -31,8 +31,8 @@ pub fn run_by_quadrature(
     options: &Options,
     events: &mut [Event<'_>],
 ) -> Result<Solution, NoQuadrature> {
-    options::check_span(span, y0)?;
-    options::check_output(span, &options.output)?;
+    run_options::check_span(span, y0)?;
+    run_options::check_output(span, &options.output)?;
     let Some((v, q)) = y0.split_last() else {
         return Err(
             SimError::Length { what: "initial state", expected: system.lengths().coordinates + 1, found: 0 }.into()
@@ -43,12 +43,12 @@ pub fn run_by_quadrature(
     motion.cover(0.0, t1 - t0)?;
     let mut recorder = Recorder::new(&options.output, t0, y0, None);
     let mut watch = EventWatch::new(Events::Lent(events), y0.len());
-    let mut run = Run { motion: &motion, t0, y_end: y0.to_vec(), t_end: t0, steps: 0 };
+    let mut run = QuadratureRun { motion: &motion, t0, y_end: y0.to_vec(), t_end: t0, steps: 0 };
     let stop = match watch.start(t0, y0) {
         Some(stop) => stop,
         None => run.run_quadrature_steps(span, options, &mut watch, &mut recorder),
     };
-    let Run { y_end, t_end, steps, .. } = run;
+    let QuadratureRun { y_end, t_end, steps, .. } = run;
     recorder.record_end(t_end, &y_end, None, steps);
     Ok(Solution {
         t: recorder.t,
@@ -70,7 +70,7 @@ pub fn run_by_quadrature(
 }
 
 /// Run by quadrature in progress: its motion, its last state and its count of steps.
-struct Run<'m> {
+struct QuadratureRun<'m> {
     /// Motion of one degree of freedom that quadrature gives.
     motion: &'m MotionByQuadrature<'m>,
     /// Start time of the run, s.
@@ -83,7 +83,7 @@ struct Run<'m> {
     steps: u64,
 }
 
-impl Run<'_> {
+impl QuadratureRun<'_> {
     /// Takes steps until there is a reason to stop, and returns this reason.
     fn run_quadrature_steps(
         &mut self,
@@ -96,7 +96,8 @@ impl Run<'_> {
         // Steps are needed only if there are events, or if the output asks for each step.
         let all = !watch.is_empty() || matches!(options.output, OutputOption::Steps { .. });
         let mut nodes = PanelTimes::new(self.motion, if all { span.1 - span.0 } else { 0.0 });
-        let mut step = Step { motion: self.motion, t0: self.t0, span: (span.0, span.0), ends: Default::default() };
+        let mut step =
+            QuadratureStep { motion: self.motion, t0: self.t0, span: (span.0, span.0), ends: Default::default() };
         step.ends.1.clone_from(&self.y_end);
         loop {
             if self.steps >= options.step_limit {
@@ -181,7 +182,7 @@ impl PanelTimes {
 }
 
 /// Part of the motion between two times, in the form of a step of a method.
-struct Step<'m> {
+struct QuadratureStep<'m> {
     /// Motion of one degree of freedom that quadrature gives.
     motion: &'m MotionByQuadrature<'m>,
     /// Start time of the run, s.
@@ -192,7 +193,7 @@ struct Step<'m> {
     ends: (Vec<f64>, Vec<f64>),
 }
 
-impl Step<'_> {
+impl QuadratureStep<'_> {
     /// Replaces the step by the next, from its end to the time `to`, s.
     fn advance(&mut self, to: f64) {
         let mut old = std::mem::take(&mut self.ends.0);
@@ -212,7 +213,7 @@ impl Step<'_> {
     }
 }
 
-impl Interpolant for Step<'_> {
+impl Interpolant for QuadratureStep<'_> {
     type Real = f64;
 
     fn span(&self) -> (f64, f64) {

@@ -6,8 +6,8 @@
 //! computed as a divided difference of V, so that it keeps its digits near a turning point.
 
 use super::energy::Energy;
-use super::integrands::{Panel, Sampler, Samples, integrand_sampler};
-use super::legendre_rule::{LegendreRule, LegendreValues, POINTS, Series, dot_of_series, integrated_series};
+use super::integrand_sampler::{Panel, Sampler, Samples, integrand_sampler};
+use super::legendre_rule::{LegendreRule, LegendreValues, POINTS, Series, dot_of_legendre_series, integrated_series};
 use super::quadrature_error::StretchObstacle;
 use super::stretch_variable::{Anchor, StretchVariable};
 use tripos_traits::largest;
@@ -270,13 +270,13 @@ impl Stretch {
         let mut p = rule.values(x);
         // Newton's method in a bracket; the time grows with ξ.
         for _ in 0..60 {
-            let excess = dot_of_series(integral, &p) - wanted;
+            let excess = dot_of_legendre_series(integral, &p) - wanted;
             if excess > 0.0 {
                 high = x;
             } else {
                 low = x;
             }
-            let step = excess / dot_of_series(rate, &p[..POINTS]);
+            let step = excess / dot_of_legendre_series(rate, &p[..POINTS]);
             if step.abs() <= 2.0 * f64::EPSILON {
                 break;
             }
@@ -308,13 +308,13 @@ impl Stretch {
     /// Rate |dw/dt| at a point of the stretch, 1/s.
     pub(super) fn rate_of_variable(&self, at: &PanelPlace) -> f64 {
         let half = 0.5 * (self.ends[at.panel + 1] - self.ends[at.panel]);
-        half / dot_of_series(self.rate(at.panel), &at.polynomials[..POINTS])
+        half / dot_of_legendre_series(self.rate(at.panel), &at.polynomials[..POINTS])
     }
 
     /// Value of a function at a point of the stretch; it is 0 at the start of the stretch.
     pub(super) fn value(&self, at: &PanelPlace, function: usize) -> f64 {
         self.sums[at.panel * self.functions + function]
-            + dot_of_series(self.integral(at.panel, function), &at.polynomials)
+            + dot_of_legendre_series(self.integral(at.panel, function), &at.polynomials)
     }
 
     /// Coefficients of all Legendre series of this panel: dt/dξ, then the integrated functions.

@@ -10,10 +10,10 @@ use tripos_derive::algebra::solve::elimination::Elimination;
 use tripos_derive::algebra::term::steps::Definition;
 use tripos_derive::algebra::text::definitions::definitions_shown;
 use tripos_derive::algebra::text::display_tree::DisplayTree;
-use tripos_derive::algebra::text::print::{printed_name, symbol_view, view_of};
+use tripos_derive::algebra::text::print::{print_symbol_view, print_view, printed_name};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{
-    DerivationInSteps, Equations, LineName, MovingPlace, QuantityKind, Stage, Step, VectorName,
+    DerivationInSteps, Equations, LineName, MovingLoadPlace, QuantityKind, Stage, Step, VectorName,
 };
 use tripos_derive::model::{Body, Inertia};
 use tripos_derive::prove::Integral;
@@ -141,11 +141,11 @@ pub struct System {
 impl Document {
     /// Starts a document about a model: title, symbols and bodies, without derivations. `moving`
     /// describes places whose motion is given.
-    pub fn new(model: &Model, moving: &[MovingPlace]) -> Self {
+    pub fn new(model: &Model, moving: &[MovingLoadPlace]) -> Self {
         let about = std::iter::once(format!("{}.", model.counts_in_words()));
         let about = about.chain(moving.iter().map(|place| place.text(model))).collect();
-        let bodies = model.bodies.iter().map(|body| body_entry(model, body)).collect();
-        Self { title: model.title.clone(), about, symbols: symbols(model), bodies, blocks: Vec::new() }
+        let bodies = model.bodies.iter().map(|body| document_body_entry(model, body)).collect();
+        Self { title: model.title.clone(), about, symbols: document_symbols(model), bodies, blocks: Vec::new() }
     }
 
     /// Adds a formulation to the document: its stages, equations of motion, accelerations,
@@ -167,16 +167,18 @@ impl Document {
             self.definitions(arena, &solved.steps);
         }
         self.heading(Level::Step, "Kinetic and potential energy");
-        let symbol = |name: &str| LeftSide::Symbol(symbol_view(arena, name));
-        let mut energies =
-            vec![(symbol("T"), view_of(arena, e.kinetic_energy)), (symbol("V"), view_of(arena, e.potential_energy))];
+        let symbol = |name: &str| LeftSide::Symbol(print_symbol_view(arena, name));
+        let mut energies = vec![
+            (symbol("T"), print_view(arena, e.kinetic_energy)),
+            (symbol("V"), print_view(arena, e.potential_energy)),
+        ];
         if e.power != Expr::ZERO {
-            energies.push((LeftSide::EnergyRate, view_of(arena, e.power)));
+            energies.push((LeftSide::EnergyRate, print_view(arena, e.power)));
         }
         self.blocks.push(Block::Equations(energies));
         if !e.divisors.is_empty() {
             self.heading(Level::Step, "Where the kinematic equations are singular");
-            let divisors = e.divisors.iter().map(|divisor| (LeftSide::Zero, view_of(arena, *divisor)));
+            let divisors = e.divisors.iter().map(|divisor| (LeftSide::Zero, print_view(arena, *divisor)));
             self.blocks.push(Block::Equations(divisors.collect()));
         }
     }
@@ -190,7 +192,7 @@ impl Document {
         }
         for (at, integral) in list.iter().enumerate() {
             self.heading(Level::Item, &integral.name(model, arena));
-            let value = view_of(arena, integral.expression);
+            let value = print_view(arena, integral.expression);
             self.blocks.push(Block::Equations(vec![(LeftSide::Entry('C', vec![at + 1]), value)]));
         }
         let shown: Vec<Expr> = list.iter().flat_map(|integral| integral.shown_formulas_of_integral(arena)).collect();
@@ -209,8 +211,8 @@ impl Document {
     /// Adds definitions as equations, with a sentence on their order.
     fn definitions(&mut self, arena: &Arena, list: &[Definition]) {
         self.blocks.push(Block::Words("Each by those before it.".to_owned()));
-        let symbol = |e: Expr| LeftSide::Symbol(view_of(arena, e));
-        let list = list.iter().map(|step| (symbol(step.symbol), view_of(arena, step.value)));
+        let symbol = |e: Expr| LeftSide::Symbol(print_view(arena, e));
+        let list = list.iter().map(|step| (symbol(step.symbol), print_view(arena, step.value)));
         self.blocks.push(Block::Equations(list.collect()));
     }
 
@@ -226,16 +228,16 @@ impl Document {
             stage => vec![words(&stage.title(model))],
         };
         self.blocks.push(Block::Heading(Level::Step, title));
-        let lines = step.lines.iter().map(|(name, value)| (LeftSide::of_line(model, name), view_of(arena, *value)));
+        let lines = step.lines.iter().map(|(name, value)| (LeftSide::of_line(model, name), print_view(arena, *value)));
         self.blocks.push(Block::Equations(lines.collect()));
     }
 }
 
 /// Returns the meanings and units of the model's parameters, coordinates, speeds and stated
 /// reactions.
-fn symbols(model: &Model) -> Vec<Meaning> {
+fn document_symbols(model: &Model) -> Vec<Meaning> {
     let meaning = |name: &str, about: &str, unit: &str| Meaning {
-        symbol: symbol_view(&model.arena, name),
+        symbol: print_symbol_view(&model.arena, name),
         about: about.to_owned(),
         unit: if unit == "1" { String::new() } else { unit.to_owned() },
     };
@@ -249,16 +251,16 @@ fn symbols(model: &Model) -> Vec<Meaning> {
 
 /// Returns the document's entry for a body: its mass, its mass centre, and its inertia about the
 /// mass centre.
-fn body_entry(model: &Model, body: &Body) -> BodyEntry {
+fn document_body_entry(model: &Model, body: &Body) -> BodyEntry {
     let words = |text: &str| InlineContent::Words(text.to_owned());
-    let value = |e: Expr| InlineContent::Formula(LeftSide::Symbol(view_of(&model.arena, e)));
-    let name = |name: &str| InlineContent::Formula(LeftSide::Symbol(symbol_view(&model.arena, name)));
+    let value = |e: Expr| InlineContent::Formula(LeftSide::Symbol(print_view(&model.arena, e)));
+    let name = |name: &str| InlineContent::Formula(LeftSide::Symbol(print_symbol_view(&model.arena, name)));
     let mut about =
         vec![words("mass "), value(body.mass), words(", mass centre "), name(&model.points[body.centre].name)];
     let Some((_, Inertia { frame, tensor })) = &body.rigid else {
         let about =
             vec![words("particle of mass "), value(body.mass), words(" at "), name(&model.points[body.centre].name)];
-        return BodyEntry { name: symbol_view(&model.arena, &body.name), about };
+        return BodyEntry { name: print_symbol_view(&model.arena, &body.name), about };
     };
     let axes = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
     let filled = axes.into_iter().filter(|(i, j)| tensor[*i][*j] != Expr::ZERO);
@@ -271,13 +273,13 @@ fn body_entry(model: &Model, body: &Body) -> BodyEntry {
     let frame = printed_name(&model.arena, &model.frames[*frame].name);
     let end = if before == ", " { format!(" in {frame}") } else { ", no inertia about the mass centre".to_owned() };
     about.push(words(&end));
-    BodyEntry { name: symbol_view(&model.arena, &body.name), about }
+    BodyEntry { name: print_symbol_view(&model.arena, &body.name), about }
 }
 
 impl System {
     /// Returns the linear system of equations with its terms as formulas.
     fn new(model: &Model, arena: &Arena, equations: &Equations) -> Self {
-        let views = |list: &[Expr]| list.iter().map(|e| view_of(arena, *e)).collect::<Vec<_>>();
+        let views = |list: &[Expr]| list.iter().map(|e| print_view(arena, *e)).collect::<Vec<_>>();
         let places = equations.matrix.iter().enumerate().flat_map(|(i, row)| (0..row.len()).map(move |j| (i, j)));
         Self {
             filled: places.filter(|(i, j)| equations.matrix[*i][*j] != Expr::ZERO).collect(),
@@ -305,7 +307,7 @@ impl LeftSide {
             frame: printed_name(&model.arena, &model.frames[frame].name).to_lowercase(),
             number: axis + 1,
         };
-        let named = |name: &str| symbol_view(&model.arena, name);
+        let named = |name: &str| print_symbol_view(&model.arena, name);
         match name {
             LineName::Quantity(QuantityKind::Component { vector, of, frame, axis }) => {
                 Self::Component(Vector::new(model, *vector, *of), basis(*frame, *axis))

@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 use tripos_derive::Model;
 use tripos_derive::algebra::term::steps::Definition;
 use tripos_derive::algebra::text::display_tree::SharedNames;
-use tripos_derive::algebra::text::print::{long_parts, text_of, whole_view};
+use tripos_derive::algebra::text::print::{long_parts, print_whole_view, text_of};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{DerivationInSteps, Equations, LineName, Step};
 
@@ -86,7 +86,7 @@ impl<'a> JsonFormulaWriter<'a> {
 
     /// Returns a formula as text, with shared parts as names.
     fn text(&self, e: Expr) -> String {
-        text_of(&whole_view(self.arena, e, &self.names))
+        text_of(&print_whole_view(self.arena, e, &self.names))
     }
 
     /// Returns formulas as texts, with shared parts as names.
@@ -112,7 +112,7 @@ impl<'a> JsonFormulaWriter<'a> {
         if self.defined.len() == self.parts.len() {
             return;
         }
-        for part in self.arena.terms_shown_in_text(formulas) {
+        for part in self.arena.shown_subterms(formulas) {
             if let Some(name) = self.names.get(&part).filter(|_| !self.defined.contains(&part)) {
                 out.push(json!({ "name": name, "value": self.text(part) }));
                 self.defined.insert(part);

@@ -4,10 +4,8 @@
 //! and printed formulas are read back as their terms by [`tripos_derive::algebra::text::notation`].
 
 use super::derivation_document::{Block, BodyEntry, Document, Equation, InlineContent, Level, Meaning, System};
-use super::document_formulas::LATEX;
-use super::layout::{
-    RowMarks, SystemLayout, extent, lay_out_equations, listed_system_entries, unit_with_raised_powers,
-};
+use super::latex_formulas::LATEX;
+use super::layout::{RowMarks, SystemLayout, extent, lay_out_equations, lay_out_unit, system_layout_entries};
 use crate::latex::escape_latex;
 use std::fmt::Write;
 use tripos_derive::algebra::text::display_tree::DisplayTree;
@@ -62,7 +60,7 @@ const LIST: &str = "\\begin{description}\n\\setlength{\\itemsep}{0pt}\\setlength
 fn latex_bodies(list: &[BodyEntry]) -> String {
     let mut out = format!("\n\\section{{Bodies}}\n{LIST}");
     for BodyEntry { name, about } in list {
-        let about: String = about.iter().map(latex_inline).collect();
+        let about: String = about.iter().map(latex_inline_content).collect();
         let _ = writeln!(out, "\\item[\\({}\\)] {about}", latex_of(name));
     }
     out + "\\end{description}\n"
@@ -72,9 +70,7 @@ fn latex_bodies(list: &[BodyEntry]) -> String {
 fn latex_symbols(list: &[Meaning]) -> String {
     let mut out = format!("\n\\section{{Symbols}}\n{LIST}");
     for Meaning { symbol, about, unit } in list {
-        let unit = unit_with_raised_powers(unit, escape_latex, |power| {
-            format!("\\textsuperscript{{{}}}", escape_latex(power))
-        });
+        let unit = lay_out_unit(unit, escape_latex, |power| format!("\\textsuperscript{{{}}}", escape_latex(power)));
         let parts: Vec<String> = [escape_latex(about), unit].into_iter().filter(|part| !part.is_empty()).collect();
         let _ = writeln!(out, "\\item[\\({}\\)] {}", latex_of(symbol), parts.join(", "));
     }
@@ -90,7 +86,7 @@ fn latex_block(block: &Block) -> String {
                 Level::Step => "subsection",
                 Level::Item => "paragraph",
             };
-            format!("\n\\{command}{{{}}}\n", runs.iter().map(latex_inline).collect::<String>())
+            format!("\n\\{command}{{{}}}\n", runs.iter().map(latex_inline_content).collect::<String>())
         }
         Block::Words(words) => escape_latex(words) + "\n",
         Block::Equations(list) => latex_equations(list),
@@ -99,7 +95,7 @@ fn latex_block(block: &Block) -> String {
 }
 
 /// Returns words or a formula within a line of LaTeX.
-fn latex_inline(run: &InlineContent) -> String {
+fn latex_inline_content(run: &InlineContent) -> String {
     match run {
         InlineContent::Words(words) => escape_latex(words),
         InlineContent::Formula(left) => format!("${}$", (LATEX.left)(left)),
@@ -131,7 +127,7 @@ fn latex_system(system: &System) -> String {
     } else {
         out.push_str("Entries of \\(M\\) that are not listed are 0.\n");
     }
-    out + &latex_equations(&listed_system_entries(system, extent))
+    out + &latex_equations(&system_layout_entries(system, extent))
 }
 
 /// Returns numbered equations below one another in LaTeX, each on as many lines as it needs.

@@ -5,7 +5,7 @@
 //! tenths of an em.
 
 use super::derivation_document::{Equation, LeftSide, System};
-use super::document_formulas::{DocumentLanguage, LATEX};
+use super::latex_formulas::{DocumentLanguage, LATEX};
 use tripos_derive::algebra::text::display_tree::DisplayTree;
 use tripos_derive::algebra::text::print::formula_width;
 
@@ -66,10 +66,10 @@ impl EquationLayout {
 /// Lays equations out for a page, in a document language, with their right sides aligned.
 pub fn lay_out_equations(list: &[Equation], language: &DocumentLanguage) -> Vec<EquationLayout> {
     // Right sides are aligned: they begin behind the widest left side that shares its line.
-    let column = list.iter().map(|(left, _)| left_width(left)).filter(|width| *width <= WIDE).max();
+    let column = list.iter().map(|(left, _)| left_side_layout_width(left)).filter(|width| *width <= WIDE).max();
     let rest = LINE - column.unwrap_or(0).max(INDENT);
     let one = |(left, right): &Equation| {
-        let is_wide = left_width(left) > WIDE;
+        let is_wide = left_side_layout_width(left) > WIDE;
         let lines = (language.lines)(right, rest);
         let lengths = lines.iter().map(String::len);
         let is_too_long = lengths.clone().sum::<usize>() > LONGEST || lengths.max() > Some(LONGEST_LINE);
@@ -79,7 +79,7 @@ pub fn lay_out_equations(list: &[Equation], language: &DocumentLanguage) -> Vec<
 }
 
 /// Returns the estimated width of a left side, in tenths of an em, with 40 added for spacing.
-fn left_width(left: &LeftSide) -> usize {
+fn left_side_layout_width(left: &LeftSide) -> usize {
     let shown = (LATEX.left)(left);
     let shown =
         shown.replace("\\mathbf", "").replace("\\boldsymbol", "").replace("\\partial", "d").replace("\\frac", "");
@@ -113,7 +113,7 @@ pub fn extent(system: &System) -> SystemLayout {
 
 /// Returns the entries of a linear system that a layout lists as equations. None are listed for
 /// `SystemLayout::WholeModel`.
-pub fn listed_system_entries(system: &System, extent: SystemLayout) -> Vec<Equation> {
+pub fn system_layout_entries(system: &System, extent: SystemLayout) -> Vec<Equation> {
     let mut entries = Vec::new();
     if extent == SystemLayout::Entries {
         let entry = |(i, j): &(usize, usize)| (LeftSide::Entry('M', vec![i + 1, j + 1]), system.matrix[*i][*j].clone());
@@ -128,7 +128,7 @@ pub fn listed_system_entries(system: &System, extent: SystemLayout) -> Vec<Equat
 
 /// Returns a unit with raised powers. The functions `words` and `power` write its parts in a
 /// document language.
-pub fn unit_with_raised_powers(unit: &str, words: fn(&str) -> String, power: fn(&str) -> String) -> String {
+pub fn lay_out_unit(unit: &str, words: fn(&str) -> String, power: fn(&str) -> String) -> String {
     let unit = unit.replace('*', " ");
     let mut parts = unit.split('^');
     let mut out = words(parts.next().unwrap_or_default());

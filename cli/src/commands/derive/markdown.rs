@@ -5,9 +5,9 @@
 //! search for formulas would read otherwise are escaped.
 
 use super::derivation_document::{Block, BodyEntry, Document, Equation, InlineContent, Level, Meaning, System};
-use super::document_formulas::LATEX;
+use super::latex_formulas::LATEX;
 use super::layout::{
-    EquationLayout, RowMarks, SystemLayout, extent, lay_out_equations, listed_system_entries, unit_with_raised_powers,
+    EquationLayout, RowMarks, SystemLayout, extent, lay_out_equations, lay_out_unit, system_layout_entries,
 };
 use std::fmt::Write;
 use tripos_derive::algebra::text::display_tree::DisplayTree;
@@ -32,8 +32,7 @@ pub fn markdown(document: &Document) -> String {
 fn markdown_symbols(list: &[Meaning]) -> String {
     let mut out = "\n## Symbols\n\n| symbol | meaning | unit |\n|---|---|---|\n".to_owned();
     for Meaning { symbol, about, unit } in list {
-        let unit =
-            unit_with_raised_powers(unit, escape_markdown, |power| format!("<sup>{}</sup>", escape_markdown(power)));
+        let unit = lay_out_unit(unit, escape_markdown, |power| format!("<sup>{}</sup>", escape_markdown(power)));
         let _ =
             writeln!(out, "| {} | {} | {unit} |", markdown_inline_formula(&latex_of(symbol)), escape_markdown(about));
     }
@@ -110,7 +109,7 @@ fn markdown_system(system: &System) -> String {
     } else {
         out.push_str("\nEntries of $M$ that are not listed are 0.\n");
     }
-    out + &markdown_equations(&listed_system_entries(system, extent))
+    out + &markdown_equations(&system_layout_entries(system, extent))
 }
 
 /// Returns equations below one another in Markdown, each on as many lines as it needs.

@@ -16,7 +16,7 @@ use std::fmt::Write;
 use tripos_derive::Model;
 use tripos_derive::algebra::term::steps::Definition;
 use tripos_derive::algebra::text::display_tree::{DisplayTree, SharedNames};
-use tripos_derive::algebra::text::print::{sympy_of, whole_view};
+use tripos_derive::algebra::text::print::{print_whole_view, sympy_of};
 use tripos_derive::algebra::{Arena, Expr};
 
 /// Words that cannot name variables in the Python program: Python's reserved words, and names that
@@ -170,7 +170,7 @@ impl Names {
 }
 
 /// Writer of the terms of one arena as Python expressions.
-struct Writer<'a> {
+struct SympyWriter<'a> {
     /// Arena that stores the terms (symbolic expressions).
     arena: &'a Arena,
     /// Names of the symbols in the Python program.
@@ -191,7 +191,7 @@ fn write_sympy_formulation(
 ) -> Result<(), Failure> {
     let SolvedFormulation { derivation, solved } = derived;
     let (arena, e) = (&derivation.arena, &derivation.equations);
-    let writer = Writer::new(arena, names);
+    let writer = SympyWriter::new(arena, names);
     let this = e.formulation.name().replace('-', "_");
     let _ = writeln!(out, "\n# {}: a row for each of {}.", e.formulation.title(), e.row_names(model).join(", "));
     let _ = writeln!(out, "{this} = SimpleNamespace()");
@@ -217,7 +217,7 @@ fn write_sympy_formulation(
     Ok(())
 }
 
-impl<'a> Writer<'a> {
+impl<'a> SympyWriter<'a> {
     /// Returns a writer for the terms of an arena.
     fn new(arena: &'a Arena, names: &'a Names) -> Self {
         let symbols = names.list.iter().filter_map(|(name, variable)| {
@@ -232,7 +232,7 @@ impl<'a> Writer<'a> {
     /// # Errors
     /// [`Failure::Refused`] if the expression is too long to be written out.
     fn formula(&self, e: Expr) -> Result<String, Failure> {
-        let text = match whole_view(self.arena, e, &self.symbols) {
+        let text = match print_whole_view(self.arena, e, &self.symbols) {
             DisplayTree::Name(name) => self.names.sympy_name(&name).to_owned(),
             view => sympy_of(&view),
         };

@@ -3,10 +3,8 @@
 //! Invariant: for any names in a model, the result compiles, and its words stay words.
 
 use super::derivation_document::{Block, BodyEntry, Document, Equation, InlineContent, Level, Meaning, System};
-use super::document_formulas::TYPST;
-use super::layout::{
-    RowMarks, SystemLayout, extent, lay_out_equations, listed_system_entries, unit_with_raised_powers,
-};
+use super::latex_formulas::TYPST;
+use super::layout::{RowMarks, SystemLayout, extent, lay_out_equations, lay_out_unit, system_layout_entries};
 use std::fmt::Write;
 use tripos_derive::algebra::text::display_tree::DisplayTree;
 use tripos_derive::algebra::text::print::typst_of;
@@ -28,7 +26,7 @@ pub fn typst(document: &Document) -> String {
 fn typst_symbols(list: &[Meaning]) -> String {
     let mut out = "\n== Symbols\n\n".to_owned();
     for Meaning { symbol, about, unit } in list {
-        let unit = unit_with_raised_powers(unit, escape_typst, |power| format!("#super[{}]", escape_typst(power)));
+        let unit = lay_out_unit(unit, escape_typst, |power| format!("#super[{}]", escape_typst(power)));
         let parts: Vec<String> = [escape_typst(about), unit].into_iter().filter(|part| !part.is_empty()).collect();
         let _ = writeln!(out, "/ ${}$: {}", typst_of(symbol), parts.join(", "));
     }
@@ -94,7 +92,7 @@ fn typst_system(system: &System) -> String {
     } else {
         out.push_str("\nEntries of $M$ that are not listed are 0.\n");
     }
-    out + &typst_equations(&listed_system_entries(system, extent))
+    out + &typst_equations(&system_layout_entries(system, extent))
 }
 
 /// Returns equations below one another in Typst, each on as many lines as it needs.

@@ -2,7 +2,7 @@
 
 use super::{Comparison, CoordinateReport, verdicts};
 use crate::failure::Failure;
-use crate::judgement::JudgedPublication;
+use crate::judged_publication::JudgedPublication;
 use crate::workspace::model_file;
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -52,7 +52,7 @@ fn coordinate_search_text(search: &CoordinateSearch) -> String {
             let _ = writeln!(
                 out,
                 "{most} of {compared} are right, {as_stated} before, in these coordinates:\n\n{}",
-                coordinates_table(one)
+                found_coordinates_table(one)
             );
             out.push_str("The verdicts are proved in these coordinates.\n");
         }
@@ -63,7 +63,7 @@ fn coordinate_search_text(search: &CoordinateSearch) -> String {
                 several.len()
             );
             for one in several {
-                let _ = writeln!(out, "\n{}", coordinates_table(one));
+                let _ = writeln!(out, "\n{}", found_coordinates_table(one));
             }
             out.push_str("None of them is better. The verdicts are those in the coordinates stated.\n");
         }
@@ -73,7 +73,7 @@ fn coordinate_search_text(search: &CoordinateSearch) -> String {
 }
 
 /// Returns the table `[coordinates]` as a publication file states it.
-fn coordinates_table(table: &CoordinateTable) -> String {
+fn found_coordinates_table(table: &CoordinateTable) -> String {
     let lines = table.iter().map(|(name, formula)| format!("{name} = \"{formula}\"\n"));
     format!("[coordinates]\n{}", lines.collect::<String>())
 }

@@ -6,24 +6,24 @@
 
 use super::Comparison;
 use crate::failure::Failure;
-use crate::glossary::{names_json, names_text};
+use crate::glossary::{glossary_json, glossary_text};
 use crate::phrases::{entry_count_words, shorten_formula};
 use crate::workspace::short_name;
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;
-use tripos_codegen::scene_files::{scene_files, scene_path_from_model};
+use tripos_codegen::model_folders::{scene_path_in_model_folder, scenes_in_model_folder};
 use tripos_derive::Model;
 use tripos_derive::algebra::meaning::compare::Verdict;
 use tripos_derive::algebra::text::print::{print_text, print_whole_text};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diagnostic::{Diagnostics, Source};
 use tripos_derive::diff::{
-    Declaration, DerivedModel, Edit, EntryChange, ModelDifference, Property, Section, SettingChange, VariableChange,
-    diff_models, diff_scenes,
+    Declaration, DeclaredProperty, DerivedModel, Edit, EntryChange, ModelDifference, Section, SettingChange,
+    VariableChange, diff_models, diff_scenes,
 };
 use tripos_derive::mechanics::derive_all;
-use tripos_derive::plain_text::path_in_line;
+use tripos_derive::plain_text::path_as_plain_text;
 use tripos_derive::prove::prove;
 
 /// Largest number of lines of each kind in the text. Further lines are only counted.
@@ -36,7 +36,7 @@ const SHOWN: usize = 16;
 /// `Failure` if a model cannot be derived, or a scene file cannot be read.
 pub fn diff(old: &Model, new: &Model) -> Result<Comparison, Failure> {
     let (difference, arena) = compare_derivations(old, new, Scope::EquationsAndIntegrals)?;
-    let scenes = scene_changes(&old.source.path, &new.source.path)?;
+    let scenes = diff_model_scenes(&old.source.path, &new.source.path)?;
     Ok(Comparison {
         is_clean: difference.is_empty() && scenes.is_empty(),
         text: text_of(old, new, &arena, &difference, &scenes),
@@ -77,8 +77,8 @@ fn compare_derivations(old: &Model, new: &Model, scope: Scope) -> Result<(ModelD
 pub fn changed_equations(old: &Model, new: &Model) -> Result<Option<String>, Diagnostics> {
     let (difference, arena) = compare_derivations(old, new, Scope::Equations)?;
     let mut out = String::new();
-    write_equation_changes(&mut out, &arena, &difference);
-    Ok((!difference.has_same_equations()).then(|| out + &names_text(&arena, &formulas_in_text(&difference))))
+    write_model_equations_diff(&mut out, &arena, &difference);
+    Ok((!difference.has_same_equations()).then(|| out + &glossary_text(&arena, &formulas_in_text(&difference))))
 }
 
 /// Change of one scene between two models.
@@ -102,14 +102,14 @@ enum SceneEdit {
 /// Returns the changes between the scenes of two models. Empty if a model has no scene: a model
 /// file without its folder does not mean that its scenes were removed.
 /// `Err` if a scene file cannot be read.
-fn scene_changes(old: &Path, new: &Path) -> Result<Vec<SceneChange>, Diagnostics> {
-    let (before, after) = (scene_files(old), scene_files(new));
+fn diff_model_scenes(old: &Path, new: &Path) -> Result<Vec<SceneChange>, Diagnostics> {
+    let (before, after) = (scenes_in_model_folder(old), scenes_in_model_folder(new));
     let mut list = Vec::new();
     if before.is_empty() || after.is_empty() {
         return Ok(list);
     }
-    let find = |name: &str| before.iter().find(|path| scene_path_from_model(old, path) == name);
-    let names: Vec<String> = after.iter().map(|path| scene_path_from_model(new, path)).collect();
+    let find = |name: &str| before.iter().find(|path| scene_path_in_model_folder(old, path) == name);
+    let names: Vec<String> = after.iter().map(|path| scene_path_in_model_folder(new, path)).collect();
     for (path, name) in after.iter().zip(&names) {
         let kind = match find(name) {
             None => SceneEdit::Added,
@@ -119,7 +119,7 @@ fn scene_changes(old: &Path, new: &Path) -> Result<Vec<SceneChange>, Diagnostics
             list.push(SceneChange { name: name.clone(), kind });
         }
     }
-    let gone = before.iter().map(|path| scene_path_from_model(old, path)).filter(|name| !names.contains(name));
+    let gone = before.iter().map(|path| scene_path_in_model_folder(old, path)).filter(|name| !names.contains(name));
     list.extend(gone.map(|name| SceneChange { name, kind: SceneEdit::Removed }));
     Ok(list)
 }
@@ -160,7 +160,7 @@ fn json_of(old: &Model, new: &Model, arena: &Arena, difference: &ModelDifference
         "scenes": scenes.iter().map(scene_json).collect::<Vec<_>>(),
         "formulations": { "lost": lost, "gained": gained },
         "integrals": { "lost": difference.integrals_lost, "gained": difference.integrals_gained },
-        "names": names_json(arena, &difference.shown()),
+        "names": glossary_json(arena, &difference.shown()),
         "summary": { "compared": difference.compared, "changed": difference.changes.len() },
     })
 }
@@ -198,15 +198,15 @@ fn scene_json(scene: &SceneChange) -> Value {
 
 /// Returns the comparison of two models as text.
 fn text_of(old: &Model, new: &Model, arena: &Arena, difference: &ModelDifference, scenes: &[SceneChange]) -> String {
-    let mut out = format!("{} -> {}\n", path_in_line(&old.source.path), path_in_line(&new.source.path));
-    write_equation_changes(&mut out, arena, difference);
+    let mut out = format!("{} -> {}\n", path_as_plain_text(&old.source.path), path_as_plain_text(&new.source.path));
+    write_model_equations_diff(&mut out, arena, difference);
     let renamed = !difference.variables.is_empty();
     for (what, names) in
         [("no longer found conserved", &difference.integrals_lost), ("now conserved", &difference.integrals_gained)]
     {
         if !names.is_empty() && !renamed {
             let _ = writeln!(out, "{what}:");
-            write_limited_lines(&mut out, names);
+            write_model_diff_lines(&mut out, names);
         }
     }
     for line in declaration_lines(&difference.declarations) {
@@ -214,16 +214,16 @@ fn text_of(old: &Model, new: &Model, arena: &Arena, difference: &ModelDifference
     }
     if !scenes.is_empty() {
         out.push_str("scenes differ:\n");
-        write_limited_lines(&mut out, &scenes.iter().map(scene_line).collect::<Vec<_>>());
+        write_model_diff_lines(&mut out, &scenes.iter().map(scene_line).collect::<Vec<_>>());
     }
     if difference.declarations.is_empty() && scenes.is_empty() {
         out.push_str("defaults, units, domain, elements and scenes: the same\n");
     }
-    out + &names_text(arena, &formulas_in_text(difference))
+    out + &glossary_text(arena, &formulas_in_text(difference))
 }
 
 /// Writes lines about the changes of the equations of motion, at most 16 of each kind.
-fn write_equation_changes(out: &mut String, arena: &Arena, difference: &ModelDifference) {
+fn write_model_equations_diff(out: &mut String, arena: &Arena, difference: &ModelDifference) {
     let (count, compared) = (difference.changes.len(), entry_count_words(difference.compared));
     if difference.has_same_equations() {
         let _ = writeln!(out, "equations of motion: the same, {compared} compared by algebra");
@@ -233,7 +233,7 @@ fn write_equation_changes(out: &mut String, arena: &Arena, difference: &ModelDif
             "equations of motion: proved the same in other variables; {count} of {compared} read otherwise"
         );
         let line = |v: &VariableChange| format!("old {} {} is {}", v.kind.noun(), v.old, v.new);
-        write_limited_lines(out, &difference.variables.iter().map(line).collect::<Vec<_>>());
+        write_model_diff_lines(out, &difference.variables.iter().map(line).collect::<Vec<_>>());
         return;
     } else {
         let _ = writeln!(out, "equations of motion: {count} of {compared} changed");
@@ -244,7 +244,10 @@ fn write_equation_changes(out: &mut String, arena: &Arena, difference: &ModelDif
     for formulation in &difference.formulations_gained {
         let _ = writeln!(out, "  now derived: {}", formulation.name());
     }
-    write_limited_lines(out, &difference.changes.iter().map(|change| change_line(arena, change)).collect::<Vec<_>>());
+    write_model_diff_lines(
+        out,
+        &difference.changes.iter().map(|change| change_line(arena, change)).collect::<Vec<_>>(),
+    );
 }
 
 /// Lists the formulas of the changes that the text shows.
@@ -256,7 +259,7 @@ fn formulas_in_text(difference: &ModelDifference) -> Vec<Expr> {
 
 /// Writes lines under a heading. Of more than 16 lines, only the first 16 are written, and the
 /// number of the rest.
-fn write_limited_lines(out: &mut String, lines: &[String]) {
+fn write_model_diff_lines(out: &mut String, lines: &[String]) {
     for line in lines.iter().take(SHOWN) {
         let _ = writeln!(out, "  {}", shorten_formula(line));
     }
@@ -289,7 +292,7 @@ fn change_line(arena: &Arena, change: &EntryChange) -> String {
 /// -> 2; g 9.81 -> 1.62`.
 fn declaration_lines(declarations: &[Declaration]) -> Vec<String> {
     let named = |d: &Declaration| format!("{} {}", d.section.noun(), d.name);
-    let changed = |wanted: Property, of: fn(Section) -> bool| {
+    let changed = |wanted: DeclaredProperty, of: fn(Section) -> bool| {
         let change = move |d: &Declaration| match &d.edit {
             Edit::Changed { property, old, new } if *property == wanted && of(d.section) => {
                 Some(format!("{} {old} -> {new}", d.name))
@@ -303,11 +306,11 @@ fn declaration_lines(declarations: &[Declaration]) -> Vec<String> {
     let groups = [
         ("added", alone(&Edit::Added)),
         ("removed", alone(&Edit::Removed)),
-        ("defaults differ", changed(Property::Default, |_| true)),
-        ("units differ", changed(Property::Unit, |_| true)),
-        ("stated to be positive differs", changed(Property::Positive, |_| true)),
-        ("domain differs", changed(Property::Definition, is_condition)),
-        ("defined otherwise", changed(Property::Definition, |section| section != Section::Domain)),
+        ("defaults differ", changed(DeclaredProperty::Default, |_| true)),
+        ("units differ", changed(DeclaredProperty::Unit, |_| true)),
+        ("stated to be positive differs", changed(DeclaredProperty::Positive, |_| true)),
+        ("domain differs", changed(DeclaredProperty::Definition, is_condition)),
+        ("defined otherwise", changed(DeclaredProperty::Definition, |section| section != Section::Domain)),
     ];
     let stated = groups.into_iter().filter(|(_, list)| !list.is_empty());
     stated.map(|(heading, list)| format!("{heading}: {}", list.join("; "))).collect()

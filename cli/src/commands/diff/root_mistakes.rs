@@ -38,7 +38,7 @@ pub fn root_mistake_list(difference: &Difference) -> String {
         for (link, words) in LINKS {
             let items: Vec<String> =
                 root.followers_by_link(link).map(|f| wrong_entry_item(findings, root, f)).collect();
-            for (line, ids) in wrap_ids(&items).into_iter().enumerate() {
+            for (line, ids) in wrap_root_mistake_ids(&items).into_iter().enumerate() {
                 let words = if line == 0 { words } else { "            " };
                 let _ = writeln!(out, "      {words} {ids}");
             }
@@ -62,7 +62,7 @@ fn wrong_entry_item(findings: &[Finding], root: &RootMistake, follower: &Depende
 }
 
 /// Joins items with commas, in lines of at most `WIDTH` characters.
-fn wrap_ids(items: &[String]) -> Vec<String> {
+fn wrap_root_mistake_ids(items: &[String]) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for (at, item) in items.iter().enumerate() {
         let comma = if at + 1 < items.len() { "," } else { "" };

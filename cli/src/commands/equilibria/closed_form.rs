@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 use std::fmt::Write;
-use tripos::studies::steady::{ClosedForm, Conditions, Formula, NamedFormula, SolutionBranch};
+use tripos::studies::steady::{Conditions, Formula, NamedFormula, SolutionBranch, SteadyConditions};
 
 /// Largest number of solutions in the text for each kind of motion. JSON lists all solutions.
 const MOST_BRANCHES: usize = 6;
@@ -10,7 +10,7 @@ const MOST_BRANCHES: usize = 6;
 const MOST_LETTERS: usize = 240;
 
 /// Returns the conditions of rest and steady motion in closed form as text.
-pub fn text(found: &ClosedForm) -> String {
+pub fn text(found: &SteadyConditions) -> String {
     let mut out = "in closed form\n".to_owned();
     for conditions in &found.list {
         let _ = writeln!(out, "{}", condition_heading(conditions));
@@ -29,7 +29,11 @@ pub fn text(found: &ClosedForm) -> String {
             );
         }
         if !conditions.divided_by.is_empty() && conditions.too_large == 0 {
-            let _ = writeln!(out, "  where the equations have a value: {}", not_zero(&conditions.divided_by));
+            let _ = writeln!(
+                out,
+                "  where the equations have a value: {}",
+                closed_form_nonzero_text(&conditions.divided_by)
+            );
         }
         for (at, branch) in conditions.branches.iter().enumerate().take(MOST_BRANCHES) {
             let _ = writeln!(out, "  {}. {}", at + 1, branch_text(branch));
@@ -78,7 +82,7 @@ fn shorten_formula(text: &str) -> String {
 }
 
 /// Returns the divisors as conditions `… != 0`.
-fn not_zero(list: &[Formula]) -> String {
+fn closed_form_nonzero_text(list: &[Formula]) -> String {
     let list: Vec<String> = list.iter().map(|e| format!("{} != 0", shorten_formula(&e.text))).collect();
     list.join(", ")
 }
@@ -106,7 +110,7 @@ fn branch_text(branch: &SolutionBranch) -> String {
 }
 
 /// Returns the conditions of rest and steady motion in closed form as JSON.
-pub fn json(found: &ClosedForm) -> Value {
+pub fn json(found: &SteadyConditions) -> Value {
     found.list.iter().map(json_of).collect()
 }
 
@@ -115,30 +119,30 @@ fn json_of(conditions: &Conditions) -> Value {
     let along = conditions.along.iter().map(|v| json!({ "name": v.name, "along": v.along }));
     let branch = |branch: &SolutionBranch| {
         json!({
-            "solved": named_formulas_json(&branch.solved), "needs": formulas_json(&branch.needs),
-            "divided_by": formulas_json(&branch.divided_by), "left": formulas_json(&branch.left),
+            "solved": closed_form_equations_json(&branch.solved), "needs": closed_form_formulas_json(&branch.needs),
+            "divided_by": closed_form_formulas_json(&branch.divided_by), "left": closed_form_formulas_json(&branch.left),
         })
     };
     json!({
         "rest": conditions.rest,
         "along": along.collect::<Vec<_>>(),
-        "speeds": named_formulas_json(&conditions.speeds),
+        "speeds": closed_form_equations_json(&conditions.speeds),
         "unknowns": conditions.unknowns,
-        "equations": formulas_json(&conditions.equations),
+        "equations": closed_form_formulas_json(&conditions.equations),
         "too_large": conditions.too_large,
-        "divided_by": formulas_json(&conditions.divided_by),
+        "divided_by": closed_form_formulas_json(&conditions.divided_by),
         "branches": conditions.branches.iter().map(branch).collect::<Vec<_>>(),
         "complete": conditions.complete,
     })
 }
 
 /// Returns formulas as JSON, each as text and in LaTeX.
-fn formulas_json(list: &[Formula]) -> Vec<Value> {
+fn closed_form_formulas_json(list: &[Formula]) -> Vec<Value> {
     list.iter().map(|e| json!({ "formula": e.text, "latex": e.latex })).collect()
 }
 
 /// Returns named formulas as JSON, each with its name.
-fn named_formulas_json(list: &[NamedFormula]) -> Vec<Value> {
+fn closed_form_equations_json(list: &[NamedFormula]) -> Vec<Value> {
     let told = |told: &NamedFormula| {
         json!({
             "name": told.name.text, "formula": told.value.text,

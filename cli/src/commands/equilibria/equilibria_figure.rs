@@ -2,25 +2,29 @@
 //! stability over two.
 
 use crate::failure::{Failure, print_to_stderr};
-use crate::output::{refuse_overwriting_inputs, write_csv_file};
+use crate::output_files::{refuse_overwriting_inputs, write_csv_file};
 use crate::picture::{self, PictureFormat};
 use crate::plot::{Panel, Scale, Series, draw};
 use std::path::Path;
 use tripos::studies::steady::{Continuation, ContinuationMap, CrossingKind};
 use tripos::{Error, Mechanism};
-use tripos_codegen::whole_file_writer::would_change;
-use tripos_derive::plain_text::path_in_line;
+use tripos_codegen::draft_file::draft_would_change;
+use tripos_derive::plain_text::path_as_plain_text;
 
 /// Refuses a figure whose file name has an unknown extension, and a figure that would overwrite an
 /// input file.
 ///
 /// # Errors
 /// [`Failure`] that names the file and the reason.
-pub fn check_figure_path(out: &Path, model: &Mechanism, from: &Path) -> Result<(), Failure> {
+pub fn check_equilibria_figure_path(out: &Path, model: &Mechanism, from: &Path) -> Result<(), Failure> {
     kind(out)?;
     let data = out.with_extension("csv");
-    if [out, &data].iter().any(|place| would_change(place, from)) {
-        let what = format!("the output `{}` would overwrite the input `{}`", path_in_line(out), path_in_line(from));
+    if [out, &data].iter().any(|place| draft_would_change(place, from)) {
+        let what = format!(
+            "the output `{}` would overwrite the input `{}`",
+            path_as_plain_text(out),
+            path_as_plain_text(from)
+        );
         return Err(Failure::request(what, "give another file".to_owned()));
     }
     refuse_overwriting_inputs(model, None, [out, &data])
@@ -125,6 +129,6 @@ fn write_equilibria_figure(
     picture::write_picture(out, kind(out)?, &svg, picture::DPI)?;
     let data = out.with_extension("csv");
     write_csv_file(&data, header, rows)?;
-    print_to_stderr(&format!("figure   {}\ndata     {}", path_in_line(out), path_in_line(&data)));
+    print_to_stderr(&format!("figure   {}\ndata     {}", path_as_plain_text(out), path_as_plain_text(&data)));
     Ok(())
 }

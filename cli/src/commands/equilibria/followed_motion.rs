@@ -38,7 +38,7 @@ pub fn follow_along_number(
         value["over"] = json!(range.name);
         print_json(&value)?;
     } else {
-        print(&course_text(model, &range.name, &course))?;
+        print(&followed_course_text(model, &range.name, &course))?;
     }
     out.map_or(Ok(()), |out| equilibria_figure::draw_eigenvalues(out, &range.name, &course))?;
     Ok(0)
@@ -74,7 +74,7 @@ pub fn map_over_two_numbers(
         let rows: Vec<Value> = found.rows.iter().map(row).collect();
         print_json(&json!({ "model": short_name(model), "over": names, "rows": rows }))?;
     } else {
-        print(&map_text(model, names, &found))?;
+        print(&followed_motion_map_text(model, names, &found))?;
     }
     out.map_or(Ok(()), |out| equilibria_figure::draw_stability_map(out, names, &found))?;
     Ok(0)
@@ -96,7 +96,7 @@ fn json_of(course: &Continuation) -> Value {
 }
 
 /// Returns a followed motion as text, a line for each value of the number `name`.
-fn course_text(model: &Mechanism, name: &str, course: &Continuation) -> String {
+fn followed_course_text(model: &Mechanism, name: &str, course: &Continuation) -> String {
     let mut out = format!("{}, over {name}\n\n", model.title);
     for point in &course.points {
         let list = point.about.modes.iter().filter(|mode| mode.value[1] >= 0.0);
@@ -107,7 +107,7 @@ fn course_text(model: &Mechanism, name: &str, course: &Continuation) -> String {
         out.push('\n');
     }
     for crossing in &course.crossings {
-        let _ = writeln!(out, "{}", crossing_text(name, crossing));
+        let _ = writeln!(out, "{}", followed_crossing_text(name, crossing));
     }
     if let Some(ended) = &course.ended {
         let _ = writeln!(out, "{ended}");
@@ -116,7 +116,7 @@ fn course_text(model: &Mechanism, name: &str, course: &Continuation) -> String {
 }
 
 /// Returns a line about a change of stability at a value of the number `name`.
-fn crossing_text(name: &str, crossing: &StabilityCrossing) -> String {
+fn followed_crossing_text(name: &str, crossing: &StabilityCrossing) -> String {
     let value = crossing.value;
     match crossing.kind {
         CrossingKind::Real => format!("{name} = {value}: a real eigenvalue passes 0"),
@@ -128,7 +128,7 @@ fn crossing_text(name: &str, crossing: &StabilityCrossing) -> String {
 }
 
 /// Returns the map of stability changes as text, a line for each value of the second number.
-fn map_text(model: &Mechanism, [first, second]: [&str; 2], found: &ContinuationMap) -> String {
+fn followed_motion_map_text(model: &Mechanism, [first, second]: [&str; 2], found: &ContinuationMap) -> String {
     let mut out = format!("{}, over {first} and {second}\n\n", model.title);
     for (value, course) in &found.rows {
         let line = match course {
@@ -136,9 +136,12 @@ fn map_text(model: &Mechanism, [first, second]: [&str; 2], found: &ContinuationM
                 let stability = course.points.first().map_or("not found", |point| point.about.stability.name());
                 format!("{stability} for all {first}")
             }
-            Ok(course) => {
-                course.crossings.iter().map(|crossing| crossing_text(first, crossing)).collect::<Vec<_>>().join("; ")
-            }
+            Ok(course) => course
+                .crossings
+                .iter()
+                .map(|crossing| followed_crossing_text(first, crossing))
+                .collect::<Vec<_>>()
+                .join("; "),
             Err(error) => {
                 print_to_stderr(&format!("note: {second} = {value}: {}", error.first_line()));
                 "no steady motion to begin with".to_owned()

@@ -3,7 +3,7 @@
 //! Numbers have all their digits for programs, and six digits in LaTeX. If parameters remain
 //! symbols, the matrices are functions of them.
 
-use super::{eigenvalue_text, motion_kind_words, names, states_in_mode};
+use super::{eigenvalue_text, linearised_mode_states, motion_kind_words, names};
 use crate::arguments::Notation;
 use std::fmt::Write;
 use tripos::Mechanism;
@@ -57,7 +57,8 @@ fn linear_system_comment(model: &Mechanism, found: &SteadyLinearSystem, mark: &s
     let at: Vec<String> = found.states().map(|(name, x)| format!("{name} = {x:?}")).collect();
     let _ = writeln!(out, "{mark} at {}", at.join(", "));
     for mode in found.modes.iter().filter(|mode| mode.value[1] >= 0.0) {
-        let parts: Vec<String> = states_in_mode(found, mode).into_iter().take(4).map(|(name, _)| name).collect();
+        let parts: Vec<String> =
+            linearised_mode_states(found, mode).into_iter().take(4).map(|(name, _)| name).collect();
         let _ = writeln!(out, "{mark} eigenvalue {} 1/s: {}", eigenvalue_text(mode, 12), parts.join(", "));
     }
     out
@@ -151,7 +152,7 @@ impl Written {
     /// Returns the matrices in LaTeX with amsmath.
     fn latex(&self, head: &str, [states, inputs, outputs]: [&[String]; 3]) -> String {
         let column = |names: &[String]| {
-            let names: Vec<String> = names.iter().map(|name| name_in_latex(name)).collect();
+            let names: Vec<String> = names.iter().map(|name| latex_notation_name(name)).collect();
             format!("\\begin{{pmatrix}} {} \\end{{pmatrix}}", names.join(" \\\\ "))
         };
         let mut out = head.to_owned();
@@ -185,7 +186,7 @@ impl Written {
 }
 
 /// Returns the name of a state, or the formula of an output, in LaTeX.
-fn name_in_latex(name: &str) -> String {
+fn latex_notation_name(name: &str) -> String {
     let mut arena = Arena::new();
     parse_free(&mut arena, name).map_or_else(|_| format!("\\text{{{name}}}"), |e| latex(&arena, e))
 }

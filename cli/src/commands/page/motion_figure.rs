@@ -5,7 +5,7 @@ use crate::interruption;
 use crate::page::{MotionFigure, SceneSection, Standing, Viewer};
 use crate::view::{LiveEquations, LiveView, STYLE, ViewContent, ViewPlace, figure, script, turns_truly};
 use tripos::Mechanism;
-use tripos::pictures::view::{Motion, View};
+use tripos::pictures::view::{View, ViewMotion};
 use tripos_derive::scene::Scene;
 
 /// Returns the figure of the motion of the best scene. `None` if no scene was finished, or after an
@@ -14,14 +14,15 @@ pub fn page_motion_figure(model: &Mechanism, scenes: &[Scene], sections: &[Scene
     if interruption::is_interrupted() {
         return None;
     }
-    let scene = scene_to_show(scenes, sections)?;
-    let viewer = motion_viewer(model, &scenes[scene], &sections[scene].title).map_err(|failure| failure.first_line());
+    let scene = motion_figure_scene(scenes, sections)?;
+    let viewer =
+        motion_figure_viewer(model, &scenes[scene], &sections[scene].title).map_err(|failure| failure.first_line());
     Some(MotionFigure { scene, viewer })
 }
 
 /// Returns the index of the scene to show; `None` without a scene. Preferred are scenes whose run
 /// is right and reaches its end, then the longest.
-fn scene_to_show(scenes: &[Scene], sections: &[SceneSection]) -> Option<usize> {
+fn motion_figure_scene(scenes: &[Scene], sections: &[SceneSection]) -> Option<usize> {
     let rank = |at: usize| {
         let first = sections[at].runs.iter().find(|run| run.printed.is_none());
         let standing = first.map_or(3, |run| match run.standing {
@@ -37,8 +38,8 @@ fn scene_to_show(scenes: &[Scene], sections: &[SceneSection]) -> Option<usize> {
 
 /// Returns the viewer of a scene's motion as parts of an HTML page: figure, style and script.
 /// `Err` if the motion cannot be computed.
-fn motion_viewer(model: &Mechanism, scene: &Scene, title: &str) -> Result<Viewer, Failure> {
-    let motions = vec![Motion::of_scene(model, scene, None)?];
+fn motion_figure_viewer(model: &Mechanism, scene: &Scene, title: &str) -> Result<Viewer, Failure> {
+    let motions = vec![ViewMotion::of_scene(model, scene, None)?];
     let view = View::new(model, scene, &motions.iter().collect::<Vec<_>>())?;
     let seen = ViewContent { mechanism: model, scene, view, motions, title: title.to_owned() };
     let live = LiveEquations::of(&seen, None, ViewPlace::Page)?;

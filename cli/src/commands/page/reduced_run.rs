@@ -7,7 +7,7 @@ use tripos::trust::compared_quantities::ComparedQuantities;
 use tripos::{
     InvariantValues, Mechanism, Problem, ReducedScene, Run, WatchedInvariants, run_problem, set_whole_model_energies,
 };
-use tripos_codegen::plan::costs;
+use tripos_codegen::plan::scene_costs;
 use tripos_derive::scene::{AccelerationSolution, Scene};
 use tripos_traits::{DoubleDouble, Real, Scalar};
 
@@ -37,24 +37,26 @@ impl ReducedRun {
         let mut run = run_problem(&Problem::reduced(model, &reduced, scene, &code)?, watch)?;
         set_whole_model_energies(model, scene, &mut run)?;
         let course = watch.map(|watch| run.course(watch, scene, &code)).transpose()?;
-        let costs = costs(model, &reduced.reduction).map_err(|error| model.diagnose(&error))?;
+        let costs = scene_costs(model, &reduced.reduction).map_err(|error| model.diagnose(&error))?;
         Ok(Self { needs: ReducedEquationsContent { reduced, costs }, run, course })
     }
 }
 
 /// Returns a state as numbers in double-double precision.
-pub fn state_in_double_double(state: &[f64]) -> Vec<DoubleDouble> {
+pub fn page_state_in_double_double(state: &[f64]) -> Vec<DoubleDouble> {
     state.iter().copied().map(DoubleDouble::from_f64).collect()
 }
 
 /// Returns the values of a scene's outputs along a run, a list for each sample. A value is NaN if
 /// the states do not determine the output.
-pub fn output_values_along_run(compared: &ComparedQuantities, run: &Run) -> Vec<Vec<f64>> {
+pub fn page_run_outputs(compared: &ComparedQuantities, run: &Run) -> Vec<Vec<f64>> {
     if run.by.is_reduced() {
         return run.states.clone();
     }
     run.states
         .iter()
-        .map(|state| compared.quantities_of_state(&state_in_double_double(state)).iter().map(|x| x.to_f64()).collect())
+        .map(|state| {
+            compared.quantities_of_state(&page_state_in_double_double(state)).iter().map(|x| x.to_f64()).collect()
+        })
         .collect()
 }

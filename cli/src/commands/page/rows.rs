@@ -2,7 +2,7 @@
 
 use super::reduced_run::ReducedRun;
 use crate::page::{RunRow, SceneFact, SingularityDistances, Standing};
-use tripos::{CorrectDigits, InvariantValues, Mechanism, Run, method_words, state_names};
+use tripos::{CorrectDigits, InvariantValues, Mechanism, Run, integration_method_words, state_names};
 use tripos_derive::scene::Scene;
 use tripos_sim::Stop;
 
@@ -45,7 +45,7 @@ pub fn scene_facts(model: &Mechanism, scene: &Scene) -> Vec<(&'static str, Scene
     let numbers = numbers.into_iter().filter(|(_, list)| !list.is_empty());
     let words = [
         ("Span", format!("{} s to {} s", scene.span.0, scene.span.1)),
-        ("Integration", method_words(scene)),
+        ("Integration", integration_method_words(scene)),
         ("Domain", domain),
     ];
     let words = words.into_iter().filter(|(_, words)| !words.is_empty());
@@ -73,12 +73,12 @@ pub fn row(scene: &Scene, run: &Run, course: &InvariantValues, standing: Standin
             .and_then(CorrectDigits::digits_at_end_least)
             .filter(|_| standing != Standing::Wrong),
         standing,
-        few_from: few_from(run),
+        few_from: row_time_of_few_digits(run),
         energy_drift: run.energy_drift,
         warnings: run.warnings.clone(),
         changes: course.largest_changes(),
         nearest: SingularityDistances {
-            determinant: smallest_and_largest(&course.determinant),
+            determinant: row_value_range(&course.determinant),
             relative: course.least(&course.relative_determinant()),
             condition: course.least(&course.condition),
             divisors: course.divisors.iter().map(|values| course.least(values)).collect(),
@@ -88,7 +88,7 @@ pub fn row(scene: &Scene, run: &Run, course: &InvariantValues, standing: Standin
 
 /// Returns the time, s, from which a run has fewer than three correct digits. `None` if it keeps
 /// three, or if digits were not assessed.
-fn few_from(run: &Run) -> Option<f64> {
+fn row_time_of_few_digits(run: &Run) -> Option<f64> {
     let digits = run.digits.as_ref()?;
     digits.first_with_few().map(|(instant, _)| digits.t[instant])
 }
@@ -99,7 +99,7 @@ pub fn reduced_run_row(scene: &Scene, own: &ReducedRun, standing: Standing) -> R
 }
 
 /// Returns the smallest and largest of the values, NaN excepted; `None` without other values.
-fn smallest_and_largest(values: &[f64]) -> Option<(f64, f64)> {
+fn row_value_range(values: &[f64]) -> Option<(f64, f64)> {
     let numbers = || values.iter().copied().filter(|x| !x.is_nan());
     Some((numbers().min_by(f64::total_cmp)?, numbers().max_by(f64::total_cmp)?))
 }

@@ -5,23 +5,23 @@
 //! differ.
 
 use crate::failure::Failure;
-use crate::output::{make_folder, write_csv_file, write_text_file};
+use crate::output_files::{make_folder, write_csv_file, write_text_file};
 use crate::page::Figure;
 use crate::plot::{Panel, draw};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use tripos::{Error, Mechanism};
-use tripos_codegen::scene_files::scene_path_from_model;
+use tripos_codegen::model_folders::scene_path_in_model_folder;
 use tripos_derive::plain_text::is_forbidden;
 use tripos_derive::scene::Scene;
 
 /// Returns the folder of a scene's tables, relative to the page's folder: the name of the scene's
 /// file. A scene in the model's own folder gets a longer name if a scene in `scenes/` has the same
 /// name.
-pub fn folder_of(model: &Mechanism, scene: &Scene) -> PathBuf {
+pub fn run_figure_folder(model: &Mechanism, scene: &Scene) -> PathBuf {
     let (model, path) = (&model.source.path, &scene.source.path);
-    let stem = folder_name(&path.file_stem().unwrap_or_default().to_string_lossy());
-    let is_beside = !scene_path_from_model(model, path).starts_with("scenes/");
+    let stem = run_figure_folder_name(&path.file_stem().unwrap_or_default().to_string_lossy());
+    let is_beside = !scene_path_in_model_folder(model, path).starts_with("scenes/");
     let rival = model.with_file_name("scenes").join(path.file_name().unwrap_or_default());
     let mut name = stem;
     if is_beside && rival.is_file() {
@@ -32,7 +32,7 @@ pub fn folder_of(model: &Mechanism, scene: &Scene) -> PathBuf {
 
 /// Returns a safe folder name made from a file name. It cannot lead out of the page's folder, is
 /// not the page's own file, and contains no control character.
-fn folder_name(stem: &str) -> String {
+fn run_figure_folder_name(stem: &str) -> String {
     let plain: String = stem.chars().map(|c| if is_forbidden(c) || c == '/' || c == '\\' { '_' } else { c }).collect();
     if plain.trim_matches('.').is_empty() || plain == "index.html" { format!("scene {plain}") } else { plain }
 }
@@ -91,7 +91,7 @@ pub fn run_figure(caption: &str, panels: &[Panel], columns: usize) -> Result<Fig
 
 /// Returns the caption of a figure: the scene file's own caption, if there is one, then the
 /// computed sentence.
-pub fn caption_with_sentence(own: &str, computed: &str) -> String {
+pub fn run_figure_caption(own: &str, computed: &str) -> String {
     match own.trim_end_matches('.') {
         "" => computed.to_owned(),
         own => format!("{own}. {computed}"),
@@ -100,7 +100,7 @@ pub fn caption_with_sentence(own: &str, computed: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::folder_name;
+    use super::run_figure_folder_name;
 
     #[test]
     fn no_name_leaves_the_folder_of_the_page() {
@@ -114,7 +114,7 @@ mod tests {
             ("a/../b", "a_.._b"),
             ("e\u{1b}[31m", "e_[31m"),
         ] {
-            assert_eq!(folder_name(stem), folder);
+            assert_eq!(run_figure_folder_name(stem), folder);
             let path = std::path::Path::new(folder);
             assert!(
                 path.components().all(|c| matches!(c, std::path::Component::Normal(_)))

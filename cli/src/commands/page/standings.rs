@@ -3,7 +3,7 @@
 
 use crate::page::Standing;
 use tripos::studies::model_analysis::ModelAnalysis;
-use tripos::{CorrectDigits, Run, method_words};
+use tripos::{CorrectDigits, Run, integration_method_words};
 use tripos_derive::algebra::meaning::compare::Verdict;
 use tripos_derive::scene::Scene;
 use tripos_traits::largest;
@@ -32,12 +32,12 @@ pub fn run_standing(study: &ModelAnalysis, scene: &Scene, run: &Run) -> Standing
     if run.warnings.is_empty() {
         return Standing::Right;
     }
-    Standing::Loose { how: method_words(scene), error: run_error_at_end(run) }
+    Standing::Loose { how: integration_method_words(scene), error: standing_error_at_end(run) }
 }
 
 /// Returns the error of a run at its end, the largest |e|/(1 + |value|), estimated by a second run.
 /// `Err` is the reason why it is unknown.
-fn run_error_at_end(run: &Run) -> Result<f64, String> {
+fn standing_error_at_end(run: &Run) -> Result<f64, String> {
     let errors = run.digits.as_ref().and_then(CorrectDigits::errors_at_end);
     let errors = errors.ok_or_else(|| "it was not assessed to its end".to_owned())?;
     let error = largest(errors.iter().zip(&run.end).map(|(error, value)| error / (1.0 + value.abs())));

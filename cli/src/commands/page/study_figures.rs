@@ -3,18 +3,18 @@
 //!
 //! Invariant: every point of these figures is in a table in the scene's folder.
 
-use super::run_figures::caption_with_sentence;
+use super::run_figures::run_figure_caption;
 use crate::chart::sentences::{TARGETS, chart_caption, chart_recommendation, fastest};
-use crate::chart::{figure, files};
+use crate::chart::{chart_tables, figure};
 use crate::failure::Failure;
-use crate::output::make_folder as make;
+use crate::output_files::make_folder as make;
 use crate::page::{Advice, Figure, RecommendedRun};
-use crate::stability::{sentences, write_stability_tables};
+use crate::stability::{passage_sentences, write_stability_tables};
 use std::path::{Path, PathBuf};
 use tripos::Mechanism;
 use tripos::studies::chart_case::PrintedEquationsChoice;
-use tripos::studies::stability::{Findings, StudyInputs, TopicStudy, conditioning, ladder};
-use tripos::studies::work_precision_chart::{ChartPlan, session};
+use tripos::studies::stability::{Findings, StudyInputs, TopicStudy, conditioning, passages};
+use tripos::studies::work_precision_chart::{ChartPlan, scene_chart};
 use tripos_derive::scene::{FigureKind, Scene};
 
 /// Measurements of a scene for its figures, made when a figure needs them.
@@ -55,7 +55,7 @@ impl<'a> StudyFigures<'a> {
         };
         match result {
             Ok(figure) => {
-                Ok(figure.map(|figure| Figure { caption: caption_with_sentence(own, &figure.caption), ..figure }))
+                Ok(figure.map(|figure| Figure { caption: run_figure_caption(own, &figure.caption), ..figure }))
             }
             Err(Failure::Output(path, error)) => Err(Failure::Output(path, error)),
             // A figure that fails does not stop the page.
@@ -79,10 +79,15 @@ impl<'a> StudyFigures<'a> {
     /// Measures speed against accuracy, and draws the speed chart.
     /// Never `None`. `Err` if the measurement fails or a table cannot be written.
     fn work_precision(&mut self) -> Result<Option<Figure>, Failure> {
-        let session =
-            session::chart_scene(self.model, self.scene, PrintedEquationsChoice::LeftOut, &ChartPlan::quick(), &())?;
+        let session = scene_chart::chart_scene(
+            self.model,
+            self.scene,
+            PrintedEquationsChoice::LeftOut,
+            &ChartPlan::quick(),
+            &(),
+        )?;
         let (folder, link) = self.make_table_folder("work_precision.csv")?;
-        files::write_chart_tables(&folder, &session.list, &session.watch.integrals)?;
+        chart_tables::write_chart_tables(&folder, &session.list, &session.watch.integrals)?;
         let choice = |target: f64| {
             let m = fastest(&session.list, target, |_| true)?;
             Some(RecommendedRun {
@@ -108,10 +113,10 @@ impl<'a> StudyFigures<'a> {
     /// has no such passage.
     /// `Err` if the study fails or a table cannot be written.
     fn passages(&mut self) -> Result<Option<Figure>, Failure> {
-        let Some(svg) = self.draw_study(FigureKind::Passages, ladder::study_passages)? else { return Ok(None) };
+        let Some(svg) = self.draw_study(FigureKind::Passages, passages::study_passages)? else { return Ok(None) };
         let data = self.write_study_tables(&["passages.csv", "stability.csv"])?;
-        let remark = sentences::lagrange_coordinate_sentence(self.model, &self.findings.passages);
-        Ok(Some(Figure { caption: sentences::passages(self.model, &self.findings), svg, remark, data }))
+        let remark = passage_sentences::lagrange_passage_sentence(self.model, &self.findings.passages);
+        Ok(Some(Figure { caption: passage_sentences::passages_caption(self.model, &self.findings), svg, remark, data }))
     }
 
     /// Runs the study of conditioning, and draws its figure. `None` if the motion does not come
@@ -122,7 +127,12 @@ impl<'a> StudyFigures<'a> {
             return Ok(None);
         };
         let data = self.write_study_tables(&["stability.csv"])?;
-        Ok(Some(Figure { caption: sentences::conditioning(self.model, &self.findings), svg, remark: None, data }))
+        Ok(Some(Figure {
+            caption: passage_sentences::passage_conditioning_caption(self.model, &self.findings),
+            svg,
+            remark: None,
+            data,
+        }))
     }
 
     /// Writes the tables of all studies made so far, and returns the links to the tables with these

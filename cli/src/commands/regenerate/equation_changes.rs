@@ -10,7 +10,7 @@ use tripos_codegen::generated_workspace::DERIVED_MODEL_COPY;
 use tripos_derive::Model;
 use tripos_derive::diagnostic::{Diagnostics, Source};
 use tripos_derive::model::load;
-use tripos_derive::plain_text::path_in_line;
+use tripos_derive::plain_text::path_as_plain_text;
 
 /// Result of comparing the equations of a model before and after an edit.
 pub enum EquationComparison {
@@ -26,7 +26,7 @@ pub enum EquationComparison {
 pub fn compare_with_committed_equations(models: &Path, committed: &Path, folder: &str) -> EquationComparison {
     let (path, before) = (models.join(folder).join("model.toml"), committed.join(folder).join(DERIVED_MODEL_COPY));
     let Ok(text) = std::fs::read_to_string(&before) else {
-        let before = path_in_line(&before);
+        let before = path_as_plain_text(&before);
         return EquationComparison::Unknown(format!("{before}, the model that they were derived from, is not there"));
     };
     match compare_model_texts(&path, text) {

@@ -113,7 +113,7 @@ fn record_reference(reference: &Source, count: usize) -> Outcome {
     if std::fs::read(&reference.path).is_ok_and(|old| old == reference.text.as_bytes()) {
         return Outcome::Unchanged(count);
     }
-    match tripos_codegen::whole_file_writer::write(&reference.path, &reference.text) {
+    match tripos_codegen::draft_file::write(&reference.path, &reference.text) {
         Ok(()) => Outcome::Recorded(count),
         Err(error) => Outcome::Refused(error.to_string()),
     }

@@ -4,11 +4,11 @@
 //! runs of this scene: by Kane's equations, and by the printed equations as they stand.
 
 use crate::failure::Failure;
-use crate::judgement::JudgedPublication;
+use crate::judged_publication::JudgedPublication;
 use serde_json::{Value, json};
 use std::path::Path;
 use tripos::{EquationsName, Overrides, Scene};
-use tripos_codegen::scene_files::{scene_files, scene_path_from_model};
+use tripos_codegen::model_folders::{scene_path_in_model_folder, scenes_in_model_folder};
 use tripos_derive::Formulation;
 use tripos_derive::algebra::meaning::compare::Verdict;
 use tripos_derive::plain_text::with_significant_digits;
@@ -17,7 +17,7 @@ use tripos_derive::plain_text::with_significant_digits;
 const DIGITS: usize = 3;
 
 /// Motion by wrong printed equations, compared with the right motion.
-pub struct Motion {
+pub struct ShelvedMotion {
     /// Id of the publication's printed system of equations.
     pub system: String,
     /// Path of the scene file that states the start, relative to the model.
@@ -37,7 +37,7 @@ pub enum Outcome {
     Stopped(String),
 }
 
-impl Motion {
+impl ShelvedMotion {
     /// Returns a sentence about the motion, without its full stop.
     pub fn words(&self) -> String {
         let Self { system, scene, time, outcome } = self;
@@ -70,11 +70,11 @@ impl Motion {
 ///
 /// # Errors
 /// [`Failure`] if the scene cannot be read, or if the derived equations cannot run it to its end.
-pub fn motions(folder: &Path, judged: &JudgedPublication) -> Result<Vec<Motion>, Failure> {
+pub fn motions(folder: &Path, judged: &JudgedPublication) -> Result<Vec<ShelvedMotion>, Failure> {
     let model = folder.join("model.toml");
     let wrong = judged.difference.consequences.iter().filter(|c| matches!(c.accelerations, Verdict::Different(_)));
     let systems: Vec<&str> = wrong.map(|c| c.system.as_str()).collect();
-    let Some(file) = scene_files(&model).into_iter().next().filter(|_| !systems.is_empty()) else {
+    let Some(file) = scenes_in_model_folder(&model).into_iter().next().filter(|_| !systems.is_empty()) else {
         return Ok(Vec::new());
     };
     let scene = Scene::read(&file)?;
@@ -82,7 +82,7 @@ pub fn motions(folder: &Path, judged: &JudgedPublication) -> Result<Vec<Motion>,
     let right = scene.simulate(&by(EquationsName::Derived(Formulation::Kane)))?;
     if let Some(why) = right.failure() {
         return Err(Failure::request(
-            format!("{}: {why}", scene_path_from_model(&model, &file)),
+            format!("{}: {why}", scene_path_in_model_folder(&model, &file)),
             "choose another start or span",
         ));
     }
@@ -92,17 +92,17 @@ pub fn motions(folder: &Path, judged: &JudgedPublication) -> Result<Vec<Motion>,
         let run = scene.simulate(&by(EquationsName::Printed(system.to_owned())))?;
         let outcome = match run.failure() {
             Some(why) => Outcome::Stopped(why),
-            None => farthest_coordinate(&right.names[..count], &right.states, &run.end, &right.end),
+            None => shelved_motion_outcome(&right.names[..count], &right.states, &run.end, &right.end),
         };
-        let (scene, time) = (scene_path_from_model(&model, &file), right.solution.t_end);
-        list.push(Motion { system: system.to_owned(), scene, time, outcome });
+        let (scene, time) = (scene_path_in_model_folder(&model, &file), right.solution.t_end);
+        list.push(ShelvedMotion { system: system.to_owned(), scene, time, outcome });
     }
     Ok(list)
 }
 
 /// Returns the coordinate whose final value by printed equations is farthest from the right value,
 /// relative to the coordinate's largest absolute value in the right motion.
-fn farthest_coordinate(names: &[String], states: &[Vec<f64>], printed: &[f64], right: &[f64]) -> Outcome {
+fn shelved_motion_outcome(names: &[String], states: &[Vec<f64>], printed: &[f64], right: &[f64]) -> Outcome {
     let range = |at: usize| states.iter().map(|state| state[at].abs()).fold(f64::MIN_POSITIVE, f64::max);
     let off = |at: usize| (printed[at] - right[at]).abs() / range(at);
     let at = (0..names.len()).max_by(|a, b| off(*a).total_cmp(&off(*b))).unwrap_or(0);
@@ -111,13 +111,13 @@ fn farthest_coordinate(names: &[String], states: &[Vec<f64>], printed: &[f64], r
 
 #[cfg(test)]
 mod tests {
-    use super::{Outcome, farthest_coordinate};
+    use super::{Outcome, shelved_motion_outcome};
 
     #[test]
     fn the_farthest_coordinate_is_farthest_in_relation_to_its_range() {
         let names = ["x".to_owned(), "theta".to_owned()];
         let states = [vec![100.0, 0.1], vec![90.0, 0.2]];
-        let found = farthest_coordinate(&names, &states, &[95.0, 0.4], &[90.0, 0.2]);
+        let found = shelved_motion_outcome(&names, &states, &[95.0, 0.4], &[90.0, 0.2]);
         assert!(matches!(found, Outcome::Apart { coordinate, printed, right }
             if coordinate == "theta" && (printed, right) == (0.4, 0.2)));
     }

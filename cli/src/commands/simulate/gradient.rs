@@ -1,7 +1,7 @@
 //! Option `tripos simulate --gradient`: derivatives of one number at the end of a run by all
 //! parameters and start values.
 
-use super::sensitivity::unit_suffix;
+use super::sensitivity::sensitivity_unit_suffix;
 use super::{as_json, as_text, report_run};
 use crate::arguments::Simulate;
 use crate::failure::{Failure, print, print_json};
@@ -82,7 +82,7 @@ fn gradient_text(of: &Gradient) -> String {
             continue;
         }
         let error = slope.error.map_or_else(String::new, |error| format!(" ± {}", with_significant_digits(error, 1)));
-        let unit = unit_suffix(slope.unit.as_ref());
+        let unit = sensitivity_unit_suffix(slope.unit.as_ref());
         let _ = writeln!(out, "  by {by:width$}  {}{error}{unit}", slope.value);
     }
     let _ = match &of.assessed_by {

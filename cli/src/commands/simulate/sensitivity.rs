@@ -59,7 +59,7 @@ pub fn sensitivity_text(of: &Sensitivities) -> String {
                 .errors
                 .as_ref()
                 .map_or_else(String::new, |errors| format!(" ± {}", with_significant_digits(errors[k][at], 1)));
-            let unit = unit_suffix(of.units[k][at].as_ref());
+            let unit = sensitivity_unit_suffix(of.units[k][at].as_ref());
             if !of.end[k][at].is_finite() {
                 let _ = writeln!(out, "  d({})/d({by}) has no value", of.names[at]);
                 continue;
@@ -76,7 +76,7 @@ pub fn sensitivity_text(of: &Sensitivities) -> String {
 
 /// Returns a unit as text after a number. Empty if the quantity has no unit, or if the unit is not
 /// known.
-pub fn unit_suffix(unit: Option<&String>) -> String {
+pub fn sensitivity_unit_suffix(unit: Option<&String>) -> String {
     unit.filter(|unit| *unit != "1").map_or_else(String::new, |unit| format!(" {unit}"))
 }
 

@@ -1,8 +1,8 @@
 //! Formulas of a page: what may break, and what nobody would read.
 
-use crate::page::markup::math::{
-    EquationSide, aligned_equations, breakable_equation, formula, formula_in_sentence, vector_components_html, widest,
-    zero_statement,
+use crate::page::markup::formula_mathml::{
+    MathmlSide, aligned_mathml_equations, breakable_mathml, formula, formula_mathml_in_sentence,
+    vector_components_html, widest, zero_formula_mathml,
 };
 use crate::page::markup::typeset::typeset;
 use crate::page::tests::unbalanced;
@@ -13,18 +13,18 @@ use tripos_derive::algebra::text::parse::parse_free;
 fn long_sums_may_stand_on_several_lines() {
     let sum = typeset("-a + (b - c)").unwrap().remove(0);
     assert_eq!(widest(&sum), 6, "+(b−c)");
-    let side = || EquationSide::Whole("<mi>I</mi>".to_owned());
-    let pieces = breakable_equation(&[side(), EquationSide::Marks(sum)]);
+    let side = || MathmlSide::Whole("<mi>I</mi>".to_owned());
+    let pieces = breakable_mathml(&[side(), MathmlSide::Marks(sum)]);
     assert_eq!(pieces.matches("<math>").count(), 2, "what is narrow stays whole: {pieces}");
     let sum = typeset("-alpha_long + m*(beta_long - gamma_long*(delta_long + 1))").unwrap().remove(0);
-    let pieces = breakable_equation(&[side(), EquationSide::Marks(sum.clone())]);
+    let pieces = breakable_mathml(&[side(), MathmlSide::Marks(sum.clone())]);
     assert_eq!(pieces.matches("<math>").count(), 4, "{pieces}");
     assert_eq!(unbalanced(&pieces), None);
     assert!(
         pieces.contains("<mi>I</mi><mo form=\"infix\" rspace=\"0\">=</mo></math> <math><mo form=\"prefix\">−</mo>"),
         "{pieces}"
     );
-    let rows = aligned_equations(&[(side(), EquationSide::Marks(sum.clone())), (EquationSide::Marks(sum), side())]);
+    let rows = aligned_mathml_equations(&[(side(), MathmlSide::Marks(sum.clone())), (MathmlSide::Marks(sum), side())]);
     assert_eq!(unbalanced(&rows), None);
     assert!(rows.contains("<td class=\"wide\"><math><mo form=\"infix\">=</mo>"), "{rows}");
     assert!(rows.contains("<td class=\"wide\" colspan=\"2\">"), "a wide left side pushes no equals signs: {rows}");
@@ -40,14 +40,14 @@ fn what_nobody_would_read_is_told_by_its_number_of_operations() {
         parse_free(&mut arena, &text.join(" + ")).unwrap()
     };
     let (short, medium, long) = (sum(10), sum(100), sum(300));
-    let zero = |e| zero_statement(&arena, e);
+    let zero = |e| zero_formula_mathml(&arena, e);
     assert!(
         zero(short).ends_with("<mo form=\"infix\" rspace=\"0\">=</mo></math> <math><mn>0</mn></math>"),
         "{}",
         zero(short)
     );
     assert_eq!(zero(medium), "a term of 499 operations vanishes", "too long for a sentence");
-    assert_eq!(formula_in_sentence(&arena, long), "a term of 1499 operations");
+    assert_eq!(formula_mathml_in_sentence(&arena, long), "a term of 1499 operations");
     assert!(formula(&arena, medium).contains("<msub><mi>q</mi><mn>99</mn></msub>"), "but not for a line of its own");
     assert_eq!(formula(&arena, long), "<mtext>a term of 1499 operations</mtext>");
 }

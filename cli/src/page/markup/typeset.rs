@@ -3,8 +3,8 @@
 //! Invariant: nothing is reordered, combined or cancelled, as reading into an arena would do. A
 //! reader finds the printed formula again. Text that is no formula is left as text.
 
+use crate::page::markup::formula_mathml::inline_mathml;
 use crate::page::markup::html::escape;
-use crate::page::markup::math::inline_math;
 use tripos_derive::algebra::text::display_tree::DisplayTree;
 use tripos_derive::algebra::text::print::mathml_of;
 
@@ -40,7 +40,7 @@ pub fn typeset_words(text: &str) -> String {
             let content = joined.trim_end_matches([',', ';']);
             let is_marked = content.contains(|c: char| c.is_ascii_digit() || "*/^'".contains(c));
             let view = formula(content).filter(|_| is_marked)?;
-            Some((end, format!("{}{}", inline_math(&mathml_of(&view)), &joined[content.len()..])))
+            Some((end, format!("{}{}", inline_mathml(&mathml_of(&view)), &joined[content.len()..])))
         });
         let (end, html) = read.unwrap_or_else(|| (at + 1, escape(words[at])));
         out.push(html);

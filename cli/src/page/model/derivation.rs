@@ -3,17 +3,18 @@
 
 use super::laws::law;
 use crate::page::content::Page;
-use crate::page::markup::html::{escape, foldable_part, folded_html, link, scrolling_box};
-use crate::page::markup::math::{
-    EquationSide, aligned_equations, breakable_equation, formula, formula_in_sentence, inline_math, is_short, length,
-    line_name, long_formulas_note, matrix, row_name, stage_title,
+use crate::page::markup::formula_mathml::{
+    MathmlSide, aligned_mathml_equations, breakable_mathml, formula, formula_mathml_in_sentence, inline_mathml,
+    is_short_formula_mathml, length, line_name_mathml, long_formulas_note, matrix_mathml, row_name_mathml,
+    stage_title_mathml,
 };
+use crate::page::markup::html::{escape, foldable_part, folded_html, link, scrolling_box};
 use crate::phrases::NAMED_TERMS_HEADING;
 use std::fmt::Write;
 use tripos_derive::algebra::term::steps::Definition;
 use tripos_derive::algebra::text::definitions::definitions_shown;
 use tripos_derive::algebra::text::display_tree::DisplayTree;
-use tripos_derive::algebra::text::print::{latex, view_of};
+use tripos_derive::algebra::text::print::{latex, print_view};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{DerivationInSteps, Equations, LineName, QuantityKind, Step};
 use tripos_derive::{Formulation, Model};
@@ -59,7 +60,7 @@ pub fn steps(
 ) -> String {
     let Ok(derivation) = result else { return String::new() };
     let DerivationInSteps { arena, steps, .. } = derivation;
-    let shown: String = steps.iter().map(|step| show_step(page.model, arena, step, shown)).collect();
+    let shown: String = steps.iter().map(|step| derivation_step_html(page.model, arena, step, shown)).collect();
     let mut values = steps.iter().flat_map(|step| step.lines.iter().map(|(_, value)| *value));
     let is_read = values.all(|e| length(arena, e).is_some());
     let rest = if is_read { String::new() } else { long_formulas_note(&derive_command(page, formulation)) };
@@ -88,28 +89,30 @@ fn definitions(arena: &Arena, list: &[Definition]) -> String {
     if list.is_empty() {
         return String::new();
     }
-    let line = |step: &Definition| (EquationSide::of(arena, step.symbol), EquationSide::of(arena, step.value));
+    let line = |step: &Definition| (MathmlSide::of(arena, step.symbol), MathmlSide::of(arena, step.value));
     let pairs: Vec<_> = list.iter().map(line).collect();
-    let content = scrolling_box(NAMED_TERMS_HEADING, &aligned_equations(&pairs));
+    let content = scrolling_box(NAMED_TERMS_HEADING, &aligned_mathml_equations(&pairs));
     folded_html(&format!("{NAMED_TERMS_HEADING} <span class=\"quiet\">({} lines)</span>", pairs.len()), &content)
 }
 
 /// Returns the HTML of a formulation's principle, with its law as a formula if it has one.
 fn principle(formulation: Formulation, model: &Model) -> String {
     let (principle, law) = (formulation.method().principle, law(formulation, model));
-    if law.is_empty() { format!("{principle}.") } else { format!("{principle} {}.", inline_math(&law)) }
+    if law.is_empty() { format!("{principle}.") } else { format!("{principle} {}.", inline_mathml(&law)) }
 }
 
 /// Returns the HTML of a stage of a derivation. A stage already in `shown`, or a long stage, is
 /// folded.
-fn show_step(model: &Model, arena: &Arena, step: &Step, shown: &mut Vec<String>) -> String {
+fn derivation_step_html(model: &Model, arena: &Arena, step: &Step, shown: &mut Vec<String>) -> String {
     if step.lines.is_empty() {
         return String::new();
     }
-    let mut title = stage_title(model, step.stage);
-    let pairs =
-        step.lines.iter().map(|(name, e)| (EquationSide::Whole(line_name(model, name)), EquationSide::of(arena, *e)));
-    let mut content = scrolling_box(&step.stage.title(model), &aligned_equations(&pairs.collect::<Vec<_>>()));
+    let mut title = stage_title_mathml(model, step.stage);
+    let pairs = step
+        .lines
+        .iter()
+        .map(|(name, e)| (MathmlSide::Whole(line_name_mathml(model, name)), MathmlSide::of(arena, *e)));
+    let mut content = scrolling_box(&step.stage.title(model), &aligned_mathml_equations(&pairs.collect::<Vec<_>>()));
     let is_partial = |name: &LineName| matches!(name, LineName::Quantity(QuantityKind::Partial { .. }));
     if step.lines.iter().any(|(name, _)| is_partial(name)) {
         content += "<p class=\"quiet\">Partial derivatives that are not listed are zero.</p>\n";
@@ -135,18 +138,18 @@ fn show_step(model: &Model, arena: &Arena, step: &Step, shown: &mut Vec<String>)
 fn show_equations(page: &Page, derivation: &DerivationInSteps) -> String {
     let DerivationInSteps { arena, equations, .. } = derivation;
     let (mut out, mut known, mut more) = (String::new(), Vec::new(), String::new());
-    let (system, named) = linear_system_mathml(arena, equations);
+    let (system, named) = derived_system_mathml(arena, equations);
     let math = format!("<math display=\"block\"><mrow>{system}</mrow></math>\n");
     out += &scrolling_box("System of equations in matrix form", &math);
     if !named.is_empty() {
         if equations.symmetric {
             known.push("The matrix is symmetric.".to_owned());
         }
-        let entries = scrolling_box("Entries of the matrix and of the forcing", &aligned_equations(&named));
+        let entries = scrolling_box("Entries of the matrix and of the forcing", &aligned_mathml_equations(&named));
         more += &folded_html(&format!("Its entries <span class=\"quiet\">({})</span>", named.len()), &entries);
     }
     if !equations.divisors.is_empty() {
-        let divisors: Vec<_> = equations.divisors.iter().map(|e| formula_in_sentence(arena, *e)).collect();
+        let divisors: Vec<_> = equations.divisors.iter().map(|e| formula_mathml_in_sentence(arena, *e)).collect();
         known.push(format!(
             "The kinematic equations divide by {}: where one vanishes the generalized speeds do not determine the rates of the \
              coordinates.",
@@ -160,7 +163,7 @@ fn show_equations(page: &Page, derivation: &DerivationInSteps) -> String {
                 "Row by row",
                 &scrolling_box("Equations row by row", &row_by_row(page.model, arena, equations)),
             );
-            let source = format!("<pre><code>{}</code></pre>\n", escape(&latex_source(arena, equations)));
+            let source = format!("<pre><code>{}</code></pre>\n", escape(&page_derivation_latex(arena, equations)));
             more += &folded_html("LaTeX source", &scrolling_box("LaTeX source", &source));
         }
         _ => {
@@ -174,7 +177,7 @@ fn show_equations(page: &Page, derivation: &DerivationInSteps) -> String {
         let _ = writeln!(out, "<p class=\"formula\">{}</p>", known.join(" "));
     }
     let is_read = entries.iter().all(|e| length(arena, *e).is_some());
-    if !(is_read && equations.divisors.iter().all(|e| is_short(arena, *e))) {
+    if !(is_read && equations.divisors.iter().all(|e| is_short_formula_mathml(arena, *e))) {
         out += &long_formulas_note(&derive_command(page, equations.formulation));
     }
     let steps = link(&derivation_anchor(equations.formulation), "How they are derived, step by step");
@@ -183,7 +186,7 @@ fn show_equations(page: &Page, derivation: &DerivationInSteps) -> String {
 
 /// Returns the largest length of an entry that is written inside the matrix, so that the system
 /// fits the page.
-fn longest_matrix_entry(arena: &Arena, equations: &Equations) -> usize {
+fn longest_derived_entry(arena: &Arena, equations: &Equations) -> usize {
     let named = "M12".len();
     let width = |e: Expr, limit: usize| length(arena, e).filter(|n| *n <= limit).unwrap_or(named);
     let fits = |limit: &usize| {
@@ -197,15 +200,15 @@ fn longest_matrix_entry(arena: &Arena, equations: &Equations) -> usize {
 
 /// Returns the MathML of the linear system matrix · unknowns = forcing. The second result lists the
 /// entries that are too long for it, as (name, value).
-fn linear_system_mathml(arena: &Arena, equations: &Equations) -> (String, Vec<(EquationSide, EquationSide)>) {
-    let wide = longest_matrix_entry(arena, equations);
+fn derived_system_mathml(arena: &Arena, equations: &Equations) -> (String, Vec<(MathmlSide, MathmlSide)>) {
+    let wide = longest_derived_entry(arena, equations);
     let mut named = Vec::new();
     let mut entry = |e: Expr, name: String, is_repeated: bool| {
         if length(arena, e).is_some_and(|length| length <= wide) {
             return formula(arena, e);
         }
         if !is_repeated {
-            named.push((EquationSide::Whole(name.clone()), EquationSide::of(arena, e)));
+            named.push((MathmlSide::Whole(name.clone()), MathmlSide::of(arena, e)));
         }
         name
     };
@@ -226,7 +229,7 @@ fn linear_system_mathml(arena: &Arena, equations: &Equations) -> (String, Vec<(E
     let forcing: Vec<_> =
         forcing.map(|(i, e)| vec![entry(*e, format!("<msub><mi>f</mi><mn>{}</mn></msub>", i + 1), false)]).collect();
     let unknowns: Vec<_> = equations.unknowns.iter().map(|e| vec![formula(arena, *e)]).collect();
-    (format!("{}{}<mo>=</mo>{}", matrix(&rows), matrix(&unknowns), matrix(&forcing)), named)
+    (format!("{}{}<mo>=</mo>{}", matrix_mathml(&rows), matrix_mathml(&unknowns), matrix_mathml(&forcing)), named)
 }
 
 /// Returns the HTML of the equations row by row, each as a sum of terms equal to the forcing.
@@ -237,20 +240,20 @@ fn row_by_row(model: &Model, arena: &Arena, equations: &Equations) -> String {
     for ((row, name), forcing) in equations.matrix.iter().zip(&equations.rows).zip(&equations.forcing) {
         let terms = row.iter().zip(&equations.unknowns).filter(|(e, _)| **e != Expr::ZERO);
         let terms: Vec<Expr> = terms.map(|(e, x)| arena.mul(*e, *x)).collect();
-        let sides = [EquationSide::Marks(sum_formula(&arena, &terms)), EquationSide::of(&arena, *forcing)];
+        let sides = [MathmlSide::Marks(derived_row_sum(&arena, &terms)), MathmlSide::of(&arena, *forcing)];
         let _ = writeln!(
             out,
             "<tr><th scope=\"row\">{}</th><td class=\"wide\">{}</td></tr>",
-            row_name(model, name),
-            breakable_equation(&sides)
+            row_name_mathml(model, name),
+            breakable_mathml(&sides)
         );
     }
     out + "</tbody>\n</table>\n"
 }
 
 /// Returns the formula of the sum of `terms`, in the given order.
-fn sum_formula(arena: &Arena, terms: &[Expr]) -> DisplayTree {
-    let terms = terms.iter().flat_map(|term| match view_of(arena, *term) {
+fn derived_row_sum(arena: &Arena, terms: &[Expr]) -> DisplayTree {
+    let terms = terms.iter().flat_map(|term| match print_view(arena, *term) {
         DisplayTree::Sum(terms) => terms,
         term => vec![(false, term)],
     });
@@ -263,7 +266,7 @@ fn sum_formula(arena: &Arena, terms: &[Expr]) -> DisplayTree {
 }
 
 /// Returns the LaTeX source of the linear system.
-fn latex_source(arena: &Arena, equations: &Equations) -> String {
+fn page_derivation_latex(arena: &Arena, equations: &Equations) -> String {
     let column = |list: &[Expr]| list.iter().map(|e| latex(arena, *e)).collect::<Vec<_>>().join(" \\\\\n  ");
     let rows = equations.matrix.iter();
     let rows = rows.map(|row| row.iter().map(|e| latex(arena, *e)).collect::<Vec<_>>().join(" & "));

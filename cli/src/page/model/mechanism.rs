@@ -1,15 +1,15 @@
 //! Section of the page on the mechanism: parameters, coordinates, speeds, constraints, bodies and
 //! loads.
 
-use crate::page::markup::html::{escape, folded_html, number, table};
-use crate::page::markup::math::{
-    EquationSide, breakable_equation, distinct_symbol_mathml, formula, inline_math, matrix, symbol, unit_vector_mathml,
-    vector_components_html,
+use crate::page::markup::formula_mathml::{
+    MathmlSide, breakable_mathml, distinct_symbol_mathml, formula, inline_mathml, matrix_mathml, symbol_mathml,
+    unit_vector_mathml, vector_components_html,
 };
+use crate::page::markup::html::{escape, folded_html, number, table};
 use std::fmt::Write;
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
-use tripos_derive::mechanics::moving_places;
+use tripos_derive::mechanics::moving_load_places;
 use tripos_derive::model::{ForcePlace, MotionConstraintKind, ReactionKind, Turn, Unit};
 
 /// Largest number of parameters whose table is not folded.
@@ -26,7 +26,7 @@ pub fn section(model: &Model) -> String {
         n if n > SEEN => folded_html(&format!("Parameters <span class=\"quiet\">({n})</span>"), &parameters),
         _ => parameters,
     };
-    let given = parameters + &coordinates(model) + &speeds(model) + &constraints(model);
+    let given = parameters + &coordinates(model) + &mechanism_speeds_table(model) + &constraints(model);
     let _ = writeln!(out, "<div class=\"tables\">\n{given}</div>");
     out += &folded_html(
         "Frames, points, bodies and loads",
@@ -36,7 +36,7 @@ pub fn section(model: &Model) -> String {
 }
 
 /// Returns the HTML of a unit. `plain` is shown for a quantity without a unit.
-fn unit_html(unit: &Unit, plain: &str) -> String {
+fn mechanism_unit_html(unit: &Unit, plain: &str) -> String {
     let text = match unit.to_string().as_str() {
         "1" => plain.to_owned(),
         "kg*m/s^2" => "N".to_owned(),
@@ -63,61 +63,64 @@ fn parameters(model: &Model) -> String {
         let value = p.value.as_ref().map_or_else(|| "—".to_owned(), |v| number(&v.to_f64().to_string()));
         let sign = if p.positive { "positive" } else { "" };
         vec![
-            inline_math(&distinct_symbol_mathml(model, &p.name)),
+            inline_mathml(&distinct_symbol_mathml(model, &p.name)),
             escape(&p.about),
             value,
-            unit_html(&p.unit, "1"),
+            mechanism_unit_html(&p.unit, "1"),
             sign.to_owned(),
         ]
     });
-    table_unless_empty("Parameters", &["Symbol", "Meaning", "Value", "Unit", "Known"], &rows.collect::<Vec<_>>())
+    mechanism_table("Parameters", &["Symbol", "Meaning", "Value", "Unit", "Known"], &rows.collect::<Vec<_>>())
 }
 
 /// Returns the HTML table of the generalized coordinates.
 fn coordinates(model: &Model) -> String {
     let rows = model.coordinates.iter();
     let rows = rows.map(|c| {
-        vec![inline_math(&distinct_symbol_mathml(model, &c.name)), escape(&c.about), unit_html(&c.unit, "rad")]
+        vec![
+            inline_mathml(&distinct_symbol_mathml(model, &c.name)),
+            escape(&c.about),
+            mechanism_unit_html(&c.unit, "rad"),
+        ]
     });
-    table_unless_empty("Generalized coordinates", &["Symbol", "Meaning", "Unit"], &rows.collect::<Vec<_>>())
+    mechanism_table("Generalized coordinates", &["Symbol", "Meaning", "Unit"], &rows.collect::<Vec<_>>())
 }
 
 /// Returns the HTML table of the generalized speeds.
-fn speeds(model: &Model) -> String {
+fn mechanism_speeds_table(model: &Model) -> String {
     let rows = model.speeds.iter().map(|s| {
         let definition = format!(
             "<mrow>{}<mo>=</mo>{}</mrow>",
             distinct_symbol_mathml(model, &s.name),
             formula(&model.arena, s.definition)
         );
-        vec![inline_math(&definition)]
+        vec![inline_mathml(&definition)]
     });
-    table_unless_empty("Generalized speeds", &["Definition"], &rows.collect::<Vec<_>>())
+    mechanism_table("Generalized speeds", &["Definition"], &rows.collect::<Vec<_>>())
 }
 
 /// Returns the HTML tables of the constraints, the loops and the conditions of the domain.
 fn constraints(model: &Model) -> String {
-    let zero = |e: Expr| {
-        breakable_equation(&[EquationSide::of(&model.arena, e), EquationSide::Whole("<mn>0</mn>".to_owned())])
-    };
+    let zero =
+        |e: Expr| breakable_mathml(&[MathmlSide::of(&model.arena, e), MathmlSide::Whole("<mn>0</mn>".to_owned())]);
     let rows = model.constraints.iter().map(|c| {
-        let fixed = breakable_equation(&[
-            EquationSide::Whole(distinct_symbol_mathml(model, &c.fixes)),
-            EquationSide::of(&model.arena, c.value),
+        let fixed = breakable_mathml(&[
+            MathmlSide::Whole(distinct_symbol_mathml(model, &c.fixes)),
+            MathmlSide::of(&model.arena, c.value),
         ]);
         let by = c.enforced_by.map_or_else(
             || "—".to_owned(),
-            |at| inline_math(&distinct_symbol_mathml(model, &model.reactions[at].name)),
+            |at| inline_mathml(&distinct_symbol_mathml(model, &model.reactions[at].name)),
         );
         vec![escape(&c.name), zero(c.equation), fixed, by]
     });
-    let constraints = table_unless_empty(
+    let constraints = mechanism_table(
         "Holonomic constraints",
         &["Name", "Equation", "Solved", "Enforced by"],
         &rows.collect::<Vec<_>>(),
     );
     let loops = model.loops.iter().map(|c| vec![escape(&c.name), zero(c.equation)]);
-    let loops = table_unless_empty("Loops, which stay closed", &["Name", "Equation"], &loops.collect::<Vec<_>>());
+    let loops = mechanism_table("Loops, which stay closed", &["Name", "Equation"], &loops.collect::<Vec<_>>());
     let of_motion = model.motion_constraints.iter().map(|c| {
         let states = match c.kind {
             MotionConstraintKind::Stated => "velocities",
@@ -127,16 +130,16 @@ fn constraints(model: &Model) -> String {
         };
         let by = c.enforced_by.map_or_else(
             || "—".to_owned(),
-            |at| inline_math(&distinct_symbol_mathml(model, &model.reactions[at].name)),
+            |at| inline_mathml(&distinct_symbol_mathml(model, &model.reactions[at].name)),
         );
         vec![escape(&c.name), zero(c.equation), states.to_owned(), by]
     });
     let heads = ["Name", "Equation", "Of", "Enforced by"];
-    let of_motion = table_unless_empty("Motion constraints", &heads, &of_motion.collect::<Vec<_>>());
+    let of_motion = mechanism_table("Motion constraints", &heads, &of_motion.collect::<Vec<_>>());
     let constraints = constraints + &loops + &of_motion;
     let rows = model.domain.iter().map(|c| vec![escape(&c.name), format!("<code>{}</code>", escape(&c.text))]);
     constraints
-        + &table_unless_empty("Domain, where the equations hold", &["Name", "Condition"], &rows.collect::<Vec<_>>())
+        + &mechanism_table("Domain, where the equations hold", &["Name", "Condition"], &rows.collect::<Vec<_>>())
 }
 
 /// Returns the HTML table of the frames and their rotations.
@@ -144,58 +147,54 @@ fn frames(model: &Model) -> String {
     let rows = model.frames.iter().filter_map(|f| {
         let (parent, turn) = f.rotation.as_ref()?;
         let parent = &model.frames[*parent].name;
-        let by = |e: &Expr| inline_math(&formula(&model.arena, *e));
+        let by = |e: &Expr| inline_mathml(&formula(&model.arena, *e));
         let (about, by) = match turn {
-            Turn::About(axis, angle) => (inline_math(&unit_vector_mathml(parent, *axis)), by(angle)),
+            Turn::About(axis, angle) => (inline_mathml(&unit_vector_mathml(parent, *axis)), by(angle)),
             Turn::Oriented(turn) if turn.spins.is_empty() => ("axes that stay as they are".to_owned(), "—".to_owned()),
             Turn::Oriented(_) => {
                 let all: Vec<String> = turn.quantities().iter().map(by).collect();
                 ("Euler parameters".to_owned(), all.join(", "))
             }
         };
-        Some(vec![inline_math(&symbol(&f.name)), inline_math(&symbol(parent)), about, by])
+        Some(vec![inline_mathml(&symbol_mathml(&f.name)), inline_mathml(&symbol_mathml(parent)), about, by])
     });
-    table_unless_empty("Frames", &["Frame", "Turned from", "About", "By the angle"], &rows.collect::<Vec<_>>())
+    mechanism_table("Frames", &["Frame", "Turned from", "About", "By the angle"], &rows.collect::<Vec<_>>())
 }
 
 /// Returns the HTML table of the points and their positions.
 fn points(model: &Model) -> String {
     let rows = model.points.iter().filter_map(|p| {
         let placement = p.position?;
-        let parent = inline_math(&symbol(&model.points[placement.parent].name));
+        let parent = inline_mathml(&symbol_mathml(&model.points[placement.parent].name));
         let vector = components_in(model, placement.frame, &placement.components);
-        Some(vec![inline_math(&symbol(&p.name)), parent, vector])
+        Some(vec![inline_mathml(&symbol_mathml(&p.name)), parent, vector])
     });
-    table_unless_empty("Points", &["Point", "Placed from", "By the vector"], &rows.collect::<Vec<_>>())
+    mechanism_table("Points", &["Point", "Placed from", "By the vector"], &rows.collect::<Vec<_>>())
 }
 
 /// Returns the HTML table of the bodies with mass and central inertia.
 fn bodies(model: &Model) -> String {
     let rows = model.bodies.iter().map(|b| {
-        let centre = inline_math(&symbol(&model.points[b.centre].name));
+        let centre = inline_mathml(&symbol_mathml(&model.points[b.centre].name));
         let (frame, inertia) = match &b.rigid {
             None => ("—".to_owned(), "particle".to_owned()),
             Some((frame, inertia)) => {
                 let rows = inertia.tensor.map(|row| row.map(|e| formula(&model.arena, e)).to_vec());
-                let basis = inline_math(&symbol(&model.frames[inertia.frame].name));
-                let tensor = inline_math(&matrix(&rows));
-                (inline_math(&symbol(&model.frames[*frame].name)), format!("{tensor} in {basis}"))
+                let basis = inline_mathml(&symbol_mathml(&model.frames[inertia.frame].name));
+                let tensor = inline_mathml(&matrix_mathml(&rows));
+                (inline_mathml(&symbol_mathml(&model.frames[*frame].name)), format!("{tensor} in {basis}"))
             }
         };
-        vec![escape(&b.name), centre, inline_math(&formula(&model.arena, b.mass)), frame, inertia]
+        vec![escape(&b.name), centre, inline_mathml(&formula(&model.arena, b.mass)), frame, inertia]
     });
-    table_unless_empty(
-        "Bodies",
-        &["Body", "Mass centre", "Mass", "Frame", "Central inertia"],
-        &rows.collect::<Vec<_>>(),
-    )
+    mechanism_table("Bodies", &["Body", "Mass centre", "Mass", "Frame", "Central inertia"], &rows.collect::<Vec<_>>())
 }
 
 /// Returns the HTML table of the loads: gravity, forces, torques, potentials and reactions.
 fn loads(model: &Model) -> String {
     let mut rows = Vec::new();
     let at = |place: ForcePlace| {
-        let point = inline_math(&symbol(&model.points[place.point].name));
+        let point = inline_mathml(&symbol_mathml(&model.points[place.point].name));
         format!("{} at {point}", escape(&model.bodies[place.body].name))
     };
     let against = |on: String, other: Option<String>| match other {
@@ -204,7 +203,7 @@ fn loads(model: &Model) -> String {
     };
     let turned = |(frame, body): (usize, Option<usize>)| match body {
         Some(body) => escape(&model.bodies[body].name),
-        None => format!("frame {}", inline_math(&symbol(&model.frames[frame].name))),
+        None => format!("frame {}", inline_mathml(&symbol_mathml(&model.frames[frame].name))),
     };
     if let Some(g) = &model.gravity {
         let vector = components_in(model, g.frame, &g.acceleration);
@@ -220,7 +219,7 @@ fn loads(model: &Model) -> String {
     }
     for p in &model.potentials {
         let name = format!("{} (potential)", escape(&p.name));
-        rows.push(vec![name, "coordinates, by its slopes".to_owned(), inline_math(&formula(&model.arena, p.energy))]);
+        rows.push(vec![name, "coordinates, by its slopes".to_owned(), inline_mathml(&formula(&model.arena, p.energy))]);
     }
     for r in &model.reactions {
         let body = |body: usize| escape(&model.bodies[body].name);
@@ -231,18 +230,18 @@ fn loads(model: &Model) -> String {
         let direction = components_in(model, r.frame, &r.direction);
         let kind = if r.is_stated { kind.to_owned() } else { format!("{kind}, found") };
         rows.push(vec![
-            format!("{} ({kind})", inline_math(&distinct_symbol_mathml(model, &r.name))),
+            format!("{} ({kind})", inline_mathml(&distinct_symbol_mathml(model, &r.name))),
             on,
             format!("along {direction}"),
         ]);
     }
-    table_unless_empty("Loads", &["Name", "On", "Vector"], &rows) + &moving_load_paragraphs(model)
+    mechanism_table("Loads", &["Name", "On", "Vector"], &rows) + &mechanism_moving_loads(model)
 }
 
 /// Returns HTML paragraphs on the points of action that move relative to their bodies.
-fn moving_load_paragraphs(model: &Model) -> String {
+fn mechanism_moving_loads(model: &Model) -> String {
     let line = |text: String| format!("<p>{}</p>\n", escape(&text));
-    match moving_places(model) {
+    match moving_load_places(model) {
         Ok(places) => places.iter().map(|place| line(place.text(model))).collect(),
         Err(error) => line(format!("Where loads act is not known: {error}.")),
     }
@@ -253,11 +252,11 @@ fn components_in(model: &Model, frame: usize, components: &[Expr; 3]) -> String 
     format!(
         "{} in {}",
         vector_components_html(&model.arena, components),
-        inline_math(&symbol(&model.frames[frame].name))
+        inline_mathml(&symbol_mathml(&model.frames[frame].name))
     )
 }
 
 /// Returns the HTML of a table; empty if it has no rows.
-fn table_unless_empty(caption: &str, head: &[&str], rows: &[Vec<String>]) -> String {
+fn mechanism_table(caption: &str, head: &[&str], rows: &[Vec<String>]) -> String {
     if rows.is_empty() { String::new() } else { table(caption, head, rows) }
 }

@@ -2,11 +2,11 @@
 //! matrices.
 
 use crate::page::content::Page;
-use crate::page::markup::html::{escape, foldable_part, join_html, table, table_head, words_html};
-use crate::page::markup::math::{
-    EquationSide, breakable_equation, formula_in_sentence, inline_math, is_short, length, long_formulas_note,
-    number_mathml, symbol, zero_statement,
+use crate::page::markup::formula_mathml::{
+    MathmlSide, breakable_mathml, formula_mathml_in_sentence, inline_mathml, is_short_formula_mathml, length,
+    long_formulas_note, number_mathml, symbol_mathml, zero_formula_mathml,
 };
+use crate::page::markup::html::{escape, foldable_part, join_html, table, table_head, words_html};
 use crate::page::model::derivation::named_terms;
 use std::fmt::Write;
 use tripos_derive::algebra::meaning::compare::{Verdict, Witness};
@@ -36,9 +36,9 @@ pub fn section(page: &Page) -> String {
     } else {
         let is_of_load = |e: &Expr| proof.loads.iter().any(|load| load.value == *e);
         let speeds: Vec<_> =
-            proof.singular_where.iter().filter(|e| !is_of_load(e)).map(|e| zero_statement(arena, *e)).collect();
+            proof.singular_where.iter().filter(|e| !is_of_load(e)).map(|e| zero_formula_mathml(arena, *e)).collect();
         let loads = proof.loads.iter().map(|load| {
-            format!("{} ({})", zero_statement(arena, load.value), words_html(&load.zero_divisor_meaning()))
+            format!("{} ({})", zero_formula_mathml(arena, load.value), words_html(&load.zero_divisor_meaning()))
         });
         let loads: Vec<_> = loads.collect();
         let rates = (speeds, "there the generalized speeds do not determine the rates of the coordinates");
@@ -52,9 +52,9 @@ pub fn section(page: &Page) -> String {
         let values = join_html(&proof.reactions, |reaction| {
             format!(
                 "<div>{}</div>\n",
-                breakable_equation(&[
-                    EquationSide::Whole(symbol(&reaction.name)),
-                    EquationSide::of(arena, reaction.value)
+                breakable_mathml(&[
+                    MathmlSide::Whole(symbol_mathml(&reaction.name)),
+                    MathmlSide::of(arena, reaction.value)
                 ])
             )
         });
@@ -64,21 +64,21 @@ pub fn section(page: &Page) -> String {
         out += &foldable_part("reactions", "Reactions", &values);
     }
     out += &integrals(model, arena, &proof.integrals, &proof.search.text(arena));
-    out += &singular_matrices_table(arena, &study.singular);
+    out += &proved_determinants_table(arena, &study.singular);
     let reactions = proof.reactions.iter().map(|reaction| reaction.value);
     let mut values = reactions.chain(proof.integrals.iter().map(|integral| integral.expression));
     let divisors = proof.integrals.iter().flat_map(|integral| integral.divisors(arena));
     let mut divisors = divisors.chain(proof.singular_where.iter().copied());
-    let shown = formulas(page);
+    let shown = proof_section_formulas(page);
     out += &named_terms(arena, &shown);
-    if values.any(|e| length(arena, e).is_none()) || divisors.any(|e| !is_short(arena, e)) {
+    if values.any(|e| length(arena, e).is_none()) || divisors.any(|e| !is_short_formula_mathml(arena, e)) {
         out += &long_formulas_note(&format!("tripos prove {} --json", page.file));
     }
     out + "</section>\n"
 }
 
 /// Lists every formula in the section on proofs, so that the names in them can be defined.
-fn formulas(page: &Page) -> Vec<Expr> {
+fn proof_section_formulas(page: &Page) -> Vec<Expr> {
     let (proof, arena) = (&page.study.proof, &page.study.derivations.kinematics.arena);
     let reactions = proof.reactions.iter().map(|reaction| reaction.value);
     let integrals = proof.integrals.iter().flat_map(|integral| integral.shown_formulas_of_integral(arena));
@@ -94,17 +94,17 @@ fn formulas(page: &Page) -> Vec<Expr> {
 fn integrals(model: &Model, arena: &Arena, list: &[Integral], search: &str) -> String {
     let mut out = String::from("<h3 id=\"integrals\">First integrals</h3>\n");
     out += if list.is_empty() { "<p>None found.</p>\n" } else { "<p>Constant along every motion.</p>\n" };
-    let search = format!("<p class=\"quiet\">Search: {}.</p>\n", text_with_dotted_rates(search));
+    let search = format!("<p class=\"quiet\">Search: {}.</p>\n", proof_text_html(search));
     if list.is_empty() {
         return out + &search;
     }
     let name = |(at, integral): (usize, &Integral)| {
-        let (name, symbol) = (integral_name(model, arena, integral), inline_math(&integral_symbol(at)));
-        format!("<li>{symbol}: {name}, {}</li>\n", verdict_html(&integral.verdict))
+        let (name, symbol) = (proved_integral_name(model, arena, integral), inline_mathml(&proved_integral_symbol(at)));
+        format!("<li>{symbol}: {name}, {}</li>\n", proof_verdict_html(&integral.verdict))
     };
     let names: String = list.iter().enumerate().map(name).collect();
     let formulas: String =
-        list.iter().enumerate().map(|(at, integral)| first_integral(model, arena, at, integral)).collect();
+        list.iter().enumerate().map(|(at, integral)| proved_integral_html(model, arena, at, integral)).collect();
     let _ = writeln!(out, "<ul class=\"plain\">\n{names}</ul>");
     out + &foldable_part("integral-formulas", "As formulas", &(formulas + &search))
 }
@@ -112,16 +112,16 @@ fn integrals(model: &Model, arena: &Arena, list: &[Integral], search: &str) -> S
 /// Returns the table cells of a compared pair of formulations.
 fn compared_pair_row(pair: &EquivalentPair) -> Vec<String> {
     let (left, right) = (escape(pair.left.title()), escape(pair.right.title()));
-    vec![format!("{left} ⇔ {right}"), verdict_html(&pair.verdict), text_with_dotted_rates(&pair.map.text())]
+    vec![format!("{left} ⇔ {right}"), proof_verdict_html(&pair.verdict), proof_text_html(&pair.map.text())]
 }
 
 /// Returns the HTML of a verdict in words: the method of proof, a witness of a difference, or the
 /// reason for no decision.
-fn verdict_html(verdict: &Verdict) -> String {
+fn proof_verdict_html(verdict: &Verdict) -> String {
     match verdict {
         Verdict::Equal(engine) => format!("proved <span class=\"quiet\">({})</span>", escape(&engine.to_string())),
         Verdict::Different(found) => {
-            format!("<strong class=\"wrong\">different</strong>: {}", witness_html(found, ["left", "right"]))
+            format!("<strong class=\"wrong\">different</strong>: {}", proof_witness_html(found, ["left", "right"]))
         }
         Verdict::Undecided(why) => format!("<strong class=\"wrong\">undecided</strong>: {}", escape(why)),
     }
@@ -129,32 +129,32 @@ fn verdict_html(verdict: &Verdict) -> String {
 
 /// Returns the HTML of a witness: two values with the labels `left` and `right`, and the point at
 /// which they differ.
-pub fn witness_html(witness: &Witness, [left, right]: [&str; 2]) -> String {
+pub fn proof_witness_html(witness: &Witness, [left, right]: [&str; 2]) -> String {
     let last = witness.at.len().saturating_sub(1);
     let at = witness.at.iter().enumerate().map(|(at, (name, x))| {
         let comma = if at < last { "," } else { "" };
         format!(
             "<span class=\"keep\">{}{comma}</span>",
-            inline_math(&format!("{}<mo>=</mo>{}", symbol(name), number_mathml(*x)))
+            inline_mathml(&format!("{}<mo>=</mo>{}", symbol_mathml(name), number_mathml(*x)))
         )
     });
     let at: Vec<String> = at.collect();
     let place = if at.is_empty() { String::new() } else { format!(" at {}", at.join(" ")) };
-    let value = |x: f64| inline_math(&number_mathml(x));
+    let value = |x: f64| inline_mathml(&number_mathml(x));
     format!("{left} {}, {right} {}{place}", value(witness.left), value(witness.right))
 }
 
 /// Returns the HTML of a plain text in which rates q' become q̇.
-fn text_with_dotted_rates(text: &str) -> String {
+fn proof_text_html(text: &str) -> String {
     escape(text).replace("q'", "q̇")
 }
 
 /// Returns the HTML of one first integral: name, verdict, formula and exceptions. `at` counts from
 /// 0.
-fn first_integral(model: &Model, arena: &Arena, at: usize, integral: &Integral) -> String {
-    let verdict = verdict_html(&integral.verdict);
+fn proved_integral_html(model: &Model, arena: &Arena, at: usize, integral: &Integral) -> String {
+    let verdict = proof_verdict_html(&integral.verdict);
     let divisors = integral.divisors(arena);
-    let places: Vec<String> = divisors.iter().map(|e| zero_statement(arena, *e)).collect();
+    let places: Vec<String> = divisors.iter().map(|e| zero_formula_mathml(arena, *e)).collect();
     let places = if places.is_empty() {
         String::new()
     } else {
@@ -162,25 +162,25 @@ fn first_integral(model: &Model, arena: &Arena, at: usize, integral: &Integral) 
     };
     format!(
         "<h4>{}: {}, {verdict}</h4>\n<div class=\"formula\">{}</div>\n{places}",
-        inline_math(&integral_symbol(at)),
-        integral_name(model, arena, integral),
-        breakable_equation(&[EquationSide::Whole(integral_symbol(at)), EquationSide::of(arena, integral.expression)])
+        inline_mathml(&proved_integral_symbol(at)),
+        proved_integral_name(model, arena, integral),
+        breakable_mathml(&[MathmlSide::Whole(proved_integral_symbol(at)), MathmlSide::of(arena, integral.expression)])
     )
 }
 
 /// Returns the MathML symbol of a first integral, I with its number. `at` counts from 0, the number
 /// from 1.
-pub fn integral_symbol(at: usize) -> String {
+pub fn proved_integral_symbol(at: usize) -> String {
     format!("<msub><mi>I</mi><mn>{}</mn></msub>", at + 1)
 }
 
 /// Returns the HTML of all names of a first integral. The momentum of a coordinate is defined by a
 /// formula.
-pub fn integral_name(model: &Model, arena: &Arena, integral: &Integral) -> String {
+pub fn proved_integral_name(model: &Model, arena: &Arena, integral: &Integral) -> String {
     let kinds = integral.kinds.iter().zip(&integral.of_places).zip(integral.names(model, arena));
     let names = kinds.map(|((kind, of_place), words)| match kind {
         IntegralKind::Coordinate(at) if *of_place == Expr::ZERO => {
-            format!("momentum {}", inline_math(&momentum(&model.coordinates[*at].name)))
+            format!("momentum {}", inline_mathml(&proved_momentum_mathml(&model.coordinates[*at].name)))
         }
         _ => escape(&words),
     });
@@ -188,18 +188,18 @@ pub fn integral_name(model: &Model, arena: &Arena, integral: &Integral) -> Strin
 }
 
 /// Returns the MathML of the momentum p_q = ∂L/∂q̇ of a coordinate.
-fn momentum(coordinate: &str) -> String {
+fn proved_momentum_mathml(coordinate: &str) -> String {
     format!(
         "<mrow><msub><mi>p</mi><mrow>{}</mrow></msub><mo>=</mo><mfrac><mrow><mo form=\"prefix\">∂</mo><mi>L</mi></mrow><mrow>\
          <mo form=\"prefix\">∂</mo>{}</mrow></mfrac></mrow>",
-        symbol(coordinate),
-        symbol(&format!("{coordinate}'")),
+        symbol_mathml(coordinate),
+        symbol_mathml(&format!("{coordinate}'")),
     )
 }
 
 /// Returns the HTML table of the determinants of the matrices and their zeros; empty for an empty
 /// list.
-fn singular_matrices_table(arena: &Arena, list: &[(Formulation, Singularity)]) -> String {
+fn proved_determinants_table(arena: &Arena, list: &[(Formulation, Singularity)]) -> String {
     if list.is_empty() {
         return String::new();
     }
@@ -207,8 +207,8 @@ fn singular_matrices_table(arena: &Arena, list: &[(Formulation, Singularity)]) -
         format!(
             "<tr><th scope=\"row\">{}</th><td><div class=\"formula\">{}</div></td><td>{}</td></tr>\n",
             escape(formulation.title()),
-            formula_in_sentence(arena, s.determinant),
-            determinant_zeros(arena, s)
+            formula_mathml_in_sentence(arena, s.determinant),
+            proved_determinant_zeros(arena, s)
         )
     };
     format!(
@@ -222,7 +222,7 @@ fn singular_matrices_table(arena: &Arena, list: &[(Formulation, Singularity)]) -
 
 /// Returns the HTML of proved statements on where a determinant is zero, and where entries of its
 /// matrix divide by zero.
-pub fn determinant_zeros(arena: &Arena, singularity: &Singularity) -> String {
+pub fn proved_determinant_zeros(arena: &Arena, singularity: &Singularity) -> String {
     if singularity.determinant == Expr::ZERO {
         return "everywhere".to_owned();
     }
@@ -231,7 +231,8 @@ pub fn determinant_zeros(arena: &Arena, singularity: &Singularity) -> String {
         statements.push("nowhere".to_owned());
     }
     for place in &singularity.at {
-        let (divisor, vanishing) = (formula_in_sentence(arena, place.divisor), zero_statement(arena, place.divisor));
+        let (divisor, vanishing) =
+            (formula_mathml_in_sentence(arena, place.divisor), zero_formula_mathml(arena, place.divisor));
         match place.determinant {
             DeterminantAtZero::Zero => statements.push(format!("wherever {vanishing}")),
             DeterminantAtZero::NotZero if !singularity.never => statements.push(format!("not where {vanishing}")),

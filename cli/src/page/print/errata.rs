@@ -2,12 +2,14 @@
 //! mistakes, entries that follow from them, and all verdicts.
 
 use crate::page::content::Page;
+use crate::page::markup::formula_mathml::{
+    MathmlSide, breakable_mathml, formula_mathml_in_verdict, inline_mathml, widest,
+};
 use crate::page::markup::html::{breakable_id, escape, folded_html, join_html, table};
-use crate::page::markup::math::{EquationSide, breakable_equation, formula_in_verdict, inline_math, widest};
 use crate::page::markup::typeset::{typeset, typeset_words};
 use crate::page::model::derivation::named_terms;
-use crate::page::model::proof::witness_html;
-use crate::page::print::entry::entry_name;
+use crate::page::model::proof::proof_witness_html;
+use crate::page::print::entry_name::entry_name;
 use crate::page::print::printed_motion;
 use crate::phrases::entry_count_words;
 use std::fmt::Write;
@@ -48,13 +50,13 @@ pub fn section(page: &Page, published: &JudgedPublication) -> String {
         }
     );
     out += &verdict_counts_table(&difference.findings);
-    if !difference.findings.iter().any(is_wrong) {
+    if !difference.findings.iter().any(is_erratum) {
         out += "<p>Nothing is wrong.</p>\n";
     }
-    out += &mistakes(arena, difference);
-    out += &undecided_entries(arena, &difference.findings);
-    out += &scaled_entries(arena, &difference.findings);
-    out += &all_entries_list(&difference.findings);
+    out += &errata_root_mistakes(arena, difference);
+    out += &undecided_errata(arena, &difference.findings);
+    out += &scaled_errata(arena, &difference.findings);
+    out += &errata_entry_list(&difference.findings);
     out += &printed_motion::motion_consequences(page, published);
     out += &named_terms(arena, &difference.shown_formulas());
     out + "</section>\n"
@@ -67,7 +69,7 @@ pub fn anchor(root: usize) -> String {
 
 /// Returns the HTML of the root mistakes. The entries that follow from each mistake are folded
 /// under it.
-fn mistakes(arena: &Arena, difference: &Difference) -> String {
+fn errata_root_mistakes(arena: &Arena, difference: &Difference) -> String {
     let Difference { findings, roots, .. } = difference;
     if roots.is_empty() {
         return String::new();
@@ -88,7 +90,7 @@ fn mistakes(arena: &Arena, difference: &Difference) -> String {
 fn mistake(arena: &Arena, findings: &[Finding], at: usize, root: &RootMistake) -> String {
     let shown = std::iter::once((root.finding, None)).chain(root.followers.iter().map(|f| (f.finding, Some(f))));
     let rows: String = shown
-        .map(|(finding, by)| entry(arena, &findings[finding], by.map(|f| cause_of_entry_html(findings, f))))
+        .map(|(finding, by)| entry(arena, &findings[finding], by.map(|f| erratum_cause_html(findings, f))))
         .collect();
     format!(
         "<details id=\"{}\">\n<summary>{}. {}: {} <span class=\"quiet\">({})</span></summary>\n{}{}</details>\n",
@@ -97,14 +99,14 @@ fn mistake(arena: &Arena, findings: &[Finding], at: usize, root: &RootMistake) -
         entry_name(&findings[root.finding].id),
         typeset_words(&root.mistake),
         entry_count_words(root.entries()),
-        join_html(&LINKS, |(link, words)| linked_entries_sentence(findings, root, *link, words)),
+        join_html(&LINKS, |(link, words)| linked_errata_sentence(findings, root, *link, words)),
         errata("Its entries", &rows),
     )
 }
 
 /// Returns the HTML of a sentence with the entries that have a certain link to a root mistake.
 /// Empty if there are none.
-fn linked_entries_sentence(findings: &[Finding], root: &RootMistake, link: DependenceKind, words: &str) -> String {
+fn linked_errata_sentence(findings: &[Finding], root: &RootMistake, link: DependenceKind, words: &str) -> String {
     let ids: Vec<String> = root.followers_by_link(link).map(|f| entry_id_html(findings, f.finding)).collect();
     if ids.is_empty() { String::new() } else { format!("<p>{words} {}.</p>\n", ids.join(", ")) }
 }
@@ -115,7 +117,7 @@ fn entry_id_html(findings: &[Finding], at: usize) -> String {
 }
 
 /// Returns the HTML of words for the entries from which a wrong entry follows.
-fn cause_of_entry_html(findings: &[Finding], follower: &DependentEntry) -> String {
+fn erratum_cause_html(findings: &[Finding], follower: &DependentEntry) -> String {
     let ids = |list: &[usize]| list.iter().map(|at| entry_id_html(findings, *at)).collect::<Vec<_>>().join(" and ");
     let words = match follower.link {
         DependenceKind::Repeated => "repeats",
@@ -128,7 +130,7 @@ fn cause_of_entry_html(findings: &[Finding], follower: &DependentEntry) -> Strin
 }
 
 /// Returns the HTML of the entries whose verdict is undecided; empty if there are none.
-fn undecided_entries(arena: &Arena, findings: &[Finding]) -> String {
+fn undecided_errata(arena: &Arena, findings: &[Finding]) -> String {
     let open: Vec<&Finding> = findings.iter().filter(|f| matches!(f.judgement, Judgement::Undecided(_))).collect();
     if open.is_empty() {
         return String::new();
@@ -145,7 +147,7 @@ fn errata(caption: &str, rows: &str) -> String {
 }
 
 /// True if an entry differs from the derived form or is undecided.
-fn is_wrong(finding: &Finding) -> bool {
+fn is_erratum(finding: &Finding) -> bool {
     matches!(finding.judgement, Judgement::Different | Judgement::Undecided(_))
 }
 
@@ -174,26 +176,26 @@ fn verdict_counts_table(findings: &[Finding]) -> String {
 /// Returns the HTML of one erratum: the entry's id, printed and derived form, difference, witness
 /// and remarks. `source` names the entries from which it follows.
 fn entry(arena: &Arena, finding: &Finding, source: Option<String>) -> String {
-    let mut lines = vec![("printed", printed_text_html(&finding.printed))];
+    let mut lines = vec![("printed", erratum_text_html(&finding.printed))];
     if let Some(derived) = finding.derived {
         // A row of a linear system has all of its terms on one side.
         let zero = if finding.printed.contains(" = ") {
-            inline_math("<mo form=\"infix\">=</mo><mn>0</mn>")
+            inline_mathml("<mo form=\"infix\">=</mo><mn>0</mn>")
         } else {
             String::new()
         };
-        lines.push(("derived", format!("{} {zero}", formula_in_verdict(arena, derived))));
+        lines.push(("derived", format!("{} {zero}", formula_mathml_in_verdict(arena, derived))));
     }
     if let Some(difference) = finding.difference {
-        lines.push(("printed − derived", formula_in_verdict(arena, difference)));
+        lines.push(("printed − derived", formula_mathml_in_verdict(arena, difference)));
     }
     if let Some(factor) = finding.factor {
-        lines.push(("factor", formula_in_verdict(arena, factor)));
+        lines.push(("factor", formula_mathml_in_verdict(arena, factor)));
     }
     // If the finding has no derived form, a remark names the compared form, and no witness is
     // shown.
     if let (Some(found), true) = (&finding.witness, finding.derived.is_some()) {
-        lines.push(("for instance", witness_html(found, ["printed", "derived"])));
+        lines.push(("for instance", proof_witness_html(found, ["printed", "derived"])));
     }
     if let Judgement::Undecided(why) = &finding.judgement {
         lines.push(("undecided", escape(why)));
@@ -216,10 +218,10 @@ fn entry(arena: &Arena, finding: &Finding, source: Option<String>) -> String {
 
 /// Returns the HTML of a printed text: typeset if it is a formula that fits on a line, otherwise as
 /// code.
-fn printed_text_html(text: &str) -> String {
+fn erratum_text_html(text: &str) -> String {
     match typeset(text) {
         Some(sides) if sides.iter().all(|side| widest(side) <= WIDEST) => {
-            breakable_equation(&sides.into_iter().map(EquationSide::Marks).collect::<Vec<_>>())
+            breakable_mathml(&sides.into_iter().map(MathmlSide::Marks).collect::<Vec<_>>())
         }
         _ => format!("<code>{}</code>", escape(text)),
     }
@@ -227,7 +229,7 @@ fn printed_text_html(text: &str) -> String {
 
 /// Returns the HTML of the entries that are right up to a factor. They belong to rows of linear
 /// systems.
-fn scaled_entries(arena: &Arena, findings: &[Finding]) -> String {
+fn scaled_errata(arena: &Arena, findings: &[Finding]) -> String {
     let list: Vec<&Finding> = findings.iter().filter(|f| f.judgement == Judgement::Scaled).collect();
     if list.is_empty() {
         return String::new();
@@ -235,8 +237,8 @@ fn scaled_entries(arena: &Arena, findings: &[Finding]) -> String {
     let item = |finding: &&Finding| {
         let by = finding
             .factor
-            .map_or_else(|| escape(&finding.remarks.join("; ")), |factor| formula_in_verdict(arena, factor));
-        format!("<li><code>{}</code> by {by}{}</li>\n", breakable_id(&finding.id), validity_words(finding))
+            .map_or_else(|| escape(&finding.remarks.join("; ")), |factor| formula_mathml_in_verdict(arena, factor));
+        format!("<li><code>{}</code> by {by}{}</li>\n", breakable_id(&finding.id), erratum_validity_words(finding))
     };
     let items = format!("<ul class=\"entries\">\n{}</ul>\n", join_html(&list, item));
     folded_html(
@@ -246,16 +248,17 @@ fn scaled_entries(arena: &Arena, findings: &[Finding]) -> String {
 }
 
 /// Returns words for the domain in which an entry holds; empty if it holds everywhere.
-fn validity_words(finding: &Finding) -> String {
+fn erratum_validity_words(finding: &Finding) -> String {
     finding.holds.words().map_or_else(String::new, |words| format!(" {words}"))
 }
 
 /// Returns the HTML list of all entries with their verdicts, folded.
-fn all_entries_list(findings: &[Finding]) -> String {
+fn errata_entry_list(findings: &[Finding]) -> String {
     let item = |finding: &Finding| {
         let word = finding.judgement.word();
-        let word = if is_wrong(finding) { format!("<strong class=\"wrong\">{word}</strong>") } else { word.to_owned() };
-        format!("<li><code>{}</code> {word}{}</li>\n", breakable_id(&finding.id), validity_words(finding))
+        let word =
+            if is_erratum(finding) { format!("<strong class=\"wrong\">{word}</strong>") } else { word.to_owned() };
+        format!("<li><code>{}</code> {word}{}</li>\n", breakable_id(&finding.id), erratum_validity_words(finding))
     };
     let items = format!("<ul class=\"entries\">\n{}</ul>\n", join_html(findings, item));
     folded_html(&format!("All entries <span class=\"quiet\">({})</span>", findings.len()), &items)

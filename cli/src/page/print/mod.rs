@@ -1,7 +1,7 @@
 //! Sections of the page on the publication in the model's folder: errata, verdict, effect on the
 //! motion.
 
-mod entry;
+mod entry_name;
 pub(super) mod errata;
 pub(super) mod printed_motion;
 pub(super) mod verdict;

@@ -2,9 +2,9 @@
 //! integrals, and mutual agreement.
 
 use crate::page::content::Page;
+use crate::page::markup::formula_mathml::{formula_mathml_in_verdict, inline_mathml};
 use crate::page::markup::html::{breakable_id, escape, foldable_part, folded_html, table};
-use crate::page::markup::math::{formula_in_verdict, inline_math};
-use crate::page::model::proof::{determinant_zeros, integral_name, integral_symbol};
+use crate::page::model::proof::{proved_determinant_zeros, proved_integral_name, proved_integral_symbol};
 use std::fmt::Write;
 use tripos::studies::model_analysis::JudgedPublication;
 use tripos_derive::algebra::meaning::compare::Verdict;
@@ -23,8 +23,8 @@ pub fn motion_consequences(page: &Page, published: &JudgedPublication) -> String
         "<h3 id=\"effects\">What the errors do to the motion</h3>\n<p>Each printed system, and each program, is solved for its \
          accelerations as it stands.</p>\n",
     );
-    out += &printed_systems_overview(page, list);
-    out += &printed_systems_agreement(&published.difference);
+    out += &printed_motions_overview(page, list);
+    out += &printed_motions_agreement(&published.difference);
     let mut systems = String::new();
     for (system, singularity) in list.iter().zip(&published.singular) {
         let table = printed_system_table(page, system, singularity.as_ref());
@@ -43,7 +43,7 @@ pub fn motion_consequences(page: &Page, published: &JudgedPublication) -> String
 }
 
 /// Returns the HTML of a verdict in a table: `yes`, `no` in red, or `undecided`.
-fn verdict_cell(verdict: &Verdict, yes: &str, no: &str) -> String {
+fn printed_motion_verdict(verdict: &Verdict, yes: &str, no: &str) -> String {
     match verdict {
         Verdict::Equal(_) => yes.to_owned(),
         Verdict::Different(_) => format!("<strong class=\"wrong\">{no}</strong>"),
@@ -52,21 +52,23 @@ fn verdict_cell(verdict: &Verdict, yes: &str, no: &str) -> String {
 }
 
 /// Returns the HTML table with the verdicts on all printed systems, a row for each.
-fn printed_systems_overview(page: &Page, list: &[Consequences]) -> String {
+fn printed_motions_overview(page: &Page, list: &[Consequences]) -> String {
     let symbols: Vec<String> =
-        (0..page.study.proof.integrals.len()).map(|at| inline_math(&integral_symbol(at))).collect();
+        (0..page.study.proof.integrals.len()).map(|at| inline_mathml(&proved_integral_symbol(at))).collect();
     let columns =
         ["Printed system", "Accelerations", "Determinant"].into_iter().chain(symbols.iter().map(String::as_str));
     let columns: Vec<&str> = columns.collect();
     let row = |system: &Consequences| {
-        let determinant =
-            system.determinant.as_ref().map_or("–".to_owned(), |(.., v)| verdict_cell(v, "as derived", "other"));
+        let determinant = system
+            .determinant
+            .as_ref()
+            .map_or("–".to_owned(), |(.., v)| printed_motion_verdict(v, "as derived", "other"));
         let mut cells = vec![
             format!("<code>{}</code>", escape(&system.system)),
-            verdict_cell(&system.accelerations, "as derived", "other"),
+            printed_motion_verdict(&system.accelerations, "as derived", "other"),
             determinant,
         ];
-        cells.extend(system.rates.iter().map(|rate| verdict_cell(&rate.verdict, "kept", "broken")));
+        cells.extend(system.rates.iter().map(|rate| printed_motion_verdict(&rate.verdict, "kept", "broken")));
         cells.resize(columns.len(), "–".to_owned());
         cells
     };
@@ -75,7 +77,7 @@ fn printed_systems_overview(page: &Page, list: &[Consequences]) -> String {
 
 /// Returns the HTML of sentences on which printed systems give equal motions; empty if none are
 /// compared.
-fn printed_systems_agreement(difference: &Difference) -> String {
+fn printed_motions_agreement(difference: &Difference) -> String {
     let agreements = &difference.agreements;
     if agreements.is_empty() {
         return String::new();
@@ -109,8 +111,10 @@ fn printed_systems_agreement(difference: &Difference) -> String {
 /// integrals.
 fn printed_system_table(page: &Page, system: &Consequences, singularity: Option<&Singularity>) -> String {
     let arena = &page.study.derivations.kinematics.arena;
-    let mut lines =
-        vec![("accelerations".to_owned(), verdict_cell(&system.accelerations, "as derived", "not as derived"))];
+    let mut lines = vec![(
+        "accelerations".to_owned(),
+        printed_motion_verdict(&system.accelerations, "as derived", "not as derived"),
+    )];
     if let Verdict::Undecided(why) = &system.accelerations {
         lines[0].1 = format!("undecided: {}", escape(why));
     }
@@ -120,15 +124,15 @@ fn printed_system_table(page: &Page, system: &Consequences, singularity: Option<
     for (at, rate) in system.rates.iter().enumerate() {
         let name = format!(
             "{} <span class=\"quiet\">{}</span>",
-            inline_math(&integral_symbol(at)),
-            integral_name(page.model, arena, &rate.integral)
+            inline_mathml(&proved_integral_symbol(at)),
+            proved_integral_name(page.model, arena, &rate.integral)
         );
         let content = match &rate.verdict {
             Verdict::Equal(_) => "kept".to_owned(),
             Verdict::Different(_) => format!(
                 "<strong class=\"wrong\">broken</strong>: {} {}",
-                inline_math(&format!("<mrow>{}<mo form=\"infix\">=</mo></mrow>", derivative(at))),
-                formula_in_verdict(arena, rate.rate)
+                inline_mathml(&format!("<mrow>{}<mo form=\"infix\">=</mo></mrow>", derivative(at))),
+                formula_mathml_in_verdict(arena, rate.rate)
             ),
             Verdict::Undecided(why) => format!("undecided: {}", escape(why)),
         };
@@ -148,7 +152,7 @@ fn printed_system_table(page: &Page, system: &Consequences, singularity: Option<
 /// Returns the MathML of the time derivative dI/dt of a first integral. `at` counts from 0.
 fn derivative(at: usize) -> String {
     let d = "<mi mathvariant=\"normal\">d</mi>";
-    format!("<mfrac><mrow>{d}{}</mrow><mrow>{d}<mi>t</mi></mrow></mfrac>", integral_symbol(at))
+    format!("<mfrac><mrow>{d}{}</mrow><mrow>{d}<mi>t</mi></mrow></mfrac>", proved_integral_symbol(at))
 }
 
 /// Returns the table rows on the determinant of a printed system: its formula, the derived formula
@@ -160,12 +164,12 @@ fn determinant(
     verdict: &Verdict,
     singularity: Option<&Singularity>,
 ) -> Vec<(String, String)> {
-    let mut lines = vec![("determinant".to_owned(), formula_in_verdict(arena, printed))];
+    let mut lines = vec![("determinant".to_owned(), formula_mathml_in_verdict(arena, printed))];
     if !verdict.is_equal() {
-        lines.push(("determinant, derived".to_owned(), formula_in_verdict(arena, derived)));
+        lines.push(("determinant, derived".to_owned(), formula_mathml_in_verdict(arena, derived)));
     }
     if let Some(singularity) = singularity {
-        lines.push(("determinant is zero".to_owned(), determinant_zeros(arena, singularity)));
+        lines.push(("determinant is zero".to_owned(), proved_determinant_zeros(arena, singularity)));
     }
     lines
 }

@@ -1,20 +1,20 @@
 //! Verdict on a published derivation in sentences, for the abstract of the page.
 
-use crate::page::print::entry::entry_name;
+use crate::page::print::entry_name::entry_name;
 use tripos_derive::algebra::meaning::compare::Verdict;
 use tripos_derive::diff::{Consequences, Difference};
 
 /// Returns sentences as HTML, each with the id of the section that contains its evidence. They
 /// state the number of wrong entries, the root mistakes, and the effect on the motion.
 pub fn abstract_of_verdict(difference: &Difference) -> Vec<(&'static str, String)> {
-    let counted = std::iter::once(("errata", wrong_entries_sentence(difference)));
-    let mistakes = root_mistakes_sentence(difference).map(|said| ("mistakes", said));
-    counted.chain(mistakes).chain(printed_systems_sentence(difference).map(|said| ("effects", said))).collect()
+    let counted = std::iter::once(("errata", verdict_on_wrong_entries(difference)));
+    let mistakes = verdict_on_root_mistakes(difference).map(|said| ("mistakes", said));
+    counted.chain(mistakes).chain(verdict_on_printed_systems(difference).map(|said| ("effects", said))).collect()
 }
 
 /// Returns a sentence on the number of root mistakes, and on the mistake that causes most wrong
 /// entries. `None` without a mistake, or if the only mistake causes no other wrong entry.
-fn root_mistakes_sentence(difference: &Difference) -> Option<String> {
+fn verdict_on_root_mistakes(difference: &Difference) -> Option<String> {
     let Difference { roots, findings, .. } = difference;
     // If several mistakes cause equally many entries, the first is named.
     let largest = roots.iter().rev().max_by_key(|root| root.entries()).filter(|root| root.entries() > 1);
@@ -28,7 +28,7 @@ fn root_mistakes_sentence(difference: &Difference) -> Option<String> {
 }
 
 /// Returns a sentence on the numbers of wrong and undecided entries.
-fn wrong_entries_sentence(difference: &Difference) -> String {
+fn verdict_on_wrong_entries(difference: &Difference) -> String {
     let all = difference.findings.len();
     let (wrong, open) = (difference.count("different"), difference.count("undecided"));
     let entries = if all == 1 { "printed entry" } else { "printed entries" };
@@ -43,7 +43,7 @@ fn wrong_entries_sentence(difference: &Difference) -> String {
 
 /// Returns a sentence on the accelerations and the energy by the printed systems; `None` if no
 /// system is printed.
-fn printed_systems_sentence(difference: &Difference) -> Option<String> {
+fn verdict_on_printed_systems(difference: &Difference) -> Option<String> {
     let list = &difference.consequences;
     let of = |is: &dyn Fn(&Consequences) -> bool| list.iter().filter(|system| is(system)).count();
     let wrong = of(&|system| matches!(system.accelerations, Verdict::Different(_)));

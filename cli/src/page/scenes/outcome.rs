@@ -7,7 +7,7 @@
 
 use crate::page::content::{RunRow, SceneSection, Standing};
 use crate::page::markup::html::{counted_noun, escape, list_names, number, rounded_number_html, words_html};
-use crate::page::scenes::runs::energy;
+use crate::page::scenes::runs::run_drift_html;
 use crate::page::scenes::singular_matrices::run_name;
 use std::fmt::Write;
 use tripos_derive::plain_text::with_significant_digits;
@@ -17,7 +17,7 @@ const NAMED: usize = 4;
 
 /// Grade of a derived run, in the order of severity, the worst last.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Grade {
+pub enum RunOutcome {
     /// Arrived: the run reached its end with enough digits.
     Arrived,
     /// Ended: the run ended early, by its domain or an event.
@@ -29,12 +29,12 @@ pub enum Grade {
 }
 
 /// Returns the grade of a run: arrived, ended, loose or stopped.
-fn run_grade(run: &RunRow) -> Grade {
+fn outcome_of_run(run: &RunRow) -> RunOutcome {
     match run.standing {
-        Standing::Stopped => Grade::Stopped,
-        Standing::Loose { .. } => Grade::Loose,
-        _ if !run.arrived => Grade::Ended,
-        _ => Grade::Arrived,
+        Standing::Stopped => RunOutcome::Stopped,
+        Standing::Loose { .. } => RunOutcome::Loose,
+        _ if !run.arrived => RunOutcome::Ended,
+        _ => RunOutcome::Arrived,
     }
 }
 
@@ -44,15 +44,15 @@ fn derived_runs(scene: &SceneSection) -> Vec<&RunRow> {
 }
 
 /// Returns the worst grade among the derived runs; `None` if there is no such run.
-pub fn worst_grade(scene: &SceneSection) -> Option<Grade> {
-    derived_runs(scene).into_iter().map(run_grade).max()
+pub fn worst_outcome(scene: &SceneSection) -> Option<RunOutcome> {
+    derived_runs(scene).into_iter().map(outcome_of_run).max()
 }
 
 /// Returns the HTML sentence on the outcome of the derived runs.
 pub fn derived_outcome(scene: &SceneSection) -> String {
     let runs = derived_runs(scene);
-    let Some(worst) = worst_grade(scene) else { return "No derived equations ran.".to_owned() };
-    let some: Vec<&RunRow> = runs.iter().copied().filter(|run| run_grade(run) == worst).collect();
+    let Some(worst) = worst_outcome(scene) else { return "No derived equations ran.".to_owned() };
+    let some: Vec<&RunRow> = runs.iter().copied().filter(|run| outcome_of_run(run) == worst).collect();
     let run = some[0];
     let who = match (some.len(), runs.len()) {
         (1, 1) => "The derived run".to_owned(),
@@ -63,16 +63,16 @@ pub fn derived_outcome(scene: &SceneSection) -> String {
     let s = |one: &'static str, many: &'static str| if some.len() == 1 { one } else { many };
     let why = words_html(run.stop.trim_end_matches('.'));
     match worst {
-        Grade::Stopped => format!("{who} {} at t = {t} s: {why}.", s("stops", "stop")),
-        Grade::Ended => format!("{who} {} at t = {t} s: {why}.", s("ends", "end")),
-        Grade::Loose => format!("{who} {} right but loose: {}.", s("is", "are"), loose_run_words(run)),
-        Grade::Arrived => format!("{who} {} t = {t} s{}.", s("reaches", "reach"), kept_accuracy_words(&some)),
+        RunOutcome::Stopped => format!("{who} {} at t = {t} s: {why}.", s("stops", "stop")),
+        RunOutcome::Ended => format!("{who} {} at t = {t} s: {why}.", s("ends", "end")),
+        RunOutcome::Loose => format!("{who} {} right but loose: {}.", s("is", "are"), loose_outcome_words(run)),
+        RunOutcome::Arrived => format!("{who} {} t = {t} s{}.", s("reaches", "reach"), kept_accuracy_words(&some)),
     }
 }
 
 /// Returns words on why a run is loose: the time from which it has few digits, and its error.
 /// Otherwise its first warning.
-fn loose_run_words(run: &RunRow) -> String {
+fn loose_outcome_words(run: &RunRow) -> String {
     let Standing::Loose { how, error } = &run.standing else { return String::new() };
     let few =
         run.few_from.map(|t| format!("fewer than three digits from t = {} s on", number(&rounded_number_html(t, 4))));
@@ -95,7 +95,7 @@ fn kept_accuracy_words(runs: &[&RunRow]) -> String {
     let digits = runs.iter().filter_map(|run| run.digits).reduce(f64::min);
     let drift = runs.iter().filter_map(|run| run.energy_drift).reduce(f64::max);
     let digits = digits.map(|digits| format!(" with {digits:.0} digits or more"));
-    let drift = drift.map(|drift| format!("total energy kept to {} J", energy(drift)));
+    let drift = drift.map(|drift| format!("total energy kept to {} J", run_drift_html(drift)));
     match (digits, drift) {
         (Some(digits), Some(drift)) => format!("{digits}, {drift}"),
         (Some(digits), None) => digits,
@@ -130,16 +130,16 @@ pub fn printed_outcome(scene: &SceneSection) -> Option<String> {
         let ends = if early.len() == 1 { "ends" } else { "end" };
         let _ = write!(out, "; {} {ends} early: {}", of(early.len()), list_names(&list));
     }
-    Some(out + "." + &worst_energy_drift_sentence(&runs))
+    Some(out + "." + &worst_drift_outcome(&runs))
 }
 
 /// Returns the HTML sentence on the wrong printed run that reaches its end with the largest energy
 /// drift. Empty if there is none.
-fn worst_energy_drift_sentence(runs: &[&RunRow]) -> String {
+fn worst_drift_outcome(runs: &[&RunRow]) -> String {
     let wrong = runs.iter().filter(|run| run.arrived && run.standing == Standing::Wrong);
     let known = wrong.filter_map(|run| Some((run, run.energy_drift.filter(|drift| drift.is_finite())?)));
     let Some((run, drift)) = known.max_by(|a, b| a.1.total_cmp(&b.1)) else { return String::new() };
-    format!(" {} arrives, with total energy off by {} J.", run_name(run), energy(drift))
+    format!(" {} arrives, with total energy off by {} J.", run_name(run), run_drift_html(drift))
 }
 
 /// Returns the HTML of a scene's title in quotation marks.

@@ -2,11 +2,11 @@
 //! omit, and proofs.
 
 use crate::page::content::{Page, ReducedEquationsContent, SceneSection};
-use crate::page::markup::html::{escape, folded_html, number, rounded_number_html, scrolling_box, table};
-use crate::page::markup::math::{
-    EquationSide, aligned_equations, breakable_equation, formula, inline_math, is_short, length, long_formulas_note,
-    symbol, zero_statement,
+use crate::page::markup::formula_mathml::{
+    MathmlSide, aligned_mathml_equations, breakable_mathml, formula, inline_mathml, is_short_formula_mathml, length,
+    long_formulas_note, symbol_mathml, zero_formula_mathml,
 };
+use crate::page::markup::html::{escape, folded_html, number, rounded_number_html, scrolling_box, table};
 use crate::page::markup::typeset::typeset;
 use std::fmt::Write;
 use tripos_codegen::plan::Costs;
@@ -68,7 +68,7 @@ fn reduction_summary(page: &Page, needs: &ReducedEquationsContent) -> String {
     );
     if !reduction.divisors.is_empty() {
         let arena = reduction.arena();
-        let zero = |e: &Expr| zero_statement(arena, without_number(arena, *e));
+        let zero = |e: &Expr| zero_formula_mathml(arena, reduced_term_without_number(arena, *e));
         let mut places: Vec<String> = reduction.divisors.iter().map(zero).collect();
         places.dedup();
         let _ = write!(out, " Singular where {}.", places.join(" or "));
@@ -83,12 +83,12 @@ fn is_read(needs: &ReducedEquationsContent) -> bool {
     let values = e.definitions.iter().map(|d| d.value).chain(e.coordinate_rates.iter().copied());
     let values = values.chain(e.matrix.iter().flatten().chain(&e.forcing).copied());
     let mut values = values.chain(reduction.outputs.iter().map(|o| o.value));
-    let mut divisors = reduction.divisors.iter().map(|e| without_number(arena, *e));
-    values.all(|e| length(arena, e).is_some()) && divisors.all(|e| is_short(arena, e))
+    let mut divisors = reduction.divisors.iter().map(|e| reduced_term_without_number(arena, *e));
+    values.all(|e| length(arena, e).is_some()) && divisors.all(|e| is_short_formula_mathml(arena, e))
 }
 
 /// Returns a term without its numeric factor. Both terms vanish at the same places.
-fn without_number(arena: &Arena, e: Expr) -> Expr {
+fn reduced_term_without_number(arena: &Arena, e: Expr) -> Expr {
     match arena.node(e) {
         Node::Sum(constant, terms) if constant.is_zero() && terms.len() == 1 => terms[0].0,
         _ => e,
@@ -100,7 +100,7 @@ fn kept_quantities_table(needs: &ReducedEquationsContent) -> String {
     let reduction = &needs.reduced.reduction;
     let arena = reduction.arena();
     let row = |kind: &str, q: &ReducedQuantity, value: String| {
-        vec![kind.to_owned(), inline_math(&symbol(&q.name)), value, prose_html(arena, &q.about)]
+        vec![kind.to_owned(), inline_mathml(&symbol_mathml(&q.name)), value, prose_html(arena, &q.about)]
     };
     let mut rows: Vec<Vec<String>> = reduction.states.iter().map(|q| row("state", q, String::new())).collect();
     rows.extend(reduction.quadratures.iter().map(|q| row("integral", q, String::new())));
@@ -112,22 +112,22 @@ fn kept_quantities_table(needs: &ReducedEquationsContent) -> String {
 fn equations(needs: &ReducedEquationsContent) -> String {
     let e = &needs.reduced.reduction.derivation.equations;
     let mut arena = needs.reduced.reduction.arena().clone();
-    let mut list: Vec<(EquationSide, EquationSide)> = Vec::new();
+    let mut list: Vec<(MathmlSide, MathmlSide)> = Vec::new();
     for d in &e.definitions {
-        list.push((EquationSide::of(&arena, d.symbol), EquationSide::of(&arena, d.value)));
+        list.push((MathmlSide::of(&arena, d.symbol), MathmlSide::of(&arena, d.value)));
     }
     for (q, rate) in e.coordinates.iter().zip(&e.coordinate_rates) {
         list.push((
-            EquationSide::Whole(symbol(&format!("{}'", print_text(&arena, *q)))),
-            EquationSide::of(&arena, *rate),
+            MathmlSide::Whole(symbol_mathml(&format!("{}'", print_text(&arena, *q)))),
+            MathmlSide::of(&arena, *rate),
         ));
     }
     for (row, forcing) in e.matrix.iter().zip(&e.forcing) {
         let terms: Vec<Expr> = row.iter().zip(&e.unknowns).map(|(m, x)| arena.mul(*m, *x)).collect();
         let left = arena.sum(&terms);
-        list.push((EquationSide::of(&arena, left), EquationSide::of(&arena, *forcing)));
+        list.push((MathmlSide::of(&arena, left), MathmlSide::of(&arena, *forcing)));
     }
-    scrolling_box("The scene's reduced equations", &aligned_equations(&list))
+    scrolling_box("The scene's reduced equations", &aligned_mathml_equations(&list))
 }
 
 /// Returns the HTML of the scene's outputs as functions of the kept states.
@@ -135,12 +135,13 @@ fn outputs(needs: &ReducedEquationsContent) -> String {
     let reduction = &needs.reduced.reduction;
     let arena = reduction.arena();
     let line = |o: &ReducedOutput| {
-        let name = typeset(&o.name).map_or_else(|| symbol(&o.name), |sides| sides.iter().map(mathml_of).collect());
+        let name =
+            typeset(&o.name).map_or_else(|| symbol_mathml(&o.name), |sides| sides.iter().map(mathml_of).collect());
         // An output that is a kept quantity itself needs no line.
-        (name != formula(arena, o.value)).then(|| (EquationSide::Whole(name), EquationSide::of(arena, o.value)))
+        (name != formula(arena, o.value)).then(|| (MathmlSide::Whole(name), MathmlSide::of(arena, o.value)))
     };
     let list: Vec<_> = reduction.outputs.iter().filter_map(line).collect();
-    scrolling_box("What the scene shows", &aligned_equations(&list))
+    scrolling_box("What the scene shows", &aligned_mathml_equations(&list))
 }
 
 /// Returns the HTML table of the omitted parts, with reasons and proofs.
@@ -153,8 +154,8 @@ fn omitted_parts_table(arena: &Arena, omitted: &[Omission]) -> String {
 fn prose_html(arena: &Arena, prose: &Prose) -> String {
     let piece = |piece: &Piece| match piece {
         Piece::Words(words) => escape(words),
-        Piece::Term(e) => breakable_equation(&[EquationSide::of(arena, *e)]),
-        Piece::Equation(left, right) => breakable_equation(&[*left, *right].map(|e| EquationSide::of(arena, e))),
+        Piece::Term(e) => breakable_mathml(&[MathmlSide::of(arena, *e)]),
+        Piece::Equation(left, right) => breakable_mathml(&[*left, *right].map(|e| MathmlSide::of(arena, e))),
     };
     prose.0.iter().map(piece).collect()
 }

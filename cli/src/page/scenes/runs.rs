@@ -1,10 +1,10 @@
 //! Tables of a scene's runs, a row for each: results, and largest changes of first integrals.
 
 use crate::page::content::{Page, RunRow, SceneSection, Standing};
+use crate::page::markup::formula_mathml::inline_mathml;
 use crate::page::markup::html::{escape, number, rounded_number_html, scrolling_box, table_head, words_html};
-use crate::page::markup::math::inline_math;
-use crate::page::model::proof::{integral_name, integral_symbol};
-use crate::page::scenes::standing::{self, run_row_class};
+use crate::page::model::proof::{proved_integral_name, proved_integral_symbol};
+use crate::page::scenes::standing::{self, standing_row_class};
 use std::fmt::Write;
 use tripos_derive::algebra::meaning::compare::Verdict;
 use tripos_derive::plain_text::with_significant_digits;
@@ -42,7 +42,7 @@ pub fn runs_table(page: &Page, scene: &SceneSection) -> String {
         let _ = writeln!(
             rows,
             "<tr class=\"group\"><th scope=\"rowgroup\" colspan=\"{columns}\">As printed in {title}{}</th></tr>",
-            how_many_are_wrong(scene)
+            wrong_runs_words(scene)
         );
         rows += &printed;
     }
@@ -56,7 +56,7 @@ pub fn runs_table(page: &Page, scene: &SceneSection) -> String {
 
 /// Returns words for the number of wrong systems among the printed equations that ran. Empty if
 /// none ran.
-fn how_many_are_wrong(scene: &SceneSection) -> String {
+fn wrong_runs_words(scene: &SceneSection) -> String {
     let printed: Vec<&RunRow> = scene.runs.iter().filter(|run| run.printed.is_some()).collect();
     match (printed.iter().filter(|run| run.standing == Standing::Wrong).count(), printed.len()) {
         (_, 0) => String::new(),
@@ -69,26 +69,26 @@ fn how_many_are_wrong(scene: &SceneSection) -> String {
 /// Returns the HTML table of the largest change of each first integral in each run.
 pub fn integral_changes_table(page: &Page, scene: &SceneSection) -> String {
     let integrals = &page.study.proof.integrals;
-    let heads: Vec<String> = (0..integrals.len()).map(|at| inline_math(&integral_symbol(at))).collect();
+    let heads: Vec<String> = (0..integrals.len()).map(|at| inline_mathml(&proved_integral_symbol(at))).collect();
     let columns: Vec<&str> = std::iter::once("Equations").chain(heads.iter().map(String::as_str)).collect();
     let row = |run: &RunRow| {
         let cell = |(at, change): (usize, &f64)| {
             let (open, close) =
                 if violates_integral(page, run, at) { ("<strong class=\"wrong\">", "</strong>") } else { ("", "") };
-            format!("<td class=\"n\">{open}{}{close}</td>", energy(*change))
+            format!("<td class=\"n\">{open}{}{close}</td>", run_drift_html(*change))
         };
         let cells: String = run.changes.iter().enumerate().map(cell).collect();
         format!(
             "<tr{}><th scope=\"row\">{}</th>{cells}</tr>\n",
-            run_row_class(run, ""),
+            standing_row_class(run, ""),
             standing::run_name_with_standing(run)
         )
     };
     let named = |(at, integral): (usize, &tripos_derive::prove::Integral)| {
         format!(
             "{}: {}",
-            inline_math(&integral_symbol(at)),
-            integral_name(page.model, &page.study.derivations.kinematics.arena, integral)
+            inline_mathml(&proved_integral_symbol(at)),
+            proved_integral_name(page.model, &page.study.derivations.kinematics.arena, integral)
         )
     };
     let names: Vec<String> = integrals.iter().enumerate().map(named).collect();
@@ -129,11 +129,11 @@ fn run_rows(run: &RunRow, before: Option<&RunRow>) -> String {
     let mut out = format!(
         "<tr{}><th scope=\"row\">{}</th><td class=\"result\">{result}</td><td class=\"n\">{}</td><td class=\"n\">{}</td>\
          <td class=\"n\">{}</td><td class=\"n\">{} ({})</td><td class=\"n\">{}</td><td>{}, {}</td></tr>\n",
-        run_row_class(run, ""),
+        standing_row_class(run, ""),
         standing::run_name_with_standing(run),
         number(&rounded_number_html(run.t_end, 6)),
         run.digits.map_or_else(|| "–".to_owned(), |digits| number(&format!("{digits:.1}"))),
-        run.energy_drift.map_or_else(|| "–".to_owned(), energy),
+        run.energy_drift.map_or_else(|| "–".to_owned(), run_drift_html),
         run.steps,
         run.rejected,
         run.evaluations,
@@ -150,14 +150,14 @@ fn run_rows(run: &RunRow, before: Option<&RunRow>) -> String {
     let said = |(label, text): (&str, String)| format!("<strong>{label}</strong> {}", words_html(text.trim()));
     let all: Vec<String> = standing.into_iter().chain(ending).chain(warnings).map(said).collect();
     if !all.is_empty() {
-        let (class, columns, text) = (run_row_class(run, "remark"), HEAD.len(), all.join(". "));
+        let (class, columns, text) = (standing_row_class(run, "remark"), HEAD.len(), all.join(". "));
         let _ = writeln!(out, "<tr{class}><td colspan=\"{columns}\" class=\"wide\">{text}</td></tr>");
     }
     out
 }
 
 /// Returns the HTML of an energy in J with two significant digits.
-pub fn energy(drift: f64) -> String {
+pub fn run_drift_html(drift: f64) -> String {
     if !drift.is_finite() {
         return "<strong>not finite</strong>".to_owned();
     }

@@ -8,7 +8,7 @@ use crate::page::scenes::outcome;
 use crate::page::scenes::reduced_equations;
 use crate::page::scenes::runs;
 use crate::page::scenes::singular_matrices;
-use crate::plot::formula_to_symbols;
+use crate::plot::figure_text_in_symbols;
 use std::fmt::Write;
 
 /// Largest number of a scene's figures that are not folded.
@@ -107,7 +107,7 @@ fn fact_text(fact: &SceneFact) -> String {
         SceneFact::Words(words) => words.clone(),
         SceneFact::Values(list) => {
             let one = |(name, value): &(String, f64)| {
-                format!("{}\u{a0}=\u{a0}{}", formula_to_symbols(name), value.to_string().replace('-', "−"))
+                format!("{}\u{a0}=\u{a0}{}", figure_text_in_symbols(name), value.to_string().replace('-', "−"))
             };
             list.iter().map(one).collect::<Vec<_>>().join(", ")
         }

@@ -5,9 +5,9 @@
 //! only in those that it reached.
 
 use crate::page::content::{Page, RunRow, SceneSection};
+use crate::page::markup::formula_mathml::{MathmlSide, breakable_mathml, formula, inline_mathml, length};
 use crate::page::markup::html::{escape, join_html, number, rounded_number_html, scrolling_box, table_head};
-use crate::page::markup::math::{EquationSide, breakable_equation, formula, inline_math, length};
-use crate::page::scenes::standing::{self, run_row_class};
+use crate::page::scenes::standing::{self, standing_row_class};
 use std::fmt::Write;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::prove::{DeterminantAtZero, Singularity};
@@ -19,8 +19,8 @@ const SHORT: usize = 40;
 /// Returns the HTML of the statements and the table below the figure of determinants.
 pub fn singularity_statements(page: &Page, scene: &SceneSection) -> String {
     let divisors = divisors(page);
-    let mut items = long_divisors(page);
-    items.extend(proved_statements(page, &divisors));
+    let mut items = singular_divisor_definitions(page);
+    items.extend(singular_matrix_proofs(page, &divisors));
     items.extend(condition_number_sentences(scene));
     items.extend(divisors.iter().enumerate().filter_map(|(at, divisor)| divisor_along_runs(scene, at, divisor)));
     let items = join_html(&items, |item| format!("<li><div class=\"formula\">{item}</div></li>\n"));
@@ -31,7 +31,8 @@ pub fn singularity_statements(page: &Page, scene: &SceneSection) -> String {
 /// a table are replaced by names.
 fn divisors(page: &Page) -> Vec<String> {
     let (list, arena) = (&page.model.kinematic_equations.divisors, &page.model.arena);
-    let typeset = |(at, e): (usize, &Expr)| if is_long(arena, *e) { divisor_name(at) } else { formula(arena, *e) };
+    let typeset =
+        |(at, e): (usize, &Expr)| if is_long(arena, *e) { singular_divisor_name(at) } else { formula(arena, *e) };
     list.iter().enumerate().map(typeset).collect()
 }
 
@@ -42,16 +43,16 @@ fn is_long(arena: &Arena, e: Expr) -> bool {
 
 /// Returns the MathML name of a long divisor, d with a number. `at` counts from 0, the number from
 /// 1.
-fn divisor_name(at: usize) -> String {
+fn singular_divisor_name(at: usize) -> String {
     format!("<msub><mi>d</mi><mn>{}</mn></msub>", at + 1)
 }
 
 /// Returns the HTML of the definitions of the long divisors' names.
-fn long_divisors(page: &Page) -> Vec<String> {
+fn singular_divisor_definitions(page: &Page) -> Vec<String> {
     let (list, arena) = (&page.model.kinematic_equations.divisors, &page.model.arena);
     let definition = |(at, e): (usize, &Expr)| {
-        let sides = [EquationSide::Whole(divisor_name(at)), EquationSide::short(arena, *e)];
-        breakable_equation(&sides)
+        let sides = [MathmlSide::Whole(singular_divisor_name(at)), MathmlSide::short(arena, *e)];
+        breakable_mathml(&sides)
     };
     list.iter().enumerate().filter(|(_, e)| is_long(arena, **e)).map(definition).collect()
 }
@@ -68,7 +69,7 @@ fn determinants<'a>(page: &'a Page<'_>) -> Vec<(String, &'a Singularity)> {
 }
 
 /// Returns the HTML of statements on determinants that hold in every configuration.
-fn proved_statements(page: &Page, divisors: &[String]) -> Vec<String> {
+fn singular_matrix_proofs(page: &Page, divisors: &[String]) -> Vec<String> {
     let list = determinants(page);
     let named = |of: &dyn Fn(&Singularity) -> bool| {
         let names: Vec<&str> = list.iter().filter(|(_, s)| of(s)).map(|(name, _)| name.as_str()).collect();
@@ -81,7 +82,7 @@ fn proved_statements(page: &Page, divisors: &[String]) -> Vec<String> {
         ));
     }
     for (divisor, e) in divisors.iter().zip(&page.model.kinematic_equations.divisors) {
-        let zero = inline_math(&format!("<mrow>{divisor}<mo>=</mo><mn>0</mn></mrow>"));
+        let zero = inline_mathml(&format!("<mrow>{divisor}<mo>=</mo><mn>0</mn></mrow>"));
         let place = |s: &Singularity| s.at.iter().find(|place| place.divisor == *e).copied();
         let there = |s: &Singularity| place(s).map(|place| place.determinant);
         if let Some(names) = named(&|s| there(s) == Some(DeterminantAtZero::Zero)) {
@@ -94,7 +95,7 @@ fn proved_statements(page: &Page, divisors: &[String]) -> Vec<String> {
             items.push(format!(
                 "Entries of the matrix divide by {}, for: {names}. Where that is small such a matrix can be ill-conditioned, \
                  whether or not its determinant is small too.",
-                inline_math(divisor)
+                inline_mathml(divisor)
             ));
         }
     }
@@ -143,11 +144,11 @@ fn divisor_along_runs(scene: &SceneSection, at: usize, divisor: &str) -> Option<
     let runs = scene.runs.iter().filter(|run| run.printed.is_none());
     let list = runs.filter_map(|run| Some((run, (*run.nearest.divisors.get(at)?)?)));
     let (run, (least, t)) = list.min_by(|a, b| a.1.0.total_cmp(&b.1.0))?;
-    let size = inline_math(&format!("<mrow><mo form=\"prefix\">|</mo>{divisor}<mo form=\"postfix\">|</mo></mrow>"));
+    let size = inline_mathml(&format!("<mrow><mo form=\"prefix\">|</mo>{divisor}<mo form=\"postfix\">|</mo></mrow>"));
     Some(format!(
         "The kinematic equations divide by {}, whatever the matrix does: in the derived runs {size} comes down to {} ({} \
          at {} s), and rates of coordinates can grow with its inverse.",
-        inline_math(divisor),
+        inline_mathml(divisor),
         number(&rounded_number_html(least, 2)),
         run_name(run),
         number(&rounded_number_html(t, 4)),
@@ -176,7 +177,7 @@ fn extremes_table(scene: &SceneSection, divisors: &[String]) -> String {
     ];
     for divisor in divisors {
         let size = format!("<mrow><mo form=\"prefix\">|</mo>{divisor}<mo form=\"postfix\">|</mo></mrow>");
-        columns.push(format!("least {}", inline_math(&size)));
+        columns.push(format!("least {}", inline_mathml(&size)));
         columns.push("at [s]".to_owned());
     }
     let columns: Vec<&str> = columns.iter().map(String::as_str).collect();
@@ -197,7 +198,7 @@ fn extremes_table(scene: &SceneSection, divisors: &[String]) -> String {
         let _ = writeln!(
             rows,
             "<tr{}><th scope=\"row\">{}</th>{cells}</tr>",
-            run_row_class(run, ""),
+            standing_row_class(run, ""),
             standing::run_name_with_standing(run)
         );
     }

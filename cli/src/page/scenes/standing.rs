@@ -43,7 +43,7 @@ impl Standing {
 
 /// Returns the HTML attribute with the classes of a run's table row. `more` is a further class, or
 /// empty.
-pub fn run_row_class(run: &RunRow, more: &str) -> String {
+pub fn standing_row_class(run: &RunRow, more: &str) -> String {
     let printed = run.printed.as_ref().map(|_| "printed");
     let standing = run.standing.standing_word();
     let list: Vec<&str> = [more].into_iter().filter(|more| !more.is_empty()).chain(printed).chain(standing).collect();

@@ -6,7 +6,7 @@ mod names;
 
 use super::{CompositeFunction, Dialect, Module};
 use crate::plan::{Entry, Function, Language, Returns};
-use crate::syntax::{CodeWriter, Comments, Syntax, assignments, number_literal, with_firm_spaces};
+use crate::syntax::{CodeWriter, Comments, Syntax, assignment_statements, number_literal, with_firm_spaces};
 use std::fmt::Write;
 use tripos_derive::plain_text::{one_line, with_visible_characters};
 
@@ -65,7 +65,7 @@ impl Syntax for C {
     }
 
     fn declare(&self, out: &mut String, indent: &str, list: &[(String, String)]) {
-        self.statement(out, indent, &format!("const tripos_real {};", assignments(list, ", ")));
+        self.statement(out, indent, &format!("const tripos_real {};", assignment_statements(list, ", ")));
     }
 
     fn sine_and_cosine_statements(&self, sine: &str, cosine: &str, angle: &str) -> Option<Vec<String>> {

@@ -9,8 +9,8 @@ use super::{CompositeFunction, Dialect, Module, SceneRun};
 use crate::plan::{Entry, Function, Language, Returns};
 use crate::syntax::{CodeWriter, Comments, Syntax};
 use text::{
-    array_of_entries, docstring, names_and_values, python_number_literal, write_python_assignment,
-    write_python_expression,
+    docstring, python_number_literal, write_python_array, write_python_assignment, write_python_expression,
+    write_python_names_and_values,
 };
 
 /// Text of the Python module of helpers, `tripos_arrays.py`.
@@ -116,7 +116,7 @@ fn module_text(module: &Module<'_>) -> String {
     writer.write_empty_line();
     writer.write_unbroken(&docstring(&module.title()));
     writer.write_unbroken(&format!("import numpy\n\nimport {ARRAYS} as _arrays\n"));
-    names_and_values(&mut writer, module, "numpy.nan");
+    write_python_names_and_values(&mut writer, module, "numpy.nan");
     for planned in &module.plan.functions {
         function(&mut writer, planned);
     }
@@ -142,7 +142,7 @@ fn function(writer: &mut CodeWriter<'_>, planned: &Function) {
     };
     let entries: Vec<String> = planned.entries.iter().map(text).collect();
     let array = |writer: &mut CodeWriter<'_>, start: &str, entries: &[String], shape: &str| {
-        array_of_entries(writer, &format!("{start}_arrays.array(xp, shape, {shape}, ["), entries, "])");
+        write_python_array(writer, &format!("{start}_arrays.array(xp, shape, {shape}, ["), entries, "])");
     };
     match (planned.returns, result_matrix_size(planned)) {
         (Returns::System(side), _) => {
@@ -211,7 +211,7 @@ fn python_simulation_script(module: &Module<'_>, run: &SceneRun) -> String {
     writer.write_unbroken(&format!("import numpy\nfrom scipy.integrate import solve_ivp\n\nimport {stem} as model\n"));
     let list = |writer: &mut CodeWriter<'_>, name: &str, values: &[f64]| {
         let number = |x: &f64| if x.is_nan() { "numpy.nan".to_owned() } else { format!("{x:?}") };
-        array_of_entries(writer, &format!("{name} = ["), &values.iter().map(number).collect::<Vec<_>>(), "]");
+        write_python_array(writer, &format!("{name} = ["), &values.iter().map(number).collect::<Vec<_>>(), "]");
     };
     list(&mut writer, "p", &run.parameters);
     list(&mut writer, "q", &run.q);

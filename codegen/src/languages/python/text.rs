@@ -97,7 +97,7 @@ fn write_python_lines(out: &mut String, indent: &str, text: &str) {
 }
 
 /// Writes a list of entries between an opening and an ending bracket, on as many lines as it needs.
-pub fn array_of_entries(writer: &mut CodeWriter<'_>, opening: &str, entries: &[String], ending: &str) {
+pub fn write_python_array(writer: &mut CodeWriter<'_>, opening: &str, entries: &[String], ending: &str) {
     let list = entries.join(", ");
     let soft = |text: &str| text.replace(FIRM_SPACE, " ");
     if opening.len() + list.len() + ending.len() + 4 <= WIDTH {
@@ -113,10 +113,10 @@ pub fn array_of_entries(writer: &mut CodeWriter<'_>, opening: &str, entries: &[S
 
 /// Writes the names and default values of a module as Python lists. `missing` is the text for a
 /// parameter whose value the model file does not state.
-pub fn names_and_values(writer: &mut CodeWriter<'_>, module: &Module<'_>, missing: &str) {
+pub fn write_python_names_and_values(writer: &mut CodeWriter<'_>, module: &Module<'_>, missing: &str) {
     let (model, e) = (module.model(), module.equations());
     let list = |writer: &mut CodeWriter<'_>, name: &str, entries: &[String]| {
-        array_of_entries(writer, &format!("{name} = ["), entries, "]");
+        write_python_array(writer, &format!("{name} = ["), entries, "]");
     };
     module.parameter_meanings().iter().for_each(|meaning| writer.comment(meaning));
     let strings = |names: &mut dyn Iterator<Item = &str>| names.map(string).collect::<Vec<_>>();

@@ -41,7 +41,7 @@ pub fn imports(plan: &TaylorPlan<'_>, text: TaylorText) -> TokenStream {
 
 /// Returns the Rust function `taylor`. It receives the parameters in the struct `parameters`.
 pub fn function(plan: &TaylorPlan<'_>, parameters: &Parameters) -> TokenStream {
-    let (list, text) = (plan.list, Text { plan });
+    let (list, text) = (plan.list, TaylorWriter { plan });
     let (p, unpack_p) = (signature(&plan.parameters, parameters), unpack(&plan.parameters, parameters));
     let first = (0..list.states.len()).map(|place| rust_identifier(plan.start(place).as_deref().unwrap_or("_")));
     let read = plan.constants.names_read(0..usize::MAX);
@@ -70,11 +70,11 @@ pub fn function(plan: &TaylorPlan<'_>, parameters: &Parameters) -> TokenStream {
 }
 
 /// Writer of the text of a function `taylor`, by the names in its plan.
-struct Text<'a> {
+struct TaylorWriter<'a> {
     plan: &'a TaylorPlan<'a>,
 }
 
-impl Text<'_> {
+impl TaylorWriter<'_> {
     /// Returns the variable of a series' coefficient of order 0.
     fn order_zero_variable(&self, at: usize) -> TokenStream {
         rust_identifier(&format!("{}_0", self.plan.names[at]))
@@ -101,12 +101,12 @@ impl Text<'_> {
     }
 
     /// Returns the variable of 1/(2 z), where z is the coefficient of order 0 of a square root.
-    fn over_twice(&self, at: usize) -> TokenStream {
+    fn over_twice_variable(&self, at: usize) -> TokenStream {
         rust_identifier(&self.plan.over_twice[&at])
     }
 
     /// Returns the expression for a constant factor: its variable, or a number.
-    fn weight(&self, e: Expr) -> TokenStream {
+    fn weight_variable_or_number(&self, e: Expr) -> TokenStream {
         match self.plan.weights.get(&e).or_else(|| self.plan.variables.of.get(&e)) {
             Some(name) => rust_identifier(name),
             None => expression(&display_tree(self.plan.arena, e, &FxHashMap::default(), usize::MAX)),

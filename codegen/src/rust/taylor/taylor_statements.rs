@@ -1,7 +1,7 @@
 //! Statements of the generated function `taylor`: coefficients of order 0, of order 1, and the loop
 //! over higher orders.
 
-use super::Text;
+use super::TaylorWriter;
 use crate::plan::LineComments;
 use crate::rust::rust_text::comment;
 use crate::taylor::{Operand, Rule};
@@ -29,7 +29,7 @@ struct Factors {
     weighted: bool,
 }
 
-impl Text<'_> {
+impl TaylorWriter<'_> {
     /// Returns the expression Σ weight · value + constant. Values that are computed late are added
     /// late, which shortens waiting.
     fn linear_combination(
@@ -40,20 +40,20 @@ impl Text<'_> {
     ) -> TokenStream {
         let mut sorted = terms.to_vec();
         sorted.sort_by_key(|(weight, x)| (self.plan.depths[*x], *weight == Expr::MINUS_ONE));
-        let mut sum = constant.filter(|c| *c != Expr::ZERO).map(|c| self.weight(c));
+        let mut sum = constant.filter(|c| *c != Expr::ZERO).map(|c| self.weight_variable_or_number(c));
         for (weight, x) in sorted {
             let x = value(x);
             sum = Some(match (sum, weight) {
                 (None, Expr::ONE) => x,
                 (None, Expr::MINUS_ONE) => quote!(-#x),
                 (None, _) => {
-                    let weight = self.weight(weight);
+                    let weight = self.weight_variable_or_number(weight);
                     quote!(#weight * #x)
                 }
                 (Some(sum), Expr::ONE) => quote!(#sum + #x),
                 (Some(sum), Expr::MINUS_ONE) => quote!(#sum - #x),
                 (Some(sum), _) => {
-                    let weight = self.weight(weight);
+                    let weight = self.weight_variable_or_number(weight);
                     quote!(#x.mul_add(#weight, #sum))
                 }
             });
@@ -140,12 +140,12 @@ impl Text<'_> {
         let list = self.plan.list;
         let mut rates = [TokenStream::new(), TokenStream::new(), TokenStream::new()];
         let mut states = TokenStream::new();
-        for (&at, name) in entries_by_key(&self.plan.rates) {
+        for (&at, name) in statement_variables_by_series(&self.plan.rates) {
             let Rule::State(place) = list.series[at].rule else { continue };
             let (rate, z, z_1) =
                 (format_ident!("{name}"), self.current_order_variable(at), self.order_one_variable(at));
             let (at_start, at_one, next) = match list.rates[place] {
-                Operand::Constant(e) => (self.weight(e), quote!(S::int(0)), quote!(S::int(0))),
+                Operand::Constant(e) => (self.weight_variable_or_number(e), quote!(S::int(0)), quote!(S::int(0))),
                 Operand::Scaled(weight, x) => {
                     let term = [(weight, x)];
                     let value = |of: &dyn Fn(usize) -> TokenStream| self.linear_combination(None, &term, of);
@@ -343,7 +343,7 @@ impl Text<'_> {
                 }
             }
             Rule::Root(x) => {
-                let (x_k, over) = (name(*x), self.over_twice(at));
+                let (x_k, over) = (name(*x), self.over_twice_variable(at));
                 if one { quote!(#x_k * #over) } else { quote!((#x_k - #sum) * #over) }
             }
             Rule::Forward { of, slope, negative, .. } => {
@@ -364,7 +364,7 @@ impl Text<'_> {
 }
 
 /// Returns the entries of a map in ascending order of their keys.
-fn entries_by_key(map: &FxHashMap<usize, String>) -> Vec<(&usize, &String)> {
+fn statement_variables_by_series(map: &FxHashMap<usize, String>) -> Vec<(&usize, &String)> {
     let mut list: Vec<_> = map.iter().collect();
     list.sort();
     list

@@ -3,8 +3,8 @@
 pub(super) mod fraction;
 pub mod normal_form;
 pub mod polynomial;
-pub mod readable;
 pub(super) mod ring;
 pub mod sharing;
 pub mod simplify;
 pub(super) mod sum_atoms;
+pub mod written_out_formula;

@@ -12,8 +12,8 @@ use super::fraction::Fraction;
 use super::polynomial::{LaurentPolynomial, Monomial};
 use super::ring::{GENERATORS, Ring, RingPolynomial, Square};
 use crate::algebra::term::elementary::angle_atoms;
-use crate::algebra::value::points::is_exponential;
-use crate::algebra::value::zero_test::{atoms_are_independent, has_roots};
+use crate::algebra::value::residues::is_exponential;
+use crate::algebra::value::zero_test::{has_roots, zero_test_is_proof};
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use num_integer::Integer;
 use rustc_hash::FxHashMap;
@@ -84,7 +84,7 @@ impl Normalizer {
                 // Exponentials are generators here, and related to one another.
                 let is_power = |part: &Expr| matches!(arena.node(*part), Node::Apply(f, _) if is_exponential(*f));
                 let is_told =
-                    atoms_are_independent(arena, &parts) && !has_roots(arena, &parts) && !parts.iter().any(is_power);
+                    zero_test_is_proof(arena, &parts) && !has_roots(arena, &parts) && !parts.iter().any(is_power);
                 if is_told { Zero::No } else { Zero::Unknown }
             }
         }

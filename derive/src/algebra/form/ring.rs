@@ -227,7 +227,7 @@ impl Ring {
         for (part, k) in parts {
             self.count_work(part.terms.len())?;
             for (m, c) in &part.terms {
-                add_like_term(&mut sum, *m, c.mul(&k));
+                add_ring_term(&mut sum, *m, c.mul(&k));
             }
         }
         Some(polynomial_of_sum(sum))
@@ -263,7 +263,7 @@ impl Ring {
                 .enumerate()
                 .find(|(at, (_, square))| powers.exponent_of(*at) > 1 && !matches!(square, Square::Free));
             match square {
-                None => add_like_term(sum, powers, k),
+                None => add_ring_term(sum, powers, k),
                 Some((at, (_, square))) => {
                     let rest = powers.with_exponent(at, powers.exponent_of(at) - 2);
                     match square {
@@ -318,7 +318,7 @@ impl Ring {
         for at in (0..self.generators.len()).rev() {
             let known_square = !matches!(self.generators[at].1, Square::Free);
             if known_square && below.mentions(at) {
-                let conjugate = conjugate(&below, at);
+                let conjugate = ring_conjugate(&below, at);
                 above = self.mul(&above, &conjugate)?;
                 below = self.mul(&below, &conjugate)?;
             }
@@ -332,7 +332,7 @@ impl Ring {
     pub fn square_root(&mut self, square: &RingPolynomial) -> Option<RingPolynomial> {
         let (lead, k) = square.terms.first()?;
         let half = lead.square_root_of_monomial()?;
-        let first = RingPolynomial { terms: vec![(half, root_of(k)?)] };
+        let first = RingPolynomial { terms: vec![(half, small_square_root(k)?)] };
         let mut root = first.clone();
         for _ in 0..MOST_ROOT_TERMS {
             let whole = self.mul(&root, &root)?;
@@ -357,7 +357,7 @@ impl Ring {
             self.count_work(below.terms.len() + above.terms.len())?;
             let mut sum: FxHashMap<Powers, Rational> = above.terms.into_iter().collect();
             for (n, d) in &below.terms {
-                add_like_term(&mut sum, step.0.times(n)?, step.1.mul(d).neg());
+                add_ring_term(&mut sum, step.0.times(n)?, step.1.mul(d).neg());
             }
             above = polynomial_of_sum(sum);
             quotient.push(step);
@@ -368,7 +368,7 @@ impl Ring {
 
 /// Square root of a rational number; `None` if the root is not rational, or if the number does not
 /// fit 64 bits.
-fn root_of(k: &Rational) -> Option<Rational> {
+fn small_square_root(k: &Rational) -> Option<Rational> {
     let root = |n: i64| {
         let near = u64::try_from(n).ok()?.isqrt();
         let near = i64::try_from(near).ok()?;
@@ -379,13 +379,13 @@ fn root_of(k: &Rational) -> Option<Rational> {
 }
 
 /// Returns the polynomial with the sign of one generator (a variable of the ring) changed.
-fn conjugate(p: &RingPolynomial, generator: usize) -> RingPolynomial {
+fn ring_conjugate(p: &RingPolynomial, generator: usize) -> RingPolynomial {
     let flip = |(m, k): &(Powers, Rational)| (*m, if m.exponent_of(generator) % 2 == 1 { k.neg() } else { k.clone() });
     RingPolynomial { terms: p.terms.iter().map(flip).collect() }
 }
 
 /// Adds the term k · powers to a sum of like terms.
-fn add_like_term(sum: &mut FxHashMap<Powers, Rational>, powers: Powers, k: Rational) {
+fn add_ring_term(sum: &mut FxHashMap<Powers, Rational>, powers: Powers, k: Rational) {
     match sum.entry(powers) {
         std::collections::hash_map::Entry::Vacant(place) => {
             place.insert(k);

@@ -18,8 +18,8 @@
 //! (1992); for polynomials, A. Hosangadi, F. Fallah & R. Kastner, "Optimizing polynomial expressions by algebraic
 //! factorization and common subexpression elimination", IEEE Trans. CAD 25 (2006).
 
-mod angles;
-mod divisors;
+mod composed_angles;
+mod divisor_extraction;
 mod equivalence;
 mod network;
 mod rebuild;
@@ -27,8 +27,8 @@ mod rebuild;
 use super::simplify::Simplifier;
 use crate::algebra::term::steps::Definition;
 use crate::algebra::{Arena, Expr, Function};
-use angles::Composed;
-use divisors::Extraction;
+use composed_angles::Composed;
+use divisor_extraction::Extraction;
 use network::Network;
 
 pub use equivalence::is_equivalent_after_sharing;
@@ -96,7 +96,7 @@ impl Products {
 
     /// Multiplies the value `e` out to the extent of this option. A value that would become too
     /// long is returned unchanged.
-    fn read(self, arena: &mut Arena, simplifier: &mut Simplifier, e: Expr) -> Expr {
+    fn expand_for_sharing(self, arena: &mut Arena, simplifier: &mut Simplifier, e: Expr) -> Expr {
         if self == Self::Factored {
             return e;
         }
@@ -128,14 +128,17 @@ pub fn share_common_parts(
 ) -> Option<SharedComputation> {
     let (steps, values) = match reading.angles {
         Angles::Kept => (steps.to_vec(), values.to_vec()),
-        Angles::Composed => angles::compose_angles(arena, &Composed::Named, steps, values)?,
-        Angles::Open => angles::compose_angles(arena, &Composed::Open, steps, values)?,
+        Angles::Composed => composed_angles::compose_angles(arena, &Composed::Named, steps, values)?,
+        Angles::Open => composed_angles::compose_angles(arena, &Composed::Open, steps, values)?,
     };
     let steps: Vec<Definition> = steps
         .iter()
-        .map(|step| Definition { symbol: step.symbol, value: reading.products.read(arena, simplifier, step.value) })
+        .map(|step| Definition {
+            symbol: step.symbol,
+            value: reading.products.expand_for_sharing(arena, simplifier, step.value),
+        })
         .collect();
-    let values: Vec<Expr> = values.iter().map(|e| reading.products.read(arena, simplifier, *e)).collect();
+    let values: Vec<Expr> = values.iter().map(|e| reading.products.expand_for_sharing(arena, simplifier, *e)).collect();
     let network = Network::new(arena, &steps, &values);
     let network = Extraction::new(network).run();
     rebuild::rebuild(arena, &network)

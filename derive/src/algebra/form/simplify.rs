@@ -56,7 +56,7 @@ impl Simplifier {
         if reduced.terms.is_empty() {
             return Expr::ZERO;
         }
-        let fraction = if divides_by_sums(arena, &reduced) {
+        let fraction = if simplifies_as_fraction(arena, &reduced) {
             fraction_in_short_form(arena, e, Self::FRACTION_BUDGET)
         } else if mixes_angles(arena, &reduced) && !differ_beyond_angles(arena, &reduced) {
             fraction_in_short_form(arena, e, Self::ANGLE_BUDGET)
@@ -66,7 +66,7 @@ impl Simplifier {
         let mut best = (operation_count(arena, e), e);
         let both = [&reduced, &expanded];
         for polynomial in &both[..if reduced == expanded { 1 } else { 2 }] {
-            for candidate in [factor(arena, &polynomial.terms), common_factor_only(arena, polynomial)] {
+            for candidate in [factor(arena, &polynomial.terms), simplify_by_common_factor(arena, polynomial)] {
                 let candidate = (operation_count(arena, candidate), candidate);
                 if candidate.0 < best.0 {
                     best = candidate;
@@ -82,7 +82,7 @@ impl Simplifier {
     /// Expands the term `e` to a Laurent polynomial in symbols, function values and inverse sums.
     /// `None` beyond `LIMIT` terms or `PARTS` subterms.
     pub fn polynomial(&mut self, arena: &mut Arena, e: Expr) -> Option<LaurentPolynomial> {
-        let parts = arena.terms_shown_in_text(&[e]);
+        let parts = arena.shown_subterms(&[e]);
         if parts.len() > Self::PARTS {
             return None;
         }
@@ -92,7 +92,7 @@ impl Simplifier {
     /// Expands a term to a polynomial, but keeps sums of symbols whose expansion cannot cancel a
     /// term. `None` beyond `LIMIT` terms or `PARTS` subterms.
     fn expand(&mut self, arena: &mut Arena, e: Expr) -> Option<LaurentPolynomial> {
-        let parts = arena.terms_shown_in_text(&[e]);
+        let parts = arena.shown_subterms(&[e]);
         if parts.len() > Self::PARTS {
             return None;
         }
@@ -138,7 +138,7 @@ impl Simplifier {
                 Node::Apply(f, argument) => {
                     let argument = self.short_form(arena, &forms[&argument]);
                     let value = arena.apply(f, argument);
-                    sum_of_monomials(arena, value)
+                    read_sum(arena, value)
                 }
             };
             if form.terms.len() > Self::LIMIT {
@@ -170,13 +170,13 @@ impl Simplifier {
         // The divisor is identically zero: nothing can be simplified, and the zero test of the
         // caller will find it.
         let power = arena.pow(base, n).ok()?;
-        Some(sum_of_monomials(arena, power))
+        Some(read_sum(arena, power))
     }
 }
 
 /// True if a polynomial of several terms divides by a sum. A common denominator may then be
 /// shorter.
-fn divides_by_sums(arena: &Arena, polynomial: &LaurentPolynomial) -> bool {
+fn simplifies_as_fraction(arena: &Arena, polynomial: &LaurentPolynomial) -> bool {
     let inverse_sum = |(e, n): &(Expr, i32)| *n < 0 && matches!(arena.node(*e), Node::Sum(..));
     polynomial.terms.len() > 1 && polynomial.terms.keys().flatten().any(inverse_sum)
 }
@@ -209,7 +209,7 @@ fn fraction_in_short_form(arena: &mut Arena, e: Expr, budget: u64) -> Option<Exp
 }
 
 /// Reads a term as a sum of monomials in its factors, without expanding it.
-fn sum_of_monomials(arena: &Arena, e: Expr) -> LaurentPolynomial {
+fn read_sum(arena: &Arena, e: Expr) -> LaurentPolynomial {
     let monomial = |e: Expr| match arena.node(e) {
         Node::Product(factors) => factors.to_vec(),
         _ => vec![(e, 1)],
@@ -267,10 +267,10 @@ fn size(arena: &Arena, polynomial: &LaurentPolynomial) -> (usize, usize) {
 /// repeatedly. Returns the product as a term.
 fn factor(arena: &mut Arena, terms: &BTreeMap<Monomial, Rational>) -> Expr {
     let polynomial = LaurentPolynomial { terms: terms.clone() };
-    let (monomial, content, rest) = extract_common(&polynomial);
+    let (monomial, content, rest) = split_common_factor(&polynomial);
     let inner = if rest.terms.len() < 2 {
         rest.expand(arena)
-    } else if let Some((atom, positive)) = most_shared(&rest) {
+    } else if let Some((atom, positive)) = most_shared_atom(&rest) {
         let shares = |m: &Monomial| m.iter().any(|(e, n)| *e == atom && (*n > 0) == positive);
         let (with, without): (BTreeMap<_, _>, BTreeMap<_, _>) = rest.terms.into_iter().partition(|(m, _)| shares(m));
         let (with, without) = (factor(arena, &with), factor(arena, &without));
@@ -282,8 +282,8 @@ fn factor(arena: &mut Arena, terms: &BTreeMap<Monomial, Rational>) -> Expr {
 }
 
 /// Takes the common factor out of a polynomial and expands the rest. Returns the product as a term.
-fn common_factor_only(arena: &mut Arena, polynomial: &LaurentPolynomial) -> Expr {
-    let (monomial, content, rest) = extract_common(polynomial);
+fn simplify_by_common_factor(arena: &mut Arena, polynomial: &LaurentPolynomial) -> Expr {
+    let (monomial, content, rest) = split_common_factor(polynomial);
     let inner = rest.expand(arena);
     scale_by_monomial(arena, &monomial, &content, inner)
 }
@@ -297,7 +297,7 @@ fn scale_by_monomial(arena: &mut Arena, monomial: &Monomial, content: &Rational,
 
 /// Splits a polynomial into monomial · content · rest, where the terms of the rest have no common
 /// factor.
-fn extract_common(polynomial: &LaurentPolynomial) -> (Monomial, Rational, LaurentPolynomial) {
+fn split_common_factor(polynomial: &LaurentPolynomial) -> (Monomial, Rational, LaurentPolynomial) {
     let Some(first) = polynomial.terms.keys().next() else {
         return (Vec::new(), Rational::ONE, LaurentPolynomial::default());
     };
@@ -329,7 +329,7 @@ fn extract_common(polynomial: &LaurentPolynomial) -> (Monomial, Rational, Lauren
 
 /// Atom that most terms of the polynomial share, and true if they share it with positive exponents.
 /// Ties take the first. `None` if no two terms share an atom.
-fn most_shared(polynomial: &LaurentPolynomial) -> Option<(Expr, bool)> {
+fn most_shared_atom(polynomial: &LaurentPolynomial) -> Option<(Expr, bool)> {
     let mut counts: BTreeMap<(Expr, bool), usize> = BTreeMap::new();
     for (atom, n) in polynomial.terms.keys().flatten() {
         *counts.entry((*atom, *n > 0)).or_default() += 1;
@@ -350,7 +350,7 @@ pub fn operation_count(arena: &Arena, e: Expr) -> usize {
 #[must_use]
 pub fn operation_count_of_all(arena: &Arena, list: &[Expr]) -> usize {
     arena
-        .terms_shown_in_text(list)
+        .shown_subterms(list)
         .into_iter()
         .map(|part| match arena.node(part) {
             Node::Number(_) | Node::Symbol(_) | Node::Pi | Node::Named(..) => 0,

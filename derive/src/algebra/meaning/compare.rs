@@ -31,7 +31,7 @@ use crate::algebra::form::normal_form::{Normalizer, Zero};
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::term::elementary::angle_atoms;
 use crate::algebra::text::print::print_text;
-use crate::algebra::value::points::is_exponential;
+use crate::algebra::value::residues::is_exponential;
 use crate::algebra::value::zero_test::{ZeroTest, bounded_zero_test, has_roots, zero_test};
 use crate::algebra::{Arena, Expr, Function, Node};
 use std::fmt;
@@ -144,10 +144,11 @@ impl Comparer {
         if self.permitted.is_everything() {
             let signs = Signs::default();
             let defined = arena.restrictions().to_vec();
-            let shown_symbols = symbols_in(arena, &[left, right, difference]).into_iter().map(|s| (s, s)).collect();
+            let shown_symbols =
+                symbols_compared(arena, &[left, right, difference]).into_iter().map(|s| (s, s)).collect();
             let sides = [left, right, difference];
             let asked = WitnessRequest { sides, defined, positive: &[], signs: &signs, shown: shown_symbols };
-            return (verdict_by_witness(arena, &asked, everywhere), StatesOfValidity::EVERYWHERE);
+            return (compare_by_witness(arena, &asked, everywhere), StatesOfValidity::EVERYWHERE);
         }
         let verdict = self.where_permitted(arena, left, right, everywhere);
         match verdict {
@@ -185,15 +186,15 @@ impl Comparer {
         let defined = defined.into_iter().map(|e| self.permitted.write_in_free_symbols(arena, e)).collect();
         // A state also shows the free symbols on which its dependent symbols depend, so that a
         // reader can check it.
-        let mentioned = symbols_in(arena, &[left, right]);
+        let mentioned = symbols_compared(arena, &[left, right]);
         let values: Vec<Expr> = mentioned.iter().map(|s| self.permitted.write_in_free_symbols(arena, *s)).collect();
-        let free = if self.permitted.shows_free_symbols() { symbols_in(arena, &values) } else { Vec::new() };
+        let free = if self.permitted.shows_free_symbols() { symbols_compared(arena, &values) } else { Vec::new() };
         let mut all = [mentioned, free].concat();
         all.sort_unstable();
         all.dedup();
         let shown_symbols = all.into_iter().map(|s| (s, self.permitted.write_in_free_symbols(arena, s))).collect();
         let (positive, signs) = (self.permitted.free_conditions(), self.permitted.free_signs());
-        Err(verdict_by_witness(
+        Err(compare_by_witness(
             arena,
             &WitnessRequest { sides, defined, positive, signs, shown: shown_symbols },
             answer,
@@ -255,12 +256,12 @@ impl Comparer {
 }
 
 /// Symbols that occur in the given terms.
-fn symbols_in(arena: &Arena, terms: &[Expr]) -> Vec<Expr> {
+fn symbols_compared(arena: &Arena, terms: &[Expr]) -> Vec<Expr> {
     arena.reachable(terms).into_iter().filter(|e| arena.symbol_name(*e).is_some()).collect()
 }
 
 /// Reason, in words, why it is undecided if a difference is zero.
-fn reason(arena: &Arena, difference: Expr) -> String {
+fn reason_of_undecided_comparison(arena: &Arena, difference: Expr) -> String {
     let parts = arena.reachable(&[difference]);
     let divisors = parts.iter().flat_map(|p| match arena.node(*p) {
         Node::Product(factors) => factors.iter().filter(|(_, n)| *n < 0).map(|(base, _)| *base).collect(),
@@ -285,7 +286,7 @@ fn reason(arena: &Arena, difference: Expr) -> String {
 
 /// Verdict on two sides that are not proved equal: a state that shows their difference, or the
 /// reason why the question is undecided.
-fn verdict_by_witness(arena: &Arena, asked: &WitnessRequest<'_>, zero: Answer) -> Verdict {
+fn compare_by_witness(arena: &Arena, asked: &WitnessRequest<'_>, zero: Answer) -> Verdict {
     let roots = has_roots(arena, &arena.reachable(&[asked.sides[2]]));
     if let Answer::Disputed = zero {
         return Verdict::Undecided("the two engines disagree: a defect of the program, please report it".to_owned());
@@ -294,7 +295,7 @@ fn verdict_by_witness(arena: &Arena, asked: &WitnessRequest<'_>, zero: Answer) -
         (Some((witness, true)), _) => Verdict::Different(witness),
         (Some((witness, false)), Answer::NonZero) if !roots => Verdict::Different(witness),
         // If exact arithmetic does not decide, only a real state does whose interval excludes 0.
-        (_, Answer::Unknown) => Verdict::Undecided(reason(arena, asked.sides[2])),
+        (_, Answer::Unknown) => Verdict::Undecided(reason_of_undecided_comparison(arena, asked.sides[2])),
         (Some(_), _) => Verdict::Undecided(
             "the two sides differ as formulas, but are equal at every real state that was tried".to_owned(),
         ),

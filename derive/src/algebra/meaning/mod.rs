@@ -2,7 +2,7 @@
 
 pub mod compare;
 pub mod identity;
+mod permitted_samples;
 pub mod permitted_states;
-mod samples;
 pub(crate) mod signs;
 pub(super) mod witness;

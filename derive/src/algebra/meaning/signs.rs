@@ -310,7 +310,7 @@ impl Signs {
     /// for other terms.
     fn sign_by_known_terms(&self, arena: &mut Arena, e: Expr, known: &FxHashMap<Expr, Sign>) -> Sign {
         for positive in &self.positive {
-            let Some(k) = common_multiple(arena, e, *positive) else { continue };
+            let Some(k) = ratio_to_positive_term(arena, e, *positive) else { continue };
             let rest = arena.linear_combination(&[(e, Rational::ONE), (*positive, k.neg())]);
             let sign = match arena.node(rest) {
                 Node::Number(value) if value.is_zero() => Sign::Positive.scaled(&k),
@@ -345,7 +345,7 @@ fn sign_of_sum(constant: &Rational, terms: &[(Expr, Rational)], known: &FxHashMa
 
 /// Ratio of the coefficients, in the sum `e` over that in the sum `positive`, of the first term
 /// that both sums contain. `None` if they have no common term.
-fn common_multiple(arena: &Arena, e: Expr, positive: Expr) -> Option<Rational> {
+fn ratio_to_positive_term(arena: &Arena, e: Expr, positive: Expr) -> Option<Rational> {
     let terms = |e: Expr| match arena.node(e) {
         Node::Sum(_, terms) => terms.to_vec(),
         _ => vec![(e, Rational::ONE)],

@@ -55,7 +55,8 @@ pub fn find_witness(arena: &Arena, asked: &WitnessRequest<'_>) -> Option<(Witnes
     let mut symbols = symbols_of(&[&asked.sides, values_shown.as_slice()].concat());
     let mut generator = Generator(symbols.len() as u64);
     // A condition on symbols that do not occur excludes no value of the symbols that do.
-    let positive: Vec<Expr> = asked.positive.iter().copied().filter(|e| mentions_any(arena, *e, &symbols)).collect();
+    let positive: Vec<Expr> =
+        asked.positive.iter().copied().filter(|e| mentions_witness_symbol(arena, *e, &symbols)).collect();
     let others = [asked.defined.as_slice(), &positive].concat();
     symbols.extend(symbols_of(&others).into_iter().filter(|s| symbols.binary_search(s).is_err()).collect::<Vec<_>>());
     let outputs = [&asked.sides, positive.as_slice(), values_shown.as_slice(), asked.defined.as_slice()].concat();
@@ -67,7 +68,7 @@ pub fn find_witness(arena: &Arena, asked: &WitnessRequest<'_>) -> Option<(Witnes
         if tried >= STATES && best.is_some() {
             break;
         }
-        let values: Vec<f64> = symbols.iter().map(|s| value_of(arena, asked.signs, *s, &mut generator)).collect();
+        let values: Vec<f64> = symbols.iter().map(|s| witness_value(arena, asked.signs, *s, &mut generator)).collect();
         let found = tape.evaluate(&values);
         let (left, right, difference) = (found[0], found[1], found[2]);
         if found.iter().any(|x| !x.is_finite()) || difference == 0.0 || found[3..after].iter().any(|x| *x <= 0.0) {
@@ -94,8 +95,8 @@ pub fn find_witness(arena: &Arena, asked: &WitnessRequest<'_>) -> Option<(Witnes
 }
 
 /// Random value for a symbol, within the symbol's bounds if it has any.
-fn value_of(arena: &Arena, signs: &Signs, symbol: Expr, generator: &mut Generator) -> f64 {
-    let size = handy_size(generator);
+fn witness_value(arena: &Arena, signs: &Signs, symbol: Expr, generator: &mut Generator) -> f64 {
+    let size = handy_witness_size(generator);
     let is_positive = arena.is_positive(symbol) || generator.next().is_multiple_of(2);
     let plain = if is_positive { size } else { -size };
     let Some(Bounds { low, high, .. }) = signs.bounds_of(symbol) else { return plain };
@@ -117,7 +118,7 @@ fn value_of(arena: &Arena, signs: &Signs, symbol: Expr, generator: &mut Generato
 }
 
 /// True if the term `e` contains any of the given symbols, which must be sorted.
-fn mentions_any(arena: &Arena, e: Expr, symbols: &[Expr]) -> bool {
+fn mentions_witness_symbol(arena: &Arena, e: Expr, symbols: &[Expr]) -> bool {
     arena.reachable(&[e]).iter().any(|part| symbols.binary_search(part).is_ok())
 }
 
@@ -125,6 +126,6 @@ fn mentions_any(arena: &Arena, e: Expr, symbols: &[Expr]) -> bool {
 const LARGEST: f64 = 3.2;
 
 /// Random number from 0.2 to 2.99 with two decimals, which people can type.
-fn handy_size(generator: &mut Generator) -> f64 {
+fn handy_witness_size(generator: &mut Generator) -> f64 {
     (20 + generator.next() % 280) as f64 / 100.0
 }

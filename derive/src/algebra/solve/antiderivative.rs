@@ -8,7 +8,7 @@
 
 use crate::algebra::form::simplify::{Simplifier, operation_count};
 use crate::algebra::term::calculus::Differential;
-use crate::algebra::value::zero_test::{ZeroTest, count_roots, zero_test};
+use crate::algebra::value::zero_test::{ZeroTest, count_roots_for_zero_test, zero_test};
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 
 /// Largest depth of nested integrations by parts and expansions of products.
@@ -61,7 +61,7 @@ const ROOTS: [i32; 3] = [-1, 1, -3];
 const FREE_POINTS: usize = 32;
 
 /// Number of multiplications of terms that expanding the powers of sums in a product takes.
-fn expansion(arena: &Arena, e: Expr) -> usize {
+fn integrand_expansion_work(arena: &Arena, e: Expr) -> usize {
     let Node::Product(factors) = arena.node(e) else { return 0 };
     let of_power = |(base, n): &(Expr, i32)| match arena.node(*base) {
         Node::Sum(_, terms) if *n > 1 => usize::try_from(*n).map_or(usize::MAX, |n| n.saturating_mul(n) * terms.len()),
@@ -110,7 +110,8 @@ impl Integration<'_> {
     /// Short form of a term; `None` if simplification takes more work than is left.
     fn short(&mut self, e: Expr) -> Option<Expr> {
         let parts = self.arena.reachable(&[e]);
-        let powers: usize = parts.iter().map(|part| expansion(self.arena, *part)).fold(0, usize::saturating_add);
+        let powers: usize =
+            parts.iter().map(|part| integrand_expansion_work(self.arena, *part)).fold(0, usize::saturating_add);
         *self.left = self.left.checked_sub(operation_count(self.arena, e).saturating_add(powers))?;
         Some(self.simplifier.simplify(self.arena, e))
     }
@@ -134,7 +135,7 @@ impl Integration<'_> {
     /// cost doubles with each square root, which has no value at half of all random points.
     fn is_zero(&mut self, e: Expr) -> Option<bool> {
         let parts = self.arena.reachable(&[e]);
-        let points = 1_usize.checked_shl(count_roots(self.arena, &parts))? / FREE_POINTS;
+        let points = 1_usize.checked_shl(count_roots_for_zero_test(self.arena, &parts))? / FREE_POINTS;
         *self.left = self.left.checked_sub(parts.len().saturating_mul(points))?;
         Some(zero_test(self.arena, e) == ZeroTest::Zero)
     }

@@ -10,7 +10,7 @@
 
 use super::linear::{Singular, solve_linear};
 use crate::algebra::form::simplify::Simplifier;
-use crate::algebra::value::range::never_zero;
+use crate::algebra::value::range::range_excludes_zero;
 use crate::algebra::value::rank::rank;
 use crate::algebra::{Arena, Expr};
 use petgraph::algo::{maximum_matching, tarjan_scc};
@@ -45,7 +45,7 @@ pub fn solve_blocks(
         let right: Vec<Expr> =
             rows.iter().map(|r| right_side(arena, simplifier, &a[*r], b[*r], &x, &columns)).collect();
         let (solution, by) = if rows.len() <= LARGEST && rows.len() == columns.len() {
-            solve_by_cofactors(arena, simplifier, &block, &right)
+            solve_block_by_cofactors(arena, simplifier, &block, &right)
         } else {
             solve_large_block(arena, simplifier, &block, &right)?
         };
@@ -69,7 +69,7 @@ fn solve_large_block(
     let n = a.len();
     let mut rows: Vec<Vec<Expr>> = a.iter().zip(b).map(|(row, right)| [row.as_slice(), &[*right]].concat()).collect();
     let mut order: Vec<(usize, usize)> = Vec::new();
-    while let Some((row, column)) = never_zero_pivot(arena, &rows, &order, n) {
+    while let Some((row, column)) = never_zero_block_pivot(arena, &rows, &order, n) {
         order.push((row, column));
         let pivot = rows[row][column];
         for entry in &mut rows[row] {
@@ -96,7 +96,7 @@ fn solve_large_block(
     let block: Vec<Vec<Expr>> = rows_left.iter().map(|r| columns_left.iter().map(|c| rows[*r][*c]).collect()).collect();
     let right: Vec<Expr> = rows_left.iter().map(|r| rows[*r][n]).collect();
     let (solution, divisors) = if rows_left.len() <= LARGEST_LEFT {
-        solve_by_cofactors(arena, simplifier, &block, &right)
+        solve_block_by_cofactors(arena, simplifier, &block, &right)
     } else {
         let right: Vec<Vec<Expr>> = right.into_iter().map(|e| vec![e]).collect();
         let (solution, pivots) = solve_linear(arena, simplifier, &block, &right)?;
@@ -120,7 +120,12 @@ fn solve_large_block(
 
 /// Row and column of the shortest entry that is proved never to be zero, among rows and columns
 /// without a pivot. `None` if there is no entry of that kind.
-fn never_zero_pivot(arena: &Arena, rows: &[Vec<Expr>], order: &[(usize, usize)], n: usize) -> Option<(usize, usize)> {
+fn never_zero_block_pivot(
+    arena: &Arena,
+    rows: &[Vec<Expr>],
+    order: &[(usize, usize)],
+    n: usize,
+) -> Option<(usize, usize)> {
     let mut best: Option<(usize, usize, usize)> = None;
     for (r, row) in rows.iter().enumerate().filter(|(r, _)| !order.iter().any(|(row, _)| row == r)) {
         for (c, &entry) in row[..n].iter().enumerate() {
@@ -128,7 +133,7 @@ fn never_zero_pivot(arena: &Arena, rows: &[Vec<Expr>], order: &[(usize, usize)],
                 continue;
             }
             let cost = if arena.as_number(entry).is_some() { 0 } else { arena.reachable(&[entry]).len() };
-            if best.is_none_or(|(least, ..)| cost < least) && never_zero(arena, entry) {
+            if best.is_none_or(|(least, ..)| cost < least) && range_excludes_zero(arena, entry) {
                 best = Some((cost, r, c));
             }
         }
@@ -234,7 +239,7 @@ fn right_side(
 
 /// Solves A x = b by cofactors, x = adj(A) b / det A. Returns x, and the determinant as the only
 /// divisor.
-fn solve_by_cofactors(
+fn solve_block_by_cofactors(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
     a: &[Vec<Expr>],
@@ -242,7 +247,7 @@ fn solve_by_cofactors(
 ) -> (Vec<Expr>, Vec<Expr>) {
     let n = a.len();
     let all: Vec<usize> = (0..n).collect();
-    let mut minors = Minors { a, known: FxHashMap::default() };
+    let mut minors = BlockMinors { a, known: FxHashMap::default() };
     let determinant = minors.minor(arena, simplifier, &all, &all);
     let mut x = Vec::with_capacity(n);
     for column in 0..n {
@@ -265,14 +270,14 @@ fn solve_by_cofactors(
 }
 
 /// Minors (determinants of submatrices) of a matrix; each is computed once.
-struct Minors<'a> {
+struct BlockMinors<'a> {
     /// Matrix whose minors are computed, by rows.
     a: &'a [Vec<Expr>],
     /// Minors computed so far, by their rows and columns.
     known: FxHashMap<(Vec<usize>, Vec<usize>), Expr>,
 }
 
-impl Minors<'_> {
+impl BlockMinors<'_> {
     /// Determinant of the submatrix of the given rows and columns, by expansion along the first
     /// row.
     fn minor(&mut self, arena: &mut Arena, simplifier: &mut Simplifier, rows: &[usize], columns: &[usize]) -> Expr {

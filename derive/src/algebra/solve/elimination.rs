@@ -15,7 +15,7 @@ use super::linear::Singular;
 use crate::algebra::form::sharing::{SharingOptions, share_common_parts};
 use crate::algebra::form::simplify::{Simplifier, operation_count, operation_count_of_all};
 use crate::algebra::term::steps::{Definition, fresh_symbol};
-use crate::algebra::value::range::never_zero;
+use crate::algebra::value::range::range_excludes_zero;
 use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr, Node};
 
@@ -68,7 +68,7 @@ pub fn eliminate(
         // Each trial has its own arena, so that the names of rejected trials stay free.
         let (mut arena, mut simplifier) = (arena.clone(), simplifier.clone());
         let steps = eliminate_once(&mut arena, &mut simplifier, system, longest)?;
-        let total = least_cost(&arena, &steps, system.unknowns);
+        let total = elimination_cost(&arena, &steps, system.unknowns);
         let has_names = steps.len() > system.unknowns.len();
         if best.as_ref().is_none_or(|(least, ..)| total < *least) {
             best = Some((total, arena, simplifier, steps));
@@ -86,7 +86,7 @@ pub fn eliminate(
 }
 
 /// Number of operations of a solution after common parts are shared, as in the generated code.
-fn least_cost(arena: &Arena, steps: &[Definition], unknowns: &[Expr]) -> usize {
+fn elimination_cost(arena: &Arena, steps: &[Definition], unknowns: &[Expr]) -> usize {
     let counts = SharingOptions::COMMON_OPTIONS.into_iter().filter_map(|reading| {
         let mut arena = arena.clone();
         let shared = share_common_parts(&mut arena, &mut Simplifier::default(), reading, steps, unknowns)?;
@@ -197,7 +197,13 @@ impl<'a> EliminationState<'a> {
             }
             let right = columns.iter().filter(|j| filled(row, **j)).count() - 1;
             let below = rows.iter().filter(|i| filled(**i, column)).count() - 1;
-            let key = (!never_zero(self.arena, entry), right * below, operation_count(self.arena, entry), row, column);
+            let key = (
+                !range_excludes_zero(self.arena, entry),
+                right * below,
+                operation_count(self.arena, entry),
+                row,
+                column,
+            );
             if best.is_none_or(|least| key < least) && zero_test(self.arena, entry) != ZeroTest::Zero {
                 best = Some(key);
             }

@@ -153,7 +153,7 @@ pub fn solve_linear(
     let mut rows: Vec<Vec<Expr>> = a.iter().zip(b).map(|(l, r)| [l.as_slice(), r].concat()).collect();
     let (mut pivots, mut used, mut order) = (Vec::new(), vec![false; n], Vec::new());
     for _ in 0..n {
-        let Some((row, column)) = best_pivot(arena, &rows, &used, &order, n) else {
+        let Some((row, column)) = simplest_linear_pivot(arena, &rows, &used, &order, n) else {
             let row = (0..n).find(|r| !used[*r]).unwrap_or(n);
             return Err(Singular { rank: order.len(), row });
         };
@@ -195,7 +195,7 @@ pub fn determinant(arena: &mut Arena, simplifier: &mut Simplifier, a: &[Vec<Expr
     let mut rows = a.to_vec();
     let (mut used, mut order, mut product) = (vec![false; n], Vec::new(), Expr::ONE);
     for _ in 0..n {
-        let Some((row, column)) = best_pivot(arena, &rows, &used, &order, n) else { return Expr::ZERO };
+        let Some((row, column)) = simplest_linear_pivot(arena, &rows, &used, &order, n) else { return Expr::ZERO };
         used[row] = true;
         order.push((row, column));
         let pivot = rows[row].clone();
@@ -231,7 +231,7 @@ fn is_odd(order: &[(usize, usize)]) -> bool {
 
 /// Row and column of the simplest entry that the zero test does not find identically zero, among
 /// rows and columns without a pivot. `None` if there is no entry of that kind.
-fn best_pivot(
+fn simplest_linear_pivot(
     arena: &Arena,
     rows: &[Vec<Expr>],
     used: &[bool],

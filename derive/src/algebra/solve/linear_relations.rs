@@ -27,7 +27,7 @@ pub fn linear_relations(
     let mut matrix = coefficients(arena, normalizer, list, constants)?;
     matrix.sort_by_key(|row| arena.reachable(row).len());
     matrix.dedup();
-    let forced = forced_zeros(&mut matrix, list.len());
+    let forced = forced_relation_zeros(&mut matrix, list.len());
     let (rows, columns) =
         if matrix.is_empty() { (Vec::new(), Vec::new()) } else { pivot_rows_and_columns(arena, &matrix)? };
     let free: Vec<usize> = (0..list.len()).filter(|c| !columns.contains(c) && !forced[*c]).collect();
@@ -53,7 +53,7 @@ pub fn linear_relations(
 /// Finds the coefficients that must be zero because a row has a single entry, repeatedly. Their
 /// columns are cleared and empty rows removed, so that little is left to eliminate. Returns true
 /// for each such coefficient.
-fn forced_zeros(matrix: &mut Vec<Vec<Expr>>, columns: usize) -> Vec<bool> {
+fn forced_relation_zeros(matrix: &mut Vec<Vec<Expr>>, columns: usize) -> Vec<bool> {
     let mut forced = vec![false; columns];
     loop {
         let mut changed = false;

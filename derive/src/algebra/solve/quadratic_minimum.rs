@@ -102,7 +102,7 @@ pub fn minimize_quadratic_form(
         for order in [Order::Farthest, Order::Fewest] {
             let before = arena.len();
             if let Some(solved) = minimize_once(arena, simplifier, sum, unknowns, Attempt { order, solved_for, most }) {
-                both.push((cost_with_names(arena, &solved), solved));
+                both.push((cost_of_minimum(arena, &solved), solved));
                 // An order that makes more new terms than a finished order is abandoned.
                 most = most.min(arena.len() - before);
             }
@@ -113,7 +113,7 @@ pub fn minimize_quadratic_form(
 
 /// Number of operations of the given steps and of all named terms that they use, except names that
 /// the steps define.
-fn cost_with_names(arena: &Arena, steps: &[Definition]) -> usize {
+fn cost_of_minimum(arena: &Arena, steps: &[Definition]) -> usize {
     let stated: FxHashSet<Expr> = steps.iter().map(|step| step.symbol).collect();
     let values: Vec<Expr> = steps.iter().map(|step| step.value).collect();
     let parts = arena.reachable_until(&values, |part| stated.contains(&part));
@@ -132,7 +132,7 @@ fn minimize_once(
     let Attempt { order, solved_for, most } = attempt;
     let before = arena.len();
     let components: Vec<Expr> = blocks.iter().flat_map(|block| block.components).collect();
-    let named = names_depending_on(arena, &components, unknowns);
+    let named = names_in_quadratic_form(arena, &components, unknowns);
     let ends: Vec<Expr> = named.iter().chain(unknowns).copied().collect();
     let zeros: Vec<(Expr, Expr)> = ends.iter().map(|e| (*e, Expr::ZERO)).collect();
     let mut form = Form {
@@ -231,7 +231,7 @@ fn depths(
 }
 
 /// Named terms within `terms` that depend on the unknowns, operands first.
-fn names_depending_on(arena: &Arena, terms: &[Expr], unknowns: &[Expr]) -> Vec<Expr> {
+fn names_in_quadratic_form(arena: &Arena, terms: &[Expr], unknowns: &[Expr]) -> Vec<Expr> {
     let mut varying: FxHashSet<Expr> = unknowns.iter().copied().collect();
     let mut parts = arena.reachable(terms);
     parts.retain(|e| {

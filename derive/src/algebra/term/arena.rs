@@ -369,7 +369,7 @@ impl Arena {
     /// All terms that the text of `roots` shows, the roots included, in the order of handles. Terms
     /// that only occur behind a written name are left out.
     #[must_use]
-    pub fn terms_shown_in_text(&self, roots: &[Expr]) -> Vec<Expr> {
+    pub fn shown_subterms(&self, roots: &[Expr]) -> Vec<Expr> {
         self.subterms_until(roots, |_| false, |e| self.written_name(e).is_some())
     }
 

@@ -7,7 +7,7 @@ use std::rc::Rc;
 
 /// Rebuilds the term `e` from new operands, which `map` gives for the old operands. `None` if a
 /// divisor became the literal 0.
-fn rebuild_with_operands(arena: &mut Arena, e: Expr, map: &FxHashMap<Expr, Expr>) -> Option<Expr> {
+fn substitute_operands(arena: &mut Arena, e: Expr, map: &FxHashMap<Expr, Expr>) -> Option<Expr> {
     Some(match arena.node(e).clone() {
         Node::Number(_) | Node::Symbol(_) | Node::Pi => e,
         Node::Sum(constant, terms) => {
@@ -82,7 +82,7 @@ impl Substitution {
             return done;
         }
         for part in arena.reachable_until(&[e], |part| self.map.contains_key(&part)) {
-            let new = rebuild_with_operands(arena, part, &self.map);
+            let new = substitute_operands(arena, part, &self.map);
             if new.is_none() {
                 self.undefined = self.undefined.or(Some(part));
             }

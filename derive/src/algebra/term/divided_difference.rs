@@ -92,7 +92,7 @@ struct DividedRules {
 /// Values f(a) and f(b) of a function at both ends, with its divided difference (f(b) − f(a))/(b −
 /// a).
 #[derive(Clone, Copy)]
-struct Pair {
+struct DividedPair {
     /// Value f(a) at the first end.
     at_a: Expr,
     /// Value f(b) at the second end.
@@ -117,7 +117,7 @@ impl DividedRules {
             }
             Node::Product(factors) => self.divided_difference_of_product(arena, &factors),
             Node::Apply(Function::Sqrt, argument) => {
-                let Pair { at_a, at_b, difference } = self.end_values(arena, argument);
+                let DividedPair { at_a, at_b, difference } = self.end_values(arena, argument);
                 let roots = [at_a, at_b].map(|value| arena.apply(Function::Sqrt, value));
                 let sum = arena.add(roots[0], roots[1]);
                 arena.div(difference, sum)
@@ -130,16 +130,16 @@ impl DividedRules {
     }
 
     /// Values at both ends and divided difference of a part whose difference is already in `map`.
-    fn end_values(&mut self, arena: &mut Arena, e: Expr) -> Pair {
+    fn end_values(&mut self, arena: &mut Arena, e: Expr) -> DividedPair {
         let [at_a, at_b] = self.at.each_mut().map(|at| at.apply(arena, e));
-        Pair { at_a, at_b, difference: self.map[&e] }
+        DividedPair { at_a, at_b, difference: self.map[&e] }
     }
 
     /// Divided difference of a product Π fᵢ: Σᵢ (Π_{j<i} fⱼ(a)) fᵢ\[a, b\] (Π_{j>i} fⱼ(b)). `None`
     /// if a divisor becomes 0.
     fn divided_difference_of_product(&mut self, arena: &mut Arena, factors: &[(Expr, i32)]) -> Option<Expr> {
-        let (content, powers) = join_roots(arena, factors);
-        let mut whole = Pair { at_a: Expr::ONE, at_b: Expr::ONE, difference: Expr::ZERO };
+        let (content, powers) = join_divided_roots(arena, factors);
+        let mut whole = DividedPair { at_a: Expr::ONE, at_b: Expr::ONE, difference: Expr::ZERO };
         for (base, n) in powers {
             let base = self.end_values(arena, base);
             let factor = power_of_pair(arena, base, n)?;
@@ -155,7 +155,7 @@ impl DividedRules {
         if arena.mentions(k, self.x) {
             return None;
         }
-        let Pair { at_a, at_b, .. } = self.end_values(arena, argument);
+        let DividedPair { at_a, at_b, .. } = self.end_values(arena, argument);
         let half = Rational::fraction(1, 2)?;
         let middle = arena.linear_combination(&[(at_a, half.clone()), (at_b, half.clone())]);
         let outer = if f == Function::Sin {
@@ -192,23 +192,23 @@ impl DividedRules {
 
 /// Values at both ends and divided difference of a product: (f g)\[a, b\] = f\[a, b\] g(b) + f(a)
 /// g\[a, b\]. `None` if a divisor is 0.
-fn multiply_pairs(arena: &mut Arena, f: Pair, g: Pair) -> Option<Pair> {
+fn multiply_pairs(arena: &mut Arena, f: DividedPair, g: DividedPair) -> Option<DividedPair> {
     let mut product = |factors: &[(Expr, i32)]| arena.try_product(factors).ok();
     let first = product(&[(f.difference, 1), (g.at_b, 1)])?;
     let second = product(&[(f.at_a, 1), (g.difference, 1)])?;
     let (at_a, at_b) = (product(&[(f.at_a, 1), (g.at_a, 1)])?, product(&[(f.at_b, 1), (g.at_b, 1)])?);
-    Some(Pair { at_a, at_b, difference: arena.add(first, second) })
+    Some(DividedPair { at_a, at_b, difference: arena.add(first, second) })
 }
 
 /// Values at both ends and divided difference of fⁿ for n ≠ 0, by the binary digits of |n|. So
 /// nothing cancels if f changes its sign between a and b, and the term grows only with the number
 /// of digits. `None` if a divisor is 0.
-fn power_of_pair(arena: &mut Arena, f: Pair, n: i32) -> Option<Pair> {
+fn power_of_pair(arena: &mut Arena, f: DividedPair, n: i32) -> Option<DividedPair> {
     let size = n.unsigned_abs();
     let mut result = f;
     for digit in (0..size.checked_ilog2()?).rev() {
         let sum = arena.add(result.at_a, result.at_b);
-        result = Pair {
+        result = DividedPair {
             at_a: arena.pow(result.at_a, 2).ok()?,
             at_b: arena.pow(result.at_b, 2).ok()?,
             difference: arena.try_product(&[(result.difference, 1), (sum, 1)]).ok()?,
@@ -221,7 +221,7 @@ fn power_of_pair(arena: &mut Arena, f: Pair, n: i32) -> Option<Pair> {
         return Some(result);
     }
     let quotient = arena.try_product(&[(result.difference, 1), (result.at_a, -1), (result.at_b, -1)]).ok()?;
-    Some(Pair {
+    Some(DividedPair {
         at_a: arena.pow(result.at_a, -1).ok()?,
         at_b: arena.pow(result.at_b, -1).ok()?,
         difference: arena.neg(quotient),
@@ -232,7 +232,7 @@ fn power_of_pair(arena: &mut Arena, f: Pair, n: i32) -> Option<Pair> {
 /// new factors.
 /// For a product of √g and 1/g, the divided difference would subtract nearly equal values where
 /// g(b) far exceeds g(a).
-fn join_roots(arena: &mut Arena, factors: &[(Expr, i32)]) -> (Rational, Vec<(Expr, i32)>) {
+fn join_divided_roots(arena: &mut Arena, factors: &[(Expr, i32)]) -> (Rational, Vec<(Expr, i32)>) {
     let mut powers = factors.to_vec();
     let mut content = Rational::ONE;
     for at in 0..powers.len() {

@@ -40,7 +40,7 @@ fn canonical_function_value(arena: &mut Arena, f: Function, argument: Expr) -> E
             {
                 return if value.is_negative() { Expr::MINUS_ONE } else { Expr::ONE };
             }
-            let (positive, flipped) = with_positive_sign(arena, argument);
+            let (positive, flipped) = positive_argument(arena, argument);
             let value = arena.intern_apply(f, positive);
             if flipped { arena.neg(value) } else { value }
         }
@@ -49,7 +49,7 @@ fn canonical_function_value(arena: &mut Arena, f: Function, argument: Expr) -> E
                 let value = if value.is_negative() { value.neg() } else { value.clone() };
                 return arena.number(value);
             }
-            let (positive, _) = with_positive_sign(arena, argument);
+            let (positive, _) = positive_argument(arena, argument);
             if f == Function::Cosh && positive == Expr::ZERO {
                 return Expr::ONE;
             }
@@ -63,7 +63,7 @@ fn canonical_function_value(arena: &mut Arena, f: Function, argument: Expr) -> E
 
 /// Returns `e` or −`e`, whichever has a positive first coefficient, and true if the sign was
 /// changed.
-fn with_positive_sign(arena: &mut Arena, e: Expr) -> (Expr, bool) {
+fn positive_argument(arena: &mut Arena, e: Expr) -> (Expr, bool) {
     let negative = match arena.node(e) {
         Node::Number(value) => value.is_negative(),
         Node::Sum(_, terms) => terms[0].1.is_negative(),
@@ -172,12 +172,12 @@ fn canonical_sine_or_cosine(arena: &mut Arena, f: Function, argument: Expr) -> E
         {
             return value;
         }
-        let (positive, flipped) = with_positive_sign(arena, argument);
+        let (positive, flipped) = positive_argument(arena, argument);
         let value = arena.intern_apply(f, positive);
         return if flipped && f == Function::Sin { arena.neg(value) } else { value };
     };
     let k = (k.rem_euclid(4) + i64::from(f == Function::Cos)) % 4;
-    let (positive, flipped) = with_positive_sign(arena, rest);
+    let (positive, flipped) = positive_argument(arena, rest);
     let value = match (k % 2, positive == Expr::ZERO) {
         (0, true) => Expr::ZERO,
         (_, true) => Expr::ONE,

@@ -13,5 +13,5 @@ pub mod named;
 pub mod period;
 pub(super) mod rational;
 pub mod steps;
-pub(super) mod structure;
+pub(super) mod structure_hashes;
 pub(crate) mod transfer;

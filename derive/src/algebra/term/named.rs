@@ -28,14 +28,14 @@ impl Arena {
     /// numerical factor of `e`. Returns `e` itself if it is neither a sum nor a product, so that a
     /// name would save nothing.
     pub fn name(&mut self, e: Expr, wanted: &str) -> Expr {
-        let (content, bare) = self.split_factor(e);
+        let (content, bare) = self.split_for_name(e);
         if !matches!(self.node(bare), Node::Sum(..) | Node::Product(_)) {
             return e;
         }
         let stands = match self.names.stands.get(&bare) {
             Some(known) => *known,
             None => {
-                let label = self.label(wanted);
+                let label = self.add_name_label(wanted);
                 let stands = self.intern(Node::Named(label, bare));
                 self.names.stands.insert(bare, stands);
                 stands
@@ -45,7 +45,7 @@ impl Arena {
     }
 
     /// Number of a label of named terms; the label is added if it is new.
-    fn label(&mut self, wanted: &str) -> u32 {
+    fn add_name_label(&mut self, wanted: &str) -> u32 {
         if let Some(known) = self.names.label_index.get(wanted) {
             return *known;
         }
@@ -64,7 +64,7 @@ impl Arena {
 
     /// Splits `e` into a rational factor and a term without a numerical factor; their product is
     /// `e`.
-    fn split_factor(&mut self, e: Expr) -> (Rational, Expr) {
+    fn split_for_name(&mut self, e: Expr) -> (Rational, Expr) {
         if let Node::Sum(constant, terms) = self.node(e)
             && constant.is_zero()
             && let [(term, k)] = &**terms

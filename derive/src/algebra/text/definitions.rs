@@ -14,7 +14,7 @@
 use crate::algebra::term::arena::NameSymbol;
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::term::steps::{Definition, unused_symbol};
-use crate::algebra::term::structure::structure_hashes;
+use crate::algebra::term::structure_hashes::structure_hashes;
 use crate::algebra::term::transfer::Transfer;
 use crate::algebra::{Arena, Expr};
 
@@ -22,8 +22,8 @@ use crate::algebra::{Arena, Expr};
 /// symbol. Returns the steps and the values.
 /// An added step comes before the first step that needs it. A given step may itself define a named
 /// term by an equal formula, which is then kept as its value.
-pub fn define_named_terms(arena: &mut Arena, steps: &[Definition], values: &[Expr]) -> (Vec<Definition>, Vec<Expr>) {
-    let mut writing = Writing::default();
+pub fn write_definitions(arena: &mut Arena, steps: &[Definition], values: &[Expr]) -> (Vec<Definition>, Vec<Expr>) {
+    let mut writing = DefinitionWriter::default();
     for step in steps {
         let value = writing.term(arena, step.value);
         let symbol = writing.symbol_defined_by_step(arena, step.symbol);
@@ -46,7 +46,7 @@ pub fn define_names_in_part(arena: &mut Arena, part: &str, values: &[Expr]) {
     for e in named {
         // A term that already has a name from another part is counted too. So the numbers of this
         // part do not depend on other parts being written.
-        next_symbol(arena, e);
+        next_definition_symbol(arena, e);
     }
 }
 
@@ -64,21 +64,21 @@ pub fn definitions_shown(arena: &Arena, shown: &[Expr]) -> Vec<Definition> {
 
 /// Definitions and symbols collected while terms are written in sequence.
 #[derive(Default)]
-struct Writing {
+struct DefinitionWriter {
     /// Steps written so far, including those added to define symbols of named terms.
     steps: Vec<Definition>,
     /// Symbol of each named term written so far.
     symbols: Substitution,
 }
 
-impl Writing {
+impl DefinitionWriter {
     /// Symbol that a given step defines: the symbol of a named term, or the term itself if it is a
     /// plain symbol.
     fn symbol_defined_by_step(&mut self, arena: &mut Arena, e: Expr) -> Expr {
         if arena.named_term_value(e).is_none() {
             return e;
         }
-        let symbol = symbol_of(arena, e);
+        let symbol = definition_symbol(arena, e);
         self.symbols.set(e, symbol);
         symbol
     }
@@ -89,7 +89,7 @@ impl Writing {
         for part in arena.reachable_until(&[e], |part| self.symbols.knows(part)) {
             if let Some(value) = arena.named_term_value(part) {
                 let value = self.symbols.apply(arena, value);
-                let symbol = symbol_of(arena, part);
+                let symbol = definition_symbol(arena, part);
                 self.steps.push(Definition { symbol, value });
                 self.symbols.set(part, symbol);
             }
@@ -99,16 +99,16 @@ impl Writing {
 }
 
 /// Symbol with which a named term is written; it is created if the term has none.
-fn symbol_of(arena: &mut Arena, named: Expr) -> Expr {
+fn definition_symbol(arena: &mut Arena, named: Expr) -> Expr {
     match arena.names.symbols.get(&named) {
         Some(known) => known.symbol,
-        None => next_symbol(arena, named),
+        None => next_definition_symbol(arena, named),
     }
 }
 
 /// Gives a named term a symbol: its label and the part's name, then the next number among the terms
 /// of that label in this part. A term that already has a symbol keeps it.
-fn next_symbol(arena: &mut Arena, named: Expr) -> Expr {
+fn next_definition_symbol(arena: &mut Arena, named: Expr) -> Expr {
     let wanted = arena.names.name_in_part(arena.label_of(named).unwrap_or_default());
     let count = arena.names.written.entry(wanted.clone()).or_insert(0);
     *count += 1;
@@ -125,7 +125,7 @@ fn next_symbol(arena: &mut Arena, named: Expr) -> Expr {
 /// Copies the names written in another arena of the same model into `arena`. In `from`, a term may
 /// have the opposite sign, which depends on the terms built before. It is then a different term,
 /// and no term of `arena` gets its name.
-pub fn copy_definitions(arena: &mut Arena, from: &Arena) {
+pub fn adopt_definitions(arena: &mut Arena, from: &Arena) {
     let mut known: Vec<_> = from.names.symbols.iter().collect();
     known.sort_unstable_by_key(|(e, _)| **e);
     let mut transfer = Transfer::new(from);

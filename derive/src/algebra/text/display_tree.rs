@@ -51,7 +51,7 @@ pub type SharedNames = FxHashMap<Expr, String>;
 /// their names. After `budget` nodes the rest of the tree is cut.
 #[must_use]
 pub fn display_tree(arena: &Arena, e: Expr, shared: &SharedNames, budget: usize) -> DisplayTree {
-    DisplayTreeBuilder { arena, ranks: sort_keys(arena, e), shared, left: budget }.expand(e)
+    DisplayTreeBuilder { arena, ranks: display_sort_keys(arena, e), shared, left: budget }.expand(e)
 }
 
 /// Sort key of a term among factors: number of the symbol in it that was declared last, kind of
@@ -59,9 +59,9 @@ pub fn display_tree(arena: &Arena, e: Expr, shared: &SharedNames, budget: usize)
 type SortKey = (u32, u8, Expr);
 
 /// Sort key of the term `e` and of each subterm that its text shows.
-fn sort_keys(arena: &Arena, e: Expr) -> FxHashMap<Expr, SortKey> {
+fn display_sort_keys(arena: &Arena, e: Expr) -> FxHashMap<Expr, SortKey> {
     let mut ranks: FxHashMap<Expr, SortKey> = FxHashMap::default();
-    for part in arena.terms_shown_in_text(&[e]) {
+    for part in arena.shown_subterms(&[e]) {
         let kind = match arena.node(part) {
             Node::Number(_) | Node::Pi => 0,
             Node::Symbol(_) => 1,

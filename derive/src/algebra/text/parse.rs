@@ -8,11 +8,11 @@
 
 mod calls;
 mod coefficient_size;
-mod cursor;
-mod domain;
+mod decimal;
 mod error;
+mod function_domain;
 mod interaction;
-mod number;
+mod quantity_cursor;
 mod velocity;
 
 pub use error::ParseError;
@@ -21,8 +21,8 @@ pub use velocity::{VelocityName, VelocityOf, canonical_velocity_name as velocity
 
 use crate::algebra::{Arena, Expr, Function, Node, PowerError, Rational};
 use coefficient_size::{coefficient_bits, coefficient_denominator};
+use decimal::decimal;
 use error::error;
-use number::decimal;
 use rustc_hash::FxHashSet;
 
 /// Deepest nesting of parentheses and functions that the parser accepts.
@@ -114,7 +114,7 @@ pub fn parse_free(arena: &mut Arena, text: &str) -> Result<Expr, ParseError> {
 /// True if `name` is a function or constant of the expression language, and so cannot name a
 /// quantity.
 #[must_use]
-pub fn is_reserved(name: &str) -> bool {
+pub fn is_reserved_by_parser(name: &str) -> bool {
     name == "pi" || is_function(name)
 }
 
@@ -409,13 +409,13 @@ impl Parser<'_, '_> {
             return self.function(name, argument, start);
         }
         if called && name == "distance" && self.velocity.is_some() {
-            return self.distance(start);
+            return self.distance_call(start);
         }
         if called && SEVERAL_ARGUMENTS.contains(&name) {
             return self.of_several(name, start);
         }
         if called && velocity::is_velocity(name) && self.velocity.is_some() {
-            return self.component(name, start);
+            return self.component_call(name, start);
         }
         if called && name == "ddt" && self.rate.is_some() {
             let open = self.at;
@@ -426,7 +426,7 @@ impl Parser<'_, '_> {
             return rate(self.arena, argument).map_err(|(message, help)| ParseError { span, message, help });
         }
         if called && interaction::is_interaction(name) && self.interaction.is_some() {
-            return self.interaction(name, start);
+            return self.interaction_call(name, start);
         }
         if called {
             let help = format!("write `{name}` alone if it depends on time, `{name}*(…)` for a product");

@@ -8,23 +8,23 @@ mod latex;
 mod line_breaks;
 mod long_parts;
 mod mathml;
-mod name;
+mod printed_names;
 mod python;
 mod typst;
 
 pub use latex::latex_name;
-pub use line_breaks::{formula_width, latex_lines, mathml_pieces, typst_lines};
+pub use line_breaks::{break_latex_lines, break_mathml_pieces, break_typst_lines, formula_width};
 pub use long_parts::{long_parts, printed_length};
 pub use mathml::mathml_name;
-pub(in crate::algebra::text) use name::greek_name;
-pub use name::name_parts;
+pub(in crate::algebra::text) use printed_names::greek_name;
+pub use printed_names::name_parts;
 pub use typst::typst_name;
 
 use super::display_tree::{DisplayTree, SharedNames, display_tree};
 use crate::algebra::{Arena, Expr};
 use latex::write_latex;
 use mathml::write_mathml;
-use name::name_printed_alike;
+use printed_names::name_printed_alike;
 use python::{NUMPY, SYMPY};
 use rustc_hash::FxHashMap;
 use typst::write_typst;
@@ -68,21 +68,21 @@ pub fn sympy_of(view: &DisplayTree) -> String {
 #[must_use]
 pub fn print_whole_text(arena: &Arena, e: Expr) -> String {
     let mut out = String::new();
-    write_text(&whole_view(arena, e, &FxHashMap::default()), &mut out);
+    write_text(&print_whole_view(arena, e, &FxHashMap::default()), &mut out);
     out
 }
 
 /// Builds the display tree of the term `e`, cut only after two million nodes. Terms in `shared`,
 /// other than `e` itself, are shown by their names.
 #[must_use]
-pub fn whole_view(arena: &Arena, e: Expr, shared: &SharedNames) -> DisplayTree {
+pub fn print_whole_view(arena: &Arena, e: Expr, shared: &SharedNames) -> DisplayTree {
     display_tree(arena, e, shared, 100 * BUDGET)
 }
 
 /// Prints an expression in LaTeX for math mode, cut after `BUDGET` nodes.
 #[must_use]
 pub fn latex(arena: &Arena, e: Expr) -> String {
-    latex_of(&view_of(arena, e))
+    latex_of(&print_view(arena, e))
 }
 
 /// Prints a display tree in LaTeX for math mode.
@@ -105,7 +105,7 @@ pub fn typst_of(view: &DisplayTree) -> String {
 /// to be put inside `math`.
 #[must_use]
 pub fn mathml(arena: &Arena, e: Expr) -> String {
-    mathml_of(&view_of(arena, e))
+    mathml_of(&print_view(arena, e))
 }
 
 /// Prints a display tree in presentation `MathML`: one `mrow` element, to be put inside `math`.
@@ -120,26 +120,26 @@ pub fn mathml_of(view: &DisplayTree) -> String {
 /// Builds the display tree of a term, cut after `BUDGET` nodes. A symbol that would look like
 /// another with its subscript is printed as a word.
 #[must_use]
-pub fn view_of(arena: &Arena, e: Expr) -> DisplayTree {
+pub fn print_view(arena: &Arena, e: Expr) -> DisplayTree {
     with_distinct_names(arena, display_tree(arena, e, &FxHashMap::default(), BUDGET))
 }
 
 impl Arena {
     /// Shows the symbol `name` as `printed` in documents: LaTeX, Typst, Markdown and `MathML`.
     /// Primes after the name are kept. Plain text and programs keep the name of the model file.
-    pub fn print_as(&mut self, name: &str, printed: &str) {
+    pub fn set_printed_name(&mut self, name: &str, printed: &str) {
         self.names.printed.insert(name.to_owned(), printed.to_owned());
     }
 }
 
 impl Arena {
-    /// Shows all symbols in documents by their own names again, and so undoes [`Arena::print_as`].
+    /// Shows all symbols in documents by their own names again, and so undoes [`Arena::set_printed_name`].
     pub fn clear_printed_names(&mut self) {
         self.names.printed.clear();
     }
 }
 
-/// Name with which documents show a symbol: the name given to [`Arena::print_as`], else the
+/// Name with which documents show a symbol: the name given to [`Arena::set_printed_name`], else the
 /// symbol's own. Primes are kept.
 #[must_use]
 pub fn printed_name(arena: &Arena, name: &str) -> String {
@@ -153,7 +153,7 @@ pub fn printed_name(arena: &Arena, name: &str) -> String {
 /// Display tree of a symbol, by its printed name. It is a whole word if another symbol would look
 /// the same.
 #[must_use]
-pub fn symbol_view(arena: &Arena, name: &str) -> DisplayTree {
+pub fn print_symbol_view(arena: &Arena, name: &str) -> DisplayTree {
     if arena.names.printed.contains_key(name.trim_end_matches('\'')) {
         return DisplayTree::Name(printed_name(arena, name));
     }
@@ -166,7 +166,7 @@ pub fn symbol_view(arena: &Arena, name: &str) -> DisplayTree {
 fn with_distinct_names(arena: &Arena, view: DisplayTree) -> DisplayTree {
     let boxed = |part: Box<DisplayTree>| Box::new(with_distinct_names(arena, *part));
     match view {
-        DisplayTree::Name(name) => symbol_view(arena, &name),
+        DisplayTree::Name(name) => print_symbol_view(arena, &name),
         DisplayTree::Sum(terms) => {
             DisplayTree::Sum(terms.into_iter().map(|(sign, term)| (sign, with_distinct_names(arena, term))).collect())
         }

@@ -177,7 +177,7 @@ fn magnitude(value: &Rational) -> f64 {
 
 /// Part of a term without symbols whose value doubles do not give to eight digits, such as
 /// exp(10^-20) − 1 or sin(10^30). `None` if there is no such part.
-pub fn lost_constant(arena: &Arena, e: Expr) -> Option<Expr> {
+pub fn constant_with_wide_interval(arena: &Arena, e: Expr) -> Option<Expr> {
     let mut constant: FxHashSet<Expr> = FxHashSet::default();
     // Operands have smaller handles than the terms built from them.
     for part in arena.reachable(&[e]) {
@@ -208,8 +208,10 @@ pub fn lost_constant(arena: &Arena, e: Expr) -> Option<Expr> {
 
 /// Replaces parts of the term `e` by 0 if they have no symbols, are exactly 0, and lose their
 /// digits in doubles. An example is 2 + √5 (1/(5 + 2 √5) − 1).
-pub fn without_lost_zeros(arena: &mut Arena, mut e: Expr) -> Expr {
-    while let Some(lost) = lost_constant(arena, e).filter(|lost| zero_test(arena, *lost) == ZeroTest::Zero) {
+pub fn without_zeros_of_wide_interval(arena: &mut Arena, mut e: Expr) -> Expr {
+    while let Some(lost) =
+        constant_with_wide_interval(arena, e).filter(|lost| zero_test(arena, *lost) == ZeroTest::Zero)
+    {
         let mut put = Substitution::new(&[(lost, Expr::ZERO)]);
         let next = put.apply(arena, e);
         if put.undefined.is_some() {

@@ -3,11 +3,11 @@
 
 pub(crate) mod field;
 pub(crate) mod interval;
-pub(crate) mod points;
 pub mod range;
 pub mod rank;
 pub(crate) mod rational_value;
 pub(crate) mod reconstruction;
+pub(crate) mod residues;
 pub(crate) mod tangent;
 pub mod tape;
 pub(super) mod zero_error_bound;

@@ -10,13 +10,13 @@ use crate::algebra::{Arena, Expr, Function, Rational};
 
 /// True if the term `e` is proved never to be zero where it has a value. False proves nothing.
 #[must_use]
-pub fn never_zero(arena: &Arena, e: Expr) -> bool {
+pub fn range_excludes_zero(arena: &Arena, e: Expr) -> bool {
     fold(arena, e, &mut Ranges(arena)).is_some_and(|range| range.nonzero)
 }
 
 /// True if the term `e` is proved never to be above zero. False proves nothing.
 #[must_use]
-pub fn never_positive(arena: &Arena, e: Expr) -> bool {
+pub fn range_excludes_positive(arena: &Arena, e: Expr) -> bool {
     fold(arena, e, &mut Ranges(arena)).is_some_and(|range| range.neg().is_nonnegative())
 }
 
@@ -187,7 +187,7 @@ mod tests {
             arena.assume_positive(symbol);
         }
         let e = parse_free(&mut arena, text).unwrap();
-        never_zero(&arena, e)
+        range_excludes_zero(&arena, e)
     }
 
     #[test]

@@ -5,7 +5,7 @@
 //! probability of a false zero. Nothing is eliminated symbolically.
 
 use super::field::Field;
-use super::points::{Sampler, residues};
+use super::residues::{ResidueSampler, residues};
 use crate::algebra::{Arena, Expr};
 use rustc_hash::FxHashSet;
 
@@ -63,14 +63,9 @@ pub fn independent_rows(arena: &Arena, matrix: &[Vec<Expr>]) -> Option<Vec<usize
 /// depend on the symbols `moving`. Then it follows from the rows in every configuration.
 /// False if it is no such combination, or if no random point could be evaluated.
 #[must_use]
-pub(crate) fn is_combination_everywhere(
-    arena: &Arena,
-    rows: &[Vec<Expr>],
-    row: &[Expr],
-    moving: &FxHashSet<Expr>,
-) -> bool {
+pub(crate) fn keeps_rank_everywhere(arena: &Arena, rows: &[Vec<Expr>], row: &[Expr], moving: &FxHashSet<Expr>) -> bool {
     let all: Vec<Expr> = rows.iter().flatten().chain(row).copied().collect();
-    let mut sampler = Sampler::new(arena, all);
+    let mut sampler = ResidueSampler::new(arena, all);
     for _ in 0..DRAWS {
         let (field, seed) = (sampler.field(), sampler.seed());
         let places = [sampler.seed(), sampler.seed()];

@@ -8,7 +8,7 @@ const PI: &str = "3.141592653589793238462643383279502884197169399375105820974945
 
 /// Rational approximation of π to 60 decimals, which exceeds every precision in use.
 #[must_use]
-pub fn rational_pi() -> Rational {
+pub fn rational_value_of_pi() -> Rational {
     Rational::parse_decimal(PI).expect("decimals")
 }
 
@@ -30,7 +30,7 @@ impl Fold for Exact<'_> {
         Some(value.clone())
     }
     fn pi(&mut self) -> Option<Rational> {
-        Some(rational_pi())
+        Some(rational_value_of_pi())
     }
     fn symbol(&mut self, _: Expr) -> Option<Rational> {
         None

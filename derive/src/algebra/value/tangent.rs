@@ -6,7 +6,7 @@
 //! the derivatives built there.
 
 use super::field::Field;
-use super::points::{Draw, Residues};
+use super::residues::{PointSearch, Residues};
 use crate::algebra::term::fold::{Fold, Values};
 use crate::algebra::{Arena, Expr, Function, Rational};
 use rustc_hash::FxHashMap;
@@ -17,14 +17,14 @@ const MOST_DRAWN: usize = 8;
 /// Dual number a + b ε with ε² = 0, modulo a prime. It holds the value a of a term and its
 /// derivative b along a direction.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Dual {
+pub struct TangentValue {
     /// Value a of the dual number a + b ε, a residue.
     pub value: u64,
     /// Derivative b of the dual number a + b ε along the direction, a residue.
     pub slope: u64,
 }
 
-impl Dual {
+impl TangentValue {
     /// True if both the value and the derivative are zero.
     #[must_use]
     pub fn is_zero(self) -> bool {
@@ -60,7 +60,7 @@ pub struct Tangents<'a> {
     /// Each symbol that varies, with the symbol whose residue is its rate.
     along: FxHashMap<Expr, Expr>,
     /// Search for random points at which all terms have residues.
-    draw: Draw<'a>,
+    draw: PointSearch<'a>,
 }
 
 impl<'a> Tangents<'a> {
@@ -69,12 +69,12 @@ impl<'a> Tangents<'a> {
     #[must_use]
     pub fn new(arena: &'a Arena, terms: &'a [Expr], along: &[(Expr, Expr)]) -> Self {
         let all: Vec<Expr> = terms.iter().chain(along.iter().flat_map(|(x, d)| [x, d])).copied().collect();
-        Self { arena, terms, along: along.iter().copied().collect(), draw: Draw::with_slopes(arena, &all) }
+        Self { arena, terms, along: along.iter().copied().collect(), draw: PointSearch::with_slopes(arena, &all) }
     }
 
     /// Draws the next point at which every term has a value and a derivative. Returns its field and
     /// a dual number per term, in their order. `None` if no point was found in eight attempts.
-    pub fn next(&mut self) -> Option<(Field, Vec<Dual>)> {
+    pub fn next(&mut self) -> Option<(Field, Vec<TangentValue>)> {
         (0..MOST_DRAWN).find_map(|_| {
             let point = self.draw.point()?;
             let mut residues = self.draw.residues(point);
@@ -82,7 +82,7 @@ impl<'a> Tangents<'a> {
             let values = self.draw.needed().fold(self.arena, &mut residues)?;
             let mut rules = Slopes { field, values: &values, residues: &residues, along: &self.along };
             let slopes = self.draw.needed().fold(self.arena, &mut rules)?;
-            Some((field, self.terms.iter().map(|e| Dual { value: values[*e], slope: slopes[*e] }).collect()))
+            Some((field, self.terms.iter().map(|e| TangentValue { value: values[*e], slope: slopes[*e] }).collect()))
         })
     }
 }
@@ -204,9 +204,9 @@ mod tests {
     #[test]
     fn quotients_undo_products() {
         let f = Field::random(&mut Generator(3));
-        let (a, b) = (Dual { value: 5, slope: 7 }, Dual { value: 11, slope: 13 });
+        let (a, b) = (TangentValue { value: 5, slope: 7 }, TangentValue { value: 11, slope: 13 });
         let quotient = a.quotient(f, b).unwrap();
         assert!(a.minus_product(f, quotient, b).is_zero());
-        assert_eq!(a.quotient(f, Dual { value: 0, slope: 1 }), None);
+        assert_eq!(a.quotient(f, TangentValue { value: 0, slope: 1 }), None);
     }
 }

@@ -7,7 +7,7 @@
 //! if the prime divides all coefficients. Each coefficient has at most log₂|N|/60 prime factors of
 //! 60 bits.
 
-use super::points::{POINTS, is_exponential};
+use super::residues::{POINTS, is_exponential};
 use crate::algebra::term::elementary::angle_atoms;
 use crate::algebra::term::fold::{Fold, FoldOrder, Values};
 use crate::algebra::{Arena, Expr, Function, Rational};
@@ -60,7 +60,7 @@ fn log_sum(a: f64, b: f64) -> f64 {
 }
 
 /// Base-2 logarithms of the absolute numerator and of the denominator of a number.
-fn bits_of(value: &Rational) -> (f64, f64) {
+fn bits_for_bound(value: &Rational) -> (f64, f64) {
     match value.small() {
         Some((n, d)) => ((n.unsigned_abs() as f64).log2(), (d as f64).log2()),
         None => {
@@ -72,7 +72,7 @@ fn bits_of(value: &Rational) -> (f64, f64) {
 
 /// Bounds of a term that is a rational number.
 fn bound_of_number(value: &Rational) -> PolynomialBound {
-    let (bits, denominator_bits) = bits_of(value);
+    let (bits, denominator_bits) = bits_for_bound(value);
     let denominator = value.small().and_then(|(_, d)| u64::try_from(d).ok());
     PolynomialBound { bits, denominator_bits, denominator, ..PolynomialBound::default() }
 }
@@ -142,7 +142,7 @@ fn bound_of_sum(
     let mut common = Some(1_u64);
     let parts = || std::iter::once((&constant, &one)).chain(terms.iter().map(|(term, k)| (&sizes[*term], k)));
     for (part, k) in parts() {
-        result.denominator_bits += part.denominator_bits + bits_of(k).1;
+        result.denominator_bits += part.denominator_bits + bits_for_bound(k).1;
         let own = k.small().and_then(|(_, d)| u64::try_from(d).ok());
         let own = own.zip(part.denominator).and_then(|(a, b)| a.checked_mul(b));
         common = common.zip(own).and_then(|(a, b)| (a / a.gcd(&b)).checked_mul(b));
@@ -158,7 +158,7 @@ fn bound_of_sum(
         result.denominator_bits = (common as f64).log2();
     }
     for (part, k) in parts() {
-        let (mut degree, mut bits) = (part.degree, part.bits + bits_of(k).0 + result.denominator_bits);
+        let (mut degree, mut bits) = (part.degree, part.bits + bits_for_bound(k).0 + result.denominator_bits);
         for (divisor, most) in &result.divisors {
             let have = part.divisors.iter().find(|(known, _)| known == divisor).map_or(0.0, |(_, n)| *n);
             degree += (most - have) * sizes[*divisor].degree;

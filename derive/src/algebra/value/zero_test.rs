@@ -17,7 +17,7 @@
 //! the answer is [`ZeroTest::Undecided`].
 
 use super::field::Field;
-use super::points::{POINTS, Point, angle_denominators, generator_for_terms, is_exponential, residues_at_point};
+use super::residues::{POINTS, ResiduePoint, angle_denominators, is_exponential, residue_generator, residues_at_point};
 use super::zero_error_bound::false_zero_exponent;
 use crate::algebra::term::elementary::angle_atoms;
 use crate::algebra::term::fold::FoldOrder;
@@ -77,13 +77,13 @@ fn zero_test_at(arena: &Arena, e: Expr, found: &mut dyn FnMut(Trial)) -> ZeroTes
     }
     let needed = FoldOrder::new(arena, &[e]);
     let parts = needed.nodes();
-    let opaque = !atoms_are_independent(arena, parts);
+    let opaque = !zero_test_is_proof(arena, parts);
     let denominators = angle_denominators(arena, parts);
-    let mut generator = generator_for_terms(arena, &needed);
+    let mut generator = residue_generator(arena, &needed);
     let mut evaluated = 0;
     // √x² is x or −x with equal probability, so each point detects a wrong sign with probability
     // 1/2 only.
-    let all_roots = count_roots(arena, parts);
+    let all_roots = count_roots_for_zero_test(arena, parts);
     let roots = all_roots.min(MOST_ROOTS);
     let wanted = if roots == 0 { POINTS } else { POINTS_WITH_ROOTS << roots };
     // The sign of the root of a number depends on the prime alone; then each point has a prime of
@@ -105,7 +105,7 @@ fn zero_test_at(arena: &Arena, e: Expr, found: &mut dyn FnMut(Trial)) -> ZeroTes
             is_second = true;
         }
         let seed = generator.next();
-        let point = Point::new(field, seed);
+        let point = ResiduePoint::new(field, seed);
         match residues_at_point(arena, &needed, &denominators, &point).map(|values| values[e]) {
             Some(0) => {
                 found(Trial { prime: field.prime, seed });
@@ -127,7 +127,7 @@ fn zero_test_at(arena: &Arena, e: Expr, found: &mut dyn FnMut(Trial)) -> ZeroTes
 pub fn bounded_zero_test(arena: &Arena, e: Expr) -> (ZeroTest, f64) {
     let needed = FoldOrder::new(arena, &[e]);
     let exponent = false_zero_exponent(arena, &needed, &angle_denominators(arena, needed.nodes()), e);
-    let roots = count_roots(arena, needed.nodes());
+    let roots = count_roots_for_zero_test(arena, needed.nodes());
     let exponent = match roots {
         0 => exponent,
         1..=MOST_ROOTS => exponent.min(63.0),
@@ -142,7 +142,7 @@ pub fn bounded_zero_test(arena: &Arena, e: Expr) -> (ZeroTest, f64) {
 
 /// Number of different square roots, absolute values and signs among the given terms. An absolute
 /// value and a sign of the same argument count once.
-pub(in crate::algebra) fn count_roots(arena: &Arena, parts: &[Expr]) -> u32 {
+pub(in crate::algebra) fn count_roots_for_zero_test(arena: &Arena, parts: &[Expr]) -> u32 {
     let mut arguments: Vec<(bool, Expr)> = parts
         .iter()
         .filter_map(|p| match arena.node(*p) {
@@ -206,7 +206,7 @@ pub fn has_roots(arena: &Arena, parts: &[Expr]) -> bool {
 /// False for all other functions, for sines of numbers together with π elsewhere, and for multiples
 /// of π whose sines are not roots.
 #[must_use]
-pub fn atoms_are_independent(arena: &Arena, parts: &[Expr]) -> bool {
+pub fn zero_test_is_proof(arena: &Arena, parts: &[Expr]) -> bool {
     let (mut pi_outside, mut numbers_inside) = (false, false);
     let mut inside_only: rustc_hash::FxHashSet<Expr> = rustc_hash::FxHashSet::default();
     for part in parts {

@@ -8,7 +8,7 @@
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::term::contraction::contract_products;
 use crate::algebra::text::print::print_text;
-use crate::algebra::value::range::never_zero;
+use crate::algebra::value::range::range_excludes_zero;
 use crate::algebra::value::tape::Tape;
 use crate::algebra::{Arena, Expr, Node};
 use crate::mechanics::divisor_without_number;
@@ -54,17 +54,17 @@ pub struct RankLossSurfaces {
 
 /// Finds the poses where the rows of a constraint matrix lose rank; `None` if there are too many
 /// minors.
-pub fn rank_loss_surfaces(arena: &mut Arena, matrix: &Matrix<'_>) -> Option<RankLossSurfaces> {
+pub fn common_zeros_of_minors(arena: &mut Arena, matrix: &Matrix<'_>) -> Option<RankLossSurfaces> {
     let mut found = RankLossSurfaces { all_zero: Vec::new(), never: Vec::new(), taken: Vec::new() };
     let mut sets: Vec<Vec<Expr>> = Vec::new();
-    for part in independent_blocks(matrix) {
+    for part in blocks_of_minors(matrix) {
         let mut simplifier = Simplifier::default();
         let minors = minors(arena, &mut simplifier, matrix.rows, &part)?;
         let mut minors: Vec<Vec<(Expr, i32)>> =
             minors.into_iter().map(|minor| moving_factors(arena, matrix, minor, &mut found.taken)).collect();
         minors.sort();
         minors.dedup();
-        let common = take_common(&mut minors);
+        let common = take_common_minor_factors(&mut minors);
         let mut left: Vec<Expr> = minors.iter().map(|factors| product(arena, factors)).collect();
         if let Some(proof) = prove_minors_not_all_zero(arena, &mut simplifier, &left, matrix, &mut found.taken) {
             if common.is_empty() {
@@ -78,13 +78,13 @@ pub fn rank_loss_surfaces(arena: &mut Arena, matrix: &Matrix<'_>) -> Option<Rank
     }
     found.taken.sort_unstable();
     found.taken.dedup();
-    found.all_zero = products_zero_where_any_set_is(arena, sets)?;
+    found.all_zero = products_of_minor_sets(arena, sets)?;
     Some(found)
 }
 
 /// Formulas that are all zero exactly where all formulas of at least one of the sets are zero:
 /// their products. `None` if there are too many products.
-fn products_zero_where_any_set_is(arena: &mut Arena, sets: Vec<Vec<Expr>>) -> Option<Vec<Expr>> {
+fn products_of_minor_sets(arena: &mut Arena, sets: Vec<Vec<Expr>>) -> Option<Vec<Expr>> {
     let mut all: Vec<Expr> = Vec::new();
     for set in sets {
         if all.is_empty() {
@@ -115,7 +115,7 @@ struct Part {
 
 /// Splits a constraint matrix into blocks that share no column. Blocks without an independent row
 /// are left out.
-fn independent_blocks(matrix: &Matrix<'_>) -> Vec<Part> {
+fn blocks_of_minors(matrix: &Matrix<'_>) -> Vec<Part> {
     let mut list: Vec<Part> = Vec::new();
     for (at, row) in matrix.rows.iter().enumerate() {
         let columns: Vec<usize> = (0..row.len()).filter(|column| row[*column] != Expr::ZERO).collect();
@@ -209,7 +209,7 @@ fn value(arena: &Arena, e: Expr, known: &[(Expr, f64)]) -> Option<f64> {
 }
 
 /// Removes the factors that all products have in common, and returns these factors.
-fn take_common(all: &mut [Vec<(Expr, i32)>]) -> Vec<(Expr, i32)> {
+fn take_common_minor_factors(all: &mut [Vec<(Expr, i32)>]) -> Vec<(Expr, i32)> {
     let Some((first, others)) = all.split_first() else { return Vec::new() };
     let common: FxHashSet<(Expr, i32)> =
         first.iter().copied().filter(|factor| others.iter().all(|other| other.contains(factor))).collect();
@@ -239,25 +239,25 @@ fn prove_minors_not_all_zero(
     if terms.contains(&Expr::ONE) {
         return Some("one of its minors is a constant".to_owned());
     }
-    if let Some(term) = terms.iter().find(|term| never_zero(arena, **term)) {
-        return Some(never_zero_sentence(arena, "one of its minors", *term));
+    if let Some(term) = terms.iter().find(|term| range_excludes_zero(arena, **term)) {
+        return Some(nonzero_minor_sentence(arena, "one of its minors", *term));
     }
     let squares: Vec<Expr> = terms.iter().map(|term| arena.square(*term)).collect();
     let sum = arena.sum(&squares);
     let sum = simplifier.simplify(arena, sum);
     let what = "the sum of the squares of its minors";
     if is_nonzero(arena, matrix, sum, taken) {
-        return Some(never_zero_sentence(arena, what, sum));
+        return Some(nonzero_minor_sentence(arena, what, sum));
     }
     matrix.loops.iter().find_map(|equation| {
-        let left = sum_less_multiple(arena, simplifier, sum, *equation)?;
+        let left = minor_sum_less_multiple(arena, simplifier, sum, *equation)?;
         is_nonzero(arena, matrix, left, taken)
-            .then(|| never_zero_sentence(arena, &format!("{what}, in closed poses"), left))
+            .then(|| nonzero_minor_sentence(arena, &format!("{what}, in closed poses"), left))
     })
 }
 
 /// Sentence that a term is never 0; `what` names the term. A long formula is left out.
-fn never_zero_sentence(arena: &Arena, what: &str, e: Expr) -> String {
+fn nonzero_minor_sentence(arena: &Arena, what: &str, e: Expr) -> String {
     let formula = print_text(arena, e);
     if formula.len() > LONGEST { format!("{what} is never 0") } else { format!("{what}, {formula}, is never 0") }
 }
@@ -265,7 +265,7 @@ fn never_zero_sentence(arena: &Arena, what: &str, e: Expr) -> String {
 /// True if a term is proved nonzero in every pose by its range, or if it has no coordinates and is
 /// nonzero at the default values. In the second case the term is added to `taken`.
 fn is_nonzero(arena: &Arena, matrix: &Matrix<'_>, e: Expr, taken: &mut Vec<Expr>) -> bool {
-    if never_zero(arena, e) {
+    if range_excludes_zero(arena, e) {
         return true;
     }
     let moves = matrix.places.iter().any(|place| arena.mentions(e, *place));
@@ -276,7 +276,7 @@ fn is_nonzero(arena: &Arena, matrix: &Matrix<'_>, e: Expr, taken: &mut Vec<Expr>
 
 /// Sum less the multiple of another sum that cancels one of their common terms. `None` if they have
 /// no common term.
-fn sum_less_multiple(arena: &mut Arena, simplifier: &mut Simplifier, sum: Expr, other: Expr) -> Option<Expr> {
+fn minor_sum_less_multiple(arena: &mut Arena, simplifier: &mut Simplifier, sum: Expr, other: Expr) -> Option<Expr> {
     let terms = |arena: &Arena, e: Expr| match arena.node(e) {
         Node::Sum(_, terms) => terms.to_vec(),
         _ => Vec::new(),

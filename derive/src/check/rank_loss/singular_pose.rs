@@ -28,7 +28,7 @@ pub struct PoseSearch {
 }
 
 /// Constraint matrix of a model whose first `rank` rows are independent, except in single poses.
-pub struct Constraints<'a> {
+pub struct SingularPoseSearch<'a> {
     /// Model that the constraints belong to.
     pub model: &'a Model,
     /// Rows of the matrix: the coefficients of the rates in each constraint.
@@ -43,7 +43,7 @@ pub struct Constraints<'a> {
     pub closed: &'a [Expr],
 }
 
-impl Constraints<'_> {
+impl SingularPoseSearch<'_> {
     /// Searches for a closed pose in which the rows lose rank. The result has no pose if none was found
     /// or if there are too many unknowns.
     pub fn search_singular_pose(&self, arena: &mut Arena) -> PoseSearch {

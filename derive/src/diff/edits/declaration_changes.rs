@@ -54,7 +54,7 @@ impl Section {
 
 /// Property of a declaration that can differ between two models.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Property {
+pub enum DeclaredProperty {
     /// Default value of a parameter differs.
     Default,
     /// Unit of a parameter or generalized coordinate differs.
@@ -65,7 +65,7 @@ pub enum Property {
     Definition,
 }
 
-impl Property {
+impl DeclaredProperty {
     /// Name of the property in JSON output, such as "default".
     #[must_use]
     pub const fn name(self) -> &'static str {
@@ -88,7 +88,7 @@ pub enum Edit {
     /// The declaration is in both models, but a property differs.
     Changed {
         /// Property of the declaration that differs between the models.
-        property: Property,
+        property: DeclaredProperty,
         /// Text of the property in the old model, for people.
         old: String,
         /// Text of the property in the new model, for people.
@@ -114,7 +114,7 @@ struct DeclaredElement {
     section: Section,
     name: String,
     /// Properties of the element that are compared as text, each with its text.
-    properties: Vec<(Property, String)>,
+    properties: Vec<(DeclaredProperty, String)>,
     /// Frames, points and bodies that the element refers to, as text: parents, axes, points where
     /// it acts.
     place: String,
@@ -131,7 +131,7 @@ impl DeclaredElement {
     }
 
     /// Copy of the element with the given properties.
-    fn with(self, properties: Vec<(Property, String)>) -> Self {
+    fn with(self, properties: Vec<(DeclaredProperty, String)>) -> Self {
         Self { properties, ..self }
     }
 
@@ -182,7 +182,7 @@ pub fn changed_declarations(
             && terms.iter().zip(&element.terms).all(|(a, b)| comparer.compare(arena, *a, *b).is_equal());
         if !is_same {
             let (old, new) = (former.definition(old_arena), element.definition(arena));
-            list.push(declaration(element, Edit::Changed { property: Property::Definition, old, new }));
+            list.push(declaration(element, Edit::Changed { property: DeclaredProperty::Definition, old, new }));
         }
     }
     let removed = old.iter().filter(|former| !new.iter().any(|e| same(e, former)));
@@ -206,15 +206,15 @@ fn declared_variables(model: &Model) -> Vec<DeclaredElement> {
     let parameters = model.parameters.iter().map(|p| {
         let positive = if p.positive { "yes" } else { "not stated" };
         bare(Section::Parameters, &p.name).with(vec![
-            (Property::Default, default_value_text(p)),
-            (Property::Unit, p.unit.to_string()),
-            (Property::Positive, positive.to_owned()),
+            (DeclaredProperty::Default, declared_default_text(p)),
+            (DeclaredProperty::Unit, p.unit.to_string()),
+            (DeclaredProperty::Positive, positive.to_owned()),
         ])
     });
     let coordinates = model
         .coordinates
         .iter()
-        .map(|c| bare(Section::Coordinates, &c.name).with(vec![(Property::Unit, c.unit.to_string())]));
+        .map(|c| bare(Section::Coordinates, &c.name).with(vec![(DeclaredProperty::Unit, c.unit.to_string())]));
     let speeds =
         model.speeds.iter().map(|s| DeclaredElement::new(Section::Speeds, &s.name, String::new(), vec![s.definition]));
     parameters.chain(coordinates).chain(speeds).collect()
@@ -222,7 +222,7 @@ fn declared_variables(model: &Model) -> Vec<DeclaredElement> {
 
 /// Default value of a parameter as text: a decimal or a fraction, whichever is shorter; "none"
 /// without a default.
-fn default_value_text(parameter: &Parameter) -> String {
+fn declared_default_text(parameter: &Parameter) -> String {
     let Some(value) = &parameter.value else { return "none".to_owned() };
     let (decimal, fraction) = (value.to_f64().to_string(), value.to_string());
     if fraction.len() < decimal.len() { fraction } else { decimal }

@@ -50,7 +50,7 @@ fn scene_settings(source: &Source) -> Result<Vec<(String, String)>, Diagnostics>
                 let said = table.into_iter().filter(|(key, _)| !["title", "about", "caption"].contains(&key.as_str()));
                 open.extend(said.map(|(key, value)| (within(key), value)));
             }
-            Value::Float(x) => list.push((path, number_as_text(x))),
+            Value::Float(x) => list.push((path, scene_number_text(x))),
             other => list.push((path, other.to_string())),
         }
     }
@@ -58,7 +58,7 @@ fn scene_settings(source: &Source) -> Result<Vec<(String, String)>, Diagnostics>
 }
 
 /// Text of a number as people write it: 1 for 1.0, and 1e-9 for 0.000000001.
-fn number_as_text(x: f64) -> String {
+fn scene_number_text(x: f64) -> String {
     if x.fract() == 0.0 && x.abs() < 1e15 { format!("{x}") } else { format!("{x:?}") }
 }
 

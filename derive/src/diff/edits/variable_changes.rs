@@ -67,7 +67,7 @@ pub struct VariableChange {
 
 /// Coordinate of the old model as ± a coordinate of the new model, plus quarter turns.
 #[derive(Clone, Copy, PartialEq, Eq)]
-struct CoordinateImage {
+struct VariableImage {
     /// Index of the coordinate in the new model that corresponds to the old one.
     to: usize,
     /// True if the new coordinate has the sign −; false for +.
@@ -83,7 +83,7 @@ struct VariableChoice {
     /// Index of the new parameter for each old parameter.
     parameters: Vec<usize>,
     /// Image of each old coordinate in the new coordinates.
-    images: Vec<CoordinateImage>,
+    images: Vec<VariableImage>,
 }
 
 /// Old variables as formulas in the new ones, if a proof shows that the motion is the same.
@@ -123,7 +123,7 @@ fn variable_choices(old: &Model, new: &Model) -> Vec<VariableChoice> {
     let mut list = Vec::new();
     for size in 0..=new.coordinates.len() {
         for order in &coordinates {
-            for images in coordinate_images(order, size, &angle, MOST - list.len()) {
+            for images in variable_images(order, size, &angle, MOST - list.len()) {
                 for parameters in &parameters {
                     list.push(VariableChoice { parameters: parameters.clone(), images: images.clone() });
                     if list.len() == MOST {
@@ -155,13 +155,13 @@ fn name_matches(old: &[(String, Unit)], new: &[(String, Unit)]) -> Vec<Vec<usize
 
 /// Images of the coordinates matched in `order`, of which exactly `size` have another sign or zero;
 /// at most `most` lists.
-fn coordinate_images(
+fn variable_images(
     order: &[usize],
     size: usize,
     is_angle: &impl Fn(usize) -> bool,
     most: usize,
-) -> Vec<Vec<CoordinateImage>> {
-    let mut list: Vec<(Vec<CoordinateImage>, usize)> = vec![(Vec::new(), 0)];
+) -> Vec<Vec<VariableImage>> {
+    let mut list: Vec<(Vec<VariableImage>, usize)> = vec![(Vec::new(), 0)];
     for (done, to) in order.iter().enumerate() {
         let quarters: &[i8] = if is_angle(*to) { &QUARTERS } else { &[0] };
         let mut longer = Vec::new();
@@ -171,7 +171,7 @@ fn coordinate_images(
                     let own = usize::from(is_turned || *quarters != 0);
                     let left = order.len() - done - 1;
                     if changed + own <= size && changed + own + left >= size && longer.len() < most {
-                        let image = CoordinateImage { to: *to, is_turned, quarters: *quarters };
+                        let image = VariableImage { to: *to, is_turned, quarters: *quarters };
                         longer.push(([images.as_slice(), &[image]].concat(), changed + own));
                     }
                 }
@@ -253,8 +253,8 @@ impl ModelEnergies {
         let mut zero: Option<f64> = None;
         self.states.iter().all(|state| {
             let mut inputs: Vec<f64> = choice.parameters.iter().map(|at| self.parameters[*at]).collect();
-            let sign = |image: &CoordinateImage| if image.is_turned { -1.0 } else { 1.0 };
-            let turned = |image: &CoordinateImage| {
+            let sign = |image: &VariableImage| if image.is_turned { -1.0 } else { 1.0 };
+            let turned = |image: &VariableImage| {
                 sign(image) * state.coordinates[image.to] + f64::from(image.quarters) * std::f64::consts::FRAC_PI_2
             };
             inputs.extend(choice.images.iter().map(turned));
@@ -414,7 +414,7 @@ impl OldVariables {
     }
 }
 
-impl CoordinateImage {
+impl VariableImage {
     /// Value of the old coordinate as a formula in `symbol`, the new coordinate.
     fn of(self, arena: &mut Arena, symbol: Expr) -> Expr {
         let turned = if self.is_turned { arena.neg(symbol) } else { symbol };

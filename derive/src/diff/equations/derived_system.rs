@@ -71,7 +71,7 @@ pub fn derived_system(
 
 /// True if an unknown is the second derivative of time, or the multiplier of the clock constraint
 /// t' = 1.
-pub fn is_unknown_of_time(model: &Model, unknown: Expr) -> bool {
+pub fn is_derived_unknown_of_time(model: &Model, unknown: Expr) -> bool {
     let is_second_rate = model.time().is_some_and(|at| model.coordinates[at].second_rate == unknown);
     let mut constraints = model.motion_constraints.iter();
     is_second_rate || constraints.any(|c| c.kind == MotionConstraintKind::Clock && c.multiplier == unknown)
@@ -88,7 +88,7 @@ impl DerivedSystem {
         };
         let Self { names, unknowns, rows } = self;
         let right = unknowns.len();
-        let kept: Vec<usize> = (0..right).filter(|at| !is_unknown_of_time(model, unknowns[*at])).collect();
+        let kept: Vec<usize> = (0..right).filter(|at| !is_derived_unknown_of_time(model, unknowns[*at])).collect();
         let of_motion = names.into_iter().zip(rows).filter(|(name, _)| !is_row_of_time(name));
         let (names, rows) =
             of_motion.map(|(name, row)| (name, kept.iter().chain([&right]).map(|at| row[*at]).collect())).unzip();

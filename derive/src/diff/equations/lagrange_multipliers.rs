@@ -6,7 +6,7 @@
 //! One B holds for all entries of a publication.
 
 use super::derived_system::DerivedSystem;
-use super::row_judgement::{Row, TermTools, WRITTEN, row_combination, row_in_permitted_states};
+use super::row_judgement::{Row, TermTools, WRITTEN, judged_row_in_permitted_states, row_combination};
 use super::row_matching::matching_row_with_factor;
 use crate::algebra::solve::linear::{determinant, solve_linear};
 use crate::algebra::text::print::print_text;
@@ -45,7 +45,7 @@ pub struct Multipliers {
 impl Multipliers {
     /// Chooses one matrix B for all entries if at least two mention multipliers. Returns true if B
     /// was chosen.
-    pub fn decide(&mut self, terms: &mut TermTools<'_>, parameters: &[Expr]) -> bool {
+    pub fn choose_multiplier_matrix(&mut self, terms: &mut TermTools<'_>, parameters: &[Expr]) -> bool {
         let Some(width) = self.pairs.first().map(|pair| pair.printed.len()).filter(|_| self.entries > 1) else {
             return false;
         };
@@ -109,18 +109,22 @@ impl TermTools<'_> {
         let change = match decided {
             Some(decided) => {
                 // Another part of the publication may define its multipliers anew, if all its rows agree on them.
-                let count = if pairs.len() > width { self.count_explained_rows(&pairs, &decided) } else { pairs.len() };
+                let count = if pairs.len() > width {
+                    self.count_explained_multiplier_rows(&pairs, &decided)
+                } else {
+                    pairs.len()
+                };
                 let own = (count < pairs.len()).then(|| self.best_multiplier_matrix(&pairs, width, parameters));
                 own.filter(|(score, _)| score.explained == pairs.len()).map_or(decided, |(_, change)| change)
             }
             None if is_mentioned => self.best_multiplier_matrix(&pairs, width, parameters).1,
-            None => unit_matrix(width),
+            None => unit_multiplier_matrix(width),
         };
         if is_mentioned && known.decided.is_none() {
             known.entries += 1;
             known.pairs.extend(pairs);
         }
-        if change == unit_matrix(width) {
+        if change == unit_multiplier_matrix(width) {
             return None;
         }
         for row in &mut order.rows {
@@ -129,7 +133,7 @@ impl TermTools<'_> {
                 row[*column] = value;
             }
         }
-        is_mentioned.then(|| self.words(order, &columns, &change))
+        is_mentioned.then(|| self.multiplier_words(order, &columns, &change))
     }
 
     /// Matrix B, `width` × `width`, that explains most row pairs, with its score; the plainest if
@@ -141,7 +145,7 @@ impl TermTools<'_> {
         width: usize,
         parameters: &[Expr],
     ) -> (Score, Vec<Row>) {
-        let as_derived = unit_matrix(width);
+        let as_derived = unit_multiplier_matrix(width);
         let mut best = (self.multiplier_matrix_score(pairs, &as_derived, Form::Derived), as_derived);
         let mut scaled: Vec<Vec<Row>> =
             (0..pairs.len()).filter_map(|first| self.diagonal_multiplier_matrix(pairs, first, width)).collect();
@@ -150,7 +154,7 @@ impl TermTools<'_> {
             self.keep_better_matrix(&mut best, change, pairs, parameters);
         }
         if best.0.explained < pairs.len() {
-            for chosen in index_subsets(pairs.len(), width) {
+            for chosen in multiplier_row_subsets(pairs.len(), width) {
                 let chosen: Vec<&MultiplierRows> = chosen.iter().map(|at| &pairs[*at]).collect();
                 if let Some(change) = self.solve_multiplier_matrix(&chosen) {
                     self.keep_better_matrix(&mut best, change, pairs, parameters);
@@ -177,7 +181,8 @@ impl TermTools<'_> {
 
     /// Score of the matrix B `change`, whose form is `form`.
     fn multiplier_matrix_score(&mut self, pairs: &[MultiplierRows], change: &[Row], form: Form) -> Score {
-        let explained: Vec<&MultiplierRows> = pairs.iter().filter(|pair| self.explains_row(pair, change)).collect();
+        let explained: Vec<&MultiplierRows> =
+            pairs.iter().filter(|pair| self.explains_multiplier_row(pair, change)).collect();
         let plain = explained.iter().filter(|pair| pair.is_plain).count();
         Score { explained: explained.len(), plain, form: Reverse(form) }
     }
@@ -187,7 +192,7 @@ impl TermTools<'_> {
     /// The pair `first` is read before all others. Returns `None` if this pair shows that the
     /// multipliers are mixed.
     fn diagonal_multiplier_matrix(&mut self, pairs: &[MultiplierRows], first: usize, width: usize) -> Option<Vec<Row>> {
-        let mut change = unit_matrix(width);
+        let mut change = unit_multiplier_matrix(width);
         let mut known = vec![false; width];
         let order = std::iter::once(first).chain((0..pairs.len()).filter(|at| *at != first));
         for at in order {
@@ -222,11 +227,14 @@ impl TermTools<'_> {
             row
         };
         let of = |row: &Row| columns.iter().map(|c| row[*c]).collect::<Row>();
-        let derived: Vec<Row> =
-            order.rows.iter().map(|row| row_in_permitted_states(self.arena, self.comparer, &without(row))).collect();
+        let derived: Vec<Row> = order
+            .rows
+            .iter()
+            .map(|row| judged_row_in_permitted_states(self.arena, self.comparer, &without(row)))
+            .collect();
         let mut list = Vec::new();
         for (index, row) in printed.iter().enumerate() {
-            let row_seen = row_in_permitted_states(self.arena, self.comparer, &without(row));
+            let row_seen = judged_row_in_permitted_states(self.arena, self.comparer, &without(row));
             let factors = if let Some((at, column)) = matching_row_with_factor(self.arena, &row_seen, &derived, index) {
                 let Some(factor) = self.arena.div(row[column], order.rows[at][column]) else { continue };
                 let mut factors = vec![Expr::ZERO; derived.len()];
@@ -290,7 +298,7 @@ impl TermTools<'_> {
     /// Returns `None` if the pairs do not determine B, or if B is not regular.
     fn solve_multiplier_matrix(&mut self, pairs: &[&MultiplierRows]) -> Option<Vec<Row>> {
         let rows: Vec<Row> =
-            pairs.iter().map(|pair| row_in_permitted_states(self.arena, self.comparer, &pair.derived)).collect();
+            pairs.iter().map(|pair| judged_row_in_permitted_states(self.arena, self.comparer, &pair.derived)).collect();
         let (independent, _) = pivot_rows_and_columns(self.arena, &rows)?;
         if independent.len() < pairs.len() {
             return None;
@@ -303,12 +311,12 @@ impl TermTools<'_> {
     }
 
     /// Number of pairs for which derived · B = printed, with B = `change`.
-    fn count_explained_rows(&mut self, pairs: &[MultiplierRows], change: &[Row]) -> usize {
-        pairs.iter().filter(|pair| self.explains_row(pair, change)).count()
+    fn count_explained_multiplier_rows(&mut self, pairs: &[MultiplierRows], change: &[Row]) -> usize {
+        pairs.iter().filter(|pair| self.explains_multiplier_row(pair, change)).count()
     }
 
     /// True if derived · B = printed for a pair, with B = `change`.
-    fn explains_row(&mut self, pair: &MultiplierRows, change: &[Row]) -> bool {
+    fn explains_multiplier_row(&mut self, pair: &MultiplierRows, change: &[Row]) -> bool {
         let expected = self.row_times_matrix(&pair.derived, change);
         let mut same = |(a, b): (&Expr, &Expr)| self.comparer.compare(self.arena, *a, *b).is_equal();
         expected.iter().zip(&pair.printed).all(&mut same)
@@ -327,7 +335,7 @@ impl TermTools<'_> {
     }
 
     /// Describes the printed multipliers: each derived multiplier as a sum of the printed ones.
-    fn words(&mut self, order: &DerivedSystem, columns: &[usize], change: &[Row]) -> String {
+    fn multiplier_words(&mut self, order: &DerivedSystem, columns: &[usize], change: &[Row]) -> String {
         let mut list = Vec::new();
         for (row, line) in columns.iter().zip(change) {
             let own: Vec<Expr> = columns.iter().map(|c| order.unknowns[*c]).collect();
@@ -345,7 +353,7 @@ impl TermTools<'_> {
 }
 
 /// Subsets of `size` of the indices below `count`, each in ascending order; at most 50.
-fn index_subsets(count: usize, size: usize) -> Vec<Vec<usize>> {
+fn multiplier_row_subsets(count: usize, size: usize) -> Vec<Vec<usize>> {
     let mut list: Vec<Vec<usize>> = vec![Vec::new()];
     for _ in 0..size {
         let longer = |chosen: &Vec<usize>| {
@@ -359,6 +367,6 @@ fn index_subsets(count: usize, size: usize) -> Vec<Vec<usize>> {
 }
 
 /// Unit matrix as terms, n × n.
-fn unit_matrix(n: usize) -> Vec<Row> {
+fn unit_multiplier_matrix(n: usize) -> Vec<Row> {
     (0..n).map(|i| (0..n).map(|k| if i == k { Expr::ONE } else { Expr::ZERO }).collect()).collect()
 }

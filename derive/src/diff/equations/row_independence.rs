@@ -15,14 +15,14 @@ const ROUNDED_OFF: f64 = 1e-6;
 pub fn is_last_row_independent(arena: &mut Arena, comparer: &mut Comparer, rows: &[Vec<Expr>]) -> bool {
     let Some(mut samples) = comparer.permitted().samples(arena, &rows.concat()) else { return false };
     let width = rows[0].len();
-    samples.find_map(|values| independent_remainder(values.chunks(width))).is_some_and(|left| left > ROUNDED_OFF)
+    samples.find_map(|values| remainder_of_independent_row(values.chunks(width))).is_some_and(|left| left > ROUNDED_OFF)
 }
 
 /// Norm of the last row's component perpendicular to all rows before it, relative to the row's
 /// norm.
 /// Gram–Schmidt runs twice for each row, to keep rounding small. Returns `None` if the earlier rows
 /// are nearly dependent.
-fn independent_remainder<'a>(rows: impl Iterator<Item = &'a [f64]>) -> Option<f64> {
+fn remainder_of_independent_row<'a>(rows: impl Iterator<Item = &'a [f64]>) -> Option<f64> {
     let mut basis: Vec<Vec<f64>> = Vec::new();
     let mut left = 1.0;
     for row in rows {

@@ -101,8 +101,9 @@ pub fn judge_row(
     let (printed, derived) = (&plain(printed), derived.iter().map(&mut plain).collect::<Vec<Row>>());
     let derived = derived.as_slice();
     // The search runs in permitted states, where equal entries are equal by plain algebra.
-    let seen_printed = row_in_permitted_states(arena, comparer, printed);
-    let seen_derived: Vec<Row> = derived.iter().map(|row| row_in_permitted_states(arena, comparer, row)).collect();
+    let seen_printed = judged_row_in_permitted_states(arena, comparer, printed);
+    let seen_derived: Vec<Row> =
+        derived.iter().map(|row| judged_row_in_permitted_states(arena, comparer, row)).collect();
     let found = best_row_match(arena, simplifier, parameters, &seen_printed, &seen_derived, index);
     let by = match found {
         // Equal entries may be written in different terms, and then the ratio does not simplify to 1.
@@ -162,7 +163,7 @@ pub fn judge_row(
 /// Row rewritten for states that the model's constraints permit: dependent symbols are replaced by
 /// their values.
 /// Equal angles become equal terms.
-pub fn row_in_permitted_states(arena: &mut Arena, comparer: &mut Comparer, row: &Row) -> Row {
+pub fn judged_row_in_permitted_states(arena: &mut Arena, comparer: &mut Comparer, row: &Row) -> Row {
     let put: Row = row.iter().map(|e| comparer.permitted().write_in_free_symbols(arena, *e)).collect();
     put.into_iter().map(|e| comparer.expand_angles(arena, e)).collect()
 }
@@ -190,7 +191,7 @@ pub(super) fn row_combination(
     let with_roots = has_roots(arena, &all);
     if with_roots && independent.len() > WRITTEN {
         // A combination for any values of the roots is one for their own values.
-        rows = rows_with_free_roots(arena, &all, rows);
+        rows = judged_rows_with_free_roots(arena, &all, rows);
     }
     let (found, _) = pivot_rows_and_columns(arena, &rows).ok_or_else(unknown)?;
     let follows = found.len() < rows.len();
@@ -227,7 +228,7 @@ pub(super) fn row_combination(
 
 /// Rows in which free symbols replace the roots, absolute values and signs among the terms `all`.
 /// Equal roots get the same symbol r, and r² replaces the argument of a square root.
-fn rows_with_free_roots(arena: &mut Arena, all: &[Expr], rows: Vec<Row>) -> Vec<Row> {
+fn judged_rows_with_free_roots(arena: &mut Arena, all: &[Expr], rows: Vec<Row>) -> Vec<Row> {
     let mut put: Vec<(Expr, Expr)> = Vec::new();
     let mut known: Vec<(Function, Expr, Expr)> = Vec::new();
     for part in all {

@@ -72,7 +72,7 @@ pub fn best_row_match(
             Some(column) => {
                 let ratio = arena.div(printed[column], derived[c.at][column]);
                 let ratio = ratio.map(|e| simplifier.simplify(arena, e));
-                ratio.and_then(|ratio| cost_of_factor(arena, parameters, ratio))
+                ratio.and_then(|ratio| cost_of_row_factor(arena, parameters, ratio))
             }
         };
         if let Some(cost) = factor.map(|factor| least + factor).filter(|cost| *cost < best.0) {
@@ -80,7 +80,7 @@ pub fn best_row_match(
         }
     }
     if best.0 >= 2 * WRONG
-        && let Some((cost, multipliers)) = nearly_matching_combination(arena, simplifier, parameters, printed, derived)
+        && let Some((cost, multipliers)) = row_matching_combination(arena, simplifier, parameters, printed, derived)
         && cost < best.0
     {
         return RowMatch::Combination(multipliers);
@@ -123,7 +123,7 @@ fn match_candidates(arena: &Arena, printed: &[Expr], derived: &[Vec<Expr>], own:
         for column in std::iter::once(None).chain((0..printed.len()).map(Some)) {
             if let Some(j) = column {
                 let both = points.iter().all(|(_, rows)| rows[count][j] != 0 && rows[at][j] != 0);
-                if !both || is_one_sided(arena, printed[j]) || is_one_sided(arena, derived[at][j]) {
+                if !both || is_unfit_row_factor(arena, printed[j]) || is_unfit_row_factor(arena, derived[at][j]) {
                     continue;
                 }
             }
@@ -148,7 +148,7 @@ fn match_candidates(arena: &Arena, printed: &[Expr], derived: &[Vec<Expr>], own:
 }
 
 /// Cost of a factor that is not 1; `None` if the factor depends on the state.
-fn cost_of_factor(arena: &Arena, parameters: &[Expr], factor: Expr) -> Option<usize> {
+fn cost_of_row_factor(arena: &Arena, parameters: &[Expr], factor: Expr) -> Option<usize> {
     let parts = arena.reachable(&[factor]);
     if parts.iter().any(|e| arena.symbol_name(*e).is_some() && !parameters.contains(e)) {
         return None;
@@ -166,7 +166,7 @@ fn cost_of_factor(arena: &Arena, parameters: &[Expr], factor: Expr) -> Option<us
 /// Constant multipliers with which derived rows sum to a printed row in all entries except one, and
 /// the cost of this match.
 /// Returns `None` if there are no such multipliers, or if the system has more than four rows.
-fn nearly_matching_combination(
+fn row_matching_combination(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
     parameters: &[Expr],
@@ -186,7 +186,7 @@ fn nearly_matching_combination(
         let multipliers: Vec<Expr> = values.iter().map(|value| simplifier.simplify(arena, value[0])).collect();
         let costs = multipliers.iter().filter(|m| **m != Expr::ZERO).map(|m| match *m {
             Expr::ONE | Expr::MINUS_ONE => Some(WRONG / 10),
-            m => cost_of_factor(arena, parameters, m),
+            m => cost_of_row_factor(arena, parameters, m),
         });
         let Some(costs) = costs.collect::<Option<Vec<usize>>>() else { continue };
         let cost = WRONG + costs.iter().sum::<usize>();
@@ -199,6 +199,6 @@ fn nearly_matching_combination(
 
 /// True if a term contains |x| or sign x. Such a term can be zero in a whole region, and a row
 /// multiplied by it states nothing there.
-fn is_one_sided(arena: &Arena, e: Expr) -> bool {
+fn is_unfit_row_factor(arena: &Arena, e: Expr) -> bool {
     arena.reachable(&[e]).iter().any(|p| matches!(arena.node(*p), Node::Apply(Function::Abs | Function::Sign, _)))
 }

@@ -116,7 +116,7 @@ impl EntryJudge<'_, '_> {
         let finding = match quantity.kind() {
             // Only a difference with the unit of an energy can be a free part of an energy.
             QuantityKind::Energy(energy) if energy.has_a_zero() => {
-                let found = self.energy_with_other_zero(finding, &found, printed, derived).unwrap_or(found);
+                let found = self.energy_with_free_constant(finding, &found, printed, derived).unwrap_or(found);
                 if self.unit_remark(raw, derived).is_none() {
                     self.up_to_free_parts(found, *energy, printed.value)
                 } else {

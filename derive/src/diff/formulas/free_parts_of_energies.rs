@@ -27,7 +27,7 @@ impl EntryJudge<'_, '_> {
     /// Finding of a wrong energy that has another zero (a constant added) and one mistake.
     /// `found` is the finding without the constant. Returns `None` if the energy has no additional
     /// constant, or if the constant does not make the mistake clearer.
-    pub(super) fn energy_with_other_zero(
+    pub(super) fn energy_with_free_constant(
         &mut self,
         finding: Finding,
         found: &Finding,
@@ -62,7 +62,7 @@ impl EntryJudge<'_, '_> {
     /// returns the finding unchanged.
     /// `printed` is the value of the printed energy.
     pub(super) fn up_to_free_parts(&mut self, finding: Finding, energy: EnergyQuantity, printed: Expr) -> Finding {
-        let finding = self.accept_other_zero(finding, printed);
+        let finding = self.accept_free_energy_constant(finding, printed);
         let Some(difference) = finding.difference.filter(|_| finding.judgement == Judgement::Different) else {
             return finding;
         };
@@ -77,9 +77,9 @@ impl EntryJudge<'_, '_> {
         let found = loads.into_iter().find(|(_, forces)| match energy {
             EnergyQuantity::Lagrangian => {
                 self.is_time_derivative_in_lagrangian(difference, forces)
-                    || self.is_potential_of_forces(difference, forces, Expr::ONE)
+                    || self.is_free_potential_of_forces(difference, forces, Expr::ONE)
             }
-            _ => self.is_potential_of_forces(difference, forces, Expr::MINUS_ONE),
+            _ => self.is_free_potential_of_forces(difference, forces, Expr::MINUS_ONE),
         });
         let Some((load, _)) = found else { return finding };
         let remark = format!("it contains the potential of {load}, which the model states as a load");
@@ -88,7 +88,7 @@ impl EntryJudge<'_, '_> {
 
     /// Accepts a printed energy that differs from the derived one by a constant: only its zero
     /// differs.
-    fn accept_other_zero(&mut self, finding: Finding, printed: Expr) -> Finding {
+    fn accept_free_energy_constant(&mut self, finding: Finding, printed: Expr) -> Finding {
         let Some(difference) = finding.difference.filter(|_| finding.judgement == Judgement::Different) else {
             return finding;
         };
@@ -145,7 +145,7 @@ impl EntryJudge<'_, '_> {
 
     /// True if, in every motion that the constraints permit, the given forces do work equal to
     /// −`sign` times the change of `term`.
-    fn is_potential_of_forces(&mut self, term: Expr, forces: &[Expr], sign: Expr) -> bool {
+    fn is_free_potential_of_forces(&mut self, term: Expr, forces: &[Expr], sign: Expr) -> bool {
         let model = self.quantities.model;
         let term = self.quantities.in_speeds(term);
         let arena = &mut self.quantities.derivations.kinematics.arena;

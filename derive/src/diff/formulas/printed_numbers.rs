@@ -36,11 +36,11 @@ struct OtherValue {
 pub fn judge_printed_number(model: &Model, publication: &Publication, entry: &Entry) -> TracedFinding {
     let EntryKind::Initial(initial) = &entry.kind else { unreachable!("asked for numbers only") };
     let mut finding = Finding::new(&entry.id, &entry.section, Judgement::Stated, &initial.text);
-    let own = number_value(model, initial.value);
-    let slack = number_uncertainty(publication, initial);
-    let others: Vec<OtherValue> = speed_by_definition(model, publication, initial)
+    let own = printed_number_value(model, initial.value);
+    let slack = printed_number_uncertainty(publication, initial);
+    let others: Vec<OtherValue> = speed_from_printed_numbers(model, publication, initial)
         .into_iter()
-        .chain(repeated_numbers(model, publication, entry))
+        .chain(repeated_printed_numbers(model, publication, entry))
         .collect();
     let (mut contradicted, mut against) = (false, Vec::new());
     for other in &others {
@@ -76,12 +76,15 @@ fn number_text(x: f64) -> String {
 }
 
 /// Value of a term without symbols; "not a number" if it has none.
-fn number_value(model: &Model, e: Expr) -> f64 {
+fn printed_number_value(model: &Model, e: Expr) -> f64 {
     Tape::new(&model.arena, &[], &[e]).map_or(f64::NAN, |tape| tape.evaluate(&[])[0])
 }
 
 /// Entries with numbers of one set, such as the initial values of one example.
-fn numbers_of_set<'a>(publication: &'a Publication, set: &'a str) -> impl Iterator<Item = (&'a Entry, &'a Initial)> {
+fn printed_numbers_of_set<'a>(
+    publication: &'a Publication,
+    set: &'a str,
+) -> impl Iterator<Item = (&'a Entry, &'a Initial)> {
     publication.entries.iter().filter_map(move |entry| match &entry.kind {
         EntryKind::Initial(initial) if initial.set == set => Some((entry, initial)),
         _ => None,
@@ -90,27 +93,27 @@ fn numbers_of_set<'a>(publication: &'a Publication, set: &'a str) -> impl Iterat
 
 /// Uncertainty of a printed number: half a unit in the last decimal of its set; 0 for exact
 /// formulas.
-fn number_uncertainty(publication: &Publication, initial: &Initial) -> f64 {
+fn printed_number_uncertainty(publication: &Publication, initial: &Initial) -> f64 {
     if initial.decimals.is_none() {
         return 0.0;
     }
-    let most = numbers_of_set(publication, &initial.set).filter_map(|(_, i)| i.decimals).max().unwrap_or(0);
+    let most = printed_numbers_of_set(publication, &initial.set).filter_map(|(_, i)| i.decimals).max().unwrap_or(0);
     0.5 * 10_f64.powi(-i32::try_from(most).unwrap_or(0))
 }
 
 /// Value of a generalized speed by its definition, from the coordinates and rates of the same set
 /// of numbers.
 /// Returns `None` if the quantity is no speed, or if a needed number is not stated.
-fn speed_by_definition(model: &Model, publication: &Publication, initial: &Initial) -> Option<OtherValue> {
+fn speed_from_printed_numbers(model: &Model, publication: &Publication, initial: &Initial) -> Option<OtherValue> {
     let speed = model.speeds.iter().find(|s| s.symbol == initial.quantity)?;
     let mut arena = model.arena.clone();
     let symbols: Vec<Expr> =
         arena.reachable(&[speed.definition]).into_iter().filter(|e| arena.symbol_name(*e).is_some()).collect();
     let (mut values, mut entries) = (Vec::new(), Vec::new());
     for symbol in &symbols {
-        let (entry, stated) = numbers_of_set(publication, &initial.set).find(|(_, i)| i.quantity == *symbol)?;
+        let (entry, stated) = printed_numbers_of_set(publication, &initial.set).find(|(_, i)| i.quantity == *symbol)?;
         entries.push(entry.id.clone());
-        values.push((number_value(model, stated.value), number_uncertainty(publication, stated)));
+        values.push((printed_number_value(model, stated.value), printed_number_uncertainty(publication, stated)));
     }
     let slopes: Vec<Expr> =
         symbols.iter().map(|s| Differential::partial(*s).apply(&mut arena, speed.definition)).collect();
@@ -129,7 +132,7 @@ fn speed_by_definition(model: &Model, publication: &Publication, initial: &Initi
 }
 
 /// Values that other entries print for the quantity of `entry`.
-fn repeated_numbers(model: &Model, publication: &Publication, entry: &Entry) -> Vec<OtherValue> {
+fn repeated_printed_numbers(model: &Model, publication: &Publication, entry: &Entry) -> Vec<OtherValue> {
     let EntryKind::Initial(initial) = &entry.kind else { return Vec::new() };
     let others = publication.entries.iter().filter_map(|other| match &other.kind {
         EntryKind::Initial(i) if i.quantity == initial.quantity && other.id != entry.id => Some((other, i)),
@@ -137,8 +140,8 @@ fn repeated_numbers(model: &Model, publication: &Publication, entry: &Entry) -> 
     });
     others
         .map(|(other, i)| OtherValue {
-            value: number_value(model, i.value),
-            slack: number_uncertainty(publication, i),
+            value: printed_number_value(model, i.value),
+            slack: printed_number_uncertainty(publication, i),
             from: format!("entry {}", other.id),
             at: Vec::new(),
             entries: vec![other.id.clone()],

@@ -44,13 +44,13 @@ pub fn agrees_to_printed_digits(
     if is_printed || values.iter().find(is_lost).is_none() {
         return false;
     }
-    let decimals = printed_decimals(arena, &own);
+    let decimals = rounded_decimals(arena, &own);
     if decimals.is_empty() || decimals.len() > MOST_NUMBERS {
         return false;
     }
     let epsilon = fresh_symbol(arena, "rounding");
     let mut terms = vec![printed, derived];
-    for PrintedDecimal { sum, term, .. } in &decimals {
+    for RoundedDecimal { sum, term, .. } in &decimals {
         let more = arena.mul(epsilon, *term);
         let changed = arena.add(*sum, more);
         let whole = Substitution::new(&[(*sum, changed)]).apply(arena, printed);
@@ -79,7 +79,7 @@ pub fn agrees_to_printed_digits(
 }
 
 /// Decimal number in a printed formula: the constant of a sum, or the factor of a term.
-struct PrintedDecimal {
+struct RoundedDecimal {
     /// Sum that contains the number, or the number itself.
     sum: Expr,
     /// Term that the number multiplies; 1 for a constant.
@@ -89,12 +89,12 @@ struct PrintedDecimal {
 }
 
 /// Finds the decimal numbers among the terms `parts`, each with its uncertainty.
-fn printed_decimals(arena: &Arena, parts: &[Expr]) -> Vec<PrintedDecimal> {
+fn rounded_decimals(arena: &Arena, parts: &[Expr]) -> Vec<RoundedDecimal> {
     let mut list = Vec::new();
     for sum in parts {
         let mut add = |term: Expr, number: &Rational| {
             if let Some(slack) = rounding_uncertainty(number) {
-                list.push(PrintedDecimal { sum: *sum, term, slack });
+                list.push(RoundedDecimal { sum: *sum, term, slack });
             }
         };
         match arena.node(*sum) {

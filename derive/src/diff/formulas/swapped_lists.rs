@@ -23,15 +23,17 @@ const MOST_NUMBERS: usize = 200;
 
 /// Finds exchanged lists of rates and speeds, at most one pair of lists for each set of numbers.
 pub fn swapped_lists(model: &Model, publication: &Publication) -> Vec<SwappedLists> {
-    if number_entries(publication).count() > MOST_NUMBERS || count_contradictions(model, publication) == 0 {
+    if printed_number_entries(publication).count() > MOST_NUMBERS
+        || count_contradictions_in_lists(model, publication) == 0
+    {
         return Vec::new();
     }
-    let sets: BTreeSet<&str> = number_entries(publication).map(|(_, initial)| initial.set.as_str()).collect();
+    let sets: BTreeSet<&str> = printed_number_entries(publication).map(|(_, initial)| initial.set.as_str()).collect();
     sets.into_iter().filter_map(|set| swapped_lists_in_set(model, publication, set)).collect()
 }
 
 /// Entries of a publication that state a number of a parameter or of a start.
-fn number_entries(publication: &Publication) -> impl Iterator<Item = (&Entry, &Initial)> {
+fn printed_number_entries(publication: &Publication) -> impl Iterator<Item = (&Entry, &Initial)> {
     publication.entries.iter().filter_map(|entry| match &entry.kind {
         EntryKind::Initial(initial) => Some((entry, initial)),
         _ => None,
@@ -39,8 +41,8 @@ fn number_entries(publication: &Publication) -> impl Iterator<Item = (&Entry, &I
 }
 
 /// Number of printed numbers that other printed numbers contradict.
-fn count_contradictions(model: &Model, publication: &Publication) -> usize {
-    number_entries(publication)
+fn count_contradictions_in_lists(model: &Model, publication: &Publication) -> usize {
+    printed_number_entries(publication)
         .filter(|(e, _)| judge_printed_number(model, publication, e).finding.judgement == Judgement::Different)
         .count()
 }
@@ -72,7 +74,7 @@ fn swapped_lists_in_set(model: &Model, publication: &Publication, set: &str) -> 
             }
         }
     }
-    if pairs.len() < 2 || count_contradictions(model, &turned) > 0 {
+    if pairs.len() < 2 || count_contradictions_in_lists(model, &turned) > 0 {
         return None;
     }
     // Equal numbers are right in either list.

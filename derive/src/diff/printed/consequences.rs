@@ -1,8 +1,8 @@
 //! Effects of printed systems on the motion: determinants, drift of first integrals, differences of
 //! accelerations.
 
-use super::linear_systems::MatchedMotion;
-use super::printed_motion::{MotionSystem, SolvedMotion};
+use super::judged_system::MatchedMotion;
+use super::motion_system::{MotionSystem, SolvedMotion};
 use crate::algebra::Expr;
 use crate::algebra::meaning::compare::{Comparer, Verdict};
 use crate::algebra::solve::linear::determinant;

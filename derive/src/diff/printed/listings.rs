@@ -1,7 +1,7 @@
 //! Judgement of printed programs (listings) that compute the time derivative of a state.
 
-use super::linear_systems::{JudgedSystem, MatchedMotion};
-use super::printed_motion::MotionSystem;
+use super::judged_system::{JudgedSystem, MatchedMotion};
+use super::motion_system::MotionSystem;
 use super::row_findings::unjudged_finding;
 use crate::diff::equations::claim::Claim;
 use crate::diff::equations::derived_system::{DerivedSystem, derived_system};
@@ -102,11 +102,11 @@ impl EntryJudge<'_, '_> {
         let Some(texts) = &listing.matrix_texts else {
             findings.extend(self.judge_listing_accelerations(entry, listing, &motion, &order));
             let motion = whole.then_some(MatchedMotion { motion, matrix: Vec::new(), rows: Vec::new() });
-            return self.restrict_system_near_point(JudgedSystem { findings, table: None, motion });
+            return self.restrict_judged_system(JudgedSystem { findings, table: None, motion });
         };
         let stated_rows =
             motion.matrix.iter().zip(&motion.right).map(|(row, right)| [row.as_slice(), &[*right]].concat());
-        let (order, stated_rows) = match self.expand_system_near_point(order, stated_rows.collect()) {
+        let (order, stated_rows) = match self.expand_judged_system(order, stated_rows.collect()) {
             Ok(both) => both,
             Err(why) => return undecided(why),
         };
@@ -144,7 +144,7 @@ impl EntryJudge<'_, '_> {
         let matrix = order.rows.iter().map(|row| row[..row.len() - 1].to_vec()).collect();
         let motion = whole.then(|| MatchedMotion { motion, matrix, rows: matches.clone() });
         let table = Some(order.into_matched_system(alike, rows, matches));
-        self.restrict_system_near_point(JudgedSystem { findings, table, motion })
+        self.restrict_judged_system(JudgedSystem { findings, table, motion })
     }
 
     /// Judges accelerations that a program states directly, against those from the solved derived

@@ -1,7 +1,7 @@
 //! Detection of rows in which a partial derivative ∂/∂t, with q and q̇ held constant, is printed
 //! instead of d/dt.
 
-use super::linear_systems::printed_rows;
+use super::judged_system::printed_rows_of_judged_system;
 use crate::algebra::Expr;
 use crate::algebra::meaning::compare::Verdict;
 use crate::algebra::value::zero_test::{ZeroTest, zero_test};
@@ -28,7 +28,7 @@ impl EntryJudge<'_, '_> {
             return None;
         }
         let names = self.names.with_total_rates(&self.quantities.derivations.kinematics.arena, &raw.concat())?;
-        printed_rows(self.quantities, &names, system, &order.unknowns).ok()
+        printed_rows_of_judged_system(self.quantities, &names, system, &order.unknowns).ok()
     }
 
     /// Judgement of the row `total`, in which d/dt replaces ∂/∂t, if `total` is right and the

@@ -201,8 +201,8 @@ impl EntryJudge<'_, '_> {
         let mut mistakes = Vec::new();
         for at in wrong {
             let unknown = order.unknowns.get(at);
-            let (words, mistake) = self.describe_wrong_entry(unknown, row[at], judged.expected[at]);
-            finding.places.push(self.entry_name(unknown));
+            let (words, mistake) = self.describe_wrong_row_entry(unknown, row[at], judged.expected[at]);
+            finding.places.push(self.row_entry_name(unknown));
             places.push(words);
             mistakes.push(mistake);
         }
@@ -247,7 +247,7 @@ impl EntryJudge<'_, '_> {
 
     /// Name of a row's entry in words: the coefficient of `unknown`, or the right-hand side for
     /// `None`.
-    fn entry_name(&self, unknown: Option<&Expr>) -> String {
+    fn row_entry_name(&self, unknown: Option<&Expr>) -> String {
         let arena = &self.quantities.derivations.kinematics.arena;
         match unknown {
             Some(unknown) => format!("the coefficient of {}", print_text(arena, *unknown)),
@@ -257,13 +257,13 @@ impl EntryJudge<'_, '_> {
 
     /// Describes a wrong entry in words, with its place and its repair or its error; returns also
     /// the mistake.
-    fn describe_wrong_entry(
+    fn describe_wrong_row_entry(
         &mut self,
         unknown: Option<&Expr>,
         printed: PrintedFormulaValue,
         expected: Expr,
     ) -> (String, Mistake) {
-        let place = self.entry_name(unknown);
+        let place = self.row_entry_name(unknown);
         let difference = self.quantities.derivations.kinematics.arena.sub(printed.value, expected);
         let difference = self.simplify(difference);
         let mistake = self.find_mistake(printed, expected, difference);

@@ -74,18 +74,18 @@ impl EntryJudge<'_, '_> {
         if wrong == 0 {
             return None;
         }
-        let solved = self.finding_of_solved_unknown(finding, row, order, solving);
+        let solved = self.whole_row_finding_of_unknown(finding, row, order, solving);
         if solved.as_ref().is_some_and(|found| found.judgement == Judgement::Equal) {
             return solved.map(|found| WholeRow::Solved(Box::new(found)));
         }
         // A stated reaction or multiplier is meant as a value. A stated acceleration may also be a
         // balance.
-        let is_force =
-            only_unknown_of_row(row).is_some_and(|at| !self.quantities.mentions_accelerations(order.unknowns[at]));
+        let is_force = only_unknown_of_whole_row(row)
+            .is_some_and(|at| !self.quantities.mentions_accelerations(order.unknowns[at]));
         if is_force && solved.is_some() {
             return solved.map(|found| WholeRow::Solved(Box::new(found)));
         }
-        if self.holds_with_solutions(row, solving) {
+        if self.whole_row_holds_with_solutions(row, solving) {
             return Some(WholeRow::Holds);
         }
         let has_unknowns = self.quantities.mentions_accelerations(row.last()?.raw);
@@ -97,7 +97,7 @@ impl EntryJudge<'_, '_> {
         let (raw, value) = (of(|printed| printed.raw), of(|printed| printed.value));
         let [raw, value] = [&raw, &value].map(|row| self.row_as_term(row, &order.unknowns));
         let whole = PrintedFormulaValue { raw, value, reading: row[0].reading };
-        for expected in self.rows_possibly_meant(order, judged) {
+        for expected in self.whole_rows_possibly_meant(order, judged) {
             let term = self.row_as_term(&expected, &order.unknowns);
             if let Some(mistake) = self.find_slip(whole, term) {
                 return Some(WholeRow::Changed(mistake, expected));
@@ -109,7 +109,7 @@ impl EntryJudge<'_, '_> {
     /// Rows that the author of a wrong row may have meant: the matched row, then derived rows
     /// divided by a coefficient.
     /// A coefficient is used as a divisor if it depends only on parameters.
-    fn rows_possibly_meant(&mut self, order: &DerivedSystem, judged: &RowJudgement) -> Vec<Row> {
+    fn whole_rows_possibly_meant(&mut self, order: &DerivedSystem, judged: &RowJudgement) -> Vec<Row> {
         let mut list = vec![judged.expected.clone()];
         let parameters = self.quantities.model.p();
         let Kinematics { arena, simplifier, .. } = &mut self.quantities.derivations.kinematics;
@@ -136,7 +136,7 @@ impl EntryJudge<'_, '_> {
 
     /// True if a row that is not linear in the unknowns holds with the values of the unknowns from
     /// the derived rows.
-    fn holds_with_solutions(&mut self, row: &[PrintedFormulaValue], solving: &SolvedUnknowns<'_>) -> bool {
+    fn whole_row_holds_with_solutions(&mut self, row: &[PrintedFormulaValue], solving: &SolvedUnknowns<'_>) -> bool {
         let order = solving.order;
         let values: Row = row.iter().map(|printed| printed.value).collect();
         let arena = &self.quantities.derivations.kinematics.arena;
@@ -144,7 +144,7 @@ impl EntryJudge<'_, '_> {
         if self.near.is_some() || !order.unknowns.iter().any(mentions) {
             return false;
         }
-        let Some(solutions) = self.unknown_values(solving) else { return false };
+        let Some(solutions) = self.unknown_values_for_whole_row(solving) else { return false };
         let whole = self.row_as_term(&values, &order.unknowns);
         let pairs: Vec<(Expr, Expr)> = order.unknowns.iter().copied().zip(solutions).collect();
         let arena = &mut self.quantities.derivations.kinematics.arena;
@@ -156,7 +156,7 @@ impl EntryJudge<'_, '_> {
     /// Finding of a row that states the value of one unknown, or of a sum of unknowns with
     /// numerical factors.
     /// Returns `None` unless the value is right or its mistake is found.
-    fn finding_of_solved_unknown(
+    fn whole_row_finding_of_unknown(
         &mut self,
         finding: &Finding,
         row: &[PrintedFormulaValue],
@@ -166,9 +166,9 @@ impl EntryJudge<'_, '_> {
         let (right, entries) = row.split_last()?;
         let arena = &self.quantities.derivations.kinematics.arena;
         let numbers = || entries.iter().all(|entry| arena.as_number(entry.value).is_some());
-        let first = only_unknown_of_row(row)
+        let first = only_unknown_of_whole_row(row)
             .or_else(|| entries.iter().position(|e| e.value != Expr::ZERO).filter(|_| numbers()))?;
-        let solutions = self.unknown_values(solving)?;
+        let solutions = self.unknown_values_for_whole_row(solving)?;
         let divisor = entries[first];
         let arena = &mut self.quantities.derivations.kinematics.arena;
         let value = arena.div(right.value, divisor.value)?;
@@ -214,14 +214,14 @@ impl EntryJudge<'_, '_> {
 
     /// Values of the unknowns from the derived rows, computed once; `None` if the rows do not
     /// determine them or are many.
-    fn unknown_values(&mut self, solving: &SolvedUnknowns<'_>) -> Option<Vec<Expr>> {
+    fn unknown_values_for_whole_row(&mut self, solving: &SolvedUnknowns<'_>) -> Option<Vec<Expr>> {
         let order = solving.order;
-        solving.values.get_or_init(|| self.solve_rows_for_unknowns(order)).clone()
+        solving.values.get_or_init(|| self.solve_unknowns_for_whole_row(order)).clone()
     }
 
     /// Solves the independent derived rows for all unknowns; `None` unless they are as many as the
     /// unknowns, at most eight.
-    fn solve_rows_for_unknowns(&mut self, order: &DerivedSystem) -> Option<Vec<Expr>> {
+    fn solve_unknowns_for_whole_row(&mut self, order: &DerivedSystem) -> Option<Vec<Expr>> {
         let n = order.unknowns.len();
         if n > MOST_UNKNOWNS {
             return None;
@@ -270,7 +270,7 @@ impl EntryJudge<'_, '_> {
 }
 
 /// Index of the only unknown that a row contains; `None` if it contains none or several.
-fn only_unknown_of_row(row: &[PrintedFormulaValue]) -> Option<usize> {
+fn only_unknown_of_whole_row(row: &[PrintedFormulaValue]) -> Option<usize> {
     let mut present = (0..row.len() - 1).filter(|at| row[*at].value != Expr::ZERO);
     let at = present.next()?;
     present.next().is_none().then_some(at)

@@ -7,7 +7,7 @@
 use super::printed_formula::PrintedFormula;
 use super::{
     MistakeKind, Repair, RepairSearch, RepairTools, find_abbreviation_repairs, find_change_pair, find_repair,
-    is_formula_right,
+    is_repaired_formula_right,
 };
 use crate::algebra::term::transfer::Transfer;
 use crate::algebra::{Arena, Expr};
@@ -135,7 +135,7 @@ impl AbbreviationMistakes {
         let known = self.insert_known_corrections(&mut formula);
         if !known.is_empty() {
             let words: Vec<String> = known.iter().map(|at| self.corrections[*at].words.clone()).collect();
-            if is_formula_right(tools, &mut formula, derived) {
+            if is_repaired_formula_right(tools, &mut formula, derived) {
                 let first = &self.corrections[known[0]];
                 let is_one = known.len() == 1;
                 return Some(FormulaMistake {

@@ -10,8 +10,7 @@ use super::formula_change::{FormulaChange, MistakeKind, formula_changes};
 use super::printed_formula::{FormulaPlace, PrintedFormula};
 use super::sample_points::{POINTS, SMALL};
 use super::{
-    LONGEST, MOST_NODES, MOST_PROOFS, Repair, RepairTools, changes_that_agree_in_numbers, prove_repair, repair_pools,
-    repair_states,
+    LONGEST, MOST_NODES, MOST_PROOFS, Repair, RepairTools, prove_repair, repair_candidates, repair_pools, repair_states,
 };
 use crate::algebra::term::transfer::Transfer;
 use crate::algebra::text::print::print_text;
@@ -65,9 +64,10 @@ pub fn find_change_pair(
     let (singles, printed, right) = single_changes(tools, formula, &places, derived)?;
     for first in first_changes_of_pairs(&singles, printed, right).into_iter().take(MOST_PROOFS) {
         let SingleChange { place, change, .. } = &singles[first];
-        let (own, mut rest) = (first_repair(formula, *place, change), formula.with_changed_place(*place, change.whole));
+        let (own, mut rest) =
+            (first_repair_of_pair(formula, *place, change), formula.with_changed_place(*place, change.whole));
         let (Some(own), places) = (own, rest.places()) else { continue };
-        let close = changes_that_agree_in_numbers(tools, &mut rest, &places, derived)?;
+        let close = repair_candidates(tools, &mut rest, &places, derived)?;
         for candidate in close.into_iter().take(MOST_PROOFS) {
             if let Some(second) = prove_repair(tools, &mut rest, candidate, derived) {
                 // The caller knows the arena of the whole formula alone.
@@ -145,7 +145,7 @@ fn first_changes_of_pairs(singles: &[SingleChange], printed: [f64; POINTS], righ
 }
 
 /// Repair that describes the first change of a pair; `None` if its text is long.
-fn first_repair(formula: &PrintedFormula, place: FormulaPlace, change: &FormulaChange) -> Option<Repair> {
+fn first_repair_of_pair(formula: &PrintedFormula, place: FormulaPlace, change: &FormulaChange) -> Option<Repair> {
     let [before, after] = [change.before, change.after].map(|e| print_text(&formula.arena, e));
     if before.len() > LONGEST || after.len() > LONGEST {
         return None;

@@ -2,7 +2,7 @@
 //!
 //! Changes of one place are tried: a sign, a number, another symbol of the same unit, a lost dot,
 //! sine for cosine, a power, a factor, a term. Numbers at random states reject nearly all of them
-//! ([`points`]). A change that numbers do not reject is proved equal to the derived value, as
+//! ([`residues`]). A change that numbers do not reject is proved equal to the derived value, as
 //! verdicts are. So a repair is never a guess. Several changes may be right: the smallest is
 //! reported.
 
@@ -104,7 +104,7 @@ pub fn find_repair(
     if *tools.left == 0 || formula.arena.reachable(&nodes).len() > MOST_NODES {
         return None;
     }
-    let close = changes_that_agree_in_numbers(tools, formula, &places, derived)?;
+    let close = repair_candidates(tools, formula, &places, derived)?;
     for candidate in close.into_iter().take(MOST_PROOFS) {
         if let Some(found) = prove_repair(tools, formula, candidate, derived) {
             return Some(found);
@@ -127,9 +127,7 @@ fn find_abbreviation_repairs(
         return Vec::new();
     }
     let mut list: Vec<Repair> = Vec::new();
-    for candidate in
-        changes_that_agree_in_numbers(tools, formula, &places, derived).into_iter().flatten().take(MOST_PROOFS)
-    {
+    for candidate in repair_candidates(tools, formula, &places, derived).into_iter().flatten().take(MOST_PROOFS) {
         if list.iter().all(|known| known.place != candidate.place.at) {
             list.extend(prove_repair(tools, formula, candidate, derived));
         }
@@ -150,7 +148,7 @@ struct RepairCandidate {
 /// Changes for which printed and derived value agree in numbers, the likeliest kind of mistake
 /// first.
 /// Returns `None` if no numerical states are found.
-fn changes_that_agree_in_numbers(
+fn repair_candidates(
     tools: &mut RepairTools<'_, '_>,
     formula: &mut PrintedFormula,
     places: &[FormulaPlace],
@@ -270,7 +268,7 @@ fn prove_repair(
 }
 
 /// True if a formula, with its abbreviations written out, is proved equal to the derived value.
-fn is_formula_right(tools: &mut RepairTools<'_, '_>, formula: &mut PrintedFormula, derived: Expr) -> bool {
+fn is_repaired_formula_right(tools: &mut RepairTools<'_, '_>, formula: &mut PrintedFormula, derived: Expr) -> bool {
     let Some(whole) = formula.write_out_abbreviations(formula.root) else { return false };
     let main: &mut Arena = &mut tools.quantities.derivations.kinematics.arena;
     let whole = Transfer::new(&formula.arena).transfer_term(main, whole);

@@ -147,7 +147,7 @@ fn solvable_parts(
 
 /// Kind of the mistake in a part that is printed with a wrong value: that of the factor between both values, or a wrong
 /// symbol if the factor tells no kind.
-fn kind_of_value(tools: &mut RepairTools<'_, '_>, printed: Expr, right: Expr) -> MistakeKind {
+fn mistake_kind_of_solved_part(tools: &mut RepairTools<'_, '_>, printed: Expr, right: Expr) -> MistakeKind {
     let Kinematics { arena, simplifier, .. } = &mut tools.quantities.derivations.kinematics;
     let ratio = arena.div(printed, right).map(|ratio| simplifier.simplify(arena, ratio));
     ratio.and_then(|ratio| MistakeKind::of_factor(arena, ratio)).unwrap_or(MistakeKind::Symbol)
@@ -178,16 +178,19 @@ fn solve_part(
     let parameters = tools.quantities.model.p();
     let main = &mut tools.quantities.derivations.kinematics.arena;
     let shown = match spot.kind {
-        PartKind::Sum => (is_plain_term(main, &parameters, added) && !has_a_sum(main, added)).then_some(added)?,
-        PartKind::Whole => (contains_only_parameters(main, &parameters, right)
-            && is_short_sum(main, &parameters, right))
+        PartKind::Sum => {
+            (is_plain_solved_term(main, &parameters, added) && !solved_term_has_sum(main, added)).then_some(added)?
+        }
+        PartKind::Whole => (solved_part_is_constant(main, &parameters, right)
+            && is_short_solved_sum(main, &parameters, right))
         .then_some(right)?,
         PartKind::Term => {
             let ratio = main.div(right, part)?;
             let ratio = tools.quantities.derivations.kinematics.simplifier.simplify(main, ratio);
             let main = &tools.quantities.derivations.kinematics.arena;
-            let is_near = contains_only_parameters(main, &parameters, ratio) && is_short_sum(main, &parameters, ratio);
-            (is_near || is_plain_term(main, &parameters, right)).then_some(right)?
+            let is_near =
+                solved_part_is_constant(main, &parameters, ratio) && is_short_solved_sum(main, &parameters, ratio);
+            (is_near || is_plain_solved_term(main, &parameters, right)).then_some(right)?
         }
     };
     let main = &mut tools.quantities.derivations.kinematics.arena;
@@ -197,7 +200,7 @@ fn solve_part(
     if !tools.comparer.compare(main, corrected, derived).is_equal() {
         return None;
     }
-    let kind = kind_of_value(tools, part, right);
+    let kind = mistake_kind_of_solved_part(tools, part, right);
     let main = &mut tools.quantities.derivations.kinematics.arena;
     let (words, before) = (print_text(main, shown), print_text(&formula.arena, spot.part));
     if words.len() > LONGEST || (spot.kind != PartKind::Sum && before.len() > LONGEST) {
@@ -213,7 +216,7 @@ fn solve_part(
             (format!("the term {words} is missing"), MistakeKind::LostTerm)
         }
         (PartKind::Sum, _) => {
-            (format!("in {}, the term {words} is missing", shortened_text(&before)), MistakeKind::LostTerm)
+            (format!("in {}, the term {words} is missing", solved_part_text(&before)), MistakeKind::LostTerm)
         }
         (PartKind::Whole, Some(name)) if !is_throughout => {
             let words = format!("{before} should be {words}");
@@ -259,7 +262,7 @@ fn solve_missing_term(
 }
 
 /// First 60 characters of a long text, with an ellipsis; a shorter text is returned whole.
-fn shortened_text(text: &str) -> String {
+fn solved_part_text(text: &str) -> String {
     if text.chars().count() <= LONGEST_SUM {
         return text.to_owned();
     }
@@ -267,30 +270,30 @@ fn shortened_text(text: &str) -> String {
 }
 
 /// True if a term contains no symbols except the given parameters.
-fn contains_only_parameters(arena: &Arena, parameters: &[Expr], e: Expr) -> bool {
+fn solved_part_is_constant(arena: &Arena, parameters: &[Expr], e: Expr) -> bool {
     arena.reachable(&[e]).into_iter().all(|part| arena.symbol_name(part).is_none() || parameters.contains(&part))
 }
 
 /// True if a term is a plain term, a sum of at most three plain terms, or a product with at most
 /// one such sum.
-fn is_short_sum(arena: &Arena, parameters: &[Expr], e: Expr) -> bool {
+fn is_short_solved_sum(arena: &Arena, parameters: &[Expr], e: Expr) -> bool {
     match arena.node(e) {
         Node::Sum(constant, terms) => {
             terms.len() + usize::from(!constant.is_zero()) <= MOST_ADDED
-                && terms.iter().all(|(term, _)| is_plain_term(arena, parameters, *term))
+                && terms.iter().all(|(term, _)| is_plain_solved_term(arena, parameters, *term))
         }
         Node::Product(factors) => {
             factors.iter().filter(|(base, _)| matches!(arena.node(*base), Node::Sum(..))).count() < 2
-                && factors.iter().all(|(base, _)| is_short_sum(arena, parameters, *base))
+                && factors.iter().all(|(base, _)| is_short_solved_sum(arena, parameters, *base))
         }
-        _ => is_plain_term(arena, parameters, e),
+        _ => is_plain_solved_term(arena, parameters, e),
     }
 }
 
 /// True if a product has a sum as a factor or divisor.
-fn has_a_sum(arena: &Arena, e: Expr) -> bool {
+fn solved_term_has_sum(arena: &Arena, e: Expr) -> bool {
     match arena.node(e) {
-        Node::Sum(_, terms) => terms.len() == 1 && has_a_sum(arena, terms[0].0),
+        Node::Sum(_, terms) => terms.len() == 1 && solved_term_has_sum(arena, terms[0].0),
         Node::Product(factors) => factors.iter().any(|(base, _)| matches!(arena.node(*base), Node::Sum(..))),
         _ => false,
     }
@@ -298,13 +301,13 @@ fn has_a_sum(arena: &Arena, e: Expr) -> bool {
 
 /// True if a term is a number times integer powers of symbols, sines and cosines; only parameters
 /// may be in divisors.
-fn is_plain_term(arena: &Arena, parameters: &[Expr], term: Expr) -> bool {
+fn is_plain_solved_term(arena: &Arena, parameters: &[Expr], term: Expr) -> bool {
     match arena.node(term) {
         Node::Sum(constant, terms) => {
-            constant.is_zero() && terms.len() == 1 && is_plain_term(arena, parameters, terms[0].0)
+            constant.is_zero() && terms.len() == 1 && is_plain_solved_term(arena, parameters, terms[0].0)
         }
         Node::Product(factors) => factors.iter().all(|(base, n)| match arena.node(*base) {
-            Node::Sum(..) => *n < 0 && contains_only_parameters(arena, parameters, *base),
+            Node::Sum(..) => *n < 0 && solved_part_is_constant(arena, parameters, *base),
             _ => *n > 0 || parameters.contains(base),
         }),
         Node::Symbol(_) | Node::Apply(..) | Node::Number(_) | Node::Pi => true,

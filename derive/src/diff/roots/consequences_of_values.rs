@@ -9,7 +9,7 @@
 //! T. R. Kane & D. A. Levinson, *Dynamics: Theory and Applications* (1985), §§ 2.7, 4.11; H.
 //! Goldstein, C. Poole & J. Safko, *Classical Mechanics*, 3rd edition (2002), § 5.5.
 
-mod sums;
+mod force_and_energy_sums;
 mod vectors;
 
 use super::derived_values::{component_name, derived_components_in_frame, derived_value, derived_values_arena};
@@ -17,7 +17,7 @@ use super::exact_comparison::WrongValue;
 use crate::algebra::Expr;
 use crate::algebra::term::calculus::Differential;
 use crate::geometry::Components;
-use crate::mechanics::{Quantities, QuantityKind, RowQuantity, VectorName, motion_rates};
+use crate::mechanics::{Quantities, QuantityKind, RowQuantity, VectorName, kinematic_rates};
 use crate::model::Model;
 use rustc_hash::FxHashMap;
 
@@ -40,7 +40,7 @@ impl ValueConsequences {
     /// Starts from the printed values `put`, which are functions of q, u and u̇; computes nothing
     /// yet.
     pub fn new(model: &Model, put: Vec<WrongValue>) -> Self {
-        let mut d_dt = motion_rates(model);
+        let mut d_dt = kinematic_rates(model);
         let mut moves_otherwise = false;
         for value in &put {
             if let QuantityKind::Rate(at) = value.kind {

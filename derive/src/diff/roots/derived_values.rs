@@ -21,7 +21,7 @@ pub fn derived_value(quantities: &mut Quantities<'_>, kind: &QuantityKind) -> Op
 
 /// Three components of a derived vector in `frame`, as functions of q, u and u̇; `None` if a
 /// component cannot be derived.
-pub fn derived_components(
+pub fn derived_value_components(
     quantities: &mut Quantities<'_>,
     name: VectorName,
     of: usize,

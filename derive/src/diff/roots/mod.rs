@@ -15,7 +15,7 @@ mod coriolis;
 mod derived_values;
 mod exact_comparison;
 mod root;
-mod rows_with_printed_values;
+mod row_changes;
 mod shared_mistake;
 mod solved_systems;
 mod source_search;
@@ -72,7 +72,7 @@ pub fn find_root_mistakes(
             let lists = swapped.iter().find(|(first, _)| *first == at);
             lists.map_or_else(|| "it contradicts other printed numbers".to_owned(), |(_, words)| words.clone())
         }
-        _ => mistake_description(arena, &findings[wrong[at]]),
+        _ => root_mistake_description(arena, &findings[wrong[at]]),
     };
     group_by_root(&wrong, &reasons, words)
 }
@@ -119,7 +119,7 @@ fn link_equal_mistakes(
 }
 
 /// Description of the mistake in an entry that is a root, in words.
-fn mistake_description(arena: &Arena, finding: &Finding) -> String {
+fn root_mistake_description(arena: &Arena, finding: &Finding) -> String {
     if let Some(wrong) = finding.wrong.as_ref().filter(|words| words.chars().count() <= LONGEST) {
         return wrong.clone();
     }

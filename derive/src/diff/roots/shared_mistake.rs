@@ -4,7 +4,7 @@
 //! in both components. It is a common factor, a common factor of one part of the vector's formula,
 //! or the angular velocity of a wrong frame.
 
-use super::derived_values::{derived_components, derived_values_arena, difference};
+use super::derived_values::{derived_value_components, derived_values_arena, difference};
 use super::exact_comparison::{ExactComparison, WrongValue};
 use crate::algebra::Expr;
 use crate::algebra::text::print::print_text;
@@ -64,8 +64,8 @@ pub fn find_shared_mistake(
     a: &WrongValue,
     b: &WrongValue,
 ) -> Option<SharedMistake> {
-    if vector_of_component(&a.kind).is_none()
-        || vector_of_component(&a.kind) != vector_of_component(&b.kind)
+    if shared_vector_of_component(&a.kind).is_none()
+        || shared_vector_of_component(&a.kind) != shared_vector_of_component(&b.kind)
         || a.kind == b.kind
     {
         return None;
@@ -77,14 +77,14 @@ pub fn find_shared_mistake(
     else {
         return None;
     };
-    let rate = vector_as_rate(exact.quantities, &a.kind)?;
+    let rate = shared_vector_as_rate(exact.quantities, &a.kind)?;
     let off = [a, b].map(|v| derived_values_arena(exact.quantities).sub(v.printed, v.derived));
     let axes = [*one, *other];
     find_shared_part(exact, &rate, &a.kind, axes, off).or_else(|| find_wrong_frame(exact, &rate, axes, off))
 }
 
 /// Key that is equal for all components of one vector or matrix; `None` for other quantities.
-fn vector_of_component(kind: &QuantityKind) -> Option<QuantityKind> {
+fn shared_vector_of_component(kind: &QuantityKind) -> Option<QuantityKind> {
     match *kind {
         QuantityKind::Component { vector, of, frame, .. } => {
             Some(QuantityKind::Component { vector, of, frame, axis: 0 })
@@ -106,7 +106,7 @@ fn same_ratio(exact: &mut ExactComparison<'_, '_>, a: (Expr, Expr), b: (Expr, Ex
 }
 
 /// Writes a vector as a factor times a time derivative; `None` if the vector is not of this kind.
-fn vector_as_rate(quantities: &mut Quantities<'_>, kind: &QuantityKind) -> Option<VectorRate> {
+fn shared_vector_as_rate(quantities: &mut Quantities<'_>, kind: &QuantityKind) -> Option<VectorRate> {
     let QuantityKind::Component { vector, of, frame, .. } = *kind else { return None };
     let model = quantities.model;
     let (changing, owner, carrier) = match vector {
@@ -126,7 +126,13 @@ fn vector_as_rate(quantities: &mut Quantities<'_>, kind: &QuantityKind) -> Optio
     };
     let is_opposite = matches!(vector, VectorName::InertiaForce | VectorName::InertiaTorque);
     let times = if is_opposite { derived_values_arena(quantities).neg(mass) } else { mass };
-    Some(VectorRate { of: derived_components(quantities, changing, owner, frame)?, changing, times, frame, carrier })
+    Some(VectorRate {
+        of: derived_value_components(quantities, changing, owner, frame)?,
+        changing,
+        times,
+        frame,
+        carrier,
+    })
 }
 
 /// Finds a part of the vector's formula with the same wrong factor in both components: ω × vector,
@@ -141,9 +147,9 @@ fn find_shared_part(
     off: [Expr; 2],
 ) -> Option<SharedMistake> {
     let QuantityKind::Component { vector, of, frame, .. } = *kind else { return None };
-    let whole = derived_components(exact.quantities, vector, of, frame)?;
+    let whole = derived_value_components(exact.quantities, vector, of, frame)?;
     for seen in [Some(rate.frame), rate.carrier].into_iter().flatten() {
-        let w = derived_components(exact.quantities, VectorName::AngularVelocity, seen, rate.frame)?;
+        let w = derived_value_components(exact.quantities, VectorName::AngularVelocity, seen, rate.frame)?;
         let arena = derived_values_arena(exact.quantities);
         let carried = cross_components(arena, &w, &rate.of).map(|e| arena.mul(rate.times, e));
         let own = difference(arena, &whole, &carried);
@@ -171,9 +177,9 @@ fn find_wrong_frame(
     off: [Expr; 2],
 ) -> Option<SharedMistake> {
     for right in [rate.carrier, Some(rate.frame)].into_iter().flatten() {
-        let own = derived_components(exact.quantities, VectorName::AngularVelocity, right, rate.frame)?;
+        let own = derived_value_components(exact.quantities, VectorName::AngularVelocity, right, rate.frame)?;
         for used in (0..exact.quantities.model.frames.len()).filter(|used| *used != right) {
-            let w = derived_components(exact.quantities, VectorName::AngularVelocity, used, rate.frame)?;
+            let w = derived_value_components(exact.quantities, VectorName::AngularVelocity, used, rate.frame)?;
             let arena = derived_values_arena(exact.quantities);
             let more = difference(arena, &w, &own);
             let change = cross_components(arena, &more, &rate.of).map(|e| arena.mul(rate.times, e));

@@ -15,9 +15,9 @@ const MOST_ROWS: usize = 4;
 /// Solutions computed so far, by index of the table and printed rows; `None` for a system that
 /// cannot be solved.
 #[derive(Default)]
-pub struct Solutions(FxHashMap<(usize, Vec<usize>), Option<Vec<Expr>>>);
+pub struct SolvedSystems(FxHashMap<(usize, Vec<usize>), Option<Vec<Expr>>>);
 
-impl Solutions {
+impl SolvedSystems {
     /// Combinations of the `rows` wrong rows that are tried, as lists of indices, the small ones
     /// first.
     pub fn row_sets(rows: usize) -> Vec<Vec<usize>> {
@@ -71,13 +71,13 @@ fn solve_with_printed_rows(
 
 #[cfg(test)]
 mod tests {
-    use super::Solutions;
+    use super::SolvedSystems;
 
     #[test]
     fn few_rows_are_tried_in_all_sets_and_many_alone_and_together() {
-        assert_eq!(Solutions::row_sets(2), [vec![0], vec![1], vec![0, 1]]);
-        assert_eq!(Solutions::row_sets(3).len(), 7);
-        assert_eq!(Solutions::row_sets(5), [vec![0], vec![1], vec![2], vec![3], vec![4], vec![0, 1, 2, 3, 4]]);
-        assert!(Solutions::row_sets(0).is_empty());
+        assert_eq!(SolvedSystems::row_sets(2), [vec![0], vec![1], vec![0, 1]]);
+        assert_eq!(SolvedSystems::row_sets(3).len(), 7);
+        assert_eq!(SolvedSystems::row_sets(5), [vec![0], vec![1], vec![2], vec![3], vec![4], vec![0, 1, 2, 3, 4]]);
+        assert!(SolvedSystems::row_sets(0).is_empty());
     }
 }

@@ -7,9 +7,9 @@
 use super::consequences_of_values::ValueConsequences;
 use super::exact_comparison::{ExactComparison, WrongValue};
 use super::root::DependenceKind;
-use super::rows_with_printed_values::row_with_printed_values;
+use super::row_changes::row_changed_by_printed_values;
 use super::shared_mistake::find_shared_mistake;
-use super::solved_systems::Solutions;
+use super::solved_systems::SolvedSystems;
 use crate::algebra::Expr;
 use crate::algebra::meaning::permitted_states::PermittedStates;
 use crate::algebra::value::zero_test::{ZeroTest, zero_test};
@@ -66,7 +66,7 @@ pub struct SourceSearch<'a, 'b> {
     /// does not depend on it.
     rows: FxHashMap<(usize, usize, usize), Option<Row>>,
     /// Solutions of derived systems in which printed rows replace derived ones.
-    solutions: Solutions,
+    solutions: SolvedSystems,
     /// Description of the mistake that each entry shares with another component; `None` if none was
     /// found.
     pub shared: Vec<Option<String>>,
@@ -100,7 +100,7 @@ impl<'a, 'b> SourceSearch<'a, 'b> {
             tables,
             values,
             rows: FxHashMap::default(),
-            solutions: Solutions::default(),
+            solutions: SolvedSystems::default(),
         }
     }
 
@@ -222,7 +222,7 @@ impl<'a, 'b> SourceSearch<'a, 'b> {
         if let Some(key) = key {
             let table = &self.tables[key.1];
             let quantities = &mut *self.exact.quantities;
-            self.rows.entry(key).or_insert_with(|| row_with_printed_values(quantities, &mut chain, table, key.2));
+            self.rows.entry(key).or_insert_with(|| row_changed_by_printed_values(quantities, &mut chain, table, key.2));
         }
         let known = key.and_then(|key| self.rows[&key].clone());
         let found = self.gives_printed_entry(&mut chain, known, at);
@@ -265,7 +265,7 @@ impl<'a, 'b> SourceSearch<'a, 'b> {
         for (place, table) in tables {
             let Some(column) = table.unknowns.iter().position(|u| *u == symbol) else { continue };
             let rows = self.wrong_rows(place, at);
-            for set in Solutions::row_sets(rows.len()) {
+            for set in SolvedSystems::row_sets(rows.len()) {
                 let chosen: Vec<usize> = set.iter().map(|i| rows[*i].0).collect();
                 let Some(solved) = self.solutions.solve_system(self.exact.quantities, table, place, &chosen) else {
                     continue;
@@ -443,7 +443,12 @@ impl<'a, 'b> SourceSearch<'a, 'b> {
         let mut chain = ValueConsequences::new(self.exact.quantities.model, put);
         let row = self.row_of(at).and_then(|place| {
             let table = &self.tables[place.table];
-            row_with_printed_values(self.exact.quantities, &mut chain, table, table.matched_derived_row(place.row)?.0)
+            row_changed_by_printed_values(
+                self.exact.quantities,
+                &mut chain,
+                table,
+                table.matched_derived_row(place.row)?.0,
+            )
         });
         self.gives_printed_entry(&mut chain, row, at)
     }

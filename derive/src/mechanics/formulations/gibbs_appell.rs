@@ -14,7 +14,9 @@ use crate::algebra::{Arena, Expr, Rational};
 use crate::geometry::{Dots, SymmetricDots, Vector, apply_tensor, cross_components};
 use crate::mechanics::derive_error::DeriveError;
 use crate::mechanics::motion::energy::Impulse;
-use crate::mechanics::motion::kinematics::{Kinematics, Velocities, motion_rates, motion_rates_without_acceleration};
+use crate::mechanics::motion::kinematics::{
+    Kinematics, Velocities, kinematic_rates, kinematic_rates_without_acceleration,
+};
 use crate::mechanics::motion::loads::{Load, active_forces_of_loads};
 use crate::mechanics::rows::{LineName, RowName, Rows, Stage, Step, kinematic_step};
 use crate::model::Model;
@@ -30,7 +32,7 @@ pub fn derive_gibbs_appell(model: &Model, kinematics: &mut Kinematics) -> Result
     let AccelerationEnergy { matrix, rest } = AccelerationEnergy::new(model, kinematics, &velocities);
     let gauss = kinematics.frames.carries.then(|| {
         let loads: Vec<Load> = kinematics.loads(model, &velocities).into_iter().flatten().collect();
-        kinematics.gauss_function(model, &velocities, &loads)
+        kinematics.gauss_function_along_tree(model, &velocities, &loads)
     });
     // M u̇ + rest = F:  M u̇ = F − rest.
     let forcing = forces.iter().zip(&rest).map(|(force, rest)| kinematics.arena.sub(*force, *rest)).collect();
@@ -108,9 +110,9 @@ impl AccelerationEnergy {
     /// block ½ e · K e + b · e contributes Σ ∂e/∂u̇ · (K e + b).
     fn of_blocks(model: &Model, kinematics: &mut Kinematics, velocities: &Velocities, rates: &[Expr]) -> Self {
         let none = Vector::default();
-        let moving = kinematics.acceleration_energy(model, velocities, &mut motion_rates(model), &none);
-        let mut coasting = motion_rates_without_acceleration(model);
-        let coasting = kinematics.acceleration_energy(model, velocities, &mut coasting, &none);
+        let moving = kinematics.acceleration_energy_along_tree(model, velocities, &mut kinematic_rates(model), &none);
+        let mut coasting = kinematic_rates_without_acceleration(model);
+        let coasting = kinematics.acceleration_energy_along_tree(model, velocities, &mut coasting, &none);
         let arena = &mut kinematics.arena;
         let (mut quadratic, mut linear) = (Vec::new(), Vec::new());
         for (block, at_zero) in moving.iter().zip(&coasting) {
@@ -152,7 +154,7 @@ fn acceleration_energy_parts(
     kinematics: &mut Kinematics,
     velocities: &Velocities,
 ) -> Vec<AccelerationEnergyPart> {
-    let mut rates = motion_rates(model);
+    let mut rates = kinematic_rates(model);
     let mut parts = Vec::new();
     for body in &model.bodies {
         let Kinematics { arena, frames, .. } = kinematics;

@@ -7,7 +7,9 @@ use crate::algebra::term::calculus::{Differential, Gradient};
 use crate::geometry::{Dots, SymmetricDots, Vector};
 use crate::mechanics::derive_error::DeriveError;
 use crate::mechanics::motion::energy::VelocityMomentum;
-use crate::mechanics::motion::kinematics::{Kinematics, Velocities, motion_rates, motion_rates_without_acceleration};
+use crate::mechanics::motion::kinematics::{
+    Kinematics, Velocities, kinematic_rates, kinematic_rates_without_acceleration,
+};
 use crate::mechanics::motion::loads::{Load, active_forces_of_loads};
 use crate::mechanics::quantity::{QuantityKind, VectorName};
 use crate::mechanics::rows::{LineName, RowName, Rows, Stage, Step, component_lines, kinematic_step};
@@ -24,10 +26,10 @@ pub fn derive_kane(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, D
         let loads: Vec<Load> = kinematics.loads(model, &velocities).into_iter().flatten().collect();
         let fall = Kinematics::fall(model);
         let (matrix, forcing) = kinematics.kane_system_by_recursion(model, &velocities, &loads, &fall);
-        let mut moving = motion_rates(model);
-        let along = kinematics.forces_of_motion(model, &velocities, &loads, &fall, &mut moving);
+        let mut moving = kinematic_rates(model);
+        let along = kinematics.forces_of_velocity_pairs(model, &velocities, &loads, &fall, &mut moving);
         let required = along.into_iter().map(|e| kinematics.arena.neg(e)).collect();
-        let gauss = kinematics.gauss_function(model, &velocities, &loads);
+        let gauss = kinematics.gauss_function_along_tree(model, &velocities, &loads);
         let momenta = kinematics.momentum_pairs(model, &velocities);
         return Ok(Rows {
             names: (0..model.speeds.len()).map(RowName::Speed).collect(),
@@ -64,7 +66,7 @@ pub fn derive_kane(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, D
 /// speed. Weights are included; reactions do not contribute.
 ///
 /// Entry r has the unit of power divided by the unit of u_r.
-pub(in crate::mechanics) fn generalized_active_forces(
+pub(in crate::mechanics) fn kane_active_forces(
     model: &Model,
     kinematics: &mut Kinematics,
     velocities: &Velocities,
@@ -95,10 +97,12 @@ impl GeneralizedInertia {
             return Self { matrix, rest: forces.into_iter().map(|e| kinematics.arena.neg(e)).collect() };
         }
         let mut gradient = Gradient::new(&model.u());
-        let mut rates = motion_rates_without_acceleration(model);
+        let mut rates = kinematic_rates_without_acceleration(model);
         let mut products = SymmetricDots::new(n);
         let mut rest: Vec<Dots> = (0..n).map(|_| Dots::default()).collect();
-        for VelocityMomentum { scale, velocity, momentum, carried } in kinematics.momenta(model, velocities) {
+        for VelocityMomentum { scale, velocity, momentum, carried } in
+            kinematics.kinetic_energy_momenta(model, velocities)
+        {
             let Kinematics { arena, frames, .. } = kinematics;
             let mut rate = frames.time_derivative(arena, &momentum, &velocities.angular, &mut rates);
             if let Some(carried) = carried {
@@ -118,7 +122,7 @@ impl GeneralizedInertia {
 
 /// Generalized inertia forces F*_r = −Σ_B [(∂v_C/∂u_r)·m a_C + (∂ω_B/∂u_r)·dH_B/dt], one entry for
 /// each speed, linear in u̇.
-pub(in crate::mechanics) fn generalized_inertia_forces(
+pub(in crate::mechanics) fn kane_inertia_forces(
     model: &Model,
     kinematics: &mut Kinematics,
     velocities: &Velocities,
@@ -143,7 +147,7 @@ pub(in crate::mechanics) fn generalized_inertia_forces(
 #[expect(clippy::unnecessary_wraps, reason = "the steps of other methods can fail")]
 pub fn kane_steps(model: &Model, kinematics: &mut Kinematics) -> Result<Vec<Step>, DeriveError> {
     let velocities = kinematics.in_speeds(model);
-    let active = generalized_active_forces(model, kinematics, &velocities);
+    let active = kane_active_forces(model, kinematics, &velocities);
     let mut steps = vec![kinematic_step(model)];
     for body in &model.bodies {
         let frame = body.rigid.as_ref().map_or(0, |(_, inertia)| inertia.frame);

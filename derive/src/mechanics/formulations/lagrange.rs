@@ -27,7 +27,7 @@ pub fn derive_lagrange(model: &Model, kinematics: &mut Kinematics) -> Result<Row
     let matrix = kinematics.kinetic_energy_matrix(model, &velocities, &model.q_dot());
     let t = kinematics.kinetic_energy_of_matrix(model, &velocities, &model.q_dot(), &matrix);
     let v = kinematics.gravity_potential(model)?;
-    let mut sums = lagrange_velocity_terms(model, kinematics, &matrix);
+    let mut sums = lagrange_forcing_terms(model, kinematics, &matrix);
     let loads = kinematics.loads(model, &velocities);
     let q_forces = generalized_forces_of_loads(model, kinematics, loads.iter().flatten());
     let Kinematics { arena, .. } = kinematics;
@@ -86,7 +86,7 @@ fn lagrange_rows_with_named_terms(
 /// With T = ½ Σ E_ab q̇_a q̇_b, row i is ½ Σ ∂E_ab/∂q_i q̇_a q̇_b − Σ ∂E_ib/∂q_k q̇_b q̇_k. Each
 /// derivative of an entry on or above the diagonal is computed once and added to its rows. An entry
 /// depends on few coordinates, so the work grows with the number of entries.
-fn lagrange_velocity_terms(
+fn lagrange_forcing_terms(
     model: &Model,
     kinematics: &mut Kinematics,
     form: &[Vec<Expr>],

@@ -7,5 +7,5 @@ pub(super) mod kane;
 pub(super) mod lagrange;
 pub(super) mod multipliers;
 pub(super) mod newton_euler;
-pub(super) mod reaction_balance;
+pub(super) mod reaction_directions;
 pub(super) mod tree_recursion;

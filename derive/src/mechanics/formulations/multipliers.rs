@@ -38,7 +38,7 @@ impl Kinematics {
             result.forcing.push(self.arena.neg(rest));
             result.names.push(RowName::Constraint(at));
         }
-        let embedding = self.embedding_of_motion_constraints(model);
+        let embedding = self.embedding_that_cancels_multipliers(model);
         result.projection = (0..model.speeds.len())
             .map(|s| embedding.matrix.iter().map(|row| row[s]).chain((0..m).map(|_| Expr::ZERO)).collect())
             .collect();
@@ -50,7 +50,7 @@ impl Kinematics {
     }
 
     /// Expresses q̈ = W u̇ + x in the free accelerations u̇, from q̇ = W u + w.
-    fn embedding_of_motion_constraints(&mut self, model: &Model) -> AccelerationEmbedding {
+    fn embedding_that_cancels_multipliers(&mut self, model: &Model) -> AccelerationEmbedding {
         let rates = &model.kinematic_equations.rates;
         let flow: Vec<_> = model.q().into_iter().zip(rates.iter().copied()).collect();
         let (mut d_dt, mut along) = (Differential::along(&flow), Gradient::new(&model.u()));

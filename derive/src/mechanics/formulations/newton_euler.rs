@@ -11,7 +11,7 @@ use crate::algebra::value::rank::pivot_rows_and_columns;
 use crate::algebra::{Arena, Expr};
 use crate::geometry::{Components, Vector};
 use crate::mechanics::derive_error::DeriveError;
-use crate::mechanics::motion::kinematics::{Kinematics, Velocities, motion_rates, rates_to_speeds};
+use crate::mechanics::motion::kinematics::{Kinematics, Velocities, kinematic_rates, rates_to_speeds};
 use crate::mechanics::motion::tree_accelerations::AlphaTerms;
 use crate::mechanics::quantity::VectorName;
 use crate::mechanics::rows::{BalanceName, RowName, Rows, Stage, Step, component_lines, kinematic_step};
@@ -55,17 +55,17 @@ pub fn derive_newton_euler(model: &Model, kinematics: &mut Kinematics) -> Result
         matrix.push(row);
         forcing.push(right);
     }
-    let powers = zero_powers_of_shared_reactions(model, kinematics)?;
+    let powers = newton_euler_power_rows(model, kinematics)?;
     if matrix.len() + powers.rows.len() != unknowns.len() {
         return Err(DeriveError::ReactionCount {
             equations: matrix.len(),
             speeds: model.speeds.len(),
             reactions: model.reactions.len(),
             all: model.bodies.iter().map(|body| if body.rigid.is_some() { 6 } else { 3 }).sum(),
-            felt: loaded_balance_components(model, &rows),
+            felt: loaded_newton_euler_components(model, &rows),
         });
     }
-    let mut projection = balance_partial_velocities(model, kinematics, &velocities, &rows, &model.u());
+    let mut projection = newton_euler_partial_velocities(model, kinematics, &velocities, &rows, &model.u());
     let mut names: Vec<RowName> = rows.iter().map(|row| RowName::Balance(row.name)).collect();
     for (name, row) in powers.rows {
         names.push(name);
@@ -105,7 +105,7 @@ struct SharedPowers {
 ///
 /// # Errors
 /// `DeriveError::ReactionsDependent` if the conditions do not determine each other.
-fn zero_powers_of_shared_reactions(model: &Model, kinematics: &mut Kinematics) -> Result<SharedPowers, DeriveError> {
+fn newton_euler_power_rows(model: &Model, kinematics: &mut Kinematics) -> Result<SharedPowers, DeriveError> {
     let (speeds, first) = (model.speeds.len(), model.speeds.len());
     let shared: Vec<usize> = (0..model.reactions.len()).filter(|at| model.reactions[*at].is_shared).collect();
     if shared.is_empty() {
@@ -162,7 +162,7 @@ fn zero_powers_of_shared_reactions(model: &Model, kinematics: &mut Kinematics) -
 
 /// Lists the components of balances that are not 0 = 0, one text for each body and kind: `disk
 /// force b1, b2`.
-fn loaded_balance_components(model: &Model, rows: &[Balance]) -> Vec<String> {
+fn loaded_newton_euler_components(model: &Model, rows: &[Balance]) -> Vec<String> {
     let mut list: Vec<(String, Vec<String>)> = Vec::new();
     for Balance { name, .. } in rows {
         let subject = RowName::Balance(*name).balance_name_without_axis(model);
@@ -194,16 +194,16 @@ pub fn newton_euler_balances(
 ) -> Vec<Balance> {
     let mut list = Vec::new();
     let carried = kinematics.frames.carries.then(|| {
-        let mut rates = motion_rates(model);
+        let mut rates = kinematic_rates(model);
         kinematics.accelerations(model, velocities, &mut rates, &Kinematics::fall(model), AlphaTerms::InMatrix)
     });
     for (at, body) in model.bodies.iter().enumerate() {
         let frame = frame.or(body.rigid.as_ref().map(|(_, inertia)| inertia.frame)).unwrap_or(0);
         let (force, moment) = match &carried {
-            Some(accelerations) => kinematics.momentum_rates_by_recursion(model, velocities, accelerations, body),
+            Some(accelerations) => kinematics.momentum_rates_along_tree(model, velocities, accelerations, body),
             None => momentum_rates(model, kinematics, velocities, at),
         };
-        let (force, moment) = balance_residuals(model, kinematics, force, moment, at, body);
+        let (force, moment) = newton_euler_residuals(model, kinematics, force, moment, at, body);
         for (moments, vector) in [Some((false, force)), moment.map(|m| (true, m))].into_iter().flatten() {
             let components = kinematics.frames.express(&mut kinematics.arena, &vector, frame);
             let entries = components.into_iter().enumerate();
@@ -217,7 +217,7 @@ pub fn newton_euler_balances(
 /// Partial velocities that belong to the balance rows: one list for each motion variable, one entry
 /// for each row. A force row has that of the mass centre, a moment row that of the body's frame. As
 /// multipliers of the rows, they cancel every reaction.
-pub fn balance_partial_velocities(
+pub fn newton_euler_partial_velocities(
     model: &Model,
     kinematics: &mut Kinematics,
     velocities: &Velocities,
@@ -252,7 +252,7 @@ pub fn balance_partial_velocities(
 /// rates of its added mass.
 fn momentum_rates(model: &Model, kinematics: &mut Kinematics, velocities: &Velocities, at: usize) -> (Vector, Vector) {
     let body = &model.bodies[at];
-    let mut rates = motion_rates(model);
+    let mut rates = kinematic_rates(model);
     let Kinematics { arena, frames, .. } = kinematics;
     let a = frames.time_derivative(arena, &velocities.linear[body.centre], &velocities.angular, &mut rates);
     let mut force = a.scale(arena, body.mass);
@@ -277,7 +277,7 @@ fn momentum_rates(model: &Model, kinematics: &mut Kinematics, velocities: &Veloc
 
 /// Subtracts all forces, torques and reactions on a body from its momentum rates. Returns the
 /// residuals m a − ΣF and dH/dt − ΣM; the second is `None` for a particle.
-fn balance_residuals(
+fn newton_euler_residuals(
     model: &Model,
     kinematics: &mut Kinematics,
     mut force: Vector,
@@ -285,14 +285,14 @@ fn balance_residuals(
     at: usize,
     body: &Body,
 ) -> (Vector, Option<Vector>) {
-    for (point, load) in forces_on_body(model, kinematics, &model.reactions, at) {
+    for (point, load) in newton_euler_forces(model, kinematics, &model.reactions, at) {
         let back = load.neg(&mut kinematics.arena);
         force = force.add(&mut kinematics.arena, &back);
         let arm = kinematics.load_arm(body, point);
         let turning = kinematics.frames.cross(&mut kinematics.arena, &arm, &back);
         moment = moment.add(&mut kinematics.arena, &turning);
     }
-    for load in torques_on_body(model, kinematics, &model.reactions, at) {
+    for load in newton_euler_torques(model, kinematics, &model.reactions, at) {
         let back = load.neg(&mut kinematics.arena);
         moment = moment.add(&mut kinematics.arena, &back);
     }
@@ -301,7 +301,7 @@ fn balance_residuals(
 
 /// Lists the applied forces and the given reaction forces on a body, each with the index of its
 /// point. Weights are left out.
-pub(in crate::mechanics) fn forces_on_body(
+pub(in crate::mechanics) fn newton_euler_forces(
     model: &Model,
     kinematics: &mut Kinematics,
     reactions: &[Reaction],
@@ -325,7 +325,7 @@ pub(in crate::mechanics) fn forces_on_body(
 }
 
 /// Lists the applied torques and the torques of the given reactions on a body.
-pub(in crate::mechanics) fn torques_on_body(
+pub(in crate::mechanics) fn newton_euler_torques(
     model: &Model,
     kinematics: &mut Kinematics,
     reactions: &[Reaction],
@@ -397,6 +397,6 @@ fn inertial_time_derivative(
     vector: &Vector,
 ) -> Components {
     let Kinematics { arena, frames, simplifier, .. } = kinematics;
-    let rate = frames.time_derivative(arena, vector, &velocities.angular, &mut motion_rates(model));
+    let rate = frames.time_derivative(arena, vector, &velocities.angular, &mut kinematic_rates(model));
     frames.express(arena, &rate, frame).map(|e| simplifier.simplify(arena, e))
 }

@@ -18,7 +18,7 @@ use crate::algebra::{Arena, Expr, Rational};
 use crate::geometry::{Components, Placement, Vector, apply_tensor, cross_components};
 use crate::mechanics::derive_error::DeriveError;
 use crate::mechanics::motion::kinematics::{
-    Kinematics, Velocities, motion_rates, motion_rates_without_acceleration, rates_to_speeds,
+    Kinematics, Velocities, kinematic_rates, kinematic_rates_without_acceleration, rates_to_speeds,
 };
 use crate::mechanics::motion::loads::Load;
 use crate::mechanics::motion::tree_accelerations::{Accelerations, AlphaTerms};
@@ -47,7 +47,7 @@ impl Kinematics {
         let momentum = apply_tensor(&mut self.arena, &inertia.tensor, &omega);
         Some((
             omega,
-            crate::mechanics::motion::frame_transport::name_components(
+            crate::mechanics::motion::frame_transport::name_transported_components(
                 &mut self.arena,
                 momentum,
                 &format!("H_{}", body.name),
@@ -57,13 +57,13 @@ impl Kinematics {
 
     /// Rate dH/dt of a rigid body's angular momentum, N m, along the frame F of its inertia: I ω' + ω_F
     /// × H. Here ω' differentiates the components along F. `None` for a particle.
-    fn momentum_rate(
+    fn angular_momentum_rate_along_tree(
         &mut self,
         body: &Body,
         velocities: &Velocities,
         accelerations: &Accelerations,
     ) -> Option<Components> {
-        let (within, gyroscopic) = self.angular_acceleration_in_inertia_frame(body, velocities, accelerations)?;
+        let (within, gyroscopic) = self.angular_acceleration_along_tree(body, velocities, accelerations)?;
         let (_, inertia) = body.rigid.as_ref()?;
         let rate = apply_tensor(&mut self.arena, &inertia.tensor, &within);
         Some(std::array::from_fn(|i| self.arena.add(rate[i], gyroscopic[i])))
@@ -71,7 +71,7 @@ impl Kinematics {
 
     /// Rate ω' of the components of a rigid body's ω along the frame F of its inertia, and ω_F × H.
     /// `None` for a particle.
-    fn angular_acceleration_in_inertia_frame(
+    fn angular_acceleration_along_tree(
         &mut self,
         body: &Body,
         velocities: &Velocities,
@@ -116,7 +116,7 @@ impl Kinematics {
         let mut pairs = Vec::new();
         for body in &model.bodies {
             let v = &velocities.linear[body.centre];
-            let home = self.frames.common_frame([v]);
+            let home = self.frames.common_transport_frame([v]);
             let v = self.frames.express_frame_by_frame(&mut self.arena, v, home, "v", &model.points[body.centre].name);
             pairs.extend(v.map(|e| (e, self.arena.mul(body.mass, e))));
             if let Some((omega, momentum)) = self.angular_velocity_and_momentum(body, velocities) {
@@ -137,7 +137,7 @@ impl Kinematics {
         let mut pairs = Vec::new();
         for body in &model.bodies {
             let (v, a) = (&velocities.linear[body.centre], &accelerations.linear[body.centre]);
-            let home = self.frames.common_frame([v, a]);
+            let home = self.frames.common_transport_frame([v, a]);
             let point = &model.points[body.centre].name;
             let v = self.frames.express_frame_by_frame(&mut self.arena, v, home, "v", point);
             let a = self.frames.express_frame_by_frame(&mut self.arena, a, home, "a", point);
@@ -147,7 +147,7 @@ impl Kinematics {
             }
             if let (Some((omega, _)), Some(rate)) = (
                 self.angular_velocity_and_momentum(body, velocities),
-                self.momentum_rate(body, velocities, accelerations),
+                self.angular_momentum_rate_along_tree(body, velocities, accelerations),
             ) {
                 pairs.extend(omega.into_iter().zip(rate.map(|e| self.arena.neg(e))));
             }
@@ -165,7 +165,7 @@ impl Kinematics {
         let mut pairs = Vec::new();
         for Load { velocity, scale, load } in loads {
             let load = load.substitute(&mut self.arena, put);
-            let home = self.frames.common_frame([velocity, &load]);
+            let home = self.frames.common_transport_frame([velocity, &load]);
             let velocity = self.frames.express_frame_by_frame(&mut self.arena, velocity, home, "v", "load");
             let load = self.frames.express_frame_by_frame(&mut self.arena, &load, home, "load", "on");
             pairs.extend(velocity.into_iter().zip(load.map(|e| self.arena.mul(*scale, e))));
@@ -188,7 +188,7 @@ impl Kinematics {
     }
 
     /// Generalized forces of the given loads, one entry for each of the motion variables `variables`.
-    pub(in crate::mechanics) fn forces_along<'a>(
+    pub(in crate::mechanics) fn forces_of_load_pairs<'a>(
         &mut self,
         loads: impl IntoIterator<Item = &'a Load>,
         put: &mut Substitution,
@@ -200,7 +200,7 @@ impl Kinematics {
 
     /// Matrix ∂²T/∂x_i∂x_j of the kinetic energy for the motion variables x, differentiated from the
     /// momenta of the bodies.
-    pub(in crate::mechanics) fn kinetic_matrix_by_recursion(
+    pub(in crate::mechanics) fn kinetic_matrix_of_momentum_pairs(
         &mut self,
         model: &Model,
         velocities: &Velocities,
@@ -229,8 +229,11 @@ impl Kinematics {
         let mut named = moment.clone();
         for (frame, components) in &mut named.parts {
             let what = format!("mp_{}", self.frames.name(*frame).to_owned());
-            *components =
-                crate::mechanics::motion::frame_transport::name_components(&mut self.arena, *components, &what);
+            *components = crate::mechanics::motion::frame_transport::name_transported_components(
+                &mut self.arena,
+                *components,
+                &what,
+            );
         }
         let work = self.frames.dot(&mut self.arena, g, &named);
         let energy = self.arena.neg(work);
@@ -254,8 +257,8 @@ impl Kinematics {
         loads: &[Load],
         fall: &Vector,
     ) -> (Vec<Vec<Expr>>, Vec<Expr>) {
-        let mut resting = motion_rates_without_acceleration(model);
-        let forcing = self.forces_of_motion(model, velocities, loads, fall, &mut resting);
+        let mut resting = kinematic_rates_without_acceleration(model);
+        let forcing = self.forces_of_velocity_pairs(model, velocities, loads, fall, &mut resting);
         let matrix = match self.composite_mass_matrix(model, velocities, &model.u()) {
             Some(form) => form,
             None => self.kinetic_energy_matrix(model, velocities, &model.u()),
@@ -265,7 +268,7 @@ impl Kinematics {
 
     /// Sums F_r + F*_r of the active and inertia forces, one for each speed, in a motion whose state
     /// has the given rates.
-    pub(in crate::mechanics) fn forces_of_motion(
+    pub(in crate::mechanics) fn forces_of_velocity_pairs(
         &mut self,
         model: &Model,
         velocities: &Velocities,
@@ -281,7 +284,7 @@ impl Kinematics {
 
     /// Vectors m a − weight (N) and dH/dt (N m) of a body, from accelerations that already contain the
     /// free fall.
-    pub(in crate::mechanics) fn momentum_rates_by_recursion(
+    pub(in crate::mechanics) fn momentum_rates_along_tree(
         &mut self,
         model: &Model,
         velocities: &Velocities,
@@ -289,31 +292,32 @@ impl Kinematics {
         body: &Body,
     ) -> (Vector, Vector) {
         let a = &accelerations.linear[body.centre];
-        let home = self.frames.common_frame([&velocities.linear[body.centre], a]);
+        let home = self.frames.common_transport_frame([&velocities.linear[body.centre], a]);
         let a = self.frames.express_frame_by_frame(&mut self.arena, a, home, "a", &model.points[body.centre].name);
         let force = Vector::in_frame(home, a.map(|e| self.arena.mul(body.mass, e)));
-        let moment = self.momentum_rate(body, velocities, accelerations);
+        let moment = self.angular_momentum_rate_along_tree(body, velocities, accelerations);
         let frame = body.rigid.as_ref().map_or(0, |(_, inertia)| inertia.frame);
         (force, moment.map_or_else(Vector::default, |rate| Vector::in_frame(frame, rate)))
     }
 
     /// Function of u̇ that Gauss's principle minimizes: the acceleration energy less the power of the
     /// loads along u̇. Weights count as inertia forces.
-    pub(in crate::mechanics) fn gauss_function(
+    pub(in crate::mechanics) fn gauss_function_along_tree(
         &mut self,
         model: &Model,
         velocities: &Velocities,
         loads: &[Load],
     ) -> QuadraticForm {
-        let blocks = self.acceleration_energy(model, velocities, &mut motion_rates(model), &Self::fall(model));
-        let forces = self.forces_along(loads, &mut rates_to_speeds(model), &model.u());
+        let blocks =
+            self.acceleration_energy_along_tree(model, velocities, &mut kinematic_rates(model), &Self::fall(model));
+        let forces = self.forces_of_load_pairs(loads, &mut rates_to_speeds(model), &model.u());
         let linear = forces.into_iter().map(|e| self.arena.neg(e)).collect();
         QuadraticForm { blocks, linear }
     }
 
     /// Acceleration energy ½ Σ m a² + Σ ½ ω' · I ω' + ω' · (ω × H) in a given motion, as blocks ½ e · K
     /// e + b · e. Here a is the acceleration of a mass centre less that of free fall.
-    pub(in crate::mechanics) fn acceleration_energy(
+    pub(in crate::mechanics) fn acceleration_energy_along_tree(
         &mut self,
         model: &Model,
         velocities: &Velocities,
@@ -325,14 +329,14 @@ impl Kinematics {
         let none = [Expr::ZERO; 3];
         for body in &model.bodies {
             let a = &accelerations.linear[body.centre];
-            let home = self.frames.common_frame([&velocities.linear[body.centre], a]);
+            let home = self.frames.common_transport_frame([&velocities.linear[body.centre], a]);
             let components =
                 self.frames.express_frame_by_frame(&mut self.arena, a, home, "a", &model.points[body.centre].name);
             let mut tensor = [none; 3];
             (0..3).for_each(|i| tensor[i][i] = body.mass);
             blocks.push(QuadraticBlock { components, tensor, linear: none });
             if let (Some((_, inertia)), Some((components, linear))) =
-                (&body.rigid, self.angular_acceleration_in_inertia_frame(body, velocities, &accelerations))
+                (&body.rigid, self.angular_acceleration_along_tree(body, velocities, &accelerations))
             {
                 blocks.push(QuadraticBlock { components, tensor: inertia.tensor, linear });
             }

@@ -9,7 +9,7 @@
 //! work grows with the square of the depth (R. Featherstone, *Rigid Body Dynamics Algorithms*
 //! (2008), §6.2; M. W. Walker & D. E. Orin, ASME J. Dyn. Sys. Meas. Control 104 (1982) 205–211).
 
-use super::frame_transport::{name_components, rotate_and_name_components};
+use super::frame_transport::{name_transported_components, rotate_and_name_components};
 use super::kinematics::{Kinematics, Velocities};
 use crate::algebra::term::calculus::Gradient;
 use crate::algebra::{Arena, Expr, Rational};
@@ -63,7 +63,7 @@ struct Composite {
 
 /// Index of entry (i, j) of a symmetric 3 × 3 tensor in the array of its upper triangle, row by
 /// row.
-fn upper_triangle_index(i: usize, j: usize) -> usize {
+fn composite_inertia_index(i: usize, j: usize) -> usize {
     let (i, j) = (i.min(j), i.max(j));
     i * (5 - i) / 2 + j
 }
@@ -82,7 +82,7 @@ struct Motion {
 }
 
 /// Tree of nodes (a frame with a point) that leads from the ground to all bodies of a model.
-struct Tree {
+struct CompositeTree {
     /// Nodes of the tree, parents first. The first node is the inertial frame at the origin.
     nodes: Vec<Node>,
 }
@@ -96,7 +96,7 @@ impl Kinematics {
         velocities: &Velocities,
         variables: &[Expr],
     ) -> Option<Vec<Vec<Expr>>> {
-        let mut tree = Tree::new(self, model, velocities)?;
+        let mut tree = CompositeTree::new(self, model, velocities)?;
         let composites = tree.composites(&mut self.arena, model);
         let motions = tree.motions();
         let mut gradient = Gradient::new(variables);
@@ -135,7 +135,7 @@ impl Kinematics {
     }
 }
 
-impl Tree {
+impl CompositeTree {
     /// Builds the tree of all bodies. `None` if a body's points do not follow the chain of its frames.
     fn new(kinematics: &mut Kinematics, model: &Model, velocities: &Velocities) -> Option<Self> {
         let root = Node::new(0, Edge::Shift { by: NOTHING }, 0, NOTHING);
@@ -147,7 +147,7 @@ impl Tree {
             if let Some((_, inertia)) = &body.rigid {
                 for i in 0..3 {
                     for j in i..3 {
-                        node.inertia[upper_triangle_index(i, j)].push(inertia.tensor[i][j]);
+                        node.inertia[composite_inertia_index(i, j)].push(inertia.tensor[i][j]);
                     }
                 }
             }
@@ -283,7 +283,7 @@ impl Tree {
         let (mut linear, mut angular): Momentum = match &self.nodes[start].edge {
             Edge::Turn(_) => (
                 cross_components(arena, &unit, moment),
-                std::array::from_fn(|i| inertia[upper_triangle_index(i, axis)]),
+                std::array::from_fn(|i| inertia[composite_inertia_index(i, axis)]),
             ),
             Edge::Shift { .. } => (unit.map(|e| arena.mul(*mass, e)), cross_components(arena, moment, &unit)),
         };
@@ -314,7 +314,7 @@ impl Tree {
                 Edge::Shift { by } => {
                     let about = cross_components(arena, by, &linear);
                     let sum = std::array::from_fn(|i| arena.add(angular[i], about[i]));
-                    angular = name_components(arena, sum, &format!("h_{of}_{name}"));
+                    angular = name_transported_components(arena, sum, &format!("h_{of}_{name}"));
                 }
             }
             at = node.parent;
@@ -337,11 +337,11 @@ impl Node {
 fn shifted_composite(arena: &mut Arena, composite: &Composite, by: &Components, name: &str) -> (Components, [Expr; 6]) {
     let Composite { mass, moment, inertia } = composite;
     let carried = by.map(|e| arena.mul(*mass, e));
-    let carried = name_components(arena, carried, &format!("mr_{name}"));
+    let carried = name_transported_components(arena, carried, &format!("mr_{name}"));
     let sum = std::array::from_fn(|i| arena.add(moment[i], carried[i]));
-    let sum = name_components(arena, sum, &format!("s_{name}"));
+    let sum = name_transported_components(arena, sum, &format!("s_{name}"));
     let both = std::array::from_fn(|i| arena.add(moment[i], sum[i]));
-    let both = name_components(arena, both, &format!("w_{name}"));
+    let both = name_transported_components(arena, both, &format!("w_{name}"));
     let half = Rational::fraction(1, 2).expect("not zero");
     let halves: Components = both.map(|e| arena.scale(e, &half));
     let along: Components = std::array::from_fn(|i| {
@@ -358,8 +358,8 @@ fn shifted_composite(arena: &mut Arena, composite: &Composite, by: &Components, 
                 let sum = arena.add(ij, ji);
                 arena.neg(sum)
             };
-            let entry = arena.add(inertia[upper_triangle_index(i, j)], added);
-            result[upper_triangle_index(i, j)] = entry;
+            let entry = arena.add(inertia[composite_inertia_index(i, j)], added);
+            result[composite_inertia_index(i, j)] = entry;
         }
     }
     (sum, result)
@@ -371,7 +371,7 @@ fn shifted_composite(arena: &mut Arena, composite: &Composite, by: &Components, 
 fn rotated_composite_inertia(arena: &mut Arena, turn: &Turn, tensor: &[Expr; 6], what: &str) -> [Expr; 6] {
     let Turn::About(axis, angle) = turn else {
         let half = [0, 1, 2].map(|i| {
-            let column = std::array::from_fn(|j| tensor[upper_triangle_index(j, i)]);
+            let column = std::array::from_fn(|j| tensor[composite_inertia_index(j, i)]);
             rotate_and_name_components(arena, turn, TurnSense::Back, &column, what)
         });
         let rows = transposed(&half).map(|row| rotate_and_name_components(arena, turn, TurnSense::Back, &row, what));
@@ -380,25 +380,25 @@ fn rotated_composite_inertia(arena: &mut Arena, turn: &Turn, tensor: &[Expr; 6],
     let (axis, angle) = (*axis, *angle);
     let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
     let (s, c) = (arena.sin(angle), arena.cos(angle));
-    let row = [NOTHING[0], tensor[upper_triangle_index(axis, j)], tensor[upper_triangle_index(axis, k)]];
+    let row = [NOTHING[0], tensor[composite_inertia_index(axis, j)], tensor[composite_inertia_index(axis, k)]];
     // The entries in the row of the axis turn like a vector.
     let mut beside = NOTHING;
     (beside[j], beside[k]) = (row[1], row[2]);
     let beside = rotate_and_name_components(arena, turn, TurnSense::Back, &beside, what);
-    let difference = arena.sub(tensor[upper_triangle_index(k, k)], tensor[upper_triangle_index(j, j)]);
+    let difference = arena.sub(tensor[composite_inertia_index(k, k)], tensor[composite_inertia_index(j, j)]);
     let difference = arena.name(difference, &format!("{what}_{}{}", j + 1, k + 1));
-    let (of_difference, of_product) = (arena.mul(s, difference), arena.mul(c, tensor[upper_triangle_index(j, k)]));
+    let (of_difference, of_product) = (arena.mul(s, difference), arena.mul(c, tensor[composite_inertia_index(j, k)]));
     let t = arena.linear_combination(&[(of_difference, Rational::ONE), (of_product, Rational::integer(-2))]);
     let t = arena.name(t, what);
     let (st, ct) = (arena.mul(s, t), arena.mul(c, t));
     let st = arena.name(st, what);
     let mut result = *tensor;
-    result[upper_triangle_index(axis, j)] = beside[j];
-    result[upper_triangle_index(axis, k)] = beside[k];
-    result[upper_triangle_index(j, j)] = arena.add(tensor[upper_triangle_index(j, j)], st);
-    result[upper_triangle_index(k, k)] = arena.sub(tensor[upper_triangle_index(k, k)], st);
-    let sum = arena.add(ct, tensor[upper_triangle_index(j, k)]);
-    result[upper_triangle_index(j, k)] = arena.neg(sum);
+    result[composite_inertia_index(axis, j)] = beside[j];
+    result[composite_inertia_index(axis, k)] = beside[k];
+    result[composite_inertia_index(j, j)] = arena.add(tensor[composite_inertia_index(j, j)], st);
+    result[composite_inertia_index(k, k)] = arena.sub(tensor[composite_inertia_index(k, k)], st);
+    let sum = arena.add(ct, tensor[composite_inertia_index(j, k)]);
+    result[composite_inertia_index(j, k)] = arena.neg(sum);
     let mut at = 0;
     result.map(|e| {
         at += 1;

@@ -42,7 +42,7 @@ pub struct Impulse {
 
 impl Kinematics {
     /// Lists the velocities and momenta of all bodies, then those of all added masses.
-    pub fn momenta(&mut self, model: &Model, velocities: &Velocities) -> Vec<VelocityMomentum> {
+    pub fn kinetic_energy_momenta(&mut self, model: &Model, velocities: &Velocities) -> Vec<VelocityMomentum> {
         let mut momenta = Vec::new();
         for body in &model.bodies {
             let v = &velocities.linear[body.centre];
@@ -111,11 +111,11 @@ impl Kinematics {
         variables: &[Expr],
     ) -> Vec<Vec<Expr>> {
         if self.frames.carries && !self.frames.are_all_children_of_inertial() {
-            return self.kinetic_matrix_by_recursion(model, velocities, variables);
+            return self.kinetic_matrix_of_momentum_pairs(model, velocities, variables);
         }
         let mut gradient = Gradient::new(variables);
         let mut products = SymmetricDots::new(variables.len());
-        for VelocityMomentum { scale, velocity, momentum, .. } in self.momenta(model, velocities) {
+        for VelocityMomentum { scale, velocity, momentum, .. } in self.kinetic_energy_momenta(model, velocities) {
             let velocities = velocity.partial_derivatives(&mut self.arena, &mut gradient);
             products.add(scale, &velocities, &momentum.partial_derivatives(&mut self.arena, &mut gradient));
         }
@@ -156,7 +156,7 @@ impl Kinematics {
             return quadratic;
         }
         let mut dots = Dots::default();
-        for VelocityMomentum { scale, velocity, momentum, .. } in self.momenta(model, velocities) {
+        for VelocityMomentum { scale, velocity, momentum, .. } in self.kinetic_energy_momenta(model, velocities) {
             dots.add(scale, &velocity, &momentum);
         }
         let twice = dots.sum(&mut self.arena, &mut self.frames);

@@ -34,13 +34,13 @@ impl EquationForm {
     /// on every machine.
     #[must_use]
     pub fn computed(model: &Model) -> Self {
-        if has_more_closed_terms(model, MOST_TERMS) { Self::Steps } else { Self::Closed }
+        if closed_form_exceeds(model, MOST_TERMS) { Self::Steps } else { Self::Closed }
     }
 
     /// True if the closed form of a model is short enough (about 20 000 terms) to be derived for
     /// display.
     pub(in crate::mechanics) fn is_closed_tried(model: &Model) -> bool {
-        !has_more_closed_terms(model, MOST_TRIED)
+        !closed_form_exceeds(model, MOST_TRIED)
     }
 }
 
@@ -54,15 +54,15 @@ const MOST_REDUCED: usize = 400;
 /// False for larger models, for models with loops (every variable is needed to keep a loop closed),
 /// and for models whose rates q̇ have named subterms.
 #[must_use]
-pub fn is_reducible(model: &Model) -> bool {
+pub fn has_reducible_form(model: &Model) -> bool {
     let rates = model.arena.reachable(&model.kinematic_equations.rates);
     let has_names = rates.iter().any(|part| model.arena.named_term_value(*part).is_some());
-    !has_more_closed_terms(model, MOST_REDUCED) && model.loops.is_empty() && !has_names
+    !closed_form_exceeds(model, MOST_REDUCED) && model.loops.is_empty() && !has_names
 }
 
 /// True if the closed form of the mass matrix has more than about `most` terms. Counting stops at
 /// `most`, because a chain of hundreds of bodies has a hundred thousand pairs of parts.
-fn has_more_closed_terms(model: &Model, most: usize) -> bool {
+fn closed_form_exceeds(model: &Model, most: usize) -> bool {
     let frames = Frames::new(&model.frames);
     let (q, arena) = (model.q(), &model.arena);
     let moves = |turn: &Turn| turn.quantities().iter().any(|e| q.iter().any(|q| arena.mentions(*e, *q)));

@@ -17,7 +17,7 @@ impl Frames {
     /// Index of the frame in which the given vectors have short components. It is the deepest frame of
     /// their parts if all others are its ancestors, else the frame where the paths to the ground meet.
     #[must_use]
-    pub fn common_frame<'a>(&self, vectors: impl IntoIterator<Item = &'a Vector>) -> usize {
+    pub fn common_transport_frame<'a>(&self, vectors: impl IntoIterator<Item = &'a Vector>) -> usize {
         let frames: BTreeSet<usize> =
             vectors.into_iter().flat_map(|v| v.parts.iter().map(|(frame, _)| *frame)).collect();
         let deepest = frames.iter().copied().max_by_key(|frame| self.ancestors(*frame).len());
@@ -82,19 +82,19 @@ impl Frames {
             let sum = match parts.get(&next) {
                 Some(there) => {
                     let sum = std::array::from_fn(|i| arena.add(there[i], carried[i]));
-                    name_components(arena, sum, what)
+                    name_transported_components(arena, sum, what)
                 }
                 None => carried,
             };
             parts.insert(next, sum);
         }
-        parts.remove(&frame).map_or([Expr::ZERO; 3], |components| name_components(arena, components, what))
+        parts.remove(&frame).map_or([Expr::ZERO; 3], |components| name_transported_components(arena, components, what))
     }
 }
 
 /// Gives three components names with a number at the end: `w_B_1`, `w_B_2`, `w_B_3` for `what` =
 /// `w_B`.
-pub fn name_components(arena: &mut Arena, components: Components, what: &str) -> Components {
+pub fn name_transported_components(arena: &mut Arena, components: Components, what: &str) -> Components {
     let mut at = 0;
     components.map(|e| {
         at += 1;
@@ -111,5 +111,5 @@ pub fn rotate_and_name_components(
     what: &str,
 ) -> Components {
     let result = turn.apply(arena, v, sense);
-    name_components(arena, result, what)
+    name_transported_components(arena, result, what)
 }

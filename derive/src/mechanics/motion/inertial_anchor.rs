@@ -40,7 +40,7 @@ impl Anchor {
         let frame = anchor_frame(model, &moved, *own);
         let mut point = model.bodies[body].centre;
         while let Some(Placement { parent: before, frame: of, components }) = model.points[point].position {
-            if anchor_frame(model, &moved, of) != frame || !is_fixed(model, &moved, &components) {
+            if anchor_frame(model, &moved, of) != frame || !is_fixed_in_anchor(model, &moved, &components) {
                 break;
             }
             point = before;
@@ -77,7 +77,7 @@ impl Anchor {
 }
 
 /// True if the terms contain none of the coordinates `moved`.
-fn is_fixed(model: &Model, moved: &[Expr], terms: &[Expr]) -> bool {
+fn is_fixed_in_anchor(model: &Model, moved: &[Expr], terms: &[Expr]) -> bool {
     let reached = model.arena.reachable(terms);
     !reached.iter().any(|part| moved.contains(part))
 }
@@ -85,7 +85,7 @@ fn is_fixed(model: &Model, moved: &[Expr], terms: &[Expr]) -> bool {
 /// Index of the frame nearest to the ground relative to which the given frame does not move.
 fn anchor_frame(model: &Model, moved: &[Expr], mut frame: usize) -> usize {
     while let Some((before, turn)) = &model.frames[frame].rotation {
-        if !is_fixed(model, moved, &[turn.terms(), turn.quantities()].concat()) {
+        if !is_fixed_in_anchor(model, moved, &[turn.terms(), turn.quantities()].concat()) {
             break;
         }
         frame = *before;

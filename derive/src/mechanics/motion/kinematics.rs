@@ -112,7 +112,7 @@ impl Kinematics {
     /// Computes the velocities of all frames and points as terms in q and the generalized speeds u.
     pub fn in_speeds(&mut self, model: &Model) -> Velocities {
         if self.frames.carries {
-            let mut rates = motion_rates_without_acceleration(model);
+            let mut rates = kinematic_rates_without_acceleration(model);
             let angular = angular_velocities(&mut self.arena, &model.frames, &mut rates);
             name_in_own_frames(&mut self.arena, &mut self.frames, &angular);
             let (_, linear) = linear_velocities(&mut self.arena, &mut self.frames, &model.points, &angular, &mut rates);
@@ -269,7 +269,7 @@ pub fn speeds_to_rates(model: &Model) -> Substitution {
 /// Time derivative d/dt of terms in q and u along the motion: q' = W u + w, and u' is the symbol
 /// u̇.
 #[must_use]
-pub fn motion_rates(model: &Model) -> Differential {
+pub fn kinematic_rates(model: &Model) -> Differential {
     let mut rates: Vec<_> = model.q().into_iter().zip(model.kinematic_equations.rates.iter().copied()).collect();
     rates.extend(model.speeds.iter().map(|s| (s.symbol, s.rate)));
     Differential::along(&rates)
@@ -277,7 +277,7 @@ pub fn motion_rates(model: &Model) -> Differential {
 
 /// Time derivative d/dt of terms in q and u along a motion with u̇ = 0: q' = W u + w, u' = 0.
 #[must_use]
-pub fn motion_rates_without_acceleration(model: &Model) -> Differential {
+pub fn kinematic_rates_without_acceleration(model: &Model) -> Differential {
     let rates = model.q().into_iter().zip(model.kinematic_equations.rates.iter().copied());
     Differential::along(&rates.collect::<Vec<_>>())
 }

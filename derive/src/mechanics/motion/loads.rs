@@ -30,14 +30,14 @@ pub struct Load {
 
 /// Force or reaction whose point of action moves in the body on which it acts.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct MovingPlace {
+pub struct MovingLoadPlace {
     /// Kind and name of the force or reaction, such as `force drag`.
     pub load: String,
     /// Body and point at which the force or reaction acts.
     pub place: ForcePlace,
 }
 
-impl MovingPlace {
+impl MovingLoadPlace {
     /// Sentence for the user that names the load, the point and the body, and the velocity that gives
     /// the power.
     #[must_use]
@@ -56,12 +56,12 @@ impl MovingPlace {
 ///
 /// # Errors
 /// [`DeriveError`], for the same reasons as [`Kinematics::new`].
-pub fn moving_places(model: &Model) -> Result<Vec<MovingPlace>, DeriveError> {
+pub fn moving_load_places(model: &Model) -> Result<Vec<MovingLoadPlace>, DeriveError> {
     let mut kinematics = Kinematics::new(model)?;
     let mut list = Vec::new();
-    for (load, place) in load_places(model) {
+    for (load, place) in places_of_loads(model) {
         if kinematics.moves_in_body(model, place) {
-            list.push(MovingPlace { load, place });
+            list.push(MovingLoadPlace { load, place });
         }
     }
     Ok(list)
@@ -69,7 +69,7 @@ pub fn moving_places(model: &Model) -> Result<Vec<MovingPlace>, DeriveError> {
 
 /// Lists all forces and reaction forces and their opposites by name, each with the body and point
 /// of action.
-fn load_places(model: &Model) -> Vec<(String, ForcePlace)> {
+fn places_of_loads(model: &Model) -> Vec<(String, ForcePlace)> {
     let mut list = Vec::new();
     for force in &model.forces {
         list.push((format!("force {}", force.name), force.on));
@@ -146,7 +146,7 @@ impl Kinematics {
             groups.push(loads);
         }
         for potential in &model.potentials {
-            groups.push(self.potential_loads(model, velocities, potential.energy));
+            groups.push(self.loads_of_potential(model, velocities, potential.energy));
         }
         let load = |(velocity, load)| Load { velocity, scale: Expr::ONE, load };
         groups.into_iter().map(|loads| loads.into_iter().map(load).collect()).collect()
@@ -154,7 +154,7 @@ impl Kinematics {
 
     /// Turns a potential energy V into loads: the generalized force −∂V/∂q of each coordinate except
     /// time, with the velocity q̇. Both are written along axis 0 of the inertial frame.
-    fn potential_loads(&mut self, model: &Model, velocities: &Velocities, energy: Expr) -> Vec<(Vector, Vector)> {
+    fn loads_of_potential(&mut self, model: &Model, velocities: &Velocities, energy: Expr) -> Vec<(Vector, Vector)> {
         let time = model.time();
         let slopes = Gradient::new(&model.q()).apply(&mut self.arena, energy);
         let along = |e: Expr| Vector::in_frame(0, [e, Expr::ZERO, Expr::ZERO]);
@@ -173,7 +173,8 @@ impl Kinematics {
     /// # Errors
     /// [`DeriveError::LoadDividesByZero`] if a load divides by a velocity that is zero at all times.
     pub(in crate::mechanics) fn apply_loads(&mut self, model: &Model) -> Result<(), DeriveError> {
-        let values: Vec<_> = model.velocities.iter().map(|v| (v.symbol, self.named_velocity(model, v))).collect();
+        let values: Vec<_> =
+            model.velocities.iter().map(|v| (v.symbol, self.velocity_named_by_load(model, v))).collect();
         let mut put = Substitution::new(&values);
         let arena = &mut self.arena;
         for force in &model.forces {
@@ -196,7 +197,7 @@ impl Kinematics {
         variables: &[Expr],
     ) -> Vec<Expr> {
         if self.frames.carries {
-            return self.forces_along(loads, put, variables);
+            return self.forces_of_load_pairs(loads, put, variables);
         }
         let mut gradient = Gradient::new(variables);
         let mut forces: Vec<Dots> = variables.iter().map(|_| Dots::default()).collect();
@@ -211,7 +212,7 @@ impl Kinematics {
 
     /// Component of a velocity or position that a load refers to, as a term in q and q̇; the literal 0
     /// if it is identically zero.
-    fn named_velocity(&mut self, model: &Model, name: &NamedVelocity) -> Expr {
+    fn velocity_named_by_load(&mut self, model: &Model, name: &NamedVelocity) -> Expr {
         let velocities = self.in_rates.clone();
         let velocity = match name.of {
             VelocityOf::Material(body, point) => {

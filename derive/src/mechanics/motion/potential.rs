@@ -78,8 +78,9 @@ impl Kinematics {
         let of_forces = model.forces.iter().map(|f| f.energy);
         let of_torques = model.torques.iter().map(|_| None);
         let stated = of_forces.chain(of_torques).chain(model.potentials.iter().map(|p| Some(p.energy)));
-        let known: Vec<Option<Expr>> =
-            stated.map(|energy| energy.filter(|energy| !jumps_in_time(&self.arena, model, *energy))).collect();
+        let known: Vec<Option<Expr>> = stated
+            .map(|energy| energy.filter(|energy| !potential_jumps_in_time(&self.arena, model, *energy)))
+            .collect();
         let driven = loads_with_inputs(model);
         let is_sought = |at: &usize| known[*at].is_none() && !driven[*at];
         let mut outside: Vec<usize> = (0..known.len()).filter(|at| known[*at].is_none() && driven[*at]).collect();
@@ -170,12 +171,13 @@ pub fn potential_at_rest(
     }
     // A potential that jumps adds energy in an instant, which no power shows. So the work of such a load is counted
     // instead.
-    antiderivative(arena, simplifier, &model.q(), &slopes).filter(|energy| !jumps_in_time(arena, model, *energy))
+    antiderivative(arena, simplifier, &model.q(), &slopes)
+        .filter(|energy| !potential_jumps_in_time(arena, model, *energy))
 }
 
 /// True if a term jumps in time: it contains the sign of a function of time alone, also in the form
 /// `abs(t - 1)/(t - 1)`.
-fn jumps_in_time(arena: &Arena, model: &Model, e: Expr) -> bool {
+fn potential_jumps_in_time(arena: &Arena, model: &Model, e: Expr) -> bool {
     let Some(time) = model.time() else { return false };
     let (clock, others): (Vec<_>, Vec<_>) = model.q().into_iter().enumerate().partition(|(at, _)| *at == time);
     let names = |e: Expr, of: &[(usize, Expr)]| of.iter().any(|(_, symbol)| arena.mentions(e, *symbol));

@@ -8,7 +8,7 @@ use crate::algebra::solve::linear::Singular;
 use crate::algebra::solve::quadratic_minimum::minimize_quadratic_form;
 use crate::algebra::term::calculus::Differential;
 use crate::algebra::term::steps::{Definition, needed_steps};
-use crate::algebra::text::definitions::define_named_terms;
+use crate::algebra::text::definitions::write_definitions;
 use crate::algebra::{Arena, Expr};
 use crate::mechanics::equations::Equations;
 use crate::mechanics::rows::AccelerationEmbedding;
@@ -93,14 +93,14 @@ fn solve_for_accelerations(
     let Some(recursion) = minimize_quadratic_form(&mut other, &mut simplifier.clone(), gauss, unknowns) else {
         return accelerations_by_elimination(arena, simplifier, equations);
     };
-    let (recursion, _) = define_named_terms(&mut other, &recursion, &[]);
+    let (recursion, _) = write_definitions(&mut other, &recursion, &[]);
     let mut steps = needed_steps(&other, &equations.definitions, &equations.coordinate_rates);
     let known: FxHashSet<Expr> = steps.iter().map(|step| step.symbol).collect();
     steps.extend(recursion.into_iter().filter(|step| !known.contains(&step.symbol)));
     let recursive = operation_count(&other, &steps, unknowns);
     let divisors = divisors(&other, &steps.iter().map(|step| step.value).collect::<Vec<_>>());
     let recursion = Elimination { steps, divisors };
-    if elimination_operation_count(&equations.matrix) > MOST_TIMES * recursive {
+    if acceleration_elimination_cost(&equations.matrix) > MOST_TIMES * recursive {
         *arena = other;
         return Ok(recursion);
     }
@@ -120,7 +120,7 @@ const MOST_TIMES: usize = 2;
 
 /// Counts the multiplications and subtractions to eliminate a symmetric matrix with these zeros,
 /// without square roots. The order is from the last unknown, a leaf of the tree, to the first.
-fn elimination_operation_count(matrix: &[Vec<Expr>]) -> usize {
+fn acceleration_elimination_cost(matrix: &[Vec<Expr>]) -> usize {
     let mut is_full: Vec<Vec<bool>> = matrix.iter().map(|row| row.iter().map(|e| *e != Expr::ZERO).collect()).collect();
     let mut count = 0;
     for pivot in (0..matrix.len()).rev() {
@@ -185,18 +185,19 @@ fn accelerations_by_elimination(
     let (mut matrix, mut right) = (Vec::new(), Vec::new());
     for multipliers in &equations.projection {
         let column = |c: usize| equations.matrix.iter().map(move |row| row[c]);
-        let row: Vec<Expr> = (0..n).map(|c| combine(arena, simplifier, multipliers, column(c))).collect();
-        let value = combine(arena, simplifier, multipliers, equations.forcing.iter().copied());
+        let row: Vec<Expr> =
+            (0..n).map(|c| combine_for_accelerations(arena, simplifier, multipliers, column(c))).collect();
+        let value = combine_for_accelerations(arena, simplifier, multipliers, equations.forcing.iter().copied());
         let Some(embedding) = &equations.embedding else {
             matrix.push(row);
             right.push(value);
             continue;
         };
         // (Wᵀ E W) s = Wᵀ (f − E x).
-        let known = combine(arena, simplifier, &row, embedding.rest.iter().copied());
+        let known = combine_for_accelerations(arena, simplifier, &row, embedding.rest.iter().copied());
         let columns = (0..embedding.free.len()).map(|s| {
             let of_free = embedding.matrix.iter().map(|line| line[s]);
-            combine(arena, simplifier, &row, of_free)
+            combine_for_accelerations(arena, simplifier, &row, of_free)
         });
         matrix.push(columns.collect());
         right.push(arena.sub(value, known));
@@ -207,7 +208,7 @@ fn accelerations_by_elimination(
     let mut solved = eliminate(arena, simplifier, system)?;
     if let Some(AccelerationEmbedding { free, matrix, rest }) = &equations.embedding {
         for ((unknown, row), rest) in unknowns.iter().zip(matrix).zip(rest) {
-            let moved = combine(arena, simplifier, row, free.iter().copied());
+            let moved = combine_for_accelerations(arena, simplifier, row, free.iter().copied());
             solved.steps.push(Definition { symbol: *unknown, value: arena.add(moved, *rest) });
         }
     }
@@ -216,7 +217,7 @@ fn accelerations_by_elimination(
 }
 
 /// Computes the simplified sum Σ multiplier · entry over two lists of equal length.
-fn combine(
+fn combine_for_accelerations(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
     multipliers: &[Expr],

@@ -22,7 +22,7 @@ use crate::algebra::solve::elimination::Elimination;
 use crate::algebra::term::calculus::{Differential, Substitution};
 use crate::algebra::term::steps::{Definition, fresh_symbol, substitute_steps};
 use crate::algebra::value::field::Field;
-use crate::algebra::value::tangent::{Dual, Tangents};
+use crate::algebra::value::tangent::{TangentValue, Tangents};
 use crate::algebra::{Arena, Expr};
 use crate::mechanics::equations::Equations;
 use crate::mechanics::unsolved::Unproved;
@@ -50,7 +50,7 @@ pub fn certify_accelerations(
     solved: &Elimination,
     jacobian: Option<&Jacobian>,
 ) -> Result<Certificate, Unproved> {
-    let mut claim = Claim::new(arena, equations, solved, jacobian);
+    let mut claim = CertificateClaim::new(arena, equations, solved, jacobian);
     let terms = claim.terms();
     let mut tangents = Tangents::new(&claim.arena, &terms, &claim.along);
     let mut primes = Vec::with_capacity(POINTS);
@@ -64,7 +64,7 @@ pub fn certify_accelerations(
 
 /// Claim to be proved: equations, solution and Jacobian as terms in parameters, q, v and the
 /// direction's symbols.
-struct Claim {
+struct CertificateClaim {
     /// Arena of all terms of the claim; a copy of the caller's.
     arena: Arena,
     /// Coordinates and independent motion variables, each paired with the symbol of its component of
@@ -81,12 +81,12 @@ struct Claim {
     /// Derivatives of q̇ and v̇ along the direction, from the Jacobian; empty without a Jacobian.
     slopes: Vec<Expr>,
     /// Numbers of terms of each kind, to split the list of values.
-    shape: ClaimShape,
+    shape: CertificateShape,
 }
 
-/// Numbers of terms of each kind in the list that [`Claim::terms`] returns.
+/// Numbers of terms of each kind in the list that [`CertificateClaim::packed_terms`] returns.
 #[derive(Clone, Copy)]
-struct ClaimShape {
+struct CertificateShape {
     /// Number of rows of the equations.
     rows: usize,
     /// Number of unknowns: accelerations, then reactions or multipliers.
@@ -99,7 +99,7 @@ struct ClaimShape {
     has_slopes: bool,
 }
 
-impl Claim {
+impl CertificateClaim {
     /// States the claim. Symbols of definitions are substituted, and v is expressed in independent
     /// speeds if constraints tie it.
     fn new(arena: &Arena, equations: &Equations, solved: &Elimination, jacobian: Option<&Jacobian>) -> Self {
@@ -126,7 +126,7 @@ impl Claim {
             if is_product { row[0] } else { dot(&mut arena, &row, &slopes) }
         });
         let slopes: Vec<Expr> = products.collect();
-        let shape = ClaimShape {
+        let shape = CertificateShape {
             rows: forcing.len(),
             unknowns: equations.unknowns.len(),
             coordinates: coordinate_rates.len(),
@@ -187,29 +187,29 @@ fn dot(arena: &mut Arena, a: &[Expr], b: &[Expr]) -> Expr {
     arena.sum(&products)
 }
 
-impl ClaimShape {
-    /// Checks the values of the terms of [`Claim::terms`] at a random state, modulo the prime of the
+impl CertificateShape {
+    /// Checks the values of the terms of [`CertificateClaim::packed_terms`] at a random state, modulo the prime of the
     /// field `f`.
     ///
     /// # Errors
     /// `Unproved` with the first row of the Jacobian or of the equations that does not hold.
-    fn check(&self, f: Field, values: &[Dual]) -> Result<(), Unproved> {
+    fn check(&self, f: Field, values: &[TangentValue]) -> Result<(), Unproved> {
         let (matrix, rest) = values.split_at(self.rows * self.unknowns);
         let (forcing, rest) = rest.split_at(self.rows);
         let (coordinate_rates, rest) = rest.split_at(self.coordinates);
         let (accelerations, slopes) = rest.split_at(self.accelerations);
         if self.has_slopes {
             let (of_rates, _) = slopes.split_at(self.coordinates);
-            let is_wrong = |(rate, slope): (&Dual, &Dual)| rate.slope != slope.value;
+            let is_wrong = |(rate, slope): (&TangentValue, &TangentValue)| rate.slope != slope.value;
             if let Some(row) = coordinate_rates.iter().zip(of_rates).position(is_wrong) {
                 return Err(Unproved::Jacobian(row));
             }
         }
-        let v_dot: Vec<Dual> = accelerations
+        let v_dot: Vec<TangentValue> = accelerations
             .iter()
             .enumerate()
             .map(|(at, dual)| match slopes.get(self.coordinates + at) {
-                Some(slope) => Dual { slope: slope.value, ..*dual },
+                Some(slope) => TangentValue { slope: slope.value, ..*dual },
                 None => *dual,
             })
             .collect();
@@ -218,9 +218,9 @@ impl ClaimShape {
             let (of_v_dot, of_reactions) = row.split_at(self.accelerations);
             let right = of_v_dot.iter().zip(&v_dot).fold(*right, |right, (m, x)| right.minus_product(f, *m, *x));
             let left = of_reactions.iter().copied().enumerate().filter(|(_, entry)| !entry.is_zero()).collect();
-            Row { left, right }
+            CertificateRow { left, right }
         });
-        match first_contradicting_row(f, rows) {
+        match first_uncertified_row(f, rows) {
             None => Ok(()),
             Some((row, WrongDualPart::Value)) => Err(Unproved::Accelerations(row)),
             Some((row, WrongDualPart::Slope)) => Err(Unproved::Jacobian(self.coordinates + row)),
@@ -229,11 +229,11 @@ impl ClaimShape {
 }
 
 /// Linear equation Σ left · unknown = right in dual numbers modulo a prime.
-struct Row {
+struct CertificateRow {
     /// Nonzero coefficients of the equation, by index of the unknown.
-    left: BTreeMap<usize, Dual>,
+    left: BTreeMap<usize, TangentValue>,
     /// Right-hand side of the linear equation.
-    right: Dual,
+    right: TangentValue,
 }
 
 /// Part of a dual number that is not zero, although it should be.
@@ -246,8 +246,8 @@ enum WrongDualPart {
 
 /// Finds the first row that contradicts the rows before it, by sparse elimination. Returns its
 /// index and the wrong part; `None` if the rows have a solution.
-fn first_contradicting_row(f: Field, rows: impl Iterator<Item = Row>) -> Option<(usize, WrongDualPart)> {
-    let mut pivots: BTreeMap<usize, Row> = BTreeMap::new();
+fn first_uncertified_row(f: Field, rows: impl Iterator<Item = CertificateRow>) -> Option<(usize, WrongDualPart)> {
+    let mut pivots: BTreeMap<usize, CertificateRow> = BTreeMap::new();
     for (at, mut row) in rows.enumerate() {
         let mut from = 0;
         let mut own = None;
@@ -270,10 +270,10 @@ fn first_contradicting_row(f: Field, rows: impl Iterator<Item = Row>) -> Option<
     None
 }
 
-impl Row {
+impl CertificateRow {
     /// Subtracts a multiple of a pivot row from this row, so that the entry in the pivot's column
     /// becomes zero.
-    fn subtract(&mut self, f: Field, pivot: &Self, column: usize, entry: Dual) {
+    fn subtract(&mut self, f: Field, pivot: &Self, column: usize, entry: TangentValue) {
         let Some(factor) = entry.quotient(f, pivot.left[&column]) else { return };
         for (at, x) in &pivot.left {
             let known = self.left.remove(at).unwrap_or_default();
@@ -374,7 +374,7 @@ pub fn certify_slopes(
     for _ in 0..POINTS {
         let (field, values) = tangents.next().ok_or(Unproved::NoPoint)?;
         let (rates, products) = values.split_at(jacobian.entries.len());
-        let is_wrong = |(rate, product): (&Dual, &Dual)| rate.slope != product.value;
+        let is_wrong = |(rate, product): (&TangentValue, &TangentValue)| rate.slope != product.value;
         if let Some(row) = rates.iter().zip(products).position(is_wrong) {
             return Err(Unproved::Jacobian(row));
         }

@@ -4,7 +4,7 @@ use crate::algebra::solve::elimination::{Elimination, divisors};
 use crate::algebra::term::calculus::Gradient;
 use crate::algebra::term::steps::{Definition, needed_steps};
 use crate::algebra::text::print::print_text;
-use crate::algebra::value::range::never_zero;
+use crate::algebra::value::range::range_excludes_zero;
 use crate::algebra::{Arena, Expr, Node};
 use crate::mechanics::equations::Equations;
 use crate::model::Model;
@@ -41,13 +41,13 @@ impl Divisors {
             }
         };
         let all: Vec<Expr> = steps.iter().map(|step| step.value).chain(wanted).collect();
-        let moving = state_dependent_symbols(arena, e, &steps);
+        let moving = symbols_of_moving_divisors(arena, e, &steps);
         let moves = |divisor: &Expr| arena.reachable(&[*divisor]).iter().any(|part| moving.contains(part));
         let mut values: Vec<Expr> = Vec::new();
         let pivots = Pivots::new(arena, e, &steps, &moving);
         for divisor in divisors(arena, &all).into_iter().filter(|d| moves(d) && !pivots.contains(arena, *d)) {
             let bare = divisor_without_number(arena, divisor);
-            if !values.contains(&bare) && !never_zero(arena, bare) {
+            if !values.contains(&bare) && !range_excludes_zero(arena, bare) {
                 values.push(bare);
             }
         }
@@ -101,7 +101,7 @@ pub fn load_divisors(arena: &mut Arena, model: &Model) -> Vec<LoadDivisor> {
     for (load, is_distance, values) in loads {
         for divisor in divisors(arena, &values) {
             let value = divisor_without_number(arena, divisor);
-            if moves(arena, value) && !never_zero(arena, value) {
+            if moves(arena, value) && !range_excludes_zero(arena, value) {
                 let divisor = LoadDivisor { load: load.clone(), is_distance, value };
                 if !list.contains(&divisor) {
                     list.push(divisor);
@@ -169,7 +169,7 @@ impl<'a> Pivots<'a> {
 }
 
 /// Lists the symbols of the state (q, v), and of the definitions that depend on the state.
-fn state_dependent_symbols(arena: &Arena, equations: &Equations, steps: &[Definition]) -> Vec<Expr> {
+fn symbols_of_moving_divisors(arena: &Arena, equations: &Equations, steps: &[Definition]) -> Vec<Expr> {
     let mut list: Vec<Expr> = equations.coordinates.iter().chain(&equations.variables).copied().collect();
     for step in steps {
         if arena.reachable(&[step.value]).iter().any(|part| list.contains(part)) {

@@ -49,7 +49,7 @@ impl<'a> InertiaCheck<'a> {
     /// [`DeriveError::NoInertiaAt`] if a speed moves no mass; another [`DeriveError`] if Kane's
     /// equations cannot be derived.
     pub fn at(&self, values: &[Option<Rational>]) -> Result<(), DeriveError> {
-        let absent = zero_inertial_parameters(&self.inertial, values);
+        let absent = zero_parameters_that_affect_inertia(&self.inertial, values);
         if absent.is_empty() {
             return Ok(());
         }
@@ -79,7 +79,7 @@ pub fn check_inertia_at(
     model: &Model,
     values: &[Option<Rational>],
 ) -> Result<(), DeriveError> {
-    let absent = zero_inertial_parameters(&parameters_that_affect_inertia(model), values);
+    let absent = zero_parameters_that_affect_inertia(&parameters_that_affect_inertia(model), values);
     if absent.is_empty() { Ok(()) } else { check_inertia_without_parameters(arena, kane, model, &absent) }
 }
 
@@ -101,7 +101,7 @@ fn parameters_that_affect_inertia(model: &Model) -> Vec<bool> {
 }
 
 /// Indices of the parameters that are 0 and on which inertia can depend.
-fn zero_inertial_parameters(inertial: &[bool], values: &[Option<Rational>]) -> Vec<usize> {
+fn zero_parameters_that_affect_inertia(inertial: &[bool], values: &[Option<Rational>]) -> Vec<usize> {
     let is_zero = |value: &Option<Rational>| value.as_ref().is_some_and(Rational::is_zero);
     let each = inertial.iter().zip(values).enumerate();
     each.filter(|(_, (inertial, value))| **inertial && is_zero(value)).map(|(at, _)| at).collect()

@@ -92,8 +92,8 @@ fn whole_jacobian(
             if operation_count(arena, slope) > LONGEST_SLOPE {
                 let wanted = format!(
                     "{}_by_{}",
-                    symbol_name_for_derivatives(arena, step.symbol),
-                    symbol_name_for_derivatives(arena, variable)
+                    jacobian_symbol_name(arena, step.symbol),
+                    jacobian_symbol_name(arena, variable)
                 );
                 let symbol = fresh_symbol(arena, &wanted);
                 steps.push(Definition { symbol, value: slope });
@@ -109,7 +109,7 @@ fn whole_jacobian(
 }
 
 /// Spells the name of a symbol for use in another name: `u1_dot` for `u1'`.
-fn symbol_name_for_derivatives(arena: &Arena, symbol: Expr) -> String {
+fn jacobian_symbol_name(arena: &Arena, symbol: Expr) -> String {
     arena.symbol_name(symbol).unwrap_or_default().replace("''", "_ddot").replace('\'', "_dot")
 }
 
@@ -124,7 +124,7 @@ fn jacobian_direction_product(
     let states = equations.coordinates.iter().chain(&equations.variables);
     let along: Vec<(Expr, Expr)> = states
         .map(|state| {
-            let wanted = format!("d_{}", symbol_name_for_derivatives(arena, *state));
+            let wanted = format!("d_{}", jacobian_symbol_name(arena, *state));
             (*state, fresh_symbol(arena, &wanted))
         })
         .collect();
@@ -135,7 +135,7 @@ fn jacobian_direction_product(
         let slope = slope_of.apply(arena, step.value);
         let mut slope = simplifier.simplify(arena, slope);
         if operation_count(arena, slope) > 0 {
-            let wanted = format!("d_{}", symbol_name_for_derivatives(arena, step.symbol));
+            let wanted = format!("d_{}", jacobian_symbol_name(arena, step.symbol));
             let symbol = fresh_symbol(arena, &wanted);
             steps.push(Definition { symbol, value: slope });
             slope = symbol;

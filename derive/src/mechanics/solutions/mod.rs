@@ -3,8 +3,8 @@
 
 pub(super) mod accelerations;
 pub(super) mod certificate;
-pub(super) mod distance;
 pub(super) mod divisors;
+pub(super) mod equations_in_distance;
 pub(super) mod inertia_check;
 pub(super) mod jacobian;
 pub(super) mod proved_jacobians;

@@ -24,7 +24,7 @@ use crate::mechanics::derivation::Derivations;
 use crate::mechanics::equations::Equations;
 use crate::mechanics::formulations::formulation::Formulation;
 use crate::mechanics::formulations::kane;
-use crate::mechanics::motion::kinematics::{Kinematics, Velocities, motion_rates};
+use crate::mechanics::motion::kinematics::{Kinematics, Velocities, kinematic_rates};
 use crate::mechanics::quantity::{EnergyQuantity, Quantity, QuantityKind, RowQuantity, VectorName};
 use crate::model::{ForcePlace, Model, TIME};
 use rustc_hash::FxHashMap;
@@ -66,7 +66,7 @@ impl<'a> Quantities<'a> {
     pub fn new(model: &'a Model, derivations: &'a mut Derivations) -> Self {
         let velocities = derivations.kinematics.in_speeds(model);
         let arena = &mut derivations.kinematics.arena;
-        let mut d_dt = motion_rates(model);
+        let mut d_dt = kinematic_rates(model);
         let mut to_speeds = Vec::new();
         for (c, rate) in model.coordinates.iter().zip(&model.kinematic_equations.rates) {
             to_speeds.push((c.rate, *rate));
@@ -286,13 +286,13 @@ impl<'a> Quantities<'a> {
     /// Kane's generalized active forces, one for each speed; computed once.
     fn active_forces(&mut self) -> &[Expr] {
         let (model, kinematics, velocities) = (self.model, &mut self.derivations.kinematics, &self.velocities);
-        self.active_forces.get_or_insert_with(|| kane::generalized_active_forces(model, kinematics, velocities))
+        self.active_forces.get_or_insert_with(|| kane::kane_active_forces(model, kinematics, velocities))
     }
 
     /// Kane's generalized inertia forces, one for each speed; computed once.
     fn inertia_forces(&mut self) -> &[Expr] {
         let (model, kinematics, velocities) = (self.model, &mut self.derivations.kinematics, &self.velocities);
-        self.inertia_forces.get_or_insert_with(|| kane::generalized_inertia_forces(model, kinematics, velocities))
+        self.inertia_forces.get_or_insert_with(|| kane::kane_inertia_forces(model, kinematics, velocities))
     }
 
     /// Value of an energy as a term in q and u, J.

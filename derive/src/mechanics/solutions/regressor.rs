@@ -23,7 +23,7 @@ use crate::mechanics::formulations::formulation::Formulation;
 use crate::mechanics::motion::equation_form::EquationForm;
 use crate::mechanics::motion::inertial_anchor::Anchor;
 use crate::mechanics::motion::inertial_parameter::InertialParameter;
-use crate::mechanics::motion::kinematics::{Kinematics, Velocities, motion_rates, rates_to_speeds};
+use crate::mechanics::motion::kinematics::{Kinematics, Velocities, kinematic_rates, rates_to_speeds};
 use crate::mechanics::motion::loads::Load;
 use crate::mechanics::motion::tree_accelerations::{Accelerations, AlphaTerms};
 use crate::model::{Body, Model, Unit};
@@ -96,7 +96,7 @@ impl Regressor {
         let proved = equations.with_certified_inverse_dynamics(&mut kinematics.arena);
         let required = proved.map_err(|why| DeriveError::Unsolved(why.into()))?.required;
         let candidates: Vec<usize> =
-            (0..model.parameters.len()).filter(|at| is_mass_like(&model.parameters[*at])).collect();
+            (0..model.parameters.len()).filter(|at| is_regressor_candidate(&model.parameters[*at])).collect();
         match varied {
             RegressorParameters::Bodies => Ok(Self::regressor_of_bodies(model, kinematics, required, &candidates)),
             RegressorParameters::Declared => {
@@ -117,7 +117,7 @@ impl Regressor {
         let accelerations = kinematics.accelerations(
             model,
             &velocities,
-            &mut motion_rates(model),
+            &mut kinematic_rates(model),
             &Kinematics::fall(model),
             AlphaTerms::InMatrix,
         );
@@ -125,7 +125,7 @@ impl Regressor {
         let mut anchors = Vec::new();
         for at in 0..model.bodies.len() {
             let anchor = Anchor::of(model, at);
-            let motion = AnchorMotion::new(&mut kinematics, model, &velocities, &accelerations, &anchor);
+            let motion = BodyRegressor::new(&mut kinematics, model, &velocities, &accelerations, &anchor);
             let deep = motion.moves_with();
             bodies.push((deep, motion.columns(&mut kinematics, model, &anchor)));
             anchors.push(anchor);
@@ -134,7 +134,7 @@ impl Regressor {
         bodies.sort_by_key(|(deep, _)| *deep);
         let mut columns: Vec<Column> = bodies.into_iter().flat_map(|(_, columns)| columns).collect();
         let loads: Vec<Load> = kinematics.loads(model, &velocities).into_iter().flatten().collect();
-        let forces = kinematics.forces_along(&loads, &mut rates_to_speeds(model), &model.u());
+        let forces = kinematics.forces_of_load_pairs(&loads, &mut rates_to_speeds(model), &model.u());
         let arena = &mut kinematics.arena;
         let needed: Vec<Expr> = forces.iter().map(|e| arena.neg(*e)).collect();
         let (of_loads, rest) = regressor_columns_of_parameters(model, arena, needed, candidates.to_vec());
@@ -157,7 +157,7 @@ impl Regressor {
 /// True if the unit of a parameter contains the unit of mass to the first power, and the parameter
 /// is not an input. Forces are linear in all such parameters together, unless the parameters form
 /// ratios.
-fn is_mass_like(parameter: &crate::model::Parameter) -> bool {
+fn is_regressor_candidate(parameter: &crate::model::Parameter) -> bool {
     !parameter.is_input && parameter.unit.kilogram_exponent().is_one()
 }
 
@@ -171,7 +171,7 @@ fn regressor_columns_of_parameters(
 ) -> (Vec<Column>, Vec<Expr>) {
     let (slopes, kept) = loop {
         let symbols: Vec<Expr> = candidates.iter().map(|at| model.parameters[*at].symbol).collect();
-        let slopes = derivative_rows(arena, &forces, &symbols);
+        let slopes = regressor_slope_rows(arena, &forces, &symbols);
         let bent = is_nonlinear_in_parameters(arena, &slopes, &symbols);
         if bent.iter().all(|bent| !bent) {
             break (slopes, candidates);
@@ -198,7 +198,7 @@ fn regressor_columns_of_parameters(
 }
 
 /// Partial derivatives of each term by each symbol, one row for each term.
-fn derivative_rows(arena: &mut Arena, terms: &[Expr], symbols: &[Expr]) -> Vec<Vec<Expr>> {
+fn regressor_slope_rows(arena: &mut Arena, terms: &[Expr], symbols: &[Expr]) -> Vec<Vec<Expr>> {
     let mut gradient = Gradient::new(symbols);
     let row = |term: &Expr| {
         let mut row = vec![Expr::ZERO; symbols.len()];
@@ -226,7 +226,7 @@ fn is_nonlinear_in_parameters(arena: &mut Arena, slopes: &[Vec<Expr>], symbols: 
 
 /// Motion of a body: accelerations, angular velocity and partial velocities, along the axes of its
 /// anchor.
-struct AnchorMotion {
+struct BodyRegressor {
     /// Acceleration b = a_P − g of the anchor's point P less that of free fall, m/s².
     b: Components,
     /// Angular velocity ω of the body, rad/s.
@@ -237,7 +237,7 @@ struct AnchorMotion {
     along: Vec<[Components; 2]>,
 }
 
-impl AnchorMotion {
+impl BodyRegressor {
     /// Computes the motion of a body, with a name for each long subterm.
     fn new(
         kinematics: &mut Kinematics,
@@ -246,7 +246,7 @@ impl AnchorMotion {
         accelerations: &Accelerations,
         anchor: &Anchor,
     ) -> Self {
-        let name = anchor_name(model, anchor);
+        let name = regressor_body_name(model, anchor);
         let Kinematics { arena, frames, .. } = kinematics;
         let mut carry =
             |vector: &Vector, letter: &str| frames.express_frame_by_frame(arena, vector, anchor.frame, letter, &name);
@@ -256,7 +256,7 @@ impl AnchorMotion {
             Some(frame) => (carry(&velocities.angular[frame], "w"), carry(&accelerations.angular[frame], "alpha")),
             None => ([Expr::ZERO; 3], [Expr::ZERO; 3]),
         };
-        let rows = derivative_rows(arena, &[v, omega].concat(), &model.u());
+        let rows = regressor_slope_rows(arena, &[v, omega].concat(), &model.u());
         let along = (0..model.speeds.len())
             .map(|r| [[rows[0][r], rows[1][r], rows[2][r]], [rows[3][r], rows[4][r], rows[5][r]]])
             .collect();
@@ -271,7 +271,7 @@ impl AnchorMotion {
     /// Builds the regressor's columns for the inertial parameters of the body.
     fn columns(&self, kinematics: &mut Kinematics, model: &Model, anchor: &Anchor) -> Vec<Column> {
         let body = &model.bodies[anchor.body];
-        let stated = InertialParameters::new(kinematics, body, anchor);
+        let stated = RegressorParameterValues::new(kinematics, body, anchor);
         anchor
             .parameters()
             .into_iter()
@@ -321,13 +321,13 @@ impl AnchorMotion {
 }
 
 /// Name of the body to which an anchor belongs.
-fn anchor_name(model: &Model, anchor: &Anchor) -> String {
+fn regressor_body_name(model: &Model, anchor: &Anchor) -> String {
     model.bodies[anchor.body].name.clone()
 }
 
 /// Inertial parameters of a body that the model states, about the anchor's point and along its
 /// axes.
-struct InertialParameters {
+struct RegressorParameterValues {
     /// Mass of the body, kg.
     mass: Expr,
     /// First moments m p_PC of the body, kg m.
@@ -336,7 +336,7 @@ struct InertialParameters {
     inertia: [Components; 3],
 }
 
-impl InertialParameters {
+impl RegressorParameterValues {
     /// Computes the parameters from the model's mass, mass centre and central inertia, by the parallel
     /// axis theorem.
     fn new(kinematics: &mut Kinematics, body: &Body, anchor: &Anchor) -> Self {
@@ -369,7 +369,7 @@ impl InertialParameters {
                 };
                 let shift = arena.mul(body.mass, away);
                 let sum = arena.add(*entry, shift);
-                let sum = value_at_zero_coordinates(arena, sum, &anchor.moved);
+                let sum = regressor_value_at_zero(arena, sum, &anchor.moved);
                 *entry = simplifier.simplify(arena, sum);
             }
         }
@@ -401,7 +401,7 @@ fn without_named_terms(arena: &mut Arena, e: Expr) -> Expr {
 
 /// Value of a term at zero coordinates, for terms that contain coordinates but do not depend on
 /// them. Returns the term itself if it has no value there.
-fn value_at_zero_coordinates(arena: &mut Arena, e: Expr, coordinates: &[Expr]) -> Expr {
+fn regressor_value_at_zero(arena: &mut Arena, e: Expr, coordinates: &[Expr]) -> Expr {
     let e = without_named_terms(arena, e);
     let mut put = Substitution::new(&coordinates.iter().map(|q| (*q, Expr::ZERO)).collect::<Vec<_>>());
     let value = put.apply(arena, e);

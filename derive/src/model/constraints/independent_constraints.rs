@@ -14,7 +14,7 @@ use super::closed_poses::{ClosedPoseSearch, random_coordinate_ranges};
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::solve::linear::LinearForm;
 use crate::algebra::term::calculus::Differential;
-use crate::algebra::value::rank::{is_combination_everywhere, rank};
+use crate::algebra::value::rank::{keeps_rank_everywhere, rank};
 use crate::algebra::value::tape::Tape;
 use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr};
@@ -122,7 +122,7 @@ impl AcceptedConstraints {
         }
         let components = self.components(arena, slip, frame);
         let Some(left) = self.keep_independent(arena, &mut kept, &components) else { return true };
-        left.iter().all(|row| is_combination_everywhere(arena, &kept, row, &self.places))
+        left.iter().all(|row| keeps_rank_everywhere(arena, &kept, row, &self.places))
     }
 
     /// Adds to `kept` the rows of equations that are independent of it, and returns the dependent rows.

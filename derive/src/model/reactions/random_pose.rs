@@ -7,7 +7,7 @@
 use crate::algebra::term::calculus::{Differential, Gradient, Substitution};
 use crate::algebra::text::parse::VelocityOf;
 use crate::algebra::value::field::Field;
-use crate::algebra::value::points::PointWithResidues;
+use crate::algebra::value::residues::PointWithResidues;
 use crate::algebra::{Arena, Expr, Function, Rational};
 use crate::geometry::Turn;
 use crate::model::{AddedVelocity, Model, Placement};

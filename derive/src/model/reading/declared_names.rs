@@ -1,7 +1,9 @@
 //! Names of a model file: the kind of quantity that each denotes, and the formulas in which it may
 //! occur.
 
-use crate::algebra::text::parse::{InteractionName, VelocityName, VelocityOf, is_reserved, parse_with_quantities};
+use crate::algebra::text::parse::{
+    InteractionName, VelocityName, VelocityOf, is_reserved_by_parser, parse_with_quantities,
+};
 use crate::algebra::value::zero_test::zero_divisor;
 use crate::algebra::{Arena, Expr};
 use crate::diagnostic::{Diagnostic, nearest_name_advice, shortened_for_message};
@@ -180,7 +182,7 @@ pub fn not_a_name(name: &Located) -> Option<Diagnostic> {
         return Some(Diagnostic::new(name.span.clone(), message, help));
     }
     let help = "choose another name: this one belongs to the expression language";
-    (is_reserved(text) || text == TIME || text == "deg")
+    (is_reserved_by_parser(text) || text == TIME || text == "deg")
         .then(|| Diagnostic::new(name.span.clone(), format!("`{text}` is reserved"), help))
 }
 

@@ -64,7 +64,7 @@ impl<'a> Loading<'a> {
             }
         }
         for (name, symbol) in &list {
-            model.arena.print_as(name, &symbol.text);
+            model.arena.set_printed_name(name, &symbol.text);
             // Declaring the symbol keeps named terms from getting a name that looks like it.
             model.arena.symbol(&symbol.text);
         }

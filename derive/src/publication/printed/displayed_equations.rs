@@ -1,6 +1,6 @@
 //! Displayed equations of a LaTeX file, found by their labels.
 
-use super::latex_macros::{Macros, group_end, next_mark_nearby, without_comments};
+use super::latex_macros::{Macros, group_end, latex_without_comments, next_latex_mark_nearby};
 use super::traced_text::{TracedError, TracedText};
 use crate::diagnostic::nearest_name_advice;
 use std::ops::Range;
@@ -67,7 +67,7 @@ impl LatexFile {
     /// Prepares the text of a LaTeX file. The error is a macro that cannot be expanded.
     pub fn read(text: &str) -> Result<Self, TracedError> {
         let mut macros = Macros::default();
-        let rest = macros.take_macro_definitions(&without_comments(text));
+        let rest = macros.take_macro_definitions(&latex_without_comments(text));
         let structure = macros.with_commands(&STRUCTURE);
         let text = macros.expand_macros(&rest, &|name| structure.contains(name))?;
         let displays = displayed_formulas(&text.text);
@@ -124,7 +124,7 @@ impl LatexFile {
 /// Returns `None` if `mark` is not at this byte.
 fn latex_environment(text: &str, at: usize, mark: &str) -> Option<(String, usize)> {
     let rest = text[at..].strip_prefix(mark)?;
-    let close = next_mark_nearby(rest, 0, '}').filter(|close| *close < 40)?;
+    let close = next_latex_mark_nearby(rest, 0, '}').filter(|close| *close < 40)?;
     Some((rest[..close].to_owned(), at + mark.len() + close + 1))
 }
 
@@ -186,9 +186,9 @@ fn split_displayed_formula(text: &str, body: Range<usize>, layout: DisplayLayout
     let mut left: Vec<Range<usize>> = Vec::new();
     for (at, row) in rows.iter().enumerate() {
         let own = latex_labels(&text[row.clone()]);
-        let before = equals_sign_of_row(text, row).map(|at| row.start..at);
+        let before = equals_sign_of_display_row(text, row).map(|at| row.start..at);
         let above = at.checked_sub(1).map(|above| &text[rows[above].clone()]);
-        let goes_on = begins_with_sign(&text[row.clone()]) || above.is_some_and(ends_with_sign);
+        let goes_on = display_row_begins_with_sign(&text[row.clone()]) || above.is_some_and(display_row_ends_with_sign);
         let joins = match (&before, equations.last()) {
             (_, None) => false,
             // The equation above has no `=` so far.
@@ -236,7 +236,7 @@ fn is_without_number(row: &str) -> bool {
 }
 
 /// Line without labels, alignment marks, and commands that only make space.
-fn row_without_space(row: &str) -> String {
+fn display_row_without_space(row: &str) -> String {
     let mut text = text_without_labels(&TracedText::text_at_place(row, 0)).text.replace('&', " ").replace("{}", " ");
     for space in ["\\qquad", "\\quad", "\\,", "\\;", "\\:", "\\!", "\\ ", "\\left.", "\\right.", "~"] {
         text = text.replace(space, " ");
@@ -246,19 +246,19 @@ fn row_without_space(row: &str) -> String {
 
 /// True if a part of a line prints nothing.
 fn is_blank(part: &str) -> bool {
-    row_without_space(part).is_empty()
+    display_row_without_space(part).is_empty()
 }
 
 /// True if a line begins with an operator or `=`, so that it continues the line above.
-fn begins_with_sign(row: &str) -> bool {
-    let row = row_without_space(row);
+fn display_row_begins_with_sign(row: &str) -> bool {
+    let row = display_row_without_space(row);
     row.starts_with(['+', '-', '*', '/', '=']) || row.starts_with("\\cdot") || row.starts_with("\\times")
 }
 
 /// True if a line ends with an operator, `=` or an open parenthesis, so that the next line
 /// continues it.
-fn ends_with_sign(row: &str) -> bool {
-    let row = row_without_space(row);
+fn display_row_ends_with_sign(row: &str) -> bool {
+    let row = display_row_without_space(row);
     row.ends_with(['+', '-', '*', '/', '=', '(']) || row.ends_with("\\cdot") || row.ends_with("\\times")
 }
 
@@ -272,7 +272,7 @@ fn inner_environment_content(text: &str, body: &Range<usize>) -> Option<Range<us
         start = group_end(text, start)?;
     }
     if text[start..].starts_with('[') {
-        start += next_mark_nearby(text, start, ']')? + 1;
+        start += next_latex_mark_nearby(text, start, ']')? + 1;
     }
     let end_mark = format!("\\end{{{name}}}");
     let end = start + text[start..body.end].find(&end_mark)?;
@@ -288,7 +288,7 @@ fn inner_environment_content(text: &str, body: &Range<usize>) -> Option<Range<us
 /// Walks through a range of LaTeX text. Calls `each(byte, rest of the range)` at every character
 /// outside of groups and environments.
 /// The walk ends when `each` returns false.
-fn walk_outside_groups(text: &str, range: &Range<usize>, mut each: impl FnMut(usize, &str) -> bool) {
+fn walk_display_outside_groups(text: &str, range: &Range<usize>, mut each: impl FnMut(usize, &str) -> bool) {
     let (mut depth, mut at) = (0_usize, range.start);
     while at < range.end {
         let rest = &text[at..range.end];
@@ -301,12 +301,13 @@ fn walk_outside_groups(text: &str, range: &Range<usize>, mut each: impl FnMut(us
             b'}' => depth = depth.saturating_sub(1),
             b'\\' if rest.starts_with("\\begin{") => {
                 depth += 1;
-                at += "\\begin{".len() + next_mark_nearby(rest, 0, '}').map_or(0, |close| close + 1 - "\\begin{".len());
+                at += "\\begin{".len()
+                    + next_latex_mark_nearby(rest, 0, '}').map_or(0, |close| close + 1 - "\\begin{".len());
                 continue;
             }
             b'\\' if rest.starts_with("\\end{") => {
                 depth = depth.saturating_sub(1);
-                at += next_mark_nearby(rest, 0, '}').map_or(1, |close| close + 1);
+                at += next_latex_mark_nearby(rest, 0, '}').map_or(1, |close| close + 1);
                 continue;
             }
             b'\\' => at += rest[1..].chars().next().map_or(0, char::len_utf8),
@@ -320,10 +321,10 @@ fn walk_outside_groups(text: &str, range: &Range<usize>, mut each: impl FnMut(us
 /// follow.
 fn display_rows(text: &str, range: Range<usize>) -> Vec<Range<usize>> {
     let mut cuts = Vec::new();
-    walk_outside_groups(text, &range, |at, rest| {
+    walk_display_outside_groups(text, &range, |at, rest| {
         if rest.starts_with("\\\\") {
             let star = at + 2 + usize::from(text[at + 2..range.end].starts_with('*'));
-            let distance = text[star..range.end].starts_with('[').then(|| next_mark_nearby(text, star, ']'));
+            let distance = text[star..range.end].starts_with('[').then(|| next_latex_mark_nearby(text, star, ']'));
             cuts.push((at, (star + distance.flatten().map_or(0, |close| close + 1)).min(range.end)));
         }
         true
@@ -345,9 +346,9 @@ fn display_rows(text: &str, range: Range<usize>) -> Vec<Range<usize>> {
 }
 
 /// Byte of the first `=` of a line outside of groups and environments; `None` if there is none.
-fn equals_sign_of_row(text: &str, row: &Range<usize>) -> Option<usize> {
+fn equals_sign_of_display_row(text: &str, row: &Range<usize>) -> Option<usize> {
     let mut found = None;
-    walk_outside_groups(text, row, |at, rest| {
+    walk_display_outside_groups(text, row, |at, rest| {
         if rest.starts_with('=') {
             found = Some(at);
         }

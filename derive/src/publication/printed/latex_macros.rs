@@ -60,7 +60,7 @@ pub fn command_at(text: &str, at: usize) -> &str {
 
 /// Text without comments, and without the parts hidden by `\iffalse … \fi` and by the environment
 /// comment.
-pub fn without_comments(text: &str) -> TracedText {
+pub fn latex_without_comments(text: &str) -> TracedText {
     let mut out = TracedText::default();
     let end = text.find("\\end{document}").unwrap_or(text.len());
     let (mut at, mut from) = (0, 0);
@@ -126,7 +126,7 @@ pub fn group_end_within(text: &str, open: usize, limit: usize) -> Option<usize> 
 
 /// Distance in bytes from `at` to the next character `mark`; `None` if it is not among the next 200
 /// characters.
-pub fn next_mark_nearby(text: &str, at: usize, mark: char) -> Option<usize> {
+pub fn next_latex_mark_nearby(text: &str, at: usize, mark: char) -> Option<usize> {
     text[at..].char_indices().take(NEAR).find(|(_, c)| *c == mark).map(|(distance, _)| distance)
 }
 
@@ -213,7 +213,7 @@ impl Macros {
             return Some(Definition { name: called, made: definition, end: at + 1 + other.len() });
         }
         if name == "def" {
-            let open = at + next_mark_nearby(text, at, '{')?;
+            let open = at + next_latex_mark_nearby(text, at, '{')?;
             let pattern: String = text[at..open].chars().filter(|c| !c.is_whitespace()).collect();
             made.arguments = pattern.matches('#').count();
             let plain: Vec<String> = (1..=made.arguments).map(|k| format!("#{k}")).collect();
@@ -223,7 +223,7 @@ impl Macros {
             at = skip_space(text, at);
             let mut optional = 0;
             while text[at..].starts_with('[') {
-                let close = at + next_mark_nearby(text, at, ']')?;
+                let close = at + next_latex_mark_nearby(text, at, ']')?;
                 let inside = text[at + 1..close].trim();
                 match (optional, inside.parse::<usize>()) {
                     (0, Ok(count)) if count <= 9 => made.arguments = count,
@@ -432,7 +432,7 @@ impl Expansion<'_> {
     fn optional_macro_argument(&mut self) -> Option<TracedText> {
         let (text, at) = self.stack.last_mut()?;
         let open = skip_space(&text.text, *at);
-        let close = text.text[open..].starts_with('[').then(|| next_mark_nearby(&text.text, open, ']'))??;
+        let close = text.text[open..].starts_with('[').then(|| next_latex_mark_nearby(&text.text, open, ']'))??;
         *at = open + close + 1;
         Some(text.part_with_places(open + 1..open + close))
     }

@@ -8,6 +8,6 @@ mod program_statements;
 mod traced_text;
 
 pub use displayed_equations::{LabelChoice, LatexFile};
-pub use latex_macros::{Macros, without_comments};
-pub use program_statements::{Statement, is_access, is_number, statements};
+pub use latex_macros::{Macros, latex_without_comments};
+pub use program_statements::{Statement, is_program_number, statement_copies_value, statements};
 pub use traced_text::{TracedError, TracedText};

@@ -50,7 +50,7 @@ pub struct Statement {
 }
 
 /// First and last line, counted from 1, of a text such as 12-40; `None` if the text is a name.
-fn line_numbers_of_part(part: &str) -> Option<(usize, usize)> {
+fn line_numbers_of_program_part(part: &str) -> Option<(usize, usize)> {
     let (first, last) = part.split_once('-')?;
     Some((first.trim().parse().ok()?, last.trim().parse().ok()?))
 }
@@ -60,10 +60,10 @@ fn line_numbers_of_part(part: &str) -> Option<(usize, usize)> {
 pub fn statements(text: &str, notation: Notation, part: Option<&str>) -> Option<Vec<Statement>> {
     let range = match part {
         None => 0..text.len(),
-        Some(part) => match line_numbers_of_part(part) {
-            Some((first, last)) => line_range(text, first, last)?,
-            None => part_between_marks(text, part)
-                .or_else(|| function_body(&program_without_comments(text, notation), notation, part))?,
+        Some(part) => match line_numbers_of_program_part(part) {
+            Some((first, last)) => program_line_range(text, first, last)?,
+            None => program_part_between_marks(text, part)
+                .or_else(|| program_function_body(&program_without_comments(text, notation), notation, part))?,
         },
     };
     let clear = program_without_comments(text, notation);
@@ -81,7 +81,7 @@ pub fn statements(text: &str, notation: Notation, part: Option<&str>) -> Option<
 
 /// True if a formula only copies a value: a name with members, indices, strings and numbers,
 /// without arithmetic.
-pub fn is_access(text: &str) -> bool {
+pub fn statement_copies_value(text: &str) -> bool {
     let mut depth = 0_usize;
     let mut quote = None;
     for c in text.trim().chars() {
@@ -107,13 +107,13 @@ pub fn is_access(text: &str) -> bool {
 }
 
 /// True if a text is a decimal number, possibly with the suffix `f`.
-pub fn is_number(text: &str) -> bool {
+pub fn is_program_number(text: &str) -> bool {
     let text = text.trim().trim_end_matches(['f', 'F']);
     !text.is_empty() && text.parse::<f64>().is_ok()
 }
 
 /// Byte range of the lines `first` to `last`, counted from 1; `None` if there are no such lines.
-fn line_range(text: &str, first: usize, last: usize) -> Option<Range<usize>> {
+fn program_line_range(text: &str, first: usize, last: usize) -> Option<Range<usize>> {
     let mut starts = vec![0];
     starts.extend(text.match_indices('\n').map(|(at, _)| at + 1));
     let start = *starts.get(first.checked_sub(1)?)?;
@@ -121,7 +121,7 @@ fn line_range(text: &str, first: usize, last: usize) -> Option<Range<usize>> {
 }
 
 /// Byte range between the comments `begin NAME` and `end NAME`; `None` if they do not exist.
-fn part_between_marks(text: &str, name: &str) -> Option<Range<usize>> {
+fn program_part_between_marks(text: &str, name: &str) -> Option<Range<usize>> {
     let (mut start, mut at) = (None, 0);
     for line in text.split_inclusive('\n') {
         let next = at + line.len();
@@ -137,7 +137,7 @@ fn part_between_marks(text: &str, name: &str) -> Option<Range<usize>> {
 }
 
 /// Byte range of the statements of the function `name`; `None` if it is not found.
-fn function_body(text: &str, notation: Notation, name: &str) -> Option<Range<usize>> {
+fn program_function_body(text: &str, notation: Notation, name: &str) -> Option<Range<usize>> {
     if notation == Notation::C {
         for (at, _) in text.match_indices(name) {
             let whole = !text[..at].ends_with(|c: char| c.is_alphanumeric() || c == '_');
@@ -299,7 +299,7 @@ fn program_statements_in_range(text: &str, range: Range<usize>, notation: Notati
 }
 
 /// Byte positions of the character `mark` outside of parentheses, brackets and braces.
-fn marks_outside_brackets(text: &str, mark: char) -> Vec<usize> {
+fn statement_marks_outside_brackets(text: &str, mark: char) -> Vec<usize> {
     let (mut depth, mut list) = (0_usize, Vec::new());
     for (at, c) in text.char_indices() {
         match c {
@@ -313,9 +313,9 @@ fn marks_outside_brackets(text: &str, mark: char) -> Vec<usize> {
 }
 
 /// Byte ranges of the parts of a text between commas outside of parentheses, brackets and braces.
-fn comma_separated_parts(text: &str) -> Vec<Range<usize>> {
+fn statement_comma_parts(text: &str) -> Vec<Range<usize>> {
     let (mut list, mut from) = (Vec::new(), 0);
-    for at in marks_outside_brackets(text, ',') {
+    for at in statement_marks_outside_brackets(text, ',') {
         list.push(from..at);
         from = at + 1;
     }
@@ -350,15 +350,16 @@ fn read_program_statement(text: &str, range: Range<usize>, notation: Notation, l
     let is_comparison = |at: usize| {
         bytes.get(at + 1) == Some(&b'=') || (at > 0 && matches!(bytes[at - 1], b'=' | b'<' | b'>' | b'!' | b'~'))
     };
-    let signs: Vec<usize> = marks_outside_brackets(own, '=').into_iter().filter(|at| !is_comparison(*at)).collect();
+    let signs: Vec<usize> =
+        statement_marks_outside_brackets(own, '=').into_iter().filter(|at| !is_comparison(*at)).collect();
     if signs.len() > MAX_CHAIN && notation != Notation::C {
         return;
     }
     let (Some(first), Some(last)) = (signs.first().copied(), signs.last().copied()) else { return };
     // A declaration in C may contain several variables.
     let declares = own[..first].trim().contains(' ') && notation == Notation::C;
-    if declares && marks_outside_brackets(own, ',').iter().any(|comma| *comma > first) {
-        for part in comma_separated_parts(own) {
+    if declares && statement_marks_outside_brackets(own, ',').iter().any(|comma| *comma > first) {
+        for part in statement_comma_parts(own) {
             read_program_statement(text, range.start + part.start..range.start + part.end, notation, list);
         }
         return;
@@ -369,13 +370,13 @@ fn read_program_statement(text: &str, range: Range<usize>, notation: Notation, l
     let left = if notation == Notation::C { left.rsplit([' ', '*', '&']).next().unwrap_or(left) } else { left };
     let left = left.rsplit('\n').next().unwrap_or(left);
     let tuple = left.trim().trim_start_matches(['[', '(']).trim_end_matches(',');
-    let is_tuple = !marks_outside_brackets(tuple, ',').is_empty() || left.starts_with('[');
+    let is_tuple = !statement_marks_outside_brackets(tuple, ',').is_empty() || left.starts_with('[');
     let shown = |text: &str| text.replace("->", ".").replace(char::is_whitespace, "").replace('"', "'");
     let right = last + 1..own.len();
     if is_tuple {
         let names: Vec<String> =
-            comma_separated_parts(tuple).into_iter().map(|p| shown(tuple[p].trim_end_matches(')'))).collect();
-        let values = comma_separated_parts(&own[right.clone()]);
+            statement_comma_parts(tuple).into_iter().map(|p| shown(tuple[p].trim_end_matches(')'))).collect();
+        let values = statement_comma_parts(&own[right.clone()]);
         if values.len() == names.len() && notation == Notation::Python {
             for (name, value) in names.into_iter().zip(values) {
                 let right = traced(right.start + value.start..right.start + value.end);
@@ -406,7 +407,7 @@ fn read_program_statement(text: &str, range: Range<usize>, notation: Notation, l
 
 #[cfg(test)]
 mod tests {
-    use super::{is_access, statements};
+    use super::{statement_copies_value, statements};
     use crate::algebra::text::notation::Notation;
 
     fn read(text: &str, notation: Notation, part: Option<&str>) -> Vec<(String, String, bool)> {
@@ -452,10 +453,10 @@ mod tests {
     #[test]
     fn only_access_is_taken_as_declared() {
         for text in ["s[0]", "SX.sym('x')", "p->m", "z(1)", "state", "s[:-1]", "self.m", "z[0:2]"] {
-            assert!(is_access(text), "{text}");
+            assert!(statement_copies_value(text), "{text}");
         }
         for text in ["-x", "2*x", "s[0] + a", "wrap(theta)", "f(x)", "a-b", "f(-x)"] {
-            assert!(!is_access(text), "{text}");
+            assert!(!statement_copies_value(text), "{text}");
         }
     }
 

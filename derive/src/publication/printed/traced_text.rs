@@ -29,26 +29,26 @@ impl TracedError {
 }
 
 /// Byte position as a 32-bit number; files are far smaller than 4 GiB.
-fn compact(at: usize) -> u32 {
+fn traced_place(at: usize) -> u32 {
     u32::try_from(at).unwrap_or(u32::MAX)
 }
 
 impl TracedText {
     /// Text that begins at byte `start` of the author's file.
     pub fn text_at_place(text: &str, start: usize) -> Self {
-        let places = (start..start + text.len()).map(|at| (compact(at), compact(at + 1))).collect();
+        let places = (start..start + text.len()).map(|at| (traced_place(at), traced_place(at + 1))).collect();
         Self { text: text.to_owned(), places }
     }
 
     /// Text whose every byte comes from the same byte range of the author's file.
     pub fn from_place(text: &str, place: &Range<usize>) -> Self {
-        Self { text: text.to_owned(), places: vec![(compact(place.start), compact(place.end)); text.len()] }
+        Self { text: text.to_owned(), places: vec![(traced_place(place.start), traced_place(place.end)); text.len()] }
     }
 
     /// Appends a text whose every byte comes from the byte range `place` of the author's file.
     pub fn push_with_place(&mut self, text: &str, place: &Range<usize>) {
         self.text.push_str(text);
-        self.places.extend(std::iter::repeat_n((compact(place.start), compact(place.end)), text.len()));
+        self.places.extend(std::iter::repeat_n((traced_place(place.start), traced_place(place.end)), text.len()));
     }
 
     /// Appends the bytes `range` of another text, with their places.

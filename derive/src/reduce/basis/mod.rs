@@ -3,8 +3,8 @@
 
 pub(super) mod hoisted_constants;
 pub(super) mod moving_frame;
-pub(super) mod pivots;
 pub(super) mod prose;
 pub(super) mod reaction_balance;
 pub(super) mod reduction_basis;
 pub(super) mod search_work;
+pub(super) mod solved_rows;

@@ -3,7 +3,7 @@
 //! Balances along the reactions come before those along axes of frames. In them a reaction has the
 //! factor 1, so no cosine that may become zero in the motion becomes a divisor.
 
-use super::pivots::solve_rows;
+use super::solved_rows::solve_rows;
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::{Arena, Expr};
 use crate::mechanics::{Equations, Kinematics, balance_multipliers_along_reactions};
@@ -12,7 +12,7 @@ use crate::model::Model;
 /// Linear system matrix · reactions = right. It has more rows than reactions, and rows may be
 /// dependent.
 #[derive(Clone)]
-pub struct ForceBalance {
+pub struct ReactionBalance {
     /// Symbols of the reactions, which are the unknowns.
     reactions: Vec<Expr>,
     /// Matrix of the system, with a column for each reaction.
@@ -21,7 +21,7 @@ pub struct ForceBalance {
     right: Vec<Expr>,
 }
 
-impl ForceBalance {
+impl ReactionBalance {
     /// Builds the system from Newton–Euler equations, whose unknowns are the accelerations and then the
     /// reactions.
     pub fn new(model: &Model, kinematics: &mut Kinematics, equations: &Equations) -> Self {

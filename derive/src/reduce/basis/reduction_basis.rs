@@ -2,7 +2,7 @@
 //! scene as numbers.
 
 use super::moving_frame::{FrameSymmetry, PinnedFrame};
-use super::reaction_balance::ForceBalance;
+use super::reaction_balance::ReactionBalance;
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::meaning::compare::Comparer;
 use crate::algebra::solve::linear::LinearForm;
@@ -11,8 +11,8 @@ use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr, Rational};
 use crate::flow::symmetry_candidates;
 use crate::mechanics::{
-    Derivations, DeriveError, EquationForm, Equations, Formulation, Kinematics, derive_all_with, is_reducible,
-    motion_rates, rates_to_speeds,
+    Derivations, DeriveError, EquationForm, Equations, Formulation, Kinematics, derive_all_with, has_reducible_form,
+    kinematic_rates, rates_to_speeds,
 };
 use crate::model::{Model, Unit};
 use crate::prove::{Integral, IntegralKind, IntegralSearchBasis, VectorField};
@@ -83,7 +83,7 @@ pub struct ReductionBasis {
     /// Equations by Kane's method, in the current variables.
     pub kane: Equations,
     /// Linear system that determines the reactions, or the reason why there is none.
-    pub balance: Result<ForceBalance, DeriveError>,
+    pub balance: Result<ReactionBalance, DeriveError>,
     /// First integrals of the motion, as proved for the model.
     pub integrals: Vec<Integral>,
     /// Momenta of symmetries among the first integrals, if linear in the speeds.
@@ -105,13 +105,13 @@ pub struct ReductionBasis {
     pub frame: Option<PinnedFrame>,
     /// Data for the search for first integrals; `None` after parameters became numbers, or if there is
     /// no search.
-    search: Option<IntegralSearchData>,
+    search: Option<ReductionBasisIntegrals>,
 }
 
 /// Data for the search for first integrals, with units that are lost when numbers replace
 /// parameters.
 #[derive(Clone)]
-struct IntegralSearchData {
+struct ReductionBasisIntegrals {
     /// Equations and vector fields from which the search starts.
     basis: IntegralSearchBasis,
     /// First moment Σ m r of the whole system along each inertial axis.
@@ -128,14 +128,14 @@ impl ReductionBasis {
     /// # Errors
     /// [`DeriveError`] if Kane's equations cannot be derived.
     pub fn new(model: &Model) -> Result<Self, DeriveError> {
-        let form = if is_reducible(model) { EquationForm::Closed } else { EquationForm::Steps };
+        let form = if has_reducible_form(model) { EquationForm::Closed } else { EquationForm::Steps };
         let mut derivations = derive_all_with(model, Kinematics::in_form(model, form)?)?;
         let kane = derivations.result(Formulation::Kane)?.clone();
         let balance = derivations.result(Formulation::NewtonEuler).cloned();
-        let balance = balance.map(|equations| ForceBalance::new(model, &mut derivations.kinematics, &equations));
+        let balance = balance.map(|equations| ReactionBalance::new(model, &mut derivations.kinematics, &equations));
         let (search, fields) = match model.coordinates.len() {
             0..=MOST_COORDINATES => (
-                IntegralSearchData::new(model, &mut derivations),
+                ReductionBasisIntegrals::new(model, &mut derivations),
                 symmetry_candidates(model, &mut derivations.kinematics),
             ),
             _ => (None, Vec::new()),
@@ -258,10 +258,10 @@ impl ReductionBasis {
 
     /// Sets of momenta that may be kept constant together, because their symmetries commute, as lists
     /// of indices. Up to `MOST_TRIED` momenta give all such sets, more momenta only the largest sets.
-    pub(in crate::reduce) fn commuting_momentum_sets(&mut self) -> Vec<Vec<usize>> {
+    pub(in crate::reduce) fn commuting_momenta_of_basis(&mut self) -> Vec<Vec<usize>> {
         let count = self.momenta.len();
         let pairs = (0..count).flat_map(|a| (0..a).map(move |b| (a, b)));
-        let apart: Vec<(usize, usize)> = pairs.filter(|(a, b)| !self.momenta_commute(*a, *b)).collect();
+        let apart: Vec<(usize, usize)> = pairs.filter(|(a, b)| !self.basis_momenta_commute(*a, *b)).collect();
         let allowed = |choice: &Vec<usize>| !apart.iter().any(|(a, b)| choice.contains(a) && choice.contains(b));
         if count <= MOST_TRIED {
             let subsets = (0..1_usize << count).map(|bits| (0..count).filter(|at| bits >> at & 1 == 1).collect());
@@ -286,7 +286,7 @@ impl ReductionBasis {
 
     /// True if the symmetries ξ and η of the momenta `a` and `b` commute: their bracket, with the
     /// components ξ·∂η_i − η·∂ξ_i, vanishes.
-    fn momenta_commute(&mut self, a: usize, b: usize) -> bool {
+    fn basis_momenta_commute(&mut self, a: usize, b: usize) -> bool {
         let arena = &mut self.arena;
         let along = |field: &[Expr]| {
             Differential::along(&self.q.iter().copied().zip(field.iter().copied()).collect::<Vec<_>>())
@@ -301,7 +301,7 @@ impl ReductionBasis {
     }
 }
 
-impl IntegralSearchData {
+impl ReductionBasisIntegrals {
     /// Collects the search data of a model. `None` unless the equations by Kane and by Lagrange were
     /// derived.
     fn new(model: &Model, derivations: &mut Derivations) -> Option<Self> {
@@ -353,7 +353,7 @@ impl IntegralSearchData {
         let plain = field.iter().position(|x| arena.as_number(*x).is_some_and(|k| !k.is_zero()));
         let unit = plain.map_or_else(|| model.unit_of(arena, value).unwrap_or_default(), |at| self.units[at].clone());
         let axis = (0..3).find(|axis| {
-            let rate = motion_rates(model).apply(arena, self.centre[*axis]);
+            let rate = kinematic_rates(model).apply(arena, self.centre[*axis]);
             let difference = arena.sub(rate, value);
             zero_test(arena, difference) == ZeroTest::Zero
         });

@@ -81,7 +81,7 @@ impl ReductionBasis {
             self.q[at] = symbol;
             self.kane.coordinates[at] = symbol;
         }
-        self.rewrite(&pairs, wanted)
+        self.rewrite_in_differences(&pairs, wanted)
     }
 
     /// Replaces speeds by their differences from a multiple of the first. Returns the wanted
@@ -123,7 +123,7 @@ impl ReductionBasis {
             self.kane.variables[at] = symbol;
             self.kane.unknowns[at] = rate;
         }
-        self.rewrite(&pairs, wanted)
+        self.rewrite_in_differences(&pairs, wanted)
     }
 
     /// Ratio at which a variable moves with the pivot variable, and a new symbol for their difference.
@@ -144,7 +144,7 @@ impl ReductionBasis {
     }
 
     /// Applies a substitution to every term of the basis, and returns the wanted quantities after it.
-    fn rewrite(&mut self, pairs: &[(Expr, Expr)], wanted: &WantedOutputs) -> WantedOutputs {
+    fn rewrite_in_differences(&mut self, pairs: &[(Expr, Expr)], wanted: &WantedOutputs) -> WantedOutputs {
         let mut put = Substitution::new(pairs);
         let kept = self.q.clone();
         self.rewrite_basis_terms(&mut |arena, simplifier, e| {

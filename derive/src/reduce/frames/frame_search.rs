@@ -57,7 +57,7 @@ impl ReductionBasis {
         }
         let plain = FrameAndMomenta { momenta: momenta.to_vec(), ..FrameAndMomenta::default() };
         let mut trial = self.clone();
-        let flow = trial.flow_of(&plain, wanted)?;
+        let flow = trial.flow_of_frame_choice(&plain, wanted)?;
         let (_, without, operations) = flow.slice_cost(&trial);
         let (mut least, mut best) = (frame_choice_cost(without, operations), None);
         // Start values of the scene's integrated variables, in the variables of the model.
@@ -74,7 +74,7 @@ impl ReductionBasis {
                     return best;
                 }
                 let mut trial = self.clone();
-                let flow = trial.flow_of(&choice, wanted);
+                let flow = trial.flow_of_frame_choice(&choice, wanted);
                 work.add(&trial, self);
                 let Some(flow) = flow else { continue };
                 let (_, integrated, operations) = flow.slice_cost(&trial);
@@ -109,16 +109,16 @@ impl ReductionBasis {
 
     /// Smallest system that a scene integrates with a choice; `None` if its equations are not
     /// determined.
-    fn flow_of(&mut self, choice: &FrameAndMomenta, wanted: &WantedOutputs) -> Option<Slice> {
+    fn flow_of_frame_choice(&mut self, choice: &FrameAndMomenta, wanted: &WantedOutputs) -> Option<Slice> {
         let wanted = self.differences(choice, wanted);
-        let wanted = self.write_in_chosen_frame(choice, wanted)?;
+        let wanted = self.write_in_frame_choice(choice, wanted)?;
         let level = self.equations_on_momentum_level(&choice.momenta, None)?;
         Slice::new(self, &level, &wanted)
     }
 
     /// Writes the equations in the frame of a choice, if it has a frame, and returns the wanted
     /// quantities in it. `None` if the frame is singular.
-    pub(in crate::reduce) fn write_in_chosen_frame(
+    pub(in crate::reduce) fn write_in_frame_choice(
         &mut self,
         choice: &FrameAndMomenta,
         wanted: WantedOutputs,
@@ -132,7 +132,7 @@ impl ReductionBasis {
     /// Finds symmetries that move at least one of the states `needed` and leave the wanted quantities
     /// unchanged. Stores them in `turns`.
     fn find_frame_symmetries(&mut self, needed: &[usize], wanted: &WantedOutputs) {
-        let Some(mut whole) = self.whole_flow() else { return };
+        let Some(mut whole) = self.flow_for_frame_search() else { return };
         let rates = whole.rates.clone();
         let rates = whole.without_definitions(&rates);
         let accelerations: Vec<(Expr, Expr)> =
@@ -174,7 +174,7 @@ impl ReductionBasis {
 
     /// First-order system x' = f(x) of the whole model, with solved rates. `None` if the accelerations
     /// are not determined.
-    fn whole_flow(&self) -> Option<Whole> {
+    fn flow_for_frame_search(&self) -> Option<Whole> {
         let mut arena = self.arena.clone();
         let steps = SolvedAccelerations::steps(&mut arena, &self.kane).ok()?;
         let unknowns = self.kane.unknowns.iter().take(self.model.speeds.len());
@@ -205,7 +205,7 @@ impl ReductionBasis {
         // Brackets of each symmetry with the symmetries before it.
         let mut bracket: Vec<Vec<Bracket>> = Vec::new();
         for a in 0..count {
-            bracket.push((0..a).map(|b| self.symmetry_bracket(a, b)).collect());
+            bracket.push((0..a).map(|b| self.frame_symmetry_bracket(a, b)).collect());
         }
         let inside = |a: usize, b: usize, set: &[usize]| match bracket[a.max(b)][a.min(b)] {
             Bracket::Zero => true,
@@ -230,7 +230,7 @@ impl ReductionBasis {
 
     /// Classifies the bracket of the symmetries with the indices `a` and `b`: zero, a known symmetry,
     /// or another field.
-    fn symmetry_bracket(&mut self, a: usize, b: usize) -> Bracket {
+    fn frame_symmetry_bracket(&mut self, a: usize, b: usize) -> Bracket {
         let states = [self.q.clone(), self.kane.variables.clone()].concat();
         let arena = &mut self.arena;
         let along = |field: &[Expr]| {
@@ -274,7 +274,7 @@ impl ReductionBasis {
             }
             let mut basis = self.clone();
             let wanted = basis.replace_by_differences(&self.momenta_with_constant_directions(momenta), wanted.clone());
-            for pins in basis.frame_sections(turns, momenta, &wanted) {
+            for pins in basis.search_frame_sections(turns, momenta, &wanted) {
                 let mut trial = basis.clone();
                 let framed = trial.equations_on_section(turns, &pins, momenta, &wanted);
                 if framed.is_some_and(|_| trial.equations_on_momentum_level(momenta, None).is_some()) {
@@ -288,7 +288,7 @@ impl ReductionBasis {
     /// Candidate sets of states that a frame may keep at zero: the frame's symmetries move them, and
     /// the scene would integrate them. Coordinates come first, then speeds, each from the last to the
     /// first, so that a distance lies along the first axis.
-    fn frame_sections(&self, turns: &[usize], momenta: &[usize], wanted: &WantedOutputs) -> Vec<Vec<usize>> {
+    fn search_frame_sections(&self, turns: &[usize], momenta: &[usize], wanted: &WantedOutputs) -> Vec<Vec<usize>> {
         let needed = self.variables_integrated_without_frame(momenta, wanted);
         let states = [self.q.clone(), self.kane.variables.clone()].concat();
         let moved = |at: usize| turns.iter().any(|turn| self.turns[*turn].along[at] != Expr::ZERO);

@@ -7,8 +7,8 @@ use crate::algebra::term::calculus::{Differential, Substitution};
 use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr};
 use crate::reduce::basis::moving_frame::{FrameSymmetry, PinnedFrame};
-use crate::reduce::basis::pivots::{SolvedRows, solve_rows};
 use crate::reduce::basis::reduction_basis::ReductionBasis;
+use crate::reduce::basis::solved_rows::{SolvedRows, solve_rows};
 use crate::reduce::result::reduction::MovingFrame;
 use crate::reduce::slices::wanted_outputs::WantedOutputs;
 
@@ -30,7 +30,7 @@ impl ReductionBasis {
         let pairs: Vec<(Expr, Expr)> = pins.iter().map(|at| (states[*at], Expr::ZERO)).collect();
         let mut put = Substitution::new(&pairs);
         let changes: Vec<Vec<Expr>> =
-            turns.iter().map(|turn| self.momentum_derivatives_along_symmetry(*turn, momenta, &states)).collect();
+            turns.iter().map(|turn| self.momentum_changes_on_section(*turn, momenta, &states)).collect();
         let (variables, unknowns) = (self.kane.variables.clone(), self.kane.unknowns.clone());
         self.rewrite_basis_terms(&mut |arena, simplifier, e| {
             let there = put.apply(arena, e);
@@ -83,7 +83,7 @@ impl ReductionBasis {
     }
 
     /// Data to move a start of the whole model to a start in the frame; `None` without a frame.
-    pub(in crate::reduce) fn start_data_of_frame_section(&mut self) -> Option<MovingFrame> {
+    pub(in crate::reduce) fn start_on_section(&mut self) -> Option<MovingFrame> {
         let frame = self.frame.clone()?;
         let starts = [self.q_start.as_slice(), &self.u_start].concat();
         let pins: Vec<Expr> = frame.pins.iter().map(|pin| starts[*pin]).collect();
@@ -109,12 +109,12 @@ impl ReductionBasis {
     }
 
     /// True if the frame keeps the speed with this index at zero.
-    pub(in crate::reduce) fn is_pinned_speed(&self, at: usize) -> bool {
+    pub(in crate::reduce) fn section_pins_speed(&self, at: usize) -> bool {
         self.frame.as_ref().is_some_and(|frame| frame.pins.contains(&(self.q.len() + at)))
     }
 
     /// Derivatives of momenta along a symmetry; zero if the symmetry leaves the momentum unchanged.
-    fn momentum_derivatives_along_symmetry(&mut self, turn: usize, momenta: &[usize], states: &[Expr]) -> Vec<Expr> {
+    fn momentum_changes_on_section(&mut self, turn: usize, momenta: &[usize], states: &[Expr]) -> Vec<Expr> {
         let along = states.iter().copied().zip(self.turns[turn].along.iter().copied()).collect::<Vec<_>>();
         let mut change = Differential::along(&along);
         momenta.iter().map(|at| change.apply(&mut self.arena, self.momenta[*at].value)).collect()

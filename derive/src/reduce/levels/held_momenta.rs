@@ -28,7 +28,7 @@ impl ReductionBasis {
     /// Creates a new symbol for the constant value of the momentum with this index.
     pub(in crate::reduce) fn hold_momentum(&mut self, at: usize) -> HeldMomentum {
         let momentum = &self.momenta[at];
-        let wanted = momentum_symbol_name(&self.model, momentum, at);
+        let wanted = held_momentum_name(&self.model, momentum, at);
         let (of_state, about) = (momentum.value, momentum.about.as_str().into());
         let unit = momentum.unit.clone();
         HeldMomentum { momentum: at, symbol: fresh_symbol(&mut self.arena, &wanted), of_state, about, unit }
@@ -55,7 +55,7 @@ impl ReductionBasis {
 
 /// Name for the symbol of a momentum: `p_q3` for the momentum of a coordinate, else its customary
 /// symbol, else `momentum2`. If a function of q is added to the momentum, the name is `p_q3_total`.
-fn momentum_symbol_name(model: &Model, momentum: &Momentum, at: usize) -> String {
+fn held_momentum_name(model: &Model, momentum: &Momentum, at: usize) -> String {
     let kinds = &momentum.kinds;
     let of_coordinate = kinds.iter().find(|kind| matches!(kind, IntegralKind::Coordinate(_)));
     let found = of_coordinate.into_iter().chain(kinds).find_map(|kind| kind.symbol(model));

@@ -9,9 +9,9 @@ use crate::algebra::Expr;
 use crate::algebra::solve::linear::LinearForm;
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::term::steps::fresh_symbol;
-use crate::reduce::basis::pivots::SolvedRows;
 use crate::reduce::basis::prose::Prose;
 use crate::reduce::basis::reduction_basis::ReductionBasis;
+use crate::reduce::basis::solved_rows::SolvedRows;
 
 impl ReductionBasis {
     /// Replaces constant momenta by multiples of them, where that saves operations. Momenta that move a

@@ -11,8 +11,8 @@ use super::surface_quotients::SingularSurface;
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::term::steps::Definition;
 use crate::algebra::{Arena, Expr};
-use crate::reduce::basis::pivots::{SolvedRows, solve_rows};
 use crate::reduce::basis::reduction_basis::ReductionBasis;
+use crate::reduce::basis::solved_rows::{SolvedRows, solve_rows};
 
 /// Equations of motion on a level set of momenta: speeds u_R remain, and the momenta determine all
 /// others.
@@ -56,7 +56,7 @@ impl ReductionBasis {
         // definite. Then the momenta determine the speeds wherever the symmetries are independent. A larger
         // set of speeds would add singularities.
         let moved = |at: usize| momenta.iter().any(|m| self.momenta[*m].direction[at] != Expr::ZERO);
-        let free = (0..n).filter(|at| !self.is_pinned_speed(*at));
+        let free = (0..n).filter(|at| !self.section_pins_speed(*at));
         let (solved_for, kept): (Vec<usize>, Vec<usize>) = free.partition(|at| moved(*at));
         if solved_for.len() != momenta.len() {
             return None;
@@ -69,16 +69,16 @@ impl ReductionBasis {
         if solved.pivots.len() < momenta.len() {
             return None;
         }
-        let z = directions_of_kept_speeds(arena, simplifier, &solved, &kept, n);
+        let z = momentum_level_directions(arena, simplifier, &solved, &kept, n);
         if let Some(surface) = surface {
             surface.split_surface_quotients(arena, simplifier, &mut solved, &mut held);
         }
         self.choose_momentum_constants(&mut solved, &mut held);
-        Some(self.equations_of_kept_speeds(held, kept, &solved, &z))
+        Some(self.momentum_level_of_kept_speeds(held, kept, &solved, &z))
     }
 
     /// Derives the equations of the remaining speeds `kept` from the solved momenta and the matrix Z.
-    fn equations_of_kept_speeds(
+    fn momentum_level_of_kept_speeds(
         &mut self,
         held: Vec<HeldMomentum>,
         kept: Vec<usize>,
@@ -151,7 +151,7 @@ impl ReductionBasis {
 }
 
 /// Matrix Z: for each speed, its coefficients of the remaining speeds u_R.
-fn directions_of_kept_speeds(
+fn momentum_level_directions(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
     solved: &SolvedRows,

@@ -10,7 +10,7 @@ use crate::algebra::solve::linear::LinearForm;
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::term::steps::fresh_symbol;
 use crate::algebra::{Arena, Expr, Rational};
-use crate::reduce::basis::pivots::SolvedRows;
+use crate::reduce::basis::solved_rows::SolvedRows;
 
 /// Singular surface of a reduction, on which a coordinate q equals k π/2.
 #[derive(Clone, Copy, Debug)]

@@ -86,7 +86,7 @@ fn omitted_pinned_states(basis: &ReductionBasis, proof: &ReductionProof) -> Vec<
 
 /// Omissions of the speeds that constant momenta determine.
 fn omitted_speeds(basis: &ReductionBasis, level: &Level, flow: &Slice, proof: &ReductionProof) -> Vec<Omission> {
-    let used = flow.dependence.mentioned_symbols(&basis.arena, &flow.terms());
+    let used = flow.dependence.mentioned_symbols(&basis.arena, &flow.packed_terms());
     let one = |d: &Definition| {
         if !used.contains(&d.symbol) {
             return Omission {

@@ -7,7 +7,7 @@ use super::reduction_proof::{WholeModel, prove_reduction};
 use crate::algebra::term::calculus::{Differential, Substitution};
 use crate::algebra::term::steps::Definition;
 use crate::algebra::text::print::print_text;
-use crate::algebra::value::range::never_zero;
+use crate::algebra::value::range::range_excludes_zero;
 use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr, Node};
 use crate::mechanics::{Derivation, Equations, EquationsOrigin, Formulation, RowName};
@@ -16,7 +16,7 @@ use crate::reduce::basis::hoisted_constants::Hoist;
 use crate::reduce::basis::prose::Prose;
 use crate::reduce::basis::reduction_basis::ReductionBasis;
 use crate::reduce::levels::momentum_level::Level;
-use crate::reduce::slices::one_degree_potential::PotentialDifference;
+use crate::reduce::slices::potential_difference::PotentialDifference;
 use crate::reduce::slices::slice::{Slice, Variable};
 use crate::reduce::slices::wanted_outputs::WantedOutputs;
 use crate::scene::Scene;
@@ -34,8 +34,8 @@ pub fn pack_reduction(
     mut flow: Slice,
     scene: &Scene,
 ) -> Result<Reduction, String> {
-    flow.remove_constant_energy(&mut basis, level);
-    flow.keep_system(&mut basis, level);
+    flow.pack_without_constant_energy(&mut basis, level);
+    flow.pack_linear_system(&mut basis, level);
     let proof = prove_reduction(&mut basis, whole, level, &mut flow)?;
     let states = packed_quantities(&basis, &flow.core);
     let quadratures = packed_quantities(&basis, &flow.quadratures);
@@ -46,11 +46,11 @@ pub fn pack_reduction(
         *e = dependence.without_definitions(&mut basis.arena, *e);
     }
     let mut equations = packed_equations(&mut basis, level, &flow);
-    let hoisted = hoist_constants_of_equations(&mut basis, level, &mut equations);
+    let hoisted = hoist_packed_equations(&mut basis, level, &mut equations);
     let outputs =
         flow.wanted.outputs.iter().map(|(name, value)| ReducedOutput { name: name.clone(), value: *value }).collect();
     let folded = basis.folded.clone();
-    let frame = basis.start_data_of_frame_section();
+    let frame = basis.start_on_section();
     let kept_by_domain = basis.kept_by_domain.clone();
     let events = flow.wanted.events.clone();
     let slope =
@@ -202,7 +202,7 @@ fn packed_symbols(arena: &Arena, flow: &Slice, e: &Equations, slope: Option<&Pot
 
 /// Replaces products of parameters in the equations by constants, because the equations are
 /// evaluated in every step. Returns the constants.
-fn hoist_constants_of_equations(basis: &mut ReductionBasis, level: &Level, e: &mut Equations) -> Hoist {
+fn hoist_packed_equations(basis: &mut ReductionBasis, level: &Level, e: &mut Equations) -> Hoist {
     let folded = &basis.folded;
     let free = basis.model.parameters.iter().filter(|p| folded.iter().all(|(name, _)| *name != p.name));
     let parameters: Vec<Expr> = free.map(|p| p.symbol).chain(level.held.iter().map(|h| h.symbol)).collect();
@@ -217,9 +217,9 @@ fn hoist_constants_of_equations(basis: &mut ReductionBasis, level: &Level, e: &m
 impl Slice {
     /// Removes a constant part of the energy that the reduced equations do not contain, such as the
     /// energy of a mass centre that no output shows.
-    fn remove_constant_energy(&mut self, basis: &mut ReductionBasis, level: &Level) {
+    fn pack_without_constant_energy(&mut self, basis: &mut ReductionBasis, level: &Level) {
         let Some(energy) = self.energy.take() else { return };
-        let terms = self.terms();
+        let terms = self.packed_terms();
         let own = self.dependence.mentioned_symbols(&basis.arena, &terms);
         let pairs: Vec<(Expr, Expr)> =
             level.held.iter().filter(|h| !own.contains(&h.symbol)).map(|h| (h.symbol, Expr::ZERO)).collect();
@@ -245,7 +245,7 @@ impl Slice {
     /// Keeps the linear system matrix · u̇ = right of the level set in place of the solved rates. Does
     /// so if all of its speeds are integrated, and if it contains only variables on which their rates
     /// depend.
-    fn keep_system(&mut self, basis: &mut ReductionBasis, level: &Level) {
+    fn pack_linear_system(&mut self, basis: &mut ReductionBasis, level: &Level) {
         let all: Vec<Variable> = self.core.iter().chain(&self.quadratures).copied().collect();
         let speeds = all.iter().filter(|v| v.is_speed).map(|v| v.place);
         if !speeds.eq(level.kept.iter().copied()) {
@@ -265,13 +265,13 @@ impl Slice {
     }
 
     /// All terms that the reduced equations compute: rates, outputs, conditions, events and the energy.
-    pub(in crate::reduce) fn terms(&self) -> Vec<Expr> {
+    pub(in crate::reduce) fn packed_terms(&self) -> Vec<Expr> {
         let rates = self.core.iter().chain(&self.quadratures).map(|v| v.rate);
-        rates.chain(self.shown()).collect()
+        rates.chain(self.packed_shown_values()).collect()
     }
 
     /// Values that are shown or watched: outputs, conditions, events and the energy if it is known.
-    fn shown(&self) -> impl Iterator<Item = Expr> {
+    fn packed_shown_values(&self) -> impl Iterator<Item = Expr> {
         let WantedOutputs { outputs, conditions, events } = &self.wanted;
         let outputs = outputs.iter().map(|(_, e)| *e);
         outputs.chain(conditions.iter().copied()).chain(events.iter().copied()).chain(self.energy)
@@ -297,7 +297,8 @@ fn packed_equations(basis: &mut ReductionBasis, level: &Level, flow: &Slice) -> 
     }
     // An output may be a solved acceleration, even if the equations are kept as a linear system.
     let rates = coordinates.iter().map(|v| v.rate);
-    let terms: Vec<Expr> = flow.shown().chain(rates).chain(matrix.concat()).chain(forcing.iter().copied()).collect();
+    let terms: Vec<Expr> =
+        flow.packed_shown_values().chain(rates).chain(matrix.concat()).chain(forcing.iter().copied()).collect();
     let arena = &mut basis.arena;
     let (kinetic_energy, potential_energy) = flow.energy.map_or((Expr::ZERO, Expr::ZERO), |energy| {
         let at_rest: Vec<(Expr, Expr)> = variables.iter().map(|u| (*u, Expr::ZERO)).collect();
@@ -315,7 +316,7 @@ fn packed_equations(basis: &mut ReductionBasis, level: &Level, flow: &Slice) -> 
     let divides = |d: &&Expr| present.iter().any(|s| arena.mentions(**d, *s));
     let definitions = flow.definitions_used_in_slice(arena, &terms);
     let divisors: Vec<Expr> = level.divisors.iter().chain(&basis.kane.divisors).filter(divides).copied().collect();
-    let mut divisors: Vec<Expr> = divisors.into_iter().filter_map(|d| divisor_part_with_zeros(arena, d)).collect();
+    let mut divisors: Vec<Expr> = divisors.into_iter().filter_map(|d| packed_divisor(arena, d)).collect();
     divisors.sort_unstable();
     divisors.dedup();
     Equations {
@@ -349,14 +350,14 @@ fn packed_equations(basis: &mut ReductionBasis, level: &Level, flow: &Slice) -> 
 
 /// Product of those factors of a divisor that can be zero. Numbers and factors that are proved
 /// never to be zero, such as an inertia, are left out. `None` if no factor remains.
-fn divisor_part_with_zeros(arena: &mut Arena, divisor: Expr) -> Option<Expr> {
+fn packed_divisor(arena: &mut Arena, divisor: Expr) -> Option<Expr> {
     let (_, divisor) = arena.split_content(divisor);
     let factors = match arena.node(divisor) {
         Node::Product(factors) => factors.to_vec(),
         _ => vec![(divisor, 1)],
     };
     let above = factors.into_iter().filter(|(_, n)| *n > 0).map(|(base, _)| base);
-    let open: Vec<Expr> = above.filter(|base| !never_zero(arena, *base)).collect();
+    let open: Vec<Expr> = above.filter(|base| !range_excludes_zero(arena, *base)).collect();
     (!open.is_empty()).then(|| arena.product(&open))
 }
 

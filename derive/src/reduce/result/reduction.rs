@@ -8,7 +8,7 @@ use crate::algebra::{Arena, Expr, Rational};
 use crate::mechanics::Derivation;
 use crate::model::{Model, Unit, text_hash};
 use crate::reduce::basis::prose::Prose;
-use crate::reduce::slices::one_degree_potential::PotentialDifference;
+use crate::reduce::slices::potential_difference::PotentialDifference;
 
 /// Variable or constant of reduced equations, with its value at the start.
 #[derive(Clone, Debug)]

@@ -17,8 +17,8 @@ use crate::algebra::term::calculus::{Differential, Substitution};
 use crate::algebra::value::zero_test::{ZeroTest, bounded_zero_test};
 use crate::mechanics::Equations;
 use crate::reduce::basis::moving_frame::{FrameSymmetry, solved_rates};
-use crate::reduce::basis::pivots::solve_rows;
 use crate::reduce::basis::reduction_basis::ReductionBasis;
+use crate::reduce::basis::solved_rows::solve_rows;
 use crate::reduce::levels::momentum_level::Level;
 use crate::reduce::slices::slice::Slice;
 use crate::reduce::slices::wanted_outputs::WantedOutputs;
@@ -109,17 +109,17 @@ impl ReductionCheck {
         let change = Differential::along(&flow.raw);
         let (of_q, of_u) = (whole.kane.coordinates.clone(), whole.kane.variables.clone());
         let there: Vec<Expr> = basis.q.clone();
-        let q = inverse_of_linear_variables(basis, &of_q, &basis.q_start.clone(), &there)?;
+        let q = invert_variables_for_proof(basis, &of_q, &basis.q_start.clone(), &there)?;
         let mut put = basis.section_substitution();
         let q: Vec<Expr> = q.into_iter().map(|e| put.apply(&mut basis.arena, e)).collect();
         // Every speed must be kept, defined, constant or pinned.
         let held = level.definitions.iter().map(|d| d.symbol).chain(level.held.iter().map(|h| h.symbol));
         let known: Vec<Expr> = held.chain(level.kept.iter().map(|k| basis.kane.variables[*k])).collect();
         let speeds: Vec<Expr> = basis.kane.variables.clone();
-        if !speeds.iter().enumerate().all(|(at, u)| known.contains(u) || basis.is_pinned_speed(at)) {
+        if !speeds.iter().enumerate().all(|(at, u)| known.contains(u) || basis.section_pins_speed(at)) {
             return None;
         }
-        let u = inverse_of_linear_variables(basis, &of_u, &basis.u_start.clone(), &speeds)?;
+        let u = invert_variables_for_proof(basis, &of_u, &basis.u_start.clone(), &speeds)?;
         let mut check = Self {
             written: Substitution::default(),
             change,
@@ -313,7 +313,7 @@ impl ReductionCheck {
 /// Solves `stated` = `symbols` for the model's variables, where `stated` are linear functions of
 /// them with numbers as coefficients. Returns their values in `symbols`. `None` if the functions
 /// cannot be inverted.
-fn inverse_of_linear_variables(
+fn invert_variables_for_proof(
     basis: &mut ReductionBasis,
     model: &[Expr],
     stated: &[Expr],

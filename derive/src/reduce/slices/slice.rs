@@ -212,7 +212,7 @@ impl Slice {
                 let free = !self.dependence.mentioned_symbols(&basis.arena, &rates).contains(&v.symbol);
                 (free && !v.is_speed && !watched.contains(&v.symbol)).then_some(())?;
                 basis
-                    .coordinate_of_uniform_mass_centre(v.symbol, position, h.symbol, self.time)
+                    .slice_coordinate_of_mass_centre(v.symbol, position, h.symbol, self.time)
                     .map(|(value, symbol)| UniformMassCentre { coordinate: v.symbol, value, symbol, position, held })
             });
             let Some(carried) = found else { continue };
@@ -281,7 +281,7 @@ impl ReductionBasis {
     /// Solves position = start + momentum · t for a coordinate. Returns the value, and the new symbol
     /// of the position at the start. `None` unless the coordinate enters the position with a constant
     /// factor.
-    fn coordinate_of_uniform_mass_centre(
+    fn slice_coordinate_of_mass_centre(
         &mut self,
         coordinate: Expr,
         position: Expr,

@@ -50,7 +50,7 @@ impl ReductionBasis {
     /// # Errors
     /// `DeriveError` if a reaction is wanted and the model's equations do not determine it.
     pub(in crate::reduce) fn wanted(&mut self, scene: &Scene) -> Result<WantedOutputs, DeriveError> {
-        let mut rewrite = self.scene_name_substitution(scene)?;
+        let mut rewrite = self.wanted_name_substitution(scene)?;
         let mut output = |basis: &mut Self, e: Expr| {
             let e = rewrite.apply(&mut basis.arena, e);
             let e = rates_to_speeds(&basis.model).apply(&mut basis.arena, e);
@@ -69,7 +69,7 @@ impl ReductionBasis {
     ///
     /// # Errors
     /// `DeriveError` if a reaction is wanted and the model's equations do not determine it.
-    fn scene_name_substitution(&mut self, scene: &Scene) -> Result<Substitution, DeriveError> {
+    fn wanted_name_substitution(&mut self, scene: &Scene) -> Result<Substitution, DeriveError> {
         let mut pairs = Vec::new();
         for (name, value) in &self.folded {
             if let Some(p) = self.model.parameters.iter().find(|p| p.name == *name) {

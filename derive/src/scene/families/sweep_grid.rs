@@ -245,9 +245,9 @@ impl ValueReader<'_, '_> {
         let name = text[..equals].trim();
         let place = self.varied_number(name, 0..equals, context.scene)?;
         let axis = |count, values| Some(Axis { name: name.to_owned(), place, count, values });
-        match split_with_places(text, equals + 1, ':').as_slice() {
+        match split_grid_text(text, equals + 1, ':').as_slice() {
             [_] => {
-                let list = split_with_places(text, equals + 1, ',');
+                let list = split_grid_text(text, equals + 1, ',');
                 let numbers: Vec<_> = list.iter().map(|part| self.value_of(part, place, context)).collect();
                 let numbers = numbers.into_iter().collect::<Option<Vec<Number>>>()?;
                 axis(numbers.len() as u64, Spacing::List(numbers))
@@ -360,7 +360,7 @@ impl ValueReader<'_, '_> {
 }
 
 /// Splits a text from the byte `start` on at a separator. Each part has its place.
-fn split_with_places(text: &str, mut start: usize, separator: char) -> Vec<Located> {
+fn split_grid_text(text: &str, mut start: usize, separator: char) -> Vec<Located> {
     let list = text[start..].split(separator);
     let located = |part: &str| {
         let part = Located { text: part.to_owned(), span: start..start + part.len(), exact: true };

@@ -2,7 +2,7 @@
 
 use crate::algebra::term::calculus::Differential;
 use crate::algebra::text::parse::parse;
-use crate::algebra::value::interval::lost_constant;
+use crate::algebra::value::interval::constant_with_wide_interval;
 use crate::algebra::{Expr, Rational};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, nearest_name_advice};
 use crate::model::{Model, StatedUnit, TIME};
@@ -85,7 +85,7 @@ pub fn load_motion(source: &Source, model: &mut Model) -> Result<Motion, Diagnos
     let given = match (&parameters, table.contains_key("state"), table.contains_key("motion")) {
         (None, ..) => None,
         (Some(parameters), true, false) => {
-            values.sample_at_instant(table, parameters).map(|moving| MotionForm::Samples(vec![moving]))
+            values.prescribed_state(table, parameters).map(|moving| MotionForm::Samples(vec![moving]))
         }
         (Some(parameters), false, true) => values.motion_formulas(table, parameters).map(MotionForm::Formulas),
         _ => {
@@ -102,7 +102,7 @@ pub fn load_motion(source: &Source, model: &mut Model) -> Result<Motion, Diagnos
 impl<'a> ValueReader<'a, '_> {
     /// Reads `[state]` and `[accelerations]` of a motion file as a single sample; `None` after an error
     /// is reported.
-    fn sample_at_instant(&mut self, table: &'a DeTable<'a>, parameters: &[Number]) -> Option<MotionSample> {
+    fn prescribed_state(&mut self, table: &'a DeTable<'a>, parameters: &[Number]) -> Option<MotionSample> {
         let state = self.section(table, "state")?;
         let start = self.state(table, state, parameters);
         let mut rates: Vec<Option<DoubleDouble>> = vec![None; self.model.speeds.len()];
@@ -136,7 +136,7 @@ impl<'a> ValueReader<'a, '_> {
         let mut formulas: Vec<Option<Expr>> = vec![None; self.model.coordinates.len()];
         let section = self.section(table, "motion")?;
         for (name, value) in self.reader.entries(section) {
-            let Some(at) = self.coordinate(&name) else { continue };
+            let Some(at) = self.prescribed_coordinate(&name) else { continue };
             if let Some(formula) = self.reader.formula(value, &format!("`{}`", name.text)) {
                 formulas[at] = self.formula_of_time(&formula, time);
             }
@@ -146,7 +146,7 @@ impl<'a> ValueReader<'a, '_> {
         }
         let mut guesses = vec![0.0; formulas.len()];
         for (name, value) in self.section(table, "guess").map_or(Vec::new(), |s| self.reader.entries(s)) {
-            let Some(at) = self.coordinate(&name) else { continue };
+            let Some(at) = self.prescribed_coordinate(&name) else { continue };
             let formula = self.reader.formula(value, &format!("`{}`", name.text));
             guesses[at] = formula.and_then(|f| self.number(&f, parameters, "a guess"))?.double;
         }
@@ -157,7 +157,7 @@ impl<'a> ValueReader<'a, '_> {
             let help = "give every coordinate in [motion]: no loop determines one";
             self.reader.errors.push(Diagnostic::of_file(message, help));
         }
-        let instants = self.instants(table, parameters)?;
+        let instants = self.prescribed_instants(table, parameters)?;
         let mut d_dt = Differential::partial(time);
         let arena = &mut self.model.arena;
         let coordinates = formulas.into_iter().map(|formula| {
@@ -168,7 +168,7 @@ impl<'a> ValueReader<'a, '_> {
     }
 
     /// Index of the coordinate with this name, other than time; `None` after reporting an unknown name.
-    fn coordinate(&mut self, name: &Located) -> Option<usize> {
+    fn prescribed_coordinate(&mut self, name: &Located) -> Option<usize> {
         let model = &self.model;
         let at = model.coordinates.iter().position(|c| c.name == name.text && c.name != TIME);
         if at.is_none() {
@@ -198,7 +198,7 @@ impl<'a> ValueReader<'a, '_> {
         match parsed {
             Ok(e) => {
                 let e = stated.map_or(e, |stated| stated.apply(&mut model.arena, e));
-                if let Some(lost) = lost_constant(&model.arena, e) {
+                if let Some(lost) = constant_with_wide_interval(&model.arena, e) {
                     self.reader.report_lost_constant(&model.arena, formula, lost);
                     return None;
                 }
@@ -213,7 +213,7 @@ impl<'a> ValueReader<'a, '_> {
 
     /// Reads `[times]`: evenly spaced instants, s, both ends included. `None` after an error is
     /// reported.
-    fn instants(&mut self, table: &'a DeTable<'a>, parameters: &[Number]) -> Option<Vec<f64>> {
+    fn prescribed_instants(&mut self, table: &'a DeTable<'a>, parameters: &[Number]) -> Option<Vec<f64>> {
         let example = "add [times] with from = 0, to = 2, count = 101";
         let Some(section) = self.section(table, "times") else {
             if self.reader.errors.is_empty() {

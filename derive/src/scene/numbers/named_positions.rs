@@ -29,9 +29,9 @@ impl Places {
             let motion = Motion::new(arena, &mut frames, &model.frames, &model.points, &mut rates);
             (frames, motion)
         });
-        let point = |name: &str| index_of_name("point", model.points.iter().map(|p| p.name.as_str()), name);
-        let frame_of = |name: &str| index_of_name("frame", model.frames.iter().map(|f| f.name.as_str()), name);
-        let body = |name: &str| index_of_name("body", model.bodies.iter().map(|b| b.name.as_str()), name);
+        let point = |name: &str| index_of_position_name("point", model.points.iter().map(|p| p.name.as_str()), name);
+        let frame_of = |name: &str| index_of_position_name("frame", model.frames.iter().map(|f| f.name.as_str()), name);
+        let body = |name: &str| index_of_position_name("body", model.bodies.iter().map(|b| b.name.as_str()), name);
         let vector: Vector = match &name.of {
             VelocityOf::Place((name, _)) => motion.positions[point(name)?].clone(),
             VelocityOf::Point((name, _)) => motion.linear[point(name)?].clone(),
@@ -63,7 +63,7 @@ type UnknownNameMessage = (String, Option<String>);
 
 /// Index of a name in a list of known names. Otherwise a message, in which `what` is the kind of
 /// the name.
-fn index_of_name<'n>(
+fn index_of_position_name<'n>(
     what: &str,
     mut known: impl Iterator<Item = &'n str> + Clone,
     name: &str,

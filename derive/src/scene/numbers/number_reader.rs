@@ -7,7 +7,7 @@
 use super::named_positions::Places;
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::text::parse::{InteractionName, VelocityName, parse, parse_with_quantities};
-use crate::algebra::value::interval::{lost_constant, without_lost_zeros};
+use crate::algebra::value::interval::{constant_with_wide_interval, without_zeros_of_wide_interval};
 use crate::algebra::value::rational_value::exact_value;
 use crate::algebra::value::tape::{Numeric, Tape};
 use crate::algebra::{Arena, Expr, Rational};
@@ -339,7 +339,7 @@ impl<'a> ValueReader<'a, '_> {
             }
         };
         // A constant without functions is evaluated exactly, so it loses no digits.
-        let lost = lost_constant(&model.arena, expression);
+        let lost = constant_with_wide_interval(&model.arena, expression);
         if let Some(lost) = lost.filter(|lost| exact_value(&model.arena, *lost, &[]).is_none()) {
             self.reader.report_lost_constant(&model.arena, formula, lost);
             return None;
@@ -351,13 +351,13 @@ impl<'a> ValueReader<'a, '_> {
 
     /// Reads a formula of quantities that have a value during a run: parameters, t, q, q̇, u, inputs,
     /// reactions, positions and velocities. `None` after an error is reported.
-    pub fn motion_formula(&mut self, formula: &Located) -> Option<Expr> {
-        self.motion_formula_with(formula, &[])
+    pub fn value_formula(&mut self, formula: &Located) -> Option<Expr> {
+        self.value_formula_with(formula, &[])
     }
 
     /// Reads a formula of a run's quantities. It may also contain the names `others`, such as energies,
     /// and then accelerations; names of the model take precedence. `None` after an error is reported.
-    pub fn motion_formula_with(&mut self, formula: &Located, others: &[&str]) -> Option<Expr> {
+    pub fn value_formula_with(&mut self, formula: &Located, others: &[&str]) -> Option<Expr> {
         let model = &mut *self.model;
         let mut known: Vec<(String, Expr)> = Vec::new();
         known.extend(model.parameters.iter().map(|p| (p.name.clone(), p.symbol)));
@@ -409,8 +409,8 @@ impl<'a> ValueReader<'a, '_> {
         };
         let model = &mut *self.model;
         // Directions of oblique axes introduce roots that cancel exactly.
-        let result = result.map(|e| without_lost_zeros(&mut model.arena, e));
-        match result.map(|e| (e, lost_constant(&model.arena, e))) {
+        let result = result.map(|e| without_zeros_of_wide_interval(&mut model.arena, e));
+        match result.map(|e| (e, constant_with_wide_interval(&model.arena, e))) {
             Ok((e, None)) => Some(e),
             Ok((_, Some(lost))) => {
                 self.reader.report_lost_constant(&model.arena, formula, lost);

@@ -210,7 +210,7 @@ impl<'a> ValueReader<'a, '_> {
             let gap = self.reader.required(entry, "gap", &what, &name.span);
             let gap = gap.and_then(|value| self.reader.formula(value, "`gap`"));
             let gap = gap.and_then(|formula| self.gap(&mut places, &formula));
-            let slips = self.no_slip_velocities(&mut places, entry);
+            let slips = self.impact_no_slip_velocities(&mut places, entry);
             if law == ImpactLaw::Poisson && !slips.is_empty() {
                 let help = "leave `no_slip` out, or take law = \"newton\"";
                 self.reader.error(
@@ -314,7 +314,7 @@ impl<'a> ValueReader<'a, '_> {
 
     /// Reads the velocities that are zero while a contact is closed: `no_slip = ["v(A) @ N [1]"]`.
     /// Empty without the key.
-    fn no_slip_velocities(&mut self, places: &mut Places, entry: &'a DeTable<'a>) -> Vec<Expr> {
+    fn impact_no_slip_velocities(&mut self, places: &mut Places, entry: &'a DeTable<'a>) -> Vec<Expr> {
         let Some(value) = self.reader.get(entry, "no_slip") else { return Vec::new() };
         let DeValue::Array(array) = value.get_ref() else {
             let help = "write no_slip = [\"v(A) @ N [1]\"], the velocities along the contact";

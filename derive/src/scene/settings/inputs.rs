@@ -68,7 +68,7 @@ impl<'a> ValueReader<'a, '_> {
                 _ => self.reader.formula(value, "an input").filter(|formula| self.is_input_signal(formula)),
             };
             let Some(formula) = formula else { continue };
-            if !takes_numbers || !Self::is_number(&formula) {
+            if !takes_numbers || !Self::is_input_number(&formula) {
                 given.bindings.push(InputBinding { input: name.text, formula: formula.text });
             }
         }
@@ -92,7 +92,7 @@ impl<'a> ValueReader<'a, '_> {
             if value.get_ref().is_table() {
                 continue;
             }
-            let formula = self.reader.formula(value, "an input").filter(Self::is_number);
+            let formula = self.reader.formula(value, "an input").filter(Self::is_input_number);
             let Some(formula) = formula else { continue };
             self.check_unit(&formula, &input.unit, &name.text);
             let at = self.model.parameters.iter().position(|p| p.name == name.text);
@@ -104,7 +104,7 @@ impl<'a> ValueReader<'a, '_> {
     }
 
     /// True if a formula is a number with an optional unit, without any name.
-    fn is_number(formula: &Located) -> bool {
+    fn is_input_number(formula: &Located) -> bool {
         let number = StatedUnit::of(&formula.text).map_or_else(|| formula.clone(), |stated| stated.number(formula));
         let mut known = |arena: &mut Arena, name: &str| match name {
             "deg" => Ok(arena.pi()),
@@ -116,7 +116,7 @@ impl<'a> ValueReader<'a, '_> {
     /// True if every name in a formula may occur in an input; otherwise reports the name and returns
     /// false.
     fn is_input_signal(&mut self, formula: &Located) -> bool {
-        if Self::is_number(formula) {
+        if Self::is_input_number(formula) {
             return true;
         }
         let model = &*self.model;
@@ -166,7 +166,7 @@ impl<'a> ValueReader<'a, '_> {
         let (time, column) = (column("time", TIME)?, column("column", &name.text)?);
         let how = self.choice(Some(entry), "interpolation", &["linear", "cubic"]);
         let how = if how == Some("cubic") { Interpolation::Cubic } else { Interpolation::Linear };
-        let span = self.ordered_span(file)?;
+        let span = self.span_of_input_table(file)?;
         let folder = self.reader.source.path.parent().map(std::path::Path::to_owned).unwrap_or_default();
         match signal_table_formula(&folder.join(&path.text), [&time, &column], how, span) {
             Ok(text) => Some(Located { text, span: path.span, exact: false }),
@@ -179,9 +179,9 @@ impl<'a> ValueReader<'a, '_> {
 
     /// First and last instant of the scene's span, s, the smaller value first; `None` after an error is
     /// reported.
-    fn ordered_span(&mut self, file: &'a DeTable<'a>) -> Option<(f64, f64)> {
+    fn span_of_input_table(&mut self, file: &'a DeTable<'a>) -> Option<(f64, f64)> {
         let parameters = self.parameters(file)?;
-        let (from, to) = self.span(file, &parameters)?;
+        let (from, to) = self.scene_span(file, &parameters)?;
         Some((from.double.min(to.double), from.double.max(to.double)))
     }
 }

@@ -2,7 +2,7 @@
 //! steps, and integrated variables.
 
 use crate::algebra::Rational;
-use crate::algebra::value::rational_value::rational_pi;
+use crate::algebra::value::rational_value::rational_value_of_pi;
 use crate::diagnostic::{Diagnostic, UnknownName, nearest_name_advice};
 use crate::mechanics::SingularDistance;
 use crate::scene::numbers::number_reader::{Number, ValueReader};
@@ -193,7 +193,7 @@ impl<'a> ValueReader<'a, '_> {
         if let Some(section) = section {
             self.reader.report_unknown_keys(section, "`integration`", &KEYS);
         }
-        let rtol = self.nonnegative_number(section, "rtol", p).unwrap_or(RTOL);
+        let rtol = self.nonnegative_integration_number(section, "rtol", p).unwrap_or(RTOL);
         let atol = self.absolute_tolerance(section, p);
         if rtol == 0.0 && atol == AbsoluteTolerance::Uniform(0.0) {
             let help = "give at least one tolerance above zero";
@@ -225,8 +225,8 @@ impl<'a> ValueReader<'a, '_> {
             atol,
             step: self.step(section, "step", p),
             max_step: self.step(section, "max_step", p),
-            step_limit: self.count(section, "step_limit", 1, 1_000_000_000).unwrap_or(1_000_000),
-            samples: self.count(section, "samples", 2, 10_000_000).and_then(|n| usize::try_from(n).ok()),
+            step_limit: self.integration_count(section, "step_limit", 1, 1_000_000_000).unwrap_or(1_000_000),
+            samples: self.integration_count(section, "samples", 2, 10_000_000).and_then(|n| usize::try_from(n).ok()),
             domain_stops: self.choice(section, "domain", &["stop", "watch"]) != Some("watch"),
             project: project.and_then(|name| name.parse().ok()),
             may_measure: !self.refuses_distance(section),
@@ -236,7 +236,12 @@ impl<'a> ValueReader<'a, '_> {
 
     /// Reads a number under a key that must not be negative; a negative number is reported. `None` if
     /// absent, or if it has no value.
-    fn nonnegative_number(&mut self, section: Option<&'a DeTable<'a>>, key: &str, p: &[Number]) -> Option<f64> {
+    fn nonnegative_integration_number(
+        &mut self,
+        section: Option<&'a DeTable<'a>>,
+        key: &str,
+        p: &[Number],
+    ) -> Option<f64> {
         let value = section.and_then(|s| self.reader.get(s, key))?;
         let formula = self.reader.formula(value, &format!("`{key}`"))?;
         let number = self.number(&formula, p, &format!("`{key}`"))?.double;
@@ -250,7 +255,7 @@ impl<'a> ValueReader<'a, '_> {
     /// if absent, or if it has no value.
     fn step(&mut self, section: Option<&'a DeTable<'a>>, key: &str, p: &[Number]) -> Option<f64> {
         let value = section.and_then(|s| self.reader.get(s, key))?;
-        let step = self.nonnegative_number(section, key, p)?;
+        let step = self.nonnegative_integration_number(section, key, p)?;
         if step == 0.0 {
             let help = "give the length of a step in seconds, above zero";
             self.reader.error(value.span(), format!("`{key}` is zero"), help);
@@ -265,7 +270,7 @@ impl<'a> ValueReader<'a, '_> {
             return AbsoluteTolerance::default();
         };
         if !matches!(value.get_ref(), DeValue::Table(_)) {
-            return AbsoluteTolerance::Uniform(self.nonnegative_number(section, "atol", p).unwrap_or(ATOL));
+            return AbsoluteTolerance::Uniform(self.nonnegative_integration_number(section, "atol", p).unwrap_or(ATOL));
         }
         let coordinates = self.model.coordinates.iter().map(|c| c.name.clone());
         let names: Vec<String> = coordinates.chain(self.model.speeds.iter().map(|s| s.name.clone())).collect();
@@ -275,7 +280,7 @@ impl<'a> ValueReader<'a, '_> {
         };
         for (name, _) in self.reader.entries(table) {
             match names.iter().position(|known| *known == name.text) {
-                Some(at) => each[at] = self.nonnegative_number(Some(table), &name.text, p).unwrap_or(ATOL),
+                Some(at) => each[at] = self.nonnegative_integration_number(Some(table), &name.text, p).unwrap_or(ATOL),
                 None => {
                     let (message, help) = self.model.unknown_state_name(&name.text, names.iter().map(String::as_str));
                     self.reader.error(name.span, message, help);
@@ -316,7 +321,7 @@ impl<'a> ValueReader<'a, '_> {
         let exact = self.constant(&formula)?.exact;
         // The exact value has only finitely many decimals of π: a multiple of 90° is recognized within
         // 1e-15 of a quarter turn.
-        let quarter = rational_pi().reciprocal().map(|inverse| Rational::integer(2).mul(&inverse));
+        let quarter = rational_value_of_pi().reciprocal().map(|inverse| Rational::integer(2).mul(&inverse));
         let turns = exact.zip(quarter).map(|(origin, quarter)| origin.mul(&quarter).to_f64());
         let found = (-4..=4).find(|k| *k != 0 && turns.is_some_and(|t| (t - f64::from(*k)).abs() < 1e-15));
         if found.is_none() {
@@ -346,7 +351,13 @@ impl<'a> ValueReader<'a, '_> {
 
     /// Reads a whole number from `least` to `most` under a key. `None` if the key is absent, or after
     /// an error is reported.
-    pub fn count(&mut self, section: Option<&'a DeTable<'a>>, key: &str, least: u64, most: u64) -> Option<u64> {
+    pub fn integration_count(
+        &mut self,
+        section: Option<&'a DeTable<'a>>,
+        key: &str,
+        least: u64,
+        most: u64,
+    ) -> Option<u64> {
         let value = section.and_then(|s| self.reader.get(s, key))?;
         let number = match value.get_ref() {
             DeValue::Integer(n) if n.radix() == 10 => n.as_str().replace('_', "").parse::<u64>().ok(),

@@ -104,7 +104,7 @@ impl<'a> ValueReader<'a, '_> {
             self.reader.error(formula.span.clone(), format!("no output `{}` can be had", formula.text), *why);
             return None;
         }
-        self.motion_formula_with(formula, &ENERGIES)
+        self.value_formula_with(formula, &ENERGIES)
     }
 
     /// Reads `free = ["M"]`: indices of the parameters that stay symbols in the scene's reduced

@@ -74,7 +74,7 @@ impl<'a> ValueReader<'a, '_> {
         let open_at_start = loops.loop_residuals(&p, &start);
         let is_stated = free.is_empty() && loops.is_closed(&p, &start, &open_at_start, STATED);
         if !found.is_closed || free.is_empty() && !is_stated {
-            self.report_open_loops(&loops, &found, &open_at_start, &free, place);
+            self.report_failed_loop_closing(&loops, &found, &open_at_start, &free, place);
             return None;
         }
         if loops.is_singular(&p, &found.q) {
@@ -120,7 +120,7 @@ impl<'a> ValueReader<'a, '_> {
     }
 
     /// Reports the loop with the largest residual, and the nearest pose that was found.
-    fn report_open_loops(
+    fn report_failed_loop_closing(
         &mut self,
         loops: &Loops,
         found: &FoundPose,

@@ -86,7 +86,7 @@ enum ConditionTerm {
 impl ValueReader<'_, '_> {
     /// Solves for the rates of all coordinates, to 32 digits, in SI units. `None` after reporting rates
     /// that stay undetermined, or statements that contradict one another.
-    pub(in crate::scene) fn solve_motion(
+    pub(in crate::scene) fn solve_rates(
         &mut self,
         stated: &StatedMotion,
         parameters: &[Number],
@@ -100,7 +100,7 @@ impl ValueReader<'_, '_> {
         let list = rate_conditions(self.model, stated);
         let n = q.len();
         let known = [double_values(parameters), double_values(q)].concat();
-        let matrix = condition_matrix(&list, n, |rates| tape.evaluate(&[&known, rates].concat()));
+        let matrix = rate_condition_matrix(&list, n, |rates| tape.evaluate(&[&known, rates].concat()));
         let sizes: Vec<f64> = matrix.row_iter().map(|row| row.norm()).collect();
         let square = matrix.resize_vertically(list.len().max(n), 0.0);
         if !square.iter().all(|x| x.is_finite()) {
@@ -223,7 +223,7 @@ fn rate_conditions(model: &Model, stated: &StatedMotion) -> Vec<Condition> {
 
 /// Matrix of the conditions' derivatives with respect to the n rates: a row for each condition.
 /// Differences give it exactly, since the conditions are linear.
-fn condition_matrix(list: &[Condition], n: usize, evaluate: impl Fn(&[f64]) -> Vec<f64>) -> DMatrix<f64> {
+fn rate_condition_matrix(list: &[Condition], n: usize, evaluate: impl Fn(&[f64]) -> Vec<f64>) -> DMatrix<f64> {
     let mut along = vec![0.0; n];
     let still = evaluate(&along);
     let mut matrix = DMatrix::zeros(list.len(), n);

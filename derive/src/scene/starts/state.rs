@@ -51,13 +51,13 @@ struct ConstrainedCounts {
 const RESIDUAL: f64 = 1e-9;
 
 /// Stated numbers of a list, as (index, value to 32 digits); entries without a number are left out.
-fn stated_by_index(list: &[Option<(Number, Located)>]) -> Vec<(usize, DoubleDouble)> {
+fn state_entries_by_index(list: &[Option<(Number, Located)>]) -> Vec<(usize, DoubleDouble)> {
     let stated = list.iter().enumerate().filter_map(|(at, stated)| Some((at, stated.as_ref()?.0.extended())));
     stated.collect()
 }
 
 /// Name of a coordinate's rate in scene and state files, such as `q1'`.
-fn rate_name(model: &Model, at: usize) -> String {
+fn state_rate_name(model: &Model, at: usize) -> String {
     format!("{}'", model.coordinates[at].name)
 }
 
@@ -75,7 +75,7 @@ impl<'a> ValueReader<'a, '_> {
         for (name, value) in self.reader.entries(table) {
             let Some(formula) = self.reader.formula(value, &format!("`{}`", name.text)) else { continue };
             let Some(number) = self.number(&formula, parameters, "a value at the start") else { continue };
-            if let Some(unit) = self.unit_at_start(&name.text) {
+            if let Some(unit) = self.unit_in_state(&name.text) {
                 self.check_unit(&formula, &unit, &name.text);
             }
             let model = &self.model;
@@ -107,7 +107,7 @@ impl<'a> ValueReader<'a, '_> {
                 VariedNumber::Parameter(_) => {}
                 VariedNumber::Coordinate(at) => q[at] = Some(number.clone()),
                 VariedNumber::Rate(at) => {
-                    let name = Located { text: rate_name(self.model, at), span: 0..0, exact: false };
+                    let name = Located { text: state_rate_name(self.model, at), span: 0..0, exact: false };
                     rates[at] = Some((number.clone(), name));
                 }
                 VariedNumber::Speed(at) => u[at].iter_mut().for_each(|(stated, _)| *stated = number.clone()),
@@ -121,33 +121,33 @@ impl<'a> ValueReader<'a, '_> {
             self.reader.error(place, message, "leave it out of [guess], or out of [start] if the loops determine it");
             return None;
         }
-        self.set_time(&mut q, &mut rates, &place)?;
+        self.set_time_of_state(&mut q, &mut rates, &place)?;
         let held: Vec<(usize, Number)> = constrained.iter().map(|c| (c.constraint, c.number.clone())).collect();
         self.report_missing_values(table, &q, &rates, &u, ConstrainedCounts { held: held.len(), fixed: fixed.len() })?;
         let mut closed = self.close_loops(&mut q, &held, &guesses, parameters, place.clone())?;
         let exact_q: Vec<Number> = q.into_iter().flatten().collect();
         let (p, q) = (double_values(parameters), double_values(&exact_q));
-        self.check_constrained(&constrained, &p, &q);
+        self.check_constraints_of_state(&constrained, &p, &q);
         let by_rates = rates.iter().any(Option::is_some) || !fixed.is_empty();
         let stated = StatedMotion {
-            rates: stated_by_index(&rates),
+            rates: state_entries_by_index(&rates),
             fixed: fixed.iter().map(|(at, x, _)| (*at, x.extended())).collect(),
-            speeds: stated_by_index(&u),
+            speeds: state_entries_by_index(&u),
         };
         let given =
             |list: Vec<Option<(Number, Located)>>| list.into_iter().flatten().map(|(x, _)| x).collect::<Vec<Number>>();
         let (mut rates, exact_u) = (given(rates), given(u));
         let is_whole = rates.len() == n && fixed.is_empty();
         if by_rates && is_whole {
-            self.check_motion(table, &p, &q, &double_values(&rates));
+            self.check_motion_of_state(table, &p, &q, &double_values(&rates));
         } else if self.model.ties_rates() || !fixed.is_empty() {
-            let solved = self.solve_motion(&stated, parameters, &exact_q, &place)?;
+            let solved = self.solve_rates(&stated, parameters, &exact_q, &place)?;
             if by_rates {
                 closed.extend(self.solved_rates(&stated, &solved));
                 rates = solved.into_iter().map(Number::from_double_double).collect();
             }
         }
-        let u = if by_rates { self.speeds_from_rates(&p, &q, &double_values(&rates)) } else { double_values(&exact_u) };
+        let u = if by_rates { self.speeds_of_state(&p, &q, &double_values(&rates)) } else { double_values(&exact_u) };
         if let Some(at) = u.iter().position(|x| !x.is_finite()) {
             let message = format!("the speed `{}` is not finite at this state", self.model.speeds[at].name);
             self.reader.errors.push(Diagnostic::of_file(message, "choose another state"));
@@ -166,7 +166,7 @@ impl<'a> ValueReader<'a, '_> {
 
     /// Sets the time coordinate to the first instant of the span. In a state file it is the stated
     /// instant, or 0 if none is stated. `None` after an error is reported.
-    fn set_time(
+    fn set_time_of_state(
         &mut self,
         q: &mut [Option<Number>],
         rates: &mut [Option<(Number, Located)>],
@@ -230,7 +230,7 @@ impl<'a> ValueReader<'a, '_> {
     }
 
     /// Reports stated values of variables that violate the constraint that fixes them.
-    fn check_constrained(&mut self, stated: &[ConstrainedValue], parameters: &[f64], q: &[f64]) {
+    fn check_constraints_of_state(&mut self, stated: &[ConstrainedValue], parameters: &[f64], q: &[f64]) {
         for ConstrainedValue { constraint, number, span } in stated {
             let constraint = self.model.constraints[*constraint].clone();
             let inputs = [parameters, q].concat();
@@ -253,7 +253,7 @@ impl<'a> ValueReader<'a, '_> {
 
     /// Reports stated rates that violate a motion constraint. Generalized speeds could not represent
     /// such rates.
-    fn check_motion(&mut self, table: &'a DeTable<'a>, parameters: &[f64], q: &[f64], rates: &[f64]) {
+    fn check_motion_of_state(&mut self, table: &'a DeTable<'a>, parameters: &[f64], q: &[f64], rates: &[f64]) {
         let model = &self.model;
         let symbols = [model.p(), model.q(), model.q_dot()].concat();
         let equations: Vec<Expr> = model.motion_constraints.iter().map(|c| c.equation).collect();
@@ -280,7 +280,7 @@ impl<'a> ValueReader<'a, '_> {
     }
 
     /// Generalized speeds in SI units, computed from parameters, coordinates and rates.
-    pub(in crate::scene) fn speeds_from_rates(&mut self, parameters: &[f64], q: &[f64], rates: &[f64]) -> Vec<f64> {
+    pub(in crate::scene) fn speeds_of_state(&mut self, parameters: &[f64], q: &[f64], rates: &[f64]) -> Vec<f64> {
         let model = &self.model;
         let tape = self.terms.speeds.get_or_insert_with(|| {
             let symbols = [model.p(), model.q(), model.q_dot()].concat();
@@ -294,7 +294,7 @@ impl<'a> ValueReader<'a, '_> {
     }
 
     /// Unit of a coordinate, rate or speed by its name; `None` for any other name.
-    fn unit_at_start(&self, name: &str) -> Option<Unit> {
+    fn unit_in_state(&self, name: &str) -> Option<Unit> {
         let model = &self.model;
         let coordinates = model.coordinates.iter();
         let rate = name.strip_suffix('\'');

@@ -250,7 +250,7 @@ impl<'a> ValueReader<'a, '_> {
         let rates: Option<Vec<f64>> = rates.iter().map(|rate| rate.as_ref().map(|rate| rate.double)).collect();
         let q: Option<Vec<f64>> = places.iter().map(|value| value.as_ref().map(|q| q.number.double)).collect();
         let (Some(rates), Some(q)) = (rates, q) else { return };
-        for (speed, u) in speeds.iter_mut().zip(self.speeds_from_rates(&double_values(parameters), &q, &rates)) {
+        for (speed, u) in speeds.iter_mut().zip(self.speeds_of_state(&double_values(parameters), &q, &rates)) {
             if speed.is_none() {
                 let term = Rational::from_f64_exact(u).map(|u| self.model.arena.number(u));
                 *speed = term.map(|formula| StatedValue { number: Number::from_double(u), formula, is_guess: false });

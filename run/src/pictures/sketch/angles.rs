@@ -2,7 +2,7 @@
 //! drawn pose.
 
 use super::axes::{along_axis, are_axes_drawn};
-use super::drawing_elements::{LabelWord, Mark, MarkRole, Path, SheetPoint, sheet_unit_vector};
+use super::drawing_elements::{DrawingPoint, LabelWord, Mark, MarkRole, Path, drawing_unit_vector};
 use super::pose_formulas::{FrameTurn, SignedCoordinate};
 use super::sheet::{Sheet, SketchSubject};
 use crate::pictures::view::Triple;
@@ -143,11 +143,11 @@ impl Angle {
 
 /// Centres of the arcs drawn so far, on the sheet, px.
 #[derive(Default)]
-pub struct Arcs(Vec<SheetPoint>);
+pub struct Arcs(Vec<DrawingPoint>);
 
 impl Arcs {
     /// Radius of the next arc about a centre, px; the centre is added to the list.
-    fn radius(&mut self, at: SheetPoint) -> f64 {
+    fn radius(&mut self, at: DrawingPoint) -> f64 {
         let there = self.0.iter().filter(|spot| (spot[0] - at[0]).hypot(spot[1] - at[1]) < 8.0).count();
         self.0.push(at);
         RADIUS.0 + RADIUS.1 * there as f64
@@ -175,7 +175,7 @@ pub fn draw_angle_arc(subject: &SketchSubject<'_>, sheet: &mut Sheet, arcs: &mut
     }
     sheet.add(Mark::arrow(MarkRole::Coordinate, path, TIP));
     let middle = Path::arc(apex, a, b, 0.0, 0.5 * sweep).end();
-    let outwards = sheet_unit_vector([middle[0] - apex[0], middle[1] - apex[1]]);
+    let outwards = drawing_unit_vector([middle[0] - apex[0], middle[1] - apex[1]]);
     let name = subject.mechanism.coordinates[angle.signed.coordinate].name.clone();
     sheet.request_label(MarkRole::Coordinate, vec![LabelWord::Name(name)], middle, Some(outwards), 4.0);
     is_open
@@ -190,7 +190,7 @@ fn name_axis(
     frame: usize,
     direction: Triple,
     apex: Triple,
-    to: SheetPoint,
+    to: DrawingPoint,
 ) {
     let is_at_origin = length(subtract_vectors(apex, subject.pose.points[0])) < 1e-9;
     // In a planar mechanism the inertial axes are easily followed.
@@ -208,7 +208,7 @@ fn name_axis(
         MarkRole::Axis,
         words,
         to,
-        Some(sheet_unit_vector([to[0] - from[0], to[1] - from[1]])),
+        Some(drawing_unit_vector([to[0] - from[0], to[1] - from[1]])),
         3.0,
     );
 }
@@ -243,6 +243,6 @@ pub fn draw_common_arc(
     sheet.add([Mark::line(MarkRole::Reference, Path::line(&[apex, to]))]);
     sheet.add(Mark::arrow(MarkRole::Coordinate, path, TIP));
     let middle = Path::arc(apex, a, b, 0.0, 0.5 * sweep).end();
-    let outwards = sheet_unit_vector([middle[0] - apex[0], middle[1] - apex[1]]);
+    let outwards = drawing_unit_vector([middle[0] - apex[0], middle[1] - apex[1]]);
     sheet.request_label(MarkRole::Coordinate, names, middle, Some(outwards), 4.0);
 }

@@ -1,6 +1,6 @@
 //! Marks for the axes of frames, with their names, and for gravity.
 
-use super::drawing_elements::{LabelWord, Mark, MarkRole, Path, SheetPoint, drawing_extent, sheet_unit_vector};
+use super::drawing_elements::{DrawingPoint, LabelWord, Mark, MarkRole, Path, drawing_extent, drawing_unit_vector};
 use super::sheet::{Sheet, SketchSubject};
 use crate::pictures::view::space::{IDENTITY, dot, length, rotate_vector, subtract_vectors, transpose};
 use crate::pictures::view::{Rotation, Triple};
@@ -62,7 +62,7 @@ fn body_axes(subject: &SketchSubject<'_>) -> Vec<Triad> {
         let frame = if is_above { inertia.frame } else { *frame };
         let at = subject.pose.points[centre];
         let is_there = list.iter().any(|triad| triad.frame == frame && length(subtract_vectors(triad.at, at)) < 1e-9);
-        if !has_inertial_axes(&subject.pose.rotations[frame]) && !is_there {
+        if !are_axes_inertial(&subject.pose.rotations[frame]) && !is_there {
             list.push(Triad { frame, at, long: LONG[1] });
         }
     }
@@ -75,7 +75,7 @@ fn body_axes(subject: &SketchSubject<'_>) -> Vec<Triad> {
 }
 
 /// True if the axes of a frame are parallel to those of the inertial frame.
-fn has_inertial_axes(rotation: &Rotation) -> bool {
+fn are_axes_inertial(rotation: &Rotation) -> bool {
     rotation.iter().flatten().zip(IDENTITY.iter().flatten()).all(|(a, b)| (a - b).abs() < 1e-12)
 }
 
@@ -107,7 +107,7 @@ fn draw_frame_axes(subject: &SketchSubject<'_>, sheet: &mut Sheet, triad: &Triad
         let long = triad.long * share.max(0.35) / share;
         let to = [0, 1].map(|i| from[i] + long * seen[i]);
         sheet.add(Mark::arrow(MarkRole::Axis, Path::line(&[from, to]), TIP));
-        let towards = Some(sheet_unit_vector(seen));
+        let towards = Some(drawing_unit_vector(seen));
         if is_needed {
             sheet.request_label(MarkRole::Axis, words, to, towards, 3.0);
         } else {
@@ -117,12 +117,12 @@ fn draw_frame_axes(subject: &SketchSubject<'_>, sheet: &mut Sheet, triad: &Triad
 }
 
 /// Marks of an axis that points at the viewer: a dot in a circle.
-fn towards_viewer(at: SheetPoint) -> Vec<Mark> {
+fn towards_viewer(at: DrawingPoint) -> Vec<Mark> {
     vec![Mark::solid(MarkRole::Axis, Path::circle(at, 5.0)), Mark::dot(MarkRole::Axis, at, 1.6)]
 }
 
 /// Marks of an axis that points away from the viewer: a cross in a circle.
-fn away_from_viewer(at: SheetPoint) -> Vec<Mark> {
+fn away_from_viewer(at: DrawingPoint) -> Vec<Mark> {
     let arm = 3.5;
     let mut marks = vec![Mark::solid(MarkRole::Axis, Path::circle(at, 5.0))];
     marks.extend([1.0, -1.0].map(|side| {
@@ -146,7 +146,7 @@ pub fn draw_gravity_arrow(subject: &SketchSubject<'_>, sheet: &mut Sheet) {
     if long == 0.0 {
         sheet.add(away_from_viewer(middle));
     } else {
-        let way = sheet_unit_vector(seen);
+        let way = drawing_unit_vector(seen);
         let ends = [-0.5, 0.5].map(|side| [0, 1].map(|i| middle[i] + side * long * way[i]));
         sheet.add(Mark::arrow(MarkRole::Gravity, Path::line(&ends), 10.0));
     }
@@ -155,16 +155,16 @@ pub fn draw_gravity_arrow(subject: &SketchSubject<'_>, sheet: &mut Sheet) {
 
 /// Middle of a free box with the half size `half`, px: in a corner of the drawing, else beside the
 /// drawing.
-fn free_place(sheet: &Sheet, half: SheetPoint) -> SheetPoint {
+fn free_place(sheet: &Sheet, half: DrawingPoint) -> DrawingPoint {
     let Some((low, high)) = drawing_extent(&sheet.marks, &[]) else { return [0.0; 2] };
-    let spots: Vec<SheetPoint> = sheet.marks.iter().flat_map(|mark| mark.path.points_along_path(3.0)).collect();
+    let spots: Vec<DrawingPoint> = sheet.marks.iter().flat_map(|mark| mark.path.points_along_path(3.0)).collect();
     let inside = |side: [f64; 2]| {
         let of = |i: usize| if side[i] > 0.0 { high[i] - half[i] } else { low[i] + half[i] };
         [of(0), of(1)]
     };
     let corners = [[1.0, -1.0], [-1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(inside);
     let is_free =
-        |at: &SheetPoint| !spots.iter().any(|spot| (0..2).all(|i| (spot[i] - at[i]).abs() < half[i] + FALL.1));
+        |at: &DrawingPoint| !spots.iter().any(|spot| (0..2).all(|i| (spot[i] - at[i]).abs() < half[i] + FALL.1));
     corners.into_iter().find(is_free).unwrap_or([high[0] + half[0] + FALL.1, low[1] + half[1]])
 }
 

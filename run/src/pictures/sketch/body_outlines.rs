@@ -1,6 +1,6 @@
 //! Outlines of solids on the sheet, drawn from back to front.
 
-use super::drawing_elements::{Mark, MarkRole, Path, SheetPoint};
+use super::drawing_elements::{DrawingPoint, Mark, MarkRole, Path};
 use super::sheet::{Sheet, SketchSubject};
 use crate::pictures::view::space::{
     add_scaled_vector, cross, dot, length, product, rotate_vector, rotation_to_axis, subtract_vectors, transpose,
@@ -88,7 +88,7 @@ fn solid_outline(subject: &SketchSubject<'_>, solid: &Solid) -> Option<SolidOutl
         }
         SolidForm::Spring { ends } => {
             let [a, b] = ends.map(|point| subject.pose.points[point]);
-            let coil = Mark::line(MarkRole::Spring, spring_coil(camera.project_point(a), camera.project_point(b)));
+            let coil = Mark::line(MarkRole::Spring, spring_outline(camera.project_point(a), camera.project_point(b)));
             (add_scaled_vector(a, 0.5, subtract_vectors(b, a)), 2, vec![coil])
         }
         SolidForm::Ground { at } => (solid_centre(subject, at), 0, ground_outline(subject, at)?),
@@ -103,11 +103,11 @@ pub fn solid_centre(subject: &SketchSubject<'_>, at: &SolidPlace) -> Triple {
 
 /// Axes of a solid as columns of a rotation matrix, in the inertial frame.
 fn solid_axes(subject: &SketchSubject<'_>, at: &SolidPlace) -> Rotation {
-    product(&subject.pose.rotations[at.frame], &rotation(at.turned))
+    product(&subject.pose.rotations[at.frame], &rotation_from_quaternion(at.turned))
 }
 
 /// Rotation matrix from Euler parameters (cos θ/2 first) of length 1.
-fn rotation([w, x, y, z]: Quaternion) -> Rotation {
+fn rotation_from_quaternion([w, x, y, z]: Quaternion) -> Rotation {
     let column = |v: Triple| {
         // v + 2 w (e × v) + 2 e × (e × v).
         let t = cross([x, y, z], v).map(|c| 2.0 * c);
@@ -166,9 +166,9 @@ fn box_faces(subject: &SketchSubject<'_>, at: &SolidPlace, size: Triple) -> Vec<
 }
 
 /// Zigzag path of a coil spring from `a` to `b` on the sheet.
-fn spring_coil(a: SheetPoint, b: SheetPoint) -> Path {
+fn spring_outline(a: DrawingPoint, b: DrawingPoint) -> Path {
     let way = [b[0] - a[0], b[1] - a[1]];
-    let across = super::drawing_elements::sheet_unit_vector([-way[1], way[0]]);
+    let across = super::drawing_elements::drawing_unit_vector([-way[1], way[0]]);
     let at = |t: f64, side: f64| [0, 1].map(|i| a[i] + t * way[i] + side * SPRING.1 * across[i]);
     let (from, to) = (0.14, 0.86);
     let mut spots = vec![a, at(from, 0.0)];
@@ -222,9 +222,9 @@ fn ground_outline(subject: &SketchSubject<'_>, at: &SolidPlace) -> Option<Vec<Ma
 
 /// Least and greatest corner of the solids and points on the sheet, before it is scaled to its
 /// final size.
-pub fn bodies_extent(subject: &SketchSubject<'_>) -> (SheetPoint, SheetPoint) {
+pub fn bodies_extent(subject: &SketchSubject<'_>) -> (DrawingPoint, DrawingPoint) {
     let camera = &subject.camera;
-    let mut all: Vec<(SheetPoint, f64)> = Vec::new();
+    let mut all: Vec<(DrawingPoint, f64)> = Vec::new();
     for solid in &subject.view.solids {
         match &solid.form {
             SolidForm::Ground { .. } => {}

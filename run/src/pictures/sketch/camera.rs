@@ -1,6 +1,6 @@
 //! Orthographic projection of a mechanism onto the sheet, and choice of the direction of view.
 
-use super::drawing_elements::SheetPoint;
+use super::drawing_elements::DrawingPoint;
 use crate::pictures::view::Triple;
 use crate::pictures::view::space::{add_scaled_vector, cross, dot, subtract_vectors, unit_vector};
 
@@ -74,7 +74,7 @@ impl Camera {
     }
 
     /// Point on the sheet, px, of a place in the inertial frame, m.
-    pub fn project_point(&self, place: Triple) -> SheetPoint {
+    pub fn project_point(&self, place: Triple) -> DrawingPoint {
         [self.scale * dot(self.right, place), -self.scale * dot(self.up, place)]
     }
 
@@ -84,12 +84,12 @@ impl Camera {
     }
 
     /// Projection of a unit vector onto the sheet, without scale: its length is at most 1.
-    pub fn project_direction(&self, direction: Triple) -> SheetPoint {
+    pub fn project_direction(&self, direction: Triple) -> DrawingPoint {
         [dot(self.right, direction), -dot(self.up, direction)]
     }
 
     /// Vector on the sheet, px, between two places in the inertial frame, m.
-    pub fn project_vector(&self, from: Triple, to: Triple) -> SheetPoint {
+    pub fn project_vector(&self, from: Triple, to: Triple) -> DrawingPoint {
         self.project_point(subtract_vectors(to, from))
     }
 

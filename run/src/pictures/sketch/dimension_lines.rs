@@ -1,7 +1,7 @@
 //! Marks of coordinates that move points: dimension lines for lengths, and arrows for all other
 //! coordinates.
 
-use super::drawing_elements::{LabelWord, Mark, MarkRole, Path, SheetPoint, arrow_tip, sheet_unit_vector};
+use super::drawing_elements::{DrawingPoint, LabelWord, Mark, MarkRole, Path, arrow_tip, drawing_unit_vector};
 use super::pose_formulas::{Components, SignedCoordinate};
 use super::sheet::{Sheet, SketchSubject};
 use crate::pictures::view::Triple;
@@ -94,7 +94,7 @@ pub fn draw_dimension_line(subject: &SketchSubject<'_>, sheet: &mut Sheet, lengt
         return false;
     }
     let moved = lengths.side_of_dimension_line(subject).map(|aside| subject.camera.project_direction(aside));
-    let away = |spot: SheetPoint, by: f64| moved.map_or(spot, |way| [0, 1].map(|i| spot[i] + by * way[i]));
+    let away = |spot: DrawingPoint, by: f64| moved.map_or(spot, |way| [0, 1].map(|i| spot[i] + by * way[i]));
     if moved.is_some() {
         for end in [a, b] {
             let line = Path::line(&[away(end, 4.0), away(end, AWAY.0 + AWAY.1)]);
@@ -102,14 +102,14 @@ pub fn draw_dimension_line(subject: &SketchSubject<'_>, sheet: &mut Sheet, lengt
         }
     }
     let ends = [away(a, AWAY.0), away(b, AWAY.0)];
-    let heading = sheet_unit_vector([b[0] - a[0], b[1] - a[1]]);
+    let heading = drawing_unit_vector([b[0] - a[0], b[1] - a[1]]);
     sheet.add([Mark::line(MarkRole::Coordinate, Path::line(&ends))]);
     sheet.add([
         arrow_tip(MarkRole::Coordinate, ends[1], heading, TIP),
         arrow_tip(MarkRole::Coordinate, ends[0], heading.map(|x| -x), TIP),
     ]);
     let middle = [0, 1].map(|i| 0.5 * (ends[0][i] + ends[1][i]));
-    sheet.request_label(MarkRole::Coordinate, name, middle, moved.map(sheet_unit_vector), 3.0);
+    sheet.request_label(MarkRole::Coordinate, name, middle, moved.map(drawing_unit_vector), 3.0);
     true
 }
 
@@ -118,13 +118,13 @@ pub fn draw_dimension_line(subject: &SketchSubject<'_>, sheet: &mut Sheet, lengt
 fn draw_growth_arrow(
     subject: &SketchSubject<'_>,
     sheet: &mut Sheet,
-    from: SheetPoint,
-    seen: SheetPoint,
+    from: DrawingPoint,
+    seen: DrawingPoint,
     name: Vec<LabelWord>,
 ) {
     let share = seen[0].hypot(seen[1]);
     let way =
-        if share < 0.05 { subject.camera.project_direction(subject.camera.right) } else { sheet_unit_vector(seen) };
+        if share < 0.05 { subject.camera.project_direction(subject.camera.right) } else { drawing_unit_vector(seen) };
     let at = |t: f64| [0, 1].map(|i| from[i] + t * way[i]);
     sheet.add(Mark::arrow(MarkRole::Coordinate, Path::line(&[at(10.0), at(10.0 + SENSE)]), TIP));
     sheet.request_label(MarkRole::Coordinate, name, at(10.0 + 0.6 * SENSE), Some([-way[1], way[0]]), 4.0);

@@ -1,22 +1,22 @@
 //! Elements of a drawn sheet: labels, and marks, which are paths that each have a role.
 
 /// Point on the sheet: distances to the right and down, px.
-pub type SheetPoint = [f64; 2];
+pub type DrawingPoint = [f64; 2];
 
 /// Straight or curved part of a path; it begins at the end of the part before.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PathPart {
     /// Straight line to the given point of the sheet.
-    Line(SheetPoint),
+    Line(DrawingPoint),
     /// Cubic Bézier curve: its two control points and its end.
-    Curve([SheetPoint; 3]),
+    Curve([DrawingPoint; 3]),
 }
 
 /// Path on the sheet, made of straight and curved parts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Path {
     /// First point of the path on the sheet.
-    pub from: SheetPoint,
+    pub from: DrawingPoint,
     /// Parts of the path; each begins at the end of the part before.
     pub parts: Vec<PathPart>,
     /// True if the end of the path is joined to its beginning by a straight line.
@@ -114,9 +114,9 @@ pub struct Label {
     /// Text of the label, as a list of parts.
     pub words: Vec<LabelWord>,
     /// Middle of the label's box on the sheet, px.
-    pub at: SheetPoint,
+    pub at: DrawingPoint,
     /// Width and height of the label's box, px, estimated because no font is available.
-    pub size: SheetPoint,
+    pub size: DrawingPoint,
 }
 
 /// Distance of the control points of a quarter circle of radius 1 from its ends.
@@ -124,13 +124,13 @@ const QUARTER: f64 = 0.552_284_749_830_793_4;
 
 impl Path {
     /// Path of straight lines through the given points.
-    pub(super) fn line(spots: &[SheetPoint]) -> Self {
+    pub(super) fn line(spots: &[DrawingPoint]) -> Self {
         let from = spots.first().copied().unwrap_or_default();
         Self { from, parts: spots.iter().skip(1).map(|spot| PathPart::Line(*spot)).collect(), is_closed: false }
     }
 
     /// Closed path of a polygon with the given corners.
-    pub(super) fn polygon(corners: &[SheetPoint]) -> Self {
+    pub(super) fn polygon(corners: &[DrawingPoint]) -> Self {
         Self { is_closed: true, ..Self::line(corners) }
     }
 
@@ -138,7 +138,7 @@ impl Path {
     /// px.
     /// The vectors a and b are conjugate semi-diameters of the ellipse, which is the projection of
     /// a circle in space.
-    pub(super) fn arc(c: SheetPoint, a: SheetPoint, b: SheetPoint, from: f64, to: f64) -> Self {
+    pub(super) fn arc(c: DrawingPoint, a: DrawingPoint, b: DrawingPoint, from: f64, to: f64) -> Self {
         let pieces = ((to - from).abs() / std::f64::consts::FRAC_PI_2).ceil().max(1.0);
         let step = (to - from) / pieces;
         // 4/3 tan(step/4): the curve is within 3e-4 of the radius.
@@ -156,17 +156,17 @@ impl Path {
     }
 
     /// Closed path of an ellipse about the centre c, with the conjugate semi-diameters a and b, px.
-    pub(super) fn ellipse(c: SheetPoint, a: SheetPoint, b: SheetPoint) -> Self {
+    pub(super) fn ellipse(c: DrawingPoint, a: DrawingPoint, b: DrawingPoint) -> Self {
         Self { is_closed: true, ..Self::arc(c, a, b, 0.0, std::f64::consts::TAU) }
     }
 
     /// Closed path of a circle about the centre c; the radius is in px.
-    pub(super) fn circle(c: SheetPoint, radius: f64) -> Self {
+    pub(super) fn circle(c: DrawingPoint, radius: f64) -> Self {
         Self::ellipse(c, [radius, 0.0], [0.0, radius])
     }
 
     /// Closed path around all points within `radius`, px, of the line from a to b.
-    pub(super) fn capsule(a: SheetPoint, b: SheetPoint, radius: f64) -> Self {
+    pub(super) fn capsule(a: DrawingPoint, b: DrawingPoint, radius: f64) -> Self {
         let way = [b[0] - a[0], b[1] - a[1]];
         let long = way[0].hypot(way[1]);
         if long < 1e-6 {
@@ -174,8 +174,8 @@ impl Path {
         }
         let along = way.map(|x| radius * x / long);
         let across = [-along[1], along[0]];
-        let moved = |s: SheetPoint, x: f64, y: f64| [0, 1].map(|i| s[i] + x * along[i] + y * across[i]);
-        let end = |s: SheetPoint, side: f64| {
+        let moved = |s: DrawingPoint, x: f64, y: f64| [0, 1].map(|i| s[i] + x * along[i] + y * across[i]);
+        let end = |s: DrawingPoint, side: f64| {
             [
                 PathPart::Curve([moved(s, QUARTER * side, side), moved(s, side, QUARTER * side), moved(s, side, 0.0)]),
                 PathPart::Curve([
@@ -193,7 +193,7 @@ impl Path {
     }
 
     /// Last point of the path; the first point if the path has no parts.
-    pub(super) fn end(&self) -> SheetPoint {
+    pub(super) fn end(&self) -> DrawingPoint {
         match self.parts.last() {
             None => self.from,
             Some(PathPart::Line(to) | PathPart::Curve([.., to])) => *to,
@@ -202,23 +202,23 @@ impl Path {
 
     /// Unit vector in which the path arrives at its end; it points to the right if the path has no
     /// length.
-    pub(super) fn end_direction(&self) -> SheetPoint {
+    pub(super) fn end_direction(&self) -> DrawingPoint {
         let end = self.end();
         let before = match self.parts.as_slice() {
             [.., PathPart::Curve([_, handle, _])] => *handle,
             [.., PathPart::Line(to) | PathPart::Curve([.., to]), PathPart::Line(_)] => *to,
             _ => self.from,
         };
-        sheet_unit_vector([end[0] - before[0], end[1] - before[1]])
+        drawing_unit_vector([end[0] - before[0], end[1] - before[1]])
     }
 
     /// Points along the path, at most `step` apart, px.
     #[must_use]
-    pub fn points_along_path(&self, step: f64) -> Vec<SheetPoint> {
+    pub fn points_along_path(&self, step: f64) -> Vec<DrawingPoint> {
         let (mut list, mut at) = (vec![self.from], self.from);
         let closing = self.is_closed.then_some(PathPart::Line(self.from));
         for part in self.parts.iter().copied().chain(closing) {
-            let (to, of): (SheetPoint, Box<dyn Fn(f64) -> SheetPoint>) = match part {
+            let (to, of): (DrawingPoint, Box<dyn Fn(f64) -> DrawingPoint>) = match part {
                 PathPart::Line(to) => (to, Box::new(move |t| [0, 1].map(|i| at[i] + t * (to[i] - at[i])))),
                 PathPart::Curve([a, b, to]) => {
                     let of = move |t: f64, i: usize| {
@@ -251,7 +251,7 @@ impl Mark {
     }
 
     /// Mark of a filled circle about the point `at` of the sheet; the radius is in px.
-    pub(super) fn dot(role: MarkRole, at: SheetPoint, radius: f64) -> Self {
+    pub(super) fn dot(role: MarkRole, at: DrawingPoint, radius: f64) -> Self {
         Self { role, paint: PaintKind::Filled, path: Path::circle(at, radius) }
     }
 
@@ -264,14 +264,14 @@ impl Mark {
 
 /// Mark of an arrow tip that ends at `end` and points along the unit vector `heading`; `long` is
 /// its length, px.
-pub(super) fn arrow_tip(role: MarkRole, end: SheetPoint, heading: SheetPoint, long: f64) -> Mark {
+pub(super) fn arrow_tip(role: MarkRole, end: DrawingPoint, heading: DrawingPoint, long: f64) -> Mark {
     let at = |x: f64, y: f64| [end[0] - x * heading[0] - y * heading[1], end[1] - x * heading[1] + y * heading[0]];
     let corners = [end, at(long, 0.32 * long), at(0.8 * long, 0.0), at(long, -0.32 * long)];
     Mark { role, paint: PaintKind::Filled, path: Path::polygon(&corners) }
 }
 
 /// Unit vector along a vector on the sheet; it points to the right if the vector is zero.
-pub(super) fn sheet_unit_vector(way: SheetPoint) -> SheetPoint {
+pub(super) fn drawing_unit_vector(way: DrawingPoint) -> DrawingPoint {
     let long = way[0].hypot(way[1]);
     if long > 1e-9 { way.map(|x| x / long) } else { [1.0, 0.0] }
 }
@@ -280,7 +280,7 @@ pub(super) fn sheet_unit_vector(way: SheetPoint) -> SheetPoint {
 pub(super) fn drawing_extent<'a>(
     marks: impl IntoIterator<Item = &'a Mark>,
     labels: &[Label],
-) -> Option<(SheetPoint, SheetPoint)> {
+) -> Option<(DrawingPoint, DrawingPoint)> {
     let corners = labels.iter().flat_map(|label| {
         let half = label.size.map(|x| 0.5 * x);
         [-1.0, 1.0].map(|side| [label.at[0] + side * half[0], label.at[1] + side * half[1]])

@@ -75,7 +75,7 @@ pub fn drawn_coordinates(
     }
     let kinds = CoordinateKinds::new(mechanism, terms, at);
     let mut q = start.clone();
-    let tiny = kinds.angles.iter().filter(|c| angle_without_turns(start[**c]).abs() < UNSEEN_ANGLE);
+    let tiny = kinds.angles.iter().filter(|c| drawn_angle_without_turns(start[**c]).abs() < UNSEEN_ANGLE);
     for (c, angle) in tiny.zip(ANGLES.iter().cycle()) {
         q[*c] = angle.to_radians().copysign(if start[*c] < 0.0 { -1.0 } else { 1.0 });
     }
@@ -98,7 +98,7 @@ pub fn drawn_coordinates(
         if !(UNSEEN_SHARE..=LARGEST_SHARE).contains(&share) {
             let far = if share > LARGEST_SHARE { 1.5 } else { 1.0 };
             let sign = if start[*c] < 0.0 { -1.0 } else { 1.0 };
-            q[*c] = round_length(far * LENGTHS[at % LENGTHS.len()] * size) * sign;
+            q[*c] = round_drawn_length(far * LENGTHS[at % LENGTHS.len()] * size) * sign;
         }
     }
     if !is_drawable_pose(mechanism, poses, at.parameters, &q) {
@@ -110,13 +110,13 @@ pub fn drawn_coordinates(
 }
 
 /// Angle without whole turns, rad, from −π to below π.
-fn angle_without_turns(angle: f64) -> f64 {
+fn drawn_angle_without_turns(angle: f64) -> f64 {
     use std::f64::consts::{PI, TAU};
     angle - TAU * ((angle + PI) / TAU).floor()
 }
 
 /// Rounds a length to two significant digits.
-fn round_length(x: f64) -> f64 {
+fn round_drawn_length(x: f64) -> f64 {
     format!("{x:.1e}").parse().unwrap_or(x)
 }
 

@@ -5,7 +5,7 @@
 //! ones first, and take the place with the lowest cost. Then each label chooses again, twice. Costs
 //! are rounded, so that machines whose last digits differ give the same places.
 
-use super::drawing_elements::{Label, LabelWord, Mark, MarkRole, Path, SheetPoint, sheet_unit_vector};
+use super::drawing_elements::{DrawingPoint, Label, LabelWord, Mark, MarkRole, Path, drawing_unit_vector};
 use tripos_derive::algebra::text::print::name_parts;
 
 /// Additional distances of a label's box from its anchor, px, one for each ring of candidate
@@ -34,9 +34,9 @@ pub struct LabelRequest {
     /// Text of the label, as a list of parts.
     pub words: Vec<LabelWord>,
     /// Point of the sheet beside which the label is placed.
-    pub anchor: SheetPoint,
+    pub anchor: DrawingPoint,
     /// Preferred direction from the anchor, a unit vector on the sheet; `None` for any direction.
-    pub towards: Option<SheetPoint>,
+    pub towards: Option<DrawingPoint>,
     /// Least distance of the label from the anchor, px.
     pub gap: f64,
     /// True if the label must be placed, false if it may be left out for lack of room.
@@ -60,19 +60,19 @@ fn label_width(words: &[LabelWord]) -> f64 {
 /// Places all needed labels, and the optional labels that find room. Returns the labels and their
 /// leader lines.
 pub fn place_labels(wishes: &[LabelRequest], marks: &[Mark]) -> (Vec<Label>, Vec<Mark>) {
-    let ink: Vec<(SheetPoint, f64)> = marks.iter().flat_map(label_cost_of_mark).collect();
-    let sizes: Vec<SheetPoint> = wishes.iter().map(|wish| [label_width(&wish.words), HIGH]).collect();
+    let ink: Vec<(DrawingPoint, f64)> = marks.iter().flat_map(label_cost_of_mark).collect();
+    let sizes: Vec<DrawingPoint> = wishes.iter().map(|wish| [label_width(&wish.words), HIGH]).collect();
     let mut order: Vec<usize> = (0..wishes.len()).collect();
     order.sort_by_key(|at| !wishes[*at].is_needed);
-    let candidates: Vec<Vec<(SheetPoint, f64)>> =
+    let candidates: Vec<Vec<(DrawingPoint, f64)>> =
         wishes.iter().zip(&sizes).map(|(wish, size)| label_candidates(wish, *size, &ink)).collect();
-    let mut chosen: Vec<Option<(SheetPoint, f64)>> = vec![None; wishes.len()];
+    let mut chosen: Vec<Option<(DrawingPoint, f64)>> = vec![None; wishes.len()];
     for _ in 0..3 {
         for at in &order {
             chosen[*at] = None;
-            let taken: Vec<(SheetPoint, SheetPoint)> =
+            let taken: Vec<(DrawingPoint, DrawingPoint)> =
                 chosen.iter().zip(&sizes).filter_map(|(spot, size)| Some(((*spot)?.0, *size))).collect();
-            let of = |(spot, cost): &(SheetPoint, f64)| {
+            let of = |(spot, cost): &(DrawingPoint, f64)| {
                 let on = taken.iter().filter(|other| label_boxes_overlap((*spot, sizes[*at]), **other)).count();
                 (*spot, cost + OVERLAP * on as f64)
             };
@@ -90,7 +90,7 @@ pub fn place_labels(wishes: &[LabelRequest], marks: &[Mark]) -> (Vec<Label>, Vec
 }
 
 /// Points of a mark's line, each with the cost of a label that covers it.
-fn label_cost_of_mark(mark: &Mark) -> Vec<(SheetPoint, f64)> {
+fn label_cost_of_mark(mark: &Mark) -> Vec<(DrawingPoint, f64)> {
     let weight = match mark.role {
         MarkRole::Ground => 0.2,
         MarkRole::Support => 0.8,
@@ -104,7 +104,7 @@ fn label_cost_of_mark(mark: &Mark) -> Vec<(SheetPoint, f64)> {
 
 /// Candidate places of a label, each with its cost without other labels. `size` is the size of its
 /// box, px.
-fn label_candidates(wish: &LabelRequest, size: SheetPoint, ink: &[(SheetPoint, f64)]) -> Vec<(SheetPoint, f64)> {
+fn label_candidates(wish: &LabelRequest, size: DrawingPoint, ink: &[(DrawingPoint, f64)]) -> Vec<(DrawingPoint, f64)> {
     let half = size.map(|x| 0.5 * x);
     let mut list = Vec::with_capacity(RINGS.len() * DIRECTIONS);
     for (ring, further) in RINGS.iter().enumerate() {
@@ -132,19 +132,19 @@ fn label_candidates(wish: &LabelRequest, size: SheetPoint, ink: &[(SheetPoint, f
 
 /// True if a point is inside a box, or too close to it. The box has its middle at `middle` and half
 /// the size `half`.
-fn label_box_contains(middle: SheetPoint, half: SheetPoint, at: SheetPoint) -> bool {
+fn label_box_contains(middle: DrawingPoint, half: DrawingPoint, at: DrawingPoint) -> bool {
     (0..2).all(|i| (at[i] - middle[i]).abs() <= half[i] + CLEAR.1)
 }
 
 /// True if two boxes overlap or are too close; each box is given by its middle and its size.
-fn label_boxes_overlap(a: (SheetPoint, SheetPoint), b: (SheetPoint, SheetPoint)) -> bool {
+fn label_boxes_overlap(a: (DrawingPoint, DrawingPoint), b: (DrawingPoint, DrawingPoint)) -> bool {
     (0..2).all(|i| (a.0[i] - b.0[i]).abs() < 0.5 * (a.1[i] + b.1[i]) + CLEAR.0)
 }
 
 /// Leader line from a label at `spot` to its anchor; `None` if the label is near its anchor.
-fn leader_line(wish: &LabelRequest, spot: SheetPoint, size: SheetPoint) -> Option<Mark> {
+fn leader_line(wish: &LabelRequest, spot: DrawingPoint, size: DrawingPoint) -> Option<Mark> {
     let way = [wish.anchor[0] - spot[0], wish.anchor[1] - spot[1]];
-    let towards = sheet_unit_vector(way);
+    let towards = drawing_unit_vector(way);
     let long = way[0].hypot(way[1]);
     // The leader runs from the edge of the box to just beside the anchor.
     let edge = (0..2).map(|i| 0.5 * size[i] / towards[i].abs().max(1e-9)).fold(f64::MAX, f64::min) + 1.0;

@@ -2,7 +2,7 @@
 //! labels.
 
 use super::camera::Camera;
-use super::drawing_elements::{LabelWord, Mark, MarkRole, SheetPoint};
+use super::drawing_elements::{DrawingPoint, LabelWord, Mark, MarkRole};
 use super::label_placement::LabelRequest;
 use super::pose_formulas::PoseFormulas;
 use crate::mechanism::Mechanism;
@@ -53,7 +53,7 @@ impl SketchSubject<'_> {
     }
 
     /// Point of the sheet, px, at which a point of the model is drawn.
-    pub fn spot(&self, point: usize) -> SheetPoint {
+    pub fn spot(&self, point: usize) -> DrawingPoint {
         self.camera.project_point(self.pose.points[point])
     }
 
@@ -128,8 +128,8 @@ impl Sheet {
         &mut self,
         role: MarkRole,
         words: Vec<LabelWord>,
-        anchor: SheetPoint,
-        towards: Option<SheetPoint>,
+        anchor: DrawingPoint,
+        towards: Option<DrawingPoint>,
         gap: f64,
     ) {
         self.wishes.push(LabelRequest { role, words, anchor, towards, gap, is_needed: true });
@@ -142,8 +142,8 @@ impl Sheet {
         &mut self,
         role: MarkRole,
         words: Vec<LabelWord>,
-        anchor: SheetPoint,
-        towards: Option<SheetPoint>,
+        anchor: DrawingPoint,
+        towards: Option<DrawingPoint>,
         gap: f64,
     ) {
         self.wishes.push(LabelRequest { role, words, anchor, towards, gap, is_needed: false });

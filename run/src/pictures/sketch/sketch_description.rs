@@ -122,7 +122,7 @@ fn describe_coordinates(subject: &SketchSubject<'_>, shown: &[MarkedCoordinate])
 /// Sentence with the values of the coordinates in the drawn pose, and their original values if they
 /// differ.
 /// `of` names the original pose, such as the start of a scene.
-pub fn describe_drawn_pose(subject: &SketchSubject<'_>, changed: &[ChangedCoordinate], of: &str) -> String {
+pub fn describe_pose_of_sketch(subject: &SketchSubject<'_>, changed: &[ChangedCoordinate], of: &str) -> String {
     let all = subject.mechanism.coordinates.iter().zip(subject.q).enumerate().filter(|(_, (c, _))| c.name != TIME);
     let value = |at: usize, x: f64| {
         let coordinate = &subject.mechanism.coordinates[at];

@@ -1,7 +1,7 @@
 //! Marks of the ground at joints: pins with their supports, rails of sliding points, and walls that
 //! hold springs.
 
-use super::drawing_elements::{Mark, MarkRole, Path, SheetPoint, sheet_unit_vector};
+use super::drawing_elements::{DrawingPoint, Mark, MarkRole, Path, drawing_unit_vector};
 use super::sheet::{Sheet, SketchSubject};
 use crate::pictures::view::space::{cross, length, subtract_vectors};
 use crate::pictures::view::{SolidForm, Triple};
@@ -58,12 +58,12 @@ fn rod_and_spring_ends(subject: &SketchSubject<'_>) -> Vec<[usize; 2]> {
 }
 
 /// Sum of the unit vectors on the sheet from a point along the rods and springs that end in it.
-fn direction_of_rods(subject: &SketchSubject<'_>, point: usize) -> SheetPoint {
+fn direction_of_rods(subject: &SketchSubject<'_>, point: usize) -> DrawingPoint {
     let mut sum = [0.0; 2];
     for [a, b] in rod_and_spring_ends(subject) {
         for (from, to) in [(a, b), (b, a)] {
             if subject.points_coincide(from, point) {
-                let way = sheet_unit_vector(
+                let way = drawing_unit_vector(
                     subject.camera.project_vector(subject.pose.points[from], subject.pose.points[to]),
                 );
                 sum = [0, 1].map(|i| sum[i] + way[i]);
@@ -122,7 +122,7 @@ fn rail_marks(subject: &SketchSubject<'_>, point: usize, way: Triple) -> Vec<Mar
     if seen[0].hypot(seen[1]) < 0.2 {
         return Vec::new();
     }
-    let along = sheet_unit_vector(seen);
+    let along = drawing_unit_vector(seen);
     // The rail is below the point, or to the left of it.
     let below = if along[0].abs() > 0.5 { [-along[1], along[0]] } else { [along[1], -along[0]] };
     let below = if below[1] < -1e-9 || (below[1].abs() < 1e-9 && below[0] > 0.0) { below.map(|x| -x) } else { below };
@@ -133,12 +133,12 @@ fn rail_marks(subject: &SketchSubject<'_>, point: usize, way: Triple) -> Vec<Mar
 }
 
 /// Marks of a wall: a line between two points of the sheet, with hatching on the side `behind`.
-pub fn wall_marks(ends: [SheetPoint; 2], behind: SheetPoint) -> Vec<Mark> {
+pub fn wall_marks(ends: [DrawingPoint; 2], behind: DrawingPoint) -> Vec<Mark> {
     let [a, b] = ends;
     let way = [b[0] - a[0], b[1] - a[1]];
     let long = way[0].hypot(way[1]);
-    let along = sheet_unit_vector(way);
-    let behind = sheet_unit_vector(behind);
+    let along = drawing_unit_vector(way);
+    let behind = drawing_unit_vector(behind);
     let mut marks = vec![Mark::line(MarkRole::Support, Path::line(&ends))];
     let count = (long / HATCH.0).floor().clamp(1.0, 400.0);
     let places = std::iter::successors(Some(0.5), |k| Some(k + 1.0)).take_while(|k| *k < count);

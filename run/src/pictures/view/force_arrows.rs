@@ -52,7 +52,7 @@ pub struct ForceArrow {
 
 /// Forces of a mechanism along a motion, with their values.
 #[derive(Clone, Debug, Default)]
-pub struct Forces {
+pub struct ForceArrows {
     /// Forces that are not zero throughout the motion: weights, forces of the model file and their
     /// opposites, then reactions.
     pub list: Vec<ForceArrow>,
@@ -70,7 +70,7 @@ pub struct Forces {
     pub without: Option<String>,
 }
 
-impl Forces {
+impl ForceArrows {
     /// Ratio of the longest drawn arrow to the usual force; longer arrows are cut.
     pub const CUT: f64 = 2.5;
 
@@ -139,7 +139,7 @@ impl ForceFunctions {
             }
         }
         let reactions = joined_reaction_forces(&model.reactions);
-        let balance = (!reactions.is_empty()).then(|| force_balance_equations(mechanism, scene)).transpose();
+        let balance = (!reactions.is_empty()).then(|| force_arrow_equations(mechanism, scene)).transpose();
         let (balance, without) = match balance {
             Ok(balance) => (balance, None),
             Err(why) => (None, Some(why)),
@@ -185,7 +185,7 @@ impl ForceFunctions {
         mechanism: &Mechanism,
         scene: &Scene,
         seen: &[(&[f64], &Pose)],
-    ) -> Result<Forces, Error> {
+    ) -> Result<ForceArrows, Error> {
         let (p, n) = (scene.parameters.as_slice(), mechanism.coordinates.len());
         let mut balance = match &self.balance {
             Some(code) => Some(Dynamics::new(code.system(), p).map_err(|error| refused_scene_error(scene, &error))?),
@@ -208,7 +208,7 @@ impl ForceFunctions {
         let (known, unknown): (Vec<usize>, Vec<usize>) = (0..self.list.len()).partition(|at| has_values(*at));
         let kept: Vec<usize> = known.into_iter().filter(|at| acts(*at)).collect();
         let values: Vec<Vec<Triple>> = all.iter().map(|now| kept.iter().map(|at| now[*at]).collect()).collect();
-        Ok(Forces {
+        Ok(ForceArrows {
             list: kept.iter().map(|at| self.list[*at].clone()).collect(),
             unknown: unknown.into_iter().map(|at| self.list[at].name.clone()).collect(),
             usual: usual_force(&values),
@@ -230,7 +230,7 @@ fn usual_force(values: &[Vec<Triple>]) -> f64 {
 
 /// Newton–Euler equations of a mechanism with reactions. The error is the reason why reactions
 /// cannot be found.
-fn force_balance_equations(mechanism: &Mechanism, scene: &Scene) -> Result<Code, String> {
+fn force_arrow_equations(mechanism: &Mechanism, scene: &Scene) -> Result<Code, String> {
     if !scene.impacts.is_empty() {
         return Err("the forces of closed contacts are not part of the equations".to_owned());
     }

@@ -1,7 +1,7 @@
 //! Motion of a mechanism for a view: poses and forces at so many instants that no difference from
 //! the run is visible.
 
-use super::force_arrows::{ForceFunctions, Forces};
+use super::force_arrows::{ForceArrows, ForceFunctions};
 use super::pose::{Pose, Poses};
 use super::space::{Quaternion, Triple, add_scaled_vector, length, quaternion, subtract_vectors};
 use crate::equations_name::EquationsName;
@@ -31,7 +31,7 @@ const ONE_WAY: f64 = 3.0;
 
 /// Motion of a mechanism for a view: poses and forces at a list of instants.
 #[derive(Clone, Debug)]
-pub struct Motion {
+pub struct ViewMotion {
     /// Title of the equations that were integrated, for a heading.
     pub title: String,
     /// Instants of the poses, s, in the order of the run.
@@ -39,7 +39,7 @@ pub struct Motion {
     /// Pose of the mechanism at each instant of `t`.
     pub poses: Vec<Pose>,
     /// Forces on the bodies at each instant of `t`, N.
-    pub forces: Forces,
+    pub forces: ForceArrows,
     /// Least and greatest value of each coordinate, then of each generalized speed.
     pub ranges: Vec<(f64, f64)>,
     /// Sentence that says when, after how many steps and why the run ended.
@@ -50,7 +50,7 @@ pub struct Motion {
     pub failed: bool,
 }
 
-impl Motion {
+impl ViewMotion {
     /// Runs a scene by full equations, and converts the run to a motion for a view.
     /// `by` names the equations; `None` takes the first formulation of the model.
     ///

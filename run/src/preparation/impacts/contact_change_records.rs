@@ -10,7 +10,7 @@ impl ContactRun<'_> {
     /// Makes the events at the start of a run, `t` in s, in the state `y`. Each held contact gives an
     /// event. Each held contact with friction gives another event that tells if it slips or sticks.
     /// `base` is the number of other events.
-    pub(super) fn contact_events_at_start(
+    pub(super) fn contact_change_records_at_start(
         &self,
         base: usize,
         kept: &HeldContacts,
@@ -18,7 +18,7 @@ impl ContactRun<'_> {
         y: &[f64],
     ) -> Vec<EventRecord> {
         let closed = kept.which.iter().map(|at| ContactChange::Closes(*at));
-        let rough = kept.iter().filter_map(|(at, mode)| friction_change(at, None, Some(mode)));
+        let rough = kept.iter().filter_map(|(at, mode)| recorded_friction_change(at, None, Some(mode)));
         closed
             .chain(rough)
             .map(|contact_change| self.contact_change_record(base, contact_change, t, y, Kind::AtStart))
@@ -46,7 +46,7 @@ impl ContactRun<'_> {
         whole.events.retain(|event| !is_rough(event));
         let y = round_to_doubles(&whole.y_end);
         for contact in (0..count).filter(|at| self.contacts.friction(*at).is_some()) {
-            if let Some(contact_change) = friction_change(contact, before.mode(contact), after.mode(contact)) {
+            if let Some(contact_change) = recorded_friction_change(contact, before.mode(contact), after.mode(contact)) {
                 whole.events.push(self.contact_change_record(base, contact_change, whole.t_end, &y, Kind::Falling));
             }
         }
@@ -71,7 +71,11 @@ impl ContactRun<'_> {
 /// Compares the modes of a contact with friction before and after an instant, and returns the
 /// change that begins. `None` if the mode stays the same. A mode is `None` while the contact is not
 /// held closed.
-fn friction_change(contact: usize, before: Option<ContactMode>, after: Option<ContactMode>) -> Option<ContactChange> {
+fn recorded_friction_change(
+    contact: usize,
+    before: Option<ContactMode>,
+    after: Option<ContactMode>,
+) -> Option<ContactChange> {
     match (before, after) {
         (Some(_), None) => Some(ContactChange::Opens(contact)),
         (Some(ContactMode::Slips(one)), Some(ContactMode::Slips(other))) => {

@@ -2,10 +2,10 @@
 //! closed afterwards.
 
 use super::contact_change::ContactChange;
-use super::contacts::ImpulseResponse;
 use super::held_contact_motion::{HeldContactEquations, ROUNDED};
 use super::held_contacts::{HeldContacts, NONE};
 use super::missed_changes::NEARLY;
+use super::scene_contacts::ImpulseResponse;
 use super::{ContactRun, NOTHING};
 use nalgebra::DVector;
 use tripos_derive::plain_text::{with_reliable_digits, with_significant_digits};
@@ -13,7 +13,7 @@ use tripos_sim::{ContactMode, Failure, ImpactRecord, SimError};
 
 /// Instant at which contacts are closed and an impact or a change of held contacts is due, with its
 /// cause.
-pub struct ContactInstant<'m> {
+pub struct ImpactInstant<'m> {
     /// Instant of the meeting, s.
     pub t: f64,
     /// Indices of all contacts that are closed at this instant.
@@ -24,7 +24,7 @@ pub struct ContactInstant<'m> {
     pub contact_change: Option<ContactChange>,
 }
 
-impl ContactInstant<'_> {
+impl ImpactInstant<'_> {
     /// Index of the contact that opens at the instant of the meeting; `None` if no contact opens.
     fn opening_contact(&self) -> Option<usize> {
         match self.contact_change {
@@ -37,7 +37,7 @@ impl ContactInstant<'_> {
 /// Meeting of contacts after the impact, if there was one, with the reference speeds for decisions.
 pub struct ContactInstantAfterImpact<'m> {
     /// The meeting itself: instant, closed contacts and cause.
-    pub meeting: &'m ContactInstant<'m>,
+    pub meeting: &'m ImpactInstant<'m>,
     /// Change of each gap and slip velocity by the impacts, for all contacts; `None` without an impact.
     pub changes: Option<&'m DVector<f64>>,
     /// Reference speed of each gap and slip velocity: a velocity far below it counts as zero.
@@ -75,7 +75,7 @@ const MOST: usize = 1_000;
 /// State after an instant at which contacts were closed and velocities may have jumped, and the
 /// contacts that are held.
 #[derive(Clone, Debug)]
-pub struct StateAfterContact {
+pub struct StateAfterImpact {
     /// State (q, v) after all impacts of the instant.
     pub y: Vec<f64>,
     /// Record of the impact; `None` if there was no impact.
@@ -92,7 +92,7 @@ pub struct StateAfterContact {
     pub rested: HeldContacts,
 }
 
-impl StateAfterContact {
+impl StateAfterImpact {
     /// Result for a state at which no contact is closed: the state is unchanged, and no contact is
     /// held.
     pub fn unchanged(y: &[f64]) -> Self {
@@ -106,7 +106,7 @@ struct ImpactResult {
     /// State after the impacts, with the total impulses and energies.
     blow: ImpulseEffect,
     /// Indices of the contacts that took part, a list for each impact of the instant, as in
-    /// [`StateAfterContact::hits`].
+    /// [`StateAfterImpact::hits`].
     hits: Vec<Vec<usize>>,
     /// Reference speed of each gap and slip velocity: the sizes of its terms before the impact, plus
     /// the sizes of its changes by each impulse.
@@ -137,8 +137,8 @@ impl ContactRun<'_> {
     pub(super) fn handle_closed_contacts(
         &self,
         y: &[f64],
-        meeting: &ContactInstant<'_>,
-    ) -> Result<Result<StateAfterContact, Failure>, SimError> {
+        meeting: &ImpactInstant<'_>,
+    ) -> Result<Result<StateAfterImpact, Failure>, SimError> {
         let mut free = HeldContactEquations { rhs: (self.equations)()?, contacts: self.contacts, kept: &NONE };
         let mut held = HeldContactEquations { rhs: (self.equations)()?, contacts: self.contacts, kept: meeting.kept };
         Ok(self.handle_closed_contacts_with(&mut free, &mut held, y, meeting))
@@ -155,8 +155,8 @@ impl ContactRun<'_> {
         free: &mut HeldContactEquations<'_>,
         held: &mut HeldContactEquations<'_>,
         y: &[f64],
-        meeting: &ContactInstant<'_>,
-    ) -> Result<StateAfterContact, Failure> {
+        meeting: &ImpactInstant<'_>,
+    ) -> Result<StateAfterImpact, Failure> {
         let t = meeting.t;
         // Accelerations remove a slower velocity within the shortest flight.
         let slowest = free.motion_without_contact_forces(t, y)?.sizes * self.least;
@@ -176,7 +176,7 @@ impl ContactRun<'_> {
             before: &before,
             is_jamming,
         };
-        let SettledContacts { mut kept, short, more } = self.find_resting_contacts(free, &blow.y, &met)?;
+        let SettledContacts { mut kept, short, more } = self.resting_contacts_after_impact(free, &blow.y, &met)?;
         let mut all = kept.clone();
         more.iter().for_each(|(at, mode)| all.push(at, mode));
         if let Some((last, slips)) = self.bring_to_rest(&blow.y, &all, &met)? {
@@ -187,7 +187,7 @@ impl ContactRun<'_> {
                 loss: blow.loss + last.loss,
                 work: blow.work + last.work,
             };
-            kept = self.find_resting_contacts(free, &blow.y, &met)?.kept;
+            kept = self.resting_contacts_after_impact(free, &blow.y, &met)?.kept;
             rested = all;
         }
         let kept = self.keep_pushing_contacts(free, t, &blow.y, kept)?;
@@ -195,7 +195,7 @@ impl ContactRun<'_> {
         let impulses = meeting.closed.iter().map(normal).filter(|(_, impulse)| *impulse != 0.0).collect();
         let record = ImpactRecord { t, impulses, before: y.to_vec(), loss: blow.loss, work: blow.work, held: short };
         let (record, closed) = (is_impact.then_some(record), meeting.closed.to_vec());
-        Ok(StateAfterContact { y: blow.y, record, kept, closed, hits, rested })
+        Ok(StateAfterImpact { y: blow.y, record, kept, closed, hits, rested })
     }
 
     /// Removes from `kept` the contacts whose forces would pull just after the instant `t`. An opening
@@ -232,7 +232,7 @@ impl ContactRun<'_> {
     }
 
     /// Failure for an impact at `t` s that would create energy; `gained` is this energy, J.
-    fn energy_gain_failure(&self, t: f64, meeting: &ContactInstant<'_>, gained: f64) -> Failure {
+    fn energy_gain_failure(&self, t: f64, meeting: &ImpactInstant<'_>, gained: f64) -> Failure {
         let has_friction = meeting.closed.iter().any(|at| self.contacts.friction(*at).is_some());
         let why = if has_friction {
             "by Newton's law, contacts with friction and restitution can create energy; take law = \"poisson\", or give these contacts a restitution of 0"
@@ -256,7 +256,7 @@ impl ContactRun<'_> {
     fn compute_impacts(
         &self,
         y: &[f64],
-        meeting: &ContactInstant<'_>,
+        meeting: &ImpactInstant<'_>,
         slowest: &DVector<f64>,
     ) -> Result<ImpactResult, Failure> {
         let t = meeting.t;
@@ -301,7 +301,7 @@ impl ContactRun<'_> {
             all += impulses;
             hits.push(hit);
         }
-        let least = least_energy_gain(&response, &all, &scale);
+        let least = least_impact_energy_gain(&response, &all, &scale);
         let changes = &response.compliance * &all;
         let blow = apply_impulses(y, &response, all);
         if blow.loss < -least {
@@ -327,7 +327,7 @@ impl ContactRun<'_> {
     ///
     /// # Errors
     /// `Failure` if the contact forces are undecided or not determined.
-    fn find_resting_contacts(
+    fn resting_contacts_after_impact(
         &self,
         free: &mut HeldContactEquations<'_>,
         y: &[f64],
@@ -453,7 +453,7 @@ fn apply_impulses(y: &[f64], response: &ImpulseResponse, impulses: DVector<f64>)
 /// Least energy, J, that impulses must add to a motion so that the gain is no rounding. It sums
 /// each impulse times a small fraction of the sizes of its velocities before and after. An elastic
 /// impact reverses velocities and gains nothing, so the sizes are added.
-fn least_energy_gain(response: &ImpulseResponse, impulses: &DVector<f64>, scale: &DVector<f64>) -> f64 {
+fn least_impact_energy_gain(response: &ImpulseResponse, impulses: &DVector<f64>, scale: &DVector<f64>) -> f64 {
     let (before, after) = (&response.velocities, &response.velocities + &response.compliance * impulses);
     let of = |row: usize| NOTHING.sqrt() * (before[row].abs() + after[row].abs()) + NOTHING * scale[row];
     (0..impulses.len()).map(|row| impulses[row].abs() * of(row)).sum()

@@ -6,8 +6,8 @@
 //! with s the sign of the slip. The forces are added to the equations of motion as v̇ + M⁻¹ Wᵀ λ.
 //! Each step is corrected onto the closed gaps, like onto other constraints.
 
-use super::contacts::{ContactRates, Contacts, ImpulseResponse};
 use super::held_contacts::HeldContacts;
+use super::scene_contacts::{ContactRates, ImpulseResponse, SceneContacts};
 use nalgebra::DVector;
 use tripos_sim::{Failure, RightHandSide};
 
@@ -16,7 +16,7 @@ pub struct HeldContactEquations<'a> {
     /// Right-hand side of the equations of motion without contact forces.
     pub rhs: Box<dyn RightHandSide<f64> + 'a>,
     /// All contacts of the scene.
-    pub contacts: &'a Contacts<'a>,
+    pub contacts: &'a SceneContacts<'a>,
     /// Contacts that are held closed, each with its mode, such as sticking.
     pub kept: &'a HeldContacts,
 }

@@ -1,6 +1,6 @@
 //! List of the contacts that are held closed, with the mode of each: pushing, sticking or slipping.
 
-use super::contacts::Contacts;
+use super::scene_contacts::SceneContacts;
 use tripos_sim::ContactMode;
 
 /// Contacts that are held closed, each with its mode: it pushes, sticks or slips.
@@ -56,7 +56,7 @@ impl HeldContacts {
 
     /// Indices of the gap and slip velocities that are held at zero. For a slipping contact, this is
     /// only the gap velocity.
-    pub fn rows(&self, contacts: &Contacts<'_>) -> Vec<usize> {
+    pub fn rows(&self, contacts: &SceneContacts<'_>) -> Vec<usize> {
         let held = |(at, mode): (usize, ContactMode)| {
             let rows = &contacts.rows[at];
             if matches!(mode, ContactMode::Slips(_)) { rows[..1].to_vec() } else { rows.clone() }

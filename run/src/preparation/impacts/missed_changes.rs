@@ -94,7 +94,7 @@ impl ContactRun<'_> {
 
     /// Failure if a part of a run stopped early because the forces of slipping contacts grow without
     /// bound. `None` if it stopped for another reason.
-    pub(super) fn jamming_failure<S: Real>(
+    pub(super) fn missed_jamming<S: Real>(
         &self,
         part: &Solution<S>,
         forces: &HeldContactEquations<'_>,

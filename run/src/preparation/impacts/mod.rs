@@ -18,26 +18,26 @@ mod contact_change;
 mod contact_change_records;
 mod contact_events;
 mod contact_impacts;
-mod contacts;
 mod friction_modes;
 mod held_contact_motion;
 mod held_contacts;
 mod missed_changes;
 mod number_carrier;
+mod scene_contacts;
 mod short_bounces;
 
 pub use contact_change::ContactChange;
-pub use contact_impacts::StateAfterContact;
-pub use contacts::{ContactOperators, Contacts, ImpulseResponse};
+pub use contact_impacts::StateAfterImpact;
 pub use held_contact_motion::HeldContactEquations;
 pub use held_contacts::{HeldContacts, NONE};
 pub use number_carrier::{ContactCrossing, DoubleCarrier, Equations, GapMinimum, NumberCarrier};
+pub use scene_contacts::{ContactOperators, ImpulseResponse, SceneContacts};
 pub use short_bounces::notes_on_short_bounces;
 
 use super::initial_state::InitialState;
-use super::speed_changes::{join_solutions, options_for_rest_of_run};
+use super::speed_changes::{join_part_solutions, options_for_next_part};
 use contact_events::lend_event;
-use contact_impacts::ContactInstant;
+use contact_impacts::ImpactInstant;
 use tripos_derive::plain_text::with_significant_digits;
 use tripos_sim::{
     AccompaniedRightHandSide, Event, EventRecord, Failure, ImpactRecord, Kind, LentRightHandSide, Options,
@@ -66,7 +66,7 @@ const OVERLAP: f64 = 1e-8;
 /// Integration of a scene with contacts, in parts from impact to impact.
 pub struct ContactRun<'a> {
     /// Contacts of the scene, prepared for the integrated variables.
-    pub contacts: &'a Contacts<'a>,
+    pub contacts: &'a SceneContacts<'a>,
     /// Function that makes the equations of motion without contact forces.
     pub equations: &'a Equations<'a>,
     /// Duration of the shortest flight, s.
@@ -100,7 +100,7 @@ impl ContactRun<'_> {
         let (mut kept, mut changes) = (after.kept, 0);
         let mut whole =
             self.integrate_part(carrier, InitialState { span, y: &y }, &kept, options, events, power.as_mut())?;
-        whole.events.splice(..0, self.contact_events_at_start(base, &kept, span.0, &after.y));
+        whole.events.splice(..0, self.contact_change_records_at_start(base, &kept, span.0, &after.y));
         // The first sample shows the state after the impact: its work need not be added.
         whole.impacts.extend(after.record);
         while let Some(contact_change) = self.terminal_contact_change(&whole, base) {
@@ -122,9 +122,9 @@ impl ContactRun<'_> {
                     y = carrier.state_after_crossing(&crossing, &whole.y_end);
                     kept = after.kept;
                     changes += 1;
-                    set_state_after_jump(&mut whole, &y);
+                    set_run_state_after_jump(&mut whole, &y);
                     if let Some(record) = after.record {
-                        add_impact_record(&mut whole, record);
+                        add_impact_to_run(&mut whole, record);
                     }
                 }
                 Err(failure) => {
@@ -136,11 +136,11 @@ impl ContactRun<'_> {
                 whole.stop = Stop::End;
                 break;
             }
-            let mut how = options_for_rest_of_run(options, &whole, span);
+            let mut how = options_for_next_part(options, &whole, span);
             how.step_limit = how.step_limit.saturating_sub(changes);
             let from = InitialState { span: (whole.t_end, span.1), y: &y };
             let part = self.integrate_part(carrier, from, &kept, &how, events, power.as_mut())?;
-            whole = join_solutions(whole, part, options);
+            whole = join_part_solutions(whole, part, options);
         }
         if let Stop::StepLimit { limit } = &mut whole.stop {
             *limit = options.step_limit;
@@ -153,7 +153,7 @@ impl ContactRun<'_> {
     ///
     /// # Errors
     /// `SimError` if the equations of motion cannot be made.
-    fn handle_initial_contacts(&self, t: f64, y: &[f64]) -> Result<Result<StateAfterContact, Failure>, SimError> {
+    fn handle_initial_contacts(&self, t: f64, y: &[f64]) -> Result<Result<StateAfterImpact, Failure>, SimError> {
         let rates = self.contacts.rates(y);
         let mut closed = Vec::new();
         for contact in 0..self.contacts.impacts.len() {
@@ -172,9 +172,9 @@ impl ContactRun<'_> {
             }
         }
         if closed.is_empty() {
-            return Ok(Ok(StateAfterContact::unchanged(y)));
+            return Ok(Ok(StateAfterImpact::unchanged(y)));
         }
-        self.handle_closed_contacts(y, &ContactInstant { t, closed: &closed, kept: &NONE, contact_change: None })
+        self.handle_closed_contacts(y, &ImpactInstant { t, closed: &closed, kept: &NONE, contact_change: None })
     }
 
     /// Finds the state and the held contacts after a part of the run that ended with the given change,
@@ -188,7 +188,7 @@ impl ContactRun<'_> {
         t: f64,
         y: &[f64],
         kept: &HeldContacts,
-    ) -> Result<Result<StateAfterContact, Failure>, SimError> {
+    ) -> Result<Result<StateAfterImpact, Failure>, SimError> {
         if let ContactChange::Jams(contact) = contact_change {
             return Ok(Err(self.jammed_contact_failure(contact, t)));
         }
@@ -202,7 +202,7 @@ impl ContactRun<'_> {
         let closed: Vec<usize> = (0..self.contacts.impacts.len()).filter(is_closed).collect();
         self.handle_closed_contacts(
             y,
-            &ContactInstant { t, closed: &closed, kept, contact_change: Some(contact_change) },
+            &ImpactInstant { t, closed: &closed, kept, contact_change: Some(contact_change) },
         )
     }
 
@@ -346,7 +346,7 @@ impl ContactRun<'_> {
         // without bound.
         part.events.retain(|event| event.event < base || !matches!(event.kind, Kind::AtStart | Kind::Pole));
         let failure = if part.stop.is_failure() {
-            self.jamming_failure(part, forces)
+            self.missed_jamming(part, forces)
         } else {
             self.missed_closing(part, kept).or_else(|| self.missed_friction_change(part, forces))
         };
@@ -381,7 +381,7 @@ fn round_to_doubles<S: Real>(y: &[S]) -> Vec<f64> {
 
 /// Adds the record of an impact at the end of the run `whole` to its impacts, and the energy of the
 /// impact to its work.
-fn add_impact_record<S>(whole: &mut Solution<S>, record: ImpactRecord) {
+fn add_impact_to_run<S>(whole: &mut Solution<S>, record: ImpactRecord) {
     let gained = record.work - record.loss;
     whole.impacts.push(record);
     if whole.work.is_empty() {
@@ -397,7 +397,7 @@ fn add_impact_record<S>(whole: &mut Solution<S>, record: ImpactRecord) {
 
 /// Replaces the state at the end of the run `whole`, and its sample there if it has one, by the
 /// state `y` after a jump.
-fn set_state_after_jump<S: Real>(whole: &mut Solution<S>, y: &[S]) {
+fn set_run_state_after_jump<S: Real>(whole: &mut Solution<S>, y: &[S]) {
     if whole.t.last().is_some_and(|t| t.total_cmp(&whole.t_end).is_eq())
         && let Some(last) = whole.y.last_mut()
     {

@@ -5,10 +5,10 @@
 //! decide nothing.
 
 use super::contact_change::ContactChange;
-use super::contact_impacts::StateAfterContact;
-use super::contacts::Contacts;
+use super::contact_impacts::StateAfterImpact;
 use super::held_contact_motion::HeldContactEquations;
 use super::held_contacts::HeldContacts;
+use super::scene_contacts::SceneContacts;
 use tripos_sim::{RightHandSide, SimError};
 
 /// Function that makes the right-hand side of the equations of motion, without contact forces and
@@ -28,7 +28,7 @@ pub struct ContactCrossing<'c> {
     pub kept: &'c HeldContacts,
     /// State just after the crossing, the impact if there was one, and the contacts that are held
     /// closed from then on.
-    pub after: &'c StateAfterContact,
+    pub after: &'c StateAfterImpact,
 }
 
 /// Minimum in time of a contact's gap that stays open but comes close to zero.
@@ -73,7 +73,7 @@ pub trait NumberCarrier<S> {
 /// Carrier of plain doubles, which have no derivatives.
 pub struct DoubleCarrier<'a> {
     /// Contacts of the scene, prepared for the integrated variables.
-    pub contacts: &'a Contacts<'a>,
+    pub contacts: &'a SceneContacts<'a>,
     /// Function that makes the right-hand side without contact forces.
     pub equations: &'a Equations<'a>,
 }

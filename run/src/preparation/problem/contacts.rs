@@ -4,7 +4,7 @@
 use super::{Power, Problem};
 use crate::error::Error;
 use crate::preparation::impacts::{
-    ContactRun, Contacts, DoubleCarrier, HeldContactEquations, HeldContacts, LEAST, NumberCarrier,
+    ContactRun, DoubleCarrier, HeldContactEquations, HeldContacts, LEAST, NumberCarrier, SceneContacts,
 };
 use crate::preparation::initial_state::InitialState;
 use tripos_derive::mechanics::{EquationsOrigin, MotionVariables};
@@ -15,9 +15,9 @@ use tripos_traits::Real;
 impl Problem<'_> {
     /// Prepares the contacts of the scene in the coordinates and motion variables of the equations.
     #[must_use]
-    pub(crate) fn contacts(&self) -> Contacts<'_> {
+    pub(crate) fn contacts(&self) -> SceneContacts<'_> {
         let variables = self.by.formulation().map_or(MotionVariables::Speeds, |by| by.method().variables);
-        Contacts::new(self.model, &self.scene.impacts, self.system(), &self.scene.parameters, variables)
+        SceneContacts::new(self.model, &self.scene.impacts, self.system(), &self.scene.parameters, variables)
     }
 
     /// Runs a scene with contacts in double precision, in parts from impact to impact.
@@ -44,7 +44,7 @@ impl Problem<'_> {
     /// [`SimError`] if the options or the start do not fit the equations.
     pub(crate) fn run_with_contacts_in<S: Real>(
         &self,
-        contacts: &Contacts<'_>,
+        contacts: &SceneContacts<'_>,
         carrier: &dyn NumberCarrier<S>,
         start: InitialState<'_, S>,
         options: &Options,
@@ -65,7 +65,7 @@ impl Problem<'_> {
     /// [`Failure`] if the equations or the contact forces have no value at this state.
     pub(crate) fn rates_with_contacts(
         &self,
-        contacts: &Contacts<'_>,
+        contacts: &SceneContacts<'_>,
         kept: &HeldContacts,
         t: f64,
         y: &[f64],

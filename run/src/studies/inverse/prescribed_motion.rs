@@ -10,7 +10,7 @@ use crate::{Error, Mechanism};
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::term::calculus::Gradient;
 use tripos_derive::algebra::value::tape::Tape;
-use tripos_derive::mechanics::motion_rates;
+use tripos_derive::mechanics::kinematic_rates;
 use tripos_derive::plain_text::{with_reliable_digits, with_significant_digits};
 use tripos_derive::scene::{Formulas, Loops, Motion, MotionForm, MotionSample};
 use tripos_traits::DoubleDouble;
@@ -85,7 +85,7 @@ impl PrescribedMotion {
         let of_formulas = crate::code::compile_tape(&model.arena, &of_time, &terms, "the motion")?;
         let mut arena = model.arena.clone();
         let rates = &model.kinematic_equations.rates;
-        let mut d_dt = motion_rates(model);
+        let mut d_dt = kinematic_rates(model);
         let mut gradient = Gradient::new(&model.u());
         let seconds: Vec<Expr> = rates.iter().map(|rate| d_dt.apply(&mut arena, *rate)).collect();
         let mut outputs = [rates.clone(), seconds].concat();

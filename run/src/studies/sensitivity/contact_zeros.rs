@@ -1,9 +1,9 @@
 //! Functions of contacts that are zero at the instant of a change of contacts, and the derivatives
 //! of this instant.
 
-use super::contact_derivatives::{ParameterStateDirection, PreciseContacts, SMALL};
 use super::grazing_contacts;
 use super::held_contact_forces::{HeldContactForces, NOTHING, RatesAlong, VariedNumber};
+use super::precise_contacts::{ParameterStateDirection, PreciseContacts, SMALL};
 use crate::preparation::impacts::{ContactChange, ContactCrossing};
 use tripos_sim::ContactMode;
 

@@ -3,7 +3,7 @@
 
 use super::corners::corners;
 use super::equations_with_slopes::{RunWithSlopes, SeededStart};
-use super::{SensitivityInputs, options_for_short_run};
+use super::{SensitivityInputs, short_sensitivity_run_options};
 use crate::error::Error;
 use crate::integration_options::integration_options;
 use crate::preparation::impacts::HeldContacts;
@@ -138,7 +138,7 @@ fn state_between_samples(
         return Ok(Some((y.clone(), slopes)));
     }
     let from = SeededStart { span: (solution.t[sample], t), y, seeds: parts.seeds, slopes: &slopes };
-    let run = parts.equations.run(parts.problem, &from, &options_for_short_run(parts), &mut [])?;
+    let run = parts.equations.run(parts.problem, &from, &short_sensitivity_run_options(parts), &mut [])?;
     Ok((run.solution.stop == Stop::End).then_some((run.solution.y_end, run.end)))
 }
 
@@ -158,7 +158,7 @@ type Assessed = (Option<Vec<Vec<f64>>>, Option<String>);
 ///
 /// # Errors
 /// [`Error`] if the second run is refused although the first was not.
-pub fn second_run_errors(
+pub fn end_derivative_errors(
     parts: &SensitivityInputs<'_>,
     carried: &RunWithSlopes,
     own: &EndDerivatives,
@@ -175,7 +175,7 @@ pub fn second_run_errors(
     let beside = problem.with_scene(&scene);
     let balance = WatchedFunctions::new(problem.mechanism, problem.model, &scene, problem.by)?;
     let y: Vec<f64> = problem.start()?.iter().map(|y| y * (1.0 + f64::EPSILON)).collect();
-    let before = samples_before_end(parts, carried);
+    let before = samples_for_end_derivatives(parts, carried);
     let times: Vec<f64> = before.iter().map(|at| first.t[*at]).collect();
     for second in second_runs(&how, first, problem.scene.span, series) {
         let how = Options { output: OutputOption::At(times.clone()), ..second.options.clone() };
@@ -193,12 +193,12 @@ pub fn second_run_errors(
         if pairs().any(|(own, other)| other.is_nan() && !own.is_nan()) {
             continue;
         }
-        let mut apart = differences(&own.shown, &theirs);
+        let mut apart = end_derivative_differences(&own.shown, &theirs);
         for (sample, at) in before.iter().enumerate() {
             let of = |parts: &SensitivityInputs<'_>, carried: &RunWithSlopes, sample: usize| {
                 derivatives_at_sample(parts, carried, sample)
             };
-            let near = differences(&of(parts, carried, *at)?, &of(&its, &run, sample)?);
+            let near = end_derivative_differences(&of(parts, carried, *at)?, &of(&its, &run, sample)?);
             for (sum, near) in apart.iter_mut().flatten().zip(near.into_iter().flatten()) {
                 *sum = larger(*sum, near);
             }
@@ -217,7 +217,7 @@ const BESIDE: f64 = 1e-6;
 
 /// Indices of at most two samples shortly before the end of a run, to compare with a second run.
 /// Samples next to a jump of derivatives are avoided, since the second run may jump later.
-fn samples_before_end(parts: &SensitivityInputs<'_>, carried: &RunWithSlopes) -> Vec<usize> {
+fn samples_for_end_derivatives(parts: &SensitivityInputs<'_>, carried: &RunWithSlopes) -> Vec<usize> {
     let (t, t_end) = (&carried.solution.t, carried.solution.t_end);
     let p: Vec<Tangent<1>> = parts.problem.scene.parameters.iter().map(|p| Tangent::from_f64(*p)).collect();
     let jumps = corners(parts.problem, &p).into_iter().filter(|corner| corner.jumps).map(|corner| corner.at);
@@ -248,7 +248,7 @@ fn derivatives_at_sample(
 }
 
 /// Absolute differences of two tables of derivatives, entry by entry.
-fn differences(a: &[Vec<f64>], b: &[Vec<f64>]) -> Vec<Vec<f64>> {
+fn end_derivative_differences(a: &[Vec<f64>], b: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let of = |a: &Vec<f64>, b: &Vec<f64>| a.iter().zip(b).map(|(a, b)| (a - b).abs()).collect();
     a.iter().zip(b).map(|(a, b)| of(a, b)).collect()
 }

@@ -1,11 +1,11 @@
 //! Equations of motion in numbers that carry derivatives ("slopes"): compiled, or interpreted by
 //! tapes with slopes.
 
-use super::contact_derivatives::PreciseContacts;
 use super::contact_history::ContactHistory;
-use super::contact_runs_with_slopes::{SlopeCarrier, SlopeFunctions};
 use super::corners::corners;
 use super::grazing_contacts::{self, grazing_gap_limit};
+use super::precise_contacts::PreciseContacts;
+use super::slope_carrier::{SlopeCarrier, SlopeFunctions};
 use super::varied_start::VariedStart;
 use crate::code::{Code, CodePreparation, derive_or_read_equations, interpreted_code, runnable_code};
 use crate::error::{Error, refused_scene_error};
@@ -103,8 +103,8 @@ impl SlopeEquations {
         for (seeds, slopes) in from.seeds.chunks(4).zip(from.slopes.chunks(4)) {
             let part = SeededStart { seeds, slopes, ..*from };
             let more = match seeds.len() {
-                1 => run_with_touch_checks(problem, self.rates_with_one_slope(), &part, options, events)?,
-                _ => run_with_touch_checks(problem, self.rates_with_four_slopes(), &part, options, events)?,
+                1 => run_slopes_with_touch_checks(problem, self.rates_with_one_slope(), &part, options, events)?,
+                _ => run_slopes_with_touch_checks(problem, self.rates_with_four_slopes(), &part, options, events)?,
             };
             match &mut carried {
                 None => carried = Some(more),
@@ -167,7 +167,7 @@ fn compiled_slope_functions(code: &Code) -> Option<InTangents<'static>> {
 ///
 /// # Errors
 /// `Error::Request` if the run cannot begin.
-fn run_with_touch_checks<const K: usize>(
+fn run_slopes_with_touch_checks<const K: usize>(
     problem: &Problem<'_>,
     parts: SlopeFunctions<'_, K>,
     from: &SeededStart<'_>,
@@ -176,7 +176,7 @@ fn run_with_touch_checks<const K: usize>(
 ) -> Result<RunWithSlopes, Error> {
     let (mut carried, approaches) = run_with_slopes(problem, parts, from, options, TouchTreatment::Listed, events)?;
     for approach in &approaches {
-        end_derivatives_at_touch(problem, parts, &mut carried, approach, from.seeds, options)?;
+        stop_slopes_at_touch(problem, parts, &mut carried, approach, from.seeds, options)?;
     }
     Ok(carried)
 }
@@ -185,7 +185,7 @@ fn run_with_touch_checks<const K: usize>(
 ///
 /// # Errors
 /// `Error` if the state at the minimum cannot be computed.
-fn end_derivatives_at_touch<const K: usize>(
+fn stop_slopes_at_touch<const K: usize>(
     problem: &Problem<'_>,
     parts: SlopeFunctions<'_, K>,
     carried: &mut RunWithSlopes,
@@ -206,7 +206,7 @@ fn end_derivatives_at_touch<const K: usize>(
     let wide = PreciseContacts::new(&contacts, problem.code.extended(), grazing_gap_limit(options));
     for (k, (seed, slopes)) in seeds.iter().zip(&slopes).enumerate() {
         if let Err(why) = grazing_contacts::check_grazing_gap(&wide, *contact, y, &seed.as_varied_number(), slopes) {
-            carried.end_derivatives(k, *t, why);
+            carried.stop_slopes(k, *t, why);
         }
     }
     Ok(())
@@ -215,7 +215,7 @@ fn end_derivatives_at_touch<const K: usize>(
 impl RunWithSlopes {
     /// Ends the derivatives by the varied number with index `number` at the instant `t`, s. Later
     /// slopes become NaN.
-    fn end_derivatives(&mut self, number: usize, t: f64, why: String) {
+    fn stop_slopes(&mut self, number: usize, t: f64, why: String) {
         self.history.end(number, t, why);
         let later = self.solution.t.iter().zip(&mut self.at[number]).filter(|(sample, _)| **sample >= t);
         let later = later.map(|(_, slopes)| slopes);

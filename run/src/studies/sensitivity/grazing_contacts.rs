@@ -6,8 +6,8 @@
 //! has no derivative from then on. At the minimum the gap is flat in time, so a number that changes
 //! its velocity has no derivative either. Derivatives by all other numbers go on.
 
-use super::contact_derivatives::{ParameterStateDirection, PreciseContacts, SMALL};
 use super::held_contact_forces::VariedNumber;
+use super::precise_contacts::{ParameterStateDirection, PreciseContacts, SMALL};
 use tripos_sim::Options;
 
 /// Largest minimum of a gap that counts as zero, in units of the run's relative tolerance times the

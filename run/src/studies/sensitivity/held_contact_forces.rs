@@ -1,10 +1,10 @@
 //! Forces of contacts that are held closed at a state, and the derivatives of these forces.
 
-use super::contact_derivatives::{
+use super::held_directions::HeldDirections;
+use super::precise_contacts::{
     ActingContacts, ContactForceDerivative, ForceFreeMotion, ParameterStateDirection, PreciseContacts,
 };
-use super::held_directions::HeldDirections;
-use crate::preparation::impacts::{ContactOperators, Contacts, HeldContacts};
+use crate::preparation::impacts::{ContactOperators, HeldContacts, SceneContacts};
 use nalgebra::DVector;
 use tripos_sim::{ContactMode, Failure};
 
@@ -56,7 +56,7 @@ impl HeldContactForces {
     ///
     /// # Errors
     /// [`Failure`] if a force is not finite, or a permitted motion has no inertia.
-    pub fn new(contacts: &Contacts<'_>, kept: &HeldContacts, y: &[f64], free: Vec<f64>) -> Result<Self, Failure> {
+    pub fn new(contacts: &SceneContacts<'_>, kept: &HeldContacts, y: &[f64], free: Vec<f64>) -> Result<Self, Failure> {
         let rates = contacts.rates(y);
         let (operators, response) = (contacts.operators(y, &rates)?, contacts.response(y, &rates)?);
         let accelerations = &rates.slopes * DVector::from_column_slice(&free);
@@ -94,7 +94,7 @@ impl HeldContactForces {
 
     /// True if the force of a sticking contact is at its friction limit, up to rounding. False without
     /// friction.
-    pub fn is_at_limit(&self, contacts: &Contacts<'_>, contact: usize) -> bool {
+    pub fn is_at_limit(&self, contacts: &SceneContacts<'_>, contact: usize) -> bool {
         let rows = &contacts.rows[contact];
         let Some(mu) = contacts.friction(contact) else { return false };
         let margin = mu * self.along_rows[rows[0]] - self.along_rows[rows[1]].abs();
@@ -143,7 +143,7 @@ impl HeldContactForces {
     /// is the normal force, T the tangential force.
     pub fn friction_margin_derivative(
         &self,
-        contacts: &Contacts<'_>,
+        contacts: &SceneContacts<'_>,
         contact: usize,
         change: &ContactForceDerivative,
         varied: &VariedNumber<'_>,

@@ -1,7 +1,7 @@
 //! Gap and slip directions that contacts hold, and the friction of slipping contacts. Forces along
 //! held directions follow from the motion. Friction follows from the normal forces.
 
-use crate::preparation::impacts::{Contacts, HeldContacts};
+use crate::preparation::impacts::{HeldContacts, SceneContacts};
 use nalgebra::{DMatrix, DVector};
 use tripos_sim::{ContactMode, ContactSolution};
 
@@ -47,14 +47,14 @@ enum GapTreatment {
 
 impl HeldDirections {
     /// Held directions and friction of the contacts in `kept`, by the mode of each.
-    pub fn of_held_contacts(contacts: &Contacts<'_>, kept: &HeldContacts) -> Self {
+    pub fn of_held_contacts(contacts: &SceneContacts<'_>, kept: &HeldContacts) -> Self {
         let mut grip = Self::default();
         kept.iter().for_each(|(at, mode)| grip.add(contacts, at, mode, GapTreatment::Held));
         grip
     }
 
     /// Held directions and friction of the contacts `which` in an impact, by the modes in `found`.
-    pub fn of_impact_modes(contacts: &Contacts<'_>, which: &[usize], found: &ContactSolution) -> Self {
+    pub fn of_impact_modes(contacts: &SceneContacts<'_>, which: &[usize], found: &ContactSolution) -> Self {
         let mut grip = Self::default();
         let each = which.iter().zip(&found.modes).zip(&found.pushes);
         each.for_each(|((at, mode), pushes)| {
@@ -64,7 +64,7 @@ impl HeldDirections {
     }
 
     /// Adds the held directions and the friction of a contact in the given mode.
-    fn add(&mut self, contacts: &Contacts<'_>, contact: usize, mode: ContactMode, gap: GapTreatment) {
+    fn add(&mut self, contacts: &SceneContacts<'_>, contact: usize, mode: ContactMode, gap: GapTreatment) {
         let rows = &contacts.rows[contact];
         let first = usize::from(gap == GapTreatment::Free);
         match mode {
@@ -112,7 +112,7 @@ impl HeldDirections {
 
     /// Linear system for the forces along the held directions, from the compliance G of all directions.
     /// It is scaled so that all directions are comparable.
-    pub fn system(&self, compliance: &DMatrix<f64>) -> HeldSystem {
+    pub fn system(&self, compliance: &DMatrix<f64>) -> HeldDirectionSystem {
         let unit = |row: &usize| {
             let g = compliance[(*row, *row)];
             if g > 0.0 { 1.0 / g.sqrt() } else { 0.0 }
@@ -120,13 +120,13 @@ impl HeldDirections {
         let unit = DVector::from_iterator(self.rows.len(), self.rows.iter().map(unit));
         let own = compliance.select_rows(&self.rows) * self.held_force_spread(compliance.nrows());
         let scaled = DMatrix::from_fn(unit.len(), unit.len(), |i, j| unit[i] * own[(i, j)] * unit[j]);
-        HeldSystem { scaled, unit }
+        HeldDirectionSystem { scaled, unit }
     }
 }
 
 /// Linear system A λ + c = 0 for the forces λ along held directions, with their motion c without
 /// forces.
-pub struct HeldSystem {
+pub struct HeldDirectionSystem {
     /// Matrix A, with rows and columns scaled to comparable units.
     scaled: DMatrix<f64>,
     /// Scale of each direction, the inverse square root of its compliance; 0 if the compliance is not
@@ -134,7 +134,7 @@ pub struct HeldSystem {
     unit: DVector<f64>,
 }
 
-impl HeldSystem {
+impl HeldDirectionSystem {
     /// Solves for the forces λ; if several exist, for the smallest in scaled units. `None` if they are
     /// not finite.
     pub fn solve(&self, c: &DVector<f64>) -> Option<DVector<f64>> {

@@ -3,7 +3,7 @@
 
 use super::held_contact_forces::NOTHING;
 use super::held_directions::HeldDirections;
-use crate::preparation::impacts::{ContactCrossing, ContactOperators, Contacts, HeldContacts, ImpulseResponse};
+use crate::preparation::impacts::{ContactCrossing, ContactOperators, HeldContacts, ImpulseResponse, SceneContacts};
 use nalgebra::DVector;
 use tripos_sim::{Failure, ImpactShare};
 
@@ -46,7 +46,7 @@ pub struct Strike {
 ///
 /// # Errors
 /// [`Failure`] if impulses cannot be computed, or a permitted motion has no inertia.
-pub fn strikes(contacts: &Contacts<'_>, crossing: &ContactCrossing<'_>) -> Result<Vec<Strike>, Failure> {
+pub fn strikes(contacts: &SceneContacts<'_>, crossing: &ContactCrossing<'_>) -> Result<Vec<Strike>, Failure> {
     let after = crossing.after;
     let mut made = StrikeBuilder { contacts, y: crossing.before.to_vec(), list: Vec::new() };
     for hit in &after.hits {
@@ -73,7 +73,7 @@ pub fn strikes(contacts: &Contacts<'_>, crossing: &ContactCrossing<'_>) -> Resul
 
 /// Vector over the gap and slip directions of all contacts. It has the value of `of` for a contact
 /// at its gap direction, and 0 at slip directions.
-pub fn vector_over_gap_rows(contacts: &Contacts<'_>, of: impl Fn(usize) -> f64) -> DVector<f64> {
+pub fn vector_over_gap_rows(contacts: &SceneContacts<'_>, of: impl Fn(usize) -> f64) -> DVector<f64> {
     let mut all = DVector::zeros(contacts.count);
     contacts.rows.iter().enumerate().for_each(|(at, rows)| all[rows[0]] = of(at));
     all
@@ -82,7 +82,7 @@ pub fn vector_over_gap_rows(contacts: &Contacts<'_>, of: impl Fn(usize) -> f64) 
 /// Strikes (steps of an impact) that are made so far, and the state after them.
 struct StrikeBuilder<'m> {
     /// Contacts of the scene.
-    contacts: &'m Contacts<'m>,
+    contacts: &'m SceneContacts<'m>,
     /// State (q, v) after the strikes so far.
     y: Vec<f64>,
     /// Strikes so far, in their order.
@@ -119,14 +119,14 @@ impl StrikeBuilder<'_> {
             let along_gaps: Vec<f64> = which.iter().map(|at| given[contacts.rows[*at][0]]).collect();
             let found = closed
                 .contact_modes_under_given_impulses(&taken, &vec![None; which.len()], &along_gaps)
-                .map_err(|_| unknown_impulses_failure())?;
+                .map_err(|_| unknown_strike_impulses_failure())?;
             let grips: Vec<HeldDirections> =
                 found.iter().map(|found| HeldDirections::of_impact_modes(contacts, which, found)).collect();
             let impulses = contacts.spread_over_contact_rows(&found[0].forces, &rows);
             let (grip, others) = (grips[0].clone(), grips[1..].to_vec());
             return self.add_strike(law, impulses, grip, Vec::new(), others);
         }
-        let impulses = closed.contact_impulses(&taken).map_err(|_| unknown_impulses_failure())?;
+        let impulses = closed.contact_impulses(&taken).map_err(|_| unknown_strike_impulses_failure())?;
         let shares = closed.impact_shares(&taken, &impulses);
         let of = |wanted: &dyn Fn(ImpactShare) -> bool| -> Vec<usize> {
             which.iter().zip(&shares).filter(|(_, share)| wanted(**share)).map(|(at, _)| *at).collect()
@@ -182,7 +182,7 @@ impl StrikeBuilder<'_> {
         let (closed, rows) = contacts.closed_contact_system(&response, &still.which);
         let impulses = closed
             .forces_in_contact_modes(&response.velocities.select_rows(&rows), &still.modes)
-            .ok_or_else(unknown_impulses_failure)?;
+            .ok_or_else(unknown_strike_impulses_failure)?;
         let impulses = contacts.spread_over_contact_rows(&impulses, &rows);
         self.add_strike(
             StrikeLaw::Stop { given: None },
@@ -218,6 +218,6 @@ impl StrikeBuilder<'_> {
 }
 
 /// Failure for an impact whose impulses cannot be computed again.
-fn unknown_impulses_failure() -> Failure {
+fn unknown_strike_impulses_failure() -> Failure {
     Failure { code: "not-finite", message: "the impulses of an impact could not be computed a second time".to_owned() }
 }

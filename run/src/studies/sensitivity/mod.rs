@@ -19,23 +19,23 @@
 //! Reduced equations of a scene are not differentiated. They contain constants that would have to
 //! be differentiated too.
 
-mod contact_derivatives;
 mod contact_history;
-mod contact_runs_with_slopes;
 mod contact_zeros;
 mod corners;
+mod crossing_derivatives;
 mod difference;
+mod differentiable_quantities;
 mod end_derivatives;
 mod equations_with_slopes;
 pub mod gradient;
 mod grazing_contacts;
 mod held_contact_forces;
-mod held_contacts;
 mod held_directions;
+mod held_tangents;
 mod impact_strikes;
+mod precise_contacts;
 mod run_differences;
-mod shown_quantities;
-mod slope_jumps;
+mod slope_carrier;
 mod varied_start;
 
 use crate::code::find_equations_or_first;
@@ -48,10 +48,10 @@ use crate::simulation::run::Run;
 use crate::simulation::run_problem::{prove_integrals_to_watch, run_problem_by_solver};
 use crate::simulation::shown_quantities::ShownQuantities;
 use crate::simulation::simulate::simulate_if_speeds_change;
-use end_derivatives::{EndDerivatives, end_derivatives, event_time_derivatives, second_run_errors};
+use differentiable_quantities::DifferentiableQuantities;
+use end_derivatives::{EndDerivatives, end_derivative_errors, end_derivatives, event_time_derivatives};
 use equations_with_slopes::{RunWithSlopes, SeededStart, SlopeEquations};
 use run_differences::RunDifferences;
-use shown_quantities::Quantities;
 use tripos_derive::scene::{AccelerationSolution, Integrator, Scene};
 use varied_start::VariedStart;
 
@@ -148,7 +148,7 @@ pub fn sensitivities(
     by: Option<&EquationsName>,
 ) -> Result<Sensitivities, Error> {
     check_names(names)?;
-    check_equations(scene, by)?;
+    check_differentiable_equations(scene, by)?;
     let by = find_equations_or_first(mechanism, by)?;
     if by.printed_id().is_some() {
         let help = "take kane, lagrange or newton-euler";
@@ -164,7 +164,8 @@ pub fn sensitivities(
     seeds.iter().try_for_each(|seed| {
         corners::check_moved_corners(&problem, seed, &how).and_then(|()| seed.check_friction_from_zero(scene))
     })?;
-    let (shown, quantities) = (ShownQuantities::new(mechanism, scene)?, Quantities::new(mechanism, scene)?);
+    let (shown, quantities) =
+        (ShownQuantities::new(mechanism, scene)?, DifferentiableQuantities::new(mechanism, scene)?);
     let slopes: Vec<Vec<f64>> = seeds.iter().map(|seed| seed.state.clone()).collect();
     let mut carried = None;
     let mut run = run_problem_by_solver(
@@ -180,7 +181,7 @@ pub fn sensitivities(
     let carried = carried.ok_or_else(|| Error::Stopped("the run was not made".to_owned()))?;
     let parts = SensitivityInputs { problem: &problem, equations: &equations, quantities: &quantities, seeds: &seeds };
     let own = end_derivatives(&parts, &carried)?;
-    let (errors, assessed_by) = second_run_errors(&parts, &carried, &own, &slopes)?;
+    let (errors, assessed_by) = end_derivative_errors(&parts, &carried, &own, &slopes)?;
     let samples = match at {
         DerivativeInstants::End => Vec::new(),
         DerivativeInstants::Samples => samples(&parts, &carried)?,
@@ -189,7 +190,7 @@ pub fn sensitivities(
     let ended: Vec<Option<String>> =
         carried.history.endings.iter().map(|ending| Some(ending.as_ref()?.to_string())).collect();
     run.notes.splice(..0, notes(mechanism, &seeds, &carried, &own));
-    run.warnings.extend(sign_jump_warning(mechanism));
+    run.warnings.extend(sensitivity_warning_at_signs(mechanism));
     let over = names.iter().zip(&ended).filter_map(|(name, why)| Some((name, why.as_ref()?)));
     run.warnings.extend(over.map(|(name, why)| format!("there are no derivatives by `{name}` {why}")));
     let unit = |of: &Option<tripos_derive::model::Unit>, seed: &VariedStart| {
@@ -233,7 +234,7 @@ fn sensitivities_by_differences(
             "ask for derivatives at the end, or choose speeds that determine the motion everywhere",
         ));
     }
-    let quantities = Quantities::new(mechanism, scene)?;
+    let quantities = DifferentiableQuantities::new(mechanism, scene)?;
     let apart = RunDifferences { mechanism, scene, set, by: &run.by, names: &quantities.names };
     let list = names.iter().map(|name| apart.differentiate_by(name, &run)).collect::<Result<Vec<_>, _>>()?;
     let unit = |of: &Option<tripos_derive::model::Unit>, by| Some(of.as_ref()?.divided_by(by).to_string());
@@ -260,7 +261,7 @@ struct SensitivityInputs<'a> {
     /// Equations of motion in numbers with slopes (derivatives).
     equations: &'a SlopeEquations,
     /// Differentiated quantities: those that the run shows, its energies, and its events' functions.
-    quantities: &'a Quantities,
+    quantities: &'a DifferentiableQuantities,
     /// Varied numbers, by which the derivatives are taken.
     seeds: &'a [VariedStart],
 }
@@ -285,7 +286,7 @@ fn check_names(names: &[String]) -> Result<(), Error> {
 /// # Errors
 /// `Error::Request` for reduced equations, quadrature, projection or a numeric solve for
 /// accelerations.
-fn check_equations(scene: &Scene, by: Option<&EquationsName>) -> Result<(), Error> {
+fn check_differentiable_equations(scene: &Scene, by: Option<&EquationsName>) -> Result<(), Error> {
     let how = &scene.integration;
     let refuse = |what: &str, help: &str| Err(Error::request(what, help));
     if by == Some(&EquationsName::Reduced) {
@@ -326,7 +327,7 @@ fn notes(mechanism: &Mechanism, seeds: &[VariedStart], carried: &RunWithSlopes, 
 
 /// Warning that derivatives may lack the effect of jumps of the equations at signs of states.
 /// `None` if the model has no such signs.
-fn sign_jump_warning(mechanism: &Mechanism) -> Option<String> {
+fn sensitivity_warning_at_signs(mechanism: &Mechanism) -> Option<String> {
     let list = mechanism.model.sign_arguments_of_states();
     let shown: Vec<String> = list.iter().map(|text| format!("`{text}`")).collect();
     (!list.is_empty()).then(|| {
@@ -356,6 +357,6 @@ fn samples(parts: &SensitivityInputs<'_>, carried: &RunWithSlopes) -> Result<Vec
 
 /// Integration options of a short run from a sample to a later instant: the scene's, with only the
 /// ends kept.
-fn options_for_short_run(parts: &SensitivityInputs<'_>) -> tripos_sim::Options {
+fn short_sensitivity_run_options(parts: &SensitivityInputs<'_>) -> tripos_sim::Options {
     tripos_sim::Options { output: tripos_sim::OutputOption::Ends, ..integration_options(parts.problem.scene) }
 }

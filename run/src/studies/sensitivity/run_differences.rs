@@ -97,7 +97,7 @@ impl RunDifferences<'_> {
         let size = if is_parameter && size > 0.0 { size } else { size.max(LEAST) };
         let mut at = |by: f64| -> Result<RunResults, Error> {
             let scene = nearby.at(value + DoubleDouble::from_f64(by))?;
-            self.run_neighbour(&with_finer_tolerances(scene), run)
+            self.run_neighbour(&with_tolerances_for_differences(scene), run)
         };
         let count = run.solution.events.len();
         let quantities = self.names.len();
@@ -231,7 +231,7 @@ impl RiddersTable {
 }
 
 /// Tightens the tolerances of a scene for neighbouring runs, whose differences give derivatives.
-fn with_finer_tolerances(mut scene: Scene) -> Scene {
+fn with_tolerances_for_differences(mut scene: Scene) -> Scene {
     let how = &mut scene.integration;
     let finer = |x: f64| if x > 0.0 { (FINER * x).max(FINEST.min(x)) } else { x };
     how.rtol = finer(how.rtol);

@@ -46,7 +46,7 @@ impl VariedStart {
         let size = value.to_f64().abs();
         let step = DoubleDouble::from_f64(STEP * if size > 0.0 { size } else { 1.0 });
         let mut at = |offset: i32| nearby.at(value + step * DoubleDouble::int(i64::from(offset)));
-        let (scenes, rule) = neighbouring_scenes(&mut at)?;
+        let (scenes, rule) = scenes_of_varied_starts(&mut at)?;
         let start = |scene: &Scene| {
             let restitutions = scene.impacts.iter().map(|impact| impact.restitution_extended);
             let friction =
@@ -100,7 +100,7 @@ type NeighbouringScenes = (Vec<Scene>, &'static [(i32, i64)]);
 ///
 /// # Errors
 /// `Error` if neither rule is possible.
-fn neighbouring_scenes(at: &mut dyn FnMut(i32) -> Result<Scene, Diagnostics>) -> Result<NeighbouringScenes, Error> {
+fn scenes_of_varied_starts(at: &mut dyn FnMut(i32) -> Result<Scene, Diagnostics>) -> Result<NeighbouringScenes, Error> {
     let mut by = |rule: &'static [(i32, i64)], side: i32| -> Result<Vec<Scene>, Diagnostics> {
         rule.iter().map(|(place, _)| at(side * place)).collect()
     };

@@ -1,8 +1,8 @@
 //! Errors of the accelerations, and condition numbers of their matrices, along a passage near a
 //! singular surface. They show how many digits a numeric solve loses, and why.
 
-use super::findings::{ConditioningFinding, FindingRow, Findings, StudyInputs, Topic};
-use super::ladder::find_passage;
+use super::findings::{ConditioningFinding, FindingRow, FindingTopic, Findings, StudyInputs};
+use super::passages::find_passage;
 use crate::code::{CodePreparation, compile_tape, runnable_code};
 use crate::error::{Error, refused_scene_error};
 use crate::observer::require_uninterrupted;
@@ -240,7 +240,8 @@ pub fn study_conditioning(study: &StudyInputs<'_>, findings: &mut Findings) -> R
         note: None,
     };
     let list = curves.worst.join("; ");
-    findings.add_statement(Topic::Conditioning, format!("largest error of the accelerations on the way in: {list}"));
+    findings
+        .add_statement(FindingTopic::Conditioning, format!("largest error of the accelerations on the way in: {list}"));
     let error = "largest |e| / largest |u'|";
     let ConditioningCurves { eliminated, numeric, plain, scaled, .. } = curves;
     let panels = [

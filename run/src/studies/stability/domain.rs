@@ -1,7 +1,7 @@
 //! Study of the domain of the equations: the conditions that stop a run where its equations no
 //! longer hold.
 
-use super::findings::{FindingRow, Findings, StudyInputs, Topic};
+use super::findings::{FindingRow, FindingTopic, Findings, StudyInputs};
 use crate::code::{CodePreparation, runnable_code};
 use crate::error::{Error, refused_scene_error};
 use crate::integration_options::integration_options;
@@ -80,7 +80,7 @@ pub fn study_domain(study: &StudyInputs<'_>, findings: &mut Findings) -> Result<
             });
             if !said {
                 said = true;
-                findings.add_statement(Topic::Domain, format!(
+                findings.add_statement(FindingTopic::Domain, format!(
                     "the motion leaves its domain at t = {} s ({}); without the domain the run goes on to t = {} s, ends with `{}`{drift}",
                     with_reliable_digits(run.t_end, None),
                     run.stop.code(),

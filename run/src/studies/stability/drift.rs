@@ -1,14 +1,14 @@
 //! Study of long runs by each integrator, in which conserved quantities drift without bound or stay
 //! bounded. Also studies tolerances finer than rounding.
 
-use super::findings::{FindingRow, Findings, StudyInputs, Topic};
+use super::findings::{FindingRow, FindingTopic, Findings, StudyInputs};
 use crate::code::{CodePreparation, runnable_code};
 use crate::error::{Error, refused_scene_error};
 use crate::integration_options::equally_spaced_instants;
 use crate::observer::require_uninterrupted;
 use crate::preparation::problem::Problem;
 use crate::studies::figure::{Figure, Panel, Scale, Series};
-use crate::trust::invariants::WatchedInvariants;
+use crate::trust::watched_invariants::WatchedInvariants;
 use tripos_derive::Formulation;
 use tripos_derive::mechanics::EquationsOrigin;
 use tripos_sim::error_growth::{Trend, drift_trend};
@@ -180,7 +180,7 @@ fn study_tolerance_below_rounding(
         });
         if let Some(warning) = said.first() {
             findings.add_statement(
-                Topic::Drift,
+                FindingTopic::Drift,
                 format!("absolute tolerance {case}: {} steps; {warning}", run.steps + run.rejected),
             );
         }

@@ -55,7 +55,7 @@ pub struct PassageRun {
 
 /// Topic of a study of a scene's limits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Topic {
+pub enum FindingTopic {
     /// Passages near a singular surface of the kinematic equations.
     Passages,
     /// Condition numbers of the matrices for accelerations along a passage.
@@ -68,7 +68,7 @@ pub enum Topic {
     Drift,
 }
 
-impl Topic {
+impl FindingTopic {
     /// Name of the topic for a line of progress, such as `passages`.
     #[must_use]
     pub const fn name(self) -> &'static str {
@@ -136,14 +136,14 @@ pub struct Findings {
     pub statements: Vec<Statement>,
     /// Topic of the study that was interrupted, after which no study began. `None` if all were
     /// completed.
-    pub unfinished: Option<Topic>,
+    pub unfinished: Option<FindingTopic>,
 }
 
 /// Conclusion of a study, in one sentence.
 #[derive(Clone, Debug)]
 pub struct Statement {
     /// Topic of the study that gave the conclusion.
-    pub study: Topic,
+    pub study: FindingTopic,
     /// Conclusion as a sentence for the user.
     pub text: String,
 }
@@ -162,7 +162,7 @@ pub struct StudyInputs<'a> {
 
 impl Findings {
     /// Adds a conclusion of a study, as a sentence, to the findings.
-    pub(super) fn add_statement(&mut self, study: Topic, text: String) {
+    pub(super) fn add_statement(&mut self, study: FindingTopic, text: String) {
         self.statements.push(Statement { study, text });
     }
 }

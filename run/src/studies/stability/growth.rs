@@ -1,7 +1,7 @@
 //! Study of the growth of small errors: the horizon after which no correct digit is left, predicted
 //! and measured.
 
-use super::findings::{FindingRow, Findings, StudyInputs, Topic};
+use super::findings::{FindingRow, FindingTopic, Findings, StudyInputs};
 use crate::code::{CodePreparation, runnable_code};
 use crate::error::{Error, refused_scene_error};
 use crate::integration_options::equally_spaced_instants;
@@ -70,7 +70,7 @@ pub fn study_growth(study: &StudyInputs<'_>, findings: &mut Findings) -> Result<
         if let Some(t) = predicted {
             let confirmed =
                 lost.map_or("a digit is left to the end".to_owned(), |t| format!("the error is 1 at t = {t:.3} s"));
-            findings.add_statement(Topic::Growth, format!(
+            findings.add_statement(FindingTopic::Growth, format!(
                 "at a tolerance of {tolerance:.0e} the growth of errors leaves no digit after t = {t:.3} s; measured: {confirmed}"
             ));
         }
@@ -82,7 +82,7 @@ pub fn study_growth(study: &StudyInputs<'_>, findings: &mut Findings) -> Result<
         "over the scene".to_owned()
     };
     findings.add_statement(
-        Topic::Growth,
+        FindingTopic::Growth,
         format!("a small error at the start grows at most {:.0e} times {part}", most.exp()),
     );
     let panel = Panel {

@@ -2,12 +2,12 @@
 //! end of the motion.
 
 use super::SteadyProblem;
-use super::dense_matrix::WideMatrix;
 use super::equilibrium_search::{ELSEWHERE, search_unknowns};
 use super::linear_system::{FamilySearch, SteadyLinearSystem};
 use super::mode::Mode;
 use super::quotient_system::ShiftedStates;
 use super::steady_newton::{SteadyState, Unknowns};
+use super::wide_matrix::WideMatrix;
 use crate::{Error, Mechanism};
 use tripos_derive::scene::StateWithUnknowns;
 use tripos_traits::{DoubleDouble, Scalar};

@@ -1,8 +1,8 @@
 //! Controllability and observability of a linear system, and its transfer functions.
 
-use super::complex::Complex;
-use super::dense_matrix::WideMatrix;
 use super::schur_form::SchurForm;
+use super::wide_complex::WideComplex;
+use super::wide_matrix::WideMatrix;
 use crate::Error;
 use nalgebra::DMatrix;
 use tripos_traits::DoubleDouble;
@@ -95,11 +95,11 @@ pub fn transfer_functions(
 /// # Errors
 /// `Error::Stopped` if eigenvalues cannot be computed.
 fn characteristic_polynomial(a: &WideMatrix) -> Result<Vec<DoubleDouble>, Error> {
-    let mut coefficients = vec![Complex::from_f64(1.0)];
+    let mut coefficients = vec![WideComplex::from_f64(1.0)];
     if !a.rows.is_empty() {
         let none = || Error::Stopped("the eigenvalues of this matrix were not found".to_owned());
         for root in SchurForm::new(a).ok_or_else(none)?.eigenvalues() {
-            coefficients.push(Complex::default());
+            coefficients.push(WideComplex::default());
             for at in (1..coefficients.len()).rev() {
                 coefficients[at] = coefficients[at] - root * coefficients[at - 1];
             }

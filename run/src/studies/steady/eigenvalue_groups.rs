@@ -8,10 +8,10 @@
 //! it. This holds if `‖E‖ ‖(A − z)⁻¹‖ < 1` on the circle (L. N. Trefethen & M. Embree, *Spectra and
 //! Pseudospectra*, 2005, chapter 52).
 
-use super::complex::Complex;
 use super::mode::Mode;
 use super::nilpotent_part::{NOT_ZERO, NilpotentPart, ZERO, ZeroDecision, spectral_projector};
 use super::schur_form::SchurForm;
+use super::wide_complex::WideComplex;
 
 /// Number of points on a circle around eigenvalues at which the inverse of A − z is computed.
 const AROUND: usize = 8;
@@ -24,12 +24,12 @@ pub(super) struct EigenvalueGroup {
     /// Indices of the eigenvalues on the diagonal of the Schur form.
     places: Vec<usize>,
     /// Mean of the eigenvalues of the group.
-    mean: Complex,
+    mean: WideComplex,
     /// Possible error of the mean, in absolute value.
     off: f64,
     /// Centre and radius of a circle that the eigenvalues of the group do not leave, if they may
     /// coincide with others. `None` if the group is surely separate.
-    doubt: Option<(Complex, f64)>,
+    doubt: Option<(WideComplex, f64)>,
 }
 
 impl EigenvalueGroup {
@@ -106,18 +106,18 @@ pub(super) fn unite_groups(groups: Vec<EigenvalueGroup>) -> Vec<EigenvalueGroup>
 }
 
 /// Eigenvalues of a matrix with its Schur form, to be sorted into groups that coincide.
-pub(super) struct Spectrum<'f> {
+pub(super) struct UngroupedSpectrum<'f> {
     /// Schur form of the matrix.
     pub(super) form: &'f SchurForm,
     /// Eigenvalues, in the order of the diagonal of the Schur form.
-    pub(super) values: Vec<Complex>,
+    pub(super) values: Vec<WideComplex>,
     /// Norm of the possible error of the matrix.
     pub(super) noise: f64,
     /// Frobenius norm of the matrix.
     pub(super) size: f64,
 }
 
-impl Spectrum<'_> {
+impl UngroupedSpectrum<'_> {
     /// Sorts the eigenvalues into groups that coincide. `first` is added to their indices.
     ///
     /// A set of eigenvalues that do not coincide is split at the largest gap. Eigenvalues that an error
@@ -126,7 +126,7 @@ impl Spectrum<'_> {
     pub(super) fn groups(&self, first: usize) -> Vec<EigenvalueGroup> {
         let all: Vec<usize> = (0..self.values.len()).collect();
         let mut groups = Vec::new();
-        let mut sets = vec![(all, (Complex::default(), self.size))];
+        let mut sets = vec![(all, (WideComplex::default(), self.size))];
         while let Some((places, within)) = sets.pop() {
             let part = NilpotentPart::new(&self.form.with_eigenvalues_first(&places), places.len());
             let circle = self.separating_radius(&places, part.mean).map(|radius| (part.mean, radius));
@@ -177,7 +177,7 @@ impl Spectrum<'_> {
 
     /// Radius of a circle around the mean of eigenvalues, across which no error of the matrix moves an
     /// eigenvalue. `None` if no circle is found.
-    fn separating_radius(&self, places: &[usize], mean: Complex) -> Option<f64> {
+    fn separating_radius(&self, places: &[usize], mean: WideComplex) -> Option<f64> {
         let distance = |at: &usize| (self.values[*at] - mean).norm();
         let inner = places.iter().map(distance).fold(0.0, f64::max);
         let others = (0..self.values.len()).filter(|at| !places.contains(at));
@@ -192,22 +192,22 @@ impl Spectrum<'_> {
         let radii = [0.5].into_iter().chain((0..CIRCLES).map(share)).map(|x| inner * (outer / inner).powf(x));
         let is_barrier = |radius: &f64| {
             let points = (0..AROUND).map(|k| std::f64::consts::TAU * k as f64 / AROUND as f64);
-            let mut points = points.map(|angle| mean + Complex::polar(*radius, angle));
+            let mut points = points.map(|angle| mean + WideComplex::polar(*radius, angle));
             inner < outer && points.all(|z| error * self.resolvent_norm(z) < 1.0)
         };
         radii.into_iter().find(is_barrier)
     }
 
     /// Frobenius norm of (T − z)⁻¹, with the upper triangular Schur form T; infinite at an eigenvalue.
-    fn resolvent_norm(&self, z: Complex) -> f64 {
+    fn resolvent_norm(&self, z: WideComplex) -> f64 {
         let (t, n) = (&self.form.t, self.form.t.len());
-        let one = Complex::from_f64(1.0);
+        let one = WideComplex::from_f64(1.0);
         let mut all = 0.0_f64;
         for column in 0..n {
-            let mut x = vec![Complex::default(); column + 1];
+            let mut x = vec![WideComplex::default(); column + 1];
             x[column] = one / (t[column][column] - z);
             for row in (0..column).rev() {
-                let sum = (row + 1..=column).fold(Complex::default(), |sum, k| sum + t[row][k] * x[k]);
+                let sum = (row + 1..=column).fold(WideComplex::default(), |sum, k| sum + t[row][k] * x[k]);
                 x[row] = -sum / (t[row][row] - z);
             }
             all = x.iter().fold(all, |all, x| all.hypot(x.norm()));

@@ -6,11 +6,11 @@
 //! States are therefore split into blocks that do not act on one another in a circle. Each block is
 //! solved for separately, so an eigenvalue has only the error of its own block.
 
-use super::dense_matrix::WideMatrix;
-use super::eigenvalue_groups::{Spectrum, unite_groups};
+use super::eigenvalue_groups::{UngroupedSpectrum, unite_groups};
 use super::mode::Mode;
 use super::nilpotent_part::NOT_ZERO;
 use super::schur_form::SchurForm;
+use super::wide_matrix::WideMatrix;
 use crate::Error;
 use nalgebra::{Complex as Double, DMatrix};
 use tripos_traits::{DoubleDouble, Scalar};
@@ -42,7 +42,7 @@ pub fn eigenvalue_modes(a: &WideMatrix, uncertain: f64) -> Result<Vec<Mode>, Err
         let noise = noise.select_rows(block).select_columns(block).norm();
         let size = part.rounded().norm().max(f64::MIN_POSITIVE);
         let first = forms.iter().map(|form: &SchurForm| form.t.len()).sum();
-        groups.extend(Spectrum { values: form.eigenvalues(), form: &form, noise, size }.groups(first));
+        groups.extend(UngroupedSpectrum { values: form.eigenvalues(), form: &form, noise, size }.groups(first));
         forms.push(form);
     }
     let size = scaled.rounded().norm().max(f64::MIN_POSITIVE);

@@ -5,7 +5,7 @@ use super::SteadyProblem;
 use super::force_balance::RestSearch;
 use super::linear_system::SteadyLinearSystem;
 use super::quotient_system::ShiftedStates;
-use super::steady_newton::{SteadyState, Unknowns, is_near_value, is_same_steady_state};
+use super::steady_newton::{SteadyState, Unknowns, is_same_state_value, is_same_steady_state};
 use crate::{Error, Mechanism};
 use std::f64::consts::PI;
 use tripos_derive::scene::StateWithUnknowns;
@@ -86,7 +86,7 @@ pub fn find_equilibria(model: &Mechanism, asked: &StateWithUnknowns, starts: u64
         let others = (1..=starts).map(|start| spread.spread_start(&x, &unknowns.states, start));
         for (start, x) in std::iter::once(x.clone()).chain(others).enumerate() {
             let steady = if start == 0 { first.clone() } else { question.find_steady_state(&x, &unknowns) };
-            let steady = rests.replace_by_rest(model, &question, steady, &x, &unknowns);
+            let steady = rests.replace_by_balanced_rest(model, &question, steady, &x, &unknowns);
             if steady.is_steady() && !list.iter().any(|known| is_same_steady_state(model, known, &steady)) {
                 list.push(steady);
             }
@@ -107,7 +107,7 @@ pub fn find_equilibria(model: &Mechanism, asked: &StateWithUnknowns, starts: u64
     let mut found: Vec<FoundMotion> = Vec::new();
     for steady in list {
         let about = question.linear_system_near(model, steady.clone(), ShiftedStates::LeftOut);
-        let is_known = found.iter().any(|known| is_shifted_copy(model, known, &about));
+        let is_known = found.iter().any(|known| is_shifted_equilibrium(model, known, &about));
         if !is_known {
             found.push(FoundMotion { steady, about });
         }
@@ -117,7 +117,7 @@ pub fn find_equilibria(model: &Mechanism, asked: &StateWithUnknowns, starts: u64
 
 /// True if a new steady motion is a known one moved along symmetries: the states that these do not
 /// shift are equal.
-fn is_shifted_copy(model: &Mechanism, known: &FoundMotion, new: &Result<SteadyLinearSystem, Error>) -> bool {
+fn is_shifted_equilibrium(model: &Mechanism, known: &FoundMotion, new: &Result<SteadyLinearSystem, Error>) -> bool {
     let (Ok(a), Ok(b)) = (&known.about, new) else { return false };
     a.system.kept == b.system.kept
         && !a.system.shifted.is_empty()
@@ -125,7 +125,7 @@ fn is_shifted_copy(model: &Mechanism, known: &FoundMotion, new: &Result<SteadyLi
             .kept
             .iter()
             .chain(&a.system.closed)
-            .all(|at| is_near_value(model, *at, a.steady.x[*at].hi(), b.steady.x[*at].hi()))
+            .all(|at| is_same_state_value(model, *at, a.steady.x[*at].hi(), b.steady.x[*at].hi()))
 }
 
 /// Range in which the starts of a search are spread around the guess.

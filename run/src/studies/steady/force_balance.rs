@@ -5,7 +5,7 @@
 //! ([`tripos_derive::flow::RestBalance`]).
 
 use super::SteadyProblem;
-use super::singular_states::SingularityTest;
+use super::singular_states::SingularStateTest;
 use super::steady_newton::{SteadyState, Unknowns, is_same_steady_state};
 use crate::Mechanism;
 use std::cell::OnceCell;
@@ -35,7 +35,7 @@ impl RestSearch {
     ///
     /// A regular result is returned unchanged. If no rest is found, the result is returned with the
     /// unbalanced forces.
-    pub(super) fn replace_by_rest(
+    pub(super) fn replace_by_balanced_rest(
         &self,
         model: &Mechanism,
         question: &SteadyProblem,
@@ -71,7 +71,7 @@ impl ForceBalance {
         let n = question.coordinates;
         let of_forces = (0..multipliers).map(|at| format!("multiplier {}", at + 1));
         let question = SteadyProblem {
-            poles: SingularityTest::new(model, &flow).ok()?,
+            poles: SingularStateTest::new(model, &flow).ok()?,
             names: question.names[..n].iter().cloned().chain(of_forces).collect(),
             coordinates: n,
             time: None,

@@ -2,12 +2,12 @@
 
 use super::SteadyProblem;
 use super::controllability::{TransferFunction, controllable_dimension, transfer_functions};
-use super::dense_matrix::WideMatrix;
 use super::eigenvalues::eigenvalue_modes;
 use super::mode::Mode;
 use super::quotient_system::{QuotientSystem, ShiftedStates};
 use super::stability::Stability;
 use super::steady_newton::{SteadyState, Unknowns};
+use super::wide_matrix::WideMatrix;
 use crate::{Error, Mechanism};
 use nalgebra::DMatrix;
 use tripos_derive::plain_text::with_significant_digits;

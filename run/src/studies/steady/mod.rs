@@ -8,11 +8,9 @@
 //! `d' = (Df − Σ c Dζ) d`. States that the symmetries shift are left out (J. E. Marsden, Lectures
 //! on Mechanics, 1992, chapter 5: relative equilibria).
 
-mod complex;
 mod continuation;
 mod continuation_map;
 mod controllability;
-mod dense_matrix;
 mod eigenvalue_groups;
 mod eigenvalues;
 mod equilibrium_search;
@@ -28,11 +26,12 @@ mod steady_conditions;
 mod steady_family;
 mod steady_newton;
 mod symbolic_linear_system;
+mod wide_complex;
+mod wide_matrix;
 
 pub use continuation::{Continuation, ContinuationPoint, CrossingKind, StabilityCrossing, continue_steady_motion};
 pub use continuation_map::{ContinuationMap, continuation_map};
 pub use controllability::{TransferFunction, controllable_dimension};
-pub use dense_matrix::WideMatrix;
 pub use eigenvalues::eigenvalue_modes;
 pub use equilibrium_search::{FoundMotion, find_equilibria};
 pub use linear_system::{LinearisationOptions, SteadyLinearSystem, linearise};
@@ -40,10 +39,11 @@ pub use mode::Mode;
 pub use quotient_system::{QuotientSystem, ShiftedStates};
 pub use stability::Stability;
 pub use steady_conditions::{
-    BranchesAt, ClosedForm, Conditions, Formula, NamedFormula, SolutionBranch, Velocity, conditions,
+    BranchesAt, Conditions, Formula, NamedFormula, SolutionBranch, SteadyConditions, Velocity, conditions,
 };
 pub use steady_newton::{SteadyState, Unknowns};
 pub use symbolic_linear_system::{SymbolicEntry, SymbolicLinearForm, symbolic_linear_system};
+pub use wide_matrix::WideMatrix;
 
 use crate::{Error, Mechanism};
 use tripos_derive::algebra::Expr;
@@ -80,7 +80,7 @@ pub struct SteadyProblem {
     /// Program that computes rates, loops, symmetries and outputs at a state, with their slopes.
     program: Program,
     /// Test for states at which the equations of motion are singular.
-    poles: singular_states::SingularityTest,
+    poles: singular_states::SingularStateTest,
     /// Tape of the program, for evaluation in 32 digits.
     wide: Tape<DoubleDouble>,
     /// Values of the parameters, to 32 digits, in the order of the model.
@@ -103,7 +103,7 @@ impl SteadyProblem {
             let what = format!("`{}` has no value in coordinates, speeds and parameters", unknown.0);
             Error::request(what, "choose among coordinates, speeds, rates and energies")
         })?;
-        let poles = singular_states::SingularityTest::new(model, &flow).map_err(|unknown| {
+        let poles = singular_states::SingularStateTest::new(model, &flow).map_err(|unknown| {
             Error::request(
                 format!("`{}` has no value at a state", unknown.0),
                 "please report this model: the derivation succeeded and the run did not",

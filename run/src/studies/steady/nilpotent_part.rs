@@ -6,8 +6,8 @@
 //! *The Algebraic Eigenvalue Problem*, 1965, chapter 2). A quantity that is neither clearly 0 nor
 //! clearly different from 0 is reported as undecided.
 
-use super::complex::Complex;
 use super::schur_form::SchurForm;
+use super::wide_complex::WideComplex;
 use tripos_traits::{DoubleDouble, Scalar};
 
 /// Multiple of its rounding error up to which a quantity counts as 0.
@@ -46,17 +46,17 @@ impl ZeroDecision {
 /// Part of a Schur form that belongs to eigenvalues which may coincide.
 pub(super) struct NilpotentPart {
     /// Mean of the eigenvalues of the part.
-    pub(super) mean: Complex,
+    pub(super) mean: WideComplex,
     /// Diagonal block of the Schur form, with the mean subtracted on its diagonal; row by row.
-    nilpotent: Vec<Vec<Complex>>,
+    nilpotent: Vec<Vec<WideComplex>>,
 }
 
 impl NilpotentPart {
     /// Makes the part from the block of the first `many` rows and columns of a Schur form.
     pub(super) fn new(form: &SchurForm, many: usize) -> Self {
-        let sum = (0..many).fold(Complex::default(), |sum, at| sum + form.t[at][at]);
+        let sum = (0..many).fold(WideComplex::default(), |sum, at| sum + form.t[at][at]);
         let mean = sum.scaled(DoubleDouble::int(1) / DoubleDouble::from_f64(many as f64));
-        let mut nilpotent: Vec<Vec<Complex>> = form.t[..many].iter().map(|row| row[..many].to_vec()).collect();
+        let mut nilpotent: Vec<Vec<WideComplex>> = form.t[..many].iter().map(|row| row[..many].to_vec()).collect();
         for (at, row) in nilpotent.iter_mut().enumerate() {
             row[at] = row[at] - mean;
         }
@@ -68,9 +68,9 @@ impl NilpotentPart {
     pub(super) fn coincides(&self, off: f64) -> bool {
         // Coefficients of the product of all (s − λ + mean). Those of the product of all (s + |λ − mean|)
         // are at least as large.
-        let mut coefficients = vec![Complex::from_f64(1.0)];
+        let mut coefficients = vec![WideComplex::from_f64(1.0)];
         for (at, row) in self.nilpotent.iter().enumerate() {
-            coefficients.push(Complex::default());
+            coefficients.push(WideComplex::default());
             for k in (1..coefficients.len()).rev() {
                 coefficients[k] = coefficients[k] - row[at] * coefficients[k - 1];
             }
@@ -136,13 +136,14 @@ impl NilpotentPart {
 }
 
 /// Frobenius norm of a matrix.
-fn norm(matrix: &[Vec<Complex>]) -> f64 {
+fn norm(matrix: &[Vec<WideComplex>]) -> f64 {
     matrix.iter().flatten().map(|x| x.norm()).fold(0.0, f64::hypot)
 }
 
 /// Product of two square matrices.
-fn matrix_product(a: &[Vec<Complex>], b: &[Vec<Complex>]) -> Vec<Vec<Complex>> {
-    let entry = |row: &[Complex], j: usize| row.iter().zip(b).fold(Complex::default(), |sum, (x, y)| sum + *x * y[j]);
+fn matrix_product(a: &[Vec<WideComplex>], b: &[Vec<WideComplex>]) -> Vec<Vec<WideComplex>> {
+    let entry =
+        |row: &[WideComplex], j: usize| row.iter().zip(b).fold(WideComplex::default(), |sum, (x, y)| sum + *x * y[j]);
     a.iter().map(|row| (0..b.len()).map(|j| entry(row, j)).collect()).collect()
 }
 
@@ -154,9 +155,9 @@ fn matrix_product(a: &[Vec<Complex>], b: &[Vec<Complex>]) -> Vec<Vec<Complex>> {
 /// eigenvalues count as at least `noise`.
 pub(super) fn spectral_projector(form: &SchurForm, many: usize, noise: f64) -> (f64, Vec<f64>) {
     let (t, n) = (&form.t, form.t.len());
-    let mut z: Vec<Vec<Complex>> = vec![Vec::with_capacity(n - many); many];
+    let mut z: Vec<Vec<WideComplex>> = vec![Vec::with_capacity(n - many); many];
     for column in many..n {
-        let mut right: Vec<Complex> = (0..many).map(|row| t[row][column]).collect();
+        let mut right: Vec<WideComplex> = (0..many).map(|row| t[row][column]).collect();
         for (row, right) in right.iter_mut().enumerate() {
             for (k, known) in z[row].iter().enumerate() {
                 *right = *right + *known * t[many + k][column];
@@ -165,13 +166,13 @@ pub(super) fn spectral_projector(form: &SchurForm, many: usize, noise: f64) -> (
         for row in (0..many).rev() {
             let solved = (row + 1..many).fold(right[row], |sum, k| sum - t[row][k] * right[k]);
             let difference = t[row][row] - t[column][column];
-            right[row] = solved / if difference.norm() > noise { difference } else { Complex::from_f64(noise) };
+            right[row] = solved / if difference.norm() > noise { difference } else { WideComplex::from_f64(noise) };
         }
         z.iter_mut().zip(right).for_each(|(row, x)| row.push(x));
     }
-    let of_state = |q: &Vec<Complex>| {
+    let of_state = |q: &Vec<WideComplex>| {
         let left = |a: usize| z[a].iter().zip(&q[many..]).fold(q[a].conj(), |sum, (z, q)| sum + *z * q.conj());
-        (0..many).fold(Complex::default(), |sum, a| sum + q[a] * left(a)).norm()
+        (0..many).fold(WideComplex::default(), |sum, a| sum + q[a] * left(a)).norm()
     };
     let parts: Vec<f64> = form.q.iter().map(of_state).collect();
     let whole: f64 = parts.iter().sum();

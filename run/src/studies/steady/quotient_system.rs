@@ -2,8 +2,8 @@
 //! shift.
 
 use super::SteadyProblem;
-use super::dense_matrix::{WideMatrix, least_squares, null_space};
 use super::steady_newton::SteadyState;
+use super::wide_matrix::{WideMatrix, least_squares, null_space};
 use crate::Error;
 use nalgebra::{DMatrix, DVector};
 use tripos_derive::flow::FlowProgramResults;
@@ -109,7 +109,7 @@ impl QuotientSystem {
             return Ok((self, fields));
         }
         let columns: Vec<usize> = (0..slopes.columns()).collect();
-        let (found, rows) = pivots(&slopes.rounded().transpose(), &[&columns]);
+        let (found, rows) = quotient_pivots(&slopes.rounded().transpose(), &[&columns]);
         if rows.len() < slopes.rows.len() {
             let why =
                 "this pose is singular: the gradients of its loops are dependent, so that its motion is not determined";
@@ -150,7 +150,7 @@ impl QuotientSystem {
         let fields = combine_columns(symmetries, &hidden);
         let (places, speeds): (Vec<usize>, Vec<usize>) =
             (0..self.kept.len()).partition(|at| self.kept[*at] < coordinates);
-        let (out, columns) = pivots(&fields.rounded(), &[&places, &speeds]);
+        let (out, columns) = quotient_pivots(&fields.rounded(), &[&places, &speeds]);
         if out.is_empty() {
             return self;
         }
@@ -228,7 +228,7 @@ fn combine_columns(fields: &WideMatrix, hidden: &DMatrix<f64>) -> WideMatrix {
 /// Chooses rows and columns of a regular square submatrix of full rank, after columns are scaled to
 /// equal size. Rows of a group are chosen only after those of earlier groups. Returns the indices
 /// of rows and columns, paired by pivots.
-pub fn pivots(matrix: &DMatrix<f64>, groups: &[&[usize]]) -> (Vec<usize>, Vec<usize>) {
+pub fn quotient_pivots(matrix: &DMatrix<f64>, groups: &[&[usize]]) -> (Vec<usize>, Vec<usize>) {
     let mut left = matrix.clone();
     for mut column in left.column_iter_mut() {
         let size = column.amax();

@@ -4,8 +4,8 @@
 //! Comput. J. 4, 1961; J. H. Wilkinson, *The Algebraic Eigenvalue Problem*, 1965). A is changed
 //! only by rotations. So T belongs to a matrix that differs from A by about 1e-31 of its size.
 
-use super::complex::Complex;
-use super::dense_matrix::WideMatrix;
+use super::wide_complex::WideComplex;
+use super::wide_matrix::WideMatrix;
 use tripos_traits::{DoubleDouble, Scalar};
 
 /// Fraction of its diagonal neighbours below which an entry below the diagonal counts as 0.
@@ -19,28 +19,28 @@ const UNUSUAL: usize = 12;
 #[derive(Clone, Debug)]
 pub struct SchurForm {
     /// Upper triangular matrix T, row by row.
-    pub t: Vec<Vec<Complex>>,
+    pub t: Vec<Vec<WideComplex>>,
     /// Unitary matrix Q, row by row.
-    pub q: Vec<Vec<Complex>>,
+    pub q: Vec<Vec<WideComplex>>,
 }
 
 /// Unitary 2 × 2 matrix G, a complex plane rotation, that maps (a, b) to (r, 0).
-struct Rotation([[Complex; 2]; 2]);
+struct Rotation([[WideComplex; 2]; 2]);
 
 impl Rotation {
     /// Makes the rotation that maps (a, b) to (r, 0); the identity if both are 0.
-    fn new(a: Complex, b: Complex) -> Self {
+    fn new(a: WideComplex, b: WideComplex) -> Self {
         let size = (a.squared_norm() + b.squared_norm()).sqrt();
-        let one = Complex::from_f64(1.0);
+        let one = WideComplex::from_f64(1.0);
         if size.hi() <= 0.0 {
-            return Self([[one, Complex::default()], [Complex::default(), one]]);
+            return Self([[one, WideComplex::default()], [WideComplex::default(), one]]);
         }
         let inverse = DoubleDouble::int(1) / size;
         Self([[a.conj().scaled(inverse), b.conj().scaled(inverse)], [(-b).scaled(inverse), a.scaled(inverse)]])
     }
 
     /// Replaces rows k and k + 1 of a matrix M by those of G M, from the column `from` on.
-    fn rotate_rows(&self, m: &mut [Vec<Complex>], k: usize, from: usize) {
+    fn rotate_rows(&self, m: &mut [Vec<WideComplex>], k: usize, from: usize) {
         let (above, below) = m.split_at_mut(k + 1);
         for (x, y) in above[k][from..].iter_mut().zip(&mut below[0][from..]) {
             (*x, *y) = (self.0[0][0] * *x + self.0[0][1] * *y, self.0[1][0] * *x + self.0[1][1] * *y);
@@ -48,8 +48,8 @@ impl Rotation {
     }
 
     /// Replaces columns k and k + 1 of a matrix M by those of M Gᴴ, in the first `rows` rows.
-    fn rotate_columns(&self, m: &mut [Vec<Complex>], k: usize, rows: usize) {
-        let [[a, b], [c, d]] = self.0.map(|row| row.map(Complex::conj));
+    fn rotate_columns(&self, m: &mut [Vec<WideComplex>], k: usize, rows: usize) {
+        let [[a, b], [c, d]] = self.0.map(|row| row.map(WideComplex::conj));
         for row in &mut m[..rows] {
             (row[k], row[k + 1]) = (row[k] * a + row[k + 1] * b, row[k] * c + row[k + 1] * d);
         }
@@ -62,11 +62,12 @@ impl SchurForm {
     #[must_use]
     pub fn new(a: &WideMatrix) -> Option<Self> {
         let n = a.rows.len();
-        let t: Vec<Vec<Complex>> = a.rows.iter().map(|row| row.iter().map(|x| Complex::real(*x)).collect()).collect();
+        let t: Vec<Vec<WideComplex>> =
+            a.rows.iter().map(|row| row.iter().map(|x| WideComplex::real(*x)).collect()).collect();
         if t.iter().flatten().any(|x| !x.is_finite()) {
             return None;
         }
-        let unit = |i| (0..n).map(|j| Complex::from_f64(f64::from(u8::from(i == j)))).collect();
+        let unit = |i| (0..n).map(|j| WideComplex::from_f64(f64::from(u8::from(i == j)))).collect();
         let mut form = Self { t, q: (0..n).map(unit).collect() };
         form.reduce_to_hessenberg();
         let size = a.rounded().norm();
@@ -96,7 +97,7 @@ impl SchurForm {
                 if self.t[k + 1][column].norm() > 0.0 {
                     let rotation = Rotation::new(self.t[k][column], self.t[k + 1][column]);
                     self.apply_rotation(&rotation, k, column, n);
-                    self.t[k + 1][column] = Complex::default();
+                    self.t[k + 1][column] = WideComplex::default();
                 }
             }
         }
@@ -119,7 +120,7 @@ impl SchurForm {
             let beside = t[k - 1][k - 1].norm() + t[k][k].norm();
             let beside = if beside > 0.0 { beside } else { size };
             if t[k][k - 1].norm() <= NOTHING * beside {
-                t[k][k - 1] = Complex::default();
+                t[k][k - 1] = WideComplex::default();
                 return k;
             }
         }
@@ -128,7 +129,7 @@ impl SchurForm {
 
     /// Shift for a step of the QR iteration: the eigenvalue of the last 2 × 2 block that is nearest to
     /// its last entry.
-    fn qr_shift(&self, last: usize) -> Complex {
+    fn qr_shift(&self, last: usize) -> WideComplex {
         let t = &self.t;
         let (a, b, c, d) = (t[last - 1][last - 1], t[last - 1][last], t[last][last - 1], t[last][last]);
         let half = DoubleDouble::from_f64(0.5);
@@ -141,13 +142,13 @@ impl SchurForm {
 
     /// Exceptional shift, no eigenvalue of the last 2 × 2 block, for an iteration that does not
     /// converge.
-    fn exceptional_shift(&self, last: usize) -> Complex {
-        self.t[last][last] + Complex::from_f64(self.t[last][last - 1].norm())
+    fn exceptional_shift(&self, last: usize) -> WideComplex {
+        self.t[last][last] + WideComplex::from_f64(self.t[last][last - 1].norm())
     }
 
     /// Makes a step of the QR iteration on the rows and columns from `first` to `last`, with the given
     /// shift.
-    fn qr_step(&mut self, first: usize, last: usize, shift: Complex) {
+    fn qr_step(&mut self, first: usize, last: usize, shift: WideComplex) {
         let n = self.t.len();
         let mut rotations = Vec::with_capacity(last - first);
         for k in first..=last {
@@ -156,7 +157,7 @@ impl SchurForm {
         for k in first..last {
             let rotation = Rotation::new(self.t[k][k], self.t[k + 1][k]);
             rotation.rotate_rows(&mut self.t, k, k);
-            self.t[k + 1][k] = Complex::default();
+            self.t[k + 1][k] = WideComplex::default();
             rotations.push(rotation);
         }
         for (k, rotation) in (first..).zip(&rotations) {
@@ -173,7 +174,7 @@ impl SchurForm {
     #[must_use]
     pub fn from_diagonal_blocks(a: &WideMatrix, blocks: &[Vec<usize>], forms: &[Self]) -> Self {
         let n = a.rows.len();
-        let zeros = || vec![vec![Complex::default(); n]; n];
+        let zeros = || vec![vec![WideComplex::default(); n]; n];
         let mut whole = Self { t: zeros(), q: zeros() };
         let mut first = 0;
         for (block, form) in blocks.iter().zip(forms) {
@@ -190,9 +191,9 @@ impl SchurForm {
             std::iter::repeat_n(end, block.len())
         });
         let ends: Vec<usize> = ends.collect();
-        let sum = |list: &mut dyn Iterator<Item = Complex>| list.fold(Complex::default(), |sum, x| sum + x);
+        let sum = |list: &mut dyn Iterator<Item = WideComplex>| list.fold(WideComplex::default(), |sum, x| sum + x);
         for (row, end) in ends.iter().enumerate() {
-            let left: Vec<Complex> =
+            let left: Vec<WideComplex> =
                 (0..n).map(|j| sum(&mut (0..n).map(|i| whole.q[i][row].conj().scaled(a.rows[i][j])))).collect();
             for column in *end..n {
                 whole.t[row][column] = sum(&mut (0..n).map(|j| left[j] * whole.q[j][column]));
@@ -203,7 +204,7 @@ impl SchurForm {
 
     /// Eigenvalues of the matrix, in the order of the diagonal of T.
     #[must_use]
-    pub fn eigenvalues(&self) -> Vec<Complex> {
+    pub fn eigenvalues(&self) -> Vec<WideComplex> {
         self.t.iter().enumerate().map(|(at, row)| row[at]).collect()
     }
 
@@ -218,7 +219,7 @@ impl SchurForm {
                 let difference = form.t[k + 1][k + 1] - form.t[k][k];
                 let rotation = Rotation::new(form.t[k][k + 1], difference);
                 form.apply_rotation(&rotation, k, k, k + 2);
-                form.t[k + 1][k] = Complex::default();
+                form.t[k + 1][k] = WideComplex::default();
             }
         }
         form

@@ -25,7 +25,7 @@ const VANISHED: f64 = 1e-2;
 const SINGULAR: f64 = 1e-12;
 
 /// Divisors and mass matrix of a mechanism's equations, for the test of states.
-pub(super) struct SingularityTest {
+pub(super) struct SingularStateTest {
     /// Formula of each divisor as text.
     divisors: Vec<String>,
     /// Names of the generalized speeds, for messages.
@@ -35,7 +35,7 @@ pub(super) struct SingularityTest {
     tape: Tape,
 }
 
-impl SingularityTest {
+impl SingularStateTest {
     /// Prepares the test from the equations of a mechanism in first order.
     ///
     /// # Errors

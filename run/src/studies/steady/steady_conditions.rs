@@ -4,7 +4,7 @@
 use super::steady_newton::SteadyState;
 use crate::{Error, Mechanism};
 use std::f64::consts::TAU;
-use tripos_derive::algebra::solve::closed::{Branch, Condition, Relation, RelationKind, factored_fraction};
+use tripos_derive::algebra::solve::closed::{Branch, Relation, RelationCondition, RelationKind, factored_fraction};
 use tripos_derive::algebra::text::print::{latex, print_text};
 use tripos_derive::algebra::value::tape::Tape;
 use tripos_derive::algebra::{Arena, Expr};
@@ -89,7 +89,7 @@ pub struct Conditions {
 
 /// Conditions of rest and of steady motion of a mechanism, in closed form.
 #[derive(Clone)]
-pub struct ClosedForm {
+pub struct SteadyConditions {
     /// Conditions of rest, followed by those of steady motion if the mechanism has symmetries.
     pub list: Vec<Conditions>,
     /// Arena with the terms of all branches.
@@ -105,7 +105,7 @@ pub struct ClosedForm {
 /// # Errors
 /// [`Error`] if the model cannot be derived, depends on time, or has no quantity with a name in
 /// `asked`.
-pub fn conditions(model: &Mechanism, asked: &[String]) -> Result<ClosedForm, Error> {
+pub fn conditions(model: &Mechanism, asked: &[String]) -> Result<SteadyConditions, Error> {
     let mut flow = super::steady_flow(model)?;
     let mut balances = vec![flow.steady_balance(model, Steadiness::Rest)];
     if flow.symmetries.len() > usize::from(flow.time_shift_symmetry(model).is_some()) {
@@ -135,35 +135,35 @@ pub fn conditions(model: &Mechanism, asked: &[String]) -> Result<ClosedForm, Err
         });
         let along: Vec<Velocity> = along.collect();
         let told = |arena: &Arena, (e, value): (Expr, &Expr)| NamedFormula {
-            name: write_formula(arena, e),
-            value: write_formula(arena, *value),
+            name: condition_formula(arena, e),
+            value: condition_formula(arena, *value),
         };
         let speeds = model.u().into_iter().zip(&speeds).map(|pair| told(arena, pair)).collect();
-        let branches = found.branches.into_iter().map(|branch| write_solution_branch(arena, branch)).collect();
+        let branches = found.branches.into_iter().map(|branch| steady_solution_branch(arena, branch)).collect();
         list.push(Conditions {
             rest: balance.along.is_empty(),
             along,
             speeds,
             unknowns: unknowns.iter().map(|e| name(arena, *e)).collect(),
-            equations: found.equations.iter().map(|e| write_formula(arena, *e)).collect(),
+            equations: found.equations.iter().map(|e| condition_formula(arena, *e)).collect(),
             too_large: found.too_large,
-            divided_by: found.divided_by.iter().map(|e| write_formula(arena, *e)).collect(),
+            divided_by: found.divided_by.iter().map(|e| condition_formula(arena, *e)).collect(),
             branches,
             complete: !found.is_cut,
             symbols: model.p().into_iter().chain(model.q()).chain(balance.along.iter().map(|a| a.symbol)).collect(),
         });
     }
     let is_angle = model.coordinates.iter().map(|c| c.unit.is_plain()).collect();
-    Ok(ClosedForm { list, arena: flow.arena, is_angle })
+    Ok(SteadyConditions { list, arena: flow.arena, is_angle })
 }
 
 /// Writes a term as text in the notation of model files and in LaTeX.
-fn write_formula(arena: &Arena, e: Expr) -> Formula {
+fn condition_formula(arena: &Arena, e: Expr) -> Formula {
     Formula { text: print_text(arena, e), latex: latex(arena, e) }
 }
 
 /// Left side of a solved relation: the unknown, its square, or its sine, cosine or tangent.
-fn relation_left_side(arena: &mut Arena, relation: &Relation) -> Expr {
+fn condition_left_side(arena: &mut Arena, relation: &Relation) -> Expr {
     match relation.kind {
         RelationKind::Value => relation.unknown,
         RelationKind::Square => arena.square(relation.unknown),
@@ -177,22 +177,27 @@ fn relation_left_side(arena: &mut Arena, relation: &Relation) -> Expr {
 }
 
 /// Writes a branch of solutions as formulas in both notations.
-fn write_solution_branch(arena: &mut Arena, branch: Branch) -> SolutionBranch {
+fn steady_solution_branch(arena: &mut Arena, branch: Branch) -> SolutionBranch {
     let mut list = Vec::new();
     for relation in &branch.solved {
-        let subject = relation_left_side(arena, relation);
-        list.push(NamedFormula { name: write_formula(arena, subject), value: write_formula(arena, relation.value) });
+        let subject = condition_left_side(arena, relation);
+        list.push(NamedFormula {
+            name: condition_formula(arena, subject),
+            value: condition_formula(arena, relation.value),
+        });
     }
-    let need = |need: &Condition| {
-        let Formula { text, latex } = write_formula(arena, need.term());
+    let need = |need: &RelationCondition| {
+        let Formula { text, latex } = condition_formula(arena, need.term());
         match need {
-            Condition::NotNegative(_) => Formula { text: format!("{text} >= 0"), latex: format!(r"{latex} \ge 0") },
-            Condition::Unit(_) => {
+            RelationCondition::NotNegative(_) => {
+                Formula { text: format!("{text} >= 0"), latex: format!(r"{latex} \ge 0") }
+            }
+            RelationCondition::Unit(_) => {
                 Formula { text: format!("abs({text}) <= 1"), latex: format!(r"\left|{latex}\right| \le 1") }
             }
         }
     };
-    let all = |list: &[Expr]| list.iter().map(|e| write_formula(arena, *e)).collect();
+    let all = |list: &[Expr]| list.iter().map(|e| condition_formula(arena, *e)).collect();
     SolutionBranch {
         solved: list,
         needs: branch.needs.iter().map(need).collect(),
@@ -206,13 +211,13 @@ fn write_solution_branch(arena: &mut Arena, branch: Branch) -> SolutionBranch {
 /// belongs.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct BranchesAt {
-    /// Index in [`ClosedForm::list`] of the conditions that apply.
+    /// Index in [`SteadyConditions::list`] of the conditions that apply.
     pub conditions: usize,
     /// Indices of the branches to which the motion belongs; empty if it belongs to none.
     pub branches: Vec<usize>,
 }
 
-impl ClosedForm {
+impl SteadyConditions {
     /// Finds the conditions that apply to a steady motion, and the branches to which it belongs. The
     /// decision is numerical and proves nothing. `None` if there are no conditions for rest or for
     /// steady motion, as needed.
@@ -232,7 +237,7 @@ impl ClosedForm {
     /// belong to the symbols of the conditions.
     fn satisfies_branch(&self, conditions: &Conditions, branch: &Branch, values: &[DoubleDouble]) -> bool {
         let mut arena = self.arena.clone();
-        let sides = branch.solved.iter().map(|relation| [relation_left_side(&mut arena, relation), relation.value]);
+        let sides = branch.solved.iter().map(|relation| [condition_left_side(&mut arena, relation), relation.value]);
         let mut terms: Vec<Expr> = sides.flatten().collect();
         terms.extend(branch.needs.iter().map(|need| need.term()));
         terms.extend(branch.left.iter().chain(&branch.divided_by));
@@ -252,8 +257,8 @@ impl ClosedForm {
             (difference - turns).abs() <= NEAR * pair[1].abs().max(1.0)
         });
         let is_met = branch.needs.iter().zip(needs).all(|(need, value)| match need {
-            Condition::NotNegative(_) => *value >= -NEAR,
-            Condition::Unit(_) => value.abs() <= 1.0 + NEAR,
+            RelationCondition::NotNegative(_) => *value >= -NEAR,
+            RelationCondition::Unit(_) => value.abs() <= 1.0 + NEAR,
         });
         is_told && is_met && left.iter().all(|x| x.abs() <= NEAR) && divisors.iter().all(|x| x.abs() > 0.0)
     }

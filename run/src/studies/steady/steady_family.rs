@@ -2,9 +2,9 @@
 //! eigenvalue of 0.
 
 use super::SteadyProblem;
-use super::dense_matrix::{least_squares, smallest_singular_directions};
 use super::quotient_system::QuotientSystem;
 use super::steady_newton::{SteadyState, Unknowns};
+use super::wide_matrix::{least_squares, smallest_singular_directions};
 use nalgebra::{DMatrix, DVector};
 use tripos_traits::{DoubleDouble, Scalar};
 

@@ -2,7 +2,7 @@
 //! precision and residuals in 32 digits, so each step adds about fifteen digits.
 
 use super::SteadyProblem;
-use super::dense_matrix::least_squares;
+use super::wide_matrix::least_squares;
 use crate::{Error, Mechanism};
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::TAU;
@@ -228,7 +228,7 @@ impl SteadyProblem {
                 break;
             }
             let Some(better) = self.newton_step(&guess, unknowns, &weights) else { break };
-            changes = [changes[1], largest_state_difference(&guess.x, &better.x)];
+            changes = [changes[1], largest_newton_change(&guess.x, &better.x)];
             guess = better;
         }
         let is_slow = changes[0] > 0.0 && changes[1] > SLOW * changes[0];
@@ -338,19 +338,19 @@ impl SteadyProblem {
 
 /// True if two states are equal up to a tolerance, with angles compared up to whole turns.
 pub(super) fn is_same_steady_state(model: &Mechanism, a: &SteadyState, b: &SteadyState) -> bool {
-    (0..a.x.len()).all(|at| is_near_value(model, at, a.x[at].hi(), b.x[at].hi()))
+    (0..a.x.len()).all(|at| is_same_state_value(model, at, a.x[at].hi(), b.x[at].hi()))
 }
 
 /// True if two values of the state with index `at` are equal up to a tolerance; angles up to whole
 /// turns.
-pub(super) fn is_near_value(model: &Mechanism, at: usize, a: f64, b: f64) -> bool {
+pub(super) fn is_same_state_value(model: &Mechanism, at: usize, a: f64, b: f64) -> bool {
     let turns = model.coordinates.get(at).is_some_and(|c| c.unit.is_plain());
     let difference = if turns { (a - b) - TAU * ((a - b) / TAU).round() } else { a - b };
     difference.abs() <= SAME * a.abs().max(1.0)
 }
 
 /// Largest difference of two states in any component, relative to the component's size or to 1.
-fn largest_state_difference(a: &[DoubleDouble], b: &[DoubleDouble]) -> f64 {
+fn largest_newton_change(a: &[DoubleDouble], b: &[DoubleDouble]) -> f64 {
     let one = |(a, b): (&DoubleDouble, &DoubleDouble)| (*a - *b).hi().abs() / a.hi().abs().max(1.0);
     a.iter().zip(b).map(one).fold(0.0, f64::max)
 }

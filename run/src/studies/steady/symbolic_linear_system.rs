@@ -2,13 +2,13 @@
 //! a bicycle.
 
 use super::SteadyProblem;
-use super::dense_matrix::WideMatrix;
 use super::linear_system::SteadyLinearSystem;
-use super::quotient_system::pivots;
+use super::quotient_system::quotient_pivots;
+use super::wide_matrix::WideMatrix;
 use crate::{Error, Mechanism};
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::text::display_tree::DisplayTree;
-use tripos_derive::algebra::text::print::{text_of, view_of};
+use tripos_derive::algebra::text::print::{print_view, text_of};
 use tripos_derive::flow::{LinearSystemError, OperatingPoint, StateElimination, SymbolicLinearSystem};
 use tripos_derive::scene::StateWithUnknowns;
 use tripos_traits::DoubleDouble;
@@ -75,7 +75,7 @@ pub fn symbolic_linear_system(
     let inputs = model.parameters.iter().filter(|p| found.inputs.contains(&p.name)).map(|p| p.symbol).collect();
     let outputs = question.output_terms.clone();
     let stated = OperatingPoint { numbers, states: asked.formulas.clone(), inputs, outputs };
-    let chosen = question.elimination_choices(found);
+    let chosen = question.symbolic_elimination_choices(found);
     let mut system = question
         .flow
         .symbolic_linear_system(&stated, &chosen)
@@ -127,7 +127,7 @@ fn symbolic_entry(
 ) -> SymbolicEntry {
     let polynomial = if let [letter] = letters { system.polynomial(e, *letter, known) } else { None };
     let polynomial = polynomial.map(|list| list.iter().map(|c| c.hi()).collect());
-    polynomial.map_or_else(|| SymbolicEntry::Formula(view_of(&system.arena, e)), SymbolicEntry::Polynomial)
+    polynomial.map_or_else(|| SymbolicEntry::Formula(print_view(&system.arena, e)), SymbolicEntry::Polynomial)
 }
 
 impl SymbolicEntry {
@@ -173,12 +173,12 @@ impl SymbolicEntry {
 impl SteadyProblem {
     /// Choices of states and symmetries in the numeric linear system, which the symbolic elimination
     /// must repeat.
-    fn elimination_choices(&self, found: &SteadyLinearSystem) -> StateElimination {
+    fn symbolic_elimination_choices(&self, found: &SteadyLinearSystem) -> StateElimination {
         let (values, _) = self.program.evaluate(&self.wide, &self.parameters, &found.steady.x, &[]);
         let carriers = found.steady.active_symmetries();
         let fields: Vec<Vec<DoubleDouble>> = carriers.iter().map(|at| values.symmetries[*at].clone()).collect();
         let all: Vec<usize> = (0..self.names.len()).collect();
-        let (rows, columns) = pivots(&WideMatrix::from_columns(self.names.len(), &fields).rounded(), &[&all]);
+        let (rows, columns) = quotient_pivots(&WideMatrix::from_columns(self.names.len(), &fields).rounded(), &[&all]);
         StateElimination {
             kept: found.system.kept.clone(),
             closed: found.system.closed.clone(),

@@ -10,10 +10,10 @@ use crate::overrides::Overrides;
 use crate::preparation::problem::Problem;
 use crate::simulation::run_problem::prove_integrals_to_watch;
 use crate::simulation::shown_quantities::ShownQuantities;
-use crate::simulation::simulate::{equations_in_all_rates, with_changing_speeds};
+use crate::simulation::simulate::{equations_in_all_rates, simulate_with_changing_speeds};
 use crate::trust::correct_digits::estimate_digits;
-use crate::trust::invariants::WatchedInvariants;
 use crate::trust::watched_functions::{WatchedFunctions, watched_events};
+use crate::trust::watched_invariants::WatchedInvariants;
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 use tripos_derive::mechanics::{EquationsOrigin, InertiaCheck};
@@ -84,7 +84,7 @@ impl<'a> Sweep<'a> {
         let inertia = InertiaCheck::new(model);
         let (solve, warnings, rates) = {
             let problem = Problem::for_scene_of_many(&inertia, model, scene, by, &code, None)?;
-            let warnings = try_one_step(&problem)?;
+            let warnings = try_sweep_step(&problem)?;
             (problem.solve, warnings, equations_in_all_rates(&problem)?)
         };
         // Impacts change the conserved quantities.
@@ -131,7 +131,7 @@ impl<'a> Sweep<'a> {
     ///
     /// # Errors
     /// [`Error`] if the text of the scene cannot be read again.
-    pub fn make_worker(&'a self) -> Result<Worker<'a>, Error> {
+    pub fn make_worker(&'a self) -> Result<SweepWorker<'a>, Error> {
         let family = Family::new(self.scene, self.model, self.grid)?;
         // Correct digits need whole runs with samples, which lanes do not give.
         let lanes = if self.tells_digits {
@@ -139,7 +139,7 @@ impl<'a> Sweep<'a> {
         } else {
             lanes::lane_equations(self.model, self.scene, self.solve, &self.code)
         };
-        Ok(Worker { sweep: self, family, lanes })
+        Ok(SweepWorker { sweep: self, family, lanes })
     }
 }
 
@@ -147,7 +147,7 @@ impl<'a> Sweep<'a> {
 ///
 /// # Errors
 /// `Error` if the integrator cannot run any point.
-fn try_one_step(problem: &Problem<'_>) -> Result<Vec<String>, Error> {
+fn try_sweep_step(problem: &Problem<'_>) -> Result<Vec<String>, Error> {
     // The start of the scene file may be unsuitable for a run although the points are suitable.
     let Ok(y0) = problem.start() else { return Ok(Vec::new()) };
     let options = Options { step_limit: 1, ..integration_options_for_ends(problem.scene) };
@@ -164,7 +164,7 @@ fn try_one_step(problem: &Problem<'_>) -> Result<Vec<String>, Error> {
 }
 
 /// Worker of one thread, which runs its share of the points of a sweep.
-pub struct Worker<'a> {
+pub struct SweepWorker<'a> {
     /// Data that all threads share.
     sweep: &'a Sweep<'a>,
     /// Scenes of all points, from the scene and the grid.
@@ -174,7 +174,7 @@ pub struct Worker<'a> {
     lanes: Option<InLanes<'static>>,
 }
 
-impl Worker<'_> {
+impl SweepWorker<'_> {
     /// Runs the points of a block. Returns a row for each point, in order, or fewer rows if the sweep
     /// is stopped. `done` is called after each point.
     ///
@@ -247,7 +247,7 @@ impl Worker<'_> {
         let mut watched = watched_events(&problem, &self.sweep.balance);
         match problem.run_in_chosen_speeds_alone(rates, &self.options(scene), &mut watched, None)? {
             Some(solution) => self.run_point_with(&problem, |_, _, _| Ok(solution)),
-            None => with_changing_speeds(&problem, rates, |problem| {
+            None => simulate_with_changing_speeds(&problem, rates, |problem| {
                 self.run_point_with(problem, |y0, options, events| problem.solve(y0, options, events, None))
             }),
         }

@@ -165,17 +165,17 @@ impl ModeTrial<'_> {
         let sides = DVector::from_iterator(unknown.len(), unknown.iter().map(|(row, _)| -c[*row]));
         let svd = part.clone().svd(true, true);
         let rounding = DEPENDENT * svd.singular_values.max();
-        let mut values = refined_least_solution(&svd, &part, &sides, rounding)?;
+        let mut values = refined_least_forces(&svd, &part, &sides, rounding)?;
         if svd.singular_values.min() <= rounding
             && let Some(weights) = self.weights_of_contact_forces(chosen, &unknown, &values)
         {
-            values = weighted_least_solution(&part, &sides, &weights)?;
+            values = weighted_least_forces(&part, &sides, &weights)?;
             if !self.friction_bears_forces(chosen, &unknown, &values) {
                 // A force along a gap alone may prevent a motion that a force along a slip can prevent, too.
                 let mut faint = weights;
                 let along = faint.iter_mut().zip(&unknown).filter(|(_, (row, _))| !self.is_gap(*row));
                 along.for_each(|(weight, _)| *weight *= FAINT);
-                values = weighted_least_solution(&part, &sides, &faint)?;
+                values = weighted_least_forces(&part, &sides, &faint)?;
             }
         }
         for ((row, follows), value) in unknown.iter().zip(values.iter()) {
@@ -280,11 +280,11 @@ fn choices_of_modes(modes: &[ContactMode]) -> Vec<ModeChoice> {
 
 /// Solution x of A x = b with the smallest sum of (xᵢ / wᵢ)² for the weights w. `None` if there is no
 /// solution.
-fn weighted_least_solution(a: &DMatrix<f64>, b: &DVector<f64>, weights: &DVector<f64>) -> Option<DVector<f64>> {
+fn weighted_least_forces(a: &DMatrix<f64>, b: &DVector<f64>, weights: &DVector<f64>) -> Option<DVector<f64>> {
     let scaled = DMatrix::from_fn(a.nrows(), a.ncols(), |i, j| a[(i, j)] * weights[j]);
     let svd = scaled.clone().svd(true, true);
     let rounding = DEPENDENT * svd.singular_values.max();
-    Some(refined_least_solution(&svd, &scaled, b, rounding)?.component_mul(weights))
+    Some(refined_least_forces(&svd, &scaled, b, rounding)?.component_mul(weights))
 }
 
 /// Least-squares solution x of A x = b of the smallest length, by the singular values of A above
@@ -292,7 +292,7 @@ fn weighted_least_solution(a: &DMatrix<f64>, b: &DVector<f64>, weights: &DVector
 ///
 /// The solution is refined by its residuals. If entries of A have very different sizes, singular values
 /// and vectors may be known to ten digits only.
-fn refined_least_solution(
+fn refined_least_forces(
     svd: &SVD<f64, Dyn, Dyn>,
     a: &DMatrix<f64>,
     b: &DVector<f64>,

@@ -20,7 +20,7 @@ mod radau_newton;
 
 use tripos_traits::{Real, larger};
 
-use super::options::Options;
+use super::run_options::Options;
 use crate::error_test::ErrorTest;
 use crate::right_hand_side::RightHandSide;
 use crate::stepper::{Interpolant, StepFailure, Stepper, TrialStep, check_finite, evaluate};

@@ -41,7 +41,7 @@ impl<S: Real> Scheme<S> {
         let c = [(S::int(4) - root) / S::int(10), (S::int(4) + root) / S::int(10), one];
         let b = inverse_of_order_3(&radau_matrix());
         // det(z I − A⁻¹) = z³ − 9 z² + 36 z − 60: the denominator of the stability function, read backwards.
-        let real = root_of_cubic([S::int(-60), S::int(36), S::int(-9)], S::from_f64(3.637_834_252_744_496));
+        let real = radau_root_of_cubic([S::int(-60), S::int(36), S::int(-9)], S::from_f64(3.637_834_252_744_496));
         let alpha = (S::int(9) - real) / S::int(2);
         let pair = Complex { re: alpha, im: (real * (real - S::int(9)) + S::int(36) - alpha * alpha).sqrt() };
         let first = eigenvector(&b, real);
@@ -76,7 +76,7 @@ pub(super) fn radau_matrix<S: Real>() -> Matrix<S> {
 
 /// Root of z³ + a₂ z² + a₁ z + a₀ near `z`, an `f64` that is a root to rounding. Each of three Newton
 /// steps doubles the digits.
-fn root_of_cubic<S: Real>([a0, a1, a2]: [S; 3], mut z: S) -> S {
+fn radau_root_of_cubic<S: Real>([a0, a1, a2]: [S; 3], mut z: S) -> S {
     for _ in 0..3 {
         let value = ((z + a2) * z + a1) * z + a0;
         let slope = (S::int(3) * z + S::int(2) * a2) * z + a1;

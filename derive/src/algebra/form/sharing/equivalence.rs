@@ -3,7 +3,7 @@
 use super::SharedComputation;
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::term::steps::{Definition, substitute_steps};
-use crate::algebra::value::points::PointWithResidues;
+use crate::algebra::value::residues::PointWithResidues;
 use crate::algebra::{Arena, Expr};
 
 /// True if every value, and every step that keeps its symbol, is the same function of the inputs

@@ -17,14 +17,14 @@ pub(super) type Factors = Vec<(Atom, u32)>;
 
 /// Term k · Π atom^exponent of a sum.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Term {
+pub(super) struct NetworkTerm {
     /// Rational coefficient k of the term k · Π atom^exponent.
     pub k: Rational,
     /// Atoms of the term k · Π atom^exponent, with their exponents.
     pub factors: Factors,
 }
 
-impl Term {
+impl NetworkTerm {
     /// Number of multiplications that the term needs, between its factors and by k.
     pub fn multiplications(&self) -> usize {
         let degree: u32 = self.factors.iter().map(|(_, n)| *n).sum();
@@ -45,7 +45,7 @@ pub(super) enum Value {
     /// The inverse 1/a of another atom a.
     Inverse(Atom),
     /// A sum of terms. The position of a term that was taken out holds `None`.
-    Sum(Vec<Option<Term>>),
+    Sum(Vec<Option<NetworkTerm>>),
 }
 
 /// Atom of a network: its value, with its symbol if it must have one.
@@ -101,8 +101,8 @@ impl Network {
     }
 
     /// Remaining terms of a sum, each with its position; none if the atom is not a sum.
-    pub fn terms(&self, sum: Atom) -> impl Iterator<Item = (usize, &Term)> {
-        let list: &[Option<Term>] = match &self.atoms[sum as usize].value {
+    pub fn terms(&self, sum: Atom) -> impl Iterator<Item = (usize, &NetworkTerm)> {
+        let list: &[Option<NetworkTerm>] = match &self.atoms[sum as usize].value {
             Value::Sum(terms) => terms,
             Value::Leaf(_) | Value::Inverse(_) => &[],
         };
@@ -128,16 +128,17 @@ impl Network {
     }
 
     /// Splits a term of the arena into the terms of a sum.
-    fn terms_of(&mut self, arena: &Arena, e: Expr) -> Vec<Option<Term>> {
+    fn terms_of(&mut self, arena: &Arena, e: Expr) -> Vec<Option<NetworkTerm>> {
         match arena.node(e) {
             Node::Number(k) if k.is_zero() => Vec::new(),
-            Node::Number(k) => vec![Some(Term { k: k.clone(), factors: Vec::new() })],
+            Node::Number(k) => vec![Some(NetworkTerm { k: k.clone(), factors: Vec::new() })],
             Node::Sum(constant, terms) => {
-                let constant = (!constant.is_zero()).then(|| Term { k: constant.clone(), factors: Vec::new() });
-                let terms = terms.iter().map(|(term, k)| Term { k: k.clone(), factors: self.monomial(arena, *term) });
+                let constant = (!constant.is_zero()).then(|| NetworkTerm { k: constant.clone(), factors: Vec::new() });
+                let terms =
+                    terms.iter().map(|(term, k)| NetworkTerm { k: k.clone(), factors: self.monomial(arena, *term) });
                 constant.into_iter().chain(terms).map(Some).collect()
             }
-            _ => vec![Some(Term { k: Rational::ONE, factors: self.monomial(arena, e) })],
+            _ => vec![Some(NetworkTerm { k: Rational::ONE, factors: self.monomial(arena, e) })],
         }
     }
 

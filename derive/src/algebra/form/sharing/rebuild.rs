@@ -1,6 +1,6 @@
 //! Rebuilding of the arena's terms from a network of sums, each step after the steps that it uses.
 
-use super::network::{Atom, Network, Term, Value, is_unit};
+use super::network::{Atom, Network, NetworkTerm, Value, is_unit};
 use crate::algebra::term::steps::Definition;
 use crate::algebra::{Arena, Expr, PowerError, Rational};
 use rustc_hash::FxHashSet;
@@ -25,7 +25,7 @@ pub fn is_shared_symbol(arena: &Arena, symbol: Expr) -> bool {
 /// cannot be inside another term, gets a symbol of its own. `None` if an exponent is too large for
 /// the arena.
 pub(super) fn rebuild(arena: &mut Arena, network: &Network) -> Option<SharedComputation> {
-    let mut builder = Builder {
+    let mut builder = Rebuilder {
         arena,
         network,
         uses: uses(network),
@@ -78,7 +78,7 @@ fn operands(network: &Network, atom: Atom) -> Vec<(Atom, usize)> {
 }
 
 /// State of rebuilding terms from a network.
-struct Builder<'a> {
+struct Rebuilder<'a> {
     /// Arena in which the terms are built.
     arena: &'a mut Arena,
     /// Network from which the terms are rebuilt.
@@ -105,7 +105,7 @@ enum Place {
     AmongTerms,
 }
 
-impl Builder<'_> {
+impl Rebuilder<'_> {
     /// Builds an atom after all atoms that it uses, and returns the term that stands for it. The
     /// method is not recursive, since chains of steps are long.
     fn build_with_operands(&mut self, atom: Atom) -> Expr {
@@ -179,7 +179,7 @@ impl Builder<'_> {
 
     /// Product of the factors of a term. A single factor that is a sum gets a symbol where it would
     /// otherwise merge into the surrounding sum.
-    fn product(&mut self, term: &Term, place: Place) -> Expr {
+    fn product(&mut self, term: &NetworkTerm, place: Place) -> Expr {
         if let [(only, 1)] = term.factors.as_slice()
             && (place == Place::AmongTerms || !is_unit(&term.k))
         {

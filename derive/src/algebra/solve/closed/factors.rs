@@ -144,7 +144,7 @@ impl Workspace<'_> {
 
     /// Writes a term as a fraction with numerator and denominator in factors, each in short form. A
     /// term that is too large is only simplified.
-    pub fn factored_short_form(&mut self, e: Expr) -> Expr {
+    pub fn short_form_in_factors(&mut self, e: Expr) -> Expr {
         let short = self.short(e);
         let Some((above, below)) = self.fraction(e).filter(|(above, _)| above.terms.len() <= NEAT) else {
             return short;
@@ -161,7 +161,7 @@ impl Workspace<'_> {
     }
 
     /// Term with the sign of the term `e`, but without positive factors and even powers.
-    pub fn sign_part(&mut self, e: Expr) -> Expr {
+    pub fn without_positive_factors(&mut self, e: Expr) -> Expr {
         let Some((above, below)) = self.fraction(e) else { return e };
         let above = self.term(&above);
         let Some(factors) = self.factors(above) else { return e };

@@ -1,6 +1,6 @@
 //! Isolation of an unknown: solution of one factor of an equation for one unknown.
 
-use super::relation::{Condition, FactorSolutions, Relation, RelationKind, Solution};
+use super::relation::{FactorSolutions, Relation, RelationCondition, RelationKind, Solution};
 use super::workspace::{Role, Workspace};
 use crate::algebra::form::ring::RingPolynomial;
 use crate::algebra::meaning::signs::Sign;
@@ -110,18 +110,18 @@ impl Workspace<'_> {
                     relations: vec![Relation { unknown: x, kind: RelationKind::Square, angle: x, value }],
                     needs: root
                         .iter()
-                        .map(|e| Condition::NotNegative(*e))
-                        .chain([Condition::NotNegative(value)])
+                        .map(|e| RelationCondition::NotNegative(*e))
+                        .chain([RelationCondition::NotNegative(value)])
                         .collect(),
                 };
-                self.without_impossible(solution)
+                self.possible_isolation(solution)
             });
             return Some(FactorSolutions { solutions: solutions.collect(), divisor: Some(divisor), degree });
         }
         let Roots { values, divisor, root, degree } = self.quadratic_roots(&coefficients)?;
         let solutions = values.into_iter().filter_map(|value| {
-            let needs = root.iter().map(|e| Condition::NotNegative(*e)).collect();
-            self.without_impossible(Solution { relations: vec![Relation::value(x, value)], needs })
+            let needs = root.iter().map(|e| RelationCondition::NotNegative(*e)).collect();
+            self.possible_isolation(Solution { relations: vec![Relation::value(x, value)], needs })
         });
         Some(FactorSolutions { solutions: solutions.collect(), divisor: Some(divisor), degree })
     }
@@ -158,11 +158,11 @@ impl Workspace<'_> {
         let factor = self.arena.div(angle, x)?;
         let mut solutions = Vec::new();
         for value in values {
-            let needs: Vec<Condition> = root.iter().map(|e| Condition::NotNegative(*e)).collect();
-            let Some(quarters) = Self::quarter_turns(kind, value) else {
+            let needs: Vec<RelationCondition> = root.iter().map(|e| RelationCondition::NotNegative(*e)).collect();
+            let Some(quarters) = Self::isolate_quarter_turns(kind, value) else {
                 let relations = vec![Relation { unknown: x, kind, angle, value }];
-                let needs = needs.into_iter().chain([Condition::Unit(value)]).collect();
-                solutions.extend(self.without_impossible(Solution { relations, needs }));
+                let needs = needs.into_iter().chain([RelationCondition::Unit(value)]).collect();
+                solutions.extend(self.possible_isolation(Solution { relations, needs }));
                 continue;
             };
             divisor = self.arena.mul(divisor, factor);
@@ -171,7 +171,7 @@ impl Workspace<'_> {
                 let turn = self.arena.scale(pi, &Rational::fraction(*quarter, 2)?);
                 let value = self.arena.div(turn, factor)?;
                 solutions.extend(
-                    self.without_impossible(Solution {
+                    self.possible_isolation(Solution {
                         relations: vec![Relation::value(x, value)],
                         needs: needs.clone(),
                     }),
@@ -183,7 +183,7 @@ impl Workspace<'_> {
 
     /// Angles, in units of π/2, at which a sine or cosine has the value −1, 0 or 1; `None` for
     /// other values.
-    fn quarter_turns(kind: RelationKind, value: Expr) -> Option<&'static [i64]> {
+    fn isolate_quarter_turns(kind: RelationKind, value: Expr) -> Option<&'static [i64]> {
         match (kind, value) {
             (RelationKind::Sine, Expr::ZERO) => Some(&[0, 2]),
             (RelationKind::Sine, Expr::ONE) => Some(&[1]),
@@ -245,30 +245,31 @@ impl Workspace<'_> {
             let sin = self.arena.linear_combination(&[(bd, Rational::MINUS_ONE), (ar, sign)]);
             let (cos, sin) = (self.quotient(cos, length)?, self.quotient(sin, length)?);
             let relations = vec![relation(RelationKind::Sine, sin), relation(RelationKind::Cosine, cos)];
-            solutions
-                .extend(self.without_impossible(Solution { relations, needs: vec![Condition::NotNegative(under)] }));
+            solutions.extend(
+                self.possible_isolation(Solution { relations, needs: vec![RelationCondition::NotNegative(under)] }),
+            );
         }
         Some(FactorSolutions { solutions, divisor: Some(length), degree: 2 })
     }
 
     /// Removes conditions that always hold from a solution; `None` if a condition can never hold.
-    fn without_impossible(&mut self, solution: Solution) -> Option<Solution> {
+    fn possible_isolation(&mut self, solution: Solution) -> Option<Solution> {
         let needs = self.open_conditions(&solution.needs)?;
         Some(Solution { needs, ..solution })
     }
 
     /// Filters conditions: returns those that do not always hold. `None` if a condition can never
     /// hold.
-    pub fn open_conditions(&mut self, needs: &[Condition]) -> Option<Vec<Condition>> {
-        let mut list: Vec<Condition> = Vec::new();
+    pub fn open_conditions(&mut self, needs: &[RelationCondition]) -> Option<Vec<RelationCondition>> {
+        let mut list: Vec<RelationCondition> = Vec::new();
         for need in needs {
             let holds = match *need {
-                Condition::NotNegative(e) => match self.sign(e) {
+                RelationCondition::NotNegative(e) => match self.sign(e) {
                     Sign::Positive | Sign::NotNegative => Some(true),
                     Sign::Negative => Some(false),
                     _ => None,
                 },
-                Condition::Unit(e) => self.arena.as_number(e).map(|value| {
+                RelationCondition::Unit(e) => self.arena.as_number(e).map(|value| {
                     let value = if value.is_negative() { value.neg() } else { value.clone() };
                     !Rational::ONE.add(&value.neg()).is_negative()
                 }),

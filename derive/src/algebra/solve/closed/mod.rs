@@ -11,7 +11,7 @@
 //! purpose: Gröbner bases and resultants, whose results nobody reads, and any knowledge of the
 //! meaning of the unknowns.
 
-mod branches;
+mod branch_search;
 mod factors;
 mod isolation;
 mod relation;
@@ -21,11 +21,11 @@ mod verification;
 mod waves;
 mod workspace;
 
-pub use relation::{Branch, Condition, Relation, RelationKind};
+pub use relation::{Branch, Relation, RelationCondition, RelationKind};
 
 use crate::algebra::form::normal_form::Normalizer;
 use crate::algebra::{Arena, Expr};
-use branches::Search;
+use branch_search::BranchSearch;
 use workspace::Workspace;
 
 /// Largest number of steps of a search for solutions. A step splits a product or solves for an
@@ -64,11 +64,11 @@ pub fn solve_in_closed_form(
 ) -> Solutions {
     let mut work = Workspace::new(arena, unknowns, asked);
     work.normalizer.prepare(work.arena, &[equations, divisors].concat());
-    let found = Search::new(&mut work, equations, divisors).run();
+    let found = BranchSearch::new(&mut work, equations, divisors).run();
     // A partial solution in functions of an unsolved unknown is harder to read than the equation.
     if !found.is_cut && found.branches.iter().all(|branch| !branch.left.is_empty()) {
         work.keeps_tangents = false;
-        return Search::new(&mut work, equations, divisors).run();
+        return BranchSearch::new(&mut work, equations, divisors).run();
     }
     found
 }
@@ -76,5 +76,5 @@ pub fn solve_in_closed_form(
 /// Writes a term as a fraction with numerator and denominator in factors. A term that is too large
 /// is only brought to short form.
 pub fn factored_fraction(arena: &mut Arena, e: Expr) -> Expr {
-    Workspace::new(arena, &[], 0).factored_short_form(e)
+    Workspace::new(arena, &[], 0).short_form_in_factors(e)
 }

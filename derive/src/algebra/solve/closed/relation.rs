@@ -42,14 +42,14 @@ impl Relation {
 
 /// Condition under which a branch of solutions is real, in addition to the equations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Condition {
+pub enum RelationCondition {
     /// The term is not negative: it is under a square root, or it is a square.
     NotNegative(Expr),
     /// The term lies from −1 to 1: it is the value of a sine or a cosine.
     Unit(Expr),
 }
 
-impl Condition {
+impl RelationCondition {
     /// Term that the condition restricts: it is not negative, or lies from −1 to 1.
     #[must_use]
     pub const fn term(self) -> Expr {
@@ -73,7 +73,7 @@ pub struct Branch {
     /// Relations for the unknowns that were solved for, each in terms of the free unknowns.
     pub solved: Vec<Relation>,
     /// Conditions under which the solutions are real.
-    pub needs: Vec<Condition>,
+    pub needs: Vec<RelationCondition>,
     /// Divisors of the solutions; the branch holds where they are not 0.
     pub divided_by: Vec<Expr>,
     /// Further terms that must vanish, which could not be solved.
@@ -86,7 +86,7 @@ pub struct Solution {
     /// Relations that give the unknown: one, or two if both its sine and cosine are given.
     pub relations: Vec<Relation>,
     /// Conditions under which the solution is real.
-    pub needs: Vec<Condition>,
+    pub needs: Vec<RelationCondition>,
 }
 
 /// All solutions of a factor of an equation for one unknown.

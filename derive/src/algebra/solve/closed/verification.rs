@@ -1,12 +1,12 @@
 //! Ends of the search for closed forms: the solutions found are inserted into the given equations
 //! and checked.
 
-use super::branches::{Case, Row, Search};
-use super::relation::{Branch, Condition, Relation, RelationKind};
+use super::branch_search::{BranchSearch, Case, Row};
+use super::relation::{Branch, Relation, RelationCondition, RelationKind};
 use super::workspace::Workspace;
 use crate::algebra::Expr;
 
-impl Search<'_, '_> {
+impl BranchSearch<'_, '_> {
     /// Checks a case (a partly solved system) that cannot be solved further: inserts it into the
     /// given equations, and adds its branch to the solutions. `rows` are equations that stay
     /// unsolved.
@@ -22,18 +22,19 @@ impl Search<'_, '_> {
                 self.found.is_cut = true;
                 return;
             };
-            if self.work.comparer.is_zero(self.work.arena, value).is_equal() || self.is_multiple_of_any(value, &left) {
+            if self.work.comparer.is_zero(self.work.arena, value).is_equal() || self.is_verified_multiple(value, &left)
+            {
                 continue;
             }
             if self.work.sign(value).is_strict() {
                 return;
             }
-            match self.sign_condition(value) {
+            match self.verified_sign_condition(value) {
                 Some(need) => case.needs.push(need),
                 None => left.push(value),
             }
         }
-        if let Some(branch) = self.branch_of_case(&case, &left)
+        if let Some(branch) = self.verified_branch(&case, &left)
             && !self.found.branches.contains(&branch)
         {
             self.found.branches.push(branch);
@@ -42,20 +43,20 @@ impl Search<'_, '_> {
 
     /// Condition under which a term with a root √p² vanishes. The root is p or −p, whichever makes
     /// the term vanish, and that must not be negative. `None` if the term vanishes with neither.
-    fn sign_condition(&mut self, value: Expr) -> Option<Condition> {
+    fn verified_sign_condition(&mut self, value: Expr) -> Option<RelationCondition> {
         let (p, [plus, minus]) = self.work.split_root(value)?;
         let mut vanishes = |e: Expr| self.work.comparer.is_zero(self.work.arena, e).is_equal();
         let (plus, minus) = (vanishes(plus), vanishes(minus));
         if plus {
-            Some(Condition::NotNegative(p))
+            Some(RelationCondition::NotNegative(p))
         } else {
-            minus.then(|| Condition::NotNegative(self.work.arena.neg(p)))
+            minus.then(|| RelationCondition::NotNegative(self.work.arena.neg(p)))
         }
     }
 
     /// True if the numerator of the term `value` is a multiple of the numerator of a term in
     /// `left`, which must vanish.
-    fn is_multiple_of_any(&mut self, value: Expr, left: &[Expr]) -> bool {
+    fn is_verified_multiple(&mut self, value: Expr, left: &[Expr]) -> bool {
         let Some((value, _)) = self.work.fraction(value) else { return false };
         left.iter().any(|e| {
             let Some((divisor, _)) = self.work.fraction(*e) else { return false };
@@ -67,11 +68,11 @@ impl Search<'_, '_> {
     /// the unknowns that were solved for after it, and conditions that always hold are left out.
     /// `None` if a condition cannot hold, a divisor is 0, or the budget of multiplications is used
     /// up.
-    fn branch_of_case(&mut self, case: &Case, left: &[Expr]) -> Option<Branch> {
+    fn verified_branch(&mut self, case: &Case, left: &[Expr]) -> Option<Branch> {
         let mut branch = Branch::default();
         for (at, relation) in case.relations.iter().enumerate() {
             let value = self.work.substitute_relations(&case.relations[at + 1..], relation.value)?;
-            let value = self.work.factored_short_form(value);
+            let value = self.work.short_form_in_factors(value);
             // The tangent is 0 where the sine is 0.
             let kind = if (relation.kind, value) == (RelationKind::Tangent, Expr::ZERO) {
                 RelationKind::Sine
@@ -83,8 +84,12 @@ impl Search<'_, '_> {
         let mut needs = Vec::new();
         for need in &case.needs {
             let term = self.work.substitute_relations(&case.relations, need.term())?;
-            let term = if let Condition::NotNegative(_) = need { self.work.sign_part(term) } else { term };
-            needs.push(need.of(self.work.factored_short_form(term)));
+            let term = if let RelationCondition::NotNegative(_) = need {
+                self.work.without_positive_factors(term)
+            } else {
+                term
+            };
+            needs.push(need.of(self.work.short_form_in_factors(term)));
         }
         branch.needs = self.work.open_conditions(&needs)?;
         for divisor in &case.divided {
@@ -105,12 +110,12 @@ impl Search<'_, '_> {
     }
 
     /// Removes branches of solutions that are special cases of other branches.
-    pub(super) fn without_special_cases(&mut self) {
+    pub(super) fn without_verified_special_cases(&mut self) {
         let all = std::mem::take(&mut self.found.branches);
         let mut kept = vec![true; all.len()];
         for at in 0..all.len() {
             kept[at] = !(0..all.len())
-                .any(|other| other != at && kept[other] && self.is_special_case_of(&all[at], &all[other]));
+                .any(|other| other != at && kept[other] && self.is_verified_special_case(&all[at], &all[other]));
         }
         let kept = all.into_iter().zip(kept).filter(|(_, kept)| *kept).map(|(branch, _)| branch);
         self.found.branches = kept.collect();
@@ -119,7 +124,7 @@ impl Search<'_, '_> {
     /// True if `branch` is proved to be a special case of the branch `wider`. With the solutions of
     /// `branch` inserted, all relations of `wider` hold, its conditions are met, and its divisors
     /// are never 0.
-    fn is_special_case_of(&mut self, branch: &Branch, wider: &Branch) -> bool {
+    fn is_verified_special_case(&mut self, branch: &Branch, wider: &Branch) -> bool {
         if wider.solved.len() >= branch.solved.len() {
             return false;
         }

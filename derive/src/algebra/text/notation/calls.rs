@@ -1,9 +1,9 @@
 //! Calls in program text that model files write in another form: `pow(x, 2)`, `Rational(1, 2)`,
 //! `deg2rad(10)`.
 
-use super::errors::translation_error;
 use super::kind::Notation;
 use super::translation::Translation;
+use super::translation_errors::translation_error;
 use crate::algebra::text::parse::ParseError;
 use std::ops::Range;
 

@@ -11,25 +11,25 @@
 //! Absent on purpose: statements and vectors.
 
 mod calls;
-mod errors;
+mod function_names;
 mod kind;
 mod latex;
-mod lexicon;
+mod latex_symbol;
 mod program;
+mod program_derivatives;
 mod quotient;
-mod symbol;
 mod symbol_names;
-mod sympy;
 mod translation;
+mod translation_errors;
 mod unicode;
 
 pub use kind::Notation;
 pub use latex::read_symbol;
-pub(crate) use program::is_index;
-pub use symbol::LatexSymbol;
+pub use latex_symbol::LatexSymbol;
+pub(crate) use program::is_program_index;
 pub use symbol_names::{SymbolNames, Unknown};
 pub use translation::Translation;
-pub use unicode::ascii_names;
+pub use unicode::ascii_names_of_unicode;
 
 use super::parse::ParseError;
 

@@ -1,12 +1,12 @@
 //! Translation of program text: formulas of Python (with the output of `SymPy`), MATLAB and C.
 
 use super::calls::Calls;
-use super::errors::{character_at, translation_error, unknown_symbol_error};
+use super::function_names::{constant, function, function_of_c, name_without_module};
 use super::kind::Notation;
-use super::lexicon::{constant, function, function_of_c, without_module};
 use super::quotient::refuse_whole_quotients;
 use super::symbol_names::SymbolNames;
 use super::translation::Translation;
+use super::translation_errors::{character_at, translation_error, untranslatable_symbol_error};
 use super::unicode;
 use crate::algebra::text::parse::ParseError;
 use std::ops::Range;
@@ -54,7 +54,7 @@ impl Program<'_, '_> {
             match c {
                 '0'..='9' => self.number(),
                 '.' if self.rest(1).starts_with(|c: char| c.is_ascii_digit()) => self.number(),
-                c if unicode::begins_name(c) => self.translate_name()?,
+                c if unicode::begins_unicode_name(c) => self.translate_name()?,
                 ';' if matches!(self.notation, Notation::Matlab | Notation::C) => {
                     self.at += 1;
                     self.skip();
@@ -130,7 +130,7 @@ impl Program<'_, '_> {
     pub(super) fn word(&mut self) -> (String, Range<usize>) {
         let start = self.at;
         loop {
-            let length = self.rest(0).find(|c: char| !unicode::is_inside_name(c));
+            let length = self.rest(0).find(|c: char| !unicode::is_inside_unicode_name(c));
             self.at += length.unwrap_or(self.rest(0).len());
             let begins = |skip: usize| self.rest(skip).starts_with(|c: char| c.is_ascii_alphabetic() || c == '_');
             let step = match self.rest(0) {
@@ -153,7 +153,7 @@ impl Program<'_, '_> {
     /// if the variable is unknown.
     fn translate_name(&mut self) -> Result<(), ParseError> {
         let (whole, place) = self.word();
-        let word = without_module(&whole).to_owned();
+        let word = name_without_module(&whole).to_owned();
         if let Some(tokens) = constant(&word, self.notation) {
             self.out.push_all(tokens, &place);
             return Ok(());
@@ -163,7 +163,8 @@ impl Program<'_, '_> {
             return Ok(());
         }
         let name = self.read_indices(word);
-        let name = self.spell.name_of_variable(&name).map_err(|why| unknown_symbol_error(place.start..self.at, why))?;
+        let name =
+            self.spell.name_of_variable(&name).map_err(|why| untranslatable_symbol_error(place.start..self.at, why))?;
         let place = place.start..self.at;
         let name = self.read_derivative_suffix(name)?;
         self.out.push(&name, place);
@@ -181,7 +182,7 @@ impl Program<'_, '_> {
                 near.strip_prefix(open).and_then(|rest| rest.split_once(close)).map(|(inside, _)| inside.to_owned());
             let Some(inside) = inside else { return word };
             let index = inside.replace(' ', "").replace('"', "'");
-            if !is_index(&index) {
+            if !is_program_index(&index) {
                 return word;
             }
             self.at += inside.len() + 2;
@@ -313,10 +314,10 @@ impl Program<'_, '_> {
 
 /// True if the text between brackets is an index: integers separated by commas, or a word in single
 /// quotes.
-pub(crate) fn is_index(text: &str) -> bool {
+pub(crate) fn is_program_index(text: &str) -> bool {
     let is_word = |text: &str| {
         let word = text.strip_prefix('\'').and_then(|rest| rest.strip_suffix('\''));
-        word.is_some_and(|word| !word.is_empty() && word.chars().all(unicode::is_inside_name))
+        word.is_some_and(|word| !word.is_empty() && word.chars().all(unicode::is_inside_unicode_name))
     };
     is_word(text) || text.split(',').all(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()))
 }

@@ -1,7 +1,7 @@
 //! Quotients of integers in C, which C rounds towards zero; they are refused.
 
-use super::errors::translation_error;
 use super::translation::Translation;
+use super::translation_errors::translation_error;
 use crate::algebra::text::parse::ParseError;
 use std::ops::Range;
 
@@ -28,7 +28,7 @@ pub(super) fn refuse_whole_quotients(plain: &Translation) -> Result<(), ParseErr
                 let inner = levels.pop().unwrap_or_default();
                 let Some(outer) = levels.last_mut() else { return Ok(()) };
                 let is_whole = !inner.is_real && inner.term != Some(false);
-                add_operand(outer, if is_whole { Operand::Whole } else { Operand::Real })?;
+                add_quotient_operand(outer, if is_whole { Operand::Whole } else { Operand::Real })?;
             }
             "/" => level.slash = Some(place.clone()),
             // Powers and functions of several arguments are real numbers.
@@ -39,8 +39,8 @@ pub(super) fn refuse_whole_quotients(plain: &Translation) -> Result<(), ParseErr
                 level.term = None;
             }
             "*" => {}
-            number if number.bytes().all(|b| b.is_ascii_digit()) => add_operand(level, Operand::Whole)?,
-            _ => add_operand(level, Operand::Real)?,
+            number if number.bytes().all(|b| b.is_ascii_digit()) => add_quotient_operand(level, Operand::Whole)?,
+            _ => add_quotient_operand(level, Operand::Real)?,
         }
     }
     Ok(())
@@ -56,7 +56,7 @@ enum Operand {
 }
 
 /// Adds an operand to the current term of a level. Error if it divides an integer by an integer.
-fn add_operand(level: &mut Level, operand: Operand) -> Result<(), ParseError> {
+fn add_quotient_operand(level: &mut Level, operand: Operand) -> Result<(), ParseError> {
     let is_whole = operand == Operand::Whole;
     if let Some(slash) = level.slash.take().filter(|_| is_whole && level.term == Some(true)) {
         let help = "C rounds quotients of whole numbers towards zero: 1/2 is 0; write 1.0/2 if the program has it so";

@@ -1,7 +1,7 @@
 //! Spelling of symbols: names, in the language of model files, of the symbols in formulas of other
 //! notations.
 
-use super::symbol::LatexSymbol;
+use super::latex_symbol::LatexSymbol;
 
 /// Reason why a symbol has no name in the model: (message, help).
 pub type Unknown = (String, Option<String>);

@@ -1,9 +1,9 @@
 //! Unicode names and operators outside ASCII, as Julia, Python and people write them: `θ̇₁`,
 //! `2·x²`.
 
-use super::errors::unknown_symbol_error;
 use super::symbol_names::SymbolNames;
 use super::translation::Translation;
+use super::translation_errors::untranslatable_symbol_error;
 use crate::algebra::text::parse::ParseError;
 use crate::algebra::text::print::greek_name;
 
@@ -18,14 +18,14 @@ pub(super) fn operator(c: char) -> Option<&'static str> {
 }
 
 /// True if a character may begin a name: a letter of any alphabet, or an underscore.
-pub(super) fn begins_name(c: char) -> bool {
+pub(super) fn begins_unicode_name(c: char) -> bool {
     c.is_ascii_alphabetic() || c == '_' || !c.is_ascii() && c.is_alphabetic()
 }
 
 /// True if a character may occur inside a name: letters, digits, subscript digits and dots above
 /// letters.
-pub(super) fn is_inside_name(c: char) -> bool {
-    begins_name(c) || c.is_ascii_digit() || subscript(c).is_some() || dots(c) > 0
+pub(super) fn is_inside_unicode_name(c: char) -> bool {
+    begins_unicode_name(c) || c.is_ascii_digit() || subscript(c).is_some() || dots(c) > 0
 }
 
 /// Digit that a subscript digit stands for; `None` for any other character.
@@ -47,7 +47,7 @@ fn dots(c: char) -> usize {
 /// Candidates for the name in model files of a name outside ASCII: θ̇₁ is `theta1'` or `theta_1'`.
 /// Empty if a character has no ASCII form.
 #[must_use]
-pub fn ascii_names(name: &str) -> Vec<String> {
+pub fn ascii_names_of_unicode(name: &str) -> Vec<String> {
     let (mut plain, mut apart, mut primes) = (String::new(), String::new(), 0);
     for c in name.chars() {
         primes += dots(c);
@@ -82,15 +82,15 @@ pub(super) fn translate_unicode(text: &str, spell: &mut dyn SymbolNames) -> Resu
     let mut at = 0;
     while let Some(c) = text[at..].chars().next() {
         let start = at;
-        if begins_name(c) {
-            at += text[at..].find(|c| !is_inside_name(c)).unwrap_or(text.len() - at);
+        if begins_unicode_name(c) {
+            at += text[at..].find(|c| !is_inside_unicode_name(c)).unwrap_or(text.len() - at);
             let word = &text[start..at];
             let primes = text[at..].bytes().take_while(|b| *b == b'\'').count();
             at += primes;
             let name = if word.is_ascii() {
                 word.to_owned()
             } else {
-                spell.name_of_variable(word).map_err(|why| unknown_symbol_error(start..at, why))?
+                spell.name_of_variable(word).map_err(|why| untranslatable_symbol_error(start..at, why))?
             };
             out.push(&format!("{name}{}", "'".repeat(primes)), start..at);
         } else if c.is_ascii_digit() || c == '.' {
@@ -116,13 +116,13 @@ pub(super) fn translate_unicode(text: &str, spell: &mut dyn SymbolNames) -> Resu
 
 #[cfg(test)]
 mod tests {
-    use super::ascii_names;
+    use super::ascii_names_of_unicode;
 
     #[test]
     fn greek_names_are_spelled_out() {
-        assert_eq!(ascii_names("θ1dot"), ["theta1dot"]);
-        assert_eq!(ascii_names("θ\u{307}₁"), ["theta1'", "theta_1'"]);
-        assert_eq!(ascii_names("q\u{308}"), ["q''"]);
-        assert!(ascii_names("ж").is_empty());
+        assert_eq!(ascii_names_of_unicode("θ1dot"), ["theta1dot"]);
+        assert_eq!(ascii_names_of_unicode("θ\u{307}₁"), ["theta1'", "theta_1'"]);
+        assert_eq!(ascii_names_of_unicode("q\u{308}"), ["q''"]);
+        assert!(ascii_names_of_unicode("ж").is_empty());
     }
 }

@@ -1,15 +1,15 @@
 //! Parsing of calls: functions of one and of several arguments, and components of velocities and
 //! interactions.
 
-use super::domain::{has_limited_domain, is_outside_domain};
 use super::error::{ParseError, error};
+use super::function_domain::{has_limited_domain, is_outside_domain};
 use super::{InteractionName, Parser, VelocityName};
 use crate::algebra::{Expr, Function, Rational};
 
 impl Parser<'_, '_> {
     /// Parses a component of a velocity or position. Its keyword `v`, `omega` or `p` began at byte
     /// `start`. Error if the syntax is wrong or a name is unknown.
-    pub(super) fn component(&mut self, word: &str, start: usize) -> Result<Expr, ParseError> {
+    pub(super) fn component_call(&mut self, word: &str, start: usize) -> Result<Expr, ParseError> {
         let (name, end) = VelocityName::read(word, self.text, self.at)?;
         self.at = end;
         let resolve = self.velocity.as_mut().expect("asked before");
@@ -18,7 +18,7 @@ impl Parser<'_, '_> {
 
     /// Parses a component of a force or torque between bodies. Its keyword `force` or `torque`
     /// began at byte `start`. Error if the syntax is wrong or a name is unknown.
-    pub(super) fn interaction(&mut self, word: &str, start: usize) -> Result<Expr, ParseError> {
+    pub(super) fn interaction_call(&mut self, word: &str, start: usize) -> Result<Expr, ParseError> {
         let (name, end) = InteractionName::read(word, self.text, self.at)?;
         self.at = end;
         let resolve = self.interaction.as_mut().expect("asked before");
@@ -28,7 +28,7 @@ impl Parser<'_, '_> {
     /// Parses the distance of two points, `distance(P, Q)`, whose keyword began at byte `start`.
     /// The result is the square root of the sum of squares. Error if the syntax is wrong or a point
     /// is unknown.
-    pub(super) fn distance(&mut self, start: usize) -> Result<Expr, ParseError> {
+    pub(super) fn distance_call(&mut self, start: usize) -> Result<Expr, ParseError> {
         let (ends, end) = VelocityName::distance_ends(self.text, self.at)?;
         self.at = end;
         let resolve = self.velocity.as_mut().expect("asked before");
@@ -70,7 +70,7 @@ impl Parser<'_, '_> {
             let &[y, x] = arguments.as_slice() else {
                 return Err(error(start..self.at, "`atan2` takes two arguments", Some("write atan2(y, x)")));
             };
-            return self.atan2(y, x, start);
+            return self.atan2_call(y, x, start);
         }
         if arguments.len() < 2 {
             let help = format!("write {name}(a, b)");
@@ -91,7 +91,7 @@ impl Parser<'_, '_> {
 
     /// Angle of the direction (x, y) from the first axis, rad: 2 arctan(y/(x + √(x² + y²))). It has
     /// no value on the negative half of that axis. Error if that is certain.
-    fn atan2(&mut self, y: Expr, x: Expr, start: usize) -> Result<Expr, ParseError> {
+    fn atan2_call(&mut self, y: Expr, x: Expr, start: usize) -> Result<Expr, ParseError> {
         let squares = [self.arena.square(x), self.arena.square(y)];
         let square = self.arena.sum(&squares);
         let length = self.arena.apply(Function::Sqrt, square);

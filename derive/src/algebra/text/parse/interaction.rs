@@ -2,8 +2,8 @@
 //! through the elements that connect them. They are written `force(base on arm) @ N [1]`,
 //! `torque(base on arm) @ arm_frame [3]` or `torque(base on arm about P) @ N [3]`.
 
-use super::cursor::{Cursor, Word};
 use super::error::ParseError;
+use super::quantity_cursor::{QuantityCursor, Word};
 
 /// Name of a component of the force or torque that one body exerts on another. The parser does not
 /// check that its bodies, point and frame exist.
@@ -37,7 +37,7 @@ impl<'a> InteractionName<'a> {
     /// Reads an interaction from its opening parenthesis at byte `at` on; `word` is its keyword.
     /// Returns the name and the byte where it ends. Error if the syntax is wrong.
     pub(super) fn read(word: &str, text: &'a str, at: usize) -> Result<(Self, usize), ParseError> {
-        let mut cursor = Cursor { text, at, form: FORM };
+        let mut cursor = QuantityCursor { text, at, form: FORM };
         let is_torque = word == "torque";
         cursor.mark('(')?;
         let by = cursor.word("a body")?;

@@ -2,8 +2,8 @@
 //! point, `v(disk, P) @ A [1]` for the material of a body at a point, and `omega(B) @ A [3]` for an
 //! angular velocity. A position is `p(P) @ A [1]`.
 
-use super::cursor::{Cursor, Word};
 use super::error::ParseError;
+use super::quantity_cursor::{QuantityCursor, Word};
 
 /// Object of which a velocity or position is taken. `N` is the type of the names of bodies, frames
 /// and points.
@@ -45,7 +45,7 @@ impl<'a> VelocityName<'a> {
     /// Reads a velocity or position from its opening parenthesis at byte `at` on; `word` is its
     /// keyword. Returns the name and the byte where it ends. Error if the syntax is wrong.
     pub(super) fn read(word: &str, text: &'a str, at: usize) -> Result<(Self, usize), ParseError> {
-        let mut cursor = Cursor { text, at, form: FORM };
+        let mut cursor = QuantityCursor { text, at, form: FORM };
         cursor.mark('(')?;
         let of = if word == "omega" {
             VelocityOf::Turning(cursor.word("a body or a frame")?)
@@ -70,7 +70,7 @@ impl<'a> VelocityName<'a> {
     /// positions for each of the three axes of the inertial frame, whose name is empty, and the
     /// byte where the call ends.
     pub(super) fn distance_ends(text: &'a str, at: usize) -> Result<([[Self; 2]; 3], usize), ParseError> {
-        let mut cursor = Cursor { text, at, form: FORM };
+        let mut cursor = QuantityCursor { text, at, form: FORM };
         cursor.mark('(')?;
         let first = cursor.word("a point")?;
         let second = cursor.after(',', "a point")?;

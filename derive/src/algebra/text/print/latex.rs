@@ -1,6 +1,6 @@
 //! Printing of formulas in LaTeX, for math mode.
 
-use super::name::{GREEK, greek_index, is_word, split_name};
+use super::printed_names::{GREEK, greek_index, is_word, split_name};
 use crate::algebra::text::display_tree::DisplayTree;
 use std::fmt::Write;
 
@@ -30,7 +30,7 @@ fn latex_subscript(subscript: &str) -> String {
 }
 
 /// Prints a symbol's name in LaTeX as a word in roman type without a subscript; primes become dots.
-fn latex_word(name: &str) -> String {
+fn latex_name_as_word(name: &str) -> String {
     let stem = name.trim_end_matches('\'');
     latex_dots(format!("\\mathrm{{{}}}", stem.replace('_', "\\_")), name.len() - stem.len())
 }
@@ -49,7 +49,7 @@ pub(super) fn write_latex(view: &DisplayTree, out: &mut String) {
     match view {
         DisplayTree::Number(text) | DisplayTree::Shared(text) => out.push_str(text),
         DisplayTree::Name(name) => out.push_str(&latex_name(name)),
-        DisplayTree::Word(name) => out.push_str(&latex_word(name)),
+        DisplayTree::Word(name) => out.push_str(&latex_name_as_word(name)),
         DisplayTree::Pi => out.push_str("\\pi"),
         DisplayTree::Sum(terms) => {
             for (at, (negative, term)) in terms.iter().enumerate() {

@@ -5,7 +5,7 @@
 //! root, and the argument of a function, are never broken.
 
 use super::latex::write_latex;
-use super::mathml::{sign_between_factors, write_mathml};
+use super::mathml::{mathml_sign_between_factors, write_mathml};
 use super::typst::write_typst;
 use crate::algebra::text::display_tree::DisplayTree;
 
@@ -75,7 +75,7 @@ const MATHML: Marks = Marks {
     negative: "<mo form=\"prefix\">−</mo>",
     plus: "<mo form=\"infix\" lspace=\"0\">+</mo>",
     minus: "<mo form=\"infix\" lspace=\"0\">−</mo>",
-    times: sign_between_factors,
+    times: mathml_sign_between_factors,
     cross: "<mo>×</mo>",
     whole: ["<mrow><mo>(</mo>", "<mo>)</mo></mrow>"],
     broken: ["<mo form=\"prefix\" stretchy=\"false\">(</mo>", "<mo form=\"postfix\" stretchy=\"false\">)</mo>"],
@@ -99,20 +99,20 @@ struct Piece {
 
 /// Breaks a formula into lines of LaTeX, each at most about `widest` tenths of an em wide.
 #[must_use]
-pub fn latex_lines(view: &DisplayTree, widest: usize) -> Vec<String> {
+pub fn break_latex_lines(view: &DisplayTree, widest: usize) -> Vec<String> {
     Breaking { marks: &LATEX, widest }.lines(view)
 }
 
 /// Breaks a formula into lines of Typst, each at most about `widest` tenths of an em wide.
 #[must_use]
-pub fn typst_lines(view: &DisplayTree, widest: usize) -> Vec<String> {
+pub fn break_typst_lines(view: &DisplayTree, widest: usize) -> Vec<String> {
     Breaking { marks: &TYPST, widest }.lines(view)
 }
 
 /// Writes a formula in presentation `MathML` as pieces, between which lines may break. A formula no
 /// wider than `widest`, in tenths of an em, is a single piece.
 #[must_use]
-pub fn mathml_pieces(view: &DisplayTree, widest: usize) -> Vec<String> {
+pub fn break_mathml_pieces(view: &DisplayTree, widest: usize) -> Vec<String> {
     let mut pieces = Vec::new();
     Breaking { marks: &MATHML, widest }.append_pieces(view, &mut pieces);
     let mut list: Vec<String> = Vec::new();
@@ -233,7 +233,7 @@ impl Breaking {
                 if !self.marks.slashes_numerators
                     && matches!(**above, DisplayTree::Sum(_) | DisplayTree::Product(_)) =>
             {
-                let (number, rest) = split_leading_number(above);
+                let (number, rest) = break_off_leading_number(above);
                 let first = DisplayTree::Fraction(Box::new(DisplayTree::Number(number)), below.clone());
                 self.push(out, &first, formula_width(&first));
                 out.push(Piece {
@@ -255,7 +255,7 @@ impl Breaking {
     /// True if the view is a fraction that must be written with a slash, because a line may break
     /// in its numerator or denominator. The fraction then needs parentheses before another factor.
     fn is_slashed(&self, view: &DisplayTree) -> bool {
-        let breaks = |part: &DisplayTree| formula_width(part) > self.widest && has_signs(part);
+        let breaks = |part: &DisplayTree| formula_width(part) > self.widest && has_break_signs(part);
         let numerators = self.marks.slashes_numerators;
         matches!(view, DisplayTree::Fraction(above, below) if breaks(below) || numerators && breaks(above))
     }
@@ -295,18 +295,18 @@ impl Breaking {
 }
 
 /// True if the formula has a plus or minus sign at which a line may break.
-fn has_signs(view: &DisplayTree) -> bool {
+fn has_break_signs(view: &DisplayTree) -> bool {
     match view {
-        DisplayTree::Sum(terms) => terms.len() > 1 || terms.iter().any(|(_, term)| has_signs(term)),
-        DisplayTree::Product(factors) => factors.iter().any(has_signs),
-        DisplayTree::Power(base, _) => has_signs(base),
-        DisplayTree::Fraction(above, below) => has_signs(above) || has_signs(below),
+        DisplayTree::Sum(terms) => terms.len() > 1 || terms.iter().any(|(_, term)| has_break_signs(term)),
+        DisplayTree::Product(factors) => factors.iter().any(has_break_signs),
+        DisplayTree::Power(base, _) => has_break_signs(base),
+        DisplayTree::Fraction(above, below) => has_break_signs(above) || has_break_signs(below),
         _ => false,
     }
 }
 
 /// Splits a product into its leading number, `1` if it has none, and the remaining product.
-fn split_leading_number(view: &DisplayTree) -> (String, DisplayTree) {
+fn break_off_leading_number(view: &DisplayTree) -> (String, DisplayTree) {
     match view {
         DisplayTree::Product(factors) => match factors.split_first() {
             Some((DisplayTree::Number(number), [one])) => (number.clone(), one.clone()),
@@ -337,8 +337,9 @@ pub fn formula_width(view: &DisplayTree) -> usize {
 
 /// Estimated width of a symbol with its subscript, in tenths of an em.
 fn name_width(name: &str) -> usize {
-    let (letters, subscript, _) = super::name::split_name(name);
-    let letters = if super::name::GREEK.iter().any(|(greek, _)| *greek == letters) { 6 } else { 6 * letters.len() };
+    let (letters, subscript, _) = super::printed_names::split_name(name);
+    let letters =
+        if super::printed_names::GREEK.iter().any(|(greek, _)| *greek == letters) { 6 } else { 6 * letters.len() };
     letters + 4 * subscript.len()
 }
 
@@ -355,11 +356,11 @@ fn argument_width(view: &DisplayTree) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::{latex_lines, mathml_pieces, typst_lines};
+    use super::{break_latex_lines, break_mathml_pieces, break_typst_lines};
     use crate::algebra::Arena;
     use crate::algebra::text::display_tree::DisplayTree;
     use crate::algebra::text::parse::parse_free;
-    use crate::algebra::text::print::{mathml_of, view_of};
+    use crate::algebra::text::print::{mathml_of, print_view};
 
     /// Visible text of `MathML`, without tags and without the invisible mark of function application.
     fn seen(mathml: &str) -> String {
@@ -373,8 +374,8 @@ mod tests {
             arena.symbol(name);
         }
         let e = parse_free(&mut arena, formula).unwrap();
-        let view = view_of(&arena, e);
-        (mathml_pieces(&view, widest).iter().map(|piece| seen(piece)).collect(), seen(&mathml_of(&view)))
+        let view = print_view(&arena, e);
+        (break_mathml_pieces(&view, widest).iter().map(|piece| seen(piece)).collect(), seen(&mathml_of(&view)))
     }
 
     /// Goal: a browser finds places to break a wide formula, and nothing is lost there. Method: the number of pieces by
@@ -414,15 +415,15 @@ mod tests {
             arena.symbol(name);
         }
         let e = parse_free(&mut arena, "(m*u1 + m*u2 + l*u1)*sin(q1)/(l*q1 + l*q2 + m*q2)").unwrap();
-        let view = view_of(&arena, e);
-        let latex = latex_lines(&view, 80);
+        let view = print_view(&arena, e);
+        let latex = break_latex_lines(&view, 80);
         assert!(latex.len() > 2, "{latex:?}");
         let below = "\\bigl(l \\, q_{1}{} + m \\, q_{2}{} + l \\, q_{2}\\bigr)";
         assert!(latex.concat().contains(&format!(" / {below}")), "{latex:?}");
-        let typst = typst_lines(&view, 80);
+        let typst = break_typst_lines(&view, 80);
         assert!(typst.concat().contains(" \\/ \\( l thin q_1"), "{typst:?}");
         let product = DisplayTree::Product(vec![view, DisplayTree::Name("u2".to_owned())]);
-        let latex = latex_lines(&product, 80).concat();
+        let latex = break_latex_lines(&product, 80).concat();
         assert!(latex.ends_with(&format!("{below}\\bigr) \\, u_{{2}}")), "{latex}");
     }
 
@@ -432,7 +433,7 @@ mod tests {
             for widest in [20, 60, 200] {
                 let mut arena = Arena::new();
                 let e = parse_free(&mut arena, formula).unwrap();
-                for piece in mathml_pieces(&view_of(&arena, e), widest) {
+                for piece in break_mathml_pieces(&print_view(&arena, e), widest) {
                     let tags: Vec<&str> =
                         piece.split('<').skip(1).map(|tag| tag.split(['>', ' ']).next().unwrap()).collect();
                     let (closing, all) = (tags.iter().filter(|tag| tag.starts_with('/')).count(), tags.len());

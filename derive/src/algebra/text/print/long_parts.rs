@@ -14,9 +14,9 @@ const PART: usize = 500;
 /// Without these names, terms that are shared many times would be written out again and again.
 #[must_use]
 pub fn long_parts(arena: &Arena, formulas: &[Expr]) -> Vec<Expr> {
-    let whole = sizes(arena, &arena.terms_shown_in_text(formulas), usize::MAX);
+    let whole = sizes(arena, &arena.shown_subterms(formulas), usize::MAX);
     let long: Vec<Expr> = formulas.iter().copied().filter(|e| whole[e].0 > BUDGET).collect();
-    let shown = arena.terms_shown_in_text(&long);
+    let shown = arena.shown_subterms(&long);
     let sizes = sizes(arena, &shown, PART);
     shown.into_iter().filter(|e| sizes[e].1).collect()
 }
@@ -25,7 +25,7 @@ pub fn long_parts(arena: &Arena, formulas: &[Expr]) -> Vec<Expr> {
 /// node.
 #[must_use]
 pub fn printed_length(arena: &Arena, formula: Expr) -> usize {
-    sizes(arena, &arena.terms_shown_in_text(&[formula]), usize::MAX)[&formula].0
+    sizes(arena, &arena.shown_subterms(&[formula]), usize::MAX)[&formula].0
 }
 
 /// Number of printed nodes of each term, and true if the term is a part. Operands come first in

@@ -1,6 +1,6 @@
 //! Printing of formulas in presentation `MathML`.
 
-use super::name::{GREEK, greek_index, split_name};
+use super::printed_names::{GREEK, greek_index, split_name};
 use crate::algebra::text::display_tree::DisplayTree;
 use std::fmt::Write;
 
@@ -73,7 +73,7 @@ pub(super) fn write_mathml(view: &DisplayTree, out: &mut String) {
         DisplayTree::Product(factors) => {
             for (at, factor) in factors.iter().enumerate() {
                 if at > 0 {
-                    out.push_str(sign_between_factors(factor));
+                    out.push_str(mathml_sign_between_factors(factor));
                 }
                 mathml_factor(factor, out);
             }
@@ -115,7 +115,7 @@ pub(super) fn write_mathml(view: &DisplayTree, out: &mut String) {
 }
 
 /// Sign between two factors in `MathML`: a dot if the second is a number, else a thin space.
-pub(super) fn sign_between_factors(factor: &DisplayTree) -> &'static str {
+pub(super) fn mathml_sign_between_factors(factor: &DisplayTree) -> &'static str {
     if matches!(factor, DisplayTree::Number(_)) { "<mo>·</mo>" } else { "<mspace width=\"0.17em\"/>" }
 }
 

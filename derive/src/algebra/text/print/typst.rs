@@ -1,6 +1,6 @@
 //! Printing of formulas in Typst, for math mode.
 
-use super::name::{GREEK, greek_index, split_name};
+use super::printed_names::{GREEK, greek_index, split_name};
 use crate::algebra::text::display_tree::DisplayTree;
 use std::fmt::Write;
 

@@ -55,7 +55,7 @@ impl Tape {
                         let others = factors.iter().enumerate().filter(|(other, _)| *other != place);
                         // No division by the factor itself, because it may be 0.
                         let others = others.fold(share, |x, (_, (slot, n))| x * power(values[*slot as usize], *n));
-                        shares[*slot as usize] += others * slope_of_power(values[*slot as usize], *n);
+                        shares[*slot as usize] += others * backward_slope_of_power(values[*slot as usize], *n);
                     }
                 }
                 Op::Apply(f, slot) => {
@@ -77,7 +77,7 @@ fn power(x: f64, n: i32) -> f64 {
 }
 
 /// Derivative n xⁿ⁻¹ of the power xⁿ.
-fn slope_of_power(x: f64, n: i32) -> f64 {
+fn backward_slope_of_power(x: f64, n: i32) -> f64 {
     match n {
         0 => 0.0,
         1 => 1.0,

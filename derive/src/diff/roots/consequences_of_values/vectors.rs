@@ -5,7 +5,7 @@ use super::ValueConsequences;
 use crate::algebra::Expr;
 use crate::algebra::term::calculus::Differential;
 use crate::diff::roots::derived_values::{
-    derived_components, derived_components_in_frame, derived_value, derived_values_arena, difference, sum,
+    derived_components_in_frame, derived_value, derived_value_components, derived_values_arena, difference, sum,
 };
 use crate::geometry::{Components, apply_tensor, cross_components};
 use crate::mechanics::{Quantities, QuantityKind, VectorName};
@@ -42,7 +42,7 @@ impl ValueConsequences {
             VectorName::InertiaTorque => self.negative_vector(quantities, VectorName::MomentumRate, of, frame),
             VectorName::Force => {
                 let weight = self.vector_change(quantities, VectorName::Weight, of, frame)?;
-                let force = derived_components(quantities, VectorName::Force, of, frame)?;
+                let force = derived_value_components(quantities, VectorName::Force, of, frame)?;
                 Some(sum(derived_values_arena(quantities), &force, &weight))
             }
             VectorName::Position | VectorName::AngularVelocity | VectorName::Weight | VectorName::Moment => None,
@@ -81,7 +81,7 @@ impl ValueConsequences {
             let moved = derived_components_in_frame(quantities, moved, carrier, frame)?;
             change = Some(change.map_or(moved, |other| sum(derived_values_arena(quantities), &moved, &other)));
         }
-        let right = derived_components(quantities, VectorName::Velocity, of, frame)?;
+        let right = derived_value_components(quantities, VectorName::Velocity, of, frame)?;
         Some(sum(derived_values_arena(quantities), &right, &change?))
     }
 
@@ -100,8 +100,8 @@ impl ValueConsequences {
         if moving.is_none() && turning.is_none() && !self.moves_otherwise {
             return None;
         }
-        let v = moving.or_else(|| derived_components(quantities, name, of, frame))?;
-        let w = turning.or_else(|| derived_components(quantities, VectorName::AngularVelocity, frame, frame))?;
+        let v = moving.or_else(|| derived_value_components(quantities, name, of, frame))?;
+        let w = turning.or_else(|| derived_value_components(quantities, VectorName::AngularVelocity, frame, frame))?;
         let arena = derived_values_arena(quantities);
         let own = v.map(|e| self.d_dt.apply(arena, e));
         let carried = cross_components(arena, &w, &v);
@@ -126,7 +126,7 @@ impl ValueConsequences {
             is_reached |= self.printed(&kind).is_some();
             *value = self.printed(&kind).or_else(|| derived_value(quantities, &kind))?;
         }
-        let turning = turning.or_else(|| derived_components(quantities, by, carrier, frame))?;
+        let turning = turning.or_else(|| derived_value_components(quantities, by, carrier, frame))?;
         Some((apply_tensor(derived_values_arena(quantities), &tensor, &turning), is_reached))
     }
 
@@ -148,7 +148,8 @@ impl ValueConsequences {
         if !(own_reached || h_reached) {
             return None;
         }
-        let w = turning.or_else(|| derived_components(quantities, VectorName::AngularVelocity, carrier, frame))?;
+        let w =
+            turning.or_else(|| derived_value_components(quantities, VectorName::AngularVelocity, carrier, frame))?;
         let arena = derived_values_arena(quantities);
         let carried = cross_components(arena, &w, &h);
         Some(sum(arena, &own, &carried))
@@ -164,7 +165,7 @@ impl ValueConsequences {
         frame: usize,
     ) -> Option<Components> {
         let value = self.vector(quantities, name, of, frame)?;
-        let right = derived_components(quantities, name, of, frame)?;
+        let right = derived_value_components(quantities, name, of, frame)?;
         Some(difference(derived_values_arena(quantities), &value, &right))
     }
 

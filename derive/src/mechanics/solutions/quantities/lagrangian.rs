@@ -14,20 +14,20 @@ impl Quantities<'_> {
     }
 
     /// Partial derivative of a term by a symbol, with all other symbols constant.
-    fn partial_derivative(&mut self, e: Expr, along: Expr) -> Expr {
+    fn lagrangian_derivative(&mut self, e: Expr, along: Expr) -> Expr {
         Differential::partial(along).apply(&mut self.derivations.kinematics.arena, e)
     }
 
     /// Generalized momentum ∂L/∂q̇ of the coordinate with the index `at`, as a term in q and q̇.
     pub(super) fn momentum(&mut self, at: usize) -> Result<Expr, String> {
         let lagrangian = self.lagrangian()?;
-        Ok(self.partial_derivative(lagrangian, self.model.coordinates[at].rate))
+        Ok(self.lagrangian_derivative(lagrangian, self.model.coordinates[at].rate))
     }
 
     /// Partial derivative ∂L/∂q by the coordinate with the index `at`, with q̇ constant.
     pub(super) fn lagrangian_slope(&mut self, at: usize) -> Result<Expr, String> {
         let lagrangian = self.lagrangian()?;
-        Ok(self.partial_derivative(lagrangian, self.model.coordinates[at].symbol))
+        Ok(self.lagrangian_derivative(lagrangian, self.model.coordinates[at].symbol))
     }
 
     /// Rate d/dt ∂L/∂q̇ of a generalized momentum along the motion, as a term in q, q̇ and q̈.
@@ -50,6 +50,6 @@ impl Quantities<'_> {
     pub(super) fn partial_time_derivative_of_momentum(&mut self, at: usize) -> Result<Expr, String> {
         let momentum = self.momentum(at)?;
         let Some(time) = self.model.time() else { return Ok(Expr::ZERO) };
-        Ok(self.partial_derivative(momentum, self.model.coordinates[time].symbol))
+        Ok(self.lagrangian_derivative(momentum, self.model.coordinates[time].symbol))
     }
 }

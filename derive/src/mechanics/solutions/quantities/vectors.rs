@@ -72,7 +72,8 @@ impl Quantities<'_> {
     fn force(&mut self, body: usize) -> Vector {
         let mut total = self.vector(VectorName::Weight, body);
         let kinematics = &mut self.derivations.kinematics;
-        for (_, force) in newton_euler::forces_on_body(self.model, kinematics, self.model.stated_reactions(), body) {
+        for (_, force) in newton_euler::newton_euler_forces(self.model, kinematics, self.model.stated_reactions(), body)
+        {
             total = total.add(&mut kinematics.arena, &force);
         }
         total
@@ -83,13 +84,14 @@ impl Quantities<'_> {
     fn moment(&mut self, body: usize) -> Vector {
         let kinematics = &mut self.derivations.kinematics;
         let mut total = Vector::default();
-        for (point, force) in newton_euler::forces_on_body(self.model, kinematics, self.model.stated_reactions(), body)
+        for (point, force) in
+            newton_euler::newton_euler_forces(self.model, kinematics, self.model.stated_reactions(), body)
         {
             let arm = kinematics.load_arm(&self.model.bodies[body], point);
             let turning = kinematics.frames.cross(&mut kinematics.arena, &arm, &force);
             total = total.add(&mut kinematics.arena, &turning);
         }
-        for torque in newton_euler::torques_on_body(self.model, kinematics, self.model.stated_reactions(), body) {
+        for torque in newton_euler::newton_euler_torques(self.model, kinematics, self.model.stated_reactions(), body) {
             total = total.add(&mut kinematics.arena, &torque);
         }
         total

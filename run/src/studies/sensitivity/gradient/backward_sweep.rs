@@ -1,18 +1,18 @@
 //! Backward sweep through the recorded steps of a run, and across the changes of contacts between
 //! its parts.
 
-use super::contact_crossings::BackwardCrossings;
+use super::backward_crossings::BackwardCrossings;
 use super::recorded_steps::{RecordedPart, RecordedRun};
 use super::transposed_contact_forces::{ContactsAndHeld, TransposedMotion};
 use super::transposed_products::BackwardTapes;
 use super::varied_numbers::{VariedNumber, moved_jumps};
 use crate::error::Error;
 use crate::preparation::problem::Problem;
-use crate::studies::sensitivity::contact_derivatives::PreciseContacts;
 use crate::studies::sensitivity::contact_history::DerivativeEnd;
+use crate::studies::sensitivity::differentiable_quantities::DifferentiableQuantities;
 use crate::studies::sensitivity::equations_with_slopes::SlopeEquations;
 use crate::studies::sensitivity::grazing_contacts::grazing_gap_limit;
-use crate::studies::sensitivity::shown_quantities::Quantities;
+use crate::studies::sensitivity::precise_contacts::PreciseContacts;
 use tripos_sim::adjoint::{Adjoint, AdjointError, RecordedSteps, adjoint_segments};
 use tripos_sim::{Options, RightHandSide};
 
@@ -21,7 +21,7 @@ use tripos_sim::{Options, RightHandSide};
 pub enum Target {
     /// Instant at which an event ends the run, s.
     End,
-    /// Shown quantity at the end; the value is its index in [`Quantities::names`].
+    /// Shown quantity at the end; the value is its index in [`DifferentiableQuantities::variable_names`].
     Shown(usize),
 }
 
@@ -30,7 +30,7 @@ pub struct SweepInputs<'a> {
     /// Tapes of the equations, which are run backwards.
     pub tapes: &'a BackwardTapes,
     /// Quantities at the end of the run.
-    pub quantities: &'a Quantities,
+    pub quantities: &'a DifferentiableQuantities,
     /// Numbers by which derivatives are taken.
     pub numbers: &'a [VariedNumber],
     /// Equations of motion that also compute derivatives; `None` for scenes without contacts.
@@ -184,7 +184,7 @@ struct RunEnd<'a> {
 /// `Error` if the rates or the reactions at the end cannot be computed.
 fn end_weights(
     problem: &Problem<'_>,
-    quantities: &Quantities,
+    quantities: &DifferentiableQuantities,
     target: Target,
     end: &RunEnd<'_>,
     motion: &mut TransposedMotion<'_>,

@@ -14,18 +14,18 @@
 //!
 //! Implicit methods and Taylor's method have no backward sweep here. DOP853 replaces them.
 
+mod backward_crossings;
 mod backward_sweep;
-mod contact_crossings;
 mod recorded_steps;
 mod transposed_contact_forces;
 mod transposed_products;
 mod varied_numbers;
 
+use super::differentiable_quantities::DifferentiableQuantities;
 use super::equations_with_slopes::{SeededStart, SlopeEquations};
 use super::run_differences::{RunDifferences, WORDS};
-use super::shown_quantities::Quantities;
 use super::varied_start::VariedStart;
-use super::{check_equations, sign_jump_warning};
+use super::{check_differentiable_equations, sensitivity_warning_at_signs};
 use crate::code::{CodePreparation, find_equations_or_first, runnable_code};
 use crate::equations_name::EquationsName;
 use crate::error::Error;
@@ -126,7 +126,7 @@ pub fn gradient(
     of: &str,
     by: Option<&EquationsName>,
 ) -> Result<Gradient, Error> {
-    check_equations(scene, by)?;
+    check_differentiable_equations(scene, by)?;
     let own = scene.integration.method.method().unwrap_or_default();
     let scene = with_adjoint_method(scene, own);
     let by = find_equations_or_first(mechanism, by)?;
@@ -138,8 +138,9 @@ pub fn gradient(
     }
     let code = runnable_code(mechanism, &by, scene.integration.distance, CodePreparation::Solved)?;
     let problem = Problem::new(mechanism, &scene, &by, &code, Some(AccelerationSolution::Eliminated))?;
-    let (shown, quantities) = (ShownQuantities::new(mechanism, &scene)?, Quantities::new(mechanism, &scene)?);
-    let target = find_target(&quantities, &scene, of)?;
+    let (shown, quantities) =
+        (ShownQuantities::new(mechanism, &scene)?, DifferentiableQuantities::new(mechanism, &scene)?);
+    let target = find_gradient_target(&quantities, &scene, of)?;
     let numbers = varied_numbers(&problem, set, &integration_options(&scene));
     let tapes = BackwardTapes::new(mechanism, &by, scene.integration.distance, &code)?;
     let with_slopes =
@@ -170,12 +171,12 @@ pub fn gradient(
     let assessed =
         if stepped.solution.stop.is_failure() { None } else { Some(parts.assess_gradient(&problem, &stepped)?) };
     run.notes.splice(..0, notes(mechanism, own, &scene, &numbers));
-    run.warnings.extend(sign_jump_warning(mechanism));
+    run.warnings.extend(sensitivity_warning_at_signs(mechanism));
     let missing: Vec<Option<String>> = match &assessed {
         Some(known) => known.missing.clone(),
         None => numbers.iter().map(|number| number.seed.as_ref().err().cloned()).collect(),
     };
-    run.warnings.extend(missing_derivative_warnings(&numbers, &missing));
+    run.warnings.extend(missing_gradient_warnings(&numbers, &missing));
     let slopes = numbers.iter().zip(missing).enumerate().map(|(at, (number, missing))| {
         let known = assessed.as_ref().filter(|_| missing.is_none());
         Slope {
@@ -203,8 +204,8 @@ fn gradient_by_differences(
     of: &str,
     mut run: Run,
 ) -> Result<Gradient, Error> {
-    let quantities = Quantities::new(mechanism, &scene)?;
-    let target = find_target(&quantities, &scene, of)?;
+    let quantities = DifferentiableQuantities::new(mechanism, &scene)?;
+    let target = find_gradient_target(&quantities, &scene, of)?;
     let by = run.by.clone();
     let apart = RunDifferences { mechanism, scene: &scene, set, by: &by, names: &quantities.names };
     let slope = |name: String| match apart.differentiate_by(&name, &run) {
@@ -256,7 +257,7 @@ fn nearest<'n>(name: &str, known: impl Iterator<Item = &'n str>) -> String {
 ///
 /// # Errors
 /// `Error::Request` if the scene shows no quantity of this name.
-fn find_target(quantities: &Quantities, scene: &Scene, of: &str) -> Result<Target, Error> {
+fn find_gradient_target(quantities: &DifferentiableQuantities, scene: &Scene, of: &str) -> Result<Target, Error> {
     if of == TIME {
         return Ok(Target::End);
     }
@@ -295,7 +296,7 @@ fn notes(mechanism: &Mechanism, own: Method, scene: &Scene, numbers: &[VariedNum
 }
 
 /// Warnings that the derivatives by some numbers do not exist, a warning for each reason.
-fn missing_derivative_warnings(numbers: &[VariedNumber], missing: &[Option<String>]) -> Vec<String> {
+fn missing_gradient_warnings(numbers: &[VariedNumber], missing: &[Option<String>]) -> Vec<String> {
     let mut list: Vec<(&String, Vec<String>)> = Vec::new();
     for (number, why) in numbers.iter().zip(missing).filter_map(|(number, why)| Some((number, why.as_ref()?))) {
         let name = format!("`{}`", number.name);

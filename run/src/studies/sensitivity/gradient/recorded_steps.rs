@@ -2,7 +2,7 @@
 
 use crate::error::{Error, refused_scene_error};
 use crate::preparation::impacts::{
-    ContactChange, ContactCrossing, DoubleCarrier, GapMinimum, HeldContacts, NONE, NumberCarrier, StateAfterContact,
+    ContactChange, ContactCrossing, DoubleCarrier, GapMinimum, HeldContacts, NONE, NumberCarrier, StateAfterImpact,
 };
 use crate::preparation::initial_state::InitialState;
 use crate::preparation::problem::Problem;
@@ -44,7 +44,7 @@ pub struct RecordedCrossing {
     /// Contacts that were held closed before the change.
     kept: HeldContacts,
     /// State, impact and held contacts after the change.
-    after: StateAfterContact,
+    after: StateAfterImpact,
 }
 
 impl RecordedPart {

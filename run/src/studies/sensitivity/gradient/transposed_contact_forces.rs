@@ -17,7 +17,7 @@
 
 use super::transposed_products::{BackwardTapes, TransposedProducts};
 use crate::error::{Error, refused_scene_error};
-use crate::preparation::impacts::{ContactOperators, Contacts, HeldContactEquations, HeldContacts};
+use crate::preparation::impacts::{ContactOperators, HeldContactEquations, HeldContacts, SceneContacts};
 use crate::preparation::problem::Problem;
 use crate::studies::sensitivity::held_directions::HeldDirections;
 use nalgebra::DVector;
@@ -38,7 +38,7 @@ pub struct TransposedMotion<'a> {
 #[derive(Clone, Copy)]
 pub struct ContactsAndHeld<'a> {
     /// All contacts of the scene.
-    pub contacts: &'a Contacts<'a>,
+    pub contacts: &'a SceneContacts<'a>,
     /// Contacts that are held closed, each with its mode.
     pub kept: &'a HeldContacts,
 }
@@ -51,12 +51,12 @@ struct TransposedHeldContacts<'a> {
     /// Held gap and slip directions, and friction of slipping contacts.
     grip: HeldDirections,
     /// Evaluator that runs tapes backwards.
-    weights: WeightedTapes<'a>,
+    weights: TransposedContactTapes<'a>,
 }
 
 /// Evaluator that adds the derivatives of weighted sums of tape outputs, by running the tapes
 /// backwards.
-struct WeightedTapes<'a> {
+struct TransposedContactTapes<'a> {
     /// Tapes of the equations of motion.
     tapes: &'a BackwardTapes,
     /// Values of the parameters.
@@ -84,7 +84,8 @@ impl<'a> TransposedMotion<'a> {
         let parameters = problem.scene.parameters.as_slice();
         let held = contacts.filter(|held| !held.kept.is_empty()).map(|ContactsAndHeld { contacts, kept }| {
             let rhs = problem.right_hand_side().map_err(|error| refused_scene_error(problem.scene, &error))?;
-            let weights = WeightedTapes { tapes, parameters, room: BackwardWorkspace::default(), slopes: Vec::new() };
+            let weights =
+                TransposedContactTapes { tapes, parameters, room: BackwardWorkspace::default(), slopes: Vec::new() };
             Ok::<_, Error>(TransposedHeldContacts {
                 held: HeldContactEquations { rhs, contacts, kept },
                 grip: HeldDirections::of_held_contacts(contacts, kept),
@@ -229,7 +230,7 @@ impl TransposedHeldContacts<'_> {
     }
 }
 
-impl WeightedTapes<'_> {
+impl TransposedContactTapes<'_> {
     /// Adds the derivatives of a weighted sum of a tape's outputs to `state` and `parameters`. The
     /// tape's inputs are parameters and state.
     fn pull(&mut self, tape: &Tape, y: &[f64], weights: &[f64], (state, parameters): ProductSums<'_>) {

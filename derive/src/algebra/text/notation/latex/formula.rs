@@ -1,12 +1,12 @@
 //! Translation of sums and products in LaTeX formulas: adjacent operands make a product.
 
-use super::symbol::Cursor;
+use super::cursor::LatexCursor;
 use super::tokens::Token;
-use crate::algebra::text::notation::errors::{translation_error, unknown_symbol_error};
-use crate::algebra::text::notation::lexicon::{function, is_letter, latex_function};
-use crate::algebra::text::notation::symbol::LatexSymbol;
+use crate::algebra::text::notation::function_names::{function, function_name_of_latex, is_letter};
+use crate::algebra::text::notation::latex_symbol::LatexSymbol;
 use crate::algebra::text::notation::symbol_names::SymbolNames;
 use crate::algebra::text::notation::translation::Translation;
+use crate::algebra::text::notation::translation_errors::{translation_error, untranslatable_symbol_error};
 use crate::algebra::text::parse::ParseError;
 use std::ops::Range;
 
@@ -16,7 +16,7 @@ const LONGEST_WORD: usize = 60;
 /// State of translating a LaTeX formula, from left to right.
 pub(super) struct Formula<'a, 's> {
     /// Position of the translation in the tokens of the LaTeX formula.
-    pub(super) cursor: Cursor<'a>,
+    pub(super) cursor: LatexCursor<'a>,
     /// Source of the model's names for LaTeX symbols.
     pub(super) spell: &'s mut dyn SymbolNames,
     /// Formula in the language of model files, as translated so far.
@@ -173,10 +173,10 @@ impl Formula<'_, '_> {
                 "lvert" | "vert" => {
                     return self.translate_absolute_value(if name == "lvert" { Bars::Sized } else { Bars::Plain });
                 }
-                "sqrt" => return self.root(),
+                "sqrt" => return self.root_function(),
                 "frac" | "tfrac" | "dfrac" => return self.fraction(),
                 name => {
-                    if let Some(function) = latex_function(name) {
+                    if let Some(function) = function_name_of_latex(name) {
                         return self.function(function);
                     }
                 }
@@ -238,8 +238,10 @@ impl Formula<'_, '_> {
             return Ok(());
         }
         let run = self.adjacent_word(first);
-        let name =
-            self.spell.name_of_latex_symbol(symbol, &run).map_err(|why| unknown_symbol_error(place.clone(), why))?;
+        let name = self
+            .spell
+            .name_of_latex_symbol(symbol, &run)
+            .map_err(|why| untranslatable_symbol_error(place.clone(), why))?;
         self.out.push(&name, place);
         Ok(())
     }
@@ -374,7 +376,7 @@ impl Formula<'_, '_> {
         // The tokens between the bars are a formula of their own.
         let list = &self.cursor.list[first..end];
         let limit = self.cursor.list[end].span.start;
-        let inner = Cursor { list, at: 0, depth: self.cursor.depth, end: limit };
+        let inner = LatexCursor { list, at: 0, depth: self.cursor.depth, end: limit };
         let outer = std::mem::replace(&mut self.cursor, inner);
         self.sum()?;
         let rest = self.cursor.peek().is_some().then(|| (self.cursor.here(), self.name_of_mark()));

@@ -3,9 +3,9 @@
 
 use super::formula::Formula;
 use super::tokens::Token;
-use crate::algebra::text::notation::errors::translation_error;
-use crate::algebra::text::notation::lexicon::function;
-use crate::algebra::text::notation::symbol::LatexSymbol;
+use crate::algebra::text::notation::function_names::function;
+use crate::algebra::text::notation::latex_symbol::LatexSymbol;
+use crate::algebra::text::notation::translation_errors::translation_error;
 use crate::algebra::text::parse::ParseError;
 use std::ops::Range;
 
@@ -91,7 +91,7 @@ impl Formula<'_, '_> {
     }
 
     /// Translates a square root, whose command \sqrt comes next. Error for other roots.
-    pub(super) fn root(&mut self) -> Result<(), ParseError> {
+    pub(super) fn root_function(&mut self) -> Result<(), ParseError> {
         let place = self.cursor.here();
         self.cursor.at += 1;
         if self.cursor.peek() == Some(&Token::Char('[')) {
@@ -186,12 +186,12 @@ impl Formula<'_, '_> {
                 self.out.push("*", self.cursor.here());
             }
             let number = is_number(mark) || is_pi(mark);
-            is_coordinate = self.begins_coordinate();
+            is_coordinate = self.begins_coordinate_in_argument();
             self.factor()?;
             only_numbers &= number;
             // \sin\omega t is sin(ω t), as it is commonly printed: nobody multiplies the sine of a
             // constant by the time.
-            if !number && !is_coordinate && self.begins_time() {
+            if !number && !is_coordinate && self.begins_time_in_argument() {
                 self.out.push("*", self.cursor.here());
                 self.factor()?;
                 break;
@@ -201,7 +201,7 @@ impl Formula<'_, '_> {
             }
             // A symbol may follow a number: \sin 2 q.
             let goes_on = matches!(self.cursor.peek(), Some(Token::Letter(_)));
-            if !(goes_on || self.begins_symbol()) {
+            if !(goes_on || self.begins_symbol_in_argument()) {
                 break;
             }
         }
@@ -217,7 +217,7 @@ impl Formula<'_, '_> {
     }
 
     /// True if the symbol of a generalized coordinate comes next.
-    fn begins_coordinate(&mut self) -> bool {
+    fn begins_coordinate_in_argument(&mut self) -> bool {
         let before = self.cursor.clone();
         let spell = &mut *self.spell;
         let found = self.cursor.symbol(&|symbol| spell.knows(symbol));
@@ -226,7 +226,7 @@ impl Formula<'_, '_> {
     }
 
     /// True if the time t comes next, without printed space before it.
-    fn begins_time(&mut self) -> bool {
+    fn begins_time_in_argument(&mut self) -> bool {
         if self.cursor.list.get(self.cursor.at).is_some_and(|next| next.apart) {
             return false;
         }
@@ -237,7 +237,7 @@ impl Formula<'_, '_> {
     }
 
     /// True if a symbol comes next. False for the name of a function.
-    fn begins_symbol(&mut self) -> bool {
+    fn begins_symbol_in_argument(&mut self) -> bool {
         let before = self.cursor.clone();
         let found = self.cursor.symbol(&|_| false);
         self.cursor = before;
@@ -246,7 +246,7 @@ impl Formula<'_, '_> {
 
     /// True if a symbol with a dot or prime comes next: a rate, which nobody writes into a
     /// function's argument without parentheses.
-    fn begins_rate(&mut self) -> bool {
+    fn begins_rate_in_argument(&mut self) -> bool {
         let before = self.cursor.clone();
         let spell = &mut *self.spell;
         let found = self.cursor.symbol(&|symbol| spell.knows(symbol));
@@ -259,12 +259,12 @@ impl Formula<'_, '_> {
     fn end_of_argument(&mut self, name: &str, argument: Argument) -> Result<(), ParseError> {
         let only_numbers = argument == Argument::Number;
         let apart = self.cursor.list.get(self.cursor.at).is_some_and(|next| next.apart);
-        let is_rate = !only_numbers && self.begins_rate();
+        let is_rate = !only_numbers && self.begins_rate_in_argument();
         let open = !is_rate
             && match self.cursor.peek() {
                 Some(Token::Char('^' | '/') | Token::Number(_) | Token::Letter(_)) => true,
                 Some(Token::Char('(' | '[' | '{')) => only_numbers || !apart,
-                Some(Token::Command(_)) => self.begins_symbol(),
+                Some(Token::Command(_)) => self.begins_symbol_in_argument(),
                 _ => false,
             };
         if open {

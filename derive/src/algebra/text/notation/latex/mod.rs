@@ -1,11 +1,11 @@
 //! Translation of formulas in LaTeX into the language of model files.
 
+mod cursor;
 mod formula;
 mod function;
-mod symbol;
 mod tokens;
 
-pub use symbol::read_symbol;
+pub use cursor::read_symbol;
 
 use super::symbol_names::SymbolNames;
 use super::translation::Translation;
@@ -15,6 +15,6 @@ use crate::algebra::text::parse::ParseError;
 /// symbols. Error if the formula is ambiguous or not understood.
 pub(super) fn translate(text: &str, spell: &mut dyn SymbolNames) -> Result<Translation, ParseError> {
     let list = tokens::tokens(text)?;
-    let cursor = symbol::Cursor { list: &list, at: 0, depth: 0, end: text.len() };
+    let cursor = cursor::LatexCursor { list: &list, at: 0, depth: 0, end: text.len() };
     formula::Formula { cursor, spell, out: Translation::new() }.whole()
 }

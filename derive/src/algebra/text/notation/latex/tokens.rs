@@ -1,7 +1,7 @@
 //! Splitting of LaTeX text into tokens: numbers, letters, commands and single characters. Tokens
 //! that only add space or align are dropped.
 
-use crate::algebra::text::notation::errors::{character_at, translation_error};
+use crate::algebra::text::notation::translation_errors::{character_at, translation_error};
 use crate::algebra::text::notation::unicode::operator;
 use crate::algebra::text::parse::ParseError;
 use crate::algebra::text::print::greek_name;

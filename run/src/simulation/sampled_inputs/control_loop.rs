@@ -1,0 +1,258 @@
+//! Windows of a run whose inputs are set from outside, and error estimates by a second run.
+
+use super::{ControllerSample, InputDecision, SampledRun};
+use crate::code::CodeForm;
+use crate::error::Error;
+use crate::preparation::problem::Problem;
+use crate::trust::constraint_residuals::{broken_constraint_objection, opened_loop_objections};
+use crate::trust::watched_functions::{WatchedFunctions, watched_events};
+use tripos_derive::scene::Scene;
+use tripos_sim::{EventRecord, Method, Options, OutputOption, Solution, Stop};
+use tripos_traits::{AbsoluteTolerance, DoubleDouble, Scalar};
+
+/// Ratio of the tolerances of the second run to those of the first. The second run gives the
+/// errors.
+const FINER: f64 = 0.1;
+/// Relative and absolute tolerance of the second run, which gives the errors, if the first run has
+/// equal steps.
+const EQUAL: f64 = 1e-12;
+/// Longest step of the second run, which gives the errors, relative to the length of a window.
+/// The first run may take each window in a single step.
+const PART_OF_WINDOW: f64 = 0.4;
+
+/// Options of the second run, which gives the errors: finer than the options `first` of the first
+/// run.
+pub fn finer_loop_options(first: &Options) -> Options {
+    let step_limit = first.step_limit.saturating_mul(10);
+    if first.step.is_some() {
+        let tolerances = Options::tolerances(EQUAL, EQUAL);
+        return Options { method: Method::Dop853, step_limit, output: OutputOption::Ends, ..tolerances };
+    }
+    let atol = match &first.atol {
+        AbsoluteTolerance::Uniform(atol) => AbsoluteTolerance::Uniform(FINER * atol),
+        AbsoluteTolerance::Each(list) => AbsoluteTolerance::Each(list.iter().map(|atol| FINER * atol).collect()),
+    };
+    Options { rtol: FINER * first.rtol, atol, step_limit, output: OutputOption::Ends, ..first.clone() }
+}
+
+/// Closed loop of a mechanism and its controller: the problem, its inputs, and the instants at
+/// which they are set.
+pub struct ControlLoop<'a> {
+    /// Problem of the whole run, with its scene and equations.
+    pub problem: &'a Problem<'a>,
+    /// Compiled functions that the run watches: domain conditions and events.
+    pub balance: &'a WatchedFunctions,
+    /// Indices of the set inputs among the parameters.
+    pub places: &'a [usize],
+    /// Names of the set inputs.
+    pub inputs: &'a [&'a str],
+    /// Instants at which the controller sets the inputs, s.
+    pub instants: &'a [f64],
+    /// Names of the coordinates, then of the generalized speeds.
+    pub names: &'a [String],
+}
+
+/// Result of a run through all its windows, before errors are estimated.
+pub struct WindowedRun {
+    /// Instants of the samples, s.
+    t: Vec<f64>,
+    /// State (q, u) at each sample.
+    states: Vec<Vec<f64>>,
+    /// Values of the inputs at each instant at which they were set.
+    decisions: Vec<InputDecision>,
+    /// Events and crossings of domain conditions.
+    events: Vec<EventRecord>,
+    /// Instant at which the run ended, s.
+    t_end: f64,
+    /// State (q, u) at the end.
+    end: Vec<f64>,
+    /// Number of accepted steps in all windows so far.
+    steps: u64,
+    /// Number of rejected steps in all windows so far.
+    rejected: u64,
+    /// Reason why the run ended.
+    pub stop: Stop,
+    /// Warnings about the numbers of the run.
+    warnings: Vec<String>,
+}
+
+impl ControlLoop<'_> {
+    /// Runs through all windows from the integrated state `start`, with the options `how`.
+    /// Parameters that the controller does not set are those of the scene.
+    ///
+    /// # Errors
+    /// `Error` if a window cannot be run, or if the controller returns unsuitable values.
+    pub fn run(
+        &self,
+        scene: &Scene,
+        start: &[f64],
+        how: &Options,
+        controller: &mut dyn FnMut(&ControllerSample<'_>) -> Vec<f64>,
+    ) -> Result<WindowedRun, Error> {
+        let (from, to) = scene.span;
+        let mut way = WindowedRun {
+            t: Vec::new(),
+            states: Vec::new(),
+            decisions: Vec::new(),
+            events: Vec::new(),
+            t_end: from,
+            end: Vec::new(),
+            steps: 0,
+            rejected: 0,
+            stop: Stop::End,
+            warnings: Vec::new(),
+        };
+        let mut now = scene.clone();
+        let mut y = start.to_vec();
+        let mut ahead = self.instants.iter().copied().filter(|t| *t < to).enumerate().peekable();
+        let mut t = from;
+        loop {
+            if let Some((index, t)) = ahead.next_if(|(_, instant)| *instant <= t) {
+                let state = self.problem.with_scene(&now).shown_state(t, &y);
+                let values =
+                    self.call_controller(controller, &ControllerSample { t, index, names: self.names, state: &state })?;
+                for (at, value) in self.places.iter().zip(&values) {
+                    now.parameters[*at] = *value;
+                    now.exact.parameters[*at] = DoubleDouble::from_f64(*value);
+                }
+                way.decisions.push(InputDecision { t, values, state, errors: None });
+            }
+            let end = ahead.peek().map_or(to, |(_, instant)| *instant);
+            now.span = (t, end);
+            let problem = self.problem.with_scene(&now);
+            let solution = self.run_window(&problem, &y, how, way.steps + way.rejected)?;
+            way.add_window(&problem, &solution);
+            if solution.stop != Stop::End || end >= to {
+                way.end = problem.shown_state(solution.t_end, &solution.y_end);
+                return Ok(way);
+            }
+            (t, y) = (end, solution.y_end);
+        }
+    }
+
+    /// Runs one window from the integrated state `y`, with the options `how` of the whole run.
+    /// `steps` is the number of accepted and rejected steps so far, for the step limit.
+    ///
+    /// # Errors
+    /// `Error` if the window cannot be run.
+    fn run_window(&self, problem: &Problem<'_>, y: &[f64], how: &Options, steps: u64) -> Result<Solution, Error> {
+        let (from, to) = problem.scene.span;
+        let output = match &how.output {
+            OutputOption::At(times) => {
+                let is_first = from <= self.problem.scene.span.0;
+                let inside = |t: &&f64| (**t > from || is_first) && **t <= to;
+                OutputOption::At(times.iter().filter(inside).copied().collect())
+            }
+            other => other.clone(),
+        };
+        let step_limit = how.step_limit.saturating_sub(steps);
+        let mut options = Options { output, step_limit, ..how.clone() };
+        // The second run keeps no samples.
+        if how.output == OutputOption::Ends && how.step.is_none() {
+            let longest = PART_OF_WINDOW * (to - from);
+            options.max_step = Some(how.max_step.map_or(longest, |max| max.min(longest)));
+        }
+        let mut watched = watched_events(problem, self.balance);
+        let mut solution = problem.solve(y, &options, &mut watched, None)?;
+        if let Stop::StepLimit { limit } = &mut solution.stop {
+            *limit = how.step_limit;
+        }
+        Ok(solution)
+    }
+
+    /// Calls the controller at a sample, and checks the values that it returns.
+    ///
+    /// # Errors
+    /// `Error::Request` for a wrong number of values, or for a value that is not finite.
+    fn call_controller(
+        &self,
+        controller: &mut dyn FnMut(&ControllerSample<'_>) -> Vec<f64>,
+        sample: &ControllerSample<'_>,
+    ) -> Result<Vec<f64>, Error> {
+        let (values, t) = (controller(sample), sample.t);
+        if values.len() != self.inputs.len() {
+            let what = format!("the controller gave {} values at t = {t} s", values.len());
+            return Err(Error::request(what, format!("give one for each of {}", self.inputs.join(", "))));
+        }
+        if let Some((value, input)) = values.iter().zip(self.inputs).find(|(value, _)| !value.is_finite()) {
+            let what = format!("the value of `{input}` at t = {t} s is {value}");
+            return Err(Error::request(what, "give a finite number"));
+        }
+        Ok(values)
+    }
+
+    /// Makes the result of a run; the errors are its differences from a second run.
+    /// Without a second run, errors are `None`.
+    pub fn sampled_run(&self, first: WindowedRun, second: Option<&WindowedRun>, form: CodeForm) -> SampledRun {
+        let mut decisions = first.decisions;
+        let mut errors_at_end = None;
+        if let Some(second) = second {
+            for (own, other) in decisions.iter_mut().zip(&second.decisions) {
+                own.errors = Some(control_loop_errors(&own.state, &other.state));
+            }
+            // An event that ends both runs has a different instant in each run. The wanted error is
+            // that of the state at the event.
+            let as_far = decisions.len() == second.decisions.len();
+            let both_ended = as_far && first.stop == second.stop && !first.stop.is_failure();
+            errors_at_end = both_ended.then(|| control_loop_errors(&first.end, &second.end));
+        }
+        let mut warnings = first.warnings;
+        if let (Some(second), None) = (second, &errors_at_end) {
+            warnings.push(format!(
+                "the errors at the end are not known: this run ended at t = {} s ({}), the second one at t = {} s ({})",
+                first.t_end, first.stop, second.t_end, second.stop
+            ));
+        }
+        SampledRun {
+            by: self.problem.by.clone(),
+            code: form,
+            inputs: self.inputs.iter().map(|name| (*name).to_owned()).collect(),
+            names: self.names.to_vec(),
+            t: first.t,
+            states: first.states,
+            decisions,
+            events: first.events,
+            t_end: first.t_end,
+            end: first.end,
+            errors_at_end,
+            steps: (first.steps, first.rejected),
+            stop: first.stop,
+            warnings,
+        }
+    }
+}
+
+/// Relative error that every value has at least: eight roundings.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
+
+/// Estimated error of each value: its difference from a second run, plus rounding, in the value's
+/// unit.
+fn control_loop_errors(own: &[f64], other: &[f64]) -> Vec<f64> {
+    own.iter().zip(other).map(|(a, b)| (a - b).abs() + ROUNDING * a.abs()).collect()
+}
+
+impl WindowedRun {
+    /// Adds the solution of a window to the result of the run.
+    fn add_window(&mut self, problem: &Problem<'_>, solution: &Solution) {
+        // A window begins at the end of the window before, whose sample is already known.
+        let known = self.t.last().copied();
+        let new = solution.t.iter().zip(&solution.y).filter(|(t, _)| Some(**t) != known);
+        for (t, y) in new {
+            self.t.push(*t);
+            self.states.push(problem.shown_state(*t, y));
+        }
+        self.events.extend(solution.events.iter().cloned());
+        self.t_end = solution.t_end;
+        self.steps += solution.steps;
+        self.rejected += solution.rejected;
+        self.stop = solution.stop.clone();
+        let said = solution.warnings.iter().map(ToString::to_string);
+        let said =
+            said.chain(opened_loop_objections(problem, solution)).chain(broken_constraint_objection(problem, solution));
+        for warning in said.collect::<Vec<_>>() {
+            if !self.warnings.contains(&warning) {
+                self.warnings.push(warning);
+            }
+        }
+    }
+}
