@@ -1,6 +1,7 @@
 //! Failures of commands: messages, exit statuses and JSON. Also the printing of results and
 //! warnings.
 
+use crate::console::{write_message, write_output};
 use serde_json::{Value, json};
 use std::fmt;
 use tripos::Error;
@@ -141,8 +142,7 @@ pub fn warn(text: &str) {
 
 /// Prints a line for people on standard error. A failure to write it is ignored.
 pub fn print_to_stderr(text: &str) {
-    use std::io::Write;
-    let _ = writeln!(std::io::stderr().lock(), "{}", with_visible_characters(text));
+    write_message(&with_visible_characters(text));
 }
 
 /// Writes text for people to standard output.
@@ -208,9 +208,7 @@ pub fn print_result(output: Output, lines: &str, value: &serde_json::Value) -> R
 /// Writes text to standard output and flushes it.
 /// `Err` is `Failure::Hangup` for a closed pipe, otherwise `Failure::Output`.
 fn write_out(text: &str) -> Result<(), Failure> {
-    use std::io::Write;
-    let mut out = std::io::stdout().lock();
-    out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(|error| match error.kind() {
+    write_output(text).map_err(|error| match error.kind() {
         std::io::ErrorKind::BrokenPipe => Failure::Hangup,
         _ => Failure::Output("standard output".to_owned(), error),
     })

@@ -8,6 +8,7 @@
 //! are global. Interruption never changes numbers: the steps of an interrupted run equal those of
 //! the whole run.
 
+use crate::console::is_captured;
 use crate::failure::{print_to_stderr, status};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::ops::ControlFlow;
@@ -25,8 +26,11 @@ static RUN_PROGRESS_BAR: OnceLock<SpanProgress> = OnceLock::new();
 const PARTS: u32 = 1000;
 
 /// Starts to listen for interruptions by the keyboard and for polite requests to end. If signals
-/// cannot be caught, they end the process.
+/// cannot be caught, they end the process. Inside another program, signals stay with this program.
 pub fn listen_for_interruption() {
+    if is_captured() {
+        return;
+    }
     let on_interrupt = || {
         if INTERRUPTION_ASKED.swap(true, Ordering::Relaxed) {
             std::process::exit(i32::from(status::INTERRUPTED));
@@ -37,6 +41,16 @@ pub fn listen_for_interruption() {
     };
     // If signals cannot be caught, they end the process.
     let _ = ctrlc::set_handler(on_interrupt);
+}
+
+/// Asks the running command to end soon.
+pub fn ask_for_interruption() {
+    INTERRUPTION_ASKED.store(true, Ordering::Relaxed);
+}
+
+/// Forgets an interruption of an earlier command.
+pub fn forget_interruption() {
+    INTERRUPTION_ASKED.store(false, Ordering::Relaxed);
 }
 
 /// True if the user has asked the command to end.
@@ -57,8 +71,11 @@ struct SpanProgress {
     span: (f64, f64),
 }
 
-/// Shows a progress bar on the terminal for a run over the span (first, last), s.
+/// Shows a progress bar on the terminal for a run over the span (first, last), s. Inside another program none is shown.
 pub fn show_progress_bar(span: (f64, f64)) {
+    if is_captured() {
+        return;
+    }
     let bar = ProgressBar::new(u64::from(PARTS));
     let style = ProgressStyle::with_template("{bar:30} {percent} % of the span, {eta} left");
     bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
@@ -98,4 +115,12 @@ impl Progress for ProgressBarReporter<'_> {
     fn set_message(&self, what: &str) {
         self.0.set_message(what.to_owned());
     }
+}
+
+/// Returns a progress bar with a count and a message.
+pub fn counting_progress_bar() -> ProgressBar {
+    let bar = ProgressBar::new(1);
+    let style = ProgressStyle::with_template("{bar:30} {pos}/{len} {msg}");
+    bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+    bar
 }

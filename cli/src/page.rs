@@ -21,8 +21,8 @@ pub use content::{
 };
 pub use markup::html::{escape, rounded_number_html};
 
-use markup::html::{link, scene_anchor};
-use scenes::scene::VisiblePart;
+use markup::html::link;
+use scenes::scene::{VisiblePart, scene_anchor};
 use std::fmt::Write;
 use tripos_derive::Formulation;
 use tripos_derive::mechanics::DerivationInSteps;

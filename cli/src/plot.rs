@@ -5,6 +5,7 @@
 //! Logarithmic axes are for absolute values. A drift with a sign is shown on a linear axis.
 
 mod axis;
+mod canvas;
 mod curve_look;
 mod curve_thinning;
 mod error;
@@ -17,9 +18,8 @@ pub use heat_map::draw_heat;
 pub use tripos::studies::figure::{Bounds, Cell, Figure, HeatMap, Panel, Scale, Series, figure_text_in_symbols};
 
 use axis::Axis;
-use curve_look::{
-    Canvas, EDGE, GRID, dashes, draw_band, draw_curve, draw_line, draw_marker, draw_text, look, size_to_canvas_units,
-};
+use canvas::{Canvas, EDGE, GRID, draw_line, draw_text, size_to_canvas_units};
+use curve_look::{dashes, draw_band, draw_curve, draw_marker, look};
 use curve_thinning::{thin_curve, thinned_marker_places};
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;

@@ -22,7 +22,7 @@ use std::{fmt, io};
 use tempfile::TempPath;
 use tripos_derive::plain_text::path_as_plain_text;
 
-/// Longest time for which [`write`] waits until another process has finished writing the same file.
+/// Longest time for which [`write()`] waits until another process has finished writing the same file.
 const LOCK_TIMEOUT: Duration = Duration::from_secs(10);
 /// Time between two attempts to lock the temporary file `NAME.part`.
 const PAUSE: Duration = Duration::from_millis(10);

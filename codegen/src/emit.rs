@@ -7,9 +7,9 @@
 
 use crate::draft_file::{self, Draft, WriteError};
 #[cfg(feature = "rust")]
-use crate::generated_workspace::{ModuleFiles, generated_module_files, requested_extras};
+use crate::generated_workspace::{ModuleFiles, generated_module_files};
 #[cfg(feature = "rust")]
-use crate::optional_functions::Extras;
+use crate::optional_functions::{Extras, requested_extras};
 #[cfg(feature = "rust")]
 use crate::origin::Origin;
 use crate::origin::{EMIT, is_written_by, read_origin_source};

@@ -1,18 +1,19 @@
 //! Generated code of all models in a workspace, in the folder `generated/`.
 
 use crate::draft_file::{self, WriteError};
+pub use crate::model_folders::model_folders;
 use crate::model_folders::{is_same_model_file, scene_path_in_model_folder, scenes_in_model_folder};
-use crate::optional_functions::Extras;
+use crate::optional_functions::{Extras, requested_extras};
 use crate::origin::Origin;
 use crate::rust::{
     ModuleHeaderData, RustTarget, SceneFile, SceneHeaderData, generated_library_text, is_name,
-    module_files as module_files_of, scene_file, scene_list, unsolved_equations_error,
+    module_files as module_files_of, scene_file, scene_list,
 };
 use crate::target::{self, UnsupportedFormulations};
 use std::collections::BTreeMap;
 use std::path::Path;
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source};
-use tripos_derive::mechanics::has_reducible_form;
+use tripos_derive::mechanics::{has_reducible_form, unsolved_equations_error};
 use tripos_derive::publication::hash_publication_of_model;
 use tripos_derive::reduce::reduce;
 use tripos_derive::scene::{load_scene_with_inputs as load_scene, model_path_of_scene as scene_model};
@@ -32,22 +33,6 @@ pub struct GeneratedFiles {
     /// Paths of scene files with errors, such as `disk/scenes/report.toml`, each with its errors.
     /// They get no generated code.
     pub broken_scenes: Vec<(String, Diagnostics)>,
-}
-
-/// Lists the folders under `models/` that contain a `model.toml`, by name, in alphabetical order.
-///
-/// # Errors
-/// Error of the operating system if the folder cannot be listed.
-pub fn model_folders(models: &Path) -> std::io::Result<Vec<String>> {
-    let mut folders: Vec<String> = Vec::new();
-    for entry in std::fs::read_dir(models)? {
-        let entry = entry?;
-        if entry.path().join("model.toml").exists() {
-            folders.push(entry.file_name().to_string_lossy().into_owned());
-        }
-    }
-    folders.sort();
-    Ok(folders)
 }
 
 /// Derives the models in these folders under `models/` and generates their code.
@@ -101,22 +86,6 @@ fn workspace_module(path: &Path, folder: &str) -> Result<ModuleFiles, Diagnostic
     let mut module = generated_module_files(&model, folder, &origin, &[], extras)?;
     module.files.insert(DERIVED_MODEL_COPY.to_owned(), model.source.text);
     Ok(module)
-}
-
-/// Returns the optional functions of a model's code: those named in `code.toml` in its folder, and
-/// those used by the integration methods of its scenes.
-///
-/// # Errors
-/// [`Diagnostics`] of `code.toml`. Scenes with errors are skipped.
-pub(crate) fn requested_extras(model: &Model, path: &Path) -> Result<Extras, Diagnostics> {
-    // Scenes with errors are skipped here, and reported where their own equations are derived.
-    let scenes = scenes_in_model_folder(path).into_iter().filter_map(|scene| {
-        let source = Source::read(&scene).ok()?;
-        let belongs = scene_model(&source).is_ok_and(|of| is_same_model_file(&of, path));
-        belongs.then(|| load_scene(&source, &mut model.clone()).ok())?
-    });
-    let methods = scenes.filter_map(|scene| scene.integration.method.method());
-    Ok(methods.map(Extras::for_method).fold(Extras::extras_from_code_toml(path)?, Extras::and))
 }
 
 /// Name of the file, among a module's generated files, that contains the model text from which the

@@ -1,4 +1,4 @@
-//! Search for the scene files of a model on disk.
+//! Search for the folders of models, and for the scene files of a model on disk.
 //!
 //! Invariant: the page and the code generator get the scenes of a model from here, in one order. A
 //! file in `scenes/` counts as a scene, even with errors. The model's own folder also contains
@@ -10,6 +10,22 @@ use std::path::{Path, PathBuf};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::publication::is_publication_path;
 use tripos_derive::scene::model_path_of_scene;
+
+/// Lists the folders under `models/` that contain a `model.toml`, by name, in alphabetical order.
+///
+/// # Errors
+/// Error of the operating system if the folder cannot be listed.
+pub fn model_folders(models: &Path) -> std::io::Result<Vec<String>> {
+    let mut folders: Vec<String> = Vec::new();
+    for entry in std::fs::read_dir(models)? {
+        let entry = entry?;
+        if entry.path().join("model.toml").exists() {
+            folders.push(entry.file_name().to_string_lossy().into_owned());
+        }
+    }
+    folders.sort();
+    Ok(folders)
+}
 
 /// Returns the scene files of a model file: first those in `scenes/`, then those in the model's
 /// folder. Each group is in alphabetical order.

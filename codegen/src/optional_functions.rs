@@ -4,8 +4,11 @@
 //! Without a generated Jacobian, it is found by differentiating the code as it runs. Without
 //! generated recurrences, Taylor's method interprets them.
 
+use crate::model_folders::{is_same_model_file, scenes_in_model_folder};
 use std::path::Path;
+use tripos_derive::Model;
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source, nearest_name_advice};
+use tripos_derive::scene::{load_scene_with_inputs, model_path_of_scene};
 use tripos_traits::Method;
 
 /// Name of the file in a model's folder that lists the optional functions of its code.
@@ -86,6 +89,22 @@ impl Extras {
         }
         Ok(all)
     }
+}
+
+/// Returns the optional functions of a model's code: those named in `code.toml` in its folder, and
+/// those used by the integration methods of its scenes.
+///
+/// # Errors
+/// [`Diagnostics`] of `code.toml`. Scenes with errors are skipped.
+pub(crate) fn requested_extras(model: &Model, path: &Path) -> Result<Extras, Diagnostics> {
+    // Scenes with errors are skipped here, and reported where their own equations are derived.
+    let scenes = scenes_in_model_folder(path).into_iter().filter_map(|scene| {
+        let source = Source::read(&scene).ok()?;
+        let belongs = model_path_of_scene(&source).is_ok_and(|of| is_same_model_file(&of, path));
+        belongs.then(|| load_scene_with_inputs(&source, &mut model.clone()).ok())?
+    });
+    let methods = scenes.filter_map(|scene| scene.integration.method.method());
+    Ok(methods.map(Extras::for_method).fold(Extras::extras_from_code_toml(path)?, Extras::and))
 }
 
 #[cfg(test)]

@@ -80,6 +80,14 @@ impl Origin {
     }
 }
 
+/// Returns the name of the model's folder, or the name of its file without extension if the origin
+/// states no folder.
+#[cfg(feature = "languages")]
+pub(crate) fn model_name_of_origin(origin: &Origin) -> &str {
+    let stem = origin.folder.trim_end_matches('/');
+    if stem.is_empty() { origin.model.trim_end_matches(".toml") } else { stem }
+}
+
 /// Returns the header's advice not to edit the file, with the `tripos` command that writes it.
 fn origin_sentence_advice(command: &str) -> String {
     format!("Do not edit; run `tripos {command}`.")

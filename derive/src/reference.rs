@@ -3,7 +3,7 @@
 //!
 //! `tests/sympy/reference.py` writes a reference, and `models/*/reference.json` stores it.
 //! `tests/sympy/README.md` describes the keys. Formulas are compared by algebra, never by text: see
-//! [`compare_reference`].
+//! [`compare_reference()`].
 //!
 //! Invariant: a reference agrees only if it is complete. A missing entry is reported, never passed
 //! over. This module does not run Python.

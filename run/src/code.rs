@@ -1,20 +1,20 @@
 //! Code that runs the equations of motion of a model: compiled into the program, or tapes that are
 //! interpreted.
 
-use crate::equations_name::EquationsName;
+pub use crate::interpreted_equations::InterpretedSystem;
+
+use crate::equations_name::read_printed_equations;
 use crate::error::Error;
 use crate::interpreted_equations::{InterpretationError, InterpretedEquations};
 use crate::mechanism::Mechanism;
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 use tripos_derive::algebra::term::steps::Definition;
 use tripos_derive::algebra::value::tape::Tape;
 use tripos_derive::algebra::{Arena, Expr};
-use tripos_derive::diff::printed_equations;
-use tripos_derive::mechanics::{Derivation, EquationsOrigin, SingularDistance, derive_all, equations_in_distance};
-use tripos_derive::publication::{hash_publication_of_model, load_publication_of_model};
+use tripos_derive::mechanics::{Derivation, EquationsOrigin, SingularDistance, equations_in_distance};
+use tripos_derive::publication::hash_publication_of_model;
 use tripos_derive::reduce::Reduction;
 use tripos_derive::scene::{AccelerationSolution, Scene};
-use tripos_derive::{Equations, Formulation, derive};
 use tripos_traits::{CompiledModel, CompiledSystem, DoubleDouble, System};
 
 /// Form in which equations of motion are run: compiled Rust code, or interpreted tapes.
@@ -34,29 +34,6 @@ impl CodeForm {
             Self::Compiled => "compiled",
             Self::Interpreted => "interpreted",
         }
-    }
-}
-
-/// Interpreted equations of motion in each number type that runs use: doubles, and pairs of
-/// doubles.
-pub struct InterpretedSystem {
-    /// Equations of motion as tapes in double precision.
-    pub double: InterpretedEquations,
-    /// Equations as tapes in twice the precision of a double; empty until they are first used.
-    extended: OnceLock<InterpretedEquations<DoubleDouble>>,
-}
-
-impl From<InterpretedEquations> for InterpretedSystem {
-    fn from(double: InterpretedEquations) -> Self {
-        Self { double, extended: OnceLock::new() }
-    }
-}
-
-impl InterpretedSystem {
-    /// Returns the equations as tapes in twice the precision of a double. The first call makes them.
-    #[must_use]
-    pub fn extended(&self) -> &InterpretedEquations<DoubleDouble> {
-        self.extended.get_or_init(|| self.double.convert_to())
     }
 }
 
@@ -114,81 +91,6 @@ impl Code {
             Self::Interpreted(_) => CodeForm::Interpreted,
         }
     }
-}
-
-/// Finds the formulation with the given name, such as `kane`.
-///
-/// # Errors
-/// [`Error::Request`] if there is no formulation of this name.
-pub fn formulation_of_name(name: &str) -> Result<Formulation, Error> {
-    Formulation::from_name(name).ok_or_else(|| {
-        let names = Formulation::ALL.map(Formulation::name);
-        Error::request(
-            format!("there is no formulation `{name}`"),
-            tripos_derive::diagnostic::nearest_name_advice(name, names),
-        )
-    })
-}
-
-/// Finds the origin of the equations of a model with the given name, such as `kane` or
-/// `printed:ID`.
-///
-/// # Errors
-/// [`Error::Request`] if the model has no equations of this name; [`Error::Input`] if the
-/// publication has errors. The name `reduced` is refused too, since reduced equations belong to a
-/// scene.
-pub fn find_equations(model: &Mechanism, name: &EquationsName) -> Result<EquationsOrigin, Error> {
-    let id = match name {
-        EquationsName::Derived(formulation) => return Ok(EquationsOrigin::from(*formulation)),
-        EquationsName::Printed(id) => id,
-        // The reduced equations belong to a scene, and a model does not have them.
-        EquationsName::Reduced | EquationsName::Unknown(_) => {
-            return formulation_of_name(&name.to_string()).map(EquationsOrigin::from);
-        }
-    };
-    let list = list_printed_equations(model)?;
-    list.iter().find(|by| by.printed_id() == Some(id)).cloned().ok_or_else(|| {
-        let names: Vec<String> = list.iter().map(EquationsOrigin::name).collect();
-        let help = if list.is_empty() {
-            "the model has no publication.toml beside it".to_owned()
-        } else {
-            tripos_derive::diagnostic::nearest_name_advice(&name.to_string(), names.iter().map(String::as_str))
-        };
-        Error::request(format!("there are no printed equations `{name}`"), help)
-    })
-}
-
-/// Finds the origin of the equations of a model with the given name. Without a name, it is the
-/// first standard formulation by which the model can be derived, or Kane's if none can.
-///
-/// # Errors
-/// `Error::Request` if the model has no equations of the given name; `Error::Input` if its
-/// publication has errors. No error without a name.
-pub fn find_equations_or_first(model: &Mechanism, name: Option<&EquationsName>) -> Result<EquationsOrigin, Error> {
-    let first = || Formulation::STANDARD.into_iter().find(|f| derive(model, *f).is_ok()).unwrap_or(Formulation::Kane);
-    name.map_or_else(|| Ok(EquationsOrigin::from(first())), |name| find_equations(model, name))
-}
-
-/// Lists the origins of the printed equations in the publication file beside the model file, in the
-/// order of the publication. The list is empty without a publication file.
-///
-/// # Errors
-/// [`Error::Input`] if the publication file or the model has errors.
-pub fn list_printed_equations(model: &Mechanism) -> Result<Vec<EquationsOrigin>, Error> {
-    let list = read_printed_equations(model)?.map(|(_, equations)| equations).unwrap_or_default();
-    Ok(list.into_iter().map(|equations| equations.by).collect())
-}
-
-/// Reads the printed equations of the publication beside the model file, with the arena that holds
-/// their terms. `None` if there is no publication file.
-fn read_printed_equations(model: &Mechanism) -> Result<Option<(Arena, Vec<Equations>)>, Error> {
-    let mut with_publication = model.clone();
-    let Some(publication) = load_publication_of_model(&model.source.path, &mut with_publication)? else {
-        return Ok(None);
-    };
-    let mut derivations = derive_all(&with_publication).map_err(|error| model.diagnose(&error))?;
-    let list = printed_equations(&with_publication, &mut derivations, &publication);
-    Ok(Some((derivations.kinematics.arena, list)))
 }
 
 /// Extent to which equations of motion are made ready to run: as derived, with accelerations, or

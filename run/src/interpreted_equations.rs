@@ -5,6 +5,7 @@
 //! the same tapes, with their exact constants rounded to that type.
 
 use crate::scratch_pool::ScratchPool;
+use std::sync::OnceLock;
 use tripos_codegen::taylor::{Tape as Series, cheapest_recurrences_of};
 use tripos_derive::Model;
 use tripos_derive::algebra::Expr;
@@ -13,7 +14,7 @@ use tripos_derive::algebra::term::steps::{Definition, needed_steps};
 use tripos_derive::algebra::value::tape::{Numeric, Tape, UnknownSymbol};
 use tripos_derive::mechanics::{Derivation, Divisors, SolvedAccelerations, Unsolved, energy_gradient};
 use tripos_derive::reduce::Reduction;
-use tripos_traits::{Lengths, System};
+use tripos_traits::{DoubleDouble, Lengths, System};
 
 /// Reason why equations of motion cannot be interpreted.
 #[derive(Clone, Debug)]
@@ -92,8 +93,8 @@ pub struct InterpretedEquations<S = f64> {
     state: Vec<Expr>,
     /// True if the mass matrix is symmetric and, away from singular configurations, positive definite.
     symmetric: bool,
-    /// Tapes of the quantities, indexed by [`Part`]. `None` for a quantity that is absent:
-    /// accelerations of printed equations, for example, or outputs without a scene.
+    /// Tapes of the quantities, indexed by [`InterpretedQuantity`]. `None` for a quantity that is
+    /// absent: accelerations of printed equations, for example, or outputs without a scene.
     tapes: [Option<Tape<S>>; InterpretedQuantity::Power as usize + 1],
     /// Recurrences of the Taylor coefficients of the motion; `None` if the equations have none.
     series: Option<Series<S>>,
@@ -441,5 +442,28 @@ impl<S: Numeric> System<S> for InterpretedEquations<S> {
     }
     fn power(&self, p: &[S], q: &[S], v: &[S]) -> S {
         if self.has_power() { self.evaluate_single_value(InterpretedQuantity::Power, &[p, q, v]) } else { S::int(0) }
+    }
+}
+
+/// Interpreted equations of motion in each number type that runs use: doubles, and pairs of
+/// doubles.
+pub struct InterpretedSystem {
+    /// Equations of motion as tapes in double precision.
+    pub double: InterpretedEquations,
+    /// Equations as tapes in twice the precision of a double; empty until they are first used.
+    extended: OnceLock<InterpretedEquations<DoubleDouble>>,
+}
+
+impl From<InterpretedEquations> for InterpretedSystem {
+    fn from(double: InterpretedEquations) -> Self {
+        Self { double, extended: OnceLock::new() }
+    }
+}
+
+impl InterpretedSystem {
+    /// Returns the equations as tapes in twice the precision of a double. The first call makes them.
+    #[must_use]
+    pub fn extended(&self) -> &InterpretedEquations<DoubleDouble> {
+        self.extended.get_or_init(|| self.double.convert_to())
     }
 }

@@ -24,7 +24,7 @@
 #![cfg_attr(doctest, doc = include_str!("../README.md"))]
 
 pub mod code;
-mod equations_name;
+pub mod equations_name;
 mod error;
 mod integration_options;
 mod interpreted_equations;

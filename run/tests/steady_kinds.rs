@@ -24,7 +24,7 @@ pub fn loaded(model: &mut Mechanism, state: &str) -> StateWithUnknowns {
 fn about(text: &str, state: &str, inputs: &[&str]) -> Result<SteadyLinearSystem, tripos::Error> {
     let inputs: Vec<String> = inputs.iter().map(|name| (*name).to_owned()).collect();
     let mut model = model(text);
-    model.model = model.model.with_varied_inputs(&inputs).unwrap_or_else(|e| panic!("{e}"));
+    model.model = model.model.reread_with_varied_inputs(&inputs).unwrap_or_else(|e| panic!("{e}"));
     let asked = loaded(&mut model, state);
     linearise(&model, &asked, &LinearisationOptions { inputs, ..LinearisationOptions::default() })
 }

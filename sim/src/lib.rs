@@ -45,6 +45,7 @@ pub mod batch;
 mod blocks;
 mod constraints;
 mod contacts;
+mod dense_output;
 mod driver;
 mod equations;
 mod error;
@@ -61,6 +62,7 @@ mod rounding;
 mod solution;
 mod step_polynomial;
 mod stepper;
+mod transposed_right_hand_side;
 mod warning;
 pub mod work_precision;
 
@@ -81,9 +83,9 @@ pub use methods::dormand_prince_853::{DORMAND_PRINCE_853, Decimal, Published853,
 pub use methods::run_options::{Options, OutputOption, Poll};
 pub use methods::tableau::{Fraction, Tableau};
 pub use right_hand_side::{
-    AccompaniedRightHandSide, HandsOver, LentRightHandSide, PowerAt, ProductSums, RightHandSide,
-    TransposedRightHandSide, WithJacobian, Yields,
+    AccompaniedRightHandSide, HandsOver, LentRightHandSide, PowerAt, RightHandSide, WithJacobian, Yields,
 };
 pub use solution::{Solution, Stop};
+pub use transposed_right_hand_side::{ProductSums, TransposedRightHandSide};
 pub use tripos_traits::{ATOL, AbsoluteTolerance, Direction, Method, RTOL};
 pub use warning::Warning;

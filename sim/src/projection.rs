@@ -18,9 +18,11 @@
 
 use tripos_traits::Real;
 
-use crate::constraints::correction::{Correction, LeastVectorSolver};
+use crate::constraints::correction::Correction;
 use crate::error_test::ErrorTest;
-use crate::linear::metric::{DEPENDENT, dot};
+use crate::linear::least_vector_solver::LeastVectorSolver;
+use crate::linear::linear_conditions::DEPENDENT;
+use crate::linear::vector_arithmetic::dot;
 use crate::methods::run_options::Options;
 use crate::right_hand_side::RightHandSide;
 

@@ -3,7 +3,7 @@
 
 use tripos_traits::{Enclosure, Interval};
 
-use crate::stepper::DenseStep;
+use crate::dense_output::DenseStep;
 
 /// Polynomials of the solution inside a step, for the components of the state that event functions
 /// need.

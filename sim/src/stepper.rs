@@ -1,8 +1,9 @@
 //! Interface of a one-step method of integration to the driver of a run: a trial step, its error, and
 //! its dense output.
 
-use tripos_traits::{Real, Scalar};
+use tripos_traits::Real;
 
+use crate::dense_output::Interpolant;
 use crate::error::Failure;
 use crate::error_test::ErrorTest;
 use crate::right_hand_side::RightHandSide;
@@ -44,12 +45,6 @@ where
     check_finite(out)
 }
 
-/// True if two numbers are exactly equal; 0 equals −0.
-#[expect(clippy::float_cmp, reason = "asks for identity, not for nearness")]
-pub(crate) fn exactly_equal(a: f64, b: f64) -> bool {
-    a == b
-}
-
 /// Size and end time of a step that is being tried.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct TrialStep {
@@ -64,98 +59,6 @@ impl TrialStep {
     /// than `f64` holds it without rounding.
     pub(crate) fn exact_step_length<S: Real>(self, t: f64) -> S {
         S::from_f64(self.t_new) - S::from_f64(t)
-    }
-}
-
-/// Dense output of a step (the solution inside it), rounded to `f64`, for the search of events.
-pub(crate) trait DenseStep {
-    /// Start and end time of the step, s. The end is before the start in a run backward in time.
-    fn times(&self) -> (f64, f64);
-    /// Writes the state at the fraction `theta` of the step. At 0 and 1 it is exactly the state at the
-    /// step's ends. Values a little above 1 are allowed and extrapolate.
-    fn interpolate(&self, theta: f64, out: &mut [f64]);
-    /// Degree of the dense output as a polynomial in the fraction of the step; `None` if it is no
-    /// polynomial.
-    fn degree(&self) -> Option<usize>;
-    /// Writes the coefficients of the dense output in powers of the fraction of the step, (degree + 1) × n
-    /// numbers. Row k has those of power k, an entry for each of the n components.
-    fn dense_output_powers(&self, out: &mut [f64]);
-    /// Time at the fraction `theta` of the step, s.
-    fn time_at(&self, theta: f64) -> f64 {
-        let (start, end) = self.times();
-        if exactly_equal(theta, 1.0) { end } else { start + theta * (end - start) }
-    }
-}
-
-/// Dense output of a step (the solution inside it), in the scalar type of the run.
-pub(crate) trait Interpolant {
-    /// Scalar type in which the run computes its states.
-    type Real: Real;
-    /// Start and end time of the step, s.
-    fn span(&self) -> (f64, f64);
-    /// States at the start and at the end of the step.
-    fn ends(&self) -> (&[Self::Real], &[Self::Real]);
-    /// Computes the state at the fraction `theta` of the step. Calls `put(i, value)` for each component i.
-    fn dense_output(&self, theta: Self::Real, put: impl FnMut(usize, Self::Real));
-    /// Degree of the dense output as a polynomial in the fraction of the step; `None` if it is no
-    /// polynomial.
-    fn degree_of_dense_output(&self) -> Option<usize>;
-    /// Computes the coefficients of the dense output in powers of the fraction of the step. Calls `put(i,
-    /// k, value)` for each component i and each power k up to the degree. The polynomial equals
-    /// [`Interpolant::inside`] up to rounding.
-    fn coefficients(&self, put: impl FnMut(usize, usize, Self::Real));
-
-    /// Returns the state at the fraction `theta` of the step. `t` is the time there, s.
-    fn sample(&self, theta: f64, t: f64) -> Vec<Self::Real> {
-        let (y, y_new) = self.ends();
-        let mut out = if exactly_equal(theta, 1.0) { y_new.to_vec() } else { y.to_vec() };
-        if !exactly_equal(theta, 0.0) && !exactly_equal(theta, 1.0) {
-            self.dense_output(self.fraction(theta, t), |i, value| out[i] = value);
-        }
-        out
-    }
-
-    /// Fraction of the step at time `t`, s, as exactly as the run's scalar can hold it. `theta` is the same
-    /// fraction in `f64`.
-    fn fraction(&self, theta: f64, t: f64) -> Self::Real {
-        let wide = <Self::Real as Scalar>::from_f64;
-        if <Self::Real as Real>::EPSILON < f64::EPSILON {
-            let (start, end) = self.span();
-            (wide(t) - wide(start)) / (wide(end) - wide(start))
-        } else {
-            wide(theta)
-        }
-    }
-}
-
-impl<I: Interpolant> DenseStep for I {
-    fn times(&self) -> (f64, f64) {
-        self.span()
-    }
-
-    fn interpolate(&self, theta: f64, out: &mut [f64]) {
-        let (y, y_new) = self.ends();
-        let mut round = |values: &[I::Real]| {
-            for (o, value) in out.iter_mut().zip(values) {
-                *o = value.to_f64();
-            }
-        };
-        if exactly_equal(theta, 0.0) {
-            round(y);
-        } else if exactly_equal(theta, 1.0) {
-            round(y_new);
-        } else {
-            self.dense_output(I::Real::from_f64(theta), |i, value| out[i] = value.to_f64());
-        }
-    }
-
-    fn degree(&self) -> Option<usize> {
-        self.degree_of_dense_output()
-    }
-
-    fn dense_output_powers(&self, out: &mut [f64]) {
-        let components = self.ends().0.len();
-        self.coefficients(|i, k, value| out[k * components + i] = value.to_f64());
     }
 }
 
@@ -189,7 +92,7 @@ pub(crate) trait Stepper: Interpolant {
         true
     }
     /// Announces, before the start, that the driver may move the state after each step. Each accepted step
-    /// is then followed by [`Stepper::continue_from_moved_state`] or [`Stepper::stay`].
+    /// is then followed by [`Stepper::continue_from_moved_state`] or [`Stepper::continue_unmoved`].
     fn expect_moves(&mut self) {}
     /// Continues from the current state after an accepted step. The driver was allowed to move the state,
     /// but did not. Error if the derivative there has no finite value.

@@ -8,12 +8,13 @@ use library::Library;
 use std::path::Path;
 
 /// Library crates, each with the folder of its sources.
-const CRATES: [(&str, &str); 5] = [
+const CRATES: [(&str, &str); 6] = [
     ("tripos-derive", "derive/src"),
     ("tripos-codegen", "codegen/src"),
     ("tripos-sim", "sim/src"),
     ("tripos-traits", "sim/traits/src"),
     ("tripos", "run/src"),
+    ("tripos-cli", "cli/src"),
 ];
 
 #[test]

@@ -1,8 +1,9 @@
 //! Files of a speed chart: CSV tables for programs, and a table of advice for people.
 
-use super::sentences::{TARGETS, fastest, seconds};
+use super::sentences::{TARGETS, fastest};
 use crate::failure::Failure;
 use crate::output_files::write_csv_file;
+use crate::phrases::seconds;
 use std::fmt::Write;
 use std::path::Path;
 use tripos::ConservedQuantity;

@@ -1,5 +1,6 @@
 //! Sentences about a speed chart. Every number in a sentence is one of its measurements.
 
+use crate::phrases::seconds;
 use tripos::studies::work_precision_chart::Measurement;
 use tripos_derive::mechanics::EquationsOrigin;
 use tripos_derive::scene::AccelerationSolution;
@@ -201,15 +202,6 @@ pub fn chart_recommendation(list: &[Measurement]) -> String {
         )
     });
     [Some(use_), reduction_gain_sentence(list, target), compared].into_iter().flatten().collect::<Vec<_>>().join(" ")
-}
-
-/// Returns a time as text with a readable unit, such as `1.25 ms`; `s` is in seconds.
-pub fn seconds(s: f64) -> String {
-    match s {
-        s if s < 1e-3 => format!("{:.0} µs", s * 1e6),
-        s if s < 1.0 => format!("{:.2} ms", s * 1e3),
-        s => format!("{s:.2} s"),
-    }
 }
 
 #[cfg(test)]

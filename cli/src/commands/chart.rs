@@ -2,10 +2,9 @@
 
 use crate::chart::{chart_tables, figure};
 use crate::failure::{Failure, Output, print_result, print_to_stderr, warn};
-use crate::interruption::{self, ProgressBarReporter};
+use crate::interruption::{self, ProgressBarReporter, counting_progress_bar};
 use crate::output_files::{make_folder, refuse_overwriting_inputs, write_text_file};
 use crate::scene_file::SceneWithSetValues;
-use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::json;
 use std::path::{Path, PathBuf};
 use tripos::studies::chart_case::PrintedEquationsChoice;
@@ -65,12 +64,4 @@ pub fn chart(
         )));
     }
     Ok(0)
-}
-
-/// Returns a progress bar with a count and a message.
-pub fn counting_progress_bar() -> ProgressBar {
-    let bar = ProgressBar::new(1);
-    let style = ProgressStyle::with_template("{bar:30} {pos}/{len} {msg}");
-    bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
-    bar
 }

@@ -19,7 +19,7 @@ use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;
 use tripos::Mechanism;
-use tripos::code::formulation_of_name;
+use tripos::equations_name::formulation_of_name;
 use tripos_derive::Formulation;
 use tripos_derive::algebra::form::simplify::Simplifier;
 use tripos_derive::algebra::solve::elimination::Elimination;

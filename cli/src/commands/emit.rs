@@ -5,7 +5,7 @@ use crate::scene_file::read_scene;
 use crate::workspace::model_file;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
-use tripos::code::formulation_of_name;
+use tripos::equations_name::formulation_of_name;
 use tripos_codegen::Extras;
 use tripos_codegen::emit::{Emission, EmissionError, EmittedFileChange, emit_rust_module as emission, write_emission};
 use tripos_codegen::js::RUNNERS;

@@ -6,9 +6,8 @@ use crate::workspace::{read_model, short_name};
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use std::path::Path;
-use tripos::code::{
-    CodePreparation, compile_tape, derive_or_read_equations, find_equations as equations, interpreted_code,
-};
+use tripos::code::{CodePreparation, compile_tape, derive_or_read_equations, interpreted_code};
+use tripos::equations_name::find_equations as equations;
 use tripos::{EquationsName, Error, Mechanism, near_divisors};
 use tripos_derive::algebra::Expr;
 use tripos_derive::diagnostic::Source;

@@ -4,6 +4,7 @@ mod notations;
 
 use crate::arguments::Notation;
 use crate::failure::{Failure, print, print_json};
+use crate::phrases::decimal_text;
 use crate::workspace::{read_model, short_name};
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
@@ -41,7 +42,7 @@ pub fn linearise(
     written: LinearSystemFormat,
 ) -> Result<u8, Failure> {
     let mut model = read_model(model)?;
-    model.model = model.model.with_varied_inputs(&wanted.inputs)?;
+    model.model = model.model.reread_with_varied_inputs(&wanted.inputs)?;
     let mut asked = load_state_with_unknowns(&Source::read(about)?, &mut model, &[])?;
     for text in outputs {
         let output = load_output(text, &mut model)?;
@@ -202,15 +203,6 @@ pub fn motion_kind_words(found: &SteadyLinearSystem) -> String {
 pub fn eigenvalue_text(mode: &Mode, decimals: usize) -> String {
     let [re, im] = mode.value.map(|x| decimal_text(x, decimals));
     if mode.value[1] > 0.0 { format!("{re} ± {im}i") } else { re }
-}
-
-/// Returns a number as text with `decimals` decimals. A number below 0.001 gets a power of ten,
-/// since decimals would not show it.
-pub fn decimal_text(x: f64, decimals: usize) -> String {
-    // The sum with 0 removes the sign of a negative zero.
-    let x = x + 0.0;
-    let is_small = x.abs() > 0.0 && x.abs() < 1e-3;
-    if is_small { format!("{x:.decimals$e}") } else { format!("{x:.decimals$}") }
 }
 
 /// Returns the eigenvalues as text, a line each with the states that take part, and then the

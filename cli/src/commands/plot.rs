@@ -9,7 +9,7 @@ use crate::plot::{Panel, Scale, Series, draw, figure_text_in_symbols};
 use crate::scene_file::{SceneWithSetValues, read_scene_with};
 use serde_json::json;
 use std::path::{Path, PathBuf};
-use tripos::code::find_equations_or_first;
+use tripos::equations_name::find_equations_or_first;
 use tripos::{EquationsName, Error, Mechanism, Overrides, Run, WatchedInvariants, simulate};
 use tripos_derive::model::TIME;
 use tripos_derive::plain_text::path_as_plain_text;

@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;
 use tripos::Mechanism;
-use tripos::code::formulation_of_name;
+use tripos::equations_name::formulation_of_name;
 use tripos_derive::algebra::form::simplify::operation_count;
 use tripos_derive::algebra::meaning::compare::{Engine, Verdict, Witness};
 use tripos_derive::algebra::text::print::{print_text, print_whole_text};

@@ -1,9 +1,8 @@
 //! Command `tripos stability`: studies the limits of a scene's runs, such as passages near singular
 //! places and growth of errors.
 
-use crate::commands::chart::counting_progress_bar;
 use crate::failure::{Failure, Output, print_result};
-use crate::interruption::{self, ProgressBarReporter};
+use crate::interruption::{self, ProgressBarReporter, counting_progress_bar};
 use crate::output_files::{make_folder, refuse_overwriting_inputs};
 use crate::scene_file::SceneWithSetValues;
 use crate::stability::{stability_conclusions, write_stability_results};

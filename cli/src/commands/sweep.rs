@@ -3,9 +3,11 @@
 use crate::arguments::Sweep as Request;
 use crate::failure::{Failure, print_json, print_to_stderr, status, warn};
 use crate::interruption;
-use crate::output_files::{GrowingTable, csv_name, refuse_overwriting_inputs};
+use crate::output_files::{csv_name, refuse_overwriting_inputs};
 use crate::scene_file::read_scene;
-use crate::sweep::{Columns, KeptRows, Record, Tally, UnfinishedTableMismatch, other_sweep_failure, remove_record};
+use crate::sweep::{
+    Columns, GrowingTable, KeptRows, Record, Tally, UnfinishedTableMismatch, other_sweep_failure, remove_record,
+};
 use crate::workspace::short_name;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::json;
@@ -13,7 +15,7 @@ use std::num::NonZero;
 use std::ops::Range;
 use std::time::{Duration, Instant};
 use tripos::Error;
-use tripos::code::find_equations_or_first;
+use tripos::equations_name::find_equations_or_first;
 use tripos::integration_method_words;
 use tripos::studies::sweep::{Shard, Sweep, SweepRow, work_in_order};
 use tripos_codegen::draft_file::ExistingFilePolicy;

@@ -5,12 +5,14 @@
 //! values, and links to its evidence on the page. No sentence fits only one model, and none
 //! contains ids of printed entries.
 
-use crate::chart::sentences::{TARGETS, seconds};
+use crate::chart::sentences::TARGETS;
 use crate::page::content::{Page, RecommendedRun, SceneSection};
 use crate::page::markup::formula_mathml::{length, zero_formula_mathml};
-use crate::page::markup::html::{counted_noun, escape, link, list_names, number, rounded_number_html, scene_anchor};
+use crate::page::markup::html::{escape, link, list_names, number, rounded_number_html};
 use crate::page::print::verdict::abstract_of_verdict;
 use crate::page::scenes::outcome::{self, RunOutcome, title};
+use crate::page::scenes::scene::scene_anchor;
+use crate::phrases::{counted_noun, seconds};
 use tripos_derive::Formulation;
 use tripos_derive::algebra::meaning::compare::Verdict;
 use tripos_derive::algebra::{Arena, Expr};

@@ -1,6 +1,7 @@
 //! Heat map of a table: rows and columns of coloured cells, each with its value as text.
 
-use super::curve_look::{Canvas, EDGE, dashes, draw_line, draw_rectangle, draw_text, size_to_canvas_units};
+use super::canvas::{Canvas, EDGE, draw_line, draw_rectangle, draw_text, size_to_canvas_units};
+use super::curve_look::dashes;
 use super::svg_pen::Pen;
 use super::{Cell, HeatMap, LINE, PlotError, WIDTH, plot_text_width, svg_element, wrap_plot_note};
 use plotters::prelude::*;

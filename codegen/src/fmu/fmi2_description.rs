@@ -1,11 +1,11 @@
 //! Text of the file `modelDescription.xml` of a functional mock-up unit by FMI 2.0.
 
-use super::fmi3_description::{
-    escape_xml_attribute, fmu_title, write_default_experiment_element, write_unit_definitions_element, xml_number,
-};
-use super::fmu_instantiation_token;
 use super::functions::FmuFunctions;
 use super::variables::{Role, Variable, Variables};
+use super::xml_elements::{
+    escape_xml_attribute, write_default_experiment_element, write_unit_definitions_element, xml_number,
+};
+use super::{fmu_instantiation_token, fmu_title};
 use crate::languages::Module;
 use std::fmt::Write;
 use tripos_derive::scene::Scene;

@@ -1,14 +1,13 @@
-//! Text of the file `modelDescription.xml` of a functional mock-up unit by FMI 3.0, and the parts
-//! that FMI 2.0 shares.
+//! Text of the file `modelDescription.xml` of a functional mock-up unit by FMI 3.0.
 
-use super::fmu_instantiation_token;
 use super::functions::FmuFunctions;
 use super::variables::{Role, Variable, Variables};
+use super::xml_elements::{
+    escape_xml_attribute, write_default_experiment_element, write_unit_definitions_element, xml_number,
+};
+use super::{fmu_instantiation_token, fmu_title};
 use crate::languages::Module;
-use std::collections::BTreeMap;
 use std::fmt::Write;
-use tripos_derive::model::Unit;
-use tripos_derive::plain_text::{one_line, with_visible_characters};
 use tripos_derive::scene::Scene;
 
 /// Name of the XML element for an unknown at the start time. No dependencies are written there: a
@@ -54,45 +53,6 @@ pub fn fmi3_description_text(
     write_fmi3_model_structure(&mut out, list);
     out.push_str("  </ModelStructure>\n</fmiModelDescription>\n");
     out
-}
-
-/// Returns the title of the model, followed by the title of the scene if it has one.
-pub fn fmu_title(module: &Module<'_>, scene: &Scene) -> String {
-    let title = &module.model().title;
-    if scene.title.is_empty() { title.clone() } else { format!("{title}: {}", scene.title) }
-}
-
-/// Writes the XML element `DefaultExperiment`: the scene's start and stop time in s, its relative
-/// tolerance, and 1/500 of the span as step.
-pub fn write_default_experiment_element(out: &mut String, scene: &Scene) {
-    let (start, stop) = scene.span;
-    let _ = writeln!(
-        out,
-        "  <DefaultExperiment startTime=\"{start:?}\" stopTime=\"{stop:?}\" tolerance=\"{:?}\" stepSize=\"{:?}\"/>",
-        scene.integration.rtol,
-        (stop - start) / 500.0
-    );
-}
-
-/// Writes the XML definitions of all units of the variables, by their exponents of m, kg and s. A
-/// unit with fractional exponents gets only its name.
-pub fn write_unit_definitions_element(out: &mut String, list: &[Variable]) {
-    let units: BTreeMap<String, &Unit> =
-        list.iter().filter_map(|v| Some((v.unit.as_ref()?.to_string(), v.unit.as_ref()?))).collect();
-    out.push_str("  <UnitDefinitions>\n");
-    for (name, unit) in units {
-        let _ = write!(out, "    <Unit name=\"{}\"", escape_xml_attribute(&name));
-        match unit.whole_exponents() {
-            Some(exponents) => {
-                let base: String = (["m", "kg", "s"].iter().zip(exponents))
-                    .filter(|(_, exponent)| *exponent != 0)
-                    .fold(String::new(), |text, (base, exponent)| text + &format!(" {base}=\"{exponent}\""));
-                let _ = writeln!(out, "><BaseUnit{base}/></Unit>");
-            }
-            None => out.push_str("/>\n"),
-        }
-    }
-    out.push_str("  </UnitDefinitions>\n");
 }
 
 /// Writes the XML element of one variable: name, value reference, role, unit, description and start
@@ -150,31 +110,4 @@ fn write_fmi3_model_structure(out: &mut String, list: &[Variable]) {
     for indicator in of(|role| matches!(role, Role::Indicator)) {
         unknown("EventIndicator", indicator);
     }
-}
-
-/// Returns a number in the notation of XML schemas: `NaN`, `INF`, `-INF` or a decimal.
-pub fn xml_number(value: f64) -> String {
-    if value.is_nan() {
-        "NaN".to_owned()
-    } else if value.is_infinite() {
-        if value > 0.0 { "INF".to_owned() } else { "-INF".to_owned() }
-    } else {
-        format!("{value:?}")
-    }
-}
-
-/// Returns a text as the value of an XML attribute: on one line, with `&`, `<`, `>` and quotes
-/// escaped.
-pub fn escape_xml_attribute(text: &str) -> String {
-    let mut out = String::new();
-    for c in with_visible_characters(&one_line(text)).trim().chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            c => out.push(c),
-        }
-    }
-    out
 }

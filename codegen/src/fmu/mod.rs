@@ -9,10 +9,11 @@ mod fmi2_description;
 mod fmi3_description;
 mod functions;
 mod variables;
+mod xml_elements;
 
 use crate::languages::c::C;
 use crate::languages::{CompositeFunction, Dialect, Module};
-use crate::origin::Origin;
+use crate::origin::{Origin, model_name_of_origin};
 use crate::plan::{Function, Planner, Sharing};
 use crate::syntax::{CodeWriter, Comments};
 use functions::FmuFunctions;
@@ -136,8 +137,14 @@ impl Fmu {
 fn fmu_identifier(scene: &Scene, model: &Model) -> String {
     let origin = Origin::origin_of_model_file(&model.source.path, COMMAND);
     let of_scene = scene.source.path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
-    crate::languages::module_identifier_word(&format!("{}_{of_scene}", crate::languages::model_name_of_origin(&origin)))
+    crate::languages::module_identifier_word(&format!("{}_{of_scene}", model_name_of_origin(&origin)))
         .to_ascii_lowercase()
+}
+
+/// Returns the title of the model, followed by the title of the scene if it has one.
+fn fmu_title(module: &Module<'_>, scene: &Scene) -> String {
+    let title = &module.model().title;
+    if scene.title.is_empty() { title.clone() } else { format!("{title}: {}", scene.title) }
 }
 
 /// Returns the token that ties a model description to its binary: a hash of the texts of the model

@@ -1,14 +1,13 @@
 //! CasADi as a target: one Python module of symbolic functions for each set of equations, and one
 //! module of helpers.
 
-use super::module_contents::result_matrix_size;
 use super::python::names::LANGUAGE;
 use super::python::text::{
     docstring, escape_python_comment, python_number_literal, write_python_array, write_python_declarations,
     write_python_expression, write_python_names_and_values,
 };
 use super::{CompositeFunction, Dialect, Module};
-use crate::plan::{Argument, Entry, Function, Language, Returns};
+use crate::plan::{Argument, Entry, Function, Language, Returns, result_matrix_size};
 use crate::syntax::{CodeWriter, Comments, Syntax};
 
 /// Text of the Python module of helpers, `tripos_casadi.py`.

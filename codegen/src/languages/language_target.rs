@@ -4,7 +4,7 @@
 use super::module_contents::module_identifier_word;
 use super::{CompositeFunction, Dialect, Module, SceneRun};
 use crate::emit::Emission;
-use crate::origin::Origin;
+use crate::origin::{Origin, model_name_of_origin};
 use crate::plan::{
     MissingOutputReason, ModulePlan, Planner, RegressorFunctions, SceneOutputs, Sharing, Solution, module_name,
 };
@@ -104,13 +104,6 @@ fn missing_function_help(
         _ => "",
     };
     Ok(format!("{why}its functions are {}", functions.join(", ")))
-}
-
-/// Returns the name of the model's folder, or the name of its file without extension if the origin
-/// states no folder.
-pub(crate) fn model_name_of_origin(origin: &Origin) -> &str {
-    let stem = origin.folder.trim_end_matches('/');
-    if stem.is_empty() { origin.model.trim_end_matches(".toml") } else { stem }
 }
 
 /// Modules of a model in one language while they are written, as a target.

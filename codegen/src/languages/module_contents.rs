@@ -1,7 +1,7 @@
 //! Module of one set of equations: its plan and names, before it is written in a language.
 
 use super::CompositeFunction;
-use crate::plan::{Argument, Function, ModulePlan, Planner, Returns, variable_name_without_primes};
+use crate::plan::{Argument, Function, ModulePlan, Planner, variable_name_without_primes};
 use crate::syntax::CodeWriter;
 use rustc_hash::FxHashSet;
 use tripos_derive::{Equations, Model};
@@ -119,19 +119,6 @@ impl Module<'_> {
             Argument::Number(_) => None,
         };
         function.arguments.iter().map(|argument| (argument.name(), length(argument))).collect()
-    }
-}
-
-/// Returns the numbers of rows and columns of the matrix that a function returns, or of the first
-/// of two results. `None` for a function that returns a number or vectors.
-#[must_use]
-pub fn result_matrix_size(function: &Function) -> Option<[usize; 2]> {
-    let count = function.entries.len();
-    match function.returns {
-        Returns::Matrix { .. } => Some([count.isqrt(); 2]),
-        Returns::Table { columns } => Some([count.checked_div(columns).unwrap_or(0), columns]),
-        Returns::System(side) => Some([side; 2]),
-        Returns::Number | Returns::Vector | Returns::Pair(_) => None,
     }
 }
 

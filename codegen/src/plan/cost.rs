@@ -1,9 +1,9 @@
 //! Cost of a planned function: its number of operations, counted over its program.
 
-use super::fusion::{constant_and_factors, order_sum_for_fusion};
+use super::fusion::order_sum_for_fusion;
 use super::program::{Program, ProgramLine};
 use std::fmt;
-use tripos_derive::algebra::text::display_tree::DisplayTree;
+use tripos_derive::algebra::text::display_tree::{DisplayTree, constant_and_factors};
 
 /// Number of operations in one call of a function. A fused multiply-add counts as two.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

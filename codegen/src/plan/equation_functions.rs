@@ -1,109 +1,20 @@
-//! Plan of the functions of one formulation, and of the statements about them in its header.
+//! Functions that plans have in common: each is planned from one set of equations.
 
-use super::function::{Arguments, Function, LineComments, Planner, Returns, Value};
-use super::taylor_plan::TaylorPlan;
+use super::function::{Arguments, Function, Returns, Value};
+use super::planner::Planner;
 use super::variable_names::variable_name_without_primes;
-use crate::taylor::Recurrences;
 use std::ops::RangeInclusive;
 use tripos_derive::algebra::solve::elimination::Elimination;
 use tripos_derive::algebra::term::calculus::Substitution;
 use tripos_derive::algebra::term::steps::Definition;
-use tripos_derive::algebra::text::print::print_text;
 use tripos_derive::algebra::{Arena, Expr};
-use tripos_derive::mechanics::{Constrained, Divisors, EquationsOrigin, SolvedAccelerations, divisor_without_number};
-
-/// Largest number of elimination steps for which the function `derivative` is planned. It computes
-/// q̇ and v̇ together, with shared terms.
-const MOST_REPEATED: usize = 100;
+use tripos_derive::mechanics::{Constrained, Divisors, EquationsOrigin, SolvedAccelerations};
+use tripos_derive::{Equations, Model};
 
 /// Range of the number of operations of mass matrix and forcing for which a function that computes
 /// both is written. Shorter systems cost little when computed separately; longer systems would
 /// double long compile times.
 const WORTH_SHARING: RangeInclusive<usize> = 200..=4000;
-
-/// Largest number of divisors that the header lists by their formulas. If there are more, only
-/// their number is stated.
-const MOST_LISTED: usize = 12;
-
-/// Plan of the generated Rust code for one formulation of one model.
-pub struct FormulationPlan<'a> {
-    /// Planner, with the model, the arena and the names of variables.
-    pub planner: &'a Planner<'a>,
-    /// Functions of the equations that people read, such as mass matrix and forcing, in order.
-    pub equations: Vec<Function>,
-    /// Functions that only runs need: `derivative` and `jacobian`, if the accelerations are solved
-    /// for and not too long, and `linear_system`, `divisors`, `constraints` and `inverse_dynamics`.
-    pub machine: Vec<Function>,
-    /// Names of the divisors that the function `divisors` returns, as formulas; empty if no divisor
-    /// can be zero.
-    pub divisors: Vec<String>,
-    /// Names of the constraints whose residuals the function `constraints` returns; empty if no run can violate a
-    /// constraint.
-    pub constraints: Vec<String>,
-    /// Recurrences of the Taylor coefficients of the motion; `None` if they are not requested.
-    pub taylor: Option<TaylorPlan<'a>>,
-    /// Number of operations of the function `accelerations`; `None` if the accelerations are not
-    /// solved for.
-    pub solved_cost: Option<usize>,
-    /// Statements about the formulation for the header of the generated file, each as one line.
-    pub facts: Vec<String>,
-}
-
-/// Choice of whether the function `jacobian`, with the entries of the Jacobian of the state
-/// derivative, is planned.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Jacobian {
-    /// The function is planned, provided that the accelerations are solved for.
-    Planned,
-    /// The function `jacobian` is not planned.
-    LeftOut,
-}
-
-impl<'a> FormulationPlan<'a> {
-    /// Plans the functions of the equations and, if `solved` is given, of the accelerations. Plans
-    /// the entries of the Jacobian and the Taylor recurrences only if they are requested.
-    #[must_use]
-    pub fn new(
-        planner: &'a Planner<'a>,
-        solved: Option<&SolvedAccelerations>,
-        entries: Jacobian,
-        recurrences: Option<&'a Recurrences>,
-    ) -> Self {
-        let (mut equations, together) = linear_system(planner);
-        let solution = solved.map(|solved| accelerations(planner, &solved.accelerations.steps));
-        let solved_cost = solution.as_ref().map(|planned| planned.cost.operations);
-        equations.extend(solution);
-        equations.extend(kinematics_and_energies(planner));
-        if planner.equations.formulation.is_in_rates() {
-            equations.extend(plan_speed_conversions(planner));
-        }
-        let mut machine = solved.map_or_else(Vec::new, |solved| {
-            let steps = &solved.accelerations.steps;
-            // Long steps are not written twice: then q̇ and v̇ are computed one after the other.
-            let together = (steps.len() <= MOST_REPEATED).then(|| derivative(planner, steps));
-            let jacobian = if entries == Jacobian::Planned { jacobian(planner, solved) } else { None };
-            together.into_iter().chain(jacobian).collect()
-        });
-        machine.extend(together);
-        let (divisors, names) = divisors(planner, solved.map(|solved| &solved.accelerations));
-        machine.extend(divisors);
-        machine.extend(constraints(planner));
-        let kept = planner.equations.constraints.iter().map(|c| c.name.clone()).collect();
-        // Inverse dynamics repeats what matrix and forcing state, so it is among the functions for runs.
-        machine.extend(inverse_dynamics(planner));
-        let taylor = recurrences.map(|list| TaylorPlan::new(planner, list));
-        Self {
-            planner,
-            equations,
-            machine,
-            divisors: names,
-            constraints: kept,
-            taylor,
-            solved_cost,
-            facts: formulation_facts(planner, solved.map(|solved| &solved.accelerations)),
-        }
-    }
-}
 
 /// Plans the functions `mass_matrix` and `forcing`. The second result, `linear_system`, computes
 /// both; `None` unless that saves a tenth of the operations.
@@ -408,7 +319,7 @@ fn function_entry_index(i: usize, n: usize) -> String {
 }
 
 /// Returns the names of symbols as a text in parentheses, such as `(u1, u2)`.
-fn text_of_equation_symbols(arena: &Arena, symbols: &[Expr]) -> String {
+pub(super) fn text_of_equation_symbols(arena: &Arena, symbols: &[Expr]) -> String {
     let names: Vec<&str> = symbols.iter().filter_map(|s| arena.symbol_name(*s)).collect();
     format!("({})", names.join(", "))
 }
@@ -424,54 +335,25 @@ fn equations_have_given_motion(planner: &Planner<'_>) -> bool {
     model.time().is_some() || model.motion_constraints.iter().any(|constraint| asks(constraint.equation))
 }
 
-/// Returns the header lines that state the unknowns, and the configurations in which the equations
-/// are singular.
-pub(super) fn formulation_facts(planner: &Planner<'_>, solved: Option<&Elimination>) -> Vec<String> {
+/// True if the term `e` contains a reaction of the model.
+pub(super) fn needs_reaction(planner: &Planner<'_>, e: Expr) -> bool {
+    planner.model.reactions.iter().any(|reaction| planner.arena.mentions(e, reaction.symbol))
+}
+
+/// Returns definitions for the terms of the equations, followed by those of q̇ or u, whichever is
+/// not integrated.
+pub(super) fn definitions_in_state(planner: &Planner<'_>) -> Vec<Definition> {
     let e = planner.equations;
-    let mut lines = vec![
-        format!("Unknowns: {}.", text_of_equation_symbols(planner.arena, &e.unknowns)),
-        singular_text(planner.arena, "The kinematic equations are singular", &e.divisors),
-    ];
-    lines.extend(solved.map(|solved| divisors_text(planner, &solved.divisors)));
-    lines
+    e.definitions.iter().copied().chain(definitions_of_other_variables(planner.model, e)).collect()
 }
 
-/// Returns the header line that states the divisors of the solved accelerations, or only their
-/// number if there are many.
-fn divisors_text(planner: &Planner<'_>, divisors: &[Expr]) -> String {
-    if divisors.is_empty() {
-        return "The accelerations divide by nothing.".to_owned();
-    }
-    let distinct = distinct_divisors(planner.arena, divisors);
-    // Long formulations divide by named terms, whose names would tell the reader nothing here.
-    if distinct.len() > MOST_LISTED || planner.explanation() == LineComments::Names {
-        let count = distinct.len();
-        return format!("The accelerations divide by {count} pivots, which are positive where the mass matrix is.");
-    }
-    let list: Vec<String> = distinct.iter().map(|d| print_text(planner.arena, *d)).collect();
-    format!("The accelerations divide by {}.", list.join(", by "))
-}
-
-/// Returns the header line that states the configurations in which a divisor is zero. It begins
-/// with `what`.
-pub(super) fn singular_text(arena: &Arena, what: &str, divisors: &[Expr]) -> String {
-    let places: Vec<String> =
-        distinct_divisors(arena, divisors).iter().map(|d| format!("{} = 0", print_text(arena, *d))).collect();
-    match places.as_slice() {
-        [] => format!("{what} nowhere."),
-        list => format!("{what} where {}.", list.join(" and where ")),
-    }
-}
-
-/// Returns divisors that vanish in different configurations: without numeric factors, and without
-/// repetition.
-fn distinct_divisors(arena: &Arena, divisors: &[Expr]) -> Vec<Expr> {
-    let mut list: Vec<Expr> = Vec::new();
-    for &divisor in divisors {
-        let bare = divisor_without_number(arena, divisor);
-        if !list.contains(&bare) {
-            list.push(bare);
-        }
-    }
-    list
+/// Returns definitions of q̇ in terms of u, or of u in terms of q̇ for equations whose motion
+/// variables are q̇.
+pub(super) fn definitions_of_other_variables(model: &Model, e: &Equations) -> Vec<Definition> {
+    let (symbols, values) = if e.formulation.is_in_rates() {
+        (model.u(), &e.generalized_speeds)
+    } else {
+        (model.q_dot(), &e.coordinate_rates)
+    };
+    symbols.into_iter().zip(values).map(|(symbol, value)| Definition { symbol, value: *value }).collect()
 }

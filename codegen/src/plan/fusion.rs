@@ -1,5 +1,4 @@
-//! Form of a formula for computation: the order of a sum's terms, and products and sums that can be
-//! fused.
+//! Form of a formula for computation: the order of a sum's terms, and products that can be fused.
 
 use tripos_derive::algebra::text::display_tree::DisplayTree;
 
@@ -30,36 +29,4 @@ pub fn is_fusible_product(view: &DisplayTree) -> bool {
 /// True if a formula is a single name or number.
 fn is_fusible_factor(view: &DisplayTree) -> bool {
     matches!(view, DisplayTree::Name(_) | DisplayTree::Shared(_) | DisplayTree::Number(_))
-}
-
-/// True if a formula contains no sum.
-#[must_use]
-pub fn is_sum_free_formula(view: &DisplayTree) -> bool {
-    match view {
-        DisplayTree::Sum(_) => false,
-        DisplayTree::Product(factors) => factors.iter().all(is_sum_free_formula),
-        DisplayTree::Fraction(above, below) => is_sum_free_formula(above) && is_sum_free_formula(below),
-        DisplayTree::Power(inner, _) | DisplayTree::Call(_, inner) | DisplayTree::Root(inner) => {
-            is_sum_free_formula(inner)
-        }
-        DisplayTree::Number(_)
-        | DisplayTree::Name(_)
-        | DisplayTree::Word(_)
-        | DisplayTree::Shared(_)
-        | DisplayTree::Pi
-        | DisplayTree::Cut => true,
-    }
-}
-
-/// Splits a product into its leading whole number, `1` if there is none, and its remaining factors.
-#[must_use]
-pub fn constant_and_factors(view: &DisplayTree) -> (String, Vec<DisplayTree>) {
-    match view {
-        DisplayTree::Number(text) => (text.clone(), Vec::new()),
-        DisplayTree::Product(factors) => match &factors[0] {
-            DisplayTree::Number(text) => (text.clone(), factors[1..].to_vec()),
-            _ => ("1".to_owned(), factors.clone()),
-        },
-        other => ("1".to_owned(), vec![other.clone()]),
-    }
 }

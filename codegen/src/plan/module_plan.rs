@@ -1,12 +1,13 @@
 //! Plan of all functions of one set of equations, for modules in C, Python, MATLAB and CasADi.
 
 use super::equation_functions::{
-    accelerations, constraints, derivative, divisors, formulation_facts, inverse_dynamics, jacobian,
-    kinematics_and_energies, linear_system, parameter_jacobian, plan_speed_conversions, redundant_constraints,
-    residual,
+    accelerations, constraints, definitions_in_state, derivative, divisors, inverse_dynamics, jacobian,
+    kinematics_and_energies, linear_system, needs_reaction, parameter_jacobian, plan_speed_conversions,
+    redundant_constraints, residual,
 };
-use super::function::{Arguments, Function, Planner, Returns, Value};
-use super::motion_plan::{definitions_in_state, needs_reaction};
+use super::formulation_plan::formulation_facts;
+use super::function::{Arguments, Function, Returns, Value};
+use super::planner::Planner;
 use super::regressor::RegressorFunctions;
 use super::scene_outputs::SceneOutputs;
 use super::variable_names::Language;

@@ -2,14 +2,14 @@
 //! quantities.
 
 use super::equation_functions::{
-    accelerations, constraints, derivative, divisors, formulation_facts, kinematics_and_energies, linear_system,
-    plan_speed_conversions, redundant_constraints,
+    accelerations, constraints, definitions_in_state, derivative, divisors, kinematics_and_energies, linear_system,
+    needs_reaction, plan_speed_conversions, redundant_constraints,
 };
-use super::function::{Arguments, Function, Planner, Returns, Value};
+use super::formulation_plan::formulation_facts;
+use super::function::{Arguments, Function, Returns, Value};
+use super::planner::Planner;
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::solve::elimination::Elimination;
-use tripos_derive::algebra::term::steps::Definition;
-use tripos_derive::{Equations, Model};
 
 /// Largest number of elimination steps for which the function `derivative` is planned, which
 /// computes q̇ and v̇ together.
@@ -108,11 +108,6 @@ impl MotionPlan {
     }
 }
 
-/// True if the term `e` contains a reaction of the model.
-pub(super) fn needs_reaction(planner: &Planner<'_>, e: Expr) -> bool {
-    planner.model.reactions.iter().any(|reaction| planner.arena.mentions(e, reaction.symbol))
-}
-
 /// True if the motion variables are generalized speeds, and the unknowns are the accelerations
 /// followed by the reactions in the order of the model.
 fn balance_gives_reactions(planner: &Planner<'_>) -> bool {
@@ -141,22 +136,4 @@ fn plan_motion_conditions(planner: &Planner<'_>, watched: &[WatchedQuantity], wh
     (!values.is_empty()).then(|| {
         planner.plan_function_in_steps("conditions", about, Arguments::Balanced, Returns::Vector, &steps, &values)
     })
-}
-
-/// Returns definitions for the terms of the equations, followed by those of q̇ or u, whichever is
-/// not integrated.
-pub(super) fn definitions_in_state(planner: &Planner<'_>) -> Vec<Definition> {
-    let e = planner.equations;
-    e.definitions.iter().copied().chain(definitions_of_other_variables(planner.model, e)).collect()
-}
-
-/// Returns definitions of q̇ in terms of u, or of u in terms of q̇ for equations whose motion
-/// variables are q̇.
-pub(super) fn definitions_of_other_variables(model: &Model, e: &Equations) -> Vec<Definition> {
-    let (symbols, values) = if e.formulation.is_in_rates() {
-        (model.u(), &e.generalized_speeds)
-    } else {
-        (model.q_dot(), &e.coordinate_rates)
-    };
-    symbols.into_iter().zip(values).map(|(symbol, value)| Definition { symbol, value: *value }).collect()
 }

@@ -1,13 +1,12 @@
 //! Straight-line program of one function: sines and cosines, shared terms and outputs, each with a
 //! descriptive name.
 
-use super::fusion::is_sum_free_formula;
 use super::variable_names::{SymbolVariableNames, TermVariableNames, variable_word_of_formula};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::ops::Range;
 use tripos_derive::algebra::form::sharing::is_shared_symbol;
 use tripos_derive::algebra::term::steps::Definition;
-use tripos_derive::algebra::text::display_tree::{DisplayTree, display_tree};
+use tripos_derive::algebra::text::display_tree::{DisplayTree, display_tree, is_sum_free_formula};
 use tripos_derive::algebra::text::print::print_text;
 use tripos_derive::algebra::{Arena, Expr, Function, Node};
 

@@ -5,7 +5,8 @@
 //! parameters, which motion can determine. The second set is written only if each base parameter is
 //! proved to equal a formula in the model's parameters.
 
-use super::function::{Arguments, Function, Planner, Returns, Sharing, Value};
+use super::function::{Arguments, Function, Returns, Value};
+use super::planner::{Planner, Sharing};
 use super::variable_names::Language;
 use tripos_derive::algebra::form::simplify::Simplifier;
 use tripos_derive::algebra::text::definitions::write_definitions;

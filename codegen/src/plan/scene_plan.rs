@@ -2,10 +2,10 @@
 //! of the whole model.
 
 use super::cost::OperationCount;
-use super::equation_functions::{
-    Jacobian, accelerations, derivative, divisors, jacobian, kinematics_and_energies, singular_text,
-};
-use super::function::{Arguments, Function, Planner, Returns, Sharing, Value};
+use super::equation_functions::{accelerations, derivative, divisors, jacobian, kinematics_and_energies};
+use super::formulation_plan::{Jacobian, singular_text};
+use super::function::{Arguments, Function, Returns, Value};
+use super::planner::{Planner, Sharing};
 use super::taylor_plan::TaylorPlan;
 use super::variable_names::{Language, variable_name_without_primes};
 use crate::taylor::{Recurrences, cheapest_recurrences_of};

@@ -1,10 +1,11 @@
 //! Formulas as Rust expressions of the scalar type `S`.
 
-use crate::plan::{constant_and_factors, is_fusible_product, is_sum_free_formula, order_sum_for_fusion};
+use super::names::rust_identifier;
+use crate::plan::{is_fusible_product, order_sum_for_fusion};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 use tripos_derive::algebra::Rational;
-use tripos_derive::algebra::text::display_tree::DisplayTree;
+use tripos_derive::algebra::text::display_tree::{DisplayTree, constant_and_factors, is_sum_free_formula};
 
 /// Returns the Rust expression for a formula, generic over the scalar type `S`.
 pub fn expression(view: &DisplayTree) -> TokenStream {
@@ -27,12 +28,6 @@ pub fn expression(view: &DisplayTree) -> TokenStream {
         }
         DisplayTree::Cut => quote!(compile_error!("formula too large")),
     }
-}
-
-/// Returns the Rust tokens of an identifier.
-pub fn rust_identifier(name: &str) -> TokenStream {
-    let ident = format_ident!("{name}");
-    quote!(#ident)
 }
 
 /// Returns the Rust expression for a rational number. It is exact if numerator and denominator fit

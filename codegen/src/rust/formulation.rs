@@ -1,8 +1,8 @@
 //! Rust files of one formulation of one model: a file of equations for people, and a file of code.
 
 use super::jacobian_product::{JACOBIAN_PRODUCT, Rates, jacobian_product};
-use super::rust_function::{Parameters, function};
-use super::rust_text::{escape_doc_comment, format, function_documentation, reexport, rust_file_header};
+use super::rust_function::{Parameters, function, function_documentation};
+use super::rust_text::{escape_doc_comment, format, reexport, rust_file_header};
 use super::sorted_functions::WrittenFunctions;
 use super::system_methods::{self, SystemMethods};
 use super::taylor::{self, TaylorText};

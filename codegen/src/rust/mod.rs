@@ -19,6 +19,6 @@ pub use formulation::{FormulationFiles, rust_formulation_files as formulation_fi
 pub use library::generated_library_text;
 pub use module::{ModuleEquations, ModuleHeaderData, rust_module_files as module_files};
 pub use names::{LANGUAGE, is_name};
-pub(crate) use rust_target::{RustTarget, unsolved_equations_error};
+pub(crate) use rust_target::RustTarget;
 pub use scene::{SceneFile, SceneHeaderData, rust_scene_file as scene_file, rust_scene_module_files as scene_list};
 pub use sorted_functions::WrittenFunctions;

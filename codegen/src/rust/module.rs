@@ -2,8 +2,8 @@
 //! and list of formulations.
 
 use super::expression::constant;
-use super::rust_function::parameter_field_names;
-use super::rust_text::{escape_doc_comment, format, format_to_include};
+use super::names::parameter_field_names;
+use super::rust_text::{escape_doc_comment, format, format_to_include, rust_name_array};
 use crate::plan::{module_name, type_name};
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -123,13 +123,6 @@ fn module_file(model: &Model, about: &ModuleHeaderData<'_>, equations: &[ModuleE
         };
     };
     format_to_include(&header, items)
-}
-
-/// Returns the Rust type and value of a constant array of names.
-pub fn rust_name_array<'n>(list: impl Iterator<Item = &'n str>) -> (TokenStream, TokenStream) {
-    let list: Vec<&str> = list.collect();
-    let count = Literal::usize_unsuffixed(list.len());
-    (quote!([&str; #count]), quote!([#(#list),*]))
 }
 
 /// Returns the declaration of the Rust module `code`. It switches off lints on names that are not

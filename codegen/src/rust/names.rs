@@ -1,6 +1,9 @@
 //! Names of Rust variables: reserved words and names that generated code cannot use.
 
-use crate::plan::Language;
+use crate::plan::{Allocator, Language};
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+use tripos_derive::Model;
 
 /// Rules for names of Rust variables: keywords, and names that generated functions use for other
 /// purposes.
@@ -49,4 +52,18 @@ const IN_SCOPE: [&str; 30] = [
 pub fn is_name(word: &str) -> bool {
     // The word `gen` is a keyword since the 2024 edition.
     syn::parse_str::<syn::Ident>(word).is_ok() && !["_", "gen"].contains(&word)
+}
+
+/// Returns the names of the parameter struct's fields: the parameters' names, changed if they are
+/// Rust keywords.
+#[must_use]
+pub fn parameter_field_names(model: &Model) -> Vec<String> {
+    let mut allocator = Allocator::new(&Language { in_scope: &[], ..LANGUAGE });
+    model.parameters.iter().map(|p| allocator.unique(&p.name)).collect()
+}
+
+/// Returns the Rust tokens of an identifier.
+pub fn rust_identifier(name: &str) -> TokenStream {
+    let ident = format_ident!("{name}");
+    quote!(#ident)
 }

@@ -1,14 +1,14 @@
 //! Text of a Rust function for a planned function, generic over the scalar type `S`.
 
-use super::expression::{expression, method_receiver_expression, rust_identifier};
-use super::names::LANGUAGE;
+use super::expression::{expression, method_receiver_expression};
+use super::names::{parameter_field_names, rust_identifier};
 use super::rust_text::comment;
-use crate::plan::{
-    Allocator, Argument, Entry, Function, Language, LineComments, Parts, Program, ProgramLine, Returns, Statement,
-};
+use crate::lines::wrap;
+use crate::plan::{Argument, Entry, Function, LineComments, Parts, Program, ProgramLine, Returns, Statement};
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 use tripos_derive::Model;
+use tripos_derive::plain_text::with_visible_characters;
 
 /// Largest number of unread entries of an array argument that a pattern skips. With more, each
 /// entry that is read gets an index.
@@ -21,6 +21,9 @@ const DISPATCHED_FUNCTIONS: [&str; 2] = ["accelerations", "derivative"];
 /// Names of the functions in which quadrature spends its time, for equations with one degree of
 /// freedom.
 const INTEGRANDS: [&str; 4] = ["coordinate_rates", "kinetic_energy", "half_differences", "potential_slope"];
+
+/// Largest number of bytes in a line of equations in documentation.
+const EQUATION: usize = 160;
 
 /// Rust struct in which generated functions receive the parameters.
 pub struct Parameters {
@@ -35,13 +38,6 @@ impl Parameters {
     pub fn of(model: &Model) -> Self {
         Self { path: quote!(Parameters), fields: parameter_field_names(model) }
     }
-}
-
-/// Returns the names of the parameter struct's fields: the parameters' names, changed if they are
-/// Rust keywords.
-pub fn parameter_field_names(model: &Model) -> Vec<String> {
-    let mut allocator = Allocator::new(&Language { in_scope: &[], ..LANGUAGE });
-    model.parameters.iter().map(|p| allocator.unique(&p.name)).collect()
 }
 
 /// Returns the Rust function for a planned function. The hot functions of a run are always inlined.
@@ -91,6 +87,31 @@ fn rust_function_with_inlining(planned: &Function, parameters: &Parameters, inli
             #result
         }
     }
+}
+
+/// Returns the doc attributes of a planned function: description of its result, with the equations
+/// that it computes.
+#[must_use]
+pub fn function_documentation(planned: &Function) -> TokenStream {
+    let mut lines = vec![format!(" {}", planned.about), String::new()];
+    if planned.program.equations().next().is_none() {
+        lines.push(" All entries are 0.".to_owned());
+        return quote!(#(#[doc = #lines])*);
+    }
+    if planned.entries.contains(&Entry::Zero) {
+        lines[0].push_str(" Entries that are not listed are 0.");
+    }
+    if planned.explanation == LineComments::Names {
+        lines.push(format!(" {}, step by step: the code names every term.", planned.cost));
+        return quote!(#(#[doc = #lines])*);
+    }
+    lines.push(" ```text".to_owned());
+    for equation in planned.program.equations() {
+        let wrapped = wrap(&with_visible_characters(equation), EQUATION).into_iter().enumerate();
+        lines.extend(wrapped.map(|(at, part)| format!(" {}{part}", if at == 0 { "" } else { "    " })));
+    }
+    lines.push(" ```".to_owned());
+    quote!(#(#[doc = #lines])*)
 }
 
 /// Returns the body of a function up to its result, if its program stays whole.

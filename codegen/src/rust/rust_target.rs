@@ -9,8 +9,10 @@ use crate::target::Target;
 use crate::taylor::cheapest_recurrences_of;
 use std::collections::BTreeMap;
 use tripos_derive::algebra::Arena;
-use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source};
-use tripos_derive::mechanics::{Derivation, SolvedAccelerations, Unsolved, equations_in_distance, singular_distances};
+use tripos_derive::diagnostic::Diagnostics;
+use tripos_derive::mechanics::{
+    Derivation, SolvedAccelerations, Unsolved, equations_in_distance, singular_distances, unsolved_equations_error,
+};
 use tripos_derive::{Equations, Model};
 
 /// Largest number of convolutions at one order for which Taylor recurrences are written. With more,
@@ -141,10 +143,4 @@ impl<'a> RustTarget<'a> {
         let series = plan.taylor.as_ref().is_some_and(|taylor| has_short_series(taylor.list.convolutions(), equations));
         self.entries.push(ModuleEquations { name, title, solved: plan.solved_cost, series, shown: is_shown });
     }
-}
-
-/// Returns the error for a set of equations, with the title `equations`, whose accelerations could
-/// not be solved for or proved.
-pub(crate) fn unsolved_equations_error(source: &Source, equations: &str, why: Unsolved) -> Diagnostics {
-    Diagnostics::new(source.clone(), vec![Diagnostic::of_file(format!("{equations}: {why}"), why.help())])
 }

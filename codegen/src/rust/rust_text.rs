@@ -1,8 +1,7 @@
 //! Text of Rust files, formatted from tokens, with comments.
 
 use crate::lines::wrap;
-use crate::plan::{Entry, Function, LineComments};
-use proc_macro2::TokenStream;
+use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 use std::fmt::Write;
 use tripos_derive::plain_text::{one_line, with_visible_characters};
@@ -32,34 +31,6 @@ pub fn rust_file_header(first: String, origin: &str, facts: &[String]) -> Vec<St
     lines
 }
 
-/// Returns the doc attributes of a planned function: description of its result, with the equations
-/// that it computes.
-#[must_use]
-pub fn function_documentation(planned: &Function) -> TokenStream {
-    let mut lines = vec![format!(" {}", planned.about), String::new()];
-    if planned.program.equations().next().is_none() {
-        lines.push(" All entries are 0.".to_owned());
-        return quote!(#(#[doc = #lines])*);
-    }
-    if planned.entries.contains(&Entry::Zero) {
-        lines[0].push_str(" Entries that are not listed are 0.");
-    }
-    if planned.explanation == LineComments::Names {
-        lines.push(format!(" {}, step by step: the code names every term.", planned.cost));
-        return quote!(#(#[doc = #lines])*);
-    }
-    lines.push(" ```text".to_owned());
-    for equation in planned.program.equations() {
-        let wrapped = wrap(&with_visible_characters(equation), EQUATION).into_iter().enumerate();
-        lines.extend(wrapped.map(|(at, part)| format!(" {}{part}", if at == 0 { "" } else { "    " })));
-    }
-    lines.push(" ```".to_owned());
-    quote!(#(#[doc = #lines])*)
-}
-
-/// Largest number of bytes in a line of equations in documentation.
-const EQUATION: usize = 160;
-
 /// Returns a doc attribute that marks a comment on the next statement. Formatting turns it into a
 /// plain comment.
 #[must_use]
@@ -77,6 +48,13 @@ pub fn reexport<'n>(parent: &TokenStream, module: &str, names: impl IntoIterator
     names.sort_unstable();
     let (module, names) = (format_ident!("{module}"), names.into_iter().map(|name| format_ident!("{name}")));
     quote!(pub use #parent::#module::{#(#names),*};)
+}
+
+/// Returns the Rust type and value of a constant array of names.
+pub fn rust_name_array<'n>(list: impl Iterator<Item = &'n str>) -> (TokenStream, TokenStream) {
+    let list: Vec<&str> = list.collect();
+    let count = Literal::usize_unsuffixed(list.len());
+    (quote!([&str; #count]), quote!([#(#list),*]))
 }
 
 /// Formats the items of a Rust file. The header becomes file documentation, and marked attributes

@@ -2,10 +2,10 @@
 //! code.
 
 use super::jacobian_product::{JACOBIAN_PRODUCT, Rates, jacobian_product};
-use super::module::{rust_code_module_declaration, rust_name_array, rust_parameter_struct};
-use super::names::{LANGUAGE, is_name};
-use super::rust_function::{Parameters, function, function_at_points, parameter_field_names};
-use super::rust_text::{escape_doc_comment, format, function_documentation, reexport, rust_file_header};
+use super::module::{rust_code_module_declaration, rust_parameter_struct};
+use super::names::{LANGUAGE, is_name, parameter_field_names};
+use super::rust_function::{Parameters, function, function_at_points, function_documentation};
+use super::rust_text::{escape_doc_comment, format, reexport, rust_file_header, rust_name_array};
 use super::system_methods::{self, SystemMethods};
 use super::taylor::{self, TaylorText};
 use crate::optional_functions::Extras;

@@ -4,9 +4,9 @@
 //! rounding.
 
 use super::Syntax;
-use crate::plan::{constant_and_factors, is_fusible_product, is_sum_free_formula, order_sum_for_fusion};
+use crate::plan::{is_fusible_product, order_sum_for_fusion};
 use tripos_derive::algebra::Rational;
-use tripos_derive::algebra::text::display_tree::DisplayTree;
+use tripos_derive::algebra::text::display_tree::{DisplayTree, constant_and_factors, is_sum_free_formula};
 
 /// Returns the expression for a formula in a language.
 #[must_use]

@@ -6,8 +6,8 @@
 //! matrix count, also redundant rows, since the choice of the redundant row is arbitrary. The poses
 //! are the common zeros of minors, which are exact ([`minors`]).
 //!
-//! Each result has a proof, or an example pose in which the rank was computed ([`pose`]). The
-//! search for the pose q solves Aᵀ λ = 0 with as many orthonormal vectors λ as the loss of rank
+//! Each result has a proof, or an example pose in which the rank was computed ([`singular_pose`]).
+//! The search for the pose q solves Aᵀ λ = 0 with as many orthonormal vectors λ as the loss of rank
 //! requires. Source: J. M. Selig, *Geometric Fundamentals of Robotics*, 2nd edition (2005), § 4.6.
 
 mod minors;

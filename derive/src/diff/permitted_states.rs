@@ -9,7 +9,8 @@ use crate::algebra::form::normal_form::Normalizer;
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::meaning::permitted_states::PermittedStates;
 use crate::algebra::solve::linear::LinearForm;
-use crate::algebra::term::calculus::{Differential, Substitution};
+use crate::algebra::solve::quadratic_equation::QuadraticEquation;
+use crate::algebra::term::calculus::Substitution;
 use crate::algebra::term::elementary::expand_multiple_angles;
 use crate::algebra::term::steps::fresh_symbol;
 use crate::algebra::value::zero_test::{ZeroTest, zero_test};
@@ -111,54 +112,6 @@ fn numerator(arena: &mut Arena, e: Expr) -> Expr {
     match normalizer.normal_form(arena, e) {
         Some(form) => normalizer.polynomial(&form.numerator).expand(arena),
         None => e,
-    }
-}
-
-/// Equation A x² + B x + C = 0 in one symbol x.
-struct QuadraticEquation {
-    /// Coefficient A of x², a term without x.
-    a: Expr,
-    /// Coefficient B of x, a term without x.
-    b: Expr,
-    /// Term C, which is the value of the left side at x = 0.
-    c: Expr,
-}
-
-impl QuadraticEquation {
-    /// Coefficients of an equation in a symbol; `None` unless the equation depends on the symbol and is at most
-    /// quadratic in it.
-    fn new(arena: &mut Arena, equation: Expr, symbol: Expr) -> Option<Self> {
-        let mut along = Differential::partial(symbol);
-        let slope = along.apply(arena, equation);
-        let bend = along.apply(arena, slope);
-        let mut at_zero = Substitution::new(&[(symbol, Expr::ZERO)]);
-        let (b, c) = (at_zero.apply(arena, slope), at_zero.apply(arena, equation));
-        let a = arena.scale(bend, &Rational::fraction(1, 2)?);
-        let is_free = [a, b, c].into_iter().all(|e| !arena.mentions(e, symbol));
-        let depends = [a, b].into_iter().any(|e| zero_test(arena, e) == ZeroTest::NonZero);
-        (is_free && depends).then_some(Self { a, b, c })
-    }
-
-    /// True if A = 0, so that the equation is linear in the symbol.
-    fn is_linear(&self) -> bool {
-        self.a == Expr::ZERO
-    }
-
-    /// Solution x of A x² + B x + C = 0: −C/B if linear, else the root −B/(2 A) + √(B²/(4 A²) −
-    /// C/A).
-    /// Returns `None` if a divisor is zero.
-    fn value(&self, arena: &mut Arena) -> Option<Expr> {
-        if self.is_linear() {
-            let quotient = arena.div(self.c, self.b)?;
-            return Some(arena.neg(quotient));
-        }
-        // −B/(2 A) + √(B²/(4 A²) − C/A).
-        let twice = arena.add(self.a, self.a);
-        let middle = arena.div(self.b, twice)?;
-        let (square, product) = (arena.square(middle), arena.div(self.c, self.a)?);
-        let radicand = arena.sub(square, product);
-        let root = arena.apply(Function::Sqrt, radicand);
-        Some(arena.sub(root, middle))
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::known_parameters::KnownParameters;
 use crate::algebra::value::field::Field;
-use crate::algebra::value::reconstruction::{reduced_echelon_form, unique_solution};
+use crate::algebra::value::rank::{reduced_echelon_form, unique_solution};
 use crate::algebra::value::residues::ResidueSampler;
 use crate::algebra::{Arena, Expr};
 use crate::mechanics::Column;
@@ -40,7 +40,7 @@ pub struct ColumnRelations<'a> {
 pub struct RelationResidues {
     /// Factors of each dependent column, as residues, in the order of the pivots of its sum.
     pub factors: Vec<Vec<u64>>,
-    /// Values of the atoms, as residues, in the order of [`SymbolicLinearForm::sum_atoms`].
+    /// Values of the atoms, as residues, in the order of [`KnownParameters::atoms`].
     pub atoms: Vec<u64>,
 }
 

@@ -35,7 +35,7 @@ pub use quantity::{EnergyQuantity, Quantity, QuantityKind, QuantityOwner, RowQua
 pub use rows::{AccelerationEmbedding, BalanceName, LineName, RowName, Rows, Stage, Step};
 pub use solutions::accelerations::{SolvedAccelerations, accelerations, energy_gradient};
 pub use solutions::certificate::{Certificate, certify_accelerations, certify_inverse_dynamics};
-pub use solutions::divisors::{Divisors, LoadDivisor, divisor_without_number, load_divisors};
+pub use solutions::divisors::{Divisors, LoadDivisor, distinct_divisors, divisor_without_number, load_divisors};
 pub use solutions::equations_in_distance::{equations_in_distance, singular_distances};
 pub use solutions::inertia_check::{InertiaCheck, check_inertia_at};
 pub use solutions::jacobian::{Jacobian, jacobian};
@@ -43,4 +43,4 @@ pub use solutions::jacobian::{Jacobian, jacobian};
 pub use solutions::proved_jacobians::{parameter_jacobian, proved_jacobian};
 pub use solutions::quantities::{Quantities, QuantityError};
 pub use solutions::regressor::{Column, ColumnParameter, Regressor, RegressorParameters};
-pub use unsolved::{Unproved, Unsolved};
+pub use unsolved::{Unproved, Unsolved, unsolved_equations_error};

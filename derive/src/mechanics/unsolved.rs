@@ -1,6 +1,7 @@
 //! Reasons why accelerations, or other results computed from equations of motion, cannot be used.
 
 use crate::algebra::solve::linear::Singular;
+use crate::diagnostic::{Diagnostic, Diagnostics, Source};
 use std::fmt;
 
 /// Result computed from equations of motion that an exact check did not confirm.
@@ -76,4 +77,11 @@ impl Unsolved {
             }
         }
     }
+}
+
+/// Returns the error for a set of equations, with the title `equations`, whose accelerations could
+/// not be solved for or proved.
+#[must_use]
+pub fn unsolved_equations_error(source: &Source, equations: &str, why: Unsolved) -> Diagnostics {
+    Diagnostics::new(source.clone(), vec![Diagnostic::of_file(format!("{equations}: {why}"), why.help())])
 }

@@ -15,7 +15,7 @@ impl Model {
     #[must_use]
     pub fn corner_instants<S: Numeric + Real>(&self, parameters: &[S]) -> Vec<(S, bool)> {
         let Some(time) = self.time().map(|at| self.coordinates[at].symbol) else { return Vec::new() };
-        let cornered: FxHashSet<(Expr, bool)> = self.arena.nodes().filter_map(corner_argument).collect();
+        let cornered: FxHashSet<(Expr, bool)> = self.arena.nodes().filter_map(drive_corner_argument).collect();
         if cornered.is_empty() {
             return Vec::new();
         }
@@ -42,7 +42,7 @@ impl Model {
         let coordinates = self.coordinates.iter().enumerate().filter(|(at, _)| Some(*at) != time);
         let states: Vec<Expr> =
             coordinates.flat_map(|(_, c)| [c.symbol, c.rate]).chain(self.speeds.iter().map(|s| s.symbol)).collect();
-        let signs = self.arena.nodes().filter_map(corner_argument).filter(|(_, jumps)| *jumps);
+        let signs = self.arena.nodes().filter_map(drive_corner_argument).filter(|(_, jumps)| *jumps);
         let of_states = signs.filter(|(argument, _)| states.iter().any(|s| self.arena.mentions(*argument, *s)));
         of_states.map(|(argument, _)| crate::algebra::text::print::print_text(&self.arena, argument)).collect()
     }
@@ -50,7 +50,7 @@ impl Model {
 
 /// Argument of an absolute value or a sign, with true for a sign, which jumps, and false for a
 /// kink. `None` for other terms.
-fn corner_argument(node: &Node) -> Option<(Expr, bool)> {
+fn drive_corner_argument(node: &Node) -> Option<(Expr, bool)> {
     match node {
         Node::Apply(Function::Abs, argument) => Some((*argument, false)),
         Node::Apply(Function::Sign, argument) => Some((*argument, true)),

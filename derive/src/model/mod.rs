@@ -7,8 +7,8 @@ pub(crate) mod constraints;
 mod contacts;
 mod drive_corners;
 mod forces;
+mod impossible_bodies;
 mod input;
-mod possible_bodies;
 mod reactions;
 mod read_model;
 mod reading;
@@ -25,8 +25,8 @@ pub use constraint::{
 };
 pub use contacts::{ComparedBodies, ConstrainedVelocity, Contacts};
 pub use forces::{Force, ForcePlace, JointReaction, Potential, PotentialForce, Reaction, ReactionKind, Torque};
+pub use impossible_bodies::ImpossibleBody;
 pub use input::{Input, InputBinding};
-pub use possible_bodies::ImpossibleBody;
 pub use reactions::interactions::GROUND;
 pub(crate) use reactions::interactions::{StatedInteraction, redundant_reaction_message};
 pub use read_model::{is_model, load};
@@ -270,7 +270,7 @@ pub struct Model {
     pub inputs: Vec<Input>,
     /// Formulas that a scene gives to inputs, in the order of the scene file; empty without a scene.
     pub bindings: Vec<InputBinding>,
-    /// Names of inputs to whose formula a parameter of the same name is added ([`Self::with_varied_inputs`]).
+    /// Names of inputs to whose formula a parameter of the same name is added ([`Self::reread_with_varied_inputs`]).
     pub varied: Vec<String>,
     /// Applied forces, including those of springs and friction.
     pub forces: Vec<Force>,

@@ -4,7 +4,7 @@
 //! fails silently. So `None` always means that an error is recorded in the reader.
 
 use super::bodies::elements::Elements;
-use super::bodies::inputs::InputSignals;
+use super::bodies::input_signals::InputSignals;
 use super::bodies::joints::Joints;
 use super::bodies::mechanism_motion::MechanismMotion;
 use super::constraints::configuration_constraints::{
@@ -14,7 +14,7 @@ use super::constraints::motion_constraints::{ConstraintParts, MotionConstraints}
 use super::constraints::openings::joint_opening_motions;
 use super::input::InputBinding;
 use super::reading::declared_names::{NameKind, Names};
-use super::reading::model_reader::Loading;
+use super::reading::loading::Loading;
 use super::reading::repetition::expand_repetition;
 use super::{
     ComparedBodies, Coordinate, DomainCondition, JointReaction, Model, NamedVelocity, Parameter, RedundantEquation,
@@ -133,7 +133,7 @@ impl Model {
     /// # Errors
     /// [`Diagnostics`] for the file `scene`, at the byte range `place` of its inputs, if the model has
     /// errors with these formulas.
-    pub fn with_inputs(
+    pub fn reread_with_inputs(
         &self,
         bindings: Vec<InputBinding>,
         scene: &Source,
@@ -153,7 +153,7 @@ impl Model {
     ///
     /// # Errors
     /// [`Diagnostics`] of the model file. A loaded model's file has no errors.
-    pub fn with_varied_inputs(&self, inputs: &[String]) -> Result<Self, Diagnostics> {
+    pub fn reread_with_varied_inputs(&self, inputs: &[String]) -> Result<Self, Diagnostics> {
         let is_formula = |name: &String| self.inputs.iter().any(|input| input.name == *name && !input.is_parameter);
         if inputs.iter().any(is_formula) {
             return load_with_inputs(&self.source, self.bindings.clone(), inputs);
@@ -223,7 +223,7 @@ impl<'a> Loading<'a> {
         self.report_undefined(undefined);
         motion_errors += self.reader.errors.len() - before_constraints;
         let mut domain = self.domain(table);
-        self.insert_stated_numbers(&mut parameters);
+        self.insert_number_parameters(&mut parameters);
         signals.put_in(&mut self.arena, &mut elements, &mut domain);
         let (stated_speeds, speeds) = (texts.len(), self.speeds(texts, &values, &replacements));
         let openings = joint_opening_motions(&mut self.arena, &opened, &elements, &[&kept, &motion], &replacements);
@@ -258,7 +258,7 @@ impl<'a> Loading<'a> {
         let kinematic_equations =
             tied.and_then(|ties| self.kinematic_equations(table, &coordinates, &speeds, &ties.motion));
         self.replace_in_conditions(&mut fixed, &mut domain, &mut signals);
-        let expressions = self.expressions_with(&mut fixed);
+        let expressions = self.named_expressions_with(&mut fixed);
         let MotionConstraints { motion, loops, repeated, closed, dependent, branch, .. } =
             ties.filter(|_| self.reader.errors.is_empty())?;
         let mut model = Model {
@@ -299,22 +299,22 @@ impl<'a> Loading<'a> {
             shapes,
             kinematic_equations: kinematic_equations?,
             repeated: said.into_iter().map(RedundantEquation::of_loop).chain(repeated).collect(),
-            unused: self.names.unused_names(),
+            unused: self.names.unused_declarations(),
             declared: self.names.places(),
             expressions,
         };
-        self.complete_reactions(&mut model, holding, &prescribing, &mut fixed);
+        self.complete_model(&mut model, holding, &prescribing, &mut fixed);
         Some(model)
     }
 
     /// Named expressions of the model file, with constrained variables replaced.
-    fn expressions_with(&mut self, fixed: &mut Substitution) -> Vec<(String, Expr)> {
+    fn named_expressions_with(&mut self, fixed: &mut Substitution) -> Vec<(String, Expr)> {
         let put = |(name, e)| (name, fixed.apply(&mut self.arena, e));
         self.names.expressions().into_iter().map(put).collect()
     }
 
     /// Inserts the parameters for numbers with units into the list of parameters, before the inputs.
-    fn insert_stated_numbers(&mut self, parameters: &mut Vec<Parameter>) {
+    fn insert_number_parameters(&mut self, parameters: &mut Vec<Parameter>) {
         let inputs_at = parameters.iter().position(|parameter| parameter.is_input).unwrap_or(parameters.len());
         parameters.splice(inputs_at..inputs_at, std::mem::take(&mut self.stated_numbers));
     }
@@ -348,7 +348,7 @@ impl<'a> Loading<'a> {
 
     /// Completes a model: finds its reactions, and replaces the reactions that conditions of the domain
     /// contain by name.
-    fn complete_reactions(
+    fn complete_model(
         &mut self,
         model: &mut Model,
         holding: Vec<JointReaction>,
@@ -357,7 +357,7 @@ impl<'a> Loading<'a> {
     ) {
         model.loops.iter_mut().for_each(|one| one.prescribes = prescribing.contains(&one.name));
         model.add_joint_reactions(holding, fixed);
-        model.complete_loads();
+        model.add_potential_forces_and_reactions();
         let open = model.name_reactions(std::mem::take(&mut self.names.reactions));
         self.reader.errors.extend(open);
     }
@@ -401,7 +401,7 @@ impl<'a> Loading<'a> {
     ) -> Connections {
         let mut stated = self.constraints(table, elements);
         stated.extend(self.euler_parameter_norms(&elements.frames));
-        let rolling = self.rolling(table, elements);
+        let rolling = self.rolling_constraints(table, elements);
         let springs = self.springs(table, elements);
         let friction = self.friction(table, elements);
         let potentials = self.potentials(table);
@@ -430,7 +430,7 @@ impl<'a> Loading<'a> {
             let mut moving = MechanismMotion::new(&mut self.arena, elements, coordinates);
             let forces = self.spring_forces(&mut moving, elements, springs);
             elements.contacts.rolling = rolling.iter().map(|rolling| rolling.name.text.clone()).collect();
-            slips = self.rolling_equations(&mut moving, elements, rolling);
+            slips = self.rolling_constraint_equations(&mut moving, elements, rolling);
             let value = |v: &NamedVelocity| (v.symbol, moving.named_component(&mut self.arena, elements, v));
             values = velocities.iter().map(value).collect::<Vec<_>>();
             let mut put = Substitution::new(&values);
@@ -447,7 +447,7 @@ impl<'a> Loading<'a> {
         // Equations of joints are no contacts; they come after the constraints of the model file, so `zip`
         // leaves them out.
         for (compared, constraint) in compared.iter_mut().zip(&stated) {
-            compared.moved = self.bodies_in_equation(elements, coordinates, constraint.equation);
+            compared.moved = self.compared_bodies_in_equation(elements, coordinates, constraint.equation);
         }
         elements.contacts.compared = compared;
         let (configuration, motion) = stated.into_iter().partition(|c| self.is_of_configuration(c.equation));
@@ -505,7 +505,7 @@ impl<'a> Loading<'a> {
             let entry = self.entry(&name, value, NameKind::Coordinate, Some(symbol), "{ unit = \"rad\" }");
             let Some((entry, _)) = entry else { continue };
             self.reader.report_unknown_keys(entry, "a coordinate", &["unit", "about"]);
-            let unit = self.unit(entry, &name);
+            let unit = self.read_unit_key(entry, &name);
             let about = self.about(entry);
             coordinates.push((name, symbol, unit, about));
         }

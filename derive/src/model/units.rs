@@ -106,7 +106,7 @@ impl StatedUnit {
     }
 
     /// Number in front of the unit, as text with its place.
-    pub fn number(&self, formula: &Located) -> Located {
+    pub fn number_before_unit(&self, formula: &Located) -> Located {
         let range = 0..self.end;
         Located { text: formula.text[range.clone()].to_owned(), span: formula.part(range), exact: formula.exact }
     }

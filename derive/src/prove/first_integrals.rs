@@ -1,7 +1,7 @@
 //! First integrals of a model: the energy, and the momenta of symmetries.
 //!
-//! Candidates come from a stated search (see [`find`]). Each integral I is proved by the identity
-//! dI/dt − λᵀ (M u̇ − f) = 0 in q, u and free u̇, with the known multipliers λ = J ξ.
+//! Candidates come from a stated search (see [`find_first_integrals`]). Each integral I is proved by
+//! the identity dI/dt − λᵀ (M u̇ − f) = 0 in q, u and free u̇, with the known multipliers λ = J ξ.
 
 use super::integral_kind::{IntegralKind, integral_addition_text};
 use super::noether::{NoetherTerms, VectorField};
@@ -125,9 +125,9 @@ impl IntegralSearch {
 /// the search.
 ///
 /// The search looks for the energy T + V, or Jacobi's integral if drives move the mechanism. The
-/// energy includes the potential of forces for which the rules of [`primitive`] find one. The
-/// search also looks for the momenta of coordinates, of rigid motions, of all fields ξ = A q + b
-/// and of quasi-cyclic coordinates.
+/// energy includes the potential of forces for which the rules of [`antiderivative`] find one.
+/// The search also looks for the momenta of coordinates, of rigid motions, of all fields
+/// ξ = A q + b and of quasi-cyclic coordinates.
 ///
 /// Rigid motions, of the whole and of each body, are translations along the inertial axes, and
 /// rotations about them through the mass centre and the origin. A function of q may be added to a

@@ -13,6 +13,7 @@ use crate::diagnostic::{Diagnostic, nearest_name_advice, shortened_for_message};
 use crate::mechanics::Quantity;
 use crate::toml_reader::Located;
 use std::ops::Range;
+use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 /// Largest number of entries in a publication file.
@@ -305,6 +306,18 @@ impl<'a> PublicationReader<'a, '_> {
         self.reader.string(value, &format!("`{key}`"))
     }
 
+    /// Array under a required key of an entry, and its place; reports a key that is absent or no
+    /// array.
+    pub(super) fn required_entry_array(
+        &mut self,
+        item: &EntryTable<'a>,
+        key: &str,
+        example: &str,
+    ) -> Option<(&'a [Spanned<DeValue<'a>>], Range<usize>)> {
+        let value = self.reader.required(item.table, key, item.what, &item.span)?;
+        Some((self.require_array(value, &format!("`{key}`"), example)?, value.span()))
+    }
+
     /// Printed formula of an entry: the text under `printed`, or the equation of a label in a file.
     /// Returns `None` if an error is reported.
     fn read_entry_formula(&mut self, item: &EntryTable<'a>) -> Option<Located> {
@@ -334,7 +347,7 @@ impl<'a> PublicationReader<'a, '_> {
             },
         };
         if at >= count {
-            let span = self.reader.get(item.table, "line").map_or(label.span, toml::Spanned::span);
+            let span = self.reader.get(item.table, "line").map_or(label.span, Spanned::span);
             self.reader.error(span, "there is no such line", format!("write a number from 1 to {count}"));
             return None;
         }
@@ -386,7 +399,7 @@ impl<'a> PublicationReader<'a, '_> {
         if printed.is_none() && self.reader.get(item.table, "label").is_some() {
             return None;
         }
-        let is_zero = |value: &toml::Spanned<DeValue<'a>>| match value.get_ref() {
+        let is_zero = |value: &Spanned<DeValue<'a>>| match value.get_ref() {
             DeValue::String(name) => name.trim() == "0",
             DeValue::Integer(n) => n.as_str() == "0",
             _ => false,

@@ -26,6 +26,11 @@ pub fn sides(text: &str, range: Range<usize>, notation: Notation) -> Vec<Range<u
     equality_parts(text, range, notation, |rest, _| usize::from(rest.starts_with('=')))
 }
 
+/// True if a printed equation has terms other than 0 on its right side.
+pub fn has_right_side(text: &str) -> bool {
+    text.find('=').is_some_and(|at| !text[at + 1..].trim().trim_start_matches('0').is_empty())
+}
+
 /// Number of bytes of the mark between two equations with which a text begins; zero if it begins with none.
 fn equality_separator(rest: &str, notation: Notation) -> usize {
     let marks: &[&str] = if notation == Notation::Latex { &[",", ";", "\\qquad", "\\quad"] } else { &[",", ";"] };

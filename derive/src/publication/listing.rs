@@ -1,6 +1,5 @@
-//! Reading of printed programs (listings) that compute the time derivative of a state.
+//! Printed programs (listings) that compute the time derivative of a state, and the reading of them.
 
-use super::Listing;
 use super::entries::EntryTable;
 use super::printed_system::{MatrixRequirements, count_with_noun};
 use super::publication_reader::PublicationReader;
@@ -10,6 +9,61 @@ use std::ops::Range;
 use std::sync::Arc;
 use toml::Spanned;
 use toml::de::DeValue;
+
+/// Printed program that computes the time derivative of a state.
+/// The state has coordinates q and motion variables in any order. The motion variables are u, or q̇
+/// for Lagrange.
+#[derive(Clone, Debug)]
+pub struct Listing {
+    /// Formulation whose derived equations the printed program is compared with.
+    pub formulation: Formulation,
+    /// Variables of the state, z(1), z(2), …, each once: coordinates and generalized speeds. For
+    /// Lagrange, rates replace speeds.
+    pub state: Vec<Expr>,
+    /// Names of the state's variables, in the order of `state`.
+    pub state_names: Vec<String>,
+    /// Assigned derivatives dz(1), dz(2), …; if the program has a matrix, before they are divided
+    /// by it.
+    pub derivative: Vec<Expr>,
+    /// Printed texts of the assigned derivatives.
+    pub derivative_texts: Vec<String>,
+    /// Indices, in the state, of the motion variables u or q̇.
+    pub moving: Vec<usize>,
+    /// Square matrix E of dz = E \ dz, with a row and a column for each motion variable; `None` if
+    /// the program has none.
+    pub matrix: Option<Vec<Vec<Expr>>>,
+    /// Printed texts of the matrix entries, row by row; `None` if the program has no matrix.
+    pub matrix_texts: Option<Vec<Vec<String>>>,
+}
+
+impl Listing {
+    /// Id of the program's assigned derivative with the index `at`, from 0; `id` is the id of the
+    /// program's entry.
+    #[must_use]
+    pub fn derivative_id(&self, id: &str, at: usize) -> String {
+        format!("{id}-dz{}", at + 1)
+    }
+
+    /// Id of the program's matrix entry in `row` and `column`, from 0; `id` is the id of the
+    /// program's entry.
+    #[must_use]
+    pub fn matrix_id(&self, id: &str, row: usize, column: usize) -> String {
+        // With more than nine rows, the pairs (1, 11) and (11, 1) would read the same without a
+        // comma.
+        let comma = if self.state.len() > 18 { "," } else { "" };
+        format!("{id}-E{}{comma}{}", row + 1, column + 1)
+    }
+
+    /// Ids of all derivatives and matrix entries that the program assigns; `id` is the id of its
+    /// entry.
+    pub(super) fn ids(&self, id: &str) -> Vec<String> {
+        let mut ids: Vec<String> = (0..self.derivative.len()).map(|at| self.derivative_id(id, at)).collect();
+        for (i, row) in self.matrix.iter().flatten().enumerate() {
+            ids.extend((0..row.len()).map(|j| self.matrix_id(id, i, j)));
+        }
+        ids
+    }
+}
 
 impl<'a> PublicationReader<'a, '_> {
     /// Reads an entry `[[listing]]`: a printed program that computes the time derivative of a

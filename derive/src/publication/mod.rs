@@ -51,6 +51,7 @@ mod author_files;
 mod coriolis_matrix;
 mod entries;
 mod equalities;
+mod labelled_equations;
 mod listing;
 mod name_meanings;
 mod name_spelling;
@@ -60,6 +61,7 @@ mod printed;
 mod printed_abbreviations;
 mod printed_matrix;
 mod printed_system;
+mod program_assignments;
 mod program_variables;
 mod publication_of_model;
 mod publication_reader;
@@ -67,7 +69,10 @@ mod quantity_names;
 mod row_text;
 mod time_derivatives;
 
+pub(crate) use equalities::has_right_side;
+pub use listing::Listing;
 pub use printed_abbreviations::{Abbreviation, PrintedAbbreviations};
+pub use printed_system::System;
 pub use publication_of_model::{
     hash_publication_of_model, is_publication_path, load_publication_of_model, publication_path_of_model,
 };
@@ -78,7 +83,7 @@ pub(crate) use row_text::system_row_text;
 use crate::algebra::Expr;
 use crate::algebra::text::notation::Notation;
 use crate::diagnostic::Source;
-use crate::mechanics::{Formulation, Quantity};
+use crate::mechanics::Quantity;
 use std::ops::Range;
 
 /// Published derivation: the entries, names and abbreviations of a publication file.
@@ -174,64 +179,6 @@ pub enum EntryKind {
     Initial(Initial),
 }
 
-/// Printed linear system, matrix · unknowns = right, with any number of rows and one column for
-/// each unknown.
-#[derive(Clone, Debug)]
-pub struct System {
-    /// Formulation whose derived system the printed system is compared with.
-    pub formulation: Formulation,
-    /// Index of the frame of the components of a Newton–Euler system; `None` for other systems.
-    pub frame: Option<usize>,
-    /// Unknowns of the system, each once: u̇ for Kane, q̈ for Lagrange, u̇ and reactions for Newton–Euler.
-    pub unknowns: Vec<Expr>,
-    /// Names of the unknowns, in the order of `unknowns`.
-    pub unknown_names: Vec<String>,
-    /// Matrix of the printed system: one row for each equation, one column for each unknown.
-    pub matrix: Vec<Vec<Expr>>,
-    /// Printed texts of the matrix entries, row by row.
-    pub matrix_texts: Vec<Vec<String>>,
-    /// Right-hand sides of the printed system, one for each row.
-    pub right: Vec<Expr>,
-    /// Printed texts of the right-hand sides, one for each row.
-    pub right_texts: Vec<String>,
-    /// Printed texts of whole rows; `None` if the system is printed as a matrix.
-    pub row_texts: Option<Vec<String>>,
-    /// True if the system is a single printed equation, whose row has the id of the entry.
-    pub is_single: bool,
-    /// Template for the ids of matrix entries, with `{i}` for the row and `{j}` for the column;
-    /// `None` if entries have no ids.
-    pub matrix_ids: Option<String>,
-    /// Template for the ids of right-hand sides, with `{i}` for the row; `None` if right-hand sides
-    /// have no ids.
-    pub right_ids: Option<String>,
-}
-
-/// Printed program that computes the time derivative of a state.
-/// The state has coordinates q and motion variables in any order. The motion variables are u, or q̇
-/// for Lagrange.
-#[derive(Clone, Debug)]
-pub struct Listing {
-    /// Formulation whose derived equations the printed program is compared with.
-    pub formulation: Formulation,
-    /// Variables of the state, z(1), z(2), …, each once: coordinates and generalized speeds. For
-    /// Lagrange, rates replace speeds.
-    pub state: Vec<Expr>,
-    /// Names of the state's variables, in the order of `state`.
-    pub state_names: Vec<String>,
-    /// Assigned derivatives dz(1), dz(2), …; if the program has a matrix, before they are divided
-    /// by it.
-    pub derivative: Vec<Expr>,
-    /// Printed texts of the assigned derivatives.
-    pub derivative_texts: Vec<String>,
-    /// Indices, in the state, of the motion variables u or q̇.
-    pub moving: Vec<usize>,
-    /// Square matrix E of dz = E \ dz, with a row and a column for each motion variable; `None` if
-    /// the program has none.
-    pub matrix: Option<Vec<Vec<Expr>>>,
-    /// Printed texts of the matrix entries, row by row; `None` if the program has no matrix.
-    pub matrix_texts: Option<Vec<Vec<String>>>,
-}
-
 /// Printed number: the value of a parameter, or an initial value.
 #[derive(Clone, Debug)]
 pub struct Initial {
@@ -257,11 +204,6 @@ pub fn has_decimals(text: &str) -> bool {
     text.match_indices('.').any(|(at, _)| is_digit(Some(at + 1)))
 }
 
-/// True if a printed equation has terms other than 0 on its right side.
-pub(crate) fn has_right_side(text: &str) -> bool {
-    text.find('=').is_some_and(|at| !text[at + 1..].trim().trim_start_matches('0').is_empty())
-}
-
 impl Publication {
     /// Title of the publication for headings, or "A publication without a title" if it is blank.
     #[must_use]
@@ -270,66 +212,6 @@ impl Publication {
             "" => "A publication without a title",
             title => title,
         }
-    }
-}
-
-impl System {
-    /// Id of the row with the index `row`, from 0; `id` is the id of the system's entry.
-    #[must_use]
-    pub fn row_id(&self, id: &str, row: usize) -> String {
-        if self.is_single { id.to_owned() } else { format!("{id}-row{}", row + 1) }
-    }
-
-    /// Id of the matrix entry in `row` and `column`, from 0; `None` if matrix entries have no ids.
-    #[must_use]
-    pub fn matrix_id(&self, row: usize, column: usize) -> Option<String> {
-        let template = self.matrix_ids.as_ref()?;
-        Some(template.replace("{i}", &(row + 1).to_string()).replace("{j}", &(column + 1).to_string()))
-    }
-
-    /// Id of the right-hand side of `row`, from 0; `None` if right-hand sides have no ids.
-    #[must_use]
-    pub fn right_id(&self, row: usize) -> Option<String> {
-        Some(self.right_ids.as_ref()?.replace("{i}", &(row + 1).to_string()))
-    }
-
-    /// Ids of all rows, matrix entries and right-hand sides; `id` is the id of the system's entry.
-    fn ids(&self, id: &str) -> Vec<String> {
-        let mut ids: Vec<String> = (0..self.right.len()).map(|row| self.row_id(id, row)).collect();
-        for row in 0..self.right.len() {
-            ids.extend((0..self.unknowns.len()).filter_map(|column| self.matrix_id(row, column)));
-        }
-        ids.extend((0..self.right.len()).filter_map(|row| self.right_id(row)));
-        ids
-    }
-}
-
-impl Listing {
-    /// Id of the program's assigned derivative with the index `at`, from 0; `id` is the id of the
-    /// program's entry.
-    #[must_use]
-    pub fn derivative_id(&self, id: &str, at: usize) -> String {
-        format!("{id}-dz{}", at + 1)
-    }
-
-    /// Id of the program's matrix entry in `row` and `column`, from 0; `id` is the id of the
-    /// program's entry.
-    #[must_use]
-    pub fn matrix_id(&self, id: &str, row: usize, column: usize) -> String {
-        // With more than nine rows, the pairs (1, 11) and (11, 1) would read the same without a
-        // comma.
-        let comma = if self.state.len() > 18 { "," } else { "" };
-        format!("{id}-E{}{comma}{}", row + 1, column + 1)
-    }
-
-    /// Ids of all derivatives and matrix entries that the program assigns; `id` is the id of its
-    /// entry.
-    fn ids(&self, id: &str) -> Vec<String> {
-        let mut ids: Vec<String> = (0..self.derivative.len()).map(|at| self.derivative_id(id, at)).collect();
-        for (i, row) in self.matrix.iter().flatten().enumerate() {
-            ids.extend((0..row.len()).map(|j| self.matrix_id(id, i, j)));
-        }
-        ids
     }
 }
 

@@ -6,6 +6,8 @@ use super::publication_reader::PublicationReader;
 use crate::algebra::Expr;
 use crate::diagnostic::Diagnostic;
 use crate::mechanics::{Quantity, QuantityKind};
+use toml::Spanned;
+use toml::de::DeValue;
 
 /// State of a printed program (listing), its derivative, and the matrix in front of the derivative;
 /// `None` without a matrix.
@@ -22,7 +24,7 @@ impl<'a> PublicationReader<'a, '_> {
         printed: Expr,
     ) -> Option<(Quantity, Expr)> {
         let Some((kind, is_turned)) = self.kind_in_model_coordinates(quantity.kind()) else {
-            let span = self.reader.get(item.table, "quantity").map_or_else(|| item.span.clone(), toml::Spanned::span);
+            let span = self.reader.get(item.table, "quantity").map_or_else(|| item.span.clone(), Spanned::span);
             let message = format!("`{quantity}` is of a coordinate that is a sum of the model's");
             let help = "state the formula as an equation of motion, without a quantity, such as q1'' = …";
             self.reader.error(span, message, help);
@@ -30,6 +32,18 @@ impl<'a> PublicationReader<'a, '_> {
         };
         let printed = if is_turned { self.model.arena.neg(printed) } else { printed };
         Some((Quantity::new(kind, self.model), printed))
+    }
+
+    /// Accelerations of the publication's own coordinates and speeds in a list of names, each with
+    /// its formula.
+    pub(super) fn own_accelerations(&self, names: &'a [Spanned<DeValue<'a>>]) -> Vec<(String, Expr)> {
+        let name = |value: &'a Spanned<DeValue<'a>>| match value.get_ref() {
+            DeValue::String(name) => {
+                Some((name.to_string(), self.words.declared_formula(name).filter(|_| name.ends_with('\''))?))
+            }
+            _ => None,
+        };
+        names.iter().filter_map(name).collect()
     }
 
     /// Reports names of derived quantities whose coordinate or speed has another meaning in the
@@ -149,7 +163,7 @@ impl<'a> PublicationReader<'a, '_> {
             let is_speed = self.model.speeds.iter().any(|s| s.name == stem);
             let found = if is_speed { self.speed_up_to_sign(stem) } else { self.coordinate_up_to_sign(stem) };
             let Some((to, turned)) = found else {
-                let span = self.reader.get(item.table, "state").map_or_else(|| item.span.clone(), toml::Spanned::span);
+                let span = self.reader.get(item.table, "state").map_or_else(|| item.span.clone(), Spanned::span);
                 let message = format!("`{name}` is a sum of the model's variables");
                 self.reader.error(span, message, "a state has one variable of the model each");
                 return None;

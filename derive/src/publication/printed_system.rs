@@ -1,6 +1,5 @@
-//! Reading of printed linear systems, stated as a matrix or as equations of motion.
+//! Printed linear systems, and the reading of them, stated as a matrix or as equations of motion.
 
-use super::System;
 use super::entries::EntryTable;
 use super::printed::LabelChoice;
 use super::publication_reader::PublicationReader;
@@ -37,6 +36,69 @@ pub(super) struct MatrixRequirements<'a> {
     pub(super) unknowns: &'a [Expr],
     /// Notation in which the matrix entries are written.
     pub(super) notation: Notation,
+}
+
+/// Printed linear system, matrix · unknowns = right, with any number of rows and one column for
+/// each unknown.
+#[derive(Clone, Debug)]
+pub struct System {
+    /// Formulation whose derived system the printed system is compared with.
+    pub formulation: Formulation,
+    /// Index of the frame of the components of a Newton–Euler system; `None` for other systems.
+    pub frame: Option<usize>,
+    /// Unknowns of the system, each once: u̇ for Kane, q̈ for Lagrange, u̇ and reactions for Newton–Euler.
+    pub unknowns: Vec<Expr>,
+    /// Names of the unknowns, in the order of `unknowns`.
+    pub unknown_names: Vec<String>,
+    /// Matrix of the printed system: one row for each equation, one column for each unknown.
+    pub matrix: Vec<Vec<Expr>>,
+    /// Printed texts of the matrix entries, row by row.
+    pub matrix_texts: Vec<Vec<String>>,
+    /// Right-hand sides of the printed system, one for each row.
+    pub right: Vec<Expr>,
+    /// Printed texts of the right-hand sides, one for each row.
+    pub right_texts: Vec<String>,
+    /// Printed texts of whole rows; `None` if the system is printed as a matrix.
+    pub row_texts: Option<Vec<String>>,
+    /// True if the system is a single printed equation, whose row has the id of the entry.
+    pub is_single: bool,
+    /// Template for the ids of matrix entries, with `{i}` for the row and `{j}` for the column;
+    /// `None` if entries have no ids.
+    pub matrix_ids: Option<String>,
+    /// Template for the ids of right-hand sides, with `{i}` for the row; `None` if right-hand sides
+    /// have no ids.
+    pub right_ids: Option<String>,
+}
+
+impl System {
+    /// Id of the row with the index `row`, from 0; `id` is the id of the system's entry.
+    #[must_use]
+    pub fn row_id(&self, id: &str, row: usize) -> String {
+        if self.is_single { id.to_owned() } else { format!("{id}-row{}", row + 1) }
+    }
+
+    /// Id of the matrix entry in `row` and `column`, from 0; `None` if matrix entries have no ids.
+    #[must_use]
+    pub fn matrix_id(&self, row: usize, column: usize) -> Option<String> {
+        let template = self.matrix_ids.as_ref()?;
+        Some(template.replace("{i}", &(row + 1).to_string()).replace("{j}", &(column + 1).to_string()))
+    }
+
+    /// Id of the right-hand side of `row`, from 0; `None` if right-hand sides have no ids.
+    #[must_use]
+    pub fn right_id(&self, row: usize) -> Option<String> {
+        Some(self.right_ids.as_ref()?.replace("{i}", &(row + 1).to_string()))
+    }
+
+    /// Ids of all rows, matrix entries and right-hand sides; `id` is the id of the system's entry.
+    pub(super) fn ids(&self, id: &str) -> Vec<String> {
+        let mut ids: Vec<String> = (0..self.right.len()).map(|row| self.row_id(id, row)).collect();
+        for row in 0..self.right.len() {
+            ids.extend((0..self.unknowns.len()).filter_map(|column| self.matrix_id(row, column)));
+        }
+        ids.extend((0..self.right.len()).filter_map(|row| self.right_id(row)));
+        ids
+    }
 }
 
 impl<'a> PublicationReader<'a, '_> {
@@ -392,18 +454,6 @@ impl<'a> PublicationReader<'a, '_> {
         found.map(Some).ok_or(ReportedError)
     }
 
-    /// Accelerations of the publication's own coordinates and speeds in a list of names, each with
-    /// its formula.
-    fn own_accelerations(&self, names: &'a [Spanned<DeValue<'a>>]) -> Vec<(String, Expr)> {
-        let name = |value: &'a Spanned<DeValue<'a>>| match value.get_ref() {
-            DeValue::String(name) => {
-                Some((name.to_string(), self.words.declared_formula(name).filter(|_| name.ends_with('\''))?))
-            }
-            _ => None,
-        };
-        names.iter().filter_map(name).collect()
-    }
-
     /// Reads a list of at least one name out of `known`, each at most once; returns their symbols
     /// and names.
     /// Reports an error and returns `None` for an unknown or repeated name. `what` describes the
@@ -444,18 +494,6 @@ impl<'a> PublicationReader<'a, '_> {
             found.push((*symbol, name));
         }
         complete.then(|| found.into_iter().map(|(e, name)| (e, name.text)).unzip())
-    }
-
-    /// Array under a required key of an entry, and its place; reports a key that is absent or no
-    /// array.
-    pub(super) fn required_entry_array(
-        &mut self,
-        item: &EntryTable<'a>,
-        key: &str,
-        example: &str,
-    ) -> Option<(&'a [Spanned<DeValue<'a>>], Range<usize>)> {
-        let value = self.reader.required(item.table, key, item.what, &item.span)?;
-        Some((self.require_array(value, &format!("`{key}`"), example)?, value.span()))
     }
 
     /// Reads formulas that must not contain any of the `unknowns`; `None` if an error is reported.

@@ -25,6 +25,7 @@ mod model_start;
 mod pose_formulas;
 mod sheet;
 mod sketch_description;
+mod sketch_subject;
 mod supports;
 
 pub use drawing_elements::{DrawingPoint, Label, LabelWord, Mark, MarkRole, PaintKind, Path, PathPart};
@@ -37,11 +38,11 @@ use crate::mechanism::Mechanism;
 use angles::{Angle, Arcs};
 use camera::Camera;
 use dimension_lines::Length;
-use drawn_pose::is_finite_pose;
 use model_start::start_without_scene;
 use pose_formulas::PoseFormulas;
-use sheet::{Sheet, SketchSubject};
+use sheet::Sheet;
 use sketch_description::{CoordinateMark, MarkedCoordinate};
+use sketch_subject::SketchSubject;
 use tripos_derive::model::TIME;
 use tripos_derive::plain_text::path_as_plain_text;
 use tripos_derive::scene::{Scene, State};
@@ -148,7 +149,7 @@ impl Sketch {
     fn new(mechanism: &Mechanism, terms: &PoseFormulas, poses: &Poses, given: DrawnState<'_>) -> Result<Self, Error> {
         let at = Configuration { parameters: given.parameters, q: &given.q };
         let pose = poses.pose_at(given.parameters, &given.q);
-        if !is_finite_pose(&pose) {
+        if !pose.is_finite() {
             let help = "give another state by --at, or another scene";
             return Err(Error::request("the place of a frame or point is not a finite number at this start", help));
         }
@@ -197,7 +198,7 @@ fn distant_poses(poses: &Poses, at: Configuration<'_>) -> Vec<Pose> {
         at.q.iter().enumerate().map(|(k, q)| q + 0.15 + 0.9 * share(k)).collect::<Vec<f64>>()
     };
     let all = (0..FAR).map(|step| poses.pose_at(at.parameters, &moved(step)));
-    all.filter(is_finite_pose).collect()
+    all.filter(Pose::is_finite).collect()
 }
 
 /// Chooses the direction of view of a sketch and its scale, and stores them in `subject`.
@@ -208,13 +209,13 @@ fn choose_sketch_camera(subject: &mut SketchSubject<'_>, at: Configuration<'_>) 
     let moving: Vec<Pose> = std::iter::once(subject.pose.clone()).chain(subject.far.iter().cloned()).collect();
     let plane = View::of_poses(subject.mechanism, at, &[&moving])?.plane;
     let angles: Vec<Angle> = (0..subject.q.len()).filter_map(|c| Angle::of(subject, c)).collect();
-    let turns = sketch_description::axes_of_angles(subject, &angles);
+    let turns = angles::axes_of_angles(subject, &angles);
     let is_across = |normal: &super::view::Triple| turns.iter().all(|axis| dot(*axis, *normal).abs() > 1.0 - 1e-9);
     let plane = plane.filter(is_across);
     subject.is_planar = plane.is_some();
     subject.camera = match plane {
         Some(normal) => Camera::camera_along_normal(normal, subject.view.up),
-        None => Camera::oblique_camera(subject.view.up, &turns, &sketch_description::vectors_along_rods(subject)),
+        None => Camera::oblique_camera(subject.view.up, &turns, &body_outlines::vectors_along_rods(subject)),
     };
     let (low, high) = body_outlines::bodies_extent(subject);
     let fits = |room: f64, i: usize| if high[i] - low[i] > 1e-9 { room / (high[i] - low[i]) } else { f64::MAX };
@@ -237,7 +238,7 @@ fn add_points_to_sheet(subject: &SketchSubject<'_>, sheet: &mut Sheet) {
     for group in groups {
         let spot = subject.spot(group[0]);
         let is_pinned = subject.view.solids.iter().any(|solid| {
-            body_outlines::is_pin(solid)
+            solid.is_pin()
                 && solid.form.points().iter().any(|point| group.iter().any(|p| subject.points_coincide(*p, *point)))
         });
         if !is_pinned {

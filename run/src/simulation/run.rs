@@ -27,7 +27,7 @@ pub struct Run {
     pub ending: String,
     /// Sentence that names the first shown quantity without a value, and its instant; `None` if all
     /// have values.
-    /// It is set by [`TopicStudy::find_missing_values`].
+    /// It is set by [`Run::find_missing_values`].
     pub(crate) missing: Option<String>,
     /// Names of the shown quantities: coordinates and generalized speeds, or the outputs of a scene.
     pub names: Vec<String>,

@@ -11,7 +11,7 @@ use crate::preparation::problem::Problem;
 use crate::preparation::speed_changes::{self, ChosenSpeedEquations};
 use crate::trust;
 use crate::trust::constraint_residuals::constraint_residuals;
-use crate::trust::correct_digits::{CorrectDigits, Values, estimate_digits};
+use crate::trust::correct_digits::{CorrectDigits, Values, estimate_digits, unassessed_digits_note};
 use crate::trust::load_power::accumulated_load_power;
 use crate::trust::stiffness;
 use crate::trust::watched_functions::{WatchedFunctions, watched_events};
@@ -210,7 +210,7 @@ fn finish_run(
         notes: closed_start_notes(scene)
             .chain(impacts::notes_on_short_bounces(&scene.impacts, &solution))
             .chain(driven_mechanism_note(problem))
-            .chain(digits.as_ref().and_then(trust::unassessed_digits_note))
+            .chain(digits.as_ref().and_then(unassessed_digits_note))
             .chain(stiffness::stiffness_advice(problem, &solution)?)
             .collect(),
         digits,

@@ -14,8 +14,8 @@
 mod control_loop;
 
 use super::shown_quantities::state_names;
-use crate::code::{CodeForm, CodePreparation, find_equations_or_first, runnable_code};
-use crate::equations_name::EquationsName;
+use crate::code::{CodeForm, CodePreparation, runnable_code};
+use crate::equations_name::{EquationsName, find_equations_or_first};
 use crate::error::Error;
 use crate::integration_options::integration_options;
 use crate::mechanism::Mechanism;

@@ -6,8 +6,8 @@ use super::run_problem::{
     set_whole_model_energies,
 };
 use super::shown_quantities::ShownQuantities;
-use crate::code::{Code, CodePreparation, find_equations_or_first, runnable_code};
-use crate::equations_name::EquationsName;
+use crate::code::{Code, CodePreparation, runnable_code};
+use crate::equations_name::{EquationsName, find_equations_or_first};
 use crate::error::Error;
 use crate::integration_options::integration_options;
 use crate::mechanism::Mechanism;
@@ -213,7 +213,7 @@ pub fn simulate_full_equations(model: &Mechanism, scene: &Scene, by: &EquationsO
 /// `watch` holds the first integrals to watch; `None` watches only the energy.
 ///
 /// # Errors
-/// Errors of [`run`].
+/// Errors of [`simulate_full_equations`].
 pub fn simulate_full_equations_watched(
     model: &Mechanism,
     scene: &Scene,
@@ -258,7 +258,7 @@ fn simulate_in_chosen_speeds(problem: &Problem<'_>, rates: &Code) -> Result<Opti
 /// and does not fail.
 ///
 /// # Errors
-/// Errors of [`run`].
+/// Errors of [`simulate_full_equations`].
 pub fn simulate_if_speeds_change(model: &Mechanism, scene: &Scene, by: &EquationsOrigin) -> Result<Option<Run>, Error> {
     if !model.ties_rates() {
         return Ok(None);

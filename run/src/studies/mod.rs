@@ -5,6 +5,7 @@ pub mod chart_case;
 pub mod figure;
 pub mod identification;
 pub mod inverse;
+mod method_at_tolerance;
 pub mod model_analysis;
 pub mod sensitivity;
 pub mod stability;

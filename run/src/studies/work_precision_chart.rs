@@ -3,7 +3,8 @@
 
 pub mod scene_chart;
 
-use super::chart_case::{ChartCase, MethodAtTolerance, PreparedCase};
+use super::chart_case::{ChartCase, PreparedCase};
+use super::method_at_tolerance::MethodAtTolerance;
 use crate::error::Error;
 use crate::mechanism::Mechanism;
 use crate::observer::Progress;

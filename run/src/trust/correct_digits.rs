@@ -1,7 +1,7 @@
 //! Number of correct digits of a run, estimated by a second run.
 //!
-//! The second run follows the same motion with other steps ([`tripos_sim::seconds`]). Its start and
-//! its parameters are one rounding away. So the difference of the two runs contains the errors of
+//! The second run follows the same motion with other steps ([`tripos_sim::second_runs`]). Its start
+//! and its parameters are one rounding away. So the difference of the two runs contains the errors of
 //! the steps, of rounding, and of numbers that doubles cannot represent. Each of these errors
 //! appears with the amplification by the motion.
 //!
@@ -15,6 +15,7 @@ use super::watched_functions::{WatchedFunctions, watched_events};
 use crate::error::Error;
 use crate::preparation::problem::Problem;
 use rustc_hash::FxHashMap;
+use tripos_derive::plain_text::with_reliable_digits;
 use tripos_derive::scene::{Integrator, Scene};
 use tripos_sim::{
     Effect, Event, EventRecord, Kind, Options, OutputOption, SecondRun, Solution, Stop, TaylorSeries, second_runs,
@@ -35,6 +36,9 @@ const ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// Size, in SI units, below which a value does not matter if no tolerances define this size. It is
 /// the quotient of the default tolerances.
 const SMALL: f64 = 1e-3;
+/// Distance between the ends of two stopped runs up to which they count as the same end, relative
+/// to the run's duration.
+const ONE_END: f64 = 1e-3;
 /// Factor from the difference between two motions by quadrature to the error of each. Both share
 /// all errors except those of the start.
 const QUADRATURE_PART: f64 = 4.0;
@@ -147,6 +151,40 @@ impl CorrectDigits {
             || Some((self.t.len().checked_sub(1)?, self.digits_at_end()?.iter().position(|digits| *digits < FEW)?));
         (0..self.t.len()).find_map(few).or_else(at_end)
     }
+
+    /// Text that names the part of the run for which no errors are estimated; `None` if they are
+    /// estimated to its end.
+    pub(super) fn part_without_digits(&self) -> Option<String> {
+        match self.last_assessed_instant() {
+            _ if self.is_complete() => None,
+            Some(t) => Some(format!("beyond t = {} s", with_reliable_digits(t, None))),
+            None => Some("at any instant".to_owned()),
+        }
+    }
+
+    /// True if the second run, which is finer than the first, stopped earlier because it could not
+    /// go on.
+    /// Reaching the step limit does not count, nor does a coarser second run.
+    pub(super) fn second_run_stopped_early(&self) -> bool {
+        let SecondEnd { t, stop, is_finer } = &self.second;
+        let start = self.t.first().copied().unwrap_or(*t);
+        let is_one_end = (self.t_end - t).abs() <= ONE_END * (self.t_end - start).abs();
+        // A coarser run may fail by its own errors.
+        *is_finer && stop.is_failure() && !matches!(stop, Stop::StepLimit { .. }) && !is_one_end
+    }
+}
+
+/// Note that a second run stopped early, by its cost or by its own error, so that errors are not
+/// estimated to the end.
+/// Returns `None` if they are.
+#[must_use]
+pub fn unassessed_digits_note(digits: &CorrectDigits) -> Option<String> {
+    let beyond = digits.part_without_digits().filter(|_| !digits.second_run_stopped_early())?;
+    let why = match digits.second.stop {
+        Stop::StepLimit { .. } => "had cost as much as this one there",
+        _ => "could not go on there",
+    };
+    Some(format!("digits are not assessed {beyond}: a second run ({}) {why}", digits.by))
 }
 
 /// Function for the values that a run shows at an instant, s, and an integrated state.

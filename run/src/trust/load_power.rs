@@ -39,7 +39,7 @@ pub fn load_power<'a>(problem: &'a Problem<'_>) -> Result<Option<Power<'a>>, Err
 /// add to the work.
 ///
 /// # Errors
-/// Errors of [`power`].
+/// Errors of [`load_power`].
 pub fn accumulated_load_power<'a>(problem: &'a Problem<'_>) -> Result<Option<Power<'a>>, Error> {
     let power = load_power(problem)?;
     Ok(if problem.scene.impacts.is_empty() { power } else { power.or_else(|| Some(Box::new(|_, _: &[f64]| 0.0))) })

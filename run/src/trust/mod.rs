@@ -11,10 +11,12 @@ pub(super) mod stiffness;
 pub(super) mod watched_functions;
 pub(super) mod watched_invariants;
 
+pub use correct_digits::unassessed_digits_note;
+
 use crate::error::{Error, refused_scene_error};
 use crate::preparation::problem::Problem;
 use crate::trust::constraint_residuals::{broken_constraint_objection, opened_loop_objections};
-use crate::trust::correct_digits::{CorrectDigits, FEW, SecondEnd};
+use crate::trust::correct_digits::{CorrectDigits, FEW};
 use crate::trust::watched_invariants::{ConservedQuantity, Excursion, WatchedInvariants};
 use tripos_derive::plain_text::{with_reliable_digits, with_significant_digits};
 use tripos_derive::scene::AccelerationSolution;
@@ -83,48 +85,10 @@ fn too_few_digits_objection(digits: &CorrectDigits, names: &[String]) -> Option<
     ))
 }
 
-/// Text that names the part of a run for which no errors are estimated; `None` if they are
-/// estimated to its end.
-fn part_without_digits(digits: &CorrectDigits) -> Option<String> {
-    match digits.last_assessed_instant() {
-        _ if digits.is_complete() => None,
-        Some(t) => Some(format!("beyond t = {} s", with_reliable_digits(t, None))),
-        None => Some("at any instant".to_owned()),
-    }
-}
-
-/// Distance between the ends of two stopped runs up to which they count as the same end, relative
-/// to the run's duration.
-const ONE_END: f64 = 1e-3;
-
-/// True if the second run, which is finer than the first, stopped earlier because it could not go
-/// on.
-/// Reaching the step limit does not count, nor does a coarser second run.
-fn second_run_stopped_early(digits: &CorrectDigits) -> bool {
-    let SecondEnd { t, stop, is_finer } = &digits.second;
-    let start = digits.t.first().copied().unwrap_or(*t);
-    let is_one_end = (digits.t_end - t).abs() <= ONE_END * (digits.t_end - start).abs();
-    // A coarser run may fail by its own errors.
-    *is_finer && stop.is_failure() && !matches!(stop, Stop::StepLimit { .. }) && !is_one_end
-}
-
-/// Note that a second run stopped early, by its cost or by its own error, so that errors are not
-/// estimated to the end.
-/// Returns `None` if they are.
-#[must_use]
-pub fn unassessed_digits_note(digits: &CorrectDigits) -> Option<String> {
-    let beyond = part_without_digits(digits).filter(|_| !second_run_stopped_early(digits))?;
-    let why = match digits.second.stop {
-        Stop::StepLimit { .. } => "had cost as much as this one there",
-        _ => "could not go on there",
-    };
-    Some(format!("digits are not assessed {beyond}: a second run ({}) {why}", digits.by))
-}
-
 /// Objection that a finer run of the same motion cannot follow it to its end; `None` if there is no
 /// such contradiction.
 fn contradiction_objection(digits: &CorrectDigits, names: &[String]) -> Option<String> {
-    let beyond = part_without_digits(digits).filter(|_| second_run_stopped_early(digits))?;
+    let beyond = digits.part_without_digits().filter(|_| digits.second_run_stopped_early())?;
     let why = digits.second.stop.described(names);
     Some(format!("another run of this motion ({}) could not go on: {why}; do not trust this one {beyond}", digits.by))
 }

@@ -11,7 +11,8 @@ use crate::events::corners::BetweenCorners;
 use crate::methods::dormand_prince::DORMAND_PRINCE_54;
 use crate::methods::dormand_prince_853::{DORMAND_PRINCE_853, Row};
 use crate::methods::tableau::Coefficients;
-use crate::right_hand_side::{RightHandSide, TransposedRightHandSide};
+use crate::right_hand_side::RightHandSide;
+use crate::transposed_right_hand_side::TransposedRightHandSide;
 use tripos_traits::Method;
 
 /// Coefficients of a row that are not 0, each with the index of its stage, from 0.
@@ -126,7 +127,7 @@ impl Stages {
 /// Time of a stage, s, at the fraction `part` of the step from `t` to `t_new`; exactly `t_new` for the
 /// fraction 1.
 fn stage_time(t: f64, t_new: f64, part: f64) -> f64 {
-    if crate::stepper::exactly_equal(part, 1.0) { t_new } else { t + part * (t_new - t) }
+    if crate::rounding::exactly_equal(part, 1.0) { t_new } else { t + part * (t_new - t) }
 }
 
 /// Adds h Σⱼ aⱼ kⱼ to the state `y`, with the coefficients aⱼ of a row and the derivatives kⱼ of the

@@ -7,8 +7,8 @@
 
 use tripos_traits::{Lanes, Scalar};
 
+use crate::dense_output::Interpolant;
 use crate::error_test::ErrorTest;
-use crate::stepper::Interpolant;
 
 /// Result of an attempted step in each of N lanes.
 pub(super) struct Attempt<const N: usize> {
@@ -36,8 +36,8 @@ pub(super) trait LaneMethod<const N: usize> {
     /// the first is the state, the second its derivative. For Taylor's method higher Taylor coefficients
     /// follow.
     fn initial_rows(&mut self, p: &[Lanes<N>], y: &[Lanes<N>]) -> Vec<Lanes<N>>;
-    /// Starts a trajectory in a lane, from its parameters and its initial rows, which [`Method::begin`]
-    /// computes.
+    /// Starts a trajectory in a lane, from its parameters and its initial rows, which
+    /// [`LaneMethod::initial_rows`] computes.
     fn load(&mut self, lane: usize, parameters: &[f64], begun: &[f64]);
 
     /// Sizes of the next steps of all lanes, s, for a method that finds them before the step is tried.
@@ -61,7 +61,7 @@ pub(super) trait LaneMethod<const N: usize> {
     fn prepare_inside(&mut self, h: [f64; N]) {
         let _ = h;
     }
-    /// Number of evaluations that [`Method::prepare_inside`] makes for each lane.
+    /// Number of evaluations that [`LaneMethod::prepare_inside`] makes for each lane.
     const INSIDE: u64 = 0;
     /// Writes the states at the start and at the end of the last tried step of a lane, before it is
     /// accepted.

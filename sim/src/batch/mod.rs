@@ -13,6 +13,7 @@
 mod dop853_in_lanes;
 mod lane_method;
 mod lane_queue;
+mod lane_run;
 mod taylor_in_lanes;
 #[cfg(feature = "threads")]
 mod threads;

@@ -5,13 +5,13 @@
 //! [`crate::integrate`] does. Invariant: the watcher changes no step.
 
 use super::lane_method::{LaneMethod, LaneStep};
+use crate::dense_output::{DenseStep, Interpolant};
 use crate::driver::event_watch::{EventWatch, Events};
 use crate::driver::run::run_end_inside_step;
 use crate::events::divisor_guard::DivisorGuard;
 use crate::events::{Event, EventRecord};
 use crate::right_hand_side::{LentRightHandSide, RightHandSide};
 use crate::solution::Stop;
-use crate::stepper::{DenseStep, Interpolant};
 
 /// Equations and events that are watched in a trajectory of a batch.
 pub struct WatchedTrajectory<'w> {
@@ -67,7 +67,7 @@ impl<'w> TrajectoryWatcher<'w> {
     }
 
     /// Examines the ends of an accepted step of a lane over `span`, s. True if its inside must be examined,
-    /// too, by [`TrajectoryWatcher::ending`].
+    /// too, by [`TrajectoryWatcher::watch_step_inside`].
     pub(super) fn watch_step_ends<M: LaneMethod<N>, const N: usize>(
         &mut self,
         method: &M,
@@ -82,8 +82,8 @@ impl<'w> TrajectoryWatcher<'w> {
         self.suspects || !self.watch.is_empty()
     }
 
-    /// Finds the end of the trajectory inside the step over `span`, s, that [`TrajectoryWatcher::look`] has examined.
-    /// `None` if the trajectory continues.
+    /// Finds the end of the trajectory inside the step over `span`, s, that
+    /// [`TrajectoryWatcher::watch_step_ends`] has examined. `None` if the trajectory continues.
     pub(super) fn watch_step_inside<M: LaneMethod<N>, const N: usize>(
         &mut self,
         method: &M,

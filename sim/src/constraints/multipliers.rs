@@ -16,15 +16,15 @@
 
 use tripos_traits::{Lengths, System};
 
-use super::correction::LeastVectorSolver;
 use super::nearest_state::NearestState;
 use crate::error::Failure;
-use crate::linear::metric::dot;
+use crate::linear::least_vector_solver::LeastVectorSolver;
 use crate::linear::singular_value::least_singular_value;
+use crate::linear::vector_arithmetic::dot;
 use crate::right_hand_side::RightHandSide;
 
 /// Distance from dependent constraints below which no step may end, as a fraction of the largest
-/// distance in the run. The distance is [`Standing::constraints`].
+/// distance in the run. The distance is [`DistancesFromSingularity::constraints`].
 const AVOIDED: f64 = 0.003;
 /// Size of a coordinate below which it counts as zero when neighbouring poses are chosen, in its unit.
 const SMALL: f64 = 1e-3;
@@ -41,9 +41,9 @@ pub struct Multipliers<'a> {
     matrix: Vec<f64>,
     /// Right-hand side of the linear system for accelerations and multipliers: f, then γ of A q̈ = γ.
     forcing: Vec<f64>,
-    /// Smallest [`Standing::constraints`] at which accelerations were computed.
+    /// Smallest [`DistancesFromSingularity::constraints`] at which accelerations were computed.
     nearest: f64,
-    /// Largest [`Standing::constraints`] at which accelerations were computed.
+    /// Largest [`DistancesFromSingularity::constraints`] at which accelerations were computed.
     farthest: f64,
     /// Largest length so far of each row of the constraint matrix A, in the metric of the mass matrix E.
     sizes: Vec<f64>,
@@ -119,8 +119,8 @@ impl<'a> Multipliers<'a> {
         Self { nearest: 1.0, ..self.clone() }
     }
 
-    /// Computes [`Standing::constraints`] from the conditions in `least`, and updates its smallest and
-    /// largest value so far.
+    /// Computes [`DistancesFromSingularity::constraints`] from the conditions in `least`, and updates its
+    /// smallest and largest value so far.
     fn distance_from_dependence(&mut self) -> f64 {
         let conditions = &self.least.conditions;
         for (most, size) in self.sizes.iter_mut().zip(&conditions.sizes) {

@@ -13,6 +13,7 @@
 
 use super::friction::{
     ContactMode, ContactSolution, ModeTrial, TriedContact, UndecidedContacts, agreed_contact_motion,
+    forces_of_least_freedom,
 };
 use nalgebra::{DMatrix, DVector};
 
@@ -246,11 +247,6 @@ impl ClosedContacts {
         let n = unit.len();
         (DMatrix::from_fn(n, n, |i, j| unit[i] * self.compliance[(i, j)] * unit[j]), unit)
     }
-}
-
-/// Forces of the first solution, which has the least freedom; an empty vector if there is none.
-fn forces_of_least_freedom(found: Vec<ContactSolution>) -> DVector<f64> {
-    found.into_iter().next().map_or_else(|| DVector::zeros(0), |found| found.forces)
 }
 
 #[cfg(test)]

@@ -4,15 +4,16 @@
 use std::ops::{Deref, DerefMut};
 use tripos_traits::{Direction, Enclosure, Real};
 
+use crate::dense_output::DenseStep;
 use crate::error::Failure;
+use crate::events::event_findings::Finding;
+use crate::events::event_memory::EventMemory;
 use crate::events::interval_isolation::Ranges;
-use crate::events::sample_walk::{EventMemory, Finding};
-use crate::events::samples::Probe;
+use crate::events::probe::Probe;
 use crate::events::search::search;
 use crate::events::{Effect, Event, EventRecord, Kind};
 use crate::solution::Stop;
 use crate::step_polynomial::StepPolynomial;
-use crate::stepper::DenseStep;
 use crate::warning::Warning;
 
 /// Events of a run, either owned or borrowed from the caller.

@@ -6,10 +6,10 @@
 
 use tripos_traits::Real;
 
+use crate::dense_output::{DenseStep, Interpolant};
 use crate::events::corners::replace_slopes;
 use crate::methods::run_options::OutputOption;
-use crate::rounding::smallest_step_beyond_rounding;
-use crate::stepper::{DenseStep, Interpolant, exactly_equal};
+use crate::rounding::{exactly_equal, smallest_step_beyond_rounding};
 
 /// Largest number of points of steps that a recorder keeps; beyond it every second point is dropped.
 pub(crate) const MOST: usize = 200_000;
@@ -38,7 +38,7 @@ type Sampled<'a, S> = dyn FnMut(f64, f64) -> (Vec<S>, Option<f64>) + 'a;
 
 impl<'a, S: Real> Recorder<'a, S> {
     /// Creates a recorder, and records the start (t0, y0) if it is wanted. `work` is the work at the start,
-    /// J; `None` if it is not recorded. The times of [`Output::At`] must be in the order of the run.
+    /// J; `None` if it is not recorded. The times of [`OutputOption::At`] must be in the order of the run.
     pub(crate) fn new(output: &'a OutputOption, t0: f64, y0: &[S], work: Option<f64>) -> Self {
         let mut recorder =
             Self { output, next: 0, every: 1, passed: 0, t: Vec::new(), y: Vec::new(), work: Vec::new() };

@@ -1,13 +1,14 @@
 //! Driver of a run: a single loop for all methods.
 //!
-//! A method is a [`Stepper`], and [`super::pace`] decides the sizes of its steps. The loop takes a
-//! step, lets the events examine it, records it, and stops at the first reason to end the run.
+//! A method is a [`Stepper`], and [`super::step_control`] decides the sizes of its steps. The loop takes
+//! a step, lets the events examine it, records it, and stops at the first reason to end the run.
 
 use super::event_watch::{EventWatch, Events};
 use super::recorder::Recorder;
 use super::step_control::{StepControl, Verdict};
 use super::step_warnings::StepWarnings;
 use super::work::Work;
+use crate::dense_output::{DenseStep, Interpolant};
 use crate::events::Event;
 use crate::events::corners::BetweenCorners;
 use crate::events::divisor_guard::{DivisorGuard, DivisorZero};
@@ -15,7 +16,7 @@ use crate::methods::run_options::{Options, Poll};
 use crate::projection::Projector;
 use crate::right_hand_side::RightHandSide;
 use crate::solution::{Solution, Stop};
-use crate::stepper::{DenseStep, Interpolant, StepFailure, Stepper};
+use crate::stepper::{StepFailure, Stepper};
 use crate::warning::Warning;
 use tripos_traits::Real;
 

@@ -8,7 +8,8 @@ use crate::events::corners::{Corners, IntervalsBetweenCorners, SLOPE_DIRECTIONS}
 use crate::methods::run_options::Options;
 use crate::methods::step_size_rules::{self, StepSizeControl, StepSizeRules};
 use crate::right_hand_side::RightHandSide;
-use crate::stepper::{TrialStep, evaluate, exactly_equal};
+use crate::rounding::exactly_equal;
+use crate::stepper::{TrialStep, evaluate};
 use crate::warning::Warning;
 
 /// Decision on an attempted step: accept it, repeat it with a smaller size, or end the run.

@@ -7,8 +7,8 @@
 
 use tripos_traits::Real;
 
+use crate::dense_output::Interpolant;
 use crate::right_hand_side::RightHandSide;
-use crate::stepper::Interpolant;
 
 /// Points of five-point Gauss–Legendre quadrature on the interval from 0 to 1, each with its weight.
 const POINTS: [(f64, f64); 5] = [

@@ -1,9 +1,9 @@
 //! Right-hand side of equations of motion whose numbers carry derivatives along several directions
 //! (dual numbers).
 //!
-//! Invariant: values have the same bits as those of [`crate::Eliminated`], so that a run takes the same
-//! steps. The derivatives of the rates f(y, p) are f_y s + f_p p′, by a single call of the equations'
-//! body. s are the derivatives of the state, and p′ those of the parameters.
+//! Invariant: values have the same bits as those of [`crate::EliminatedDynamics`], so that a run takes
+//! the same steps. The derivatives of the rates f(y, p) are f_y s + f_p p′, by a single call of the
+//! equations' body. s are the derivatives of the state, and p′ those of the parameters.
 
 use tripos_traits::{Flow, Scalar, Series, System, Tangent};
 

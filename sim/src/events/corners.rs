@@ -7,8 +7,9 @@
 //! side of the step.
 
 use crate::error::Failure;
-use crate::right_hand_side::{ProductSums, RightHandSide, TransposedRightHandSide};
+use crate::right_hand_side::RightHandSide;
 use crate::rounding::smallest_step_beyond_rounding;
+use crate::transposed_right_hand_side::{ProductSums, TransposedRightHandSide};
 use tripos_traits::Real;
 
 /// Time at which a right-hand side f(t, y) is not smooth: it has a kink or a jump.

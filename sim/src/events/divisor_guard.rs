@@ -15,8 +15,8 @@
 use tripos_traits::{Real, larger};
 
 use super::root_and_minimum::{self, NotANumber};
+use crate::dense_output::Interpolant;
 use crate::right_hand_side::RightHandSide;
-use crate::stepper::Interpolant;
 
 /// Place inside a step at which a divisor of the equations is zero.
 #[derive(Clone, Copy, Debug, PartialEq)]

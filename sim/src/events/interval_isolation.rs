@@ -9,7 +9,8 @@
 use tripos_traits::{Enclosure, Interval};
 
 use super::RangeFunction;
-use super::samples::{Probe, Sign};
+use super::probe::Probe;
+use super::samples::Sign;
 use crate::step_polynomial::StepPolynomial;
 
 /// Width of the narrowest part of a step that the search for events makes, as a fraction of the step:

@@ -34,7 +34,10 @@
 
 pub(crate) mod corners;
 pub(crate) mod divisor_guard;
+pub(crate) mod event_findings;
+pub(crate) mod event_memory;
 pub(crate) mod interval_isolation;
+pub(crate) mod probe;
 pub(crate) mod root_and_minimum;
 pub(crate) mod sample_walk;
 pub(crate) mod samples;

@@ -1,12 +1,12 @@
-//! Walk over the samples of an event function in a step: finds its zeros, and remembers its sign from
-//! step to step.
-//!
-//! Invariant: `EventMemory::side_of_whole_step` is the side of zero on which the function was last known to be. Every
-//! change of sign against it is reported exactly once. See [`crate::events`] for the conventions.
+//! Walk over the samples of an event function in a step, which finds its zeros. See [`crate::events`] for
+//! the conventions.
 
 use super::Kind;
+use super::event_findings::{Finding, Findings, crossing_to};
+use super::event_memory::EventMemory;
+use super::probe::Probe;
 use super::root_and_minimum::{self, NotANumber};
-use super::samples::{Node, Probe, Sign, sign_of_sample};
+use super::samples::{Node, sign_or_zero};
 
 /// Distances from a zero at which the sign of the event function is examined, as fractions of a step:
 /// 2⁻²⁰, 2⁻¹⁴ and 2⁻⁸.
@@ -14,82 +14,6 @@ pub(crate) const LADDER: [f64; 3] = [1.0 / 1_048_576.0, 1.0 / 16_384.0, 1.0 / 25
 /// Factor by which an event function is larger where it changes sign than at the ends of the bracket,
 /// if it does so through infinity.
 const BEYOND: f64 = 4.0;
-
-/// Data about an event function that its search keeps from step to step, at the start of a step.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct EventMemory {
-    /// Value of the event function at the start of the step.
-    pub(crate) value: f64,
-    /// Sign of the event function at the start of the step; 0 within rounding of zero.
-    pub(crate) sign: Sign,
-    /// Sign of the event function when it was last not zero; 0 if it has been zero since the start of the
-    /// run.
-    pub(crate) side: Sign,
-    /// True if a step of the run has been searched for zeros.
-    pub(crate) begun: bool,
-    /// Sign that is assumed for an event function that is zero at the start of the run: 1 for a domain
-    /// event, else 0.
-    pub(crate) side_at_zero: Sign,
-    /// Start time of the run, s, if the event function is zero there and the run is still within rounding
-    /// of it; else `None`.
-    pub(crate) zero_at: Option<f64>,
-}
-
-impl EventMemory {
-    /// Updates the memory to the last of a step's samples.
-    pub(crate) fn move_on(&mut self, nodes: &[Node]) {
-        self.begun = true;
-        if let Some(end) = nodes.last() {
-            (self.value, self.sign) = (end.g, end.sign);
-        }
-    }
-
-    /// Updates the memory to the end of a step in which the event function had the sign `side`, with an
-    /// unknown value.
-    pub(crate) fn stay_on_side(&mut self, side: Sign) {
-        (self.begun, self.side, self.sign, self.value) = (true, side, side, f64::from(side));
-    }
-
-    /// Sets the memory to the first sample of a run, whose sign is `first`. If it is zero, that is reported
-    /// in `findings`.
-    pub(crate) fn begin(&mut self, first: Sign, findings: &mut Findings) {
-        self.side = first;
-        if first == 0 {
-            self.side = self.side_at_zero;
-            findings.found.push(Finding { theta: 0.0, kind: Kind::AtStart, side: self.side });
-        }
-    }
-}
-
-/// Zero of an event function that a search found in a step.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Finding {
-    /// Fraction of the step at which the zero lies.
-    pub(crate) theta: f64,
-    /// Kind of the zero, such as a rising crossing or a touch.
-    pub(crate) kind: Kind,
-    /// Sign of the event function after the zero.
-    pub(crate) side: Sign,
-}
-
-/// Zeros of an event function that a search found in a step.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Findings {
-    /// Zeros that were found in the step, in no particular order.
-    pub(crate) found: Vec<Finding>,
-    /// First fraction of the step at which the function is not a number; `None` if there is none.
-    pub(crate) not_a_number: Option<f64>,
-}
-
-impl Findings {
-    /// Records the fraction of the step at which the function is not a number, if `outcome` is an error and
-    /// no earlier fraction is recorded.
-    pub(crate) fn note_not_a_number(&mut self, outcome: Result<(), NotANumber>) {
-        if let Err(NotANumber { at }) = outcome {
-            self.not_a_number = Some(self.not_a_number.map_or(at, |theta| theta.min(at)));
-        }
-    }
-}
 
 /// Doubt whether an event function reached zero and returned between two neighbouring samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -101,11 +25,6 @@ pub(crate) enum Doubt {
     /// The minimum of |g| between the samples decides if it is at zero or beyond. If it is above zero, the
     /// place is undecided.
     Unknown,
-}
-
-/// Crossing at the fraction `theta` of the step, after which the function has the sign `side`.
-fn crossing_to(side: Sign, theta: f64) -> Finding {
-    Finding { theta, kind: if side > 0 { Kind::Rising } else { Kind::Falling }, side }
 }
 
 /// Walks over the samples of an event function in a step, in order, and adds its zeros to `findings`.
@@ -212,9 +131,4 @@ fn walk_onto_zero(probe: &mut Probe<'_>, zeros: &[Node], memory: &mut EventMemor
     // A function that stays at zero arrived at the first zero sample.
     let theta = if beyond.is_some() { nearest } else { zeros[0].theta };
     crossing_to(memory.side, theta)
-}
-
-/// Sign of the value `g` of an event function: 0 if it is not a number, or up to `tolerance` in size.
-fn sign_or_zero(g: f64, tolerance: f64) -> Sign {
-    if g.is_nan() { 0 } else { sign_of_sample(g, tolerance) }
 }

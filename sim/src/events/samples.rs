@@ -2,9 +2,6 @@
 
 use std::iter::once;
 
-use super::root_and_minimum::NotANumber;
-use crate::stepper::DenseStep;
-
 /// Sign of an event function: −1 below zero, 0 within rounding of zero, 1 above zero.
 pub(crate) type Sign = i8;
 
@@ -20,62 +17,9 @@ pub(crate) fn sign_of_sample(g: f64, tolerance: f64) -> Sign {
     }
 }
 
-/// Event function along the dense output of a step, as a function of the fraction of the step.
-pub(crate) struct Probe<'p> {
-    /// Step of the run, with its dense output.
-    pub(crate) step: &'p dyn DenseStep,
-    /// Event function g(t, y) of time, s, and state.
-    pub(crate) function: &'p mut (dyn FnMut(f64, &[f64]) -> f64 + 'p),
-    /// Working space for a state at which the event function is evaluated.
-    pub(crate) y: &'p mut [f64],
-    /// Largest absolute value of each component of the state in the run so far; its rounding errors were
-    /// made at that size.
-    pub(crate) magnitudes: &'p [f64],
-}
-
-impl Probe<'_> {
-    /// Value of the event function at the fraction `theta` of the step; it may be not a number.
-    pub(crate) fn event_value(&mut self, theta: f64) -> f64 {
-        self.step.interpolate(theta, self.y);
-        (self.function)(self.step.time_at(theta), self.y)
-    }
-
-    /// Rounding error of a time within the step, s: 4 ε of the larger of the step's times.
-    pub(crate) fn rounding_of_time(&self) -> f64 {
-        let (start, end) = self.step.times();
-        4.0 * f64::EPSILON * start.abs().max(end.abs())
-    }
-
-    /// Value of the event function at the fraction `theta` of the step; an error if it is not a number.
-    pub(crate) fn value_at(&mut self, theta: f64) -> Result<f64, NotANumber> {
-        let g = self.event_value(theta);
-        if g.is_nan() { Err(NotANumber { at: theta }) } else { Ok(g) }
-    }
-
-    /// Largest |g| that rounding alone can cause at the fraction `theta` of the step, for the event
-    /// function g.
-    ///
-    /// It is 4 times the change of g if each component of the state, and the time, move by ε of their size,
-    /// plus 2 ε of `scale`.
-    pub(crate) fn rounding(&mut self, theta: f64, scale: f64) -> f64 {
-        const ULPS: f64 = 8.0; // moved together, so that the change is not lost in g's own rounding
-        let base = self.event_value(theta);
-        let t = self.step.time_at(theta);
-        let (t_old, t_new) = self.step.times();
-        let t_unit = f64::EPSILON * t_old.abs().max(t_new.abs());
-        let by_time = ((self.function)(t + ULPS * t_unit, self.y) - base).abs();
-        let mut changes = if by_time.is_finite() { by_time } else { 0.0 };
-        for (i, magnitude) in self.magnitudes.iter().enumerate() {
-            let y_i = self.y[i];
-            self.y[i] = y_i + ULPS * f64::EPSILON * magnitude;
-            let change = ((self.function)(t, self.y) - base).abs();
-            self.y[i] = y_i;
-            if change.is_finite() {
-                changes += change;
-            }
-        }
-        4.0 * changes / ULPS + 2.0 * f64::EPSILON * scale
-    }
+/// Sign of the value `g` of an event function: 0 if it is not a number, or up to `tolerance` in size.
+pub(super) fn sign_or_zero(g: f64, tolerance: f64) -> Sign {
+    if g.is_nan() { 0 } else { sign_of_sample(g, tolerance) }
 }
 
 /// Sample of an event function in a step.
@@ -87,6 +31,19 @@ pub(crate) struct Node {
     pub(crate) g: f64,
     /// Sign with which the sample counts; 0 if the value is zero within rounding.
     pub(crate) sign: Sign,
+}
+
+/// Fraction of the step of the sample with the smallest |g|; `None` without samples.
+pub(super) fn sample_nearest_to_zero(nodes: &[Node]) -> Option<f64> {
+    nodes.iter().min_by(|a, b| a.g.abs().total_cmp(&b.g.abs())).map(|n| n.theta)
+}
+
+/// True if all samples of an event function have the same sign and are more than 4 times as far from
+/// zero as they vary. This is a shortcut for the usual case.
+pub(super) fn samples_are_far_from_zero(nodes: &[Node]) -> bool {
+    let low = nodes.iter().map(|n| n.g).fold(f64::INFINITY, f64::min);
+    let high = nodes.iter().map(|n| n.g).fold(f64::NEG_INFINITY, f64::max);
+    low.max(-high) > 4.0 * (high - low)
 }
 
 /// True if |g| may reach zero between samples k − 1 and k: it has a minimum there, and both samples are

@@ -2,10 +2,15 @@
 //! else by samples.
 
 use super::Kind;
+use super::event_findings::{Finding, Findings};
+use super::event_memory::EventMemory;
 use super::interval_isolation::{Isolation, Known, Ranges, isolate};
+use super::probe::Probe;
 use super::root_and_minimum::NotANumber;
-use super::sample_walk::{Doubt, EventMemory, Finding, Findings, LADDER, walk_over_samples};
-use super::samples::{Node, Probe, hidden_extrema, samples_may_hide_zero, sign_of_sample};
+use super::sample_walk::{Doubt, LADDER, walk_over_samples};
+use super::samples::{
+    Node, hidden_extrema, sample_nearest_to_zero, samples_are_far_from_zero, samples_may_hide_zero, sign_of_sample,
+};
 
 /// Fraction of a step over which the slope of an event function at the step's ends is taken. It is the
 /// root of ε, within which a smooth function cannot turn by more than rounding.
@@ -100,14 +105,6 @@ fn samples_to_search(probe: &mut Probe<'_>, memory: &EventMemory, findings: &mut
     nodes
 }
 
-/// True if all samples of an event function have the same sign and are more than 4 times as far from
-/// zero as they vary. This is a shortcut for the usual case.
-fn samples_are_far_from_zero(nodes: &[Node]) -> bool {
-    let low = nodes.iter().map(|n| n.g).fold(f64::INFINITY, f64::min);
-    let high = nodes.iter().map(|n| n.g).fold(f64::NEG_INFINITY, f64::max);
-    low.max(-high) > 4.0 * (high - low)
-}
-
 /// Appends samples of the event function at the fractions `thetas` of the step to `nodes`, until a
 /// value is not a number.
 fn add_samples_to_search(
@@ -161,11 +158,6 @@ fn search_among_samples(
     let nodes = &nodes[..];
     let doubt = |k: usize| if samples_may_hide_zero(nodes, k) { Doubt::Dip } else { Doubt::None };
     walk_over_samples(probe, nodes, &doubt, memory, tolerance, findings)
-}
-
-/// Fraction of the step of the sample with the smallest |g|; `None` without samples.
-fn sample_nearest_to_zero(nodes: &[Node]) -> Option<f64> {
-    nodes.iter().min_by(|a, b| a.g.abs().total_cmp(&b.g.abs())).map(|n| n.theta)
 }
 
 /// Sets the signs of samples of an event function; values up to `tolerance` count as zero.

@@ -4,7 +4,7 @@
 //! singular values (M. R. Hestenes, J. SIAM 6 (1958) 51–90). Small ones are found as exactly as large
 //! ones, and nothing is allocated.
 
-use super::metric::dot;
+use super::vector_arithmetic::dot;
 
 /// Largest number of rounds over all pairs of vectors in the search for singular values.
 const ROUNDS: usize = 30;

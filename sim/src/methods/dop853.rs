@@ -14,9 +14,10 @@ use tripos_traits::Real;
 use super::dop853_dense_output::{dense_output_powers, dense_output_value};
 use super::dormand_prince_853::{DORMAND_PRINCE_853 as PUBLISHED, Row};
 use crate::blocks::{Block, Blocks, FiniteTest, LANES};
+use crate::dense_output::Interpolant;
 use crate::error_test::ErrorTest;
 use crate::right_hand_side::RightHandSide;
-use crate::stepper::{Interpolant, StepFailure, Stepper, TrialStep, check_finite};
+use crate::stepper::{StepFailure, Stepper, TrialStep, check_finite};
 
 /// Number of stages of DOP853: 12 of the step, one at its end, and three that only the dense output
 /// needs.

@@ -7,15 +7,16 @@
 use tripos_traits::Real;
 
 use super::tableau::{Coefficients, Tableau};
+use crate::dense_output::Interpolant;
 use crate::error_test::ErrorTest;
 use crate::right_hand_side::RightHandSide;
-use crate::stepper::{Interpolant, StepFailure, Stepper, TrialStep, check_finite, evaluate};
+use crate::stepper::{StepFailure, Stepper, TrialStep, check_finite, evaluate};
 
 /// Kind of the step length h by which a method multiplies derivatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum StepLength {
     /// Step length as it was chosen, before t + h was rounded, as in `ode45`. A scalar wider than `f64` takes
-    /// [`Length::Exact`] instead, since the difference would be its largest error.
+    /// [`StepLength::Exact`] instead, since the difference would be its largest error.
     Chosen,
     /// Difference of the times at the end and at the start of the step.
     Exact,

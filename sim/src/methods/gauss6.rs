@@ -14,11 +14,12 @@
 
 use tripos_traits::{Real, largest};
 
+use crate::dense_output::Interpolant;
 use crate::error::Failure;
 use crate::error_test::ErrorTest;
 use crate::linear::lu::Lu;
 use crate::right_hand_side::RightHandSide;
-use crate::stepper::{Interpolant, StepFailure, Stepper, TrialStep, check_finite, evaluate};
+use crate::stepper::{StepFailure, Stepper, TrialStep, check_finite, evaluate};
 
 /// Number of iterations of Newton's method after which a step is given up. Each gains several digits,
 /// or the step is too long.

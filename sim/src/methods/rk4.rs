@@ -7,9 +7,10 @@
 
 use tripos_traits::Real;
 
+use crate::dense_output::Interpolant;
 use crate::error_test::ErrorTest;
 use crate::right_hand_side::RightHandSide;
-use crate::stepper::{Interpolant, StepFailure, Stepper, TrialStep, check_finite, evaluate};
+use crate::stepper::{StepFailure, Stepper, TrialStep, check_finite, evaluate};
 
 /// Classical Runge–Kutta method in a run: the current step with its stages.
 pub(crate) struct Rk4<S> {

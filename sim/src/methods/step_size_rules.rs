@@ -166,7 +166,7 @@ fn step_size_root(x: f64, order: u32) -> f64 {
 
 /// Power of `x` with this exponent. The eighth root is computed by three square roots, which cost less.
 fn power(x: f64, exponent: f64) -> f64 {
-    if crate::stepper::exactly_equal(exponent, 0.125) { x.sqrt().sqrt().sqrt() } else { x.powf(exponent) }
+    if crate::rounding::exactly_equal(exponent, 0.125) { x.sqrt().sqrt().sqrt() } else { x.powf(exponent) }
 }
 
 /// Size of the first step of `ode45`, s. It is so small that y' alone would change y by about

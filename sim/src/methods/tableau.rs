@@ -2,7 +2,7 @@
 //!
 //! Invariant: coefficients are stored as the fractions they are published as, and rounded once. The
 //! order conditions can therefore be tested exactly, and another number type can round them better.
-//! Absent on purpose: any arithmetic of a step; that is [`super::explicit`].
+//! Absent on purpose: any arithmetic of a step; that is [`super::explicit_runge_kutta`].
 
 use tripos_traits::Real;
 

@@ -13,9 +13,10 @@
 use tripos_traits::Real;
 
 use super::run_options::{ORDERS, Options};
+use crate::dense_output::Interpolant;
 use crate::error_test::ErrorTest;
 use crate::right_hand_side::RightHandSide;
-use crate::stepper::{Interpolant, StepFailure, Stepper, TrialStep, check_finite};
+use crate::stepper::{StepFailure, Stepper, TrialStep, check_finite};
 
 /// Increase of the order of Taylor's method per unit of −ln(tolerance). Jorba and Zou have ½, from a
 /// cost of order p²; here the part of the cost that grows so is small.

@@ -3,6 +3,7 @@
 use tripos_traits::System;
 
 use super::quadrature_error::{NoQuadrature, StretchObstacle};
+use crate::rounding::exactly_equal;
 
 /// Largest number of iterations in the search for a turning point; each at least halves a bracket or
 /// the last step.
@@ -124,7 +125,7 @@ impl<'a> Energy<'a> {
             // The start is the other turning point; next to it there is kinetic energy.
             while self.kinetic_energy_left(self.start + side * step) <= 0.0 {
                 step *= 0.5;
-                if same_as(self.start + side * step, self.start) {
+                if exactly_equal(self.start + side * step, self.start) {
                     return Err(NoQuadrature::Asymptotic { at: self.start });
                 }
             }
@@ -142,7 +143,7 @@ impl<'a> Energy<'a> {
             }
             let q = good + side * step;
             let left = self.kinetic_energy_left(q);
-            if left <= least || same_as(q, good) {
+            if left <= least || exactly_equal(q, good) {
                 return self.checked_turning_point(self.zero_of_kinetic_energy(good, q), side).map(Some);
             }
             let fall_here = side * self.potential_slope(q, q);
@@ -187,7 +188,7 @@ impl<'a> Energy<'a> {
         let climb = |q: f64| side * self.potential_slope(q, q);
         let mut at = place(lowest);
         if climb(a) > 0.0 && climb(b) < 0.0 {
-            while !same_as(0.5 * (a + b), a) && !same_as(0.5 * (a + b), b) {
+            while !exactly_equal(0.5 * (a + b), a) && !exactly_equal(0.5 * (a + b), b) {
                 at = 0.5 * (a + b);
                 if climb(at) > 0.0 { a = at } else { b = at }
             }
@@ -280,10 +281,4 @@ fn middle_of_energy_bracket(a: f64, b: f64) -> f64 {
     } else {
         a + 0.5 * (b - a)
     }
-}
-
-/// True if two numbers are exactly equal.
-#[expect(clippy::float_cmp, reason = "asks whether a distance is lost to rounding")]
-fn same_as(a: f64, b: f64) -> bool {
-    a == b
 }

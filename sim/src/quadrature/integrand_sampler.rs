@@ -53,8 +53,8 @@ pub(super) trait Sampler {
     /// # Errors
     /// [`StretchObstacle`] with the first point at which there is no kinetic energy, or no finite rate.
     fn integrands_while_rising(&mut self, panel: &Panel<'_>, samples: &mut Samples) -> Result<(), StretchObstacle>;
-    /// Evaluates the integrands while the coordinate q falls, at the points at which [`ResidueSampler::rising`]
-    /// was called last.
+    /// Evaluates the integrands while the coordinate q falls, at the points at which
+    /// [`Sampler::integrands_while_rising`] was called last.
     fn integrands_while_falling(&mut self, energy: &Energy<'_>, samples: &mut Samples);
 }
 

@@ -4,7 +4,7 @@
 use super::energy::{Energy, LeastKineticEnergy};
 use super::quadrature_error::{NoQuadrature, StretchObstacle};
 use super::stretch::{Goal, PanelPlace, Scratch, Stretch};
-use super::stretch_variable::{Place, StretchVariable};
+use super::stretch_variable::StretchVariable;
 
 /// Largest number of panels (subintervals) of a stretch between two turning points, with rejected
 /// attempts.
@@ -388,50 +388,5 @@ impl MotionPoint<'_> {
         let rest = if self.whole { self.sign * (half(self.rising) - own) } else { self.sign * own };
         let period = if self.returns { half(true) + half(false) } else { half(self.rising) };
         self.turns * period + rest
-    }
-}
-
-impl Stretch {
-    /// Time from the start of the stretch (the integrated part of the motion) to its point at the variable
-    /// `w`, s.
-    fn time_at(&self, w: f64) -> f64 {
-        self.value(&self.stretch_point_at_variable(w), 0)
-    }
-
-    /// True if the coordinate q rises with the variable w of the stretch.
-    fn coordinate_rises_along_stretch(&self) -> bool {
-        self.chart.start().1 > 0.0
-    }
-
-    /// Variable w of the motion's start on this stretch; `None` if the start lies on the other half of the
-    /// motion.
-    ///
-    /// Near the turning point w follows from T₀ = (dq/dw)² G. The difference of coordinates would keep only
-    /// half of its digits.
-    fn variable_of_start(&self, energy: &Energy<'_>) -> Option<f64> {
-        let (end, side) = self.chart.start();
-        let offset = (side * (energy.start - end)).max(0.0);
-        let close = offset < 0.125 * energy.start.abs().max(end.abs());
-        let here = Place { q: energy.start, offset, reach: 1.0 };
-        let level = || self.chart.kinetic_energy_over_slope_squared(energy, |a, b| energy.potential_slope(a, b), &here);
-        let reach = close.then(|| (energy.kinetic / level()).sqrt());
-        let reach = reach.filter(|reach| reach.is_finite());
-        match self.chart {
-            StretchVariable::Arc { length, .. } => {
-                let cos = 1.0 - 2.0 * (offset / length);
-                if cos < 0.0 {
-                    return None;
-                }
-                let sin = 2.0 * reach.unwrap_or_else(|| (offset * (length - offset)).sqrt()) / length;
-                Some(sin.atan2(cos).min(std::f64::consts::FRAC_PI_2))
-            }
-            StretchVariable::Root { .. } => Some(reach.unwrap_or_else(|| (2.0 * offset).sqrt())),
-            StretchVariable::Line { .. } => Some(0.0),
-            StretchVariable::Crest { width, .. } => {
-                // A start in the middle of a period belongs to at least one of its halves, in spite of rounding.
-                let half = self.chart.at(self.end()).offset;
-                (offset <= half * (1.0 + 1e-9)).then(|| (offset / width).asinh().min(self.end()))
-            }
-        }
     }
 }

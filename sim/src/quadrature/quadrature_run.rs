@@ -4,13 +4,14 @@
 use tripos_traits::System;
 
 use super::{MotionByQuadrature, NoQuadrature};
+use crate::dense_output::{DenseStep, Interpolant};
 use crate::driver::event_watch::{EventWatch, Events};
 use crate::driver::recorder::Recorder;
 use crate::error::SimError;
 use crate::events::Event;
 use crate::methods::run_options::{self, Options, OutputOption, Poll};
+use crate::rounding::exactly_equal;
 use crate::solution::{Solution, Stop};
-use crate::stepper::{DenseStep, Interpolant, exactly_equal};
 
 /// Computes the motion from y0 = (q, v) over `span`, s, by quadrature, with a result like that of
 /// [`crate::integrate`]. `p` are the parameters.

@@ -2,12 +2,18 @@
 //!
 //! Invariant: for any names in a model, the result compiles, and its words stay words.
 
-use super::derivation_document::{Block, BodyEntry, Document, Equation, InlineContent, Level, Meaning, System};
-use super::latex_formulas::TYPST;
+use super::derivation_document::{
+    Axis, Block, BodyEntry, Document, Equation, InlineContent, LeftSide, Level, Meaning, System, Vector,
+};
+use super::latex_formulas::{DocumentLanguage, formula_index_text};
 use super::layout::{RowMarks, SystemLayout, extent, lay_out_equations, lay_out_unit, system_layout_entries};
 use std::fmt::Write;
 use tripos_derive::algebra::text::display_tree::DisplayTree;
-use tripos_derive::algebra::text::print::typst_of;
+use tripos_derive::algebra::text::print::{break_typst_lines, typst_name, typst_of};
+use tripos_derive::mechanics::VectorName;
+
+/// Functions that write formulas in Typst.
+const TYPST: DocumentLanguage = DocumentLanguage { lines: break_typst_lines, left: typst_left };
 
 /// Returns the document about a derivation as Typst text.
 pub fn typst(document: &Document) -> String {
@@ -103,6 +109,44 @@ fn typst_equations(list: &[Equation]) -> String {
     let marks = RowMarks { end: " \\\n    ", indent: "&", deep: "&quad ", words: |words| format!("\"{words}\"") };
     let rows = lay_out_equations(list, &TYPST).into_iter().map(|laid| laid.row(&marks));
     typst_math_block(&rows.collect::<Vec<_>>().join(" \\\n  "))
+}
+
+/// Writes the left side of an equation in Typst.
+fn typst_left(left: &LeftSide) -> String {
+    match left {
+        LeftSide::Symbol(symbol) => typst_of(symbol),
+        LeftSide::Zero => "0".to_owned(),
+        LeftSide::EnergyRate => "frac(upright(d), upright(d) t) (T + V)".to_owned(),
+        LeftSide::Entry(letter, places) => format!("{letter}_({})", formula_index_text(places)),
+        LeftSide::Along(letter, name) => format!("{letter}_({})", typst_of(name)),
+        LeftSide::Vector(vector) => typst_vector(vector),
+        LeftSide::Component(vector, axis) => format!("{} dot {}", typst_vector(vector), typst_axis(axis)),
+        LeftSide::Partial(vector, speed, axis) => {
+            let (vector, speed) = (typst_vector(vector), typst_of(speed));
+            format!("frac(partial {vector}, partial {speed}) dot {}", typst_axis(axis))
+        }
+    }
+}
+
+/// Writes a vector in Typst: the frame at the upper left, the owner at the upper right.
+fn typst_vector(vector: &Vector) -> String {
+    let letter = match vector.name {
+        VectorName::AngularVelocity => "bold(omega)".to_owned(),
+        VectorName::AngularAcceleration => "bold(alpha)".to_owned(),
+        other => format!("bold(upright({}))", typst_word(other.name())),
+    };
+    format!("attach({letter}, tl: {}, tr: {})", typst_name(&vector.frame), typst_name(&vector.of))
+}
+
+/// Writes the unit vector of an axis in Typst, such as b₂ of frame B.
+fn typst_axis(axis: &Axis) -> String {
+    format!("bold(upright({}))_{}", typst_word(&axis.frame), axis.number)
+}
+
+/// Writes a word in a Typst formula. A longer word than one letter is put in quotes, as Typst
+/// requires.
+fn typst_word(word: &str) -> String {
+    if word.len() == 1 { word.to_owned() } else { format!("\"{word}\"") }
 }
 
 /// Escapes the characters of a text that Typst would read as markup.

@@ -1,5 +1,6 @@
 //! Conditions of rest and of steady motion in closed form, as text and as JSON.
 
+use crate::phrases::plural_form;
 use serde_json::{Value, json};
 use std::fmt::Write;
 use tripos::studies::steady::{Conditions, Formula, NamedFormula, SolutionBranch, SteadyConditions};
@@ -64,11 +65,6 @@ fn condition_heading(conditions: &Conditions) -> String {
         return format!("  {what}: anywhere, nothing must vanish");
     }
     format!("  {what}, where")
-}
-
-/// Returns the singular for a count of 1, and otherwise the plural.
-fn plural_form(count: usize, one: &'static str, more: &'static str) -> &'static str {
-    if count == 1 { one } else { more }
 }
 
 /// Shortens a formula of more than 240 characters to its beginning, and states its length.

@@ -1,6 +1,7 @@
 //! Names and formulas of the page as MathML, broken over lines if they are wide.
 
-use crate::page::markup::html::{counted_noun, escape, join_html};
+use crate::page::markup::html::{escape, join_html};
+use crate::phrases::counted_noun;
 use tripos_derive::Model;
 use tripos_derive::algebra::form::simplify::operation_count;
 use tripos_derive::algebra::text::display_tree::DisplayTree;

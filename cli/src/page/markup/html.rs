@@ -13,11 +13,6 @@ pub fn address(path: &str) -> String {
     path.bytes().map(|b| if plain(&b) { char::from(b).to_string() } else { format!("%{b:02X}") }).collect()
 }
 
-/// Returns the HTML id of a scene's section on the page. `scene` counts from 0, the id from 1.
-pub fn scene_anchor(scene: usize) -> String {
-    format!("scene-{}", scene + 1)
-}
-
 /// Returns the HTML of a box that scrolls separately from the page and can be reached by keyboard.
 /// `content` is HTML.
 pub fn scrolling_box(label: &str, content: &str) -> String {
@@ -48,11 +43,6 @@ pub fn list_names<T: AsRef<str>>(names: &[T]) -> String {
         Some((last, others)) => format!("{} and {last}", others.join(", ")),
         None => String::new(),
     }
-}
-
-/// Returns a number with its noun, with an `s` in the plural, such as `2 scenes`.
-pub fn counted_noun(n: usize, one: &str) -> String {
-    format!("{n} {one}{}", if n == 1 { "" } else { "s" })
 }
 
 /// Returns a text as HTML. In numbers such as 1e-9 the hyphen becomes a minus sign, at which no

@@ -1,8 +1,8 @@
 //! Section of the page with the measured recommendation of equations, solve and method for a scene.
 
-use crate::chart::sentences::seconds;
 use crate::page::content::Advice;
 use crate::page::markup::html::{escape, number, rounded_number_html, table};
+use crate::phrases::seconds;
 
 /// Column headings of the table of recommended runs.
 const HEAD: [&str; 7] = ["Error below", "Equations", "Accelerations", "Method", "Tolerance", "Time of a run", "Error"];

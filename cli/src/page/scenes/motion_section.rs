@@ -2,8 +2,10 @@
 //! the other scenes.
 
 use crate::page::content::{MotionFigure, Page, SceneSection};
-use crate::page::markup::html::{counted_noun, escape, folded_html, join_html, link, scene_anchor};
+use crate::page::markup::html::{escape, folded_html, join_html, link};
 use crate::page::scenes::outcome::title;
+use crate::page::scenes::scene::scene_anchor;
+use crate::phrases::counted_noun;
 use std::fmt::Write;
 
 /// Returns the HTML section on the motion, with the moving figure or the reason why there is none.

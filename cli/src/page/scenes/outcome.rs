@@ -6,9 +6,9 @@
 //! run reaches its end.
 
 use crate::page::content::{RunRow, SceneSection, Standing};
-use crate::page::markup::html::{counted_noun, escape, list_names, number, rounded_number_html, words_html};
-use crate::page::scenes::runs::run_drift_html;
-use crate::page::scenes::singular_matrices::run_name;
+use crate::page::markup::html::{escape, list_names, number, rounded_number_html, words_html};
+use crate::page::scenes::runs::{run_drift_html, run_name};
+use crate::phrases::counted_noun;
 use std::fmt::Write;
 use tripos_derive::plain_text::with_significant_digits;
 

@@ -163,3 +163,11 @@ pub fn run_drift_html(drift: f64) -> String {
     }
     number(&with_significant_digits(drift, 2))
 }
+
+/// Returns the HTML name of a run for a sentence.
+pub fn run_name(run: &RunRow) -> String {
+    match &run.printed {
+        Some(id) => format!("<code>printed:{}</code>", escape(id)),
+        None => escape(&run.title),
+    }
+}

@@ -2,7 +2,7 @@
 //! are folded.
 
 use crate::page::content::{Figure, Page, SceneFact, SceneSection};
-use crate::page::markup::html::{address, escape, foldable_part, folded_html, scene_anchor, words_html};
+use crate::page::markup::html::{address, escape, foldable_part, folded_html, words_html};
 use crate::page::scenes::advice;
 use crate::page::scenes::outcome;
 use crate::page::scenes::reduced_equations;
@@ -21,6 +21,11 @@ pub enum VisiblePart {
     Open,
     /// Only the outcome of the scene is seen.
     InASentence,
+}
+
+/// Returns the HTML id of a scene's section on the page. `scene` counts from 0, the id from 1.
+pub fn scene_anchor(scene: usize) -> String {
+    format!("scene-{}", scene + 1)
 }
 
 /// Returns the HTML section of one scene. `at` is its index; `figures` counts the figures of the

@@ -7,6 +7,7 @@
 use crate::page::content::{Page, RunRow, SceneSection};
 use crate::page::markup::formula_mathml::{MathmlSide, breakable_mathml, formula, inline_mathml, length};
 use crate::page::markup::html::{escape, join_html, number, rounded_number_html, scrolling_box, table_head};
+use crate::page::scenes::runs::run_name;
 use crate::page::scenes::standing::{self, standing_row_class};
 use std::fmt::Write;
 use tripos_derive::algebra::{Arena, Expr};
@@ -153,14 +154,6 @@ fn divisor_along_runs(scene: &SceneSection, at: usize, divisor: &str) -> Option<
         run_name(run),
         number(&rounded_number_html(t, 4)),
     ))
-}
-
-/// Returns the HTML name of a run for a sentence.
-pub fn run_name(run: &RunRow) -> String {
-    match &run.printed {
-        Some(id) => format!("<code>printed:{}</code>", escape(id)),
-        None => escape(&run.title),
-    }
 }
 
 /// Returns the HTML table with the extremes of determinant, condition number and divisors in every

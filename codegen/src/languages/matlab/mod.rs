@@ -3,10 +3,9 @@
 
 mod names;
 
-use super::module_contents::result_matrix_size;
 use super::{CompositeFunction, Dialect, Module, SceneRun};
 use crate::lines::wrap;
-use crate::plan::{Argument, Entry, Function, Language};
+use crate::plan::{Argument, Entry, Function, Language, result_matrix_size};
 use crate::syntax::{CodeWriter, Comments, Syntax, WIDTH, number_literal};
 use std::fmt::Write;
 use tripos_derive::plain_text::{one_line, with_visible_characters};

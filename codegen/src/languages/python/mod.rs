@@ -4,9 +4,8 @@
 pub(super) mod names;
 pub(super) mod text;
 
-use super::module_contents::result_matrix_size;
 use super::{CompositeFunction, Dialect, Module, SceneRun};
-use crate::plan::{Entry, Function, Language, Returns};
+use crate::plan::{Entry, Function, Language, Returns, result_matrix_size};
 use crate::syntax::{CodeWriter, Comments, Syntax};
 use text::{
     docstring, python_number_literal, write_python_array, write_python_assignment, write_python_expression,

@@ -2,7 +2,8 @@
 
 mod taylor_statements;
 
-use super::expression::{expression, rust_identifier};
+use super::expression::expression;
+use super::names::rust_identifier;
 use super::rust_function::{Parameters, section, signature, statements, unpack};
 use crate::plan::{LineComments, TaylorPlan};
 use proc_macro2::{Literal, TokenStream};

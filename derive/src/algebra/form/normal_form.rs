@@ -11,8 +11,7 @@
 use super::fraction::Fraction;
 use super::polynomial::{LaurentPolynomial, Monomial};
 use super::ring::{GENERATORS, Ring, RingPolynomial, Square};
-use crate::algebra::term::elementary::angle_atoms;
-use crate::algebra::value::residues::is_exponential;
+use crate::algebra::term::elementary::{angle_atoms, is_exponential};
 use crate::algebra::value::zero_test::{has_roots, zero_test_is_proof};
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use num_integer::Integer;

@@ -36,6 +36,25 @@ impl LaurentPolynomial {
         Self::monomial(Vec::new(), value)
     }
 
+    /// Reads a term as a sum of monomials in its factors, without expanding it.
+    pub(super) fn read_sum(arena: &Arena, e: Expr) -> Self {
+        let monomial = |e: Expr| match arena.node(e) {
+            Node::Product(factors) => factors.to_vec(),
+            _ => vec![(e, 1)],
+        };
+        match arena.node(e) {
+            Node::Number(value) => Self::constant(value),
+            Node::Sum(constant, terms) => {
+                let mut sum = Self::constant(constant);
+                for (term, k) in terms {
+                    sum.add_term(monomial(*term), k);
+                }
+                sum
+            }
+            _ => Self::monomial(monomial(e), &Rational::ONE),
+        }
+    }
+
     /// Adds the term coefficient · monomial to the polynomial.
     pub fn add_term(&mut self, monomial: Monomial, coefficient: &Rational) {
         if coefficient.is_zero() {
@@ -158,6 +177,49 @@ impl LaurentPolynomial {
         angles.sort_unstable();
         angles.dedup();
         angles
+    }
+
+    /// Splits the polynomial into monomial · content · rest, where the terms of the rest have no common
+    /// factor.
+    pub(super) fn split_common_factor(&self) -> (Monomial, Rational, Self) {
+        let Some(first) = self.terms.keys().next() else {
+            return (Vec::new(), Rational::ONE, Self::default());
+        };
+        let mut common = first.clone();
+        let mut content = Rational::ZERO;
+        for (monomial, k) in &self.terms {
+            content = content.greatest_common_divisor(k);
+            for (atom, n) in &mut common {
+                let m = monomial.iter().find(|(e, _)| e == atom).map_or(0, |(_, m)| *m);
+                // The part of the exponent that both monomials share, with the sign of the exponent.
+                *n = if *n > 0 { (*n).min(m).max(0) } else { (*n).max(m).min(0) };
+            }
+        }
+        common.retain(|(_, n)| *n != 0);
+        let negative = self.terms.values().next().is_some_and(Rational::is_negative);
+        let content = if negative { content.neg() } else { content };
+        let inverse = content.reciprocal().unwrap_or(Rational::ONE);
+        let mut rest = Self::default();
+        for (monomial, k) in &self.terms {
+            let mut left: Monomial = monomial
+                .iter()
+                .map(|(e, n)| (*e, n - common.iter().find(|(c, _)| c == e).map_or(0, |(_, m)| *m)))
+                .collect();
+            left.retain(|(_, n)| *n != 0);
+            rest.add_term(left, &k.mul(&inverse));
+        }
+        (common, content, rest)
+    }
+
+    /// Atom that most terms of the polynomial share, and true if they share it with positive exponents.
+    /// Ties take the first. `None` if no two terms share an atom.
+    pub(super) fn most_shared_atom(&self) -> Option<(Expr, bool)> {
+        let mut counts: BTreeMap<(Expr, bool), usize> = BTreeMap::new();
+        for (atom, n) in self.terms.keys().flatten() {
+            *counts.entry((*atom, *n > 0)).or_default() += 1;
+        }
+        let most = counts.values().copied().max().filter(|most| *most >= 2)?;
+        counts.into_iter().find(|(_, count)| *count == most).map(|(key, _)| key)
     }
 }
 

@@ -5,7 +5,7 @@
 //! coefficient is zero. A generator with a known square (sin² = 1 − cos², √x² = x) has no exponent
 //! above 1.
 //! In such a ring a polynomial is identically zero exactly if it has no terms, as long as the
-//! generators are otherwise independent. [`super::normal`] says when they are.
+//! generators are otherwise independent. [`super::normal_form`] says when they are.
 //!
 //! These polynomials are separate from those of `polynomial`. Descending order and reduction by
 //! squares make forms normal and division exact, at a cost that [`super::simplify`] need not pay.
@@ -332,7 +332,7 @@ impl Ring {
     pub fn square_root(&mut self, square: &RingPolynomial) -> Option<RingPolynomial> {
         let (lead, k) = square.terms.first()?;
         let half = lead.square_root_of_monomial()?;
-        let first = RingPolynomial { terms: vec![(half, small_square_root(k)?)] };
+        let first = RingPolynomial { terms: vec![(half, k.small_square_root()?)] };
         let mut root = first.clone();
         for _ in 0..MOST_ROOT_TERMS {
             let whole = self.mul(&root, &root)?;
@@ -364,18 +364,6 @@ impl Ring {
         }
         Some(RingPolynomial { terms: quotient })
     }
-}
-
-/// Square root of a rational number; `None` if the root is not rational, or if the number does not
-/// fit 64 bits.
-fn small_square_root(k: &Rational) -> Option<Rational> {
-    let root = |n: i64| {
-        let near = u64::try_from(n).ok()?.isqrt();
-        let near = i64::try_from(near).ok()?;
-        (near.checked_mul(near)? == n).then_some(near)
-    };
-    let (n, d) = k.small()?;
-    Rational::fraction(root(n)?, root(d)?)
 }
 
 /// Returns the polynomial with the sign of one generator (a variable of the ring) changed.

@@ -9,8 +9,8 @@
 
 use super::normal_form::Normalizer;
 use super::polynomial::{LaurentPolynomial, Monomial, monomial_expr};
-use super::sum_atoms::{SumAtoms, atom_polynomial, differ_beyond_angles, is_plain_product, is_sine_or_cosine};
-use crate::algebra::term::elementary::angle_atoms;
+use super::sum_atoms::{SumAtoms, atom_polynomial, differ_beyond_angles, is_plain_product};
+use crate::algebra::term::elementary::{angle_atoms, is_sine_or_cosine};
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
@@ -138,7 +138,7 @@ impl Simplifier {
                 Node::Apply(f, argument) => {
                     let argument = self.short_form(arena, &forms[&argument]);
                     let value = arena.apply(f, argument);
-                    read_sum(arena, value)
+                    LaurentPolynomial::read_sum(arena, value)
                 }
             };
             if form.terms.len() > Self::LIMIT {
@@ -170,7 +170,7 @@ impl Simplifier {
         // The divisor is identically zero: nothing can be simplified, and the zero test of the
         // caller will find it.
         let power = arena.pow(base, n).ok()?;
-        Some(read_sum(arena, power))
+        Some(LaurentPolynomial::read_sum(arena, power))
     }
 }
 
@@ -206,25 +206,6 @@ fn fraction_in_short_form(arena: &mut Arena, e: Expr, budget: u64) -> Option<Exp
         factors.push((below, -i32::try_from(*n).ok()?));
     }
     arena.try_product(&factors).ok()
-}
-
-/// Reads a term as a sum of monomials in its factors, without expanding it.
-fn read_sum(arena: &Arena, e: Expr) -> LaurentPolynomial {
-    let monomial = |e: Expr| match arena.node(e) {
-        Node::Product(factors) => factors.to_vec(),
-        _ => vec![(e, 1)],
-    };
-    match arena.node(e) {
-        Node::Number(value) => LaurentPolynomial::constant(value),
-        Node::Sum(constant, terms) => {
-            let mut sum = LaurentPolynomial::constant(constant);
-            for (term, k) in terms {
-                sum.add_term(monomial(*term), k);
-            }
-            sum
-        }
-        _ => LaurentPolynomial::monomial(monomial(e), &Rational::ONE),
-    }
 }
 
 /// Replaces sin² or cos² by 1 − cos² or 1 − sin² where a shorter polynomial results, angle by
@@ -267,10 +248,10 @@ fn size(arena: &Arena, polynomial: &LaurentPolynomial) -> (usize, usize) {
 /// repeatedly. Returns the product as a term.
 fn factor(arena: &mut Arena, terms: &BTreeMap<Monomial, Rational>) -> Expr {
     let polynomial = LaurentPolynomial { terms: terms.clone() };
-    let (monomial, content, rest) = split_common_factor(&polynomial);
+    let (monomial, content, rest) = polynomial.split_common_factor();
     let inner = if rest.terms.len() < 2 {
         rest.expand(arena)
-    } else if let Some((atom, positive)) = most_shared_atom(&rest) {
+    } else if let Some((atom, positive)) = rest.most_shared_atom() {
         let shares = |m: &Monomial| m.iter().any(|(e, n)| *e == atom && (*n > 0) == positive);
         let (with, without): (BTreeMap<_, _>, BTreeMap<_, _>) = rest.terms.into_iter().partition(|(m, _)| shares(m));
         let (with, without) = (factor(arena, &with), factor(arena, &without));
@@ -283,7 +264,7 @@ fn factor(arena: &mut Arena, terms: &BTreeMap<Monomial, Rational>) -> Expr {
 
 /// Takes the common factor out of a polynomial and expands the rest. Returns the product as a term.
 fn simplify_by_common_factor(arena: &mut Arena, polynomial: &LaurentPolynomial) -> Expr {
-    let (monomial, content, rest) = split_common_factor(polynomial);
+    let (monomial, content, rest) = polynomial.split_common_factor();
     let inner = rest.expand(arena);
     scale_by_monomial(arena, &monomial, &content, inner)
 }
@@ -293,49 +274,6 @@ fn scale_by_monomial(arena: &mut Arena, monomial: &Monomial, content: &Rational,
     let outer = monomial_expr(arena, monomial);
     let product = arena.mul(outer, inner);
     arena.scale(product, content)
-}
-
-/// Splits a polynomial into monomial · content · rest, where the terms of the rest have no common
-/// factor.
-fn split_common_factor(polynomial: &LaurentPolynomial) -> (Monomial, Rational, LaurentPolynomial) {
-    let Some(first) = polynomial.terms.keys().next() else {
-        return (Vec::new(), Rational::ONE, LaurentPolynomial::default());
-    };
-    let mut common = first.clone();
-    let mut content = Rational::ZERO;
-    for (monomial, k) in &polynomial.terms {
-        content = content.greatest_common_divisor(k);
-        for (atom, n) in &mut common {
-            let m = monomial.iter().find(|(e, _)| e == atom).map_or(0, |(_, m)| *m);
-            // The part of the exponent that both monomials share, with the sign of the exponent.
-            *n = if *n > 0 { (*n).min(m).max(0) } else { (*n).max(m).min(0) };
-        }
-    }
-    common.retain(|(_, n)| *n != 0);
-    let negative = polynomial.terms.values().next().is_some_and(Rational::is_negative);
-    let content = if negative { content.neg() } else { content };
-    let inverse = content.reciprocal().unwrap_or(Rational::ONE);
-    let mut rest = LaurentPolynomial::default();
-    for (monomial, k) in &polynomial.terms {
-        let mut left: Monomial = monomial
-            .iter()
-            .map(|(e, n)| (*e, n - common.iter().find(|(c, _)| c == e).map_or(0, |(_, m)| *m)))
-            .collect();
-        left.retain(|(_, n)| *n != 0);
-        rest.add_term(left, &k.mul(&inverse));
-    }
-    (common, content, rest)
-}
-
-/// Atom that most terms of the polynomial share, and true if they share it with positive exponents.
-/// Ties take the first. `None` if no two terms share an atom.
-fn most_shared_atom(polynomial: &LaurentPolynomial) -> Option<(Expr, bool)> {
-    let mut counts: BTreeMap<(Expr, bool), usize> = BTreeMap::new();
-    for (atom, n) in polynomial.terms.keys().flatten() {
-        *counts.entry((*atom, *n > 0)).or_default() += 1;
-    }
-    let most = counts.values().copied().max().filter(|most| *most >= 2)?;
-    counts.into_iter().find(|(_, count)| *count == most).map(|(key, _)| key)
 }
 
 /// Number of arithmetic operations in a term, the measure of short forms; a function counts as 4. A

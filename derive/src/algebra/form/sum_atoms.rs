@@ -7,6 +7,7 @@
 //! cofactor, they are expanded after all.
 
 use super::polynomial::{LaurentPolynomial, Monomial};
+use crate::algebra::term::elementary::is_sine_or_cosine;
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -66,11 +67,6 @@ impl SumAtoms {
             *seen.entry(rest).or_insert_with(|| inside.clone()) == inside
         })
     }
-}
-
-/// True if the term `e` is a sine or a cosine.
-pub fn is_sine_or_cosine(arena: &Arena, e: Expr) -> bool {
-    matches!(arena.node(e), Node::Apply(Function::Sin | Function::Cos, _))
 }
 
 /// True if any two terms of the polynomial differ in more than sines and cosines, and no term

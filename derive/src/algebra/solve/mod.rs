@@ -7,4 +7,5 @@ pub mod closed;
 pub mod elimination;
 pub mod linear;
 pub mod linear_relations;
+pub(crate) mod quadratic_equation;
 pub mod quadratic_minimum;

@@ -317,29 +317,6 @@ impl Arena {
         self.positive.contains(&symbol)
     }
 
-    /// Builds the term for an exact rational number.
-    pub fn number(&mut self, value: Rational) -> Expr {
-        self.intern(Node::Number(value))
-    }
-
-    /// Builds the term for an integer.
-    pub fn integer(&mut self, n: i64) -> Expr {
-        self.number(Rational::integer(n))
-    }
-
-    /// Builds the term for the fraction n/d, an exact number.
-    ///
-    /// # Panics
-    /// If d is 0. The method is meant for literal fractions in code.
-    pub fn ratio(&mut self, n: i64, d: i64) -> Expr {
-        self.number(Rational::fraction(n, d).expect("a literal fraction"))
-    }
-
-    /// Builds the term for the number π.
-    pub fn pi(&mut self) -> Expr {
-        self.intern(Node::Pi)
-    }
-
     /// Value of a term that is a rational number; `None` for any other term.
     #[must_use]
     pub fn as_number(&self, e: Expr) -> Option<&Rational> {

@@ -1,9 +1,33 @@
-//! Constructors of sums, products and powers in canonical form: like terms are collected, powers of
-//! one base merged.
+//! Constructors of terms in canonical form: like terms are collected, powers of one base merged, and
+//! known function values resolved.
 
+use super::elementary::canonical_function_value;
 use crate::algebra::{Arena, Expr, Function, Node, PowerError, Rational};
 
 impl Arena {
+    /// Builds the term for an exact rational number.
+    pub fn number(&mut self, value: Rational) -> Expr {
+        self.intern(Node::Number(value))
+    }
+
+    /// Builds the term for an integer.
+    pub fn integer(&mut self, n: i64) -> Expr {
+        self.number(Rational::integer(n))
+    }
+
+    /// Builds the term for the fraction n/d, an exact number.
+    ///
+    /// # Panics
+    /// If d is 0. The method is meant for literal fractions in code.
+    pub fn ratio(&mut self, n: i64, d: i64) -> Expr {
+        self.number(Rational::fraction(n, d).expect("a literal fraction"))
+    }
+
+    /// Builds the term for the number π.
+    pub fn pi(&mut self) -> Expr {
+        self.intern(Node::Pi)
+    }
+
     /// Adds `scale · e` to a sum under construction, which is kept as a constant and a list of
     /// pairs (term, coefficient).
     fn accumulate(&self, e: Expr, scale: &Rational, constant: &mut Rational, terms: &mut Vec<(Expr, Rational)>) {
@@ -228,6 +252,22 @@ impl Arena {
     /// Square e² of a term.
     pub fn square(&mut self, e: Expr) -> Expr {
         self.mul(e, e)
+    }
+
+    /// Builds the function value f(argument). Values at 0 and at multiples of π/2, and the
+    /// symmetries of even and odd functions, are resolved.
+    pub fn apply(&mut self, f: Function, argument: Expr) -> Expr {
+        canonical_function_value(self, f, argument)
+    }
+
+    /// Sine of the term e, an angle in radians.
+    pub fn sin(&mut self, e: Expr) -> Expr {
+        self.apply(Function::Sin, e)
+    }
+
+    /// Cosine of the term e, an angle in radians.
+    pub fn cos(&mut self, e: Expr) -> Expr {
+        self.apply(Function::Cos, e)
     }
 
     /// Builds the function value f(argument) as it stands, without any simplification.

@@ -7,26 +7,18 @@ use super::calculus::Substitution;
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use num_rational::BigRational;
 
-impl Arena {
-    /// Builds the function value f(argument). Values at 0 and at multiples of π/2, and the
-    /// symmetries of even and odd functions, are resolved.
-    pub fn apply(&mut self, f: Function, argument: Expr) -> Expr {
-        canonical_function_value(self, f, argument)
-    }
+/// True if the function is computed from e to the power of its argument: exp, sinh, cosh or tanh.
+pub(in crate::algebra) fn is_exponential(function: Function) -> bool {
+    matches!(function, Function::Exp | Function::Sinh | Function::Cosh | Function::Tanh)
+}
 
-    /// Sine of the term e, an angle in radians.
-    pub fn sin(&mut self, e: Expr) -> Expr {
-        self.apply(Function::Sin, e)
-    }
-
-    /// Cosine of the term e, an angle in radians.
-    pub fn cos(&mut self, e: Expr) -> Expr {
-        self.apply(Function::Cos, e)
-    }
+/// True if the term `e` is a sine or a cosine.
+pub(in crate::algebra) fn is_sine_or_cosine(arena: &Arena, e: Expr) -> bool {
+    matches!(arena.node(e), Node::Apply(Function::Sin | Function::Cos, _))
 }
 
 /// Function value f(argument) in canonical form: known values and symmetries are resolved.
-fn canonical_function_value(arena: &mut Arena, f: Function, argument: Expr) -> Expr {
+pub(super) fn canonical_function_value(arena: &mut Arena, f: Function, argument: Expr) -> Expr {
     match f {
         Function::Sin | Function::Cos => canonical_sine_or_cosine(arena, f, argument),
         Function::Sqrt => square_root(arena, argument),

@@ -255,6 +255,18 @@ impl Rational {
         Some(Self::from_big(num_traits::Pow::pow(self.to_big(), n)))
     }
 
+    /// Square root of the number; `None` if the root is not rational, or if the number does not
+    /// fit 64 bits.
+    pub(in crate::algebra) fn small_square_root(&self) -> Option<Self> {
+        let root = |n: i64| {
+            let near = u64::try_from(n).ok()?.isqrt();
+            let near = i64::try_from(near).ok()?;
+            (near.checked_mul(near)? == n).then_some(near)
+        };
+        let (n, d) = self.small()?;
+        Self::fraction(root(n)?, root(d)?)
+    }
+
     /// Number of bits above which a power of a rational number is refused rather than computed.
     pub const MAX_BITS: u64 = 100_000;
 

@@ -12,22 +12,19 @@ mod printed_names;
 mod python;
 mod typst;
 
-pub use latex::latex_name;
+pub use latex::{latex, latex_name, latex_of};
 pub use line_breaks::{break_latex_lines, break_mathml_pieces, break_typst_lines, formula_width};
 pub use long_parts::{long_parts, printed_length};
-pub use mathml::mathml_name;
+pub use mathml::{mathml, mathml_name, mathml_of};
 pub(in crate::algebra::text) use printed_names::greek_name;
-pub use printed_names::name_parts;
-pub use typst::typst_name;
+pub use printed_names::{name_parts, printed_name};
+pub use python::{python_of, sympy_of};
+pub use typst::{typst_name, typst_of};
 
 use super::display_tree::{DisplayTree, SharedNames, display_tree};
 use crate::algebra::{Arena, Expr};
-use latex::write_latex;
-use mathml::write_mathml;
 use printed_names::name_printed_alike;
-use python::{NUMPY, SYMPY};
 use rustc_hash::FxHashMap;
-use typst::write_typst;
 
 /// Number of nodes after which a printed expression is cut short.
 pub const BUDGET: usize = 20_000;
@@ -43,23 +40,6 @@ pub fn print_text(arena: &Arena, e: Expr) -> String {
 pub fn text_of(view: &DisplayTree) -> String {
     let mut out = String::new();
     write_text(view, &mut out);
-    out
-}
-
-/// Prints a display tree as a Python expression, with functions of `NumPy` such as `np.sin`.
-#[must_use]
-pub fn python_of(view: &DisplayTree) -> String {
-    let mut out = String::new();
-    write_line(view, &NUMPY, &mut out);
-    out
-}
-
-/// Prints a display tree as a Python expression, with functions of `SymPy` such as `sp.sin`.
-/// Quotients of integers stay exact (`sp.Rational`).
-#[must_use]
-pub fn sympy_of(view: &DisplayTree) -> String {
-    let mut out = String::new();
-    write_line(view, &SYMPY, &mut out);
     out
 }
 
@@ -79,75 +59,11 @@ pub fn print_whole_view(arena: &Arena, e: Expr, shared: &SharedNames) -> Display
     display_tree(arena, e, shared, 100 * BUDGET)
 }
 
-/// Prints an expression in LaTeX for math mode, cut after `BUDGET` nodes.
-#[must_use]
-pub fn latex(arena: &Arena, e: Expr) -> String {
-    latex_of(&print_view(arena, e))
-}
-
-/// Prints a display tree in LaTeX for math mode.
-#[must_use]
-pub fn latex_of(view: &DisplayTree) -> String {
-    let mut out = String::new();
-    write_latex(view, &mut out);
-    out
-}
-
-/// Prints a display tree in Typst for math mode.
-#[must_use]
-pub fn typst_of(view: &DisplayTree) -> String {
-    let mut out = String::new();
-    write_typst(view, &mut out);
-    out
-}
-
-/// Prints an expression in presentation `MathML`, cut after `BUDGET` nodes: one `mrow` element,
-/// to be put inside `math`.
-#[must_use]
-pub fn mathml(arena: &Arena, e: Expr) -> String {
-    mathml_of(&print_view(arena, e))
-}
-
-/// Prints a display tree in presentation `MathML`: one `mrow` element, to be put inside `math`.
-#[must_use]
-pub fn mathml_of(view: &DisplayTree) -> String {
-    let mut out = String::from("<mrow>");
-    write_mathml(view, &mut out);
-    out.push_str("</mrow>");
-    out
-}
-
 /// Builds the display tree of a term, cut after `BUDGET` nodes. A symbol that would look like
 /// another with its subscript is printed as a word.
 #[must_use]
 pub fn print_view(arena: &Arena, e: Expr) -> DisplayTree {
     with_distinct_names(arena, display_tree(arena, e, &FxHashMap::default(), BUDGET))
-}
-
-impl Arena {
-    /// Shows the symbol `name` as `printed` in documents: LaTeX, Typst, Markdown and `MathML`.
-    /// Primes after the name are kept. Plain text and programs keep the name of the model file.
-    pub fn set_printed_name(&mut self, name: &str, printed: &str) {
-        self.names.printed.insert(name.to_owned(), printed.to_owned());
-    }
-}
-
-impl Arena {
-    /// Shows all symbols in documents by their own names again, and so undoes [`Arena::set_printed_name`].
-    pub fn clear_printed_names(&mut self) {
-        self.names.printed.clear();
-    }
-}
-
-/// Name with which documents show a symbol: the name given to [`Arena::set_printed_name`], else the
-/// symbol's own. Primes are kept.
-#[must_use]
-pub fn printed_name(arena: &Arena, name: &str) -> String {
-    let stem = name.trim_end_matches('\'');
-    match arena.names.printed.get(stem) {
-        Some(printed) => format!("{printed}{}", &name[stem.len()..]),
-        None => name.to_owned(),
-    }
 }
 
 /// Display tree of a symbol, by its printed name. It is a whole word if another symbol would look

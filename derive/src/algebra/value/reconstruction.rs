@@ -1,5 +1,4 @@
-//! Reconstruction of numbers from residues: rational numbers, surds, and rational coefficients of
-//! linear combinations.
+//! Reconstruction of numbers from residues: rational numbers and surds.
 //!
 //! Each result is a guess, since other numbers have the same residue. The caller must prove it.
 
@@ -63,40 +62,6 @@ pub fn reconstruct_surd(f: Field, residue: u64) -> Option<(Rational, i64, Ration
     None
 }
 
-/// Brings a matrix over the field `f` to reduced echelon form and removes its zero rows. Returns
-/// the pivot columns: the first columns that are independent.
-pub fn reduced_echelon_form(f: Field, rows: &mut Vec<Vec<u64>>) -> Vec<usize> {
-    let columns = rows.first().map_or(0, Vec::len);
-    let mut pivots = Vec::new();
-    for column in 0..columns {
-        let at = pivots.len();
-        let Some(found) = (at..rows.len()).find(|row| rows[*row][column] != 0) else { continue };
-        rows.swap(at, found);
-        let inverse = f.inverse(rows[at][column]).unwrap_or(1);
-        rows[at].iter_mut().for_each(|x| *x = f.mul(*x, inverse));
-        let pivot = std::mem::take(&mut rows[at]);
-        for row in rows.iter_mut().filter(|row| !row.is_empty()) {
-            let factor = row[column];
-            if factor != 0 {
-                row.iter_mut().zip(&pivot).skip(column).for_each(|(x, p)| *x = f.sub(*x, f.mul(factor, *p)));
-            }
-        }
-        rows[at] = pivot;
-        pivots.push(column);
-    }
-    rows.truncate(pivots.len());
-    pivots
-}
-
-/// Unique solution x of the linear system Σ xₖ columnₖ = last column over the field `f`. Each row
-/// of the matrix is an equation. `None` if there is no solution, or more than one.
-#[must_use]
-pub fn unique_solution(f: Field, mut rows: Vec<Vec<u64>>) -> Option<Vec<u64>> {
-    let unknowns = rows.first()?.len() - 1;
-    let pivots = reduced_echelon_form(f, &mut rows);
-    pivots.iter().copied().eq(0..unknowns).then(|| rows.iter().map(|row| row[unknowns]).collect())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -125,13 +90,5 @@ mod tests {
             assert_eq!(reconstruct_surd(f, residue), Some((a, n, b)));
         }
         assert_eq!(reconstruct_surd(f, f.pow(3, 1_000_003)), None);
-    }
-
-    #[test]
-    fn systems_are_solved_where_they_have_one_solution() {
-        let f = Field::random(&mut Generator(6));
-        assert_eq!(unique_solution(f, vec![vec![1, 1, 5], vec![1, 2, 8], vec![2, 3, 13]]), Some(vec![2, 3]));
-        assert_eq!(unique_solution(f, vec![vec![1, 1, 5], vec![1, 2, 8], vec![2, 3, 14]]), None);
-        assert_eq!(unique_solution(f, vec![vec![1, 1, 5], vec![2, 2, 10], vec![3, 3, 15]]), None);
     }
 }

@@ -8,7 +8,7 @@ mod point_search;
 pub(in crate::algebra) use point_search::PointSearch;
 
 use super::field::{Field, Generator};
-use crate::algebra::term::elementary::angle_atoms;
+use crate::algebra::term::elementary::{angle_atoms, is_exponential};
 use crate::algebra::term::fold::{Fold, FoldOrder, Values};
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use num_integer::Integer;
@@ -191,11 +191,6 @@ fn is_monomial(arena: &Arena, e: Expr) -> bool {
         Node::Product(factors) => factors.iter().all(|(base, n)| *n > 0 && arena.symbol_name(*base).is_some()),
         _ => false,
     }
-}
-
-/// True if the function is computed from e to the power of its argument: exp, sinh, cosh or tanh.
-pub(in crate::algebra) fn is_exponential(function: Function) -> bool {
-    matches!(function, Function::Exp | Function::Sinh | Function::Cosh | Function::Tanh)
 }
 
 /// Residue of every needed term at a point; `None` if an inverse or a square root does not exist

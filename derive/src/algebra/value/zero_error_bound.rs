@@ -7,8 +7,8 @@
 //! if the prime divides all coefficients. Each coefficient has at most log₂|N|/60 prime factors of
 //! 60 bits.
 
-use super::residues::{POINTS, is_exponential};
-use crate::algebra::term::elementary::angle_atoms;
+use super::residues::POINTS;
+use crate::algebra::term::elementary::{angle_atoms, is_exponential};
 use crate::algebra::term::fold::{Fold, FoldOrder, Values};
 use crate::algebra::{Arena, Expr, Function, Rational};
 use num_integer::Integer;

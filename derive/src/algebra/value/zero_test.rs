@@ -17,9 +17,9 @@
 //! the answer is [`ZeroTest::Undecided`].
 
 use super::field::Field;
-use super::residues::{POINTS, ResiduePoint, angle_denominators, is_exponential, residue_generator, residues_at_point};
+use super::residues::{POINTS, ResiduePoint, angle_denominators, residue_generator, residues_at_point};
 use super::zero_error_bound::false_zero_exponent;
-use crate::algebra::term::elementary::angle_atoms;
+use crate::algebra::term::elementary::{angle_atoms, is_exponential};
 use crate::algebra::term::fold::FoldOrder;
 use crate::algebra::{Arena, Expr, Function, Node};
 

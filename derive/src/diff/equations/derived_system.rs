@@ -1,6 +1,6 @@
 //! Derived system of equations with which a printed system is compared.
 
-use super::claim::MatchedSystem;
+use super::matched_system::MatchedSystem;
 use super::row_judgement::{Row, RowMatchResult};
 use crate::algebra::Expr;
 use crate::algebra::solve::linear::LinearForm;

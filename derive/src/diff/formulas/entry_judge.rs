@@ -2,11 +2,13 @@
 
 use super::expansion_near_point::PointExpansion;
 use super::finding::{Finding, Judgement, Mistake, ROUNDED, TracedFinding};
+use super::formula_reading::FormulaReading;
 use super::ratio::constant_ratio;
 use super::rounded_numbers::agrees_to_printed_digits;
 use super::wrong_terms::{WrongTerm, wrong_terms};
-use crate::diff::equations::claim::{Claim, MatchedSystem};
+use crate::diff::equations::claim::Claim;
 use crate::diff::equations::lagrange_multipliers::Multipliers;
+use crate::diff::equations::matched_system::MatchedSystem;
 use crate::diff::repairs::{
     AbbreviationMistakes, MistakeKind, PrintedFormula, Repair, RepairSearch, RepairTools, find_change_pair, find_repair,
 };
@@ -15,7 +17,7 @@ use crate::algebra::meaning::compare::Comparer;
 use crate::algebra::meaning::permitted_states::StatesOfValidity;
 use crate::algebra::text::print::print_text;
 use crate::algebra::{Expr, Node};
-use crate::mechanics::{Formulation, Kinematics, Quantities, Quantity, QuantityKind};
+use crate::mechanics::{Kinematics, Quantities, Quantity, QuantityKind};
 use crate::publication::{QuantityNames, has_decimals};
 
 /// Largest number of rounds of shortening that a derived value gets before it is shown.
@@ -27,32 +29,6 @@ pub(super) const LONGEST: usize = 70;
 /// Longest list of wrong terms, in bytes, that is reported. For a longer list, two changes of the
 /// formula are searched for.
 const LONGEST_LIST: usize = 150;
-
-/// Variables in which a printed formula is compared with the derived one.
-#[derive(Clone, Copy, Debug)]
-pub struct FormulaReading {
-    /// True if the formula is in q and q̇; false if it is in q and u.
-    pub in_rates: bool,
-    /// True if accelerations in the formula are replaced by their derived values.
-    pub is_solved: bool,
-}
-
-impl FormulaReading {
-    /// Reading for the formulas of a printed system: the variables are those of its formulation.
-    pub fn of(formulation: Formulation) -> Self {
-        Self { in_rates: formulation.is_in_rates(), is_solved: false }
-    }
-
-    /// Value of a printed term, in which derived quantities replace their names.
-    ///
-    /// # Errors
-    /// Reason why the term has no value.
-    pub fn value(self, quantities: &mut Quantities<'_>, names: &QuantityNames, e: Expr) -> Result<Expr, String> {
-        let e = names.resolve_quantity_names(quantities, e)?;
-        let e = if self.is_solved { quantities.solved(e)? } else { e };
-        Ok(if self.in_rates { quantities.in_rates(e) } else { quantities.in_speeds(e) })
-    }
-}
 
 /// Formula as printed, with its value in the variables of the comparison.
 #[derive(Clone, Copy, Debug)]

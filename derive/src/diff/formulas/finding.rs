@@ -5,6 +5,7 @@ use crate::algebra::meaning::compare::{Verdict, Witness};
 use crate::algebra::meaning::permitted_states::StatesOfValidity;
 use crate::diff::equations::claim::Claim;
 use crate::diff::repairs::MistakeKind;
+use crate::publication::Entry;
 
 /// Remark on an entry that equals the derived value only to the digits printed.
 pub(in crate::diff) const ROUNDED: &str =
@@ -191,4 +192,9 @@ impl Finding {
         }
         self
     }
+}
+
+/// Finding of an entry before its judgement: id, section and printed text.
+pub(in crate::diff) fn unjudged_finding(id: &str, entry: &Entry, text: &str) -> Finding {
+    Finding::new(id, &entry.section, Judgement::Stated, text)
 }

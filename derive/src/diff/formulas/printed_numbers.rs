@@ -80,6 +80,14 @@ fn printed_number_value(model: &Model, e: Expr) -> f64 {
     Tape::new(&model.arena, &[], &[e]).map_or(f64::NAN, |tape| tape.evaluate(&[])[0])
 }
 
+/// Entries of a publication that state a number of a parameter or of a start.
+pub(super) fn printed_number_entries(publication: &Publication) -> impl Iterator<Item = (&Entry, &Initial)> {
+    publication.entries.iter().filter_map(|entry| match &entry.kind {
+        EntryKind::Initial(initial) => Some((entry, initial)),
+        _ => None,
+    })
+}
+
 /// Entries with numbers of one set, such as the initial values of one example.
 fn printed_numbers_of_set<'a>(
     publication: &'a Publication,

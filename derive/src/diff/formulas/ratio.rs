@@ -1,9 +1,10 @@
-//! Ratio of two terms that differ only by a factor in parameters.
+//! Ratio of two terms that differ only by a factor: a number, or a term in parameters.
 
-use crate::algebra::Expr;
+use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::meaning::compare::Comparer;
 use crate::algebra::term::calculus::{Differential, Substitution};
 use crate::algebra::value::zero_test::{ZeroTest, zero_test};
+use crate::algebra::{Arena, Expr, Rational};
 use crate::mechanics::{Kinematics, Quantities};
 
 /// Ratio a / b, simplified; `None` unless a and b are non-zero and the ratio depends on parameters
@@ -35,4 +36,16 @@ pub fn constant_ratio(quantities: &mut Quantities<'_>, comparer: &mut Comparer, 
     let value = plain.unwrap_or(value);
     let back = arena.mul(value, b);
     comparer.compare(arena, a, back).is_equal().then_some(value)
+}
+
+/// Ratio term / own if it is a number; else `None`.
+pub(super) fn numerical_ratio(
+    arena: &mut Arena,
+    simplifier: &mut Simplifier,
+    term: Expr,
+    own: Expr,
+) -> Option<Rational> {
+    let ratio = arena.div(term, own)?;
+    let ratio = simplifier.simplify(arena, ratio);
+    arena.as_number(ratio).cloned()
 }

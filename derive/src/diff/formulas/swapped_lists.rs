@@ -5,9 +5,9 @@
 //! is one mistake, not one for each number.
 
 use super::finding::Judgement;
-use super::printed_numbers::judge_printed_number;
+use super::printed_numbers::{judge_printed_number, printed_number_entries};
 use crate::model::Model;
-use crate::publication::{Entry, EntryKind, Initial, Publication};
+use crate::publication::{EntryKind, Publication};
 use std::collections::BTreeSet;
 
 /// Two lists of numbers of one set that are each printed in place of the other.
@@ -30,14 +30,6 @@ pub fn swapped_lists(model: &Model, publication: &Publication) -> Vec<SwappedLis
     }
     let sets: BTreeSet<&str> = printed_number_entries(publication).map(|(_, initial)| initial.set.as_str()).collect();
     sets.into_iter().filter_map(|set| swapped_lists_in_set(model, publication, set)).collect()
-}
-
-/// Entries of a publication that state a number of a parameter or of a start.
-fn printed_number_entries(publication: &Publication) -> impl Iterator<Item = (&Entry, &Initial)> {
-    publication.entries.iter().filter_map(|entry| match &entry.kind {
-        EntryKind::Initial(initial) => Some((entry, initial)),
-        _ => None,
-    })
 }
 
 /// Number of printed numbers that other printed numbers contradict.

@@ -5,6 +5,7 @@
 //! term of which it is a numerical multiple. A term without such a printed term is missing in
 //! print.
 
+use super::ratio::numerical_ratio;
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::text::print::print_text;
 use crate::algebra::{Arena, Expr, Node, Rational};
@@ -108,11 +109,4 @@ pub fn terms_multiplied_out(arena: &mut Arena, e: Expr) -> Vec<Expr> {
         }
         _ => vec![e],
     }
-}
-
-/// Ratio term / own if it is a number; else `None`.
-fn numerical_ratio(arena: &mut Arena, simplifier: &mut Simplifier, term: Expr, own: Expr) -> Option<Rational> {
-    let ratio = arena.div(term, own)?;
-    let ratio = simplifier.simplify(arena, ratio);
-    arena.as_number(ratio).cloned()
 }

@@ -1,13 +1,15 @@
 //! Judgement of printed linear systems, row by row.
 
-use super::motion_system::MotionSystem;
-use super::row_findings::{RowPlace, unjudged_finding};
+use super::motion_system::{MotionSystem, motion_of_rows};
+use super::row_findings::RowPlace;
 use super::whole_rows::SolvedUnknowns;
-use crate::diff::equations::claim::{Claim, MatchedSystem};
+use crate::diff::equations::claim::Claim;
 use crate::diff::equations::derived_system::{DerivedSystem, derived_system, is_derived_unknown_of_time};
+use crate::diff::equations::matched_system::MatchedSystem;
 use crate::diff::equations::row_judgement::{Row, RowMatchResult, TermTools};
-use crate::diff::formulas::entry_judge::{EntryJudge, FormulaReading, PrintedFormulaValue};
-use crate::diff::formulas::finding::{Finding, Judgement, TracedFinding};
+use crate::diff::formulas::entry_judge::{EntryJudge, PrintedFormulaValue};
+use crate::diff::formulas::finding::{Finding, Judgement, TracedFinding, unjudged_finding};
+use crate::diff::formulas::formula_reading::FormulaReading;
 
 use crate::algebra::Expr;
 use crate::algebra::meaning::permitted_states::StatesOfValidity;
@@ -113,19 +115,6 @@ fn is_complete_motion(quantities: &Quantities<'_>, system: &System, order: &Deri
     let all_there = system.formulation.unknowns(quantities.model).iter().all(|(_, u)| order.unknowns.contains(u))
         && order.unknowns.iter().all(|u| system.unknowns.contains(u));
     all_there && rows.len() == order.unknowns.len() && rows.iter().all(is_linear)
-}
-
-/// Equations of motion with the printed rows; each row ends with its right-hand side.
-fn motion_of_rows(quantities: &Quantities<'_>, id: &str, formulation: Formulation, rows: &[Row]) -> MotionSystem {
-    let model = quantities.model;
-    let in_rates = formulation.is_in_rates();
-    MotionSystem {
-        id: id.to_owned(),
-        in_rates,
-        coordinate_rates: if in_rates { model.q_dot() } else { model.kinematic_equations.rates.clone() },
-        matrix: rows.iter().map(|row| row[..row.len() - 1].to_vec()).collect(),
-        right: rows.iter().map(|row| row[row.len() - 1]).collect(),
-    }
 }
 
 impl EntryJudge<'_, '_> {

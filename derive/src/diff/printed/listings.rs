@@ -2,12 +2,12 @@
 
 use super::judged_system::{JudgedSystem, MatchedMotion};
 use super::motion_system::MotionSystem;
-use super::row_findings::unjudged_finding;
 use crate::diff::equations::claim::Claim;
 use crate::diff::equations::derived_system::{DerivedSystem, derived_system};
 use crate::diff::equations::row_judgement::Row;
-use crate::diff::formulas::entry_judge::{EntryJudge, FormulaReading, PrintedFormulaValue};
-use crate::diff::formulas::finding::{Finding, Judgement, TracedFinding};
+use crate::diff::formulas::entry_judge::{EntryJudge, PrintedFormulaValue};
+use crate::diff::formulas::finding::{Finding, Judgement, TracedFinding, unjudged_finding};
+use crate::diff::formulas::formula_reading::FormulaReading;
 
 use crate::algebra::Expr;
 use crate::algebra::solve::linear::solve_linear;

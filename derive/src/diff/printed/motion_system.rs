@@ -5,7 +5,8 @@ use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::solve::linear::{determinant, solve_linear};
 use crate::algebra::term::calculus::{Differential, Substitution};
 use crate::algebra::{Arena, Expr};
-use crate::mechanics::{kinematic_rates, rates_to_speeds};
+use crate::diff::equations::row_judgement::Row;
+use crate::mechanics::{Formulation, Quantities, kinematic_rates, rates_to_speeds};
 use crate::model::Model;
 
 /// Equations of motion, printed or derived, as a linear system: matrix · unknowns = right.
@@ -88,6 +89,24 @@ impl MotionSystem {
             }
         }
         Some(SolvedMotion { coordinate_rates, speed_rates, off_constraints, reactions })
+    }
+}
+
+/// Equations of motion with the printed rows; each row ends with its right-hand side.
+pub(super) fn motion_of_rows(
+    quantities: &Quantities<'_>,
+    id: &str,
+    formulation: Formulation,
+    rows: &[Row],
+) -> MotionSystem {
+    let model = quantities.model;
+    let in_rates = formulation.is_in_rates();
+    MotionSystem {
+        id: id.to_owned(),
+        in_rates,
+        coordinate_rates: if in_rates { model.q_dot() } else { model.kinematic_equations.rates.clone() },
+        matrix: rows.iter().map(|row| row[..row.len() - 1].to_vec()).collect(),
+        right: rows.iter().map(|row| row[row.len() - 1]).collect(),
     }
 }
 

@@ -15,7 +15,7 @@ use crate::algebra::solve::linear::linear_row_term;
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::text::print::print_text;
 use crate::mechanics::Kinematics;
-use crate::publication::{Entry, System};
+use crate::publication::System;
 
 /// Place of a printed row: its system, and its index in the system.
 #[derive(Clone, Copy)]
@@ -306,9 +306,4 @@ impl EntryJudge<'_, '_> {
         }
         finding
     }
-}
-
-/// Finding of an entry before its judgement: id, section and printed text.
-pub fn unjudged_finding(id: &str, entry: &Entry, text: &str) -> Finding {
-    Finding::new(id, &entry.section, Judgement::Stated, text)
 }

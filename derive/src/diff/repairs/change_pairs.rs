@@ -4,9 +4,10 @@
 //! of a sum add their effects; two in different factors of a product multiply them. So the second
 //! change is looked up in a sorted list, by the value that it must have. The first change is then
 //! made, and the second is searched for and proved as the only remaining mistake
-//! ([`super::proved`]).
+//! ([`super::prove_repair`]).
 
-use super::formula_change::{FormulaChange, MistakeKind, formula_changes};
+use super::formula_change::{FormulaChange, formula_changes};
+use super::mistake_kind::MistakeKind;
 use super::printed_formula::{FormulaPlace, PrintedFormula};
 use super::sample_points::{POINTS, SMALL};
 use super::{

@@ -1,5 +1,6 @@
 //! Changes of a formula at one place, tried as repairs of a misprint.
 
+use super::mistake_kind::MistakeKind;
 use super::replacement_pool::ReplacementPool;
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
@@ -14,66 +15,6 @@ const MOST_EQUAL: i64 = 4;
 /// number.
 const NUMBERS: [(i64, i64); 12] =
     [(-1, 1), (2, 1), (1, 2), (3, 1), (1, 3), (4, 1), (1, 4), (3, 2), (2, 3), (3, 4), (4, 3), (-1, 2)];
-
-/// Kind of a mistake in a printed formula, the likeliest first.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum MistakeKind {
-    /// A sign is lost or gained.
-    Sign,
-    /// A number is wrong.
-    Number,
-    /// A wrong symbol, or a lost or gained dot of a time derivative.
-    Symbol,
-    /// A sine printed for a cosine, a cosine for a sine, or a wrong argument.
-    Function,
-    /// An exponent is wrong.
-    Power,
-    /// A factor is printed that should not be there.
-    ExtraFactor,
-    /// A factor is missing in print.
-    LostFactor,
-    /// A term is printed that should not be there.
-    ExtraTerm,
-    /// A term is missing in print.
-    LostTerm,
-}
-
-impl MistakeKind {
-    /// Kind of the mistake in a value that is wrong by the factor `factor`, printed value ÷ right
-    /// value.
-    /// Returns `None` for a factor with both extra and lost symbols, and for sums.
-    #[must_use]
-    pub fn of_factor(arena: &Arena, factor: Expr) -> Option<Self> {
-        if factor == Expr::MINUS_ONE {
-            return Some(Self::Sign);
-        }
-        if arena.as_number(factor).is_some() {
-            return Some(Self::Number);
-        }
-        match arena.node(factor) {
-            Node::Symbol(_) => Some(Self::ExtraFactor),
-            Node::Product(factors) if factors.iter().all(|(_, n)| *n > 0) => Some(Self::ExtraFactor),
-            Node::Product(factors) if factors.iter().all(|(_, n)| *n < 0) => Some(Self::LostFactor),
-            _ => None,
-        }
-    }
-
-    /// Name of the kind of mistake, such as "a sign".
-    #[must_use]
-    pub const fn words(self) -> &'static str {
-        match self {
-            Self::Sign => "a sign",
-            Self::Number => "a number",
-            Self::Symbol => "a symbol or a dot",
-            Self::Function => "a sine, cosine or argument",
-            Self::Power => "a power",
-            Self::ExtraFactor => "a factor too many",
-            Self::LostFactor => "a factor too few",
-            Self::ExtraTerm => "a term too many",
-            Self::LostTerm => "a term too few",
-        }
-    }
-}
 
 /// Formula in which one part is changed, with the part before and after the change.
 #[derive(Clone, Copy, Debug)]

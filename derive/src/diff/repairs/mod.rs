@@ -2,13 +2,14 @@
 //!
 //! Changes of one place are tried: a sign, a number, another symbol of the same unit, a lost dot,
 //! sine for cosine, a power, a factor, a term. Numbers at random states reject nearly all of them
-//! ([`residues`]). A change that numbers do not reject is proved equal to the derived value, as
+//! ([`sample_points`]). A change that numbers do not reject is proved equal to the derived value, as
 //! verdicts are. So a repair is never a guess. Several changes may be right: the smallest is
 //! reported.
 
 mod abbreviation_mistakes;
 mod change_pairs;
 mod formula_change;
+mod mistake_kind;
 mod printed_formula;
 mod replacement_pool;
 mod sample_points;
@@ -23,8 +24,8 @@ use crate::mechanics::Quantities;
 use crate::model::Unit;
 pub use abbreviation_mistakes::AbbreviationMistakes;
 pub use change_pairs::find_change_pair;
-pub use formula_change::MistakeKind;
 use formula_change::{FormulaChange, formula_changes};
+pub use mistake_kind::MistakeKind;
 use printed_formula::FormulaPlace;
 pub use printed_formula::PrintedFormula;
 use replacement_pool::ReplacementPool;

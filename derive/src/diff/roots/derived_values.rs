@@ -19,6 +19,19 @@ pub fn derived_value(quantities: &mut Quantities<'_>, kind: &QuantityKind) -> Op
     Some(quantities.in_speeds(value))
 }
 
+/// Derived value of a quantity plus the given changes; `None` if there are no changes.
+pub fn derived_value_with_changes(
+    quantities: &mut Quantities<'_>,
+    kind: &QuantityKind,
+    changes: &[Expr],
+) -> Option<Expr> {
+    if changes.is_empty() {
+        return None;
+    }
+    let right = derived_value(quantities, kind)?;
+    Some(derived_values_arena(quantities).sum(&[&[right], changes].concat()))
+}
+
 /// Three components of a derived vector in `frame`, as functions of q, u and u̇; `None` if a
 /// component cannot be derived.
 pub fn derived_value_components(

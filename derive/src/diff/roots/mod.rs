@@ -3,11 +3,12 @@
 //!
 //! An entry is traced to earlier entries in three cases. First, it has an equal wrong value.
 //! Second, exactly the printed value follows when printed values replace the derived ones in its
-//! formula ([`chain`], [`rows`], [`solutions`]). Third, another component of the same vector has an
-//! equal mistake ([`shared_mistake`]). Each claim of dependence is proved as an identity of terms.
-//! An entry without a proof within a counted budget is a root of its own. Invariant: every entry
-//! judged "different" is in exactly one group, the group of its first source. Equal differences
-//! alone do not link two entries: two separate slips may give equal differences.
+//! formula ([`consequences_of_values`], [`row_changes`], [`solved_systems`]). Third, another
+//! component of the same vector has an equal mistake ([`shared_mistake`]). Each claim of dependence
+//! is proved as an identity of terms. An entry without a proof within a counted budget is a root of
+//! its own. Invariant: every entry judged "different" is in exactly one group, the group of its
+//! first source. Equal differences alone do not link two entries: two separate slips may give equal
+//! differences.
 
 mod consequences_of_values;
 mod contradicting_numbers;
@@ -22,7 +23,8 @@ mod source_search;
 
 pub use root::{DependenceKind, DependentEntry, RootMistake};
 
-use super::equations::claim::{Claim, MatchedSystem};
+use super::equations::claim::Claim;
+use super::equations::matched_system::MatchedSystem;
 use super::formulas::finding::{Finding, Judgement};
 use super::formulas::swapped_lists::SwappedLists;
 use crate::algebra::meaning::permitted_states::PermittedStates;

@@ -5,7 +5,7 @@ use super::derived_values::component_name;
 use crate::algebra::Expr;
 use crate::algebra::solve::linear::LinearForm;
 use crate::algebra::term::calculus::{Differential, Gradient};
-use crate::diff::equations::claim::MatchedSystem;
+use crate::diff::equations::matched_system::MatchedSystem;
 use crate::diff::equations::row_judgement::Row as Entries;
 use crate::mechanics::{BalanceName, EnergyQuantity, Quantities, QuantityKind, RowName, RowQuantity, VectorName};
 

@@ -2,7 +2,7 @@
 
 use crate::algebra::Expr;
 use crate::algebra::solve::linear::solve_linear;
-use crate::diff::equations::claim::MatchedSystem;
+use crate::diff::equations::matched_system::MatchedSystem;
 use crate::mechanics::{Kinematics, Quantities};
 use rustc_hash::FxHashMap;
 

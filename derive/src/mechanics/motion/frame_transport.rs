@@ -6,7 +6,8 @@
 //! a frame is that of its parent, rotated once, plus its own. So velocities become recursions along
 //! the tree without being written as such (J. Y. S. Luh, M. W. Walker & R. P. C. Paul, "On-line
 //! computational scheme for mechanical manipulators", ASME J. Dyn. Sys. Meas. Control 102 (1980)
-//! 69–76). [`Form`](super::form::Form) decides which models are derived in this way.
+//! 69–76). [`EquationForm`](super::equation_form::EquationForm) decides which models are derived in
+//! this way.
 
 use crate::algebra::{Arena, Expr};
 use crate::geometry::{Components, Frames, Turn, TurnSense, Vector};

@@ -84,7 +84,7 @@ struct CertificateClaim {
     shape: CertificateShape,
 }
 
-/// Numbers of terms of each kind in the list that [`CertificateClaim::packed_terms`] returns.
+/// Numbers of terms of each kind in the list that [`CertificateClaim::terms`] returns.
 #[derive(Clone, Copy)]
 struct CertificateShape {
     /// Number of rows of the equations.
@@ -188,8 +188,8 @@ fn dot(arena: &mut Arena, a: &[Expr], b: &[Expr]) -> Expr {
 }
 
 impl CertificateShape {
-    /// Checks the values of the terms of [`CertificateClaim::packed_terms`] at a random state, modulo the prime of the
-    /// field `f`.
+    /// Checks the values of the terms of [`CertificateClaim::terms`] at a random state, modulo the
+    /// prime of the field `f`.
     ///
     /// # Errors
     /// `Unproved` with the first row of the Jacobian or of the equations that does not hold.

@@ -187,3 +187,17 @@ pub fn divisor_without_number(arena: &Arena, divisor: Expr) -> Expr {
         _ => divisor,
     }
 }
+
+/// Returns divisors that vanish in different configurations: without numeric factors, and without
+/// repetition.
+#[must_use]
+pub fn distinct_divisors(arena: &Arena, divisors: &[Expr]) -> Vec<Expr> {
+    let mut list: Vec<Expr> = Vec::new();
+    for &divisor in divisors {
+        let bare = divisor_without_number(arena, divisor);
+        if !list.contains(&bare) {
+            list.push(bare);
+        }
+    }
+    list
+}

@@ -9,9 +9,9 @@ use super::elements::Elements;
 use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr};
 use crate::model::reading::declared_names::{NameKind, PARAMETERS};
-use crate::model::reading::model_reader::Loading;
+use crate::model::reading::loading::Loading;
 use crate::model::units::Unit;
-use crate::model::{AddedMass, Parameter, possible_bodies};
+use crate::model::{AddedMass, Parameter, impossible_bodies};
 use crate::toml_reader::Located;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -40,8 +40,8 @@ impl Elements {
         let Some(table) = loading.reader.table(value, what, "{ diagonal = […] }") else { return };
         loading.reader.report_unknown_keys(table, what, &["diagonal", "matrix", "about_point"]);
         let matrix = match (loading.reader.get(table, "diagonal"), loading.reader.get(table, "matrix")) {
-            (Some(diagonal), None) => diagonal_matrix(loading, diagonal),
-            (None, Some(matrix)) => full_matrix(loading, matrix),
+            (Some(diagonal), None) => diagonal_added_mass(loading, diagonal),
+            (None, Some(matrix)) => full_added_mass(loading, matrix),
             (Some(_), Some(second)) => {
                 loading.reader.error(second.span(), "`matrix` beside `diagonal`", FORM);
                 None
@@ -57,7 +57,7 @@ impl Elements {
                 let point = self.point(loading, table, "about_point", what, &value.span());
                 point.and_then(|point| {
                     let arm = self.vector_between_points(&mut loading.arena, self.bodies[body].centre, point, frame);
-                    let fixed = arm.filter(|arm| is_constant_arm(loading, arm));
+                    let fixed = arm.filter(|arm| is_added_mass_arm_constant(loading, arm));
                     if fixed.is_none() {
                         let help = "the mass centre must be placed from that point, or that point from it, in the \
                                     body's frame, at a constant place";
@@ -76,11 +76,11 @@ impl Elements {
     /// Reports added masses whose kinetic energy can be negative at the default values of the
     /// parameters.
     pub(super) fn check_added_masses(&self, loading: &mut Loading<'_>, parameters: &[Parameter]) {
-        let known = possible_bodies::default_parameter_values(parameters);
+        let known = impossible_bodies::default_parameter_values(parameters);
         for added in &self.added_masses {
             let name = &self.bodies[added.body].name;
             if let Some((message, help)) =
-                possible_bodies::added_mass_objection(&loading.arena, &known, added, name, "the default")
+                impossible_bodies::impossible_added_mass_message(&loading.arena, &known, added, name, "the default")
             {
                 let span = loading.names.span(name).unwrap_or_default();
                 loading.reader.error(span, message, help);
@@ -90,7 +90,7 @@ impl Elements {
 }
 
 /// True if components contain no symbols other than parameters, so that they are constant.
-fn is_constant_arm(loading: &Loading<'_>, components: &[Expr; 3]) -> bool {
+fn is_added_mass_arm_constant(loading: &Loading<'_>, components: &[Expr; 3]) -> bool {
     let (arena, names) = (&loading.arena, &loading.names);
     let parts = arena.reachable(components);
     parts.iter().filter_map(|e| arena.symbol_name(*e)).all(|name| names.kind(name) == Some(NameKind::Parameter))
@@ -128,7 +128,7 @@ fn six_values<'a>(
 }
 
 /// Reads a diagonal added mass matrix from six formulas; `None` after an error is reported.
-fn diagonal_matrix<'a>(loading: &mut Loading<'a>, value: &'a Spanned<DeValue<'a>>) -> Option<Matrix> {
+fn diagonal_added_mass<'a>(loading: &mut Loading<'a>, value: &'a Spanned<DeValue<'a>>) -> Option<Matrix> {
     let mut matrix = [[Expr::ZERO; SIZE]; SIZE];
     for (i, value) in six_values(loading, value, "the diagonal of an added mass")?.into_iter().enumerate() {
         let formula = loading.reader.formula(value, "an entry of `diagonal`")?;
@@ -139,7 +139,7 @@ fn diagonal_matrix<'a>(loading: &mut Loading<'a>, value: &'a Spanned<DeValue<'a>
 
 /// Reads a full, symmetric added mass matrix from six rows of six formulas; `None` after an error
 /// is reported.
-fn full_matrix<'a>(loading: &mut Loading<'a>, value: &'a Spanned<DeValue<'a>>) -> Option<Matrix> {
+fn full_added_mass<'a>(loading: &mut Loading<'a>, value: &'a Spanned<DeValue<'a>>) -> Option<Matrix> {
     let mut matrix = [[Expr::ZERO; SIZE]; SIZE];
     let mut texts: Vec<Vec<String>> = Vec::new();
     for (i, row) in six_values(loading, value, "the matrix of an added mass")?.into_iter().enumerate() {

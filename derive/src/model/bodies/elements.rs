@@ -5,12 +5,12 @@ use crate::algebra::term::calculus::Gradient;
 use crate::algebra::{Arena, Expr, Rational};
 use crate::geometry::{Placement, Turn};
 use crate::model::reading::declared_names::{AllowedQuantities, CONFIGURATION, NameKind, PARAMETERS};
-use crate::model::reading::model_reader::Loading;
+use crate::model::reading::loading::Loading;
 use crate::model::reading::tree::{Node, sort_parents_first};
 use crate::model::units::Unit;
 use crate::model::{
     AddedMass, Body, Contacts, Force, Frame, Gravity, Inertia, Parameter, Point, Potential, Reaction, Torque,
-    possible_bodies,
+    impossible_bodies,
 };
 use crate::toml_reader::{Entry, Located};
 use std::ops::Range;
@@ -189,7 +189,7 @@ impl Elements {
                 continue;
             }
             let axis = loading.reader.required(entry, "axis", &what, &name.span).and_then(|v| loading.axis_number(v));
-            let angle = loading.angle(entry, &what, &name.span);
+            let angle = loading.turn_angle(entry, &what, &name.span);
             if let (Some(parent), Some(axis), Some(angle)) = (parent, axis, angle) {
                 nodes.push(Node { name, parent, payload: Turn::About(axis, angle) });
             }
@@ -458,9 +458,10 @@ impl Elements {
     /// Reports masses, inertias and added masses that no body can have at the default values of the
     /// parameters.
     pub fn check_elements(&self, loading: &mut Loading<'_>, parameters: &[Parameter]) {
-        let known = possible_bodies::default_parameter_values(parameters);
+        let known = impossible_bodies::default_parameter_values(parameters);
         for body in &self.bodies {
-            if let Some((message, help)) = possible_bodies::body_objection(&loading.arena, &known, body, "the default")
+            if let Some((message, help)) =
+                impossible_bodies::impossible_body_message(&loading.arena, &known, body, "the default")
             {
                 let span = loading.names.span(&body.name).unwrap_or_default();
                 loading.reader.error(span, message, help);

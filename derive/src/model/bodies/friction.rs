@@ -15,7 +15,7 @@ use crate::algebra::{Arena, Expr, Function};
 use crate::diagnostic::shortened_for_message;
 use crate::geometry::Vector;
 use crate::model::reading::declared_names::{AllowedQuantities, DRIVEN, NameKind, PARAMETERS};
-use crate::model::reading::model_reader::Loading;
+use crate::model::reading::loading::Loading;
 use crate::model::units::Unit;
 use crate::model::{Force, ForcePlace, Torque};
 use crate::toml_reader::Located;
@@ -106,8 +106,8 @@ impl<'a> Loading<'a> {
             "about",
         ];
         self.reader.report_unknown_keys(entry, "friction", &keys);
-        let on = elements.place(self, entry, "on", "at", what, span);
-        let against = self.against(entry, elements);
+        let on = elements.load_place(self, entry, "on", "at", what, span);
+        let against = self.friction_against(entry, elements);
         let (frame, normal) = match self.reader.get(entry, "normal") {
             Some(axis) => (elements.frame(self, entry, what, span)?, Some(self.axis_number(axis)?)),
             None => (0, None),
@@ -137,7 +137,7 @@ impl<'a> Loading<'a> {
         let on = self.reader.required(entry, "on", what, span)?;
         let on = self.reader.string(on, "`on`")?;
         let on = self.rigid_body_named(elements, &on)?;
-        let against = self.against(entry, elements)?;
+        let against = self.friction_against(entry, elements)?;
         let frame = elements.frame(self, entry, what, span);
         let axis = self.reader.required(entry, "axis", what, span)?;
         let axis = self.axis_number(axis);
@@ -154,7 +154,7 @@ impl<'a> Loading<'a> {
     /// Index of the rigid body under the key `against`. `Some(None)` is the ground, if the key is
     /// absent; `None` means a reported error.
     #[allow(clippy::option_option, reason = "no body is the ground, no answer an error")]
-    fn against(&mut self, entry: &'a DeTable<'a>, elements: &Elements) -> Option<Option<usize>> {
+    fn friction_against(&mut self, entry: &'a DeTable<'a>, elements: &Elements) -> Option<Option<usize>> {
         let Some(value) = self.reader.get(entry, "against") else { return Some(None) };
         let name = self.reader.string(value, "`against`")?;
         self.rigid_body_named(elements, &name).map(Some)
@@ -162,7 +162,7 @@ impl<'a> Loading<'a> {
 
     /// Index of the rigid body with this name; `None` after reporting a particle or an unknown name.
     fn rigid_body_named(&mut self, elements: &Elements, name: &Located) -> Option<usize> {
-        let body = elements.body(self, name)?;
+        let body = elements.body_named(self, name)?;
         if elements.bodies[body].rigid.is_some() {
             return Some(body);
         }

@@ -10,7 +10,7 @@ use super::joint_kinds::{
 };
 use crate::diagnostic::{nearest_name_advice, shortened_for_message};
 use crate::model::reading::declared_names::NameKind;
-use crate::model::reading::model_reader::Loading;
+use crate::model::reading::loading::Loading;
 use crate::model::units::Unit;
 use crate::model::{DependentSpeed, Speed};
 use crate::toml_reader::Located;

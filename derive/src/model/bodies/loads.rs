@@ -5,7 +5,7 @@ use crate::algebra::Expr;
 use crate::algebra::text::parse::VelocityOf;
 use crate::diagnostic::shortened_for_message;
 use crate::model::reading::declared_names::{CONFIGURATION, DRIVEN, NameKind, PARAMETERS};
-use crate::model::reading::model_reader::Loading;
+use crate::model::reading::loading::Loading;
 use crate::model::units::Unit;
 use crate::model::velocities::StatedVelocity;
 use crate::model::{Force, ForcePlace, Gravity, NamedVelocity, Reaction, ReactionKind, Torque};
@@ -43,7 +43,7 @@ impl Elements {
             let Some((entry, what)) = entry else { continue };
             let keys = ["on", "at", "against", "against_at", "frame", "vector", "about"];
             loading.reader.report_unknown_keys(entry, "a force", &keys);
-            let on = self.place(loading, entry, "on", "at", &what, &name.span);
+            let on = self.load_place(loading, entry, "on", "at", &what, &name.span);
             let against = self.opposite_force_place(loading, entry, on, &what, &name.span);
             let frame = self.frame(loading, entry, &what, &name.span);
             let unit = Unit::new(1, 1, -2);
@@ -97,7 +97,7 @@ impl Elements {
             let body = self.bodies.iter().position(|b| b.rigid.as_ref().is_some_and(|(f, _)| *f == frame));
             return Some((frame, body));
         }
-        let body = self.body(loading, &name)?;
+        let body = self.body_named(loading, &name)?;
         match &self.bodies[body].rigid {
             Some((frame, _)) => Some((*frame, Some(body))),
             None => {
@@ -154,7 +154,7 @@ impl Elements {
                 let against = self.torque_body(loading, entry, "against");
                 on.map(|on| ReactionKind::Torque { on, against })
             } else {
-                let on = self.place(loading, entry, "on", "at", &what, &name.span);
+                let on = self.load_place(loading, entry, "on", "at", &what, &name.span);
                 let against = self.opposite_force_place(loading, entry, on, &what, &name.span);
                 on.map(|on| ReactionKind::Force { on, against })
             };
@@ -220,14 +220,14 @@ impl Elements {
     }
 
     /// Index of the body with this name; `None` after reporting an unknown name.
-    pub fn body(&self, loading: &mut Loading<'_>, name: &Located) -> Option<usize> {
+    pub fn body_named(&self, loading: &mut Loading<'_>, name: &Located) -> Option<usize> {
         let known = loading.names.expect(&mut loading.reader, name, NameKind::Body);
         self.bodies.iter().position(|b| known && b.name == name.text)
     }
 
     /// Reads a body and a point under two keys of an entry; without the point key it is the body's mass
     /// centre. `None` after an error is reported.
-    pub fn place<'a>(
+    pub fn load_place<'a>(
         &self,
         loading: &mut Loading<'a>,
         entry: &'a DeTable<'a>,
@@ -238,7 +238,7 @@ impl Elements {
     ) -> Option<ForcePlace> {
         let value = loading.reader.required(entry, body_key, what, owner)?;
         let name = loading.reader.string(value, &format!("`{body_key}`"))?;
-        let body = self.body(loading, &name);
+        let body = self.body_named(loading, &name);
         let stated = loading.reader.get(entry, point_key);
         let point = stated.and_then(|_| self.point(loading, entry, point_key, what, owner));
         let body = body?;
@@ -270,10 +270,10 @@ impl Elements {
         }
         let value = stated?;
         if loading.reader.get(entry, "against_at").is_some() {
-            return self.place(loading, entry, "against", "against_at", what, owner);
+            return self.load_place(loading, entry, "against", "against_at", what, owner);
         }
         let name = loading.reader.string(value, "`against`")?;
-        let body = self.body(loading, &name)?;
+        let body = self.body_named(loading, &name)?;
         let point = if self.bodies[body].rigid.is_some() { on?.point } else { self.bodies[body].centre };
         Some(ForcePlace { body, point })
     }

@@ -3,7 +3,7 @@
 mod added_mass;
 pub(super) mod elements;
 pub(super) mod friction;
-pub(super) mod inputs;
+pub(super) mod input_signals;
 pub(super) mod joint_kinds;
 pub(super) mod joints;
 pub(super) mod loads;

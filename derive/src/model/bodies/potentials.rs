@@ -5,7 +5,7 @@ use crate::algebra::Expr;
 use crate::algebra::term::calculus::{Gradient, Substitution};
 use crate::model::Potential;
 use crate::model::reading::declared_names::{NameKind, PLACES};
-use crate::model::reading::model_reader::Loading;
+use crate::model::reading::loading::Loading;
 use crate::model::units::Unit;
 use crate::toml_reader::Located;
 use std::ops::Range;

@@ -8,9 +8,9 @@ use super::elements::Elements;
 use crate::algebra::Expr;
 use crate::diagnostic::{nearest_name_advice, shortened_for_message};
 use crate::model::Parameter;
-use crate::model::possible_bodies::{default_parameter_values, values_of_terms_at};
+use crate::model::impossible_bodies::{default_parameter_values, values_of_terms_at};
 use crate::model::reading::declared_names::{CONSTANT, NameKind, PARAMETERS};
-use crate::model::reading::model_reader::Loading;
+use crate::model::reading::loading::Loading;
 use crate::model::units::{StatedUnit, Unit};
 use crate::toml_reader::{Located, TomlReader};
 use std::ops::Range;
@@ -206,7 +206,7 @@ impl<'a> Loading<'a> {
             }
             "line" => {
                 let radius = self.optional_shape_length(entry, "radius");
-                ShapeForm::Line { through: self.line_points(elements, entry)?, radius }
+                ShapeForm::Line { through: self.shape_line_points(elements, entry)?, radius }
             }
             _ => ShapeForm::Ground { axis },
         })
@@ -262,13 +262,19 @@ impl<'a> Loading<'a> {
             self.reader.error(formula.span.clone(), message, "give a length, such as \"2 cm\"");
             return None;
         }
-        let number = self.names.formula(&mut self.reader, &mut self.arena, &stated.number(formula), CONSTANT, what)?;
+        let number = self.names.formula(
+            &mut self.reader,
+            &mut self.arena,
+            &stated.number_before_unit(formula),
+            CONSTANT,
+            what,
+        )?;
         Some(stated.apply(&mut self.arena, number))
     }
 
     /// Reads `through`: indices of the points of a line. `None` after reporting fewer than two points
     /// or an unknown point.
-    fn line_points(&mut self, elements: &Elements, entry: &Entry<'a, '_>) -> Option<Vec<usize>> {
+    fn shape_line_points(&mut self, elements: &Elements, entry: &Entry<'a, '_>) -> Option<Vec<usize>> {
         let value = self.reader.required(entry.table, "through", entry.what, entry.owner)?;
         let help = "name two points or more, such as through = [\"O\", \"P\"]";
         let DeValue::Array(array) = value.get_ref() else {

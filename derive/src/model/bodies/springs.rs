@@ -9,7 +9,7 @@ use super::mechanism_motion::MechanismMotion;
 use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Expr, Function, Rational};
 use crate::model::reading::declared_names::{NameKind, PARAMETERS};
-use crate::model::reading::model_reader::Loading;
+use crate::model::reading::loading::Loading;
 use crate::model::units::Unit;
 use crate::model::{Force, ForcePlace};
 use crate::toml_reader::Located;
@@ -42,10 +42,10 @@ impl<'a> Loading<'a> {
             let Some((entry, what)) = self.entry(&name, value, NameKind::Force, None, example) else { continue };
             let keys = ["on", "at", "against", "against_at", "stiffness", "free_length", "damping", "about"];
             self.reader.report_unknown_keys(entry, "a spring", &keys);
-            let on = elements.place(self, entry, "on", "at", &what, &name.span);
+            let on = elements.load_place(self, entry, "on", "at", &what, &name.span);
             let against = match self.reader.get(entry, "against") {
                 Some(_) => elements
-                    .place(self, entry, "against", "against_at", &what, &name.span)
+                    .load_place(self, entry, "against", "against_at", &what, &name.span)
                     .map(|p| (Some(p.body), p.point)),
                 None => elements.point(self, entry, "against_at", &what, &name.span).map(|point| (None, point)),
             };

@@ -155,7 +155,7 @@ impl ClosedPoses {
             for mut row in matrix.row_iter_mut() {
                 row.normalize_mut();
             }
-            let rows = dependent_rows(&matrix, constraints)?;
+            let rows = split_closed_pose_rows(&matrix, constraints)?;
             Some(ClosedPose { q, matrix, rows })
         };
         let freedoms = |found: &ClosedPose| poses.coordinates.len() - found.rows.independent.len();
@@ -288,7 +288,7 @@ impl ClosedPoses {
 
 /// Splits the first `count` rows into independent and dependent rows, in order. `None` if a norm is
 /// undecided.
-fn dependent_rows(matrix: &DMatrix<f64>, count: usize) -> Option<Rows> {
+fn split_closed_pose_rows(matrix: &DMatrix<f64>, count: usize) -> Option<Rows> {
     let mut basis: Vec<DVector<f64>> = Vec::new();
     let mut rows = Rows { independent: Vec::new(), dependent: Vec::new(), left: (f64::INFINITY, 0.0) };
     for at in 0..count {
@@ -306,7 +306,8 @@ fn dependent_rows(matrix: &DMatrix<f64>, count: usize) -> Option<Rows> {
             rows.left.0 = rows.left.0.min(size);
             basis.push(left / size);
         } else if size < DEPENDENT {
-            rows.dependent.push(RedundantRow { at, of: rows_in_combination(matrix, &rows.independent, &row)? });
+            rows.dependent
+                .push(RedundantRow { at, of: closed_pose_rows_in_combination(matrix, &rows.independent, &row)? });
             rows.left.1 = rows.left.1.max(size);
         } else {
             return None;
@@ -317,7 +318,7 @@ fn dependent_rows(matrix: &DMatrix<f64>, count: usize) -> Option<Rows> {
 
 /// Indices of those rows, among `kept`, of which `row` is a linear combination. `None` if the
 /// combination cannot be computed.
-fn rows_in_combination(matrix: &DMatrix<f64>, kept: &[usize], row: &DVector<f64>) -> Option<Vec<usize>> {
+fn closed_pose_rows_in_combination(matrix: &DMatrix<f64>, kept: &[usize], row: &DVector<f64>) -> Option<Vec<usize>> {
     let rows = matrix.select_rows(kept).transpose();
     if !rows.iter().all(|x| x.is_finite()) {
         return None;

@@ -12,7 +12,7 @@ use crate::algebra::{Arena, Expr};
 use crate::model::bodies::elements::{AxisMotion, Elements};
 use crate::model::contacts::{ComparedBodies, ConstrainedVelocity};
 use crate::model::reading::declared_names::NameKind;
-use crate::model::reading::model_reader::Loading;
+use crate::model::reading::loading::Loading;
 use crate::model::{Coordinate, NamedVelocity};
 
 /// Variable of a constraint's equation, with the motion that it causes.
@@ -38,7 +38,7 @@ impl Loading<'_> {
         let names: Vec<&NamedVelocity> = velocities.iter().filter(|v| parts.contains(&v.symbol)).collect();
         let named: Vec<VelocityOf<usize>> = names.iter().map(|v| v.of.clone()).collect();
         let has_speeds = self.names.symbols_of(&[NameKind::Speed]).iter().any(|speed| parts.contains(speed));
-        let moved = self.bodies_in_equation(elements, coordinates, equation);
+        let moved = self.compared_bodies_in_equation(elements, coordinates, equation);
         let translations = names.iter().filter(|v| !matches!(v.of, VelocityOf::Turning(_)));
         let mut tied: Vec<ComparedVariable> = translations
             .map(|v| ComparedVariable {
@@ -74,7 +74,12 @@ impl Loading<'_> {
 
     /// Indices of bodies whose own coordinates an equation contains, in the order of the model file. If
     /// the equation contains rates, these count instead of coordinates.
-    pub fn bodies_in_equation(&self, elements: &Elements, coordinates: &[Coordinate], equation: Expr) -> Vec<usize> {
+    pub fn compared_bodies_in_equation(
+        &self,
+        elements: &Elements,
+        coordinates: &[Coordinate],
+        equation: Expr,
+    ) -> Vec<usize> {
         let own = body_variables(&self.arena, elements, coordinates, equation);
         let mut bodies: Vec<usize> = own.into_iter().map(|(body, ..)| body).collect();
         bodies.sort_unstable();

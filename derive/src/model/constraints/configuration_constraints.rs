@@ -14,7 +14,7 @@ use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr};
 use crate::model::bodies::elements::Elements;
 use crate::model::reading::declared_names::{MOTION, NameKind, TIME};
-use crate::model::reading::model_reader::Loading;
+use crate::model::reading::loading::Loading;
 use crate::model::{Constraint, Coordinate, Potential};
 use crate::toml_reader::TomlReader;
 use std::ops::Range;
@@ -138,11 +138,11 @@ pub fn solve_configuration_constraints(
     let (mut solved, mut kept, mut repeated) = (Vec::<Constraint>::new(), Vec::new(), Vec::new());
     let mut undefined = None;
     let mut replacements: Vec<(Expr, Expr)> = Vec::new();
-    let (mut prescribing, every) = (Vec::new(), symbols_without_time(coordinates));
+    let (mut prescribing, every) = (Vec::new(), configuration_symbols(coordinates));
     let mut opened = OpenedCoordinates::default();
     for constraint in stated {
         let equation = Substitution::new(&replacements).apply(arena, constraint.equation);
-        let all = symbols_without_time(coordinates);
+        let all = configuration_symbols(coordinates);
         let mentions = |e: Expr| all.iter().any(|symbol| arena.mentions(e, *symbol));
         let depends = equation != constraint.equation && constraint.equation != Expr::ZERO;
         if zero_test(arena, equation) == ZeroTest::Zero {
@@ -214,7 +214,7 @@ pub fn solve_configuration_constraints(
 }
 
 /// Symbols of the coordinates without time.
-fn symbols_without_time(coordinates: &[Coordinate]) -> Vec<Expr> {
+fn configuration_symbols(coordinates: &[Coordinate]) -> Vec<Expr> {
     coordinates.iter().filter(|c| c.name != TIME).map(|c| c.symbol).collect()
 }
 

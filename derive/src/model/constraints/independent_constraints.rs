@@ -21,7 +21,7 @@ use crate::algebra::{Arena, Expr};
 use crate::geometry::{Frames, Vector};
 use crate::model::bodies::elements::Elements;
 use crate::model::reading::declared_names::NameKind;
-use crate::model::reading::model_reader::Loading;
+use crate::model::reading::loading::Loading;
 use crate::model::{
     Coordinate, LoopEquation, MotionConstraint, MotionConstraintKind, RedundantEquation, SlipComponent, Unit,
 };
@@ -186,7 +186,7 @@ impl Loading<'_> {
             // The three components of a rolling contact come one after another.
             let mut group = vec![candidate];
             group.extend(waiting.by_ref().take(2));
-            let reach = self.turn_contact(&mut taken, given.elements, rolled, &mut group);
+            let reach = self.choose_independent_contact_frame(&mut taken, given.elements, rolled, &mut group);
             for candidate in group {
                 self.accept_constraint(&mut taken, given, candidate, reach);
             }
@@ -196,7 +196,7 @@ impl Loading<'_> {
 
     /// Takes a rolling contact along the axes of another frame if a component along its own axes is
     /// redundant in most poses only. Returns the poses in which its redundant components follow.
-    fn turn_contact(
+    fn choose_independent_contact_frame(
         &mut self,
         taken: &mut AcceptedConstraints,
         elements: &Elements,
@@ -207,7 +207,8 @@ impl Loading<'_> {
         let &[x, y, z] = stated.as_slice() else { return RedundantPoses::EveryPose };
         let slip = Vector::in_frame(rolled.frame, [x, y, z]);
         let mut everywhere = taken.are_redundant_everywhere(&mut self.arena, &slip, rolled.frame);
-        let others = if everywhere || rolled.is_stated { Vec::new() } else { frames_of_contact(elements, rolled) };
+        let others =
+            if everywhere || rolled.is_stated { Vec::new() } else { frames_for_independent_contact(elements, rolled) };
         if let Some(frame) =
             others.into_iter().find(|frame| taken.are_redundant_everywhere(&mut self.arena, &slip, *frame))
         {
@@ -253,11 +254,11 @@ impl Loading<'_> {
             match (may_repeat, is_zero(&self.arena, &rest)) {
                 // An equation between coordinates that is identically zero was left out earlier.
                 (true, true) if matches!(kind, MotionConstraintKind::Loop(_)) => {
-                    self.report_unclosed_loop(given, &name, span, kind);
+                    self.report_unclosable_constraint(given, &name, span, kind);
                 }
                 (true, true) => taken.found.repeated.push(RedundantEquation::of(name, kind, None)),
-                (_, true) => self.report_redundant_constraint(&name, span, "is always fulfilled"),
-                (_, false) => self.report_redundant_constraint(&name, span, "is never fulfilled"),
+                (_, true) => self.report_dependent_constraint(&name, span, "is always fulfilled"),
+                (_, false) => self.report_dependent_constraint(&name, span, "is never fulfilled"),
             }
             return;
         }
@@ -269,7 +270,7 @@ impl Loading<'_> {
         };
         let is_new = found.dependent.is_none();
         if is_new || may_repeat && matches!(kind, MotionConstraintKind::Loop(_)) {
-            let unit = self.unit_of_difference(equation);
+            let unit = self.motion_constraint_unit(equation);
             let drive = if is_zero(&self.arena, &rest) { Expr::ZERO } else { rest };
             let stated = Located { text: format!("lambda_{name}"), span: span.clone(), exact: false };
             let multiplier = self.arena.symbol(&stated.text);
@@ -288,7 +289,7 @@ impl Loading<'_> {
         taken.rows.pop();
         match (may_repeat, all) {
             (_, None) => self.report_undecided_constraint(&name, span),
-            (_, Some(false)) => self.report_redundant_constraint(&name, span, "contradicts those before it"),
+            (_, Some(false)) => self.report_dependent_constraint(&name, span, "contradicts those before it"),
             (true, Some(true)) => {
                 taken.found.repeated.push(RedundantEquation::of(
                     name,
@@ -298,17 +299,17 @@ impl Loading<'_> {
             }
             (_, Some(true)) => {
                 let how = match kind {
-                    MotionConstraintKind::Loop(place) => self.redundancy_in_words(taken, given, place),
+                    MotionConstraintKind::Loop(place) => self.dependence_in_words(taken, given, place),
                     _ => "follows from those before it",
                 };
-                self.report_redundant_constraint(&name, span, how);
+                self.report_dependent_constraint(&name, span, how);
             }
         }
     }
 
     /// Words for an equation between coordinates whose rate is redundant. In the poses where the
     /// earlier equations hold, it follows from them or contradicts them.
-    fn redundancy_in_words(
+    fn dependence_in_words(
         &mut self,
         taken: &AcceptedConstraints,
         given: &ConstrainedSystem<'_>,
@@ -319,7 +320,7 @@ impl Loading<'_> {
             _ => None,
         });
         let others: Vec<Expr> = others.collect();
-        match self.count_closed_poses_with(given, &others, given.loops[place].equation) {
+        match self.count_poses_with_constraint(given, &others, given.loops[place].equation) {
             Some((0, _)) => "contradicts those before it",
             Some((closed, all)) if closed == all => "follows from those before it",
             Some(_) => {
@@ -331,7 +332,7 @@ impl Loading<'_> {
 
     /// Counts the closed poses of the equations `others` in which `equation` holds, at the default
     /// values: (number in which it holds, number tested). `None` if no pose was found.
-    fn count_closed_poses_with(
+    fn count_poses_with_constraint(
         &mut self,
         given: &ConstrainedSystem<'_>,
         others: &[Expr],
@@ -363,7 +364,7 @@ impl Loading<'_> {
 
     /// Reports an equation of a joint that no coordinate changes and that is not exactly zero. The
     /// other joints then keep its points or axes apart in every pose.
-    fn report_unclosed_loop(
+    fn report_unclosable_constraint(
         &mut self,
         given: &ConstrainedSystem<'_>,
         name: &str,
@@ -399,14 +400,14 @@ impl Loading<'_> {
 
     /// Reports a constraint that restricts nothing, or contradicts others; `how` completes the
     /// sentence.
-    fn report_redundant_constraint(&mut self, name: &str, span: Range<usize>, how: &str) {
+    fn report_dependent_constraint(&mut self, name: &str, span: Range<usize>, how: &str) {
         self.reader.error(span, format!("the constraint `{name}` {how}"), "remove it, or correct one of the others");
     }
 }
 
 /// Frames along whose axes a rolling contact may be taken: on the paths from the ground to its
 /// bodies and its point.
-fn frames_of_contact(elements: &Elements, rolled: SlipComponent) -> Vec<usize> {
+fn frames_for_independent_contact(elements: &Elements, rolled: SlipComponent) -> Vec<usize> {
     let of_body = |body: usize| elements.bodies[body].rigid.as_ref().map(|(frame, _)| *frame);
     let of_point = elements.points[rolled.point].position.map(|placement| placement.frame);
     let mut list: Vec<usize> = Vec::new();

@@ -29,9 +29,9 @@ use crate::diagnostic::shortened_for_message;
 use crate::model::bodies::elements::Elements;
 use crate::model::bodies::joints::Joints;
 use crate::model::bodies::mechanism_motion::MechanismMotion;
-use crate::model::possible_bodies::default_parameter_values;
+use crate::model::impossible_bodies::default_parameter_values;
 use crate::model::reading::declared_names::{NameKind, TIME};
-use crate::model::reading::model_reader::Loading;
+use crate::model::reading::loading::Loading;
 use crate::model::{
     AssemblyBranch, Coordinate, LoopEquation, MotionConstraint, MotionConstraintKind, Parameter, RedundantConstraint,
     RedundantEquation, SlipComponent, Speed,
@@ -100,7 +100,7 @@ pub struct MotionConstraints {
 impl<'a> Loading<'a> {
     /// Reads the section `[rolling]` of a model file: an entry `[rolling.NAME]` for each contact.
     /// Errors are recorded in the reader.
-    pub fn rolling(&mut self, table: &'a DeTable<'a>, elements: &Elements) -> Vec<StatedRolling> {
+    pub fn rolling_constraints(&mut self, table: &'a DeTable<'a>, elements: &Elements) -> Vec<StatedRolling> {
         let mut list = Vec::new();
         for (name, value) in self.section(table, "rolling", &[]) {
             let example = "[rolling.NAME] with body = \"wheel\" and at = \"P\"";
@@ -113,7 +113,7 @@ impl<'a> Loading<'a> {
                     self.reader.get(entry, key)
                 };
                 let stated = self.reader.string(value?, &format!("`{key}`"))?;
-                let body = elements.body(self, &stated)?;
+                let body = elements.body_named(self, &stated)?;
                 if elements.bodies[body].rigid.is_none() {
                     let message = format!("the particle `{}` cannot roll", shortened_for_message(&stated.text));
                     self.reader.error(
@@ -138,7 +138,7 @@ impl<'a> Loading<'a> {
 
     /// Equations of rolling: each of the three components of the velocity at which a rolling body would
     /// slip is zero.
-    pub fn rolling_equations(
+    pub fn rolling_constraint_equations(
         &mut self,
         moving: &mut MechanismMotion,
         elements: &Elements,
@@ -192,7 +192,7 @@ impl<'a> Loading<'a> {
                 span,
                 may_repeat,
             });
-            let unit = self.unit_of_difference(equation);
+            let unit = self.motion_constraint_unit(equation);
             loops.push(LoopEquation { name, equation, unit, prescribes: false });
         }
         let definitions: Vec<_> = speeds.iter().map(|(s, _)| (s.symbol, s.definition)).collect();
@@ -230,7 +230,7 @@ impl<'a> Loading<'a> {
         let mut ties = MotionConstraints { motion, loops, repeated, ..MotionConstraints::default() };
         let brought: Vec<bool> = speeds.iter().map(|(speed, _)| joints.adds_joint_speed(speed)).collect();
         let speeds: Vec<Expr> = speeds.iter().map(|(speed, _)| speed.definition).collect();
-        self.choose_in_closed_poses(
+        self.remove_redundant_constraints(
             coordinates,
             SpeedDefinitions { definitions: &speeds, brought: &brought },
             &known,
@@ -242,7 +242,7 @@ impl<'a> Loading<'a> {
 
     /// Unit of an equation's left side less its right side; its sums were checked at reading. The unit
     /// is 1 if it is indefinite.
-    pub fn unit_of_difference(&self, e: Expr) -> crate::model::Unit {
+    pub fn motion_constraint_unit(&self, e: Expr) -> crate::model::Unit {
         crate::model::units::unit_of(&self.arena, e, &self.units).ok().flatten().unwrap_or_default()
     }
 }

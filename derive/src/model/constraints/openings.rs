@@ -22,7 +22,7 @@ pub(in crate::model) fn joint_opening_motions(
     constraints: &[&[StatedConstraint]],
     replacements: &[(Expr, Expr)],
 ) -> Vec<JointOpeningMotion> {
-    let mut slopes = OpenSlopes {
+    let mut slopes = OpeningSlopes {
         before: Substitution::new(&opened.before),
         along: Gradient::new(&opened.symbols),
         along_rates: Gradient::new(&opened.rates),
@@ -45,7 +45,7 @@ pub(in crate::model) fn joint_opening_motions(
         for (of, along) in spins {
             let along = along.map(|e| slopes.value(arena, e));
             for (which, slope) in slopes.by_coordinates(arena, of) {
-                let turn = components_of(&mut list[which].turns, at);
+                let turn = opening_velocity(&mut list[which].turns, at);
                 for (sum, component) in turn.iter_mut().zip(along) {
                     let share = arena.mul(slope, component);
                     *sum = arena.add(*sum, share);
@@ -57,7 +57,7 @@ pub(in crate::model) fn joint_opening_motions(
         let Some(Placement { components: place, .. }) = point.position else { continue };
         for (axis, component) in place.into_iter().enumerate() {
             for (which, slope) in slopes.by_coordinates(arena, component) {
-                components_of(&mut list[which].moves, at)[axis] = slope;
+                opening_velocity(&mut list[which].moves, at)[axis] = slope;
             }
         }
     }
@@ -72,7 +72,7 @@ pub(in crate::model) fn joint_opening_motions(
 
 /// Three components of the velocity that belongs to the frame or point `at`; added as zeros if
 /// absent.
-fn components_of(list: &mut Vec<AddedVelocity>, at: usize) -> &mut [Expr; 3] {
+fn opening_velocity(list: &mut Vec<AddedVelocity>, at: usize) -> &mut [Expr; 3] {
     if list.last().is_none_or(|(last, _)| *last != at) {
         list.push((at, [Expr::ZERO; 3]));
     }
@@ -82,7 +82,7 @@ fn components_of(list: &mut Vec<AddedVelocity>, at: usize) -> &mut [Expr; 3] {
 
 /// Derivatives with respect to the opened coordinates, which equations of closing joints determine,
 /// and to their rates. They are evaluated where all joints are closed.
-struct OpenSlopes {
+struct OpeningSlopes {
     /// Values of the coordinates that the model file's own constraints determine.
     before: Substitution,
     /// Derivatives with respect to the opened coordinates.
@@ -93,7 +93,7 @@ struct OpenSlopes {
     fixed: Substitution,
 }
 
-impl OpenSlopes {
+impl OpeningSlopes {
     /// Value of a term where all joints are closed.
     fn value(&mut self, arena: &mut Arena, e: Expr) -> Expr {
         self.fixed.apply(arena, e)

@@ -12,7 +12,7 @@ use crate::algebra::{Arena, Expr, Node};
 use crate::diagnostic::shortened_for_message;
 use crate::model::bodies::joints::Joints;
 use crate::model::reading::declared_names::{NameKind, VELOCITY};
-use crate::model::reading::model_reader::Loading;
+use crate::model::reading::loading::Loading;
 use crate::model::{Coordinate, KinematicEquations, MotionConstraint, Speed};
 use crate::toml_reader::{Located, TomlReader};
 use std::ops::Range;
@@ -199,9 +199,12 @@ impl<'a> Loading<'a> {
         match solve_blocks(&mut self.arena, &mut Simplifier::default(), &matrix, &right) {
             Ok((rates, divisors)) => {
                 let divisors = divisors.iter().map(|e| contract_products(&mut self.arena, *e)).collect::<Vec<_>>();
-                let divisors = self.factors_with_coordinates(&divisors, coordinates);
-                let rates =
-                    if constraints.is_empty() { rates } else { self.name_kinematic_terms(coordinates, speeds, &rates) };
+                let divisors = self.speed_divisor_factors(&divisors, coordinates);
+                let rates = if constraints.is_empty() {
+                    rates
+                } else {
+                    self.name_speed_coefficients(coordinates, speeds, &rates)
+                };
                 Some(KinematicEquations { rates, divisors })
             }
             Err(singular) => {
@@ -229,7 +232,7 @@ impl<'a> Loading<'a> {
     /// Gives names to the terms of W and w in q̇ = W u + w that divide by sums. `ratio_q2_u1` is the
     /// factor of u1 in q2', up to a number. Without names, the equations of loops would grow with every
     /// product of these terms.
-    fn name_kinematic_terms(
+    fn name_speed_coefficients(
         &mut self,
         coordinates: &[Coordinate],
         speeds: &[(Speed, Range<usize>)],
@@ -261,7 +264,7 @@ impl<'a> Loading<'a> {
 
     /// Factors of divisors that contain coordinates, each once. Other factors, such as a length, do not
     /// vanish during a motion.
-    fn factors_with_coordinates(&self, divisors: &[Expr], coordinates: &[Coordinate]) -> Vec<Expr> {
+    fn speed_divisor_factors(&self, divisors: &[Expr], coordinates: &[Coordinate]) -> Vec<Expr> {
         let mut factors = Vec::new();
         for divisor in divisors {
             let inner = match self.arena.node(*divisor) {

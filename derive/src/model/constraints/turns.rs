@@ -8,7 +8,7 @@ use crate::diagnostic::shortened_for_message;
 use crate::geometry::{Frame, Turn};
 use crate::model::bodies::joints::Joint;
 use crate::model::reading::declared_names::{AllowedQuantities, CONFIGURATION, NameKind, PARAMETERS};
-use crate::model::reading::model_reader::Loading;
+use crate::model::reading::loading::Loading;
 use crate::model::units::Unit;
 use crate::toml_reader::Located;
 use std::ops::Range;
@@ -63,7 +63,7 @@ impl<'a> Loading<'a> {
     }
 
     /// Reads the rotations under a key of a joint, such as `turned`; `None` after an error is reported.
-    pub fn joint_turns_under_key(
+    pub fn turns_under_key(
         &mut self,
         joint: &Joint<'a>,
         key: &str,
@@ -78,7 +78,7 @@ impl<'a> Loading<'a> {
     /// Reads a vector. Returns the rotation that takes axis 3 to its direction, and the inverse
     /// rotation. `None` after an error is reported.
     pub fn turn_towards_vector(&mut self, value: &'a Spanned<DeValue<'a>>, what: &str) -> Option<[Turn; 2]> {
-        let components = self.plain_numbers(value, what, PARAMETERS)?;
+        let components = self.turn_numbers(value, what, PARAMETERS)?;
         let squares = components.map(|e| self.arena.square(e));
         let square = self.arena.sum(&squares);
         let square = Simplifier::default().simplify(&mut self.arena, square);
@@ -101,20 +101,20 @@ impl<'a> Loading<'a> {
         span: &Range<usize>,
     ) -> Option<Vec<Turn>> {
         let way = self.turn_towards_vector(axis, &format!("the axis of {what}"));
-        let angle = self.angle(entry, what, span)?;
+        let angle = self.turn_angle(entry, what, span)?;
         let [there, back] = way?;
         Some(vec![there, Turn::About(2, angle), back])
     }
 
     /// Reads the angle of a frame under the key `angle`, rad; `None` after an error is reported.
-    pub fn angle(&mut self, entry: &'a DeTable<'a>, what: &str, span: &Range<usize>) -> Option<Expr> {
+    pub fn turn_angle(&mut self, entry: &'a DeTable<'a>, what: &str, span: &Range<usize>) -> Option<Expr> {
         let angle = self.reader.required(entry, "angle", what, span)?;
         let angle = self.reader.formula(angle, "an angle")?;
         self.quantity(&angle, CONFIGURATION, &Unit::default(), "an angle")
     }
 
     /// Reads an array of N formulas without units; `None` after an error is reported.
-    fn plain_numbers<const N: usize>(
+    fn turn_numbers<const N: usize>(
         &mut self,
         value: &'a Spanned<DeValue<'a>>,
         what: &str,
@@ -136,7 +136,7 @@ impl<'a> Loading<'a> {
     /// Reads four Euler parameters and returns their rotation; `None` after an error is reported.
     pub fn euler_parameters(&mut self, value: &'a Spanned<DeValue<'a>>) -> Option<Turn> {
         let what = "`euler_parameters`";
-        let parameters: [Expr; 4] = self.plain_numbers(value, what, CONFIGURATION)?;
+        let parameters: [Expr; 4] = self.turn_numbers(value, what, CONFIGURATION)?;
         let squares = parameters.map(|e| self.arena.square(e));
         let square = self.arena.sum(&squares);
         if zero_test(&self.arena, square) != ZeroTest::NonZero {

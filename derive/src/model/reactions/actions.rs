@@ -25,7 +25,7 @@ impl RandomModel {
         let mut values = match self.values(model, arena, &terms) {
             Some(values) => values,
             None => {
-                let named = replace_square_roots(arena, &terms);
+                let named = replace_roots_in_actions(arena, &terms);
                 self.values(model, arena, &named)?
             }
         };
@@ -51,7 +51,7 @@ impl RandomModel {
         }
         for added in &model.added_masses {
             let blocks: [VectorResidues; 12] = std::array::from_fn(|_| values.triple());
-            let (force, moment) = self.impulse_rates(model, added.body, &blocks);
+            let (force, moment) = self.added_mass_action(model, added.body, &blocks);
             loads.push((added.body, model.bodies[added.body].centre, force, moment));
         }
         let back = |v: VectorResidues| space.sub([0; 3], v);
@@ -83,7 +83,7 @@ impl RandomModel {
 
     /// Rates dp/dt and dh/dt + v × p of the impulse (p, h) = M_A (v, ω) of the fluid that moves with a
     /// body. `blocks` are the twelve half rows of M_A.
-    fn impulse_rates(
+    fn added_mass_action(
         &self,
         model: &Model,
         body: usize,
@@ -157,7 +157,7 @@ impl RandomModel {
 
 /// Replaces each square root in the terms by a new symbol, since a root need not exist in the
 /// random pose. The roots are independent of all other parts of the equations.
-fn replace_square_roots(arena: &mut Arena, terms: &[Expr]) -> Vec<Expr> {
+fn replace_roots_in_actions(arena: &mut Arena, terms: &[Expr]) -> Vec<Expr> {
     let is_root = |part: &Expr| matches!(arena.node(*part), Node::Apply(Function::Sqrt, _));
     let roots: Vec<Expr> = arena.reachable(terms).into_iter().filter(is_root).collect();
     let named = |(at, root)| (root, arena.symbol(&format!("root {at}")));

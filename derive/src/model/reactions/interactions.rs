@@ -5,7 +5,7 @@
 //! model file is read, a symbol stands for the component, since reactions are found last. Then the
 //! sum replaces the symbol, so that only the reading of files knows of this name.
 
-use super::connections::{MOST_EQUATIONS, found_prefix};
+use super::found_reactions::{MOST_EQUATIONS, found_reaction_prefix};
 use super::relative_motion::{BodyPair, Holder, reaction_pair};
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::term::calculus::Substitution;
@@ -166,7 +166,7 @@ impl Model {
                 (ReactionKind::Force { .. }, _) if !sought.is_torque => vector,
                 (ReactionKind::Torque { .. }, _) if sought.is_torque => vector,
                 (ReactionKind::Force { on, against }, Some(about)) => {
-                    let point = point_of_action(on, against, *sense);
+                    let point = interaction_point(on, against, *sense);
                     let back = self.position(arena, about).neg(arena);
                     let arm = self.position(arena, point).add(arena, &back);
                     frames.cross(arena, &arm, &vector)
@@ -211,7 +211,7 @@ impl Model {
         let mut points = Vec::new();
         for ActingReaction { reaction, sense } in acting {
             if let ReactionKind::Force { on, against } = reaction.kind {
-                let point = point_of_action(on, against, *sense);
+                let point = interaction_point(on, against, *sense);
                 if !points.contains(&point) {
                     points.push(point);
                 }
@@ -282,7 +282,7 @@ impl Model {
             }
         }
         let message = format!("no reaction acts between `{}` and `{}`", stated.by.text, stated.on.text);
-        let help = if let Some(count) = self.too_many_equations() {
+        let help = if let Some(count) = self.too_many_to_find_reactions() {
             format!(
                 "reactions are found of up to {MOST_EQUATIONS} equations of Newton and Euler, and the bodies of this model have {count}: name \
                  those between the two under [reactions]"
@@ -299,7 +299,7 @@ impl Model {
 
 /// Index of the point at which a force acts on the body of interest; with the opposite sense, at
 /// which its opposite acts.
-fn point_of_action(on: ForcePlace, against: Option<ForcePlace>, sense: ReactionSense) -> usize {
+fn interaction_point(on: ForcePlace, against: Option<ForcePlace>, sense: ReactionSense) -> usize {
     against.filter(|_| sense == ReactionSense::Against).unwrap_or(on).point
 }
 
@@ -331,7 +331,7 @@ impl Model {
             let (symbol, _) = reaction.symbol();
             let value = match reaction {
                 NamedReaction::Between(stated) => self.interaction(&stated),
-                NamedReaction::Found(_, name, _) => self.found_reaction(&name),
+                NamedReaction::Found(_, name, _) => self.named_reaction(&name),
             };
             match value {
                 Ok(value) => pairs.push((symbol, value)),
@@ -364,7 +364,7 @@ impl Model {
 
     /// Symbol of a reaction by the name under which it was found; an error if no reaction has this
     /// name.
-    fn found_reaction(&self, name: &Located) -> Result<Expr, Diagnostic> {
+    fn named_reaction(&self, name: &Located) -> Result<Expr, Diagnostic> {
         self.reactions.iter().find(|r| r.name == name.text).map(|r| r.symbol).ok_or_else(|| {
             let names = self.reactions.iter().map(|r| r.name.as_str());
             let message = format!("no reaction `{}` is found", name.text);
@@ -385,10 +385,10 @@ pub fn redundant_reaction_message(name: &str) -> (String, &'static str) {
 
 /// Unit of a reaction that may be found under a name such as `BODY_force_…` or `BODY_torque_…`, for
 /// one of the `bodies`. `None` for other names.
-pub fn found_reaction_unit<'n>(name: &str, mut bodies: impl Iterator<Item = &'n str>) -> Option<Unit> {
+pub fn named_reaction_unit<'n>(name: &str, mut bodies: impl Iterator<Item = &'n str>) -> Option<Unit> {
     let is_of = |body: &str| {
         let kinds = [("force", Unit::new(1, 1, -2)), ("torque", Unit::new(2, 1, -2))];
-        kinds.into_iter().find(|(what, _)| name.starts_with(&found_prefix(body, what)))
+        kinds.into_iter().find(|(what, _)| name.starts_with(&found_reaction_prefix(body, what)))
     };
     bodies.find_map(is_of).map(|(_, unit)| unit)
 }

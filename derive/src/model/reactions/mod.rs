@@ -3,7 +3,7 @@
 
 pub(super) mod actions;
 pub(super) mod closures;
-pub(super) mod connections;
+pub(super) mod found_reactions;
 pub(super) mod interactions;
 pub(super) mod potential_forces;
 pub(super) mod random_pose;

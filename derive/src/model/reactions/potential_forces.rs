@@ -32,13 +32,13 @@ type Axis = (ReactionKind, usize, usize);
 impl Model {
     /// Finds the loads that the model file leaves open: potentials as forces and torques, then
     /// reactions.
-    pub(in crate::model) fn complete_loads(&mut self) {
-        self.place_potentials();
-        self.complete_reactions();
+    pub(in crate::model) fn add_potential_forces_and_reactions(&mut self) {
+        self.find_potential_forces();
+        self.add_found_reactions();
     }
 
     /// Finds forces and torques that do the work of the potentials. Sets none if none do.
-    fn place_potentials(&mut self) {
+    fn find_potential_forces(&mut self) {
         if self.potentials.is_empty() || self.bodies.len() > MOST_BODIES {
             return;
         }
@@ -47,7 +47,8 @@ impl Model {
         let relative = RelativeMotion { model: self, drawn, ways_if_open: None };
         // V no longer contains coordinates that closing joints determine.
         let own: Vec<usize> = relative.own_motions().filter(|at| *at < self.coordinates.len()).collect();
-        let along_rates = relative.independent_axes(own.len(), |velocity| own.iter().map(|at| velocity(*at)).collect());
+        let along_rates =
+            relative.potential_force_axes(own.len(), |velocity| own.iter().map(|at| velocity(*at)).collect());
         let found = match along_rates {
             Some(independent_axes) => {
                 let rates: Vec<Expr> = own.iter().map(|at| self.coordinates[*at].rate).collect();
@@ -56,8 +57,8 @@ impl Model {
             None => {
                 let rates = self.q_dot().into_iter().zip(self.kinematic_equations.rates.iter().copied());
                 let mut to_speeds = Substitution::new(&rates.collect::<Vec<_>>());
-                let axes =
-                    relative.independent_axes(self.speeds.len(), |velocity| relative.permitted_velocities(velocity));
+                let axes = relative
+                    .potential_force_axes(self.speeds.len(), |velocity| relative.permitted_velocities(velocity));
                 axes.and_then(|independent_axes| self.efforts_along(&independent_axes, &self.u(), &mut to_speeds))
             }
         };
@@ -157,7 +158,7 @@ impl RelativeMotion<'_> {
     /// Finds `count` axes along which relative velocities are independent, preferring those that depend
     /// on the fewest variables. `listed` maps velocities per q̇ to velocities per variable. `None` if
     /// there are not enough axes.
-    fn independent_axes(
+    fn potential_force_axes(
         &self,
         count: usize,
         listed: impl Fn(&dyn Fn(usize) -> VectorResidues) -> Vec<VectorResidues>,

@@ -53,9 +53,9 @@ impl ResidueVectors {
 }
 
 /// Residues of a list of terms, which are read in the order of the terms.
-pub struct Residues(std::vec::IntoIter<u64>);
+pub struct PoseResidues(std::vec::IntoIter<u64>);
 
-impl Residues {
+impl PoseResidues {
     /// Creates the reader of a list of residues.
     pub fn new(list: Vec<u64>) -> Self {
         Self(list.into_iter())
@@ -116,7 +116,7 @@ pub struct RandomModel {
 
 /// Terms of a quantity that depends on coordinates: its value, partial derivatives, and first two
 /// time derivatives.
-struct DifferentiatedTerm {
+struct PoseQuantityTerms {
     /// Value of the quantity.
     value: Expr,
     /// Partial derivatives, as (index of the coordinate or opening, derivative).
@@ -140,14 +140,14 @@ struct DerivativeResidues {
     second: u64,
 }
 
-impl DifferentiatedTerm {
+impl PoseQuantityTerms {
     /// All terms of the quantity, in the order in which `read` takes their residues.
     fn terms(&self) -> impl Iterator<Item = Expr> {
         [self.value, self.rate, self.second].into_iter().chain(self.slopes.iter().map(|(_, slope)| *slope))
     }
 
     /// Reads the residues of the quantity's value, derivatives and rates.
-    fn read(&self, residues: &mut Residues) -> DerivativeResidues {
+    fn read(&self, residues: &mut PoseResidues) -> DerivativeResidues {
         let [value, rate, second] = residues.triple();
         DerivativeResidues {
             value,
@@ -159,23 +159,23 @@ impl DifferentiatedTerm {
 }
 
 /// Velocity that a motion adds to the frame or point `at`; `None` if it adds none.
-fn added_velocity(list: &[AddedVelocity], at: usize) -> Option<[Expr; 3]> {
+fn added_velocity_in_pose(list: &[AddedVelocity], at: usize) -> Option<[Expr; 3]> {
     list.iter().find(|(moved, _)| *moved == at).map(|(_, velocity)| *velocity)
 }
 
 /// Differentiates quantities with respect to the coordinates, and in time along the motion of a
 /// model.
-struct Differentiator {
+struct PoseDifferentiator {
     /// Partial derivatives with respect to the coordinates.
     slopes: Gradient,
     /// Time derivative along the motion of the model.
     d_dt: Differential,
 }
 
-impl Differentiator {
+impl PoseDifferentiator {
     /// Adds derivatives along openings, motions of opened joints, to each component, at indices from
     /// `first` on. `openings` has the velocity that each motion adds.
-    fn open(components: &mut [(usize, DifferentiatedTerm)], first: usize, openings: &[Option<[Expr; 3]>]) {
+    fn open(components: &mut [(usize, PoseQuantityTerms)], first: usize, openings: &[Option<[Expr; 3]>]) {
         for (axis, followed) in components {
             let along =
                 openings.iter().enumerate().filter_map(|(at, velocity)| Some((first + at, (*velocity)?[*axis])));
@@ -192,14 +192,14 @@ impl Differentiator {
     }
 
     /// Partial derivatives and the first two time derivatives of a term.
-    fn follow(&mut self, arena: &mut Arena, value: Expr) -> DifferentiatedTerm {
+    fn follow(&mut self, arena: &mut Arena, value: Expr) -> PoseQuantityTerms {
         let rate = self.d_dt.apply(arena, value);
         let second = self.d_dt.apply(arena, rate);
-        DifferentiatedTerm { value, slopes: self.slopes.apply(arena, value).iter().copied().collect(), rate, second }
+        PoseQuantityTerms { value, slopes: self.slopes.apply(arena, value).iter().copied().collect(), rate, second }
     }
 
     /// Angular velocity that a rotation adds, as (axis 0, 1 or 2, component along it).
-    fn spins(&mut self, arena: &mut Arena, turn: &Turn) -> Vec<(usize, DifferentiatedTerm)> {
+    fn spins(&mut self, arena: &mut Arena, turn: &Turn) -> Vec<(usize, PoseQuantityTerms)> {
         let oriented = match turn {
             Turn::About(axis, angle) => return vec![(*axis, self.follow(arena, *angle))],
             Turn::Oriented(oriented) => oriented,
@@ -219,12 +219,7 @@ impl Differentiator {
             let second = self.d_dt.apply(arena, spin[axis]);
             (
                 axis,
-                DifferentiatedTerm {
-                    value: Expr::ZERO,
-                    slopes: slopes.into_iter().collect(),
-                    rate: spin[axis],
-                    second,
-                },
+                PoseQuantityTerms { value: Expr::ZERO, slopes: slopes.into_iter().collect(), rate: spin[axis], second },
             )
         };
         [0, 1, 2].map(component).into()
@@ -237,14 +232,14 @@ struct RotatedFrameTerms {
     /// Direction cosines; cosine and sine of the angle for a rotation about one axis.
     cosines: Vec<Expr>,
     /// Angular velocity that the rotation adds, as (axis 0, 1 or 2, component).
-    spins: Vec<(usize, DifferentiatedTerm)>,
+    spins: Vec<(usize, PoseQuantityTerms)>,
 }
 
 impl RandomModel {
     /// Draws a random pose and motion. New terms go to `arena`, a copy of the model's arena. `None` if
     /// no pose was found in which every term has a value.
     pub fn new(model: &Model, arena: &mut Arena) -> Option<Self> {
-        let mut follower = Differentiator::new(model);
+        let mut follower = PoseDifferentiator::new(model);
         let mut terms = Vec::new();
         let first = model.coordinates.len();
         let turns: Vec<Option<RotatedFrameTerms>> = model
@@ -259,12 +254,12 @@ impl RandomModel {
                 };
                 let mut spins = follower.spins(arena, turn);
                 let openings: Vec<_> =
-                    model.openings.iter().map(|opening| added_velocity(&opening.turns, at)).collect();
-                Differentiator::open(&mut spins, first, &openings);
+                    model.openings.iter().map(|opening| added_velocity_in_pose(&opening.turns, at)).collect();
+                PoseDifferentiator::open(&mut spins, first, &openings);
                 Some(RotatedFrameTerms { cosines, spins })
             })
             .collect();
-        let places: Vec<Option<Vec<(usize, DifferentiatedTerm)>>> = model
+        let places: Vec<Option<Vec<(usize, PoseQuantityTerms)>>> = model
             .points
             .iter()
             .enumerate()
@@ -272,8 +267,8 @@ impl RandomModel {
                 let components = point.position?.components.into_iter().enumerate();
                 let mut place = components.map(|(axis, e)| (axis, follower.follow(arena, e))).collect::<Vec<_>>();
                 let openings: Vec<_> =
-                    model.openings.iter().map(|opening| added_velocity(&opening.moves, at)).collect();
-                Differentiator::open(&mut place, first, &openings);
+                    model.openings.iter().map(|opening| added_velocity_in_pose(&opening.moves, at)).collect();
+                PoseDifferentiator::open(&mut place, first, &openings);
                 Some(place)
             })
             .collect();
@@ -289,7 +284,7 @@ impl RandomModel {
         }
         terms.extend(partial.iter().flatten().map(|(_, slope)| *slope));
         let (drawn, residues) = PointWithResidues::new(arena, &terms)?;
-        let mut residues = Residues::new(residues);
+        let mut residues = PoseResidues::new(residues);
         let space = ResidueVectors(drawn.field());
         let (n, p) = (model.coordinates.len(), model.speeds.len());
         let all = n + model.openings.len();
@@ -311,7 +306,7 @@ impl RandomModel {
         let mut points: Vec<RandomPoint> = Vec::new();
         for (point, place) in model.points.iter().zip(&places) {
             let (Some(Placement { parent, frame, .. }), Some(followed)) = (point.position, place) else {
-                points.push(RandomPoint::fixed_point(all));
+                points.push(RandomPoint::origin_in_pose(all));
                 continue;
             };
             let place = [0, 1, 2].map(|i: usize| followed[i].1.read(&mut residues));
@@ -328,7 +323,7 @@ impl RandomModel {
 
     /// Residues of further terms in the same pose, with residues for the velocities that occur in the
     /// terms. `None` if a term has no value.
-    pub fn values(&self, model: &Model, arena: &mut Arena, terms: &[Expr]) -> Option<Residues> {
+    pub fn values(&self, model: &Model, arena: &mut Arena, terms: &[Expr]) -> Option<PoseResidues> {
         let symbols = model.q_dot().into_iter().zip(model.kinematic_equations.rates.iter().copied());
         let mut known: Vec<(Expr, Expr)> = symbols.collect();
         for name in &model.velocities {
@@ -344,7 +339,7 @@ impl RandomModel {
         }
         let mut put = Substitution::new(&known);
         let terms: Vec<Expr> = terms.iter().map(|e| put.apply(arena, *e)).collect();
-        self.drawn.values(arena, &terms).map(Residues::new)
+        self.drawn.values(arena, &terms).map(PoseResidues::new)
     }
 
     /// Velocity of the material of a body at a point: per unit rate of the motion `along`, or the total
@@ -403,7 +398,7 @@ impl RandomFrame {
 
 impl RandomPoint {
     /// Origin, with n motions along which it does not move.
-    fn fixed_point(n: usize) -> Self {
+    fn origin_in_pose(n: usize) -> Self {
         Self { place: [0; 3], along: vec![[0; 3]; n], velocity: [0; 3], acceleration: [0; 3] }
     }
 

@@ -17,7 +17,7 @@ use super::relative_motion::{BodyPair, RelativeMotion, reaction_pair};
 use crate::algebra::term::calculus::{Differential, Gradient};
 use crate::algebra::{Arena, Expr};
 use crate::geometry::{Frames, Motion, Vector};
-use crate::model::possible_bodies::{default_parameter_values, values_of_terms_at};
+use crate::model::impossible_bodies::{default_parameter_values, values_of_terms_at};
 use crate::model::{ForcePlace, JointReaction, Model, Reaction, ReactionKind, SlipComponent};
 use nalgebra::{DMatrix, DVector, Vector3};
 
@@ -45,7 +45,7 @@ impl Wrench {
 }
 
 /// Frames, points and reactions of a model in one pose, in doubles.
-struct Pose {
+struct StressPose {
     /// Axes of each frame, with components in the inertial frame.
     axes: Vec<[Vector3<f64>; 3]>,
     /// Positions of the points in the inertial frame, m.
@@ -103,10 +103,10 @@ impl Model {
         let resting = relative.as_ref().map(RelativeMotion::supported_pairs);
         let repeated = self.redundant_reactions(resting.as_deref().unwrap_or_default());
         if repeated.is_empty() {
-            return self.undetermined_by_closures_message(&relative?, &resting?, sought, text);
+            return self.closure_self_stress_message(&relative?, &resting?, sought, text);
         }
         let reactions: Vec<Reaction> = repeated.iter().map(|held| held.reaction.clone()).collect();
-        let (Some(pose), Some(resting)) = (self.closed_pose(&reactions), resting) else {
+        let (Some(pose), Some(resting)) = (self.closed_stress_pose(&reactions), resting) else {
             let held = repeated.iter().filter(|held| !held.reaction.is_stated);
             let names: Vec<String> = held.map(|held| format!("`{}`", held.name)).collect();
             if names.is_empty() {
@@ -128,12 +128,12 @@ impl Model {
             let share = stress.share(&pose, sought)?;
             Some(self.self_stress_message(text, sought, held, share, &stress))
         });
-        twice.or_else(|| self.undetermined_by_closures_message(&relative?, &resting, sought, text))
+        twice.or_else(|| self.closure_self_stress_message(&relative?, &resting, sought, text))
     }
 
     /// Message and advice if equations that keep two points together leave the wanted component
     /// undetermined; otherwise `None`.
-    fn undetermined_by_closures_message(
+    fn closure_self_stress_message(
         &self,
         relative: &RelativeMotion<'_>,
         resting: &[BodyPair],
@@ -146,7 +146,7 @@ impl Model {
         }
         // Without a known closed pose, any pose shows the components that a plane mechanism leaves
         // undetermined.
-        let pose = self.closed_pose(&closings).or_else(|| self.any_pose(&closings))?;
+        let pose = self.closed_stress_pose(&closings).or_else(|| self.any_stress_pose(&closings))?;
         let first = self.reactions.len();
         closings.iter().enumerate().find_map(|(at, reaction)| {
             let stress = self.self_stress(&pose, first + at, reaction, resting)?;
@@ -160,7 +160,7 @@ impl Model {
                 self.holder_name(against),
                 unit(matches!(reaction.kind, ReactionKind::Torque { .. })),
                 reaction.name,
-                rounded(share),
+                rounded_stress_share(share),
                 unit(sought.is_torque)
             );
             let help = "close the loop by [joints], name its reactions under [reactions], or ask for a component that is determined";
@@ -236,7 +236,7 @@ impl Model {
              whatever moves; the same goes through {}",
             unit(is_free_torque),
             reaction.name,
-            rounded(share),
+            rounded_stress_share(share),
             unit(sought.is_torque),
             way.join(", ")
         );
@@ -254,26 +254,26 @@ impl Model {
 
     /// Pose in which independence of constraints was decided, with the reactions that act in it. `None`
     /// if no closed pose is known.
-    fn closed_pose(&self, repeated: &[Reaction]) -> Option<Pose> {
+    fn closed_stress_pose(&self, repeated: &[Reaction]) -> Option<StressPose> {
         match &self.branch {
-            Some(branch) => self.pose(repeated, branch.pose.clone(), 0),
+            Some(branch) => self.stress_pose(repeated, branch.pose.clone(), 0),
             // Without loops, any pose and any parameter values will do.
-            None if self.loops.is_empty() => self.any_pose(repeated),
+            None if self.loops.is_empty() => self.any_stress_pose(repeated),
             None => None,
         }
     }
 
     /// Pose in which all required terms have values; `None` if none is found.
-    fn any_pose(&self, repeated: &[Reaction]) -> Option<Pose> {
+    fn any_stress_pose(&self, repeated: &[Reaction]) -> Option<StressPose> {
         (0..MOST_POSES).find_map(|at| {
             let first = at * (self.coordinates.len() + self.parameters.len());
-            self.pose(repeated, (first..).take(self.coordinates.len()).map(quasi_random).collect(), first)
+            self.stress_pose(repeated, (first..).take(self.coordinates.len()).map(quasi_random).collect(), first)
         })
     }
 
     /// Evaluates frames, points and reactions in a pose. Parameters without a default value get
     /// quasi-random values, from index `first` on. `None` if a value does not exist.
-    fn pose(&self, repeated: &[Reaction], pose: Vec<f64>, first: usize) -> Option<Pose> {
+    fn stress_pose(&self, repeated: &[Reaction], pose: Vec<f64>, first: usize) -> Option<StressPose> {
         let mut known = default_parameter_values(&self.parameters);
         if self.branch.is_none() {
             let open = self.parameters.iter().map(|p| p.symbol).filter(|symbol| known.iter().all(|(s, _)| s != symbol));
@@ -324,7 +324,7 @@ impl Model {
             let own: Vec<f64> = rest.by_ref().take(3 + n).collect();
             acting.push((Vector3::from_row_slice(&own[..3]), DVector::from_row_slice(&own[3..])));
         }
-        Some(Pose { axes, points, acting })
+        Some(StressPose { axes, points, acting })
     }
 
     /// Partial derivatives of a power with respect to each q̇; 0 for the rate of time.
@@ -338,12 +338,12 @@ impl Model {
 
     /// Work of a reaction of size 1 along each q̇. Then follow the forces and moments that it transmits
     /// to contacts without own reactions (`Contacts::idle`), which must be zero.
-    fn reaction_effect(&self, pose: &Pose, at: usize, reaction: &Reaction, resting: &[BodyPair]) -> DVector<f64> {
+    fn reaction_effect(&self, pose: &StressPose, at: usize, reaction: &Reaction, resting: &[BodyPair]) -> DVector<f64> {
         let (direction, work) = &pose.acting[at];
         let mut on_bodies = vec![Wrench::ZERO; self.bodies.len()];
-        add_reaction_wrench(&mut on_bodies, reaction, wrench_of(pose, reaction, *direction));
+        add_stress_on_bodies(&mut on_bodies, reaction, stress_wrench(pose, reaction, *direction));
         let mut all: Vec<f64> = work.iter().copied().collect();
-        for (pair, wrench) in transmitted_wrenches(&mut on_bodies, resting) {
+        for (pair, wrench) in stress_on_supports(&mut on_bodies, resting) {
             if self.contacts.idle.contains(&pair.body) {
                 all.extend(wrench.force.iter().chain(wrench.moment.iter()));
             }
@@ -355,7 +355,7 @@ impl Model {
     /// balance it.
     fn self_stress(
         &self,
-        pose: &Pose,
+        pose: &StressPose,
         redundant: usize,
         its_reaction: &Reaction,
         resting: &[BodyPair],
@@ -383,12 +383,12 @@ impl Model {
         let reactions = self.reactions.iter().chain([its_reaction]);
         let places = (0..all).chain([redundant]);
         for ((reaction, place), size) in reactions.zip(places).zip(sizes.iter()) {
-            let wrench = wrench_of(pose, reaction, pose.acting[place].0 * *size);
-            add_reaction_wrench(&mut on_bodies, reaction, wrench);
-            add_between(&mut between, reaction_pair(reaction.kind), wrench);
+            let wrench = stress_wrench(pose, reaction, pose.acting[place].0 * *size);
+            add_stress_on_bodies(&mut on_bodies, reaction, wrench);
+            add_stress_between(&mut between, reaction_pair(reaction.kind), wrench);
         }
-        for (pair, Wrench { force, moment }) in transmitted_wrenches(&mut on_bodies, resting) {
-            add_between(&mut between, pair, Wrench { force: -force, moment: -moment });
+        for (pair, Wrench { force, moment }) in stress_on_supports(&mut on_bodies, resting) {
+            add_stress_between(&mut between, pair, Wrench { force: -force, moment: -moment });
         }
         let reach = pose.points.iter().map(Vector3::norm).fold(0.0, f64::max);
         // The redundant reaction has size 1, even if the balancing reactions cancel it between two bodies.
@@ -408,7 +408,7 @@ impl SelfStress {
     }
 
     /// Change of the wanted reaction per unit of self-stress; `None` if zero.
-    fn share(&self, pose: &Pose, sought: &Interaction) -> Option<f64> {
+    fn share(&self, pose: &StressPose, sought: &Interaction) -> Option<f64> {
         let (mut force, mut moment) = (Vector3::zeros(), Vector3::zeros());
         for (BodyPair { body, against }, wrench) in &self.between {
             let sign = match (Some(*body), *against) {
@@ -431,22 +431,22 @@ impl SelfStress {
 }
 
 /// Adds the wrench of a reaction to one body and its opposite to the other.
-fn add_reaction_wrench(on_bodies: &mut [Wrench], reaction: &Reaction, wrench: Wrench) {
+fn add_stress_on_bodies(on_bodies: &mut [Wrench], reaction: &Reaction, wrench: Wrench) {
     let BodyPair { body, against } = reaction_pair(reaction.kind);
-    add_wrench(&mut on_bodies[body], wrench, 1.0);
+    add_stress_wrench(&mut on_bodies[body], wrench, 1.0);
     if let Some(other) = against {
-        add_wrench(&mut on_bodies[other], wrench, -1.0);
+        add_stress_wrench(&mut on_bodies[other], wrench, -1.0);
     }
 }
 
 /// Wrench that each body transmits to its support, outermost bodies first, given the wrenches that
 /// act on the bodies.
-fn transmitted_wrenches(on_bodies: &mut [Wrench], resting: &[BodyPair]) -> Vec<(BodyPair, Wrench)> {
+fn stress_on_supports(on_bodies: &mut [Wrench], resting: &[BodyPair]) -> Vec<(BodyPair, Wrench)> {
     let mut list = Vec::with_capacity(resting.len());
     for pair in resting {
         let wrench = on_bodies[pair.body];
         if let Some(holder) = pair.against {
-            add_wrench(&mut on_bodies[holder], wrench, 1.0);
+            add_stress_wrench(&mut on_bodies[holder], wrench, 1.0);
         }
         list.push((*pair, wrench));
     }
@@ -454,21 +454,21 @@ fn transmitted_wrenches(on_bodies: &mut [Wrench], resting: &[BodyPair]) -> Vec<(
 }
 
 /// Adds the wrench between two bodies to the sum for their pair.
-fn add_between(list: &mut Vec<(BodyPair, Wrench)>, pair: BodyPair, wrench: Wrench) {
+fn add_stress_between(list: &mut Vec<(BodyPair, Wrench)>, pair: BodyPair, wrench: Wrench) {
     match list.iter_mut().find(|(known, _)| *known == pair || Some(*known) == pair.reversed()) {
-        Some((known, sum)) => add_wrench(sum, wrench, if *known == pair { 1.0 } else { -1.0 }),
+        Some((known, sum)) => add_stress_wrench(sum, wrench, if *known == pair { 1.0 } else { -1.0 }),
         None => list.push((pair, wrench)),
     }
 }
 
 /// Adds `sign` times a wrench to a sum.
-fn add_wrench(sum: &mut Wrench, wrench: Wrench, sign: f64) {
+fn add_stress_wrench(sum: &mut Wrench, wrench: Wrench, sign: f64) {
     sum.force += wrench.force * sign;
     sum.moment += wrench.moment * sign;
 }
 
 /// Wrench of a reaction with this vector: a force at its point, or a torque.
-fn wrench_of(pose: &Pose, reaction: &Reaction, vector: Vector3<f64>) -> Wrench {
+fn stress_wrench(pose: &StressPose, reaction: &Reaction, vector: Vector3<f64>) -> Wrench {
     match reaction.kind {
         ReactionKind::Force { on, .. } => Wrench { force: vector, moment: pose.points[on.point].cross(&vector) },
         ReactionKind::Torque { .. } => Wrench { force: Vector3::zeros(), moment: vector },
@@ -488,7 +488,7 @@ fn quasi_random(at: usize) -> f64 {
 }
 
 /// Text of a value with three significant digits.
-fn rounded(value: f64) -> String {
+fn rounded_stress_share(value: f64) -> String {
     let text = format!("{value:.2e}");
     text.parse::<f64>().map_or(text, |value| value.to_string())
 }

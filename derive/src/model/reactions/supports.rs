@@ -56,7 +56,7 @@ impl RelativeMotion<'_> {
     pub fn supports(&self) -> Vec<Support> {
         let count = self.model.bodies.len();
         let free = self.degrees_of_freedom();
-        let touches = self.touching_pairs(&free);
+        let touches = self.touching_supports(&free);
         let mut order: Vec<usize> = (0..count).collect();
         order.sort_by_key(|body| (free[*body], *body));
         let mut found: Vec<Support> = Vec::with_capacity(count);
@@ -121,7 +121,7 @@ impl RelativeMotion<'_> {
 
     /// Pairs of bodies that the model file states to touch: a body, and the body or ground on which it
     /// rests. `free` are the degrees of freedom of all bodies.
-    pub fn touching_pairs(&self, free: &[usize]) -> Vec<BodyPair> {
+    pub fn touching_supports(&self, free: &[usize]) -> Vec<BodyPair> {
         let model = self.model;
         let rolled = model.motion_constraints.iter().filter_map(|constraint| match constraint.kind {
             MotionConstraintKind::Rolling(rolled) => Some(rolled),
@@ -134,16 +134,16 @@ impl RelativeMotion<'_> {
         // Friction against the ground may be air resistance, which is no contact.
         let rubbing = model.contacts.rubbing.iter().filter(|(_, against)| against.is_some());
         list.extend(rubbing.map(|(body, against)| BodyPair { body: *body, against: *against }));
-        list.extend(self.compared_pairs(free, &list));
+        list.extend(self.supports_by_comparison(free, &list));
         list
     }
 
     /// Pairs of bodies that a constraint compares, the resting body first. `stated` are the pairs that
     /// touch otherwise.
-    fn compared_pairs(&self, free: &[usize], stated: &[BodyPair]) -> Vec<BodyPair> {
+    fn supports_by_comparison(&self, free: &[usize], stated: &[BodyPair]) -> Vec<BodyPair> {
         let constraints = &self.model.contacts.compared;
         let tied: Vec<(Vec<usize>, bool)> =
-            constraints.iter().map(|compared| (self.bodies_of(compared), compared.is_difference)).collect();
+            constraints.iter().map(|compared| (self.support_candidates(compared), compared.is_difference)).collect();
         let compared = tied.iter().filter(|(_, is_difference)| *is_difference);
         let pairs: Vec<[usize; 2]> = compared.filter_map(|(bodies, _)| bodies.as_slice().try_into().ok()).collect();
         // Bodies that another constraint or contact holds, except against the body with which they are
@@ -155,7 +155,7 @@ impl RelativeMotion<'_> {
         let mut held: Vec<usize> = alone.filter(|body| is_apart(*body)).collect();
         let touches = stated.iter().filter(|pair| !pair.against.is_some_and(|other| is_pair(pair.body, other)));
         held.extend(touches.map(|pair| pair.body));
-        let steps = self.distances_from_held(free, &pairs, &held);
+        let steps = self.support_distances(free, &pairs, &held);
         let supports = |[one, other]: [usize; 2]| match (free[one], steps[one]).cmp(&(free[other], steps[other])) {
             Ordering::Greater => Some(BodyPair { body: one, against: Some(other) }),
             Ordering::Less => Some(BodyPair { body: other, against: Some(one) }),
@@ -167,7 +167,7 @@ impl RelativeMotion<'_> {
     /// Number of `pairs` between each body and the nearest body that is `held`, or that no constraint
     /// moves; `None` for a body in no pair. In a group without such a body, the body with the least
     /// freedom counts as held; the first among equals.
-    fn distances_from_held(&self, free: &[usize], pairs: &[[usize; 2]], held: &[usize]) -> Vec<Option<usize>> {
+    fn support_distances(&self, free: &[usize], pairs: &[[usize; 2]], held: &[usize]) -> Vec<Option<usize>> {
         let is_moved = |body: usize| self.model.contacts.compared.iter().any(|compared| compared.moved.contains(&body));
         let mut steps = vec![None; free.len()];
         let mut left: Vec<usize> = pairs.as_flattened().to_vec();
@@ -188,7 +188,7 @@ impl RelativeMotion<'_> {
 
     /// Bodies whose velocities or positions a constraint names. Bodies whose own coordinates it
     /// contains are added if it names none, or if it compares bodies.
-    fn bodies_of(&self, compared: &ComparedBodies) -> Vec<usize> {
+    fn support_candidates(&self, compared: &ComparedBodies) -> Vec<usize> {
         let named = compared.named.iter().filter_map(|of| match of {
             VelocityOf::Material(body, _) => Some(*body),
             VelocityOf::Point(point) | VelocityOf::Place(point) => self.body_of_point(*point),

@@ -7,7 +7,7 @@ use crate::algebra::text::parse::{
 use crate::algebra::value::zero_test::zero_divisor;
 use crate::algebra::{Arena, Expr};
 use crate::diagnostic::{Diagnostic, nearest_name_advice, shortened_for_message};
-use crate::model::reactions::interactions::{GROUND, NamedReaction, StatedInteraction, found_reaction_unit};
+use crate::model::reactions::interactions::{GROUND, NamedReaction, StatedInteraction, named_reaction_unit};
 use crate::model::units::Unit;
 use crate::model::velocities::StatedVelocity;
 use crate::toml_reader::{Located, TomlReader};
@@ -281,7 +281,7 @@ impl Names {
 
     /// Parameters, expressions, inputs, frames and points to which nothing refers, as (noun of the
     /// kind, name), in the order of declaration.
-    pub fn unused_names(&self) -> Vec<(&'static str, String)> {
+    pub fn unused_declarations(&self) -> Vec<(&'static str, String)> {
         let used = self.used.borrow();
         let kinds = [NameKind::Parameter, NameKind::Expression, NameKind::Input, NameKind::Frame, NameKind::Point];
         let names = self.names_of_kind(&kinds).into_iter().filter(|name| !used.contains(*name));
@@ -336,7 +336,7 @@ impl Names {
         let mut velocity = |arena: &mut Arena, name: &VelocityName<'_>| {
             let is_position = matches!(name.of, VelocityOf::Place(_)) && allowed.0.contains(&NameKind::Position);
             if !is_position && !allowed.0.contains(&NameKind::Velocity) {
-                return Err(kind_not_allowed_message(NameKind::Velocity, &name.text(), allowed, what));
+                return Err(declared_name_not_allowed_message(NameKind::Velocity, &name.text(), allowed, what));
             }
             let mut name = name.clone();
             if name.frame.0.is_empty() {
@@ -347,7 +347,7 @@ impl Names {
         };
         let mut interaction = |arena: &mut Arena, name: &InteractionName<'_>| {
             if !allowed.0.contains(&NameKind::Reaction) {
-                return Err(kind_not_allowed_message(NameKind::Reaction, &name.text(), allowed, what));
+                return Err(declared_name_not_allowed_message(NameKind::Reaction, &name.text(), allowed, what));
             }
             let stated = StatedInteraction::new(arena, formula, name);
             let symbol = stated.symbol;
@@ -358,8 +358,8 @@ impl Names {
         match result {
             Ok(_) if spoiled => None,
             Ok(e) => {
-                self.name_velocities(reader, velocities)?;
-                self.name_interactions(reader, interactions)?;
+                self.record_declared_velocities(reader, velocities)?;
+                self.record_declared_interactions(reader, interactions)?;
                 let located = |name: String| Located { text: name, ..formula.clone() };
                 self.reactions.extend(
                     found.into_iter().map(|(symbol, name, unit)| NamedReaction::Found(symbol, located(name), unit)),
@@ -390,14 +390,18 @@ impl Names {
         if !allowed.0.contains(&NameKind::Reaction) || self.known.contains_key(name) {
             return None;
         }
-        let unit = found_reaction_unit(name, self.names_of_kind(&[NameKind::Body]).into_iter())?;
+        let unit = named_reaction_unit(name, self.names_of_kind(&[NameKind::Body]).into_iter())?;
         // The symbol has a name with a space, which no declared symbol can have.
         Some((arena.symbol(&format!("reaction {name}")), unit))
     }
 
     /// Records the forces and torques between bodies that occur in a formula. `None` after reporting a
     /// reference to an undeclared name.
-    fn name_interactions(&mut self, reader: &mut TomlReader<'_>, stated: Vec<StatedInteraction>) -> Option<()> {
+    fn record_declared_interactions(
+        &mut self,
+        reader: &mut TomlReader<'_>,
+        stated: Vec<StatedInteraction>,
+    ) -> Option<()> {
         let knows_body = |name: &Located, reader: &mut TomlReader<'_>| {
             let is_ground =
                 (name.text == GROUND || name.text == self.root) && self.kind(&name.text) != Some(NameKind::Body);
@@ -415,7 +419,7 @@ impl Names {
 
     /// Records the velocities that occur in a formula. `None` after reporting a reference to an
     /// undeclared name.
-    fn name_velocities(&mut self, reader: &mut TomlReader<'_>, stated: Vec<StatedVelocity>) -> Option<()> {
+    fn record_declared_velocities(&mut self, reader: &mut TomlReader<'_>, stated: Vec<StatedVelocity>) -> Option<()> {
         if !self.has_places {
             self.awaiting.extend(stated);
             return Some(());
@@ -440,7 +444,7 @@ impl Names {
         self.has_places = true;
         self.speeds_name_velocities = !self.awaiting.is_empty();
         let awaiting = std::mem::take(&mut self.awaiting);
-        self.name_velocities(reader, awaiting);
+        self.record_declared_velocities(reader, awaiting);
     }
 
     /// True if each name in a velocity is declared as the kind for which it is used. Reports the names
@@ -473,12 +477,12 @@ impl Names {
                         Ok(*e)
                     }
                     Some((part, kind)) => {
-                        let (message, help) = kind_not_allowed_message(*kind, part, allowed, what);
+                        let (message, help) = declared_name_not_allowed_message(*kind, part, allowed, what);
                         Err((format!("{message}: it is in `{name}`"), help))
                     }
                 }
             }
-            Some((kind, _, _)) => Err(kind_not_allowed_message(*kind, name, allowed, what)),
+            Some((kind, _, _)) => Err(declared_name_not_allowed_message(*kind, name, allowed, what)),
             None if name == TIME => {
                 Err((format!("time cannot stand in {what}"), Some("what has mass, and how much, stays".to_owned())))
             }
@@ -490,8 +494,8 @@ impl Names {
                 format!("`{name}` does not exist: `{plain}` is a {}", self.known[plain].0.noun()),
                 Some("a prime stands after coordinates only".to_owned()),
             )),
-            None if found_reaction_unit(name, self.names_of_kind(&[NameKind::Body]).into_iter()).is_some() => {
-                Err(kind_not_allowed_message(NameKind::Reaction, name, allowed, what))
+            None if named_reaction_unit(name, self.names_of_kind(&[NameKind::Body]).into_iter()).is_some() => {
+                Err(declared_name_not_allowed_message(NameKind::Reaction, name, allowed, what))
             }
             None => Err((
                 format!("unknown name `{}`", shortened_for_message(name)),
@@ -502,7 +506,7 @@ impl Names {
 }
 
 /// Message and advice for a name whose kind may not occur in the formula `what`.
-fn kind_not_allowed_message(
+fn declared_name_not_allowed_message(
     kind: NameKind,
     name: &str,
     allowed: AllowedQuantities,

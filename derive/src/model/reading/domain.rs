@@ -1,7 +1,7 @@
 //! Domain in which a model holds, as the section `[domain]` of a model file states it.
 
 use super::declared_names::{ANYTHING, NameKind};
-use super::model_reader::Loading;
+use super::loading::Loading;
 use crate::model::DomainCondition;
 use crate::model::reactions::interactions::NamedReaction;
 use crate::plain_text::one_line;

@@ -3,8 +3,8 @@
 
 pub(super) mod declared_names;
 pub(super) mod domain;
-pub(super) mod expressions;
-pub(super) mod model_reader;
+pub(super) mod loading;
+pub(super) mod named_expressions;
 pub(super) mod notation;
 pub(super) mod number_parameters;
 pub(super) mod parameters;

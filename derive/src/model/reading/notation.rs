@@ -1,7 +1,7 @@
 //! Notation of a model file: the symbols by which documents show names.
 
 use super::declared_names::NameKind;
-use super::model_reader::Loading;
+use super::loading::Loading;
 use crate::algebra::text::print::name_parts;
 use crate::diagnostic::{nearest_name_advice, shortened_for_message};
 use crate::model::Model;
@@ -72,7 +72,7 @@ impl<'a> Loading<'a> {
             if let Some(other) = name_with_same_symbol(model, name, &symbol.text, &list) {
                 let message = format!("`{name}` and `{other}` would both be shown as `{}`", symbol.text);
                 self.reader.error(symbol.span.clone(), message, "give each name a symbol of its own");
-            } else if is_reserved_symbol(&symbol.text) {
+            } else if is_reserved_notation(&symbol.text) {
                 let message = format!("documents write `{}` for something else", symbol.text);
                 let help = "T and V are energies; M, f, F, Q and C with numbers are entries of equations";
                 self.reader.error(symbol.span.clone(), message, help);
@@ -92,7 +92,7 @@ fn is_symbol(text: &str) -> bool {
 }
 
 /// True if documents use a symbol for energies or for entries of equations.
-fn is_reserved_symbol(symbol: &str) -> bool {
+fn is_reserved_notation(symbol: &str) -> bool {
     let (letters, subscript, _) = name_parts(symbol);
     let is_number = !subscript.is_empty() && subscript.bytes().all(|b| b.is_ascii_digit());
     ENERGIES.contains(&letters.as_str()) && subscript.is_empty() || NUMBERED.contains(&letters.as_str()) && is_number

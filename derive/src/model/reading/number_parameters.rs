@@ -2,7 +2,7 @@
 //! checked and equations keep symbols.
 
 use super::declared_names::{AllowedQuantities, NameKind};
-use super::model_reader::Loading;
+use super::loading::Loading;
 use crate::algebra::Expr;
 use crate::model::Parameter;
 use crate::model::units::{StatedUnit, Unit};
@@ -33,7 +33,7 @@ impl Loading<'_> {
             return self.names.formula(&mut self.reader, &mut self.arena, formula, allowed, what);
         };
         if stated.unit.is_plain() || !allowed.0.contains(&NameKind::Parameter) {
-            let number = stated.number(formula);
+            let number = stated.number_before_unit(formula);
             let e = self.names.formula(&mut self.reader, &mut self.arena, &number, allowed, what)?;
             return Some(stated.apply(&mut self.arena, e));
         }
@@ -46,7 +46,7 @@ impl Loading<'_> {
         if let Some((_, symbol)) = self.literals.iter().find(|(place, _)| *place == formula.span) {
             return Some(*symbol);
         }
-        let value = Some(self.constant_value(formula)?);
+        let value = Some(self.constant_parameter_value(formula)?);
         let name = self.name_of_literal(&unit, what);
         let symbol = self.arena.symbol(&name);
         self.names.insert_used(&name, NameKind::Parameter, formula.span.clone(), symbol);

@@ -1,7 +1,7 @@
 //! Parameters of a model file, and the plain numbers that are their default values.
 
 use super::declared_names::{CONSTANT, NameKind};
-use super::model_reader::Loading;
+use super::loading::Loading;
 use crate::algebra::Rational;
 use crate::diagnostic::shortened_for_message;
 use crate::model::Parameter;
@@ -22,8 +22,10 @@ impl<'a> Loading<'a> {
                 // `l = "0.5 m"` is a complete declaration.
                 self.names.declare(&mut self.reader, &name, NameKind::Parameter, Some(symbol));
                 self.units.insert(symbol, stated.unit.clone());
-                let number =
-                    self.reader.formula(value, "a parameter").and_then(|formula| self.constant_value(&formula));
+                let number = self
+                    .reader
+                    .formula(value, "a parameter")
+                    .and_then(|formula| self.constant_parameter_value(&formula));
                 let (unit, about) = (stated.unit, String::new());
                 parameters.push(Parameter {
                     name: name.text,
@@ -43,7 +45,7 @@ impl<'a> Loading<'a> {
             let of_value = self.reader.get(entry, "value").and_then(|v| StatedUnit::of(v.get_ref().as_str()?));
             let unit = match &of_value {
                 Some(stated) if !entry.contains_key("unit") => Some(stated.unit.clone()),
-                _ => self.unit(entry, &name),
+                _ => self.read_unit_key(entry, &name),
             };
             if let (Some(stated), Some(unit)) = (&of_value, &unit)
                 && stated.unit != *unit
@@ -65,7 +67,7 @@ impl<'a> Loading<'a> {
             }
             let value = self.reader.get(entry, "value").and_then(|v| {
                 let formula = self.reader.formula(v, "`value`")?;
-                let number = self.constant_value(&formula)?;
+                let number = self.constant_parameter_value(&formula)?;
                 if positive && (number.is_negative() || number.is_zero()) {
                     let stated = shortened_for_message(&formula.text);
                     let message =
@@ -84,17 +86,17 @@ impl<'a> Loading<'a> {
 
     /// Value in SI of a formula that must be a plain number, with an optional unit. `None` after
     /// reporting any other formula.
-    pub(super) fn constant_value(&mut self, formula: &Located) -> Option<Rational> {
+    pub(super) fn constant_parameter_value(&mut self, formula: &Located) -> Option<Rational> {
         let what = "a parameter's value";
         let stated = StatedUnit::of(&formula.text);
-        let number = stated.as_ref().map_or_else(|| formula.clone(), |stated| stated.number(formula));
+        let number = stated.as_ref().map_or_else(|| formula.clone(), |stated| stated.number_before_unit(formula));
         let mut e = self.names.formula(&mut self.reader, &mut self.arena, &number, CONSTANT, what)?;
         if let Some(stated) = stated {
             e = stated.apply(&mut self.arena, e);
         }
         let value = match self.arena.as_number(e) {
             Some(value) => Some(value.clone()),
-            None => crate::model::possible_bodies::values_of_terms_at(&self.arena, &[], &[e])
+            None => crate::model::impossible_bodies::values_of_terms_at(&self.arena, &[], &[e])
                 .and_then(|v| Rational::from_f64_exact(v[0])),
         };
         // Refuses overflow, and underflow to 0.

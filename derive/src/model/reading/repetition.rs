@@ -32,7 +32,7 @@ type Numbers = Vec<(String, i64)>;
 /// Tables of a model file with every repetition expanded; `None` if the file repeats nothing.
 /// Errors are recorded in the reader.
 pub fn expand_repetition<'a>(reader: &mut TomlReader<'_>, table: &DeTable<'a>) -> Option<DeTable<'a>> {
-    if !table.contains_key("counts") && !has_ranges(table) {
+    if !table.contains_key("counts") && !has_repetition(table) {
         return None;
     }
     let mut repeating = RepetitionExpander { reader, arena: Arena::new(), entries: 0 };
@@ -43,7 +43,7 @@ pub fn expand_repetition<'a>(reader: &mut TomlReader<'_>, table: &DeTable<'a>) -
     let mut whole = DeTable::new();
     for (key, value) in table {
         if key.get_ref() != "counts" {
-            let value = repeating.expand_value(value, &counts, TextKind::of(key.get_ref()));
+            let value = repeating.expand_value(value, &counts, RepeatedText::of(key.get_ref()));
             whole.insert(key.clone(), value);
         }
     }
@@ -51,8 +51,10 @@ pub fn expand_repetition<'a>(reader: &mut TomlReader<'_>, table: &DeTable<'a>) -
 }
 
 /// True if a key of the table, at any depth, contains an opening brace.
-fn has_ranges(table: &DeTable<'_>) -> bool {
-    table.iter().any(|(key, value)| key.get_ref().contains('{') || value.get_ref().as_table().is_some_and(has_ranges))
+fn has_repetition(table: &DeTable<'_>) -> bool {
+    table
+        .iter()
+        .any(|(key, value)| key.get_ref().contains('{') || value.get_ref().as_table().is_some_and(has_repetition))
 }
 
 /// State of the expansion of repeated entries.
@@ -67,14 +69,14 @@ struct RepetitionExpander<'r, 'a> {
 
 /// Kind of the texts under a key: formulas and names, or prose.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum TextKind {
+enum RepeatedText {
     /// Formulas and names, in which all braces are replaced.
     Formula,
     /// Prose, in which braces without a number stay.
     Prose,
 }
 
-impl TextKind {
+impl RepeatedText {
     /// Kind of the texts under the key `key`.
     fn of(key: &str) -> Self {
         if PROSE.contains(&key) { Self::Prose } else { Self::Formula }
@@ -111,11 +113,11 @@ impl RepetitionExpander<'_, '_> {
         &mut self,
         value: &Spanned<DeValue<'a>>,
         numbers: &Numbers,
-        kind: TextKind,
+        kind: RepeatedText,
     ) -> Spanned<DeValue<'a>> {
         let span = value.span();
         let new = match value.get_ref() {
-            DeValue::String(text) if text.contains('{') && kind == TextKind::Formula => {
+            DeValue::String(text) if text.contains('{') && kind == RepeatedText::Formula => {
                 DeValue::String(Cow::Owned(self.expand_text(text, numbers, &span)))
             }
             DeValue::String(text) if text.contains('{') => {
@@ -139,7 +141,7 @@ impl RepetitionExpander<'_, '_> {
         let mut result = DeTable::new();
         for (key, value) in table {
             if !key.get_ref().contains('{') {
-                result.insert(key.clone(), self.expand_value(value, numbers, TextKind::of(key.get_ref())));
+                result.insert(key.clone(), self.expand_value(value, numbers, RepeatedText::of(key.get_ref())));
                 continue;
             }
             let span = key.span();
@@ -152,7 +154,7 @@ impl RepetitionExpander<'_, '_> {
                 if self.entries > MAX_REPEATED {
                     return result;
                 }
-                let value = self.expand_value(value, &numbers, TextKind::Formula);
+                let value = self.expand_value(value, &numbers, RepeatedText::Formula);
                 if result.insert(Spanned::new(span.clone(), Cow::Owned(name.clone())), value).is_some() {
                     let message = format!("`{}` is stated twice by repeated entries", shortened_for_message(&name));
                     self.reader.error(span.clone(), message, "name the index of the range in the key");

@@ -1,7 +1,7 @@
 //! Tree order of frames and points: parents come before their children.
 
 use super::declared_names::NameKind;
-use super::model_reader::Loading;
+use super::loading::Loading;
 use crate::toml_reader::Located;
 use rustc_hash::FxHashMap;
 

@@ -73,7 +73,7 @@ pub fn load_motion(source: &Source, model: &mut Model) -> Result<Motion, Diagnos
     let inputs = values.inputs(table.get_ref());
     values.reader.finish()?;
     if inputs.bindings != values.model.bindings {
-        *model = model.with_inputs(inputs.bindings, source, inputs.place)?;
+        *model = model.reread_with_inputs(inputs.bindings, source, inputs.place)?;
     }
     let (reader, table) = TomlReader::parse(source)?;
     let table = table.get_ref();
@@ -185,7 +185,7 @@ impl<'a> ValueReader<'a, '_> {
         let own = model.parameters.iter().filter(|p| !p.is_input).map(|p| (p.name.clone(), p.symbol));
         let known: Vec<(String, Expr)> = own.chain([(TIME.to_owned(), time)]).collect();
         let stated = StatedUnit::of(&formula.text);
-        let number = stated.as_ref().map_or_else(|| formula.clone(), |stated| stated.number(formula));
+        let number = stated.as_ref().map_or_else(|| formula.clone(), |stated| stated.number_before_unit(formula));
         let parsed = parse(&mut model.arena, &number.text, &mut |arena, name| {
             if name == "deg" {
                 let pi = arena.pi();

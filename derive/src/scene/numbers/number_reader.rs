@@ -320,7 +320,7 @@ impl<'a> ValueReader<'a, '_> {
         let symbols: Vec<Expr> = known.iter().map(|(_, e)| *e).collect();
         let of_parameters = model.expressions_in(&symbols);
         let stated = StatedUnit::of(&formula.text);
-        let number = stated.as_ref().map_or_else(|| formula.clone(), |stated| stated.number(formula));
+        let number = stated.as_ref().map_or_else(|| formula.clone(), |stated| stated.number_before_unit(formula));
         let result = parse(&mut model.arena, &number.text, &mut |arena, name| {
             if name == "deg" {
                 return Ok(degree(arena));

@@ -44,7 +44,7 @@ pub(in crate::scene) fn bind_inputs(source: &Source, model: &mut Model) -> Resul
     let given = values.inputs(table.get_ref());
     values.reader.finish()?;
     if given.bindings != model.bindings {
-        *model = model.with_inputs(given.bindings, source, given.place)?;
+        *model = model.reread_with_inputs(given.bindings, source, given.place)?;
     }
     Ok(())
 }
@@ -105,7 +105,8 @@ impl<'a> ValueReader<'a, '_> {
 
     /// True if a formula is a number with an optional unit, without any name.
     fn is_input_number(formula: &Located) -> bool {
-        let number = StatedUnit::of(&formula.text).map_or_else(|| formula.clone(), |stated| stated.number(formula));
+        let number =
+            StatedUnit::of(&formula.text).map_or_else(|| formula.clone(), |stated| stated.number_before_unit(formula));
         let mut known = |arena: &mut Arena, name: &str| match name {
             "deg" => Ok(arena.pi()),
             _ => Err((String::new(), None)),

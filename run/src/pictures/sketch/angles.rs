@@ -4,7 +4,8 @@
 use super::axes::{along_axis, are_axes_drawn};
 use super::drawing_elements::{DrawingPoint, LabelWord, Mark, MarkRole, Path, drawing_unit_vector};
 use super::pose_formulas::{FrameTurn, SignedCoordinate};
-use super::sheet::{Sheet, SketchSubject};
+use super::sheet::Sheet;
+use super::sketch_subject::SketchSubject;
 use crate::pictures::view::Triple;
 use crate::pictures::view::space::{
     add_scaled_vector, cross, dot, length, rotate_vector, rotate_vector_back, subtract_vectors, transpose,
@@ -139,6 +140,11 @@ impl Angle {
         direction[axis] = inside[axis].signum();
         Some(AcrossAxis { direction, length: across, share: inside[axis].abs() / length(inside) })
     }
+}
+
+/// Unit vectors along the axes of the given angles, in the inertial frame.
+pub fn axes_of_angles(subject: &SketchSubject<'_>, angles: &[Angle]) -> Vec<Triple> {
+    angles.iter().map(|angle| angle.rotation_axis(subject)).collect()
 }
 
 /// Centres of the arcs drawn so far, on the sheet, px.

@@ -1,7 +1,8 @@
 //! Marks for the axes of frames, with their names, and for gravity.
 
 use super::drawing_elements::{DrawingPoint, LabelWord, Mark, MarkRole, Path, drawing_extent, drawing_unit_vector};
-use super::sheet::{Sheet, SketchSubject};
+use super::sheet::Sheet;
+use super::sketch_subject::SketchSubject;
 use crate::pictures::view::space::{IDENTITY, dot, length, rotate_vector, subtract_vectors, transpose};
 use crate::pictures::view::{Rotation, Triple};
 

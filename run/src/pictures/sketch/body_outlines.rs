@@ -1,12 +1,13 @@
 //! Outlines of solids on the sheet, drawn from back to front.
 
 use super::drawing_elements::{DrawingPoint, Mark, MarkRole, Path};
-use super::sheet::{Sheet, SketchSubject};
+use super::sheet::Sheet;
+use super::sketch_subject::SketchSubject;
 use crate::pictures::view::space::{
-    add_scaled_vector, cross, dot, length, product, rotate_vector, rotation_to_axis, subtract_vectors, transpose,
-    unit_vector,
+    add_scaled_vector, cross, dot, length, product, rotate_vector, rotation_from_quaternion, rotation_to_axis,
+    subtract_vectors, transpose, unit_vector,
 };
-use crate::pictures::view::{Quaternion, Rotation, Solid, SolidForm, SolidPlace, Triple};
+use crate::pictures::view::{Rotation, Solid, SolidForm, SolidPlace, Triple};
 
 /// Least half-width of a drawn rod, px.
 const THIN: f64 = 2.2;
@@ -44,11 +45,6 @@ pub fn draw_solids(subject: &SketchSubject<'_>, sheet: &mut Sheet) {
     }
 }
 
-/// True if a solid is a pin: a sphere that belongs to no body and joins other solids.
-pub fn is_pin(solid: &Solid) -> bool {
-    solid.body.is_none() && matches!(solid.form, SolidForm::Sphere { .. })
-}
-
 /// Marks of a solid with its depth and rank; `None` for a ground plane that is not drawn.
 fn solid_outline(subject: &SketchSubject<'_>, solid: &Solid) -> Option<SolidOutline> {
     let camera = &subject.camera;
@@ -57,7 +53,7 @@ fn solid_outline(subject: &SketchSubject<'_>, solid: &Solid) -> Option<SolidOutl
         SolidForm::Sphere { at, radius } => {
             let middle = solid_centre(subject, at);
             let spot = camera.project_point(middle);
-            let (rank, mark) = if is_pin(solid) {
+            let (rank, mark) = if solid.is_pin() {
                 (4, Mark::solid(MarkRole::Joint, Path::circle(spot, PIN)))
             } else if is_particle {
                 (3, Mark::solid(MarkRole::Mass, Path::circle(spot, (camera.scale * radius).max(SMALL))))
@@ -66,7 +62,7 @@ fn solid_outline(subject: &SketchSubject<'_>, solid: &Solid) -> Option<SolidOutl
             };
             // A pin is drawn in front of the solids that it joins.
             (
-                if is_pin(solid) {
+                if solid.is_pin() {
                     add_scaled_vector(middle, 0.05 * subject.view.size, camera.towards)
                 } else {
                     middle
@@ -104,16 +100,6 @@ pub fn solid_centre(subject: &SketchSubject<'_>, at: &SolidPlace) -> Triple {
 /// Axes of a solid as columns of a rotation matrix, in the inertial frame.
 fn solid_axes(subject: &SketchSubject<'_>, at: &SolidPlace) -> Rotation {
     product(&subject.pose.rotations[at.frame], &rotation_from_quaternion(at.turned))
-}
-
-/// Rotation matrix from Euler parameters (cos θ/2 first) of length 1.
-fn rotation_from_quaternion([w, x, y, z]: Quaternion) -> Rotation {
-    let column = |v: Triple| {
-        // v + 2 w (e × v) + 2 e × (e × v).
-        let t = cross([x, y, z], v).map(|c| 2.0 * c);
-        add_scaled_vector(add_scaled_vector(v, w, t), 1.0, cross([x, y, z], t))
-    };
-    transpose(&[column([1.0, 0.0, 0.0]), column([0.0, 1.0, 0.0]), column([0.0, 0.0, 1.0])])
 }
 
 /// Marks of a cylinder about a unit vector `axis`: far end, side and near end. `radius` and `long`,
@@ -231,7 +217,7 @@ pub fn bodies_extent(subject: &SketchSubject<'_>) -> (DrawingPoint, DrawingPoint
             SolidForm::Sphere { at, .. } | SolidForm::Cylinder { at, .. } | SolidForm::Box { at, .. } => {
                 all.push((
                     camera.project_point(solid_centre(subject, at)),
-                    if is_pin(solid) { 0.0 } else { solid.form.reach() },
+                    if solid.is_pin() { 0.0 } else { solid.form.reach() },
                 ));
             }
             SolidForm::Rod { ends, .. } | SolidForm::Spring { ends } => {
@@ -247,4 +233,14 @@ pub fn bodies_extent(subject: &SketchSubject<'_>) -> (DrawingPoint, DrawingPoint
     all.iter().fold(([f64::MAX; 2], [f64::MIN; 2]), |(low, high), (spot, reach)| {
         ([0, 1].map(|i| low[i].min(spot[i] - reach)), [0, 1].map(|i| high[i].max(spot[i] + reach)))
     })
+}
+
+/// Vectors along rods and springs in the inertial frame, m; a view should show them as long as
+/// possible.
+pub fn vectors_along_rods(subject: &SketchSubject<'_>) -> Vec<Triple> {
+    let ends = subject.view.solids.iter().filter_map(|solid| match solid.form {
+        SolidForm::Rod { ends, .. } | SolidForm::Spring { ends } => Some(ends),
+        _ => None,
+    });
+    ends.map(|[a, b]| subtract_vectors(subject.pose.points[b], subject.pose.points[a])).collect()
 }

@@ -3,7 +3,8 @@
 
 use super::drawing_elements::{DrawingPoint, LabelWord, Mark, MarkRole, Path, arrow_tip, drawing_unit_vector};
 use super::pose_formulas::{Components, SignedCoordinate};
-use super::sheet::{Sheet, SketchSubject};
+use super::sheet::Sheet;
+use super::sketch_subject::SketchSubject;
 use crate::pictures::view::Triple;
 use crate::pictures::view::space::{add_scaled_vector, length, subtract_vectors, transpose};
 

@@ -131,10 +131,5 @@ fn is_drawable_pose(mechanism: &Mechanism, poses: &Poses, p: &[f64], q: &[f64]) 
         let Ok(tape) = compile_tape(&mechanism.arena, &inputs, &[positive], "a condition") else { return true };
         tape.evaluate(&[p, q].concat())[0] > 0.0
     };
-    is_finite_pose(&pose) && mechanism.domain.iter().all(|condition| is_inside(condition.positive))
-}
-
-/// True if every frame and point of a pose has finite values.
-pub fn is_finite_pose(pose: &Pose) -> bool {
-    pose.points.iter().flatten().chain(pose.rotations.iter().flatten().flatten()).all(|x| x.is_finite())
+    pose.is_finite() && mechanism.domain.iter().all(|condition| is_inside(condition.positive))
 }

@@ -4,7 +4,7 @@ use super::angles::Angle;
 use super::axes::along_axis;
 use super::dimension_lines::Length;
 use super::drawn_pose::ChangedCoordinate;
-use super::sheet::SketchSubject;
+use super::sketch_subject::SketchSubject;
 use crate::pictures::view::Triple;
 use crate::pictures::view::space::dot;
 use crate::pictures::view::{Solid, SolidForm};
@@ -156,20 +156,4 @@ fn digits(x: f64) -> String {
     let x = if x.abs() < 1e-9 { 0.0 } else { x };
     // Adding 0 turns -0 into 0.
     with_significant_digits(x + 0.0, 3)
-}
-
-/// Vectors along rods and springs in the inertial frame, m; a view should show them as long as
-/// possible.
-pub fn vectors_along_rods(subject: &SketchSubject<'_>) -> Vec<Triple> {
-    let ends = subject.view.solids.iter().filter_map(|solid| match solid.form {
-        SolidForm::Rod { ends, .. } | SolidForm::Spring { ends } => Some(ends),
-        _ => None,
-    });
-    ends.map(|[a, b]| crate::pictures::view::space::subtract_vectors(subject.pose.points[b], subject.pose.points[a]))
-        .collect()
-}
-
-/// Unit vectors along the axes of the given angles, in the inertial frame.
-pub fn axes_of_angles(subject: &SketchSubject<'_>, angles: &[Angle]) -> Vec<Triple> {
-    angles.iter().map(|angle| angle.rotation_axis(subject)).collect()
 }

@@ -2,7 +2,8 @@
 //! hold springs.
 
 use super::drawing_elements::{DrawingPoint, Mark, MarkRole, Path, drawing_unit_vector};
-use super::sheet::{Sheet, SketchSubject};
+use super::sheet::Sheet;
+use super::sketch_subject::SketchSubject;
 use crate::pictures::view::space::{cross, length, subtract_vectors};
 use crate::pictures::view::{SolidForm, Triple};
 use tripos_derive::model::ReactionKind;

@@ -29,6 +29,14 @@ pub struct Pose {
     pub points: Vec<Triple>,
 }
 
+impl Pose {
+    /// True if every frame and point of the pose has finite values.
+    /// They may be missing if a run ends at a state in which a formula has no value.
+    pub(in crate::pictures) fn is_finite(&self) -> bool {
+        self.points.iter().flatten().chain(self.rotations.iter().flatten().flatten()).all(|x| x.is_finite())
+    }
+}
+
 /// Tree of the frames and points of a model, with the formulas that place each relative to its
 /// parent.
 /// Formulas are not multiplied out, so the cost of a long chain is the sum of the costs of its

@@ -76,6 +76,13 @@ pub struct SolidPlace {
     pub turned: Quaternion,
 }
 
+impl Solid {
+    /// True if the solid is a pin: a sphere that belongs to no body and joins other solids.
+    pub(in crate::pictures) fn is_pin(&self) -> bool {
+        self.body.is_none() && matches!(self.form, SolidForm::Sphere { .. })
+    }
+}
+
 impl SolidPlace {
     /// Place with its centre in a point, and its axes along those of a frame.
     #[must_use]

@@ -33,6 +33,11 @@ pub(crate) fn add_scaled_vector(a: Triple, k: f64, b: Triple) -> Triple {
     [a[0] + k * b[0], a[1] + k * b[1], a[2] + k * b[2]]
 }
 
+/// Place on the straight line from a to b; `share` is 0 at a and 1 at b.
+pub(super) fn interpolate_place(a: Triple, b: Triple, share: f64) -> Triple {
+    add_scaled_vector(a, share, subtract_vectors(b, a))
+}
+
 /// Length of a vector.
 pub(crate) fn length(a: Triple) -> f64 {
     dot(a, a).sqrt()
@@ -99,6 +104,16 @@ pub fn quaternion(r: &Rotation) -> Quaternion {
     let size = q.iter().map(|x| x * x).sum::<f64>().sqrt();
     let sign = if q[0] < 0.0 { -size } else { size };
     q.map(|x| x / sign)
+}
+
+/// Rotation matrix from Euler parameters (cos θ/2 first) of length 1.
+pub(in crate::pictures) fn rotation_from_quaternion([w, x, y, z]: Quaternion) -> Rotation {
+    let column = |v: Triple| {
+        // v + 2 w (e × v) + 2 e × (e × v).
+        let t = cross([x, y, z], v).map(|c| 2.0 * c);
+        add_scaled_vector(add_scaled_vector(v, w, t), 1.0, cross([x, y, z], t))
+    };
+    transpose(&[column([1.0, 0.0, 0.0]), column([0.0, 1.0, 0.0]), column([0.0, 0.0, 1.0])])
 }
 
 /// Rotation matrix whose third column is the unit vector `axis`.

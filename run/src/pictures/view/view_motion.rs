@@ -3,8 +3,8 @@
 
 use super::force_arrows::{ForceArrows, ForceFunctions};
 use super::pose::{Pose, Poses};
-use super::space::{Quaternion, Triple, add_scaled_vector, length, quaternion, subtract_vectors};
-use crate::equations_name::EquationsName;
+use super::space::{Quaternion, Triple, interpolate_place, length, quaternion, subtract_vectors};
+use crate::equations_name::{EquationsName, find_equations_or_first};
 use crate::error::Error;
 use crate::mechanism::Mechanism;
 use crate::simulation::run::Run;
@@ -64,7 +64,7 @@ impl ViewMotion {
         if how.method == Integrator::Quadrature {
             how.method = Method::Dop853.into();
         }
-        let by = crate::code::find_equations_or_first(mechanism, by)?;
+        let by = find_equations_or_first(mechanism, by)?;
         let run = simulate(mechanism, &scene, Some(&EquationsName::from(&by)))?;
         Self::of_run(mechanism, &scene, &run)
     }
@@ -88,7 +88,7 @@ impl ViewMotion {
         }
         let ranges = value_ranges(&states);
         let posed = states.iter().map(|state| poses.pose_at(&scene.parameters, &state[..n]));
-        let somewhere = t.into_iter().zip(&states).zip(posed).filter(|(_, pose)| is_somewhere(pose));
+        let somewhere = t.into_iter().zip(&states).zip(posed).filter(|(_, pose)| pose.is_finite());
         let (at, poses): (Vec<(f64, &Vec<f64>)>, Vec<Pose>) = somewhere.unzip();
         let full = n + mechanism.speeds.len();
         let seen: Vec<(&[f64], &Pose)> =
@@ -219,17 +219,6 @@ fn value_ranges(states: &[Vec<f64>]) -> Vec<(f64, f64)> {
         values.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), x| (least.min(x), most.max(x)))
     };
     (0..count).map(of).collect()
-}
-
-/// True if every frame and point of a pose has finite values.
-/// They may be missing if a run ends at a state in which a formula has no value.
-fn is_somewhere(pose: &Pose) -> bool {
-    pose.points.iter().flatten().chain(pose.rotations.iter().flatten().flatten()).all(|x| x.is_finite())
-}
-
-/// Place on the straight line from a to b; `share` is 0 at a and 1 at b.
-fn interpolate_place(a: Triple, b: Triple, share: f64) -> Triple {
-    add_scaled_vector(a, share, subtract_vectors(b, a))
 }
 
 /// Angle between two attitudes, rad.

@@ -61,8 +61,8 @@ pub trait NumberCarrier<S> {
         None
     }
 
-    /// Receives a minimum of an open gap that is below the limit [`Self::near`]. Derivatives may not
-    /// exist beyond it.
+    /// Receives a minimum of an open gap that is below the limit [`Self::reported_gap_limit`].
+    /// Derivatives may not exist beyond it.
     fn record_gap_minimum(&self, _approach: &GapMinimum) {}
 
     /// Returns the state just after a crossing, from the state `before` it: values, and slopes if the

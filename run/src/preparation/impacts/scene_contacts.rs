@@ -328,7 +328,7 @@ impl<'a> SceneContacts<'a> {
     /// impact. Rows of other contacts get 0.
     ///
     /// # Errors
-    /// [`Undecided`] if no impulses separate the contacts, or if several sets of impulses do.
+    /// [`UndecidedContacts`] if no impulses separate the contacts, or if several sets of impulses do.
     pub fn impulses(
         &self,
         response: &ImpulseResponse,

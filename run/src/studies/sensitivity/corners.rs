@@ -8,6 +8,7 @@
 
 use super::varied_start::VariedStart;
 use crate::error::Error;
+use crate::preparation::impacts::ContactCrossing;
 use crate::preparation::problem::Problem;
 use tripos_sim::{Corner, Options, SLOPE_DIRECTIONS};
 use tripos_traits::Tangent;
@@ -69,6 +70,20 @@ pub fn check_moved_corners(problem: &Problem<'_>, seed: &VariedStart, options: &
     if let Some(at) = apart {
         let what = format!("two jumps of the equations are at {at} s, and a change of `{name}` separates the jumps");
         return refuse(what, "put the two jumps at different instants: the derivative depends on their order");
+    }
+    Ok(())
+}
+
+/// Checks that contacts do not change at the instant of a jump of the drive, where their order
+/// would not be known.
+///
+/// # Errors
+/// Text that says why there is no derivative.
+pub fn check_no_corner(corners: &[Corner], crossing: &ContactCrossing<'_>) -> Result<(), String> {
+    let t = crossing.t;
+    let meets = |corner: &Corner| corner.jumps && (corner.at - t).abs() <= 64.0 * f64::EPSILON * t.abs();
+    if crossing.contact_change.is_some() && corners.iter().any(meets) {
+        return Err("contacts change where the drive jumps".to_owned());
     }
     Ok(())
 }

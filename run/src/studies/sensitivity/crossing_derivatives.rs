@@ -4,8 +4,8 @@
 //! At an instant t(p), the state goes from y⁻(t, p) to y⁺ = R(y⁻, p), and its rates go from f⁻ to
 //! f⁺. Slopes at a fixed instant go from s⁻ to s⁺ = R_y (s⁻ + f⁻ dt/dp) + R_p − f⁺ dt/dp. The
 //! instant has the derivative dt/dp = −(g_y s⁻ + g_p)/(g_y f⁻). Here g is the function that is zero
-//! at the instant: a gap, a force, a friction margin or a slip velocity ([`super::zero`]). Sources:
-//! M. A. Aizerman & F. R. Gantmakher, "On the stability of periodic motions", *Journal of Applied
+//! at the instant: a gap, a force, a friction margin or a slip velocity ([`super::contact_zeros`]).
+//! Sources: M. A. Aizerman & F. R. Gantmakher, "On the stability of periodic motions", *Journal of Applied
 //! Mathematics and Mechanics* 22 (1958), 1065–1078; P. C. Müller, "Calculation of Lyapunov
 //! exponents for dynamic systems with discontinuities", *Chaos, Solitons & Fractals* 5 (1995),
 //! 1671–1681. The map is linear in s⁻ and p. Forward runs apply it to slopes, and a backward sweep
@@ -16,10 +16,11 @@
 //! number. Contacts that change together may change at different instants. Or contacts may close
 //! without a velocity.
 
-use super::contact_zeros::{ContactZeros, MotionBeforeCrossing};
+use super::contact_zeros::ContactZeros;
 use super::held_contact_forces::{HeldContactForces, NOTHING, RatesAlong, VariedNumber};
 use super::held_directions::HeldDirections;
 use super::impact_strikes::{Strike, StrikeLaw, strikes, vector_over_gap_rows};
+use super::motion_before_crossing::MotionBeforeCrossing;
 use super::precise_contacts::{
     ActingContacts, ContactForceDerivative, ForceFreeMotion, ParameterStateDirection, PreciseContacts, SMALL,
 };

@@ -56,7 +56,7 @@ pub struct StateWithReactions<'a> {
 
 /// Derivatives of the shown and the watched quantities in a direction of parameters and state.
 pub struct QuantityDerivatives {
-    /// Derivatives of the shown quantities, in the order of [`DifferentiableQuantities::variable_names`].
+    /// Derivatives of the shown quantities, in the order of [`DifferentiableQuantities::names`].
     pub shown: Vec<f64>,
     /// Derivatives of the watched functions, in the order of a run's events.
     pub watched: Vec<f64>,

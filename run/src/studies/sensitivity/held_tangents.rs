@@ -1,7 +1,8 @@
 //! Motions with contacts held closed, in numbers that carry derivatives ("slopes").
 //!
-//! Invariant: the values are those of [`crate::preparation::impacts::Held`], bit by bit. The slopes
-//! of the contact forces follow from the linear system for these forces ([`super::scene_contacts`]).
+//! Invariant: the values are those of [`crate::preparation::impacts::HeldContactEquations`], bit by
+//! bit. The slopes of the contact forces follow from the linear system for these forces
+//! ([`super::precise_contacts`]).
 
 use super::contact_history::{ContactHistory, end_derivatives};
 use super::held_directions::HeldDirections;

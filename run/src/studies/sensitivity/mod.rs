@@ -33,13 +33,14 @@ mod held_contact_forces;
 mod held_directions;
 mod held_tangents;
 mod impact_strikes;
+mod motion_before_crossing;
 mod precise_contacts;
+mod ridders_table;
 mod run_differences;
 mod slope_carrier;
 mod varied_start;
 
-use crate::code::find_equations_or_first;
-use crate::equations_name::EquationsName;
+use crate::equations_name::{EquationsName, find_equations_or_first};
 use crate::error::Error;
 use crate::integration_options::integration_options;
 use crate::mechanism::Mechanism;

@@ -4,8 +4,8 @@
 //! the same: M a − Wᵀ Λ = 0, and W a + c = 0 along the rows (gap and slip directions) that are
 //! held. Here c is the motion of these rows without Λ: accelerations, or the parts of velocities
 //! that impulses remove. With a and Λ known, their derivatives follow from those of the residuals,
-//! by the same matrices. Friction of slipping contacts is part of the system ([`super::grip`]). The
-//! derivatives of the residuals are differences in 32 digits ([`super::difference`]), so the
+//! by the same matrices. Friction of slipping contacts is part of the system ([`super::held_directions`]).
+//! The derivatives of the residuals are differences in 32 digits ([`super::difference`]), so the
 //! definition of contacts need not be written twice.
 
 use super::difference::directional_difference;

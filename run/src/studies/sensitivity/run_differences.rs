@@ -9,6 +9,7 @@
 //! F''(x)", *Advances in Engineering Software* 4 (1982) 75–76). A long run may depend on a number
 //! so strongly that no fixed step serves.
 
+use super::ridders_table::RiddersTable;
 use crate::error::Error;
 use crate::mechanism::Mechanism;
 use crate::simulation::run::Run;
@@ -23,12 +24,6 @@ use tripos_traits::{AbsoluteTolerance, DoubleDouble, Real, Scalar, larger};
 const STEP: f64 = 1.0 / 256.0;
 /// Greatest number of steps, each half as long as the last, in the differences of runs.
 const MOST_STEPS: usize = 14;
-/// Relative error of a derivative at which no shorter step is tried.
-const EXACT: f64 = 1e-9;
-/// Number of successive steps without a smaller error after which no shorter step is tried.
-const IDLE_STEPS: usize = 3;
-/// Greatest number of extrapolations of each difference of runs.
-const MOST_EXTRAPOLATIONS: usize = 4;
 /// Least size, in its own unit, that a varied number of the start counts as having. It also holds
 /// for a parameter that is zero. The step of any other parameter is relative to its own size.
 const LEAST: f64 = 0.01;
@@ -175,58 +170,6 @@ impl RunDifferences<'_> {
             t_end: run.solution.t_end,
             events: run.solution.events.iter().map(|event| event.t).collect(),
         })
-    }
-}
-
-/// Central differences of one quantity with ever smaller steps, and their extrapolations to step 0.
-#[derive(Clone)]
-struct RiddersTable {
-    /// Last difference, followed by its extrapolations with one, two and more of the differences
-    /// before.
-    last: Vec<f64>,
-    /// Best derivative so far, with its estimated error.
-    best: (f64, f64),
-    /// Number of differences that were added since the best derivative was found.
-    idle: usize,
-}
-
-impl Default for RiddersTable {
-    fn default() -> Self {
-        Self { last: Vec::new(), best: (f64::NAN, f64::INFINITY), idle: 0 }
-    }
-}
-
-impl RiddersTable {
-    /// Adds a difference whose step is half the step of the last one. `rounding` is the error of the
-    /// difference that the errors of both runs cause.
-    fn add(&mut self, difference: f64, rounding: f64) {
-        let mut row = vec![difference];
-        let mut factor = 1.0;
-        self.idle += 1;
-        for before in self.last.iter().take(MOST_EXTRAPOLATIONS) {
-            factor *= 4.0;
-            let shorter = row[row.len() - 1];
-            let value = (factor * shorter - before) / (factor - 1.0);
-            // Extrapolation enlarges the errors of the runs to twice their size at most.
-            let error = 2.0 * rounding + larger((value - shorter).abs(), (value - before).abs());
-            if error < self.best.1 {
-                self.best = (value, error);
-                self.idle = 0;
-            }
-            row.push(value);
-        }
-        self.last = row;
-    }
-
-    /// True if shorter steps are unlikely to give a better derivative.
-    fn is_done(&self) -> bool {
-        let (value, error) = self.best;
-        error <= EXACT * value.abs() || self.idle >= IDLE_STEPS
-    }
-
-    /// Removes all differences and the best derivative.
-    fn clear(&mut self) {
-        *self = Self::default();
     }
 }
 

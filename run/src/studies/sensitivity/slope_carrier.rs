@@ -2,6 +2,7 @@
 //! start.
 
 use super::contact_history::{ContactChangeInstant, ContactHistory, end_derivatives};
+use super::corners::check_no_corner;
 use super::crossing_derivatives::CrossingDerivatives;
 use super::held_tangents::{ContactTapes, HeldTangents, round_to_doubles, slopes};
 use super::precise_contacts::{ParameterStateDirection, PreciseContacts};
@@ -84,20 +85,6 @@ pub fn rates_along<const K: usize>(
     let (q_dot, v_dot) = rates.split_at_mut(q.len());
     flow.rates(&p, q, v, q_dot, v_dot);
     slopes(&rates, 0)
-}
-
-/// Checks that contacts do not change at the instant of a jump of the drive, where their order
-/// would not be known.
-///
-/// # Errors
-/// Text that says why there is no derivative.
-pub fn check_no_corner(corners: &[Corner], crossing: &ContactCrossing<'_>) -> Result<(), String> {
-    let t = crossing.t;
-    let meets = |corner: &Corner| corner.jumps && (corner.at - t).abs() <= 64.0 * f64::EPSILON * t.abs();
-    if crossing.contact_change.is_some() && corners.iter().any(meets) {
-        return Err("contacts change where the drive jumps".to_owned());
-    }
-    Ok(())
 }
 
 impl<const K: usize> NumberCarrier<Tangent<K>> for SlopeCarrier<'_, K> {

@@ -10,10 +10,9 @@ use crate::error::{Error, refused_scene_error};
 use crate::mechanism::Mechanism;
 use crate::observer::require_uninterrupted;
 use crate::preparation::problem::Problem;
-use crate::studies::chart_case::{
-    ChartCase, MethodAtTolerance, PrintedEquationsChoice, full_equation_cases, reduced_equation_case,
-};
+use crate::studies::chart_case::{ChartCase, PrintedEquationsChoice, full_equation_cases, reduced_equation_case};
 use crate::studies::figure::{Cell, Figure, HeatMap};
+use crate::studies::method_at_tolerance::MethodAtTolerance;
 use crate::trust::compared_quantities::ComparedQuantities;
 use crate::trust::reference_solution::ReferenceSolution;
 use tripos_derive::Formulation;

@@ -1,10 +1,11 @@
 //! Eigenvalues of small matrices in 32 digits, with multiplicity, growth, and the share of each
 //! state in them.
 //!
-//! Eigenvalues that coincide form groups ([`super::groups`]). The nilpotent part of a group tells
-//! how solutions grow ([`super::nilpotent`]). Entries of a matrix that are exactly 0 have no error.
-//! States are therefore split into blocks that do not act on one another in a circle. Each block is
-//! solved for separately, so an eigenvalue has only the error of its own block.
+//! Eigenvalues that coincide form groups ([`super::eigenvalue_groups`]). The nilpotent part of a group
+//! tells how solutions grow ([`super::nilpotent_part`]). Entries of a matrix that are exactly 0
+//! have no error. States are therefore split into blocks that do not act on one another in a
+//! circle. Each block is solved for separately, so an eigenvalue has only the error of its own
+//! block.
 
 use super::eigenvalue_groups::{UngroupedSpectrum, unite_groups};
 use super::mode::Mode;

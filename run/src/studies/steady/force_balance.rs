@@ -6,7 +6,8 @@
 
 use super::SteadyProblem;
 use super::singular_states::SingularStateTest;
-use super::steady_newton::{SteadyState, Unknowns, is_same_steady_state};
+use super::steady_newton::Unknowns;
+use super::steady_state::{SteadyState, is_same_steady_state};
 use crate::Mechanism;
 use std::cell::OnceCell;
 use tripos_derive::flow::RestBalance;
@@ -129,5 +130,13 @@ impl ForceBalance {
         let is_regular = question.poles.refuse_singular_state(&question.parameters, &again).is_ok();
         let is_it = again.is_steady() && is_regular && is_same_steady_state(model, &again, &rest);
         Some(if is_it { again } else { rest })
+    }
+}
+
+impl SteadyProblem {
+    /// Makes the result of a search for rest at the state `x`, where forces balance along every
+    /// permitted motion. `by_forces` has the residuals of this balance.
+    fn rest_at(&self, x: Vec<DoubleDouble>, by_forces: &SteadyState) -> SteadyState {
+        SteadyState { x, along: self.rest_velocities(), by_time: self.by_time, ..by_forces.clone() }
     }
 }

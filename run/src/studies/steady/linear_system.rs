@@ -6,7 +6,8 @@ use super::eigenvalues::eigenvalue_modes;
 use super::mode::Mode;
 use super::quotient_system::{QuotientSystem, ShiftedStates};
 use super::stability::Stability;
-use super::steady_newton::{SteadyState, Unknowns};
+use super::steady_newton::Unknowns;
+use super::steady_state::SteadyState;
 use super::wide_matrix::WideMatrix;
 use crate::{Error, Mechanism};
 use nalgebra::DMatrix;
@@ -212,6 +213,6 @@ impl SteadyProblem {
         let all = self.flow.symmetries.iter().zip(&steady.along).enumerate();
         let all = all.filter(|(at, _)| Some(*at) != self.by_time);
         let all = all.map(|(_, (symmetry, c))| (symmetry.words(model), c.hi()));
-        all.filter(|(_, c)| c.abs() > super::steady_newton::BALANCED).collect()
+        all.filter(|(_, c)| c.abs() > super::steady_state::BALANCED).collect()
     }
 }

@@ -25,6 +25,7 @@ mod stability;
 mod steady_conditions;
 mod steady_family;
 mod steady_newton;
+mod steady_state;
 mod symbolic_linear_system;
 mod wide_complex;
 mod wide_matrix;
@@ -41,7 +42,8 @@ pub use stability::Stability;
 pub use steady_conditions::{
     BranchesAt, Conditions, Formula, NamedFormula, SolutionBranch, SteadyConditions, Velocity, conditions,
 };
-pub use steady_newton::{SteadyState, Unknowns};
+pub use steady_newton::Unknowns;
+pub use steady_state::SteadyState;
 pub use symbolic_linear_system::{SymbolicEntry, SymbolicLinearForm, symbolic_linear_system};
 pub use wide_matrix::WideMatrix;
 

@@ -2,7 +2,7 @@
 //! shift.
 
 use super::SteadyProblem;
-use super::steady_newton::SteadyState;
+use super::steady_state::SteadyState;
 use super::wide_matrix::{WideMatrix, least_squares, null_space};
 use crate::Error;
 use nalgebra::{DMatrix, DVector};

@@ -1,7 +1,7 @@
 //! Test for states at which the equations of a mechanism are singular. Either speeds do not
 //! determine the rates of coordinates, or a combination of speeds has no inertia.
 
-use super::steady_newton::SteadyState;
+use super::steady_state::SteadyState;
 use crate::Error;
 use crate::Mechanism;
 use nalgebra::DMatrix;

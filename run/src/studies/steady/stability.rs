@@ -3,7 +3,7 @@
 use super::SteadyProblem;
 use super::mode::Mode;
 use super::quotient_system::QuotientSystem;
-use super::steady_newton::SteadyState;
+use super::steady_state::SteadyState;
 use tripos_derive::algebra::value::zero_test::{ZeroTest, zero_test};
 
 /// Stability of a steady motion, judged by its linear system.

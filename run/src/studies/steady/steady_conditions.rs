@@ -1,7 +1,7 @@
 //! Conditions of rest and of steady motion in closed form: terms that must be zero, and exact
 //! solutions where algebra finds them.
 
-use super::steady_newton::SteadyState;
+use super::steady_state::SteadyState;
 use crate::{Error, Mechanism};
 use std::f64::consts::TAU;
 use tripos_derive::algebra::solve::closed::{Branch, Relation, RelationCondition, RelationKind, factored_fraction};

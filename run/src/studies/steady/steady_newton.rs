@@ -2,10 +2,10 @@
 //! precision and residuals in 32 digits, so each step adds about fifteen digits.
 
 use super::SteadyProblem;
+use super::steady_state::{BALANCED, SteadyState};
 use super::wide_matrix::least_squares;
 use crate::{Error, Mechanism};
 use nalgebra::{DMatrix, DVector};
-use std::f64::consts::TAU;
 use tripos_derive::flow::FlowProgramResults;
 use tripos_derive::plain_text::with_significant_digits;
 use tripos_derive::scene::{Loops, StateWithUnknowns};
@@ -27,66 +27,6 @@ const MOST_TURN: f64 = 1.0;
 /// Ratio of successive changes above which convergence counts as slow; regular steps shrink much
 /// faster.
 const SLOW: f64 = 0.05;
-/// Difference of two states below which they count as the same steady motion, relative to their
-/// size or to 1.
-const SAME: f64 = 1e-8;
-/// Residual of a rate up to which a motion counts as steady, relative to the size of the rate or to
-/// 1.
-pub const BALANCED: f64 = 1e-9;
-
-/// State of a search for a steady motion, with the velocities along symmetries and the residuals.
-#[derive(Clone, Debug)]
-pub struct SteadyState {
-    /// Values of the coordinates, followed by the generalized speeds, to 32 digits.
-    pub x: Vec<DoubleDouble>,
-    /// Velocity c along each symmetry of the mechanism.
-    pub along: Vec<DoubleDouble>,
-    /// Largest absolute residual of x' − Σ c ζ and of the independent loops. Here ζ are the directions
-    /// of the symmetries.
-    pub residual: f64,
-    /// Possible error of the state, relative to its size or to 1. It is the last change of the state if
-    /// the changes shrank slowly, as near a point where steady motions meet; otherwise 0.
-    pub uncertain: f64,
-    /// Indices of the states whose rates are not along the symmetries, each with its residual.
-    pub unbalanced: Vec<(usize, f64)>,
-    /// Indices of the coordinates along which forces are not balanced, each with the force. Empty if
-    /// the rates already tell if the state is steady.
-    pub forces: Vec<(usize, f64)>,
-    /// Indices of the loops that are not closed, each with its residual.
-    pub open: Vec<(usize, f64)>,
-    /// Index of the shift of time among the symmetries; `None` if there is none. A state that moves
-    /// only along this symmetry is at rest relative to its drives.
-    by_time: Option<usize>,
-}
-
-impl SteadyState {
-    /// True if the state is steady: all rates are along symmetries, forces are balanced, and loops are
-    /// closed.
-    #[must_use]
-    pub fn is_steady(&self) -> bool {
-        self.residual.is_finite() && self.unbalanced.is_empty() && self.forces.is_empty() && self.open.is_empty()
-    }
-
-    /// Indices of the symmetries along which the state moves, with a velocity other than 0.
-    #[must_use]
-    pub fn active_symmetries(&self) -> Vec<usize> {
-        (0..self.along.len()).filter(|at| self.along[*at].hi().abs() > 0.0).collect()
-    }
-
-    /// Velocities of the state along all symmetries except the shift of time.
-    #[must_use]
-    pub fn velocities(&self) -> Vec<DoubleDouble> {
-        let others = self.along.iter().enumerate().filter(|(at, _)| Some(*at) != self.by_time);
-        others.map(|(_, c)| *c).collect()
-    }
-
-    /// True if the state is at rest: its velocity is 0 along all symmetries except the shift of time.
-    #[must_use]
-    pub fn is_rest(&self) -> bool {
-        self.along.iter().enumerate().all(|(at, c)| Some(at) == self.by_time || c.hi().abs() <= BALANCED)
-    }
-}
-
 /// Unknowns of a search for a steady state: components of the state, and perhaps velocities along
 /// symmetries.
 #[derive(Clone, Debug)]
@@ -148,12 +88,6 @@ impl NewtonIterate {
 }
 
 impl SteadyProblem {
-    /// Makes the result of a search for rest at the state `x`, where forces balance along every
-    /// permitted motion. `by_forces` has the residuals of this balance.
-    pub(super) fn rest_at(&self, x: Vec<DoubleDouble>, by_forces: &SteadyState) -> SteadyState {
-        SteadyState { x, along: self.rest_velocities(), by_time: self.by_time, ..by_forces.clone() }
-    }
-
     /// Finds a steady state near the guess `x`, by changing the given unknowns. If none is found, the
     /// last iterate is returned with its residuals.
     #[must_use]
@@ -270,7 +204,7 @@ impl SteadyProblem {
     }
 
     /// Velocities along the symmetries in a state of rest: 1 for the shift of time, otherwise 0.
-    fn rest_velocities(&self) -> Vec<DoubleDouble> {
+    pub(super) fn rest_velocities(&self) -> Vec<DoubleDouble> {
         (0..self.program.sizes.symmetries).map(|at| DoubleDouble::int(i64::from(Some(at) == self.by_time))).collect()
     }
 
@@ -334,19 +268,6 @@ impl SteadyProblem {
             by_time,
         }
     }
-}
-
-/// True if two states are equal up to a tolerance, with angles compared up to whole turns.
-pub(super) fn is_same_steady_state(model: &Mechanism, a: &SteadyState, b: &SteadyState) -> bool {
-    (0..a.x.len()).all(|at| is_same_state_value(model, at, a.x[at].hi(), b.x[at].hi()))
-}
-
-/// True if two values of the state with index `at` are equal up to a tolerance; angles up to whole
-/// turns.
-pub(super) fn is_same_state_value(model: &Mechanism, at: usize, a: f64, b: f64) -> bool {
-    let turns = model.coordinates.get(at).is_some_and(|c| c.unit.is_plain());
-    let difference = if turns { (a - b) - TAU * ((a - b) / TAU).round() } else { a - b };
-    difference.abs() <= SAME * a.abs().max(1.0)
 }
 
 /// Largest difference of two states in any component, relative to the component's size or to 1.

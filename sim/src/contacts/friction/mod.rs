@@ -11,8 +11,8 @@
 //! differently (P. Painlevé, "Sur les lois du frottement de glissement", *Comptes Rendus* 121 (1895),
 //! 112–115; P. Lötstedt, "Coulomb friction in two-dimensional rigid body systems", *Zeitschrift für
 //! Angewandte Mathematik und Mechanik* 61 (1981), 605–615; F. Génot & B. Brogliato, "New results on
-//! Painlevé paradoxes", *European Journal of Mechanics A/Solids* 18 (1999), 653–677): [`Undecided`]
-//! reports these cases.
+//! Painlevé paradoxes", *European Journal of Mechanics A/Solids* 18 (1999), 653–677):
+//! [`UndecidedContacts`] reports these cases.
 //!
 //! Absent on purpose: any knowledge of time, of steps and of models; any choice between motions that
 //! differ.
@@ -95,7 +95,7 @@ pub enum UndecidedContacts {
 /// smallest first. `size` is the size of the motion without contact forces.
 ///
 /// # Errors
-/// [`Undecided`] if there are no solutions, or if they move differently.
+/// [`UndecidedContacts`] if there are no solutions, or if they move differently.
 pub(crate) fn agreed_contact_motion(
     found: Vec<(ContactSolution, DVector<f64>)>,
     size: f64,
@@ -108,4 +108,9 @@ pub(crate) fn agreed_contact_motion(
     let mut list: Vec<ContactSolution> = found.into_iter().map(|(found, _)| found).collect();
     list.sort_by_key(|found| found.modes.iter().map(|mode| mode.free_rows_of_contact()).sum::<usize>());
     Ok(list)
+}
+
+/// Forces of the first solution, which has the least freedom; an empty vector if there is none.
+pub(super) fn forces_of_least_freedom(found: Vec<ContactSolution>) -> DVector<f64> {
+    found.into_iter().next().map_or_else(|| DVector::zeros(0), |found| found.forces)
 }

@@ -12,7 +12,7 @@
 //!
 //! Invariant: `z` has the differences between the stages of the last tried step and its start, all
 //! components of the first stage first; `inside` has their polynomial. Newton's method, and the data
-//! that it keeps from step to step, is in [`newton`].
+//! that it keeps from step to step, is in [`radau_newton`].
 
 mod complex;
 mod radau_coefficients;
@@ -21,9 +21,10 @@ mod radau_newton;
 use tripos_traits::{Real, larger};
 
 use super::run_options::Options;
+use crate::dense_output::Interpolant;
 use crate::error_test::ErrorTest;
 use crate::right_hand_side::RightHandSide;
-use crate::stepper::{Interpolant, StepFailure, Stepper, TrialStep, check_finite, evaluate};
+use crate::stepper::{StepFailure, Stepper, TrialStep, check_finite, evaluate};
 use radau_coefficients::{Scheme, dot};
 use radau_newton::{Newton, NewtonAccuracy, StageVectors};
 
@@ -39,7 +40,8 @@ pub(crate) struct Radau5<S> {
     scheme: Scheme<S>,
     /// Newton's method, which solves the equations of the three stages.
     newton: Newton<S>,
-    /// Factor by which the accepted error estimate may exceed the tolerance: see the function [`leeway`].
+    /// Factor by which the accepted error estimate may exceed the tolerance: see the function
+    /// [`radau_error_allowance`].
     leeway: f64,
     /// Tolerance that decides most steps: the relative one, or the smallest absolute one if that is zero.
     tolerance: f64,

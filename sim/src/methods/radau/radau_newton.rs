@@ -284,7 +284,7 @@ impl<S: Real> Newton<S> {
                 w[stage * n + i] = w[stage * n + i] + change;
                 // A component that does not change needs no weight.
                 let size = change.to_f64();
-                let part = if crate::stepper::exactly_equal(size, 0.0) { 0.0 } else { size / weight };
+                let part = if crate::rounding::exactly_equal(size, 0.0) { 0.0 } else { size / weight };
                 sum += part * part;
             }
         }

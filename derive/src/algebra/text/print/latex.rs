@@ -1,8 +1,24 @@
 //! Printing of formulas in LaTeX, for math mode.
 
+use super::print_view;
 use super::printed_names::{GREEK, greek_index, is_word, split_name};
 use crate::algebra::text::display_tree::DisplayTree;
+use crate::algebra::{Arena, Expr};
 use std::fmt::Write;
+
+/// Prints an expression in LaTeX for math mode, cut after `BUDGET` nodes.
+#[must_use]
+pub fn latex(arena: &Arena, e: Expr) -> String {
+    latex_of(&print_view(arena, e))
+}
+
+/// Prints a display tree in LaTeX for math mode.
+#[must_use]
+pub fn latex_of(view: &DisplayTree) -> String {
+    let mut out = String::new();
+    write_latex(view, &mut out);
+    out
+}
 
 /// Prints a symbol's name in LaTeX: `q1'` as `\dot{q}_{1}`, `u_psi` as `u_{\psi}`, `q_track` as
 /// `q_{\mathrm{track}}`.

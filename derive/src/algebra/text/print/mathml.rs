@@ -1,8 +1,26 @@
 //! Printing of formulas in presentation `MathML`.
 
+use super::print_view;
 use super::printed_names::{GREEK, greek_index, split_name};
 use crate::algebra::text::display_tree::DisplayTree;
+use crate::algebra::{Arena, Expr};
 use std::fmt::Write;
+
+/// Prints an expression in presentation `MathML`, cut after `BUDGET` nodes: one `mrow` element,
+/// to be put inside `math`.
+#[must_use]
+pub fn mathml(arena: &Arena, e: Expr) -> String {
+    mathml_of(&print_view(arena, e))
+}
+
+/// Prints a display tree in presentation `MathML`: one `mrow` element, to be put inside `math`.
+#[must_use]
+pub fn mathml_of(view: &DisplayTree) -> String {
+    let mut out = String::from("<mrow>");
+    write_mathml(view, &mut out);
+    out.push_str("</mrow>");
+    out
+}
 
 /// Prints a symbol's name in `MathML`, with subscript, and with dots for time derivatives.
 #[must_use]

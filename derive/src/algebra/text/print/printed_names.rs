@@ -1,4 +1,31 @@
-//! Names of symbols, split for printing: letters, subscript and dots.
+//! Printed names of symbols: those that documents show in place of the names in files, and names
+//! split for printing into letters, subscript and dots.
+
+use crate::algebra::Arena;
+
+impl Arena {
+    /// Shows the symbol `name` as `printed` in documents: LaTeX, Typst, Markdown and `MathML`.
+    /// Primes after the name are kept. Plain text and programs keep the name of the model file.
+    pub fn set_printed_name(&mut self, name: &str, printed: &str) {
+        self.names.printed.insert(name.to_owned(), printed.to_owned());
+    }
+
+    /// Shows all symbols in documents by their own names again, and so undoes [`Arena::set_printed_name`].
+    pub fn clear_printed_names(&mut self) {
+        self.names.printed.clear();
+    }
+}
+
+/// Name with which documents show a symbol: the name given to [`Arena::set_printed_name`], else the
+/// symbol's own. Primes are kept.
+#[must_use]
+pub fn printed_name(arena: &Arena, name: &str) -> String {
+    let stem = name.trim_end_matches('\'');
+    match arena.names.printed.get(stem) {
+        Some(printed) => format!("{printed}{}", &name[stem.len()..]),
+        None => name.to_owned(),
+    }
+}
 
 /// Splits a symbol's name into (letters, subscript, number of primes): `q12'` is (q, 12, 1), `m_p`
 /// is (m, p, 0).

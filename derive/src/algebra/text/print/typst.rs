@@ -4,6 +4,14 @@ use super::printed_names::{GREEK, greek_index, split_name};
 use crate::algebra::text::display_tree::DisplayTree;
 use std::fmt::Write;
 
+/// Prints a display tree in Typst for math mode.
+#[must_use]
+pub fn typst_of(view: &DisplayTree) -> String {
+    let mut out = String::new();
+    write_typst(view, &mut out);
+    out
+}
+
 /// Prints a symbol's name in Typst: `q1'` as `dot(q)_1`.
 #[must_use]
 pub fn typst_name(name: &str) -> String {

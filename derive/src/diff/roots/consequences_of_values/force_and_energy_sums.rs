@@ -3,7 +3,9 @@
 use super::ValueConsequences;
 use crate::algebra::term::calculus::{Differential, Substitution};
 use crate::algebra::{Expr, Rational};
-use crate::diff::roots::derived_values::{derived_value, derived_value_components, derived_values_arena, dot};
+use crate::diff::roots::derived_values::{
+    derived_value, derived_value_components, derived_value_with_changes, derived_values_arena, dot,
+};
 use crate::geometry::Components;
 use crate::mechanics::{EnergyQuantity, Quantities, QuantityKind, RowQuantity, VectorName};
 
@@ -197,13 +199,4 @@ impl ValueConsequences {
         let right_h = derived_value_components(quantities, VectorName::AngularMomentum, body, frame)?;
         Some([(turning.unwrap_or(right), h.unwrap_or(right_h)), (right, right_h)])
     }
-}
-
-/// Derived value of a quantity plus the given changes; `None` if there are no changes.
-fn derived_value_with_changes(quantities: &mut Quantities<'_>, kind: &QuantityKind, changes: &[Expr]) -> Option<Expr> {
-    if changes.is_empty() {
-        return None;
-    }
-    let right = derived_value(quantities, kind)?;
-    Some(derived_values_arena(quantities).sum(&[&[right], changes].concat()))
 }

@@ -4,11 +4,12 @@ use super::recorded_steps::RecordedPart;
 use crate::preparation::impacts::{ContactCrossing, HeldContacts, SceneContacts};
 use crate::preparation::problem::Problem;
 use crate::studies::sensitivity::contact_history::DerivativeEnd;
+use crate::studies::sensitivity::corners::check_no_corner;
 use crate::studies::sensitivity::crossing_derivatives::CrossingDerivatives;
 use crate::studies::sensitivity::equations_with_slopes::SlopeEquations;
 use crate::studies::sensitivity::held_contact_forces::VariedNumber;
 use crate::studies::sensitivity::precise_contacts::{ParameterStateDirection, PreciseContacts};
-use crate::studies::sensitivity::slope_carrier::{check_no_corner, rates_along};
+use crate::studies::sensitivity::slope_carrier::rates_along;
 use tripos_sim::{Corner, ProductSums};
 
 /// Contacts of a scene, with the data for derivatives across their changes in a backward sweep.
@@ -29,7 +30,7 @@ impl BackwardCrossings<'_> {
     /// Prepares a change of contacts for derivatives and applies the function `of` to it.
     ///
     /// # Errors
-    /// [`Ending`] with the instant and the reason if there is no derivative.
+    /// [`DerivativeEnd`] with the instant and the reason if there is no derivative.
     pub fn with_crossing<T>(
         &self,
         crossing: &ContactCrossing<'_>,
@@ -50,7 +51,7 @@ impl BackwardCrossings<'_> {
     /// and coefficients. Returns true if each varied number must be checked for a derivative.
     ///
     /// # Errors
-    /// [`Ending`] with the instant and the reason if there is no derivative by any number.
+    /// [`DerivativeEnd`] with the instant and the reason if there is no derivative by any number.
     pub fn pull_across_crossing(
         &self,
         part: &RecordedPart,

@@ -21,7 +21,7 @@ use tripos_sim::{Options, RightHandSide};
 pub enum Target {
     /// Instant at which an event ends the run, s.
     End,
-    /// Shown quantity at the end; the value is its index in [`DifferentiableQuantities::variable_names`].
+    /// Shown quantity at the end; the value is its index in [`DifferentiableQuantities::names`].
     Shown(usize),
 }
 

@@ -89,7 +89,7 @@ impl<'m> Search<'m> {
         let relative = RelativeMotion { model, drawn, ways_if_open: None };
         let supports = relative.supports();
         let mut search = Self { felt: moved.clone(), moved, relative, supports, basis, chosen, missing: 0 };
-        let stated = search.stated(arena)?;
+        let stated = search.actions_of_known_reactions(arena)?;
         for action in stated {
             search.basis.add_row(search.column(&action, &[]))?;
             search.chosen.push(ChosenReaction { action, power: Vec::new(), found: None, is_felt: true });
@@ -100,7 +100,7 @@ impl<'m> Search<'m> {
 
     /// Contributions of the stated reactions to the Newton–Euler equations of all bodies. `None` if a
     /// term has no value.
-    fn stated(&self, arena: &mut Arena) -> Option<Vec<Vec<u64>>> {
+    fn actions_of_known_reactions(&self, arena: &mut Arena) -> Option<Vec<Vec<u64>>> {
         let directions: Vec<Expr> = self.relative.model.reactions.iter().flat_map(|r| r.direction).collect();
         let mut values = self.relative.drawn.values(self.relative.model, arena, &directions)?;
         let actions = self.relative.model.reactions.iter().map(|reaction| {
@@ -200,7 +200,7 @@ impl<'m> Search<'m> {
     /// ground, or the body they touch, exerts only forces that the model file states.
     pub fn results(mut self) -> (Vec<FoundReaction>, Vec<usize>) {
         self.chosen.retain(|chosen| chosen.is_felt);
-        self.leave_out_zeros();
+        self.leave_out_zero_reactions();
         let mut found: Vec<(usize, FoundReaction)> = self.chosen.iter().filter_map(|chosen| chosen.found).collect();
         found.sort_by_key(|(place, _)| *place);
         let found: Vec<FoundReaction> = found.into_iter().map(|(_, found)| found).collect();
@@ -214,7 +214,7 @@ impl<'m> Search<'m> {
 
     /// Removes reactions that are 0, since each is the only term in an equation without inertia and
     /// loads.
-    fn leave_out_zeros(&mut self) {
+    fn leave_out_zero_reactions(&mut self) {
         while let Some(zero) = (0..self.moved.len()).filter(|row| !self.moved[*row]).find_map(|row| {
             let mut acting = (0..self.chosen.len()).filter(|at| self.chosen[*at].action[row] != 0);
             let only = acting.next()?;

@@ -34,7 +34,7 @@ impl Model {
     pub fn impossible_bodies(&self, parameters: &[f64]) -> Vec<ImpossibleBody> {
         let known: Vec<(Expr, f64)> = self.p().into_iter().zip(parameters.iter().copied()).collect();
         let objections = self.bodies.iter().filter_map(|body| {
-            let (message, help) = body_objection(&self.arena, &known, body, "these")?;
+            let (message, help) = impossible_body_message(&self.arena, &known, body, "these")?;
             let tensor = body.rigid.iter().flat_map(|(_, inertia)| inertia.tensor.iter().flatten().copied());
             let values: Vec<Expr> = tensor.chain([body.mass]).collect();
             let mentions = |p: &Parameter| values.iter().any(|e| self.arena.mentions(*e, p.symbol));
@@ -43,7 +43,7 @@ impl Model {
         });
         let added = self.added_masses.iter().filter_map(|added| {
             let name = &self.bodies[added.body].name;
-            let (message, help) = added_mass_objection(&self.arena, &known, added, name, "these")?;
+            let (message, help) = impossible_added_mass_message(&self.arena, &known, added, name, "these")?;
             let mentions = |p: &Parameter| added.tensor.iter().flatten().any(|e| self.arena.mentions(*e, p.symbol));
             let places = (0..self.parameters.len()).filter(|at| mentions(&self.parameters[*at]));
             Some(ImpossibleBody { message, help, parameters: places.collect() })
@@ -62,11 +62,16 @@ const ROUNDING: f64 = 1e-9;
 
 /// Message and advice for a body with an impossible mass or inertia at the `known` values; `None`
 /// if it is possible. `which` describes these values in the message, such as "the default".
-pub fn body_objection(arena: &Arena, known: &[(Expr, f64)], body: &Body, which: &str) -> Option<(String, String)> {
+pub fn impossible_body_message(
+    arena: &Arena,
+    known: &[(Expr, f64)],
+    body: &Body,
+    which: &str,
+) -> Option<(String, String)> {
     let mass = values_of_terms_at(arena, known, &[body.mass]).map(|v| v[0]);
     if let Some(mass) = mass.filter(|m| m.is_nan() || *m < 0.0) {
         return Some((
-            format!("the mass of `{}` is {} at {which} values", body.name, rounded_for_message(mass)),
+            format!("the mass of `{}` is {} at {which} values", body.name, rounded_impossible_value(mass)),
             "give a mass that is not negative".to_owned(),
         ));
     }
@@ -88,7 +93,7 @@ pub fn body_objection(arena: &Arena, known: &[(Expr, f64)], body: &Body, which: 
     ];
     let broken = minors.iter().any(|(minor, degree)| minor.is_nan() || *minor < -TOLERANCE * scale.powi(*degree));
     let negative = (0..3).any(|i| values[4 * i] < -TOLERANCE * scale);
-    let at = |i: usize| rounded_for_message(values[i]);
+    let at = |i: usize| rounded_impossible_value(values[i]);
     if negative {
         return Some((
             format!("the central moments of inertia of `{}` are {}, {}, {}", body.name, at(0), at(4), at(8)),
@@ -97,7 +102,7 @@ pub fn body_objection(arena: &Arena, known: &[(Expr, f64)], body: &Body, which: 
     }
     // A rotor without mass and with a single moment of inertia is allowed: its other inertia is counted
     // with another body.
-    let is_rotor = body.mass == Expr::ZERO && only_axis(&values).is_some();
+    let is_rotor = body.mass == Expr::ZERO && only_axis_of_body_inertia(&values).is_some();
     let broken = broken && !is_rotor;
     let moments = format!("moments {}, {}, {}", at(0), at(4), at(8));
     let why = if [1, 5, 6].iter().all(|i| values[*i] == 0.0) {
@@ -105,12 +110,14 @@ pub fn body_objection(arena: &Arena, known: &[(Expr, f64)], body: &Body, which: 
     } else {
         format!("{moments}, products {}, {}, {} (xy, yz, zx)", at(1), at(5), at(6))
     };
-    broken.then(|| (format!("no body has the central inertia of `{}`: {why}", body.name), inertia_advice(&values)))
+    broken.then(|| {
+        (format!("no body has the central inertia of `{}`: {why}", body.name), impossible_inertia_advice(&values))
+    })
 }
 
 /// Message and advice for an added mass whose kinetic energy can be negative at the `known` values;
 /// `None` if it never is. `name` is the body, and `which` describes the values.
-pub fn added_mass_objection(
+pub fn impossible_added_mass_message(
     arena: &Arena,
     known: &[(Expr, f64)],
     added: &AddedMass,
@@ -132,16 +139,16 @@ pub fn added_mass_objection(
 
 /// Axis, 0 to 2, of the only nonzero moment of a 3 × 3 inertia; `None` if it has other moments, or
 /// products.
-fn only_axis(values: &[f64]) -> Option<usize> {
+fn only_axis_of_body_inertia(values: &[f64]) -> Option<usize> {
     let moments = [values[0], values[4], values[8]];
     let only = (0..3).find(|i| (0..3).all(|j| (i == &j) == (moments[j] != 0.0)));
     only.filter(|_| [1, 5, 6].iter().all(|i| values[*i] == 0.0))
 }
 
 /// Advice on how to state an inertia that a body can have.
-fn inertia_advice(values: &[f64]) -> String {
+fn impossible_inertia_advice(values: &[f64]) -> String {
     let rule = "each principal moment is at most the sum of the other two (equal for a thin plate)";
-    match only_axis(values) {
+    match only_axis_of_body_inertia(values) {
         Some(axis) => {
             let entry = |i: usize| if i == axis { "\"J\"" } else { "\"J/2\"" };
             let plate = format!("[{}, {}, {}]", entry(0), entry(1), entry(2));
@@ -154,7 +161,7 @@ fn inertia_advice(values: &[f64]) -> String {
 }
 
 /// Value rounded to 12 significant digits, for messages.
-fn rounded_for_message(value: f64) -> f64 {
+fn rounded_impossible_value(value: f64) -> f64 {
     format!("{value:.11e}").parse().unwrap_or(value)
 }
 

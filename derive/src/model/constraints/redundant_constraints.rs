@@ -5,7 +5,7 @@ use super::closed_poses::{ClosedPoseSearch, ClosedPoses, RedundantRow, random_co
 use super::motion_constraints::{MotionConstraints, SpeedDefinitions};
 use crate::algebra::Expr;
 use crate::algebra::solve::linear::LinearForm;
-use crate::model::reading::model_reader::Loading;
+use crate::model::reading::loading::Loading;
 use crate::model::{Coordinate, MotionConstraintKind, RedundantConstraint, Unit};
 use std::ops::{Range, RangeInclusive};
 
@@ -13,7 +13,7 @@ impl Loading<'_> {
     /// Removes constraints from `ties` that follow from others wherever the loops are closed. If there
     /// are too many speeds, it chooses among those of joints. If no closed pose is found, it removes
     /// the constraints at the indices `also`, whose rates follow from the other constraints everywhere.
-    pub fn choose_in_closed_poses(
+    pub fn remove_redundant_constraints(
         &mut self,
         coordinates: &[Coordinate],
         speeds: SpeedDefinitions<'_>,
@@ -26,9 +26,9 @@ impl Loading<'_> {
             return;
         }
         let declared = brought.iter().filter(|brought| !**brought).count()..=speeds.len();
-        let Some(closed) = self.closed_poses(coordinates, speeds, declared, defaults, ties) else {
+        let Some(closed) = self.redundancy_in_closed_poses(coordinates, speeds, declared, defaults, ties) else {
             for at in also.rev() {
-                remove_redundant_constraint(ties, at);
+                remove_redundant_constraint_at(ties, at);
             }
             return;
         };
@@ -44,7 +44,7 @@ impl Loading<'_> {
         }
         let names: Vec<String> = ties.motion.iter().map(|(c, _)| c.name.clone()).collect();
         for RedundantRow { at, of } in closed.dependent().iter().rev() {
-            let (name, equation) = remove_redundant_constraint(ties, *at);
+            let (name, equation) = remove_redundant_constraint_at(ties, *at);
             let of = of.iter().map(|at| names[*at].clone()).collect();
             ties.dependent.insert(0, RedundantConstraint { name, equation, of, poses: closed.count() });
         }
@@ -52,7 +52,7 @@ impl Loading<'_> {
 
     /// Derivatives of constraints and speeds in closed poses, on a branch whose number of degrees of
     /// freedom is in `declared`. `None` if no closed pose is found.
-    fn closed_poses(
+    fn redundancy_in_closed_poses(
         &mut self,
         coordinates: &[Coordinate],
         speeds: &[Expr],
@@ -81,7 +81,7 @@ impl Loading<'_> {
 
 /// Removes the constraint at an index from the independent constraints; a loop still has to be
 /// closed. Returns its name, and for a constraint between velocities the term that is zero.
-fn remove_redundant_constraint(ties: &mut MotionConstraints, at: usize) -> (String, Option<Expr>) {
+fn remove_redundant_constraint_at(ties: &mut MotionConstraints, at: usize) -> (String, Option<Expr>) {
     let (constraint, _) = ties.motion.remove(at);
     let MotionConstraintKind::Loop(place) = constraint.kind else {
         return (constraint.name, Some(constraint.equation));

@@ -9,7 +9,7 @@ use crate::algebra::term::calculus::Substitution;
 use crate::algebra::{Arena, Expr, Rational};
 use crate::model::input::{Input, InputBinding};
 use crate::model::reading::declared_names::{AllowedQuantities, NameKind};
-use crate::model::reading::model_reader::Loading;
+use crate::model::reading::loading::Loading;
 use crate::model::{DomainCondition, Parameter, StatedUnit, Unit};
 use crate::toml_reader::Located;
 use toml::de::{DeTable, DeValue};
@@ -52,7 +52,7 @@ impl<'a> Loading<'a> {
                 continue;
             };
             self.reader.report_unknown_keys(entry, "an input", &["unit", "value", "about"]);
-            let Some(unit) = self.unit(entry, &name) else { continue };
+            let Some(unit) = self.read_unit_key(entry, &name) else { continue };
             self.units.insert(symbol, unit.clone());
             let about = self.about(entry);
             let bound = self.bindings.iter().find(|binding| binding.input == name.text);
@@ -77,7 +77,7 @@ impl<'a> Loading<'a> {
             let number = match self.arena.as_number(e) {
                 Some(number) => Some(number.clone()),
                 None if self.arena.reachable(&[e]).iter().all(|part| self.arena.symbol_name(*part).is_none()) => {
-                    crate::model::possible_bodies::values_of_terms_at(&self.arena, &[], &[e])
+                    crate::model::impossible_bodies::values_of_terms_at(&self.arena, &[], &[e])
                         .and_then(|values| Rational::from_f64_exact(values[0]))
                 }
                 None => None,
@@ -119,13 +119,13 @@ impl<'a> Loading<'a> {
             self.reader.error(formula.span.clone(), message, format!("state it in {needed}"));
             return None;
         }
-        Some((stated.number(formula), Some(stated)))
+        Some((stated.number_before_unit(formula), Some(stated)))
     }
 }
 
 /// Texts of the input formulas that apply: those of the scene, and those of the model file for all
 /// other inputs.
-pub fn input_formulas<'t>(table: &'t DeTable<'_>, bindings: &'t [InputBinding]) -> Vec<&'t str> {
+pub fn input_signal_formulas<'t>(table: &'t DeTable<'_>, bindings: &'t [InputBinding]) -> Vec<&'t str> {
     let inputs = table.get("inputs").and_then(|value| value.get_ref().as_table());
     let stated = inputs.into_iter().flat_map(|inputs| inputs.iter()).filter_map(|(name, value)| {
         let is_bound = bindings.iter().any(|binding| binding.input == *name.get_ref());

@@ -10,7 +10,7 @@ use crate::model::bodies::joint_kinds::{JointFreedom, JointKind};
 use crate::model::bodies::joints::{Joint, Joints, PlacedBody};
 use crate::model::bodies::mechanism_motion::MechanismMotion;
 use crate::model::reading::declared_names::{CONFIGURATION, NameKind, PARAMETERS};
-use crate::model::reading::model_reader::Loading;
+use crate::model::reading::loading::Loading;
 use crate::model::reading::tree::Node;
 use crate::model::units::Unit;
 use crate::model::{ForcePlace, JointReaction, JointedBody, Model, Reaction, ReactionKind};
@@ -135,7 +135,7 @@ impl<'a> Loading<'a> {
             let (turned, mut tilted) = (self.reader.get(joint.entry, "turned"), None);
             if turned.is_some() || joint.along.is_some() {
                 let base = joint.joint_part_name("base");
-                let turns = turned.map_or(Some(Vec::new()), |value| self.joint_turns_under_key(joint, "turned", value));
+                let turns = turned.map_or(Some(Vec::new()), |value| self.turns_under_key(joint, "turned", value));
                 let turns = turns.and_then(|mut turns| {
                     if let Some(along) = joint.along {
                         let [there, back] = self.turn_towards_vector(along, &format!("the axis of {}", joint.what))?;
@@ -157,13 +157,13 @@ impl<'a> Loading<'a> {
                 && let Some(placed) = joints.bodies.get(&joint.body.text)
             {
                 let last = joint.joint_part_name("closed_base");
-                match self.joint_turns_under_key(joint, "body_turned", turned) {
+                match self.turns_under_key(joint, "body_turned", turned) {
                     Some(turns) => drop(self.add_frame_chain(&mut nodes, placed.frame.clone(), &last, turns)),
                     None => self.names.mark_wrong_name(&last.text),
                 }
             }
             let Some(placed) = joints.bodies.get(&joint.body.text).filter(|_| joint.carries) else { continue };
-            let turns = self.joint_turns(joint).into_iter().chain(tilted).collect();
+            let turns = self.joint_frame_turns(joint).into_iter().chain(tilted).collect();
             self.add_frame_chain(&mut nodes, parent, &placed.frame, turns);
         }
         nodes
@@ -171,7 +171,7 @@ impl<'a> Loading<'a> {
 
     /// Rotations by which a joint orients the body that it places, as terms in its coordinates. A joint
     /// without rotations has a rotation by 0.
-    fn joint_turns(&mut self, joint: &Joint<'a>) -> Vec<Turn> {
+    fn joint_frame_turns(&mut self, joint: &Joint<'a>) -> Vec<Turn> {
         let mut turns = Vec::new();
         let mut parameters = Vec::new();
         for (name, freedom) in joint.coordinates.iter().zip(joint.kind.freedoms(&joint.axes)) {
@@ -223,12 +223,12 @@ impl<'a> Loading<'a> {
         for joint in &joints.list {
             let (below, base) = (joint.frame_below(joints, root.0), joint.base_frame_name(joints, root.0));
             let home = joint.body_reference_point(joint.to.as_ref(), joints, root.1);
-            let Some((mut from, at)) = self.place(joint, "at", home) else {
-                self.spoil_points(joint, joints);
+            let Some((mut from, at)) = self.joint_point_place(joint, "at", home) else {
+                self.mark_wrong_joint_points(joint, joints);
                 continue;
             };
-            let Some(way) = self.joint_displacement(joint) else {
-                self.spoil_points(joint, joints);
+            let Some(way) = self.joint_point_displacement(joint) else {
+                self.mark_wrong_joint_points(joint, joints);
                 continue;
             };
             let mut payload = (below.clone(), at);
@@ -248,12 +248,12 @@ impl<'a> Loading<'a> {
             let Some(placed) = joints.bodies.get(&joint.body.text) else { continue };
             if !joint.carries {
                 let home = joint.body_reference_point(Some(&joint.body), joints, root.1);
-                let Some((from, at)) = self.place(joint, "body_at", home) else { continue };
+                let Some((from, at)) = self.joint_point_place(joint, "body_at", home) else { continue };
                 let name = joint.joint_part_name("closed");
                 self.names.declare_joint_name(&mut self.reader, &name, NameKind::Point);
                 nodes.push(Node { name, parent: from, payload: (placed.frame.clone(), at) });
             } else if stated.is_none_or(|points| !points.contains_key(placed.centre.text.as_str())) {
-                let Some((from, at)) = self.place(joint, "centre", joint.name.clone()) else {
+                let Some((from, at)) = self.joint_point_place(joint, "centre", joint.name.clone()) else {
                     self.names.mark_wrong_name(&placed.centre.text);
                     continue;
                 };
@@ -268,7 +268,7 @@ impl<'a> Loading<'a> {
     }
 
     /// Marks the points of a joint as wrongly declared; the error is already reported.
-    fn spoil_points(&mut self, joint: &Joint<'a>, joints: &Joints<'a>) {
+    fn mark_wrong_joint_points(&mut self, joint: &Joint<'a>, joints: &Joints<'a>) {
         self.names.mark_wrong_name(&joint.name.text);
         if let Some(placed) = joints.bodies.get(&joint.body.text).filter(|_| joint.carries) {
             self.names.mark_wrong_name(&placed.centre.text);
@@ -277,7 +277,7 @@ impl<'a> Loading<'a> {
 
     /// Reads the position of a joint on a body under a key: a point, or three components from `home`,
     /// m. Without the key it is `home`. `None` after an error is reported.
-    fn place(&mut self, joint: &Joint<'a>, key: &str, home: Located) -> Option<(Located, [Expr; 3])> {
+    fn joint_point_place(&mut self, joint: &Joint<'a>, key: &str, home: Located) -> Option<(Located, [Expr; 3])> {
         match self.reader.get(joint.entry, key) {
             None => Some((home, [Expr::ZERO; 3])),
             Some(value) => match value.get_ref() {
@@ -293,7 +293,7 @@ impl<'a> Loading<'a> {
 
     /// Displacement of a joint's point by the joint's coordinates, with components in its base frame,
     /// m. `None` after an error is reported.
-    fn joint_displacement(&mut self, joint: &Joint<'a>) -> Option<[Expr; 3]> {
+    fn joint_point_displacement(&mut self, joint: &Joint<'a>) -> Option<[Expr; 3]> {
         let mut way = [Expr::ZERO; 3];
         for (name, freedom) in joint.coordinates.iter().zip(joint.kind.freedoms(&joint.axes)) {
             let q = self.arena.symbol(&name.text);

@@ -6,9 +6,9 @@
 //! 4th edition (1970), chapter V, §6.
 
 use crate::algebra::Expr;
-use crate::model::bodies::inputs::input_formulas;
+use crate::model::bodies::input_signals::input_signal_formulas;
 use crate::model::reading::declared_names::{NameKind, TIME};
-use crate::model::reading::model_reader::Loading;
+use crate::model::reading::loading::Loading;
 use crate::model::{Coordinate, Model, MotionConstraintKind, Unit};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -38,8 +38,8 @@ impl<'a> Loading<'a> {
     /// it.
     pub fn time(&mut self, table: &'a DeTable<'a>, coordinates: &mut Vec<Coordinate>) {
         let sections = TIMED.iter().filter_map(|key| table.get(*key));
-        let in_inputs = input_formulas(table, &self.bindings).into_iter().any(is_of_time);
-        if !in_inputs && !sections.into_iter().any(names_time) {
+        let in_inputs = input_signal_formulas(table, &self.bindings).into_iter().any(formula_names_time);
+        if !in_inputs && !sections.into_iter().any(entry_names_time) {
             if coordinates.is_empty() {
                 self.names.mark_unread_kinds(&[NameKind::Coordinate, NameKind::Rate]);
             }
@@ -60,17 +60,17 @@ impl<'a> Loading<'a> {
 }
 
 /// True if a formula contains the word `t`, the name of time.
-fn is_of_time(formula: &str) -> bool {
+fn formula_names_time(formula: &str) -> bool {
     let is_part = |c: char| c.is_ascii_alphanumeric() || c == '_';
     formula.split(|c| !is_part(c)).any(|word| word == TIME)
 }
 
 /// True if any formula of an entry, at any depth, contains time.
-fn names_time(value: &Spanned<DeValue<'_>>) -> bool {
+fn entry_names_time(value: &Spanned<DeValue<'_>>) -> bool {
     let mut open = vec![value];
     while let Some(value) = open.pop() {
         match value.get_ref() {
-            DeValue::String(text) if is_of_time(text) => return true,
+            DeValue::String(text) if formula_names_time(text) => return true,
             DeValue::Array(list) => open.extend(list.iter()),
             DeValue::Table(table) => {
                 open.extend(table.iter().filter(|(key, _)| key.get_ref() != PROSE).map(|(_, value)| value));

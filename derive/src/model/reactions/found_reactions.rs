@@ -9,9 +9,9 @@
 //! whether or not these reactions are needed.
 //!
 //! If reactions are still missing, as when equations relate coordinates, forces and torques are
-//! searched wherever they do no work ([`elsewhere`]). In closed loops, the joints of the tree hold
-//! the directions that they would hold in open loops. A pin transmits no torque about its axis,
-//! even if a loop prevents it from rotating.
+//! searched wherever they do no work ([`unstated_connections`]). In closed loops, the joints of
+//! the tree hold the directions that they would hold in open loops. A pin transmits no torque about
+//! its axis, even if a loop prevents it from rotating.
 //!
 //! A contact, or the ground, that transmits none of these reactions is left out
 //! ([`crate::model::Contacts::idle`]): no load goes through it.
@@ -43,7 +43,7 @@ pub(in crate::model) const MOST_EQUATIONS: usize = 72;
 const MAX_LENGTH: usize = 56;
 
 /// Prefix of the names of found reactions on a body; `what` is `force` or `torque`.
-pub fn found_prefix(body: &str, what: &str) -> String {
+pub fn found_reaction_prefix(body: &str, what: &str) -> String {
     format!("{body}_{what}_")
 }
 
@@ -57,17 +57,17 @@ impl Model {
 
     /// Number of Newton–Euler equations of all bodies if it is too large for finding reactions;
     /// otherwise `None`.
-    pub(in crate::model) fn too_many_equations(&self) -> Option<usize> {
+    pub(in crate::model) fn too_many_to_find_reactions(&self) -> Option<usize> {
         let equations = |body: &crate::model::Body| if body.rigid.is_some() { 6 } else { 3 };
         Some(self.bodies.iter().map(equations).sum()).filter(|all| *all > MOST_EQUATIONS)
     }
 
     /// Adds reactions until there are as many as the Newton–Euler equations of all bodies need. Adds
     /// none if that is impossible.
-    pub(in crate::model) fn complete_reactions(&mut self) {
+    pub(in crate::model) fn add_found_reactions(&mut self) {
         let on_nothing =
             |t: &crate::model::Torque| t.on.1.is_none() || t.against.is_some_and(|(_, body)| body.is_none());
-        if self.too_many_equations().is_some() || self.torques.iter().any(on_nothing) {
+        if self.too_many_to_find_reactions().is_some() || self.torques.iter().any(on_nothing) {
             return;
         }
         let Some(mut search) = Search::new(self) else { return };
@@ -80,13 +80,13 @@ impl Model {
         }
         let (found, idle) = search.results();
         for one in found {
-            self.name_reaction(one);
+            self.add_found_reaction(one);
         }
         self.contacts.idle = idle;
     }
 
     /// Adds a found reaction to the model, under a name that no other quantity has.
-    fn name_reaction(&mut self, FoundReaction { kind, along, is_shared, law }: FoundReaction) {
+    fn add_found_reaction(&mut self, FoundReaction { kind, along, is_shared, law }: FoundReaction) {
         let (what, body) = match kind {
             ReactionKind::Force { on, .. } => ("force", on.body),
             ReactionKind::Torque { on, .. } => ("torque", on),
@@ -98,10 +98,10 @@ impl Model {
                 (frame, direction, format!("{}{}", self.frames[frame].name.to_lowercase(), axis + 1))
             }
             ReactionDirection::Line(from, to) => {
-                (0, self.unit_along(from, to), format!("to_{}", self.points[to].name.to_lowercase()))
+                (0, self.found_reaction_direction(from, to), format!("to_{}", self.points[to].name.to_lowercase()))
             }
         };
-        let mut wanted = found_prefix(&self.bodies[body].name, what) + &along;
+        let mut wanted = found_reaction_prefix(&self.bodies[body].name, what) + &along;
         wanted.truncate(MAX_LENGTH);
         let mut name = wanted.clone();
         let mut times = 1;
@@ -114,7 +114,7 @@ impl Model {
     }
 
     /// Unit vector from one point to another, as terms, with components in the inertial frame.
-    fn unit_along(&mut self, from: usize, to: usize) -> [Expr; 3] {
+    fn found_reaction_direction(&mut self, from: usize, to: usize) -> [Expr; 3] {
         let mut arena = std::mem::take(&mut self.arena);
         let mut frames = Frames::new(&self.frames);
         let back = self.position(&mut arena, from).neg(&mut arena);

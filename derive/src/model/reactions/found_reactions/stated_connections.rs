@@ -45,7 +45,7 @@ enum OtherEquations {
 }
 
 /// Edge: a constraint that states a single velocity component of a single body, as a blade does.
-struct VelocityEdge {
+struct StatedEdge {
     /// Name of the constraint in the model file.
     name: String,
     /// Force or torque that holds the body against the ground.
@@ -60,7 +60,7 @@ impl Search<'_> {
     /// Chooses the reactions that the connections of the model file transmit.
     pub fn choose_stated_connections(&mut self) {
         let model = self.relative.model;
-        let touches = self.relative.touching_pairs(&self.relative.degrees_of_freedom());
+        let touches = self.relative.touching_supports(&self.relative.degrees_of_freedom());
         let on_body = |body: usize| touches.iter().any(|pair| pair.body == body && pair.against.is_some());
         let (mut placed, mut ground, mut touching) = (Vec::new(), Vec::new(), Vec::new());
         for support in &self.supports {
@@ -82,26 +82,26 @@ impl Search<'_> {
         };
         let built_in = model.repeated.iter().filter_map(|repeated| repeated.rolled);
         let built_in: Vec<SlipComponent> = built_in.filter(|rolled| !rests_there(rolled)).collect();
-        let edges = self.relative.edges();
+        let edges = self.relative.stated_edges();
         let elsewhere: Vec<&str> = edges.iter().map(|edge| edge.name.as_str()).collect();
         let ways = OpenMotions {
             open: self.relative.motions_of_opened_loops(OtherEquations::Hold, &elsewhere),
             free: self.relative.motions_of_opened_loops(OtherEquations::Ignored, &elsewhere),
             placed: elsewhere.iter().map(|name| (*name).to_owned()).collect(),
         };
-        self.choose_rolling_forces(&tied, 0);
-        self.edges(&edges);
-        self.connections(&placed, &ways);
+        self.choose_stated_rolling_forces(&tied, 0);
+        self.choose_stated_edges(&edges);
+        self.choose_stated_supports(&placed, &ways);
         let built_in: Vec<SlipComponent> =
             built_in.into_iter().map(|rolled| self.relative.along_own_axis(rolled)).collect();
-        self.choose_rolling_forces(&built_in, self.last_list_position());
-        self.connections(&ground, &ways);
-        self.connections(&touching, &ways);
+        self.choose_stated_rolling_forces(&built_in, self.last_list_position());
+        self.choose_stated_supports(&ground, &ways);
+        self.choose_stated_supports(&touching, &ways);
     }
 
     /// Chooses forces at rolling contacts along the directions without slip. Other axes, such as those
     /// of a gear, may be oblique to these directions.
-    fn choose_rolling_forces(&mut self, components: &[SlipComponent], place: usize) {
+    fn choose_stated_rolling_forces(&mut self, components: &[SlipComponent], place: usize) {
         for &SlipComponent { body, against, point, frame, axis, .. } in components {
             let on = ForcePlace { body, point };
             let kind = ReactionKind::Force { on, against: against.map(|body| ForcePlace { body, point }) };
@@ -115,8 +115,8 @@ impl Search<'_> {
 
     /// Chooses the forces and torques of edges, unless a stated reaction holds the edge's body against
     /// the ground.
-    fn edges(&mut self, edges: &[VelocityEdge]) {
-        for VelocityEdge { name, kind, frame, axis } in edges {
+    fn choose_stated_edges(&mut self, edges: &[StatedEdge]) {
+        for StatedEdge { name, kind, frame, axis } in edges {
             let model = self.relative.model;
             let is_enforced = model.motion_constraints.iter().any(|c| c.name == *name && c.enforced_by.is_some());
             let is_held =
@@ -135,13 +135,13 @@ impl Search<'_> {
 
     /// Chooses the reactions between bodies and the bodies on which they rest, at each connection
     /// without regard to the others.
-    fn connections(&mut self, supports: &[Support], ways: &OpenMotions) {
+    fn choose_stated_supports(&mut self, supports: &[Support], ways: &OpenMotions) {
         self.relative.ways_if_open.clone_from(&ways.open);
         for support in supports {
             for (kind, steady_velocities_along_symmetries) in
                 self.relative.reactions_between(support.body, support.holder)
             {
-                self.along_axes(kind, &steady_velocities_along_symmetries, support);
+                self.choose_stated_along_axes(kind, &steady_velocities_along_symmetries, support);
             }
         }
         for support in supports {
@@ -152,7 +152,7 @@ impl Search<'_> {
 
     /// Chooses independent reactions along axes of frames that each do no work, for a body and its
     /// support.
-    fn along_axes(&mut self, kind: ReactionKind, velocities: &[VectorResidues], support: &Support) {
+    fn choose_stated_along_axes(&mut self, kind: ReactionKind, velocities: &[VectorResidues], support: &Support) {
         let field = self.relative.drawn.space.0;
         let mut open = 3 - rank(field, velocities.iter().map(|velocity| velocity.to_vec()));
         let mut own = Basis::new(field);
@@ -177,7 +177,7 @@ impl Search<'_> {
         let field = self.relative.drawn.space.0;
         self.relative.ways_if_open.clone_from(&ways.free);
         let (working, kinds) =
-            (self.relative.working_reactions(body, holder), self.relative.reactions_between(body, holder));
+            (self.relative.working_found_reactions(body, holder), self.relative.reactions_between(body, holder));
         self.relative.ways_if_open = None;
         let alone: usize = kinds.iter().map(|(_, v)| 3 - rank(field, v.iter().map(|v| v.to_vec()))).sum();
         let twist = |way: usize| kinds.iter().flat_map(|(_, velocities)| velocities[way]).collect::<Vec<u64>>();
@@ -185,9 +185,9 @@ impl Search<'_> {
         if all <= alone {
             return;
         }
-        let in_motion = self.relative.working_reactions(body, holder);
+        let in_motion = self.relative.working_found_reactions(body, holder);
         let powers: Vec<Vec<u64>> = working.iter().map(|(_, power)| power.clone()).collect();
-        let law = if ways.free.is_some() { self.connection_law(body, holder, &ways.placed) } else { None };
+        let law = if ways.free.is_some() { self.stated_connection_law(body, holder, &ways.placed) } else { None };
         let of_speeds = self.relative.model.speeds.len();
         for (at, (found, _)) in working.iter().enumerate() {
             let along_speeds = in_motion.iter().find(|(other, _)| other.is_same(found)).map(|(_, power)| power.clone());
@@ -202,7 +202,9 @@ impl Search<'_> {
                 let own = law.iter().find(|(other, _)| other.is_same(&found));
                 power.extend(own.into_iter().flat_map(|(_, power)| power));
             }
-            let (Some(direction), place) = (self.relative.direction(&found), self.list_position_of_body(body)) else {
+            let (Some(direction), place) =
+                (self.relative.direction_of_found_reaction(&found), self.list_position_of_body(body))
+            else {
                 continue;
             };
             self.choose(place, found, direction, power);
@@ -212,7 +214,7 @@ impl Search<'_> {
     /// Law of a connection: its reactions that do work if loops are open and nothing rolls, each with
     /// its power along each coordinate's rate. `None` if a stated equation between velocities restricts
     /// these rates, since the connection may then hold what the equation prevents.
-    fn connection_law(
+    fn stated_connection_law(
         &mut self,
         body: usize,
         holder: Holder,
@@ -222,7 +224,7 @@ impl Search<'_> {
         let (n, open) = (model.coordinates.len(), model.undriven_coordinates());
         let unit = |along: usize| (0..n).map(|at| u64::from(at == along && open.contains(&at))).collect();
         let before = self.relative.ways_if_open.replace((0..n).map(unit).collect());
-        let list = self.relative.working_reactions(body, holder);
+        let list = self.relative.working_found_reactions(body, holder);
         self.relative.ways_if_open = before;
         let moves = |at: usize| list.iter().any(|(_, power)| power[at] != 0);
         let ties = |at: usize, constraint: &MotionConstraint| {
@@ -237,7 +239,7 @@ impl Search<'_> {
 
 impl RelativeMotion<'_> {
     /// Edges: constraints that each state a single velocity component of a single body.
-    fn edges(&self) -> Vec<VelocityEdge> {
+    fn stated_edges(&self) -> Vec<StatedEdge> {
         let model = self.model;
         let holds = |of: &VelocityOf<usize>| {
             let (body, point) = match *of {
@@ -258,7 +260,7 @@ impl RelativeMotion<'_> {
         let edge = |constraint: &MotionConstraint| {
             let compared = model.contacts.compared.iter().find(|compared| compared.name == constraint.name)?;
             let ConstrainedVelocity { of, frame, axis } = compared.alone.as_ref()?;
-            Some(VelocityEdge { name: constraint.name.clone(), kind: holds(of)?, frame: *frame, axis: *axis })
+            Some(StatedEdge { name: constraint.name.clone(), kind: holds(of)?, frame: *frame, axis: *axis })
         };
         stated.filter_map(edge).collect()
     }
@@ -308,7 +310,7 @@ impl RelativeMotion<'_> {
 
     /// Forces and torques between a body and its support that do work, along axes of one frame. Each
     /// has its power for every permitted motion.
-    pub fn working_reactions(&self, body: usize, holder: Holder) -> Vec<(FoundReaction, Vec<u64>)> {
+    pub fn working_found_reactions(&self, body: usize, holder: Holder) -> Vec<(FoundReaction, Vec<u64>)> {
         let frame = self.frames(body, holder)[0];
         let mut list = Vec::new();
         for (kind, velocities) in self.reactions_between(body, holder) {
@@ -328,7 +330,7 @@ impl RelativeMotion<'_> {
 
     /// Direction of a reaction along an axis of a frame, as residues; `None` for a reaction along a
     /// line.
-    pub fn direction(&self, found: &FoundReaction) -> Option<VectorResidues> {
+    pub fn direction_of_found_reaction(&self, found: &FoundReaction) -> Option<VectorResidues> {
         match found.along {
             ReactionDirection::Axis(frame, axis) => Some(self.drawn.frames[frame].axes[axis]),
             ReactionDirection::Line(..) => None,

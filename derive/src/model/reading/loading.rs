@@ -82,7 +82,7 @@ impl<'a> Loading<'a> {
     }
 
     /// Reads the required key `unit` of an entry; `None` after an error is reported.
-    pub fn unit(&mut self, table: &'a DeTable<'a>, owner: &Located) -> Option<Unit> {
+    pub fn read_unit_key(&mut self, table: &'a DeTable<'a>, owner: &Located) -> Option<Unit> {
         let value =
             self.reader.required(table, "unit", &format!("`{}`", shortened_for_message(&owner.text)), &owner.span)?;
         let text = self.reader.string(value, "`unit`")?;

@@ -32,7 +32,7 @@ impl Search<'_> {
             }
             self.choose_in_loops(slip);
         }
-        self.choose_along_rods();
+        self.choose_unstated_along_rods();
         self.choose_at_supports();
         self.choose_shared();
     }
@@ -44,14 +44,25 @@ impl Search<'_> {
             for (kind, steady_velocities_along_symmetries) in
                 self.relative.reactions_between(support.body, support.holder)
             {
-                self.choose_along_axes(kind, &steady_velocities_along_symmetries, support.body, support.holder);
+                self.choose_unstated_along_axes(
+                    kind,
+                    &steady_velocities_along_symmetries,
+                    support.body,
+                    support.holder,
+                );
             }
         }
     }
 
     /// Accepts the reactions of a kind along axes that do no work at these relative velocities, one
     /// velocity for each speed.
-    fn choose_along_axes(&mut self, kind: ReactionKind, velocities: &[VectorResidues], body: usize, holder: Holder) {
+    fn choose_unstated_along_axes(
+        &mut self,
+        kind: ReactionKind,
+        velocities: &[VectorResidues],
+        body: usize,
+        holder: Holder,
+    ) {
         if self.missing == 0 {
             return;
         }
@@ -71,7 +82,7 @@ impl Search<'_> {
 
     /// Chooses forces along massless rods: between points at a constant distance, of two bodies or of a
     /// body and the ground.
-    fn choose_along_rods(&mut self) {
+    fn choose_unstated_along_rods(&mut self) {
         let count = self.relative.model.points.len();
         for BodyPair { body, against: holder } in self.relative.pairs() {
             if self.missing == 0 {
@@ -83,14 +94,14 @@ impl Search<'_> {
             let ends: Vec<usize> = (0..count).filter(is_end).collect();
             for point in (0..count).filter(|at| self.relative.has_material_point(body, *at)).collect::<Vec<_>>() {
                 for opposite in &ends {
-                    self.choose_along_rod(body, holder, point, *opposite);
+                    self.choose_unstated_along_rod(body, holder, point, *opposite);
                 }
             }
         }
     }
 
     /// Chooses the force along the line between two points, if it does no work and is needed.
-    fn choose_along_rod(&mut self, body: usize, holder: Holder, point: usize, opposite: usize) {
+    fn choose_unstated_along_rod(&mut self, body: usize, holder: Holder, point: usize, opposite: usize) {
         let RandomModel { space, points, .. } = &self.relative.drawn;
         let way = space.sub(points[opposite].place, points[point].place);
         if self.missing == 0 || way == [0; 3] {
@@ -116,12 +127,12 @@ impl Search<'_> {
         let all: Vec<_> = self
             .supports
             .iter()
-            .flat_map(|support| self.relative.working_reactions(support.body, support.holder))
+            .flat_map(|support| self.relative.working_found_reactions(support.body, support.holder))
             .collect();
         let powers: Vec<Vec<u64>> = all.iter().map(|(_, power)| power.clone()).collect();
         let field = self.relative.drawn.space.0;
         for (at, (found, power)) in all.into_iter().enumerate() {
-            let Some(direction) = self.relative.direction(&found) else { continue };
+            let Some(direction) = self.relative.direction_of_found_reaction(&found) else { continue };
             if !is_power_unbalanced(field, &powers, at) && self.is_wanted(found.kind, direction) {
                 self.choose(self.last_list_position(), found, direction, power);
             }
@@ -135,7 +146,7 @@ impl Search<'_> {
                 let is_there =
                     |b: usize| self.relative.is_rigid(Some(b)) || self.relative.model.bodies[b].centre == point;
                 if is_there(body) && holder.is_none_or(is_there) {
-                    self.choose_at_points(body, holder, point, point, slip);
+                    self.choose_unstated_at_points(body, holder, point, point, slip);
                 }
             }
         }
@@ -147,7 +158,12 @@ impl Search<'_> {
         for BodyPair { body, against: holder } in self.relative.pairs() {
             if self.missing > 0 && self.relative.is_rigid(Some(body)) && self.relative.is_rigid(holder) {
                 let turns = self.relative.relative_angular_velocities(body, holder);
-                self.choose_along_axes(ReactionKind::Torque { on: body, against: holder }, &turns, body, holder);
+                self.choose_unstated_along_axes(
+                    ReactionKind::Torque { on: body, against: holder },
+                    &turns,
+                    body,
+                    holder,
+                );
             }
         }
     }
@@ -162,7 +178,7 @@ impl Search<'_> {
                         && self.relative.has_material_point(body, point)
                         && self.relative.has_material_point(other, opposite)
                     {
-                        self.choose_at_points(body, holder, point, opposite, slip);
+                        self.choose_unstated_at_points(body, holder, point, opposite, slip);
                     }
                 }
             }
@@ -171,7 +187,7 @@ impl Search<'_> {
 
     /// Chooses forces between a point of one body and a point of another, or of the ground, as far as
     /// slip is allowed.
-    fn choose_at_points(&mut self, body: usize, holder: Holder, point: usize, opposite: usize, slip: Slip) {
+    fn choose_unstated_at_points(&mut self, body: usize, holder: Holder, point: usize, opposite: usize, slip: Slip) {
         if self.missing == 0 {
             return;
         }
@@ -179,7 +195,7 @@ impl Search<'_> {
         if slip == Slip::Allowed || slips.iter().all(|velocity| *velocity == [0; 3]) {
             let against = holder.map(|body| ForcePlace { body, point: opposite });
             let kind = ReactionKind::Force { on: ForcePlace { body, point }, against };
-            self.choose_along_axes(kind, &slips, body, holder);
+            self.choose_unstated_along_axes(kind, &slips, body, holder);
         }
     }
 }

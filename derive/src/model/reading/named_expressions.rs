@@ -2,7 +2,7 @@
 //! in them may occur.
 
 use super::declared_names::{AllowedQuantities, NameKind};
-use super::model_reader::Loading;
+use super::loading::Loading;
 use crate::algebra::Expr;
 use std::ops::Range;
 use toml::de::{DeTable, DeValue};

@@ -1,0 +1,228 @@
+"""Scenes, their runs, and what becomes of these."""
+
+from __future__ import annotations
+
+import os
+import pathlib
+import tempfile
+import warnings
+from collections.abc import Mapping, Sequence
+from typing import Any, Callable, NamedTuple, Optional, Union
+
+import numpy as np
+
+from . import _tripos
+from ._commands import Option, UntrustedRunWarning, answer
+from ._display import Page, Picture
+from ._model import Array, Model, Path
+
+
+class SampledRun(NamedTuple):
+    """A run with a controller: columns by name, and the decisions of the controller."""
+
+    columns: dict[str, Array]
+    decision_times: Array
+    decisions: Array
+
+
+class Run:
+    """A finished run of a scene."""
+
+    def __init__(self, inner: _tripos.Run) -> None:
+        self._run = inner
+        #: Instants of the samples, s.
+        self.t: Array = inner.t
+        #: Values of the shown quantities: a row for each sample.
+        self.values: Array = inner.values
+
+    @property
+    def names(self) -> list[str]:
+        """Names of the shown quantities."""
+        return self._run.names
+
+    def __getitem__(self, name: str) -> Array:
+        """Values of a shown quantity at the samples."""
+        names = self.names
+        if name not in names:
+            raise KeyError(f"the run has no quantity {name!r}; it has {', '.join(names)}")
+        column: Array = self.values[:, names.index(name)]
+        return column
+
+    @property
+    def end(self) -> dict[str, float]:
+        """Values of the shown quantities at the end."""
+        return self._run.end
+
+    @property
+    def digits(self) -> dict[str, float] | None:
+        """Correct digits of each quantity at the end; None if they are not known."""
+        return self._run.digits
+
+    @property
+    def events(self) -> list[tuple[str, float]]:
+        """Names of the events and their instants, s."""
+        return self._run.events
+
+    @property
+    def warnings(self) -> list[str]:
+        """Reasons not to trust the run."""
+        return self._run.warnings
+
+    @property
+    def notes(self) -> list[str]:
+        """Notes on the way in which the run was made."""
+        return self._run.notes
+
+    @property
+    def drift(self) -> dict[str, float]:
+        """Largest change of each conserved quantity."""
+        return self._run.drift
+
+    @property
+    def is_trusted(self) -> bool:
+        """True if nothing speaks against the run."""
+        return self._run.is_trusted
+
+    def __repr__(self) -> str:
+        return f"<tripos.Run: {self._run.ending}>"
+
+    def to_pandas(self) -> Any:
+        """Samples as a `pandas.DataFrame` with the time as its index."""
+        import pandas
+
+        return pandas.DataFrame(self.values, index=pandas.Index(self.t, name="t"), columns=self.names)
+
+    def to_xarray(self) -> Any:
+        """Samples as an `xarray.Dataset` with the coordinate `t`."""
+        import xarray
+
+        return xarray.Dataset({name: ("t", self[name]) for name in self.names}, coords={"t": self.t})
+
+    def plot(self, *names: str) -> Any:
+        """Axes of Matplotlib, one for each name; without names all quantities."""
+        from matplotlib import pyplot
+
+        shown = list(names) or self.names
+        figure, axes = pyplot.subplots(len(shown), 1, sharex=True, squeeze=False, layout="constrained")
+        for name, axis in zip(shown, axes[:, 0]):
+            axis.plot(self.t, self[name])
+            axis.set_ylabel(name)
+        axes[-1, 0].set_xlabel("t [s]")
+        return axes[:, 0]
+
+
+class Scene:
+    """A scene file: a model, a start, parameters, a span of time and outputs."""
+
+    def __init__(self, path: Path) -> None:
+        self._scene = _tripos.Scene.read(os.fspath(path))
+        self._path: Optional[pathlib.Path] = pathlib.Path(path)
+        self._text = ""
+        self._folder: Optional[tempfile.TemporaryDirectory[str]] = None
+        self._set: dict[str, float] = {}
+
+    @classmethod
+    def from_text(cls, model: Model, text: str) -> Scene:
+        """Makes a scene of a model from the text of a scene file.
+
+        >>> import tripos
+        >>> model = tripos.Model.from_text(tripos.EXAMPLE)
+        >>> scene = Scene.from_text(model, "span = [0, 1]\\n[start]\\ntheta = 0.5\\nomega = 0\\n")
+        >>> run = scene.simulate(rtol=1e-10)
+        >>> run.is_trusted, round(run.end["theta"], 9)
+        (True, -0.499157187)
+        """
+        scene = cls.__new__(cls)
+        scene._scene = _tripos.Scene.parse(model._model, text)
+        scene._path, scene._text, scene._folder, scene._set = None, text, None, {}
+        return scene
+
+    @property
+    def path(self) -> pathlib.Path:
+        """File of the scene. A scene that was made from a text gets a folder with its model, which goes with it."""
+        if self._path is None:
+            self._folder = tempfile.TemporaryDirectory(prefix="tripos-")
+            folder = pathlib.Path(self._folder.name)
+            (folder / "model.toml").write_text(self.model.text, encoding="utf-8")
+            (folder / "scenes").mkdir()
+            self._path = folder / "scenes" / "scene.toml"
+            self._path.write_text(self._text, encoding="utf-8")
+        return self._path
+
+    def _answer(self, command: str, **options: Option) -> Any:
+        values = [f"{name}={value!r}" for name, value in self._set.items()]
+        return answer(command, self.path, set=values, **options)
+
+    def reduce(self) -> Any:
+        """Reduced equations of the scene, what they leave out, and the proof that the motion stays the same."""
+        return self._answer("scene")
+
+    def view(self, *against: str, **settings: Option) -> Page:
+        """Animated 3-D view of the motion, beside other equations or scenes."""
+        with tempfile.TemporaryDirectory(prefix="tripos-") as folder:
+            file = pathlib.Path(folder) / "view.html"
+            self._answer("view", against=list(against), out=file, **settings)
+            return Page(file.read_text(encoding="utf-8"))
+
+    def figure(self, *what: str, against: Optional[str] = None, also: Sequence[str] = (), **settings: Option) -> Picture:
+        """Figure of quantities over time or against one another, a panel for each of `what`."""
+        with tempfile.TemporaryDirectory(prefix="tripos-") as folder:
+            file = pathlib.Path(folder) / "figure.svg"
+            self._answer("plot", what=list(what), against=against, also=list(also), out=file, **settings)
+            return Picture(file.read_text(encoding="utf-8"))
+
+    def stability(self, out: Path, *, quick: bool = False) -> Any:
+        """Places where runs lose accuracy or stop, with tables and figures in the folder `out`."""
+        return self._answer("stability", out=out, quick=quick)
+
+    def chart(self, out: Path, *, quick: bool = False, printed: bool = False) -> Any:
+        """Speed against accuracy of every formulation and method, with tables and the chart in the folder `out`."""
+        return self._answer("chart", out=out, quick=quick, printed=printed)
+
+    def fmu(self, out: Path, *, fmi: int = 3, only_sources: bool = False) -> Any:
+        """Writes the scene as a Functional Mock-up Unit for model exchange and co-simulation."""
+        return self._answer("fmu", out=out, fmi=fmi, only_sources=only_sources)
+
+    @property
+    def model(self) -> Model:
+        """Model of the scene."""
+        return Model._of(self._scene.mechanism())
+
+    def set(self, **values: float) -> None:
+        """Sets parameters and numbers of the start, in the units of the model file."""
+        for name, value in values.items():
+            self._scene.set(name, float(value))
+            self._set[name] = float(value)
+
+    def simulate(self, **settings: Any) -> Run:
+        """Runs the scene. Settings replace those of the file: by, method, project, solve, step, max_step, rtol, atol,
+        until. Each reason not to trust the run is a Python warning too."""
+        run = Run(self._scene.run(settings))
+        for warning in run.warnings:
+            warnings.warn(warning, UntrustedRunWarning, stacklevel=2)
+        return run
+
+    def sensitivity(self, *names: str, **settings: Any) -> dict[str, dict[str, float]]:
+        """Derivatives of the shown quantities at the end with respect to parameters and numbers of the start."""
+        return self._scene.slopes(list(names), settings)
+
+    def gradient(self, of: str, **settings: Any) -> dict[str, float]:
+        """Derivatives of one number at the end with respect to all parameters and numbers of the start."""
+        return self._scene.gradient_of(of, settings)
+
+    def sampled(
+        self,
+        inputs: Sequence[str],
+        instants: Sequence[float],
+        controller: Callable[[float, dict[str, float]], Sequence[float]],
+        *,
+        make: Callable[[], Callable[[float, dict[str, float]], Sequence[float]]] | None = None,
+        **settings: Any,
+    ) -> SampledRun:
+        """Runs the scene with inputs that `controller(t, state)` sets at the instants, s, each held until the next.
+
+        A second run gives the errors. A controller with a memory is made anew for each run by `make`."""
+        columns, at, values = self._scene.run_sampled(
+            list(inputs), [float(t) for t in instants], make or (lambda: controller), settings
+        )
+        return SampledRun(columns, np.array(at), np.array(values).reshape(len(at), len(inputs)))

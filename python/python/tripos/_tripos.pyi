@@ -1,0 +1,63 @@
+from typing import Any, Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+class TriposError(Exception):
+    help: str | None
+    places: list[dict[str, Any]]
+
+class InputError(TriposError): ...
+class RequestError(TriposError): ...
+class StoppedError(TriposError): ...
+
+class Model:
+    title: str
+    text: str
+    @staticmethod
+    def read(path: str) -> Model: ...
+    @staticmethod
+    def parse(text: str) -> Model: ...
+    def parameter_list(self) -> list[tuple[str, str, float | None, str, bool]]: ...
+    def coordinate_list(self) -> list[tuple[str, str, str]]: ...
+    def speed_list(self) -> list[tuple[str, str, str]]: ...
+    def quantity(self, name: str, equations: str) -> tuple[int, bool]: ...
+    def evaluate(
+        self, name: str, equations: str, p: list[float], q: Array, v: Array, x: Array
+    ) -> Array: ...
+
+class Scene:
+    @staticmethod
+    def read(path: str) -> Scene: ...
+    @staticmethod
+    def parse(model: Model, text: str) -> Scene: ...
+    def mechanism(self) -> Model: ...
+    def set(self, name: str, value: float) -> None: ...
+    def run(self, settings: dict[str, Any] | None = None) -> Run: ...
+    def slopes(self, names: list[str], settings: dict[str, Any] | None = None) -> dict[str, dict[str, float]]: ...
+    def gradient_of(self, of: str, settings: dict[str, Any] | None = None) -> dict[str, float]: ...
+    def run_sampled(
+        self,
+        inputs: list[str],
+        instants: list[float],
+        make: Callable[[], Callable[[float, dict[str, float]], Any]],
+        settings: dict[str, Any] | None = None,
+    ) -> tuple[dict[str, Array], list[float], list[list[float]]]: ...
+
+class Run:
+    names: list[str]
+    t: Array
+    values: Array
+    end: dict[str, float]
+    digits: dict[str, float] | None
+    events: list[tuple[str, float]]
+    warnings: list[str]
+    notes: list[str]
+    ending: str
+    drift: dict[str, float]
+    is_trusted: bool
+    work: tuple[int, int, int]
+
+def command(words: list[str]) -> tuple[int, str, str]: ...

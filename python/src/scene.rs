@@ -1,0 +1,346 @@
+//! Classes of scenes and of their runs.
+
+use crate::failure::{RequestError, raised};
+use crate::model::Model;
+use numpy::{PyArray1, PyArray2};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+use std::sync::{Mutex, PoisonError};
+use std::time::{Duration, Instant};
+use tripos::observer::Observer;
+use tripos::{
+    AccelerationSolution, ControllerSample, DerivativeInstants, EquationsName, Error, Integrator, Overrides,
+    ProjectionTarget,
+};
+use tripos_sim::Poll;
+
+/// Scene of a model: a start, parameters, a span and outputs.
+#[pyclass(frozen, subclass, module = "tripos._tripos")]
+pub struct Scene {
+    scene: Mutex<tripos::Scene>,
+}
+
+/// Time between two looks at the signals of Python: a look takes the lock of the interpreter.
+const BETWEEN_SIGNALS: Duration = Duration::from_millis(20);
+
+/// Signals of Python during a run, such as Ctrl-C.
+struct Signals {
+    /// Time of the last look.
+    looked: Instant,
+    /// Exception of a signal that came during the run.
+    raised: Option<PyErr>,
+}
+
+static SIGNALS: Mutex<Option<Signals>> = Mutex::new(None);
+
+/// True if the user interrupted Python; [`raise_signal`] raises the exception after the run.
+fn is_interrupted() -> bool {
+    // Another thread looks at this moment.
+    let Ok(mut signals) = SIGNALS.try_lock() else { return false };
+    let now = Instant::now();
+    let signals = signals.get_or_insert_with(|| Signals { looked: now, raised: None });
+    if signals.raised.is_none() && now.duration_since(signals.looked) >= BETWEEN_SIGNALS {
+        signals.looked = now;
+        signals.raised = Python::attach(|py| py.check_signals().err());
+    }
+    signals.raised.is_some()
+}
+
+/// Raises the exception of a signal that came during the last run.
+fn raise_signal(py: Python<'_>) -> PyResult<()> {
+    let raised = py.detach(|| SIGNALS.lock().unwrap_or_else(PoisonError::into_inner).take()).and_then(|s| s.raised);
+    raised.map_or_else(|| py.check_signals(), Err)
+}
+
+/// Observer that ends long work if the user interrupts Python.
+fn observer() -> Observer {
+    let poll = |_| if is_interrupted() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
+    Observer::new(Poll::new(poll), is_interrupted)
+}
+
+/// Setting of a name, or the exception that its text deserves.
+fn setting<T: std::str::FromStr>(text: Option<&str>) -> PyResult<Option<T>>
+where
+    T::Err: ToString,
+{
+    text.map(str::parse).transpose().map_err(|error: T::Err| RequestError::new_err(error.to_string()))
+}
+
+/// Settings of a run from keyword arguments.
+fn overrides(settings: Option<&Bound<'_, PyDict>>) -> PyResult<Overrides> {
+    let mut how = Overrides::default();
+    for (name, value) in settings.into_iter().flatten() {
+        let name: String = name.extract()?;
+        if value.is_none() {
+            continue;
+        }
+        match name.as_str() {
+            "by" => how.by = Some(EquationsName::from(value.extract::<String>()?.as_str())),
+            "method" => how.method = setting::<Integrator>(Some(&value.extract::<String>()?))?,
+            "project" => how.project = setting::<ProjectionTarget>(Some(&value.extract::<String>()?))?,
+            "solve" => how.solve = setting::<AccelerationSolution>(Some(&value.extract::<String>()?))?,
+            "step" => how.step = Some(value.extract()?),
+            "max_step" => how.max_step = Some(value.extract()?),
+            "rtol" => how.rtol = Some(value.extract()?),
+            "atol" => how.atol = Some(value.extract()?),
+            "until" => how.until = Some(value.extract()?),
+            name => {
+                let names = "by, method, project, solve, step, max_step, rtol, atol, until";
+                return Err(RequestError::new_err(format!("there is no setting `{name}`; settings are {names}")));
+            }
+        }
+    }
+    Ok(how)
+}
+
+/// Columns of a sampled run by name, instants of the decisions, s, and the values of the inputs at each.
+type SampledColumns<'py> = (Bound<'py, PyDict>, Vec<f64>, Vec<Vec<f64>>);
+
+impl Scene {
+    /// Copy of the scene, for work without the lock of the interpreter.
+    fn copied(&self) -> tripos::Scene {
+        self.scene.lock().unwrap_or_else(PoisonError::into_inner).clone()
+    }
+}
+
+#[pymethods]
+impl Scene {
+    /// Reads a scene file, and the model file that it names.
+    #[staticmethod]
+    fn read(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
+        let scene = py.detach(|| tripos::Scene::read(path)).map_err(|error| raised(py, &error))?;
+        Ok(Self { scene: Mutex::new(scene.with_observer(observer())) })
+    }
+
+    /// Makes a scene of a model from the text of a scene file.
+    #[staticmethod]
+    fn parse(py: Python<'_>, model: &Model, text: &str) -> PyResult<Self> {
+        let mechanism = model.mechanism.clone();
+        let scene = py.detach(|| tripos::Scene::parse(mechanism, text)).map_err(|error| raised(py, &error))?;
+        Ok(Self { scene: Mutex::new(scene.with_observer(observer())) })
+    }
+
+    /// Model of the scene.
+    fn mechanism(&self) -> Model {
+        Model::new(self.copied().mechanism().clone())
+    }
+
+    /// Sets a parameter or a number of the start, in the unit of the model file.
+    fn set(&self, py: Python<'_>, name: &str, value: f64) -> PyResult<()> {
+        let mut scene = self.copied();
+        py.detach(|| scene.set_number(name, value)).map_err(|error| raised(py, &error))?;
+        *self.scene.lock().unwrap_or_else(PoisonError::into_inner) = scene;
+        Ok(())
+    }
+
+    /// Runs the scene with settings that replace those of its file.
+    #[pyo3(signature = (settings=None))]
+    fn run(&self, py: Python<'_>, settings: Option<&Bound<'_, PyDict>>) -> PyResult<Run> {
+        let (scene, how) = (self.copied(), overrides(settings)?);
+        let run = py.detach(|| scene.simulate(&how));
+        raise_signal(py)?;
+        run.map(|run| Run { run }).map_err(|error| raised(py, &error))
+    }
+
+    #[expect(clippy::needless_pass_by_value, reason = "arguments as Python gives them")]
+    /// Derivatives of the shown quantities at the end of the run with respect to these numbers: rows are quantities.
+    #[pyo3(signature = (names, settings=None))]
+    fn slopes<'py>(
+        &self,
+        py: Python<'py>,
+        names: Vec<String>,
+        settings: Option<&Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let (scene, how) = (self.copied(), overrides(settings)?);
+        let list: Vec<&str> = names.iter().map(String::as_str).collect();
+        let found = py.detach(|| scene.sensitivities(&list, DerivativeInstants::End, &how));
+        raise_signal(py)?;
+        let found = found.map_err(|error| raised(py, &error))?;
+        let table = PyDict::new(py);
+        for quantity in &found.names {
+            let row = PyDict::new(py);
+            for name in &names {
+                row.set_item(name, found.derivative_of(quantity, name).map_err(|error| raised(py, &error))?)?;
+            }
+            table.set_item(quantity, row)?;
+        }
+        Ok(table)
+    }
+
+    /// Derivatives of one number at the end of the run with respect to all parameters and numbers of the start.
+    #[pyo3(signature = (of, settings=None))]
+    fn gradient_of<'py>(
+        &self,
+        py: Python<'py>,
+        of: &str,
+        settings: Option<&Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let (scene, how) = (self.copied(), overrides(settings)?);
+        let found = py.detach(|| scene.gradient(of, &how));
+        raise_signal(py)?;
+        let table = PyDict::new(py);
+        for slope in &found.map_err(|error| raised(py, &error))?.slopes {
+            table.set_item(&slope.by, slope.value)?;
+        }
+        Ok(table)
+    }
+
+    #[expect(clippy::needless_pass_by_value, reason = "arguments as Python gives them")]
+    /// Runs the scene with inputs that a Python function sets at instants: `controller(t, state)` gets a dictionary of
+    /// coordinates and speeds, and returns the values of the inputs. `make` returns a new controller for each run.
+    #[pyo3(signature = (inputs, instants, make, settings=None))]
+    fn run_sampled<'py>(
+        &self,
+        py: Python<'py>,
+        inputs: Vec<String>,
+        instants: Vec<f64>,
+        make: &Bound<'py, PyAny>,
+        settings: Option<&Bound<'py, PyDict>>,
+    ) -> PyResult<SampledColumns<'py>> {
+        let (scene, how) = (self.copied(), overrides(settings)?);
+        let failed: Mutex<Option<PyErr>> = Mutex::new(None);
+        let names: Vec<&str> = inputs.iter().map(String::as_str).collect();
+        let count = names.len();
+        let controller = || {
+            let own = make.call0();
+            let failed = &failed;
+            move |sample: &ControllerSample<'_>| {
+                let call = || -> PyResult<Vec<f64>> {
+                    let state = PyDict::new(py);
+                    for (name, value) in sample.names.iter().zip(sample.state) {
+                        state.set_item(name, value)?;
+                    }
+                    let own = own.as_ref().map_err(|error| error.clone_ref(py))?;
+                    let values: Vec<f64> = own.call1((sample.t, state))?.extract()?;
+                    if values.len() == count && values.iter().all(|value| value.is_finite()) {
+                        return Ok(values);
+                    }
+                    let what = format!("the controller returned {values:?}, not {count} finite numbers");
+                    Err(RequestError::new_err(what))
+                };
+                let stopped = failed.lock().is_ok_and(|failed| failed.is_some());
+                if stopped {
+                    return vec![f64::NAN; count];
+                }
+                call().unwrap_or_else(|error| {
+                    if let Ok(mut failed) = failed.lock() {
+                        *failed = Some(error);
+                    }
+                    vec![f64::NAN; count]
+                })
+            }
+        };
+        let run = scene.simulate_sampled(&names, &instants, controller, &how);
+        raise_signal(py)?;
+        if let Some(error) = failed.into_inner().ok().flatten() {
+            return Err(error);
+        }
+        let run = run.map_err(|error: Error| raised(py, &error))?;
+        let table = PyDict::new(py);
+        for name in &run.names {
+            let column = run.column(name).map_err(|error| raised(py, &error))?;
+            table.set_item(name, PyArray1::from_vec(py, column))?;
+        }
+        let decisions = run.decisions.iter();
+        let (at, values) = decisions.map(|decision| (decision.t, decision.values.clone())).unzip();
+        Ok((table, at, values))
+    }
+}
+
+/// Finished run of a scene.
+#[pyclass(frozen, subclass, module = "tripos._tripos")]
+pub struct Run {
+    run: tripos::Run,
+}
+
+#[pymethods]
+impl Run {
+    #[getter]
+    fn names(&self) -> Vec<String> {
+        self.run.names.clone()
+    }
+
+    /// Instants of the samples, s.
+    #[getter]
+    fn t<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        PyArray1::from_iter(py, self.run.samples().map(|(t, _)| t))
+    }
+
+    /// Values of the shown quantities: a row for each sample.
+    #[getter]
+    fn values<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let rows: Vec<Vec<f64>> = self.run.samples().map(|(_, row)| row.to_vec()).collect();
+        if rows.is_empty() {
+            return Ok(PyArray2::zeros(py, [0, self.run.names.len()], false));
+        }
+        Ok(PyArray2::from_vec2(py, &rows)?)
+    }
+
+    /// Values at the end, by names.
+    #[getter]
+    fn end<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        table(py, &self.run.names, &self.run.end)
+    }
+
+    /// Correct digits at the end, by names; `None` if they are not known.
+    #[getter]
+    fn digits<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
+        let digits = self.run.digits.as_ref().and_then(|digits| digits.digits_at_end());
+        digits.map(|digits| table(py, &self.run.names, digits)).transpose()
+    }
+
+    /// Names and instants of the events.
+    #[getter]
+    fn events(&self) -> Vec<(String, f64)> {
+        self.run.events().iter().map(|event| (event.name.clone(), event.t)).collect()
+    }
+
+    /// Reasons not to trust the run.
+    #[getter]
+    fn warnings(&self) -> Vec<String> {
+        self.run.objections()
+    }
+
+    /// Notes on the way in which the run was made.
+    #[getter]
+    fn notes(&self) -> Vec<String> {
+        self.run.notes.clone()
+    }
+
+    /// Sentence that says when and why the run ended.
+    #[getter]
+    fn ending(&self) -> &str {
+        &self.run.ending
+    }
+
+    /// Largest change of each conserved quantity, by its name.
+    #[getter]
+    fn drift<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let (names, changes): (Vec<String>, Vec<f64>) =
+            self.run.drifts.iter().map(|drift| (drift.integral.name().to_owned(), drift.change)).unzip();
+        table(py, &names, &changes)
+    }
+
+    #[getter]
+    fn is_trusted(&self) -> bool {
+        self.run.is_trusted()
+    }
+
+    /// Steps, rejected steps and evaluations of the equations.
+    #[getter]
+    fn work(&self) -> (u64, u64, u64) {
+        let solution = &self.run.solution;
+        (solution.steps, solution.rejected, solution.evaluations)
+    }
+}
+
+/// Values by names.
+fn table<'py>(py: Python<'py>, names: &[String], values: &[f64]) -> PyResult<Bound<'py, PyDict>> {
+    let table = PyDict::new(py);
+    for (name, value) in names.iter().zip(values) {
+        table.set_item(name, value)?;
+    }
+    Ok(table)
+}

@@ -1,0 +1,96 @@
+"""Scenes, runs and controllers."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import tripos
+
+MODELS = Path(__file__).resolve().parents[2] / "models"
+CART = tripos.EXAMPLE + '\n[inputs]\nF = { unit = "N*m", value = 0 }\n[torques.motor]\non = "B"\nframe = "N"\nvector = [0, 0, "F"]\n'
+START = "span = [0, 2]\n[start]\ntheta = 0.5\nomega = 0\n"
+
+
+def test_a_run_has_columns_digits_and_drifts():
+    scene = tripos.Scene(MODELS / "furuta/scenes/swing.toml")
+    run = scene.simulate(rtol=1e-9)
+    assert run.values.shape == (len(run.t), len(run.names))
+    assert run["theta2"][-1] == run.end["theta2"]
+    assert min(run.digits.values()) > 6 and all(abs(change) < 1e-6 for change in run.drift.values())
+    with pytest.raises(KeyError, match="theta2"):
+        run["theta9"]
+
+
+def test_runs_become_tables():
+    pandas, xarray = pytest.importorskip("pandas"), pytest.importorskip("xarray")
+    run = tripos.Scene(MODELS / "furuta/scenes/swing.toml").simulate()
+    frame, dataset = run.to_pandas(), run.to_xarray()
+    assert isinstance(frame, pandas.DataFrame) and frame["theta2"].iloc[-1] == run.end["theta2"]
+    assert isinstance(dataset, xarray.Dataset) and float(dataset["theta2"][-1]) == run.end["theta2"]
+
+
+def test_values_are_set_and_settings_named():
+    model = tripos.Model.from_text(tripos.EXAMPLE)
+    scene = tripos.Scene.from_text(model, START)
+    before = scene.simulate().end["theta"]
+    scene.set(g=1.62)
+    assert scene.simulate().end["theta"] != before
+    with pytest.raises(tripos.RequestError, match="tolerance"):
+        scene.simulate(tolerance=1e-3)
+    with pytest.raises(tripos.TriposError):
+        scene.set(gee=1.0)
+    with pytest.raises(tripos.TriposError):
+        scene.simulate(method="no such method")
+
+
+def test_slopes_are_those_of_differences():
+    model = tripos.Model.from_text(tripos.EXAMPLE)
+    scene = tripos.Scene.from_text(model, START)
+    slope = scene.sensitivity("l")["theta"]["l"]
+    assert scene.gradient("theta")["l"] == pytest.approx(slope, rel=1e-6)
+    ends = []
+    for length in (1 + 1e-5, 1 - 1e-5):
+        scene.set(l=length)
+        ends.append(scene.simulate(rtol=1e-12, atol=1e-14).end["theta"])
+    assert (ends[0] - ends[1]) / 2e-5 == pytest.approx(slope, rel=1e-4)
+
+
+def test_a_controller_is_a_function():
+    model = tripos.Model.from_text(CART)
+    scene = tripos.Scene.from_text(model, START)
+    instants = np.arange(0.0, 2.0, 0.05)
+    run = scene.sampled(["F"], instants, lambda t, state: [-5 * state["theta"] - 3 * state["omega"]])
+    assert abs(run.columns["theta"][-1]) < 0.05
+    assert run.decisions.shape == (len(run.decision_times), 1)
+
+
+@pytest.mark.parametrize("answer", [[], [1.0, 2.0], [float("nan")], ["x"], None, 3.0])
+def test_a_controller_that_returns_nonsense_is_refused(answer):
+    scene = tripos.Scene.from_text(tripos.Model.from_text(CART), START)
+    with pytest.raises((tripos.RequestError, TypeError, ValueError)):
+        scene.sampled(["F"], [0.5, 1.0], lambda t, state: answer)
+
+
+def test_what_a_controller_raises_is_raised():
+    scene = tripos.Scene.from_text(tripos.Model.from_text(CART), START)
+
+    def controller(t, state):
+        raise ZeroDivisionError("at the second instant") if t > 0.6 else None
+
+    with pytest.raises((ZeroDivisionError, TypeError)):
+        scene.sampled(["F"], [0.7, 1.0], controller)
+
+
+def test_ctrl_c_ends_a_run():
+    import os
+    import signal
+    import threading
+    import time
+
+    scene = tripos.Scene.from_text(tripos.Model.from_text(tripos.EXAMPLE), START.replace("[0, 2]", "[0, 1000000]"))
+    threading.Timer(0.5, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+    begin = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        scene.simulate(rtol=1e-12, by="kane")
+    assert time.monotonic() - begin < 10

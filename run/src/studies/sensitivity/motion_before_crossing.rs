@@ -1,0 +1,197 @@
+//! Motion just before a change of contacts: which functions of contacts are zero there, and the
+//! derivatives of the instant at which one is.
+
+use super::held_contact_forces::{HeldContactForces, NOTHING, RatesAlong, VariedNumber};
+use super::precise_contacts::{ParameterStateDirection, PreciseContacts, SMALL};
+use crate::preparation::impacts::ContactCrossing;
+use tripos_sim::ContactMode;
+
+/// Kind of function of the state that is zero at the instant at which a contact changes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum ContactFunction {
+    /// Gap of a contact, which closes.
+    Gap,
+    /// Normal force of a contact, which opens.
+    Force,
+    /// Friction limit of a sticking contact minus the size of its tangential force.
+    Margin,
+    /// Slip velocity of a contact, whose slip ends or reverses.
+    Slip,
+}
+
+/// Function of a contact that crosses zero at an instant, with its rate there.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ContactZero {
+    /// Kind of the function, such as a gap or a slip velocity.
+    pub(super) what: ContactFunction,
+    /// Index of the contact in the scene, from 0.
+    pub(super) contact: usize,
+    /// Time derivative of the function at its zero, in its unit per s.
+    pub(super) rate: f64,
+}
+
+/// Derivative of an instant by a varied number, and the size of the derivative's terms.
+#[derive(Clone, Copy)]
+pub(super) struct InstantDerivative {
+    /// Derivative of the instant, s per unit of the varied number.
+    pub(super) by: f64,
+    /// Sum of the sizes of the derivative's terms, in the unit of the derivative.
+    pub(super) size: f64,
+}
+
+/// Behaviour of a contact's gap at the instant at which it is zero.
+pub(super) enum GapBehaviour {
+    /// The gap increases from zero.
+    Opens,
+    /// The gap is at its minimum, up to the error of the run.
+    Touches,
+    /// The gap closes with this negative rate, in its unit per s.
+    Closes(f64),
+}
+
+/// Motion just before a change of contacts, with its rates and contact forces.
+pub struct MotionBeforeCrossing<'c> {
+    /// Contacts of the scene in 32 digits.
+    pub wide: &'c PreciseContacts<'c>,
+    /// Instant, states and contacts of the change.
+    pub crossing: &'c ContactCrossing<'c>,
+    /// Function for the derivative of the rates without contact forces.
+    pub rates_along: &'c RatesAlong<'c>,
+    /// Rates (q̇, v̇) before the change, with the forces of held contacts.
+    pub rates: Vec<f64>,
+    /// Forces of the contacts held closed before the change; `None` if no contact was held.
+    pub forces: Option<HeldContactForces>,
+}
+
+impl MotionBeforeCrossing<'_> {
+    /// Name of a contact, by its index.
+    pub(super) fn name(&self, contact: usize) -> &str {
+        &self.wide.contacts.impacts[contact].name
+    }
+
+    /// Index of the gap direction of a contact among the directions of all contacts.
+    fn normal(&self, contact: usize) -> usize {
+        self.wide.contacts.rows[contact][0]
+    }
+
+    /// Kind of function whose zero makes a held contact change its mode. `None` if the contact does not
+    /// change, or changes only because other contacts do.
+    pub(super) fn changing_function(&self, contact: usize, mode: ContactMode) -> Option<ContactFunction> {
+        let forces = self.forces.as_ref()?;
+        match (mode, self.crossing.after.kept.mode(contact)) {
+            (_, None) => forces.is_force_zero(self.normal(contact)).then_some(ContactFunction::Force),
+            (ContactMode::Sticks, Some(ContactMode::Slips(_))) => {
+                forces.is_at_limit(self.wide.contacts, contact).then_some(ContactFunction::Margin)
+            }
+            (ContactMode::Slips(_), Some(ContactMode::Sticks)) => Some(ContactFunction::Slip),
+            (ContactMode::Slips(one), Some(ContactMode::Slips(other))) => {
+                (one * other < 0.0).then_some(ContactFunction::Slip)
+            }
+            _ => None,
+        }
+    }
+
+    /// Finds the behaviour of a contact's gap that is zero: it opens, touches or closes.
+    pub(super) fn gap_behaviour(&self, contact: usize) -> GapBehaviour {
+        let (contacts, y) = (self.wide.contacts, self.crossing.before);
+        let slopes = contacts.gap_slopes(y);
+        let (rate, scale) = sum_and_size(slopes.row(contact).iter().zip(&self.rates).map(|(slope, rate)| slope * rate));
+        if rate > NOTHING * scale {
+            return GapBehaviour::Opens;
+        }
+        let slopes = contacts.rates(y).slopes;
+        let (acceleration, _) =
+            sum_and_size(slopes.row(self.normal(contact)).iter().zip(&self.rates).map(|(slope, rate)| slope * rate));
+        // Depth of penetration that the gap would reach without the impact.
+        let depth = if acceleration > 0.0 { 0.5 * rate * rate / acceleration } else { f64::INFINITY };
+        if rate >= -NOTHING * scale || depth <= self.wide.near * contacts.gap_term_size(contact, y) {
+            return GapBehaviour::Touches;
+        }
+        GapBehaviour::Closes(rate)
+    }
+
+    /// Makes the zero of a contact's function at the change, with the rate at which the function
+    /// crosses zero.
+    ///
+    /// # Errors
+    /// Text that says why the function has no crossing, or its force is not determined.
+    pub(super) fn crossing_zero(&self, what: ContactFunction, contact: usize) -> Result<ContactZero, String> {
+        let still = vec![0.0; self.wide.contacts.parameters.len()];
+        let none = vec![0.0; self.wide.contacts.impacts.len()];
+        let time = VariedNumber { name: "t", parameters: &still, restitutions: &none, frictions: &none };
+        let rows = &self.wide.contacts.rows[contact];
+        let shared = |row: &usize| self.forces.as_ref().is_some_and(|forces| forces.is_shared(*row));
+        let needed = match what {
+            ContactFunction::Force => &rows[..1],
+            ContactFunction::Margin => &rows[..2],
+            ContactFunction::Gap | ContactFunction::Slip => &[],
+        };
+        if needed.iter().any(shared) {
+            return Err(format!(
+                "the contact `{}` and others hold the same motion there, and their shares of the force are not determined",
+                self.name(contact)
+            ));
+        }
+        let (rate, size) = self.function_derivative(what, contact, &time, &self.rates)?;
+        if rate.abs() <= SMALL * size {
+            let what = match what {
+                ContactFunction::Force | ContactFunction::Gap => "force of the contact `{}` does not cross zero there",
+                ContactFunction::Margin => "force of the contact `{}` only touches the limit of friction there",
+                ContactFunction::Slip => "slip of the contact `{}` ends there without a deceleration",
+            };
+            return Err(format!("the {}", what.replace("{}", self.name(contact))));
+        }
+        Ok(ContactZero { what, contact, rate })
+    }
+
+    /// Derivative of a contact's function by the varied number, and the size of its terms. `state`
+    /// holds the derivatives of the state.
+    ///
+    /// # Errors
+    /// Text that says why the derivative has no value.
+    fn function_derivative(
+        &self,
+        what: ContactFunction,
+        contact: usize,
+        varied: &VariedNumber<'_>,
+        state: &[f64],
+    ) -> Result<(f64, f64), String> {
+        let direction = ParameterStateDirection { parameters: varied.parameters, state };
+        match what {
+            ContactFunction::Gap => return Ok(self.wide.gap_derivative(contact, self.crossing.before, direction)),
+            ContactFunction::Slip => {
+                let row = self.wide.contacts.rows[contact][1];
+                return Ok(self.wide.velocity_derivative(row, self.crossing.before, direction));
+            }
+            ContactFunction::Force | ContactFunction::Margin => {}
+        }
+        let unknown = || format!("the force of the contact `{}` is not known", self.name(contact));
+        let forces = self.forces.as_ref().ok_or_else(unknown)?;
+        let change = forces.force_derivative(self.wide, self.rates_along, varied, state)?;
+        let row = self.normal(contact);
+        Ok(match what {
+            ContactFunction::Margin => forces.friction_margin_derivative(self.wide.contacts, contact, &change, varied),
+            _ => (change.impulses[row], change.size / forces.compliance_root(row)),
+        })
+    }
+
+    /// Derivative of the instant at which a function is zero by the varied number, and the size of its
+    /// terms.
+    ///
+    /// # Errors
+    /// Text that says why the derivative has no value.
+    pub(super) fn instant_derivative(
+        &self,
+        zero: &ContactZero,
+        varied: &VariedNumber<'_>,
+        state: &[f64],
+    ) -> Result<InstantDerivative, String> {
+        let (change, size) = self.function_derivative(zero.what, zero.contact, varied, state)?;
+        Ok(InstantDerivative { by: -change / zero.rate, size: size / zero.rate.abs() })
+    }
+}
+
+/// Sum of terms, and the sum of their absolute values.
+fn sum_and_size(terms: impl Iterator<Item = f64>) -> (f64, f64) {
+    terms.fold((0.0, 0.0), |(sum, size), term: f64| (sum + term, size + term.abs()))
+}
