@@ -77,10 +77,9 @@ impl Quantity {
         Some(Self { count, takes_accelerations: name == "inverse_dynamics", write })
     }
 
-    /// Values at many states, state by state. Coordinates, motion variables and accelerations are the rows of arrays.
-    pub fn values(&self, code: &Code, p: &[f64], arguments: [(&[f64], usize); 3]) -> Vec<f64> {
-        let (q, nq) = arguments[0];
-        let states = q.len() / nq.max(1);
+    /// Values at `states` states, state by state. Coordinates, motion variables and accelerations are the rows of
+    /// arrays, each with the length of its rows.
+    pub fn values(&self, code: &Code, p: &[f64], states: usize, arguments: [(&[f64], usize); 3]) -> Vec<f64> {
         let mut out = vec![0.0; states * self.count];
         let threads = std::thread::available_parallelism().map_or(1, usize::from).min(states / 256 + 1);
         let share = states.div_ceil(threads).max(1);
@@ -89,9 +88,9 @@ impl Quantity {
             &values[state * width..(state + 1) * width]
         };
         std::thread::scope(|scope| {
-            for (thread, out) in out.chunks_mut(share * self.count).enumerate() {
+            for (thread, out) in out.chunks_mut((share * self.count).max(1)).enumerate() {
                 let mut work = move || {
-                    for (k, out) in out.chunks_mut(self.count).enumerate() {
+                    for (k, out) in out.chunks_mut(self.count.max(1)).enumerate() {
                         let state = thread * share + k;
                         (self.write)(code.system(), [p, row(0, state), row(1, state), row(2, state)], out);
                     }

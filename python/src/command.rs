@@ -18,8 +18,8 @@ pub fn command(py: Python<'_>, words: Vec<OsString>) -> PyResult<(u8, String, St
     let (sender, receiver) = channel();
     // A receiver is shared with the closure that waits without the lock of the interpreter.
     let receiver = Mutex::new(receiver);
-    // The command has a thread of its own with a deep stack, as in the program; this thread listens for signals.
-    let work = std::thread::Builder::new().stack_size(64 << 20).spawn(move || {
+    // The command has a thread of its own, with the stack of a main thread; this thread listens for signals.
+    let work = std::thread::Builder::new().stack_size(8 << 20).spawn(move || {
         // The receiver lives until the thread has ended.
         let _ = sender.send(run_command(words));
     })?;

@@ -93,11 +93,18 @@ impl Model {
         model.speeds.iter().map(|u| (u.name.clone(), u.unit.to_string(), text(u.definition))).collect()
     }
 
-    /// Number of values of a function, and if it takes accelerations; names are those of `evaluate`.
-    fn quantity(&self, py: Python<'_>, name: &str, equations: &str) -> PyResult<(usize, bool)> {
+    /// Numbers of coordinates, of motion variables and of values that a function of the equations has, for one state.
+    fn lengths(&self, py: Python<'_>, name: &str, equations: &str) -> PyResult<(usize, usize, usize)> {
         let code = self.code(py, equations)?;
         let quantity = Quantity::of(code.system(), name).ok_or_else(|| absent(name, code.system()))?;
-        Ok((quantity.count, quantity.takes_accelerations))
+        let lengths = code.system().lengths();
+        Ok((lengths.coordinates, lengths.variables, quantity.count))
+    }
+
+    /// File from which the model was read.
+    #[getter]
+    fn file(&self) -> PathBuf {
+        self.mechanism.model.source.path.clone()
     }
 
     /// Values of a function at the rows of q, v and x, one after the other.
@@ -119,9 +126,18 @@ impl Model {
             let array = array.as_array();
             (array.iter().copied().collect::<Vec<f64>>(), array.ncols())
         });
+        let states = q.as_array().nrows();
+        let lengths = code.system().lengths();
+        let accelerations = if quantity.takes_accelerations { lengths.variables } else { 0 };
+        let expected = [(states, lengths.coordinates), (states, lengths.variables), (states, accelerations)];
+        let given = [&q, &v, &x].map(|array| array.as_array().dim());
+        if given != expected || p.len() != lengths.parameters {
+            let what = format!("the arrays have the shapes {given:?}; `{name}` takes {expected:?}");
+            return Err(RequestError::new_err(what));
+        }
         let values = py.detach(|| {
             let [q, v, x] = &arrays;
-            quantity.values(&code, &p, [(&q.0, q.1), (&v.0, v.1), (&x.0, x.1)])
+            quantity.values(&code, &p, states, [(&q.0, q.1), (&v.0, v.1), (&x.0, x.1)])
         });
         Ok(PyArray1::from_vec(py, values))
     }

@@ -95,8 +95,9 @@ fn overrides(settings: Option<&Bound<'_, PyDict>>) -> PyResult<Overrides> {
     Ok(how)
 }
 
-/// Columns of a sampled run by name, instants of the decisions, s, and the values of the inputs at each.
-type SampledColumns<'py> = (Bound<'py, PyDict>, Vec<f64>, Vec<Vec<f64>>);
+/// Columns of a sampled run by name, instants of the decisions, s, the values of the inputs at each, the estimated
+/// errors of the columns at the end, and reasons not to trust the run.
+type SampledColumns<'py> = (Bound<'py, PyDict>, Vec<f64>, Vec<Vec<f64>>, Option<Bound<'py, PyDict>>, Vec<String>);
 
 impl Scene {
     /// Copy of the scene, for work without the lock of the interpreter.
@@ -144,15 +145,15 @@ impl Scene {
         run.map(|run| Run { run }).map_err(|error| raised(py, &error))
     }
 
-    #[expect(clippy::needless_pass_by_value, reason = "arguments as Python gives them")]
     /// Derivatives of the shown quantities at the end of the run with respect to these numbers: rows are quantities.
+    #[expect(clippy::needless_pass_by_value, reason = "arguments as Python gives them")]
     #[pyo3(signature = (names, settings=None))]
     fn slopes<'py>(
         &self,
         py: Python<'py>,
         names: Vec<String>,
         settings: Option<&Bound<'py, PyDict>>,
-    ) -> PyResult<Bound<'py, PyDict>> {
+    ) -> PyResult<(Bound<'py, PyDict>, Vec<String>)> {
         let (scene, how) = (self.copied(), overrides(settings)?);
         let list: Vec<&str> = names.iter().map(String::as_str).collect();
         let found = py.detach(|| scene.sensitivities(&list, DerivativeInstants::End, &how));
@@ -166,7 +167,7 @@ impl Scene {
             }
             table.set_item(quantity, row)?;
         }
-        Ok(table)
+        Ok((table, found.run.objections().into_iter().chain(found.missing_derivative()).collect()))
     }
 
     /// Derivatives of one number at the end of the run with respect to all parameters and numbers of the start.
@@ -176,20 +177,21 @@ impl Scene {
         py: Python<'py>,
         of: &str,
         settings: Option<&Bound<'py, PyDict>>,
-    ) -> PyResult<Bound<'py, PyDict>> {
+    ) -> PyResult<(Bound<'py, PyDict>, Vec<String>)> {
         let (scene, how) = (self.copied(), overrides(settings)?);
         let found = py.detach(|| scene.gradient(of, &how));
         raise_signal(py)?;
         let table = PyDict::new(py);
-        for slope in &found.map_err(|error| raised(py, &error))?.slopes {
+        let found = found.map_err(|error| raised(py, &error))?;
+        for slope in &found.slopes {
             table.set_item(&slope.by, slope.value)?;
         }
-        Ok(table)
+        Ok((table, found.run.objections().into_iter().chain(found.missing()).collect()))
     }
 
-    #[expect(clippy::needless_pass_by_value, reason = "arguments as Python gives them")]
     /// Runs the scene with inputs that a Python function sets at instants: `controller(t, state)` gets a dictionary of
     /// coordinates and speeds, and returns the values of the inputs. `make` returns a new controller for each run.
+    #[expect(clippy::needless_pass_by_value, reason = "arguments as Python gives them")]
     #[pyo3(signature = (inputs, instants, make, settings=None))]
     fn run_sampled<'py>(
         &self,
@@ -245,7 +247,15 @@ impl Scene {
         }
         let decisions = run.decisions.iter();
         let (at, values) = decisions.map(|decision| (decision.t, decision.values.clone())).unzip();
-        Ok((table, at, values))
+        let errors = run.errors_at_end.as_ref().map(|errors| values_by_name(py, &run.names, errors)).transpose()?;
+        let mut warnings = run.warnings.clone();
+        if run.stop.is_failure() {
+            warnings.push(format!("stopped at t = {} s: {}", run.t_end, run.stop.described(&run.names)));
+        } else if errors.is_none() {
+            warnings
+                .push("the errors at the end are not known: the second run did not come to the same end".to_owned());
+        }
+        Ok((table, at, values, errors, warnings))
     }
 }
 
@@ -281,14 +291,14 @@ impl Run {
     /// Values at the end, by names.
     #[getter]
     fn end<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        table(py, &self.run.names, &self.run.end)
+        values_by_name(py, &self.run.names, &self.run.end)
     }
 
     /// Correct digits at the end, by names; `None` if they are not known.
     #[getter]
     fn digits<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
         let digits = self.run.digits.as_ref().and_then(|digits| digits.digits_at_end());
-        digits.map(|digits| table(py, &self.run.names, digits)).transpose()
+        digits.map(|digits| values_by_name(py, &self.run.names, digits)).transpose()
     }
 
     /// Names and instants of the events.
@@ -320,7 +330,7 @@ impl Run {
     fn drift<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let (names, changes): (Vec<String>, Vec<f64>) =
             self.run.drifts.iter().map(|drift| (drift.integral.name().to_owned(), drift.change)).unzip();
-        table(py, &names, &changes)
+        values_by_name(py, &names, &changes)
     }
 
     #[getter]
@@ -337,7 +347,7 @@ impl Run {
 }
 
 /// Values by names.
-fn table<'py>(py: Python<'py>, names: &[String], values: &[f64]) -> PyResult<Bound<'py, PyDict>> {
+fn values_by_name<'py>(py: Python<'py>, names: &[String], values: &[f64]) -> PyResult<Bound<'py, PyDict>> {
     let table = PyDict::new(py);
     for (name, value) in names.iter().zip(values) {
         table.set_item(name, value)?;

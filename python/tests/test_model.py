@@ -36,6 +36,18 @@ def test_the_equations_agree_with_one_another():
     assert np.allclose((ahead - behind) / (2 * step), model.jacobian(q, u)[:, :, 0], rtol=1e-5, atol=1e-6)
 
 
+def test_a_mechanism_with_more_coordinates_than_speeds():
+    model = tripos.Model(MODELS / "rolling_disc")
+    q = np.full(len(model.coordinates), 0.3)
+    u = np.full(len(model.speeds), 0.2)
+    assert model.derivative(q, u).shape == (q.size + u.size,)
+    rates = model.coordinate_rates(q, u)
+    by_rates = model.kinetic_energy(q, rates, equations="lagrange")
+    assert by_rates == pytest.approx(model.kinetic_energy(q, u), rel=1e-12)
+    with pytest.raises(tripos.RequestError, match="u has the shape"):
+        model.kinetic_energy(q, u, equations="lagrange")
+
+
 def test_parameters_are_keywords():
     model = tripos.Model.from_text(tripos.EXAMPLE)
     assert model.accelerations([0.5], [0.0], g=1.0, l=2.0)[0] == pytest.approx(-np.sin(0.5) / 2)

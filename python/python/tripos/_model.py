@@ -387,12 +387,12 @@ class Model:
         x: ArrayLike | None = None,
     ) -> Array:
         p = self._parameters(parameters)
-        counts = {"q": len(self.coordinates), "u": self._variables(equations)}
-        one, states_q = rows("q", q, counts["q"])
-        also, states_u = rows("u", u, counts["u"])
+        coordinates, variables, width = self._model.lengths(name, equations)
+        one, states_q = rows("q", q, coordinates)
+        also, states_u = rows("u", u, variables)
         many = [states_q, states_u]
         if x is not None:
-            last, states_x = rows("u_dot", x, counts["u"])
+            last, states_x = rows("u_dot", x, variables)
             many.append(states_x)
             also = also and last
         count = max(len(states) for states in many)
@@ -402,14 +402,10 @@ class Model:
         many = [np.ascontiguousarray(np.broadcast_to(s, (count, s.shape[1]))) for s in many]
         accelerations = many[2] if x is not None else np.zeros((count, 0))
         flat = self._model.evaluate(name, equations, p, many[0], many[1], accelerations)
-        width, _ = self._model.quantity(name, equations)
         values: Array = flat.reshape(count, width)
         if shaped is not None:
             values = shaped(values)
         return values[0] if one and also else values
-
-    def _variables(self, equations: str) -> int:
-        return len(self.coordinates) if equations == "lagrange" else len(self.speeds)
 
 
 def rows(name: str, values: ArrayLike, width: int) -> tuple[bool, Array]:
@@ -420,7 +416,7 @@ def rows(name: str, values: ArrayLike, width: int) -> tuple[bool, Array]:
         raise _tripos.RequestError(f"{name} is no array of real numbers: {error}") from error
     if array.ndim not in (1, 2) or array.shape[-1] != width:
         raise _tripos.RequestError(f"{name} has the shape {array.shape}; give ({width},) or (N, {width})")
-    return array.ndim == 1, array.reshape(-1, width)
+    return array.ndim == 1, array if array.ndim == 2 else array.reshape(1, width)
 
 
 def square(values: Array) -> Array:

@@ -6,8 +6,8 @@ import os
 import pathlib
 import tempfile
 import warnings
-from collections.abc import Mapping, Sequence
-from typing import Any, Callable, NamedTuple, Optional, Union
+from collections.abc import Sequence
+from typing import Any, Callable, NamedTuple, Optional
 
 import numpy as np
 
@@ -18,11 +18,17 @@ from ._model import Array, Model, Path
 
 
 class SampledRun(NamedTuple):
-    """A run with a controller: columns by name, and the decisions of the controller."""
+    """A run with a controller: columns by name, the decisions of the controller, and errors at the end."""
 
     columns: dict[str, Array]
+    #: Instants at which the controller set the inputs, s.
     decision_times: Array
+    #: Values of the inputs: a row for each instant.
     decisions: Array
+    #: Estimated error of each column at the end; None if it is not known.
+    errors: Optional[dict[str, float]]
+    #: Reasons not to trust the run.
+    warnings: list[str]
 
 
 class Run:
@@ -186,7 +192,10 @@ class Scene:
     @property
     def model(self) -> Model:
         """Model of the scene."""
-        return Model._of(self._scene.mechanism())
+        model = Model._of(self._scene.mechanism())
+        if not self._text:
+            model._path = pathlib.Path(model._model.file)
+        return model
 
     def set(self, **values: float) -> None:
         """Sets parameters and numbers of the start, in the units of the model file."""
@@ -198,17 +207,24 @@ class Scene:
         """Runs the scene. Settings replace those of the file: by, method, project, solve, step, max_step, rtol, atol,
         until. Each reason not to trust the run is a Python warning too."""
         run = Run(self._scene.run(settings))
-        for warning in run.warnings:
-            warnings.warn(warning, UntrustedRunWarning, stacklevel=2)
+        warn(run.warnings)
         return run
 
     def sensitivity(self, *names: str, **settings: Any) -> dict[str, dict[str, float]]:
-        """Derivatives of the shown quantities at the end with respect to parameters and numbers of the start."""
-        return self._scene.slopes(list(names), settings)
+        """Derivatives of the shown quantities at the end with respect to parameters and numbers of the start.
+
+        A derivative that does not exist is NaN, with a warning."""
+        slopes, reasons = self._scene.slopes(list(names), settings)
+        warn(reasons)
+        return slopes
 
     def gradient(self, of: str, **settings: Any) -> dict[str, float]:
-        """Derivatives of one number at the end with respect to all parameters and numbers of the start."""
-        return self._scene.gradient_of(of, settings)
+        """Derivatives of one number at the end with respect to all parameters and numbers of the start.
+
+        A derivative that does not exist is NaN, with a warning."""
+        slopes, reasons = self._scene.gradient_of(of, settings)
+        warn(reasons)
+        return slopes
 
     def sampled(
         self,
@@ -222,7 +238,14 @@ class Scene:
         """Runs the scene with inputs that `controller(t, state)` sets at the instants, s, each held until the next.
 
         A second run gives the errors. A controller with a memory is made anew for each run by `make`."""
-        columns, at, values = self._scene.run_sampled(
+        columns, at, values, errors, reasons = self._scene.run_sampled(
             list(inputs), [float(t) for t in instants], make or (lambda: controller), settings
         )
-        return SampledRun(columns, np.array(at), np.array(values).reshape(len(at), len(inputs)))
+        warn(reasons)
+        return SampledRun(columns, np.array(at), np.array(values).reshape(len(at), len(inputs)), errors, reasons)
+
+
+def warn(reasons: Sequence[str]) -> None:
+    """Makes each reason not to trust a run a Python warning at the line that called the method."""
+    for reason in reasons:
+        warnings.warn(reason, UntrustedRunWarning, stacklevel=3)
