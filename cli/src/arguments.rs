@@ -106,7 +106,7 @@ pub enum Command {
         /// An output for C, a name or a formula, beside the `outputs` of the file
         #[arg(long = "output", value_name = "FORMULA")]
         outputs: Vec<String>,
-        /// Keep a parameter, or a name of the state file, as a letter: A, B, C and D by exact algebra
+        /// Keep a parameter, or a name from the state file, symbolic: A, B, C and D are then computed exactly
         #[arg(long = "symbolic", value_name = "NAME")]
         letters: Vec<String>,
         /// Keep the states that do not influence the others, such as the place of a wheel on its plane
@@ -381,7 +381,7 @@ pub enum Command {
         scene: PathBuf,
         #[command(flatten)]
         set: Set,
-        /// Use fewer tolerances and repeats, for less than two minutes
+        /// Use fewer tolerances and repeats, so that the run takes less than two minutes
         #[arg(long)]
         quick: bool,
         /// Also run the equations that the publication beside the model prints

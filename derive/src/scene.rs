@@ -11,7 +11,8 @@ use crate::algebra::Expr;
 use crate::diagnostic::{Diagnostic, Diagnostics, Source};
 use crate::model::{Coordinate, Model, TIME};
 use crate::toml_reader::TomlReader;
-use numbers::number_reader::{Number, ValueReader, double_values};
+use numbers::number_reader::ValueReader;
+use numbers::scene_number::{Number, double_values};
 use starts::state::Start;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
@@ -27,13 +28,13 @@ pub use motions::motion_samples::load_samples;
 pub use motions::prescribed_motion::{Formulas, Motion, MotionForm, MotionSample, load_motion};
 pub use numbers::number_reader::NamedNumber;
 pub use settings::impacts::{ContactFriction, ImpactContact, ImpactLaw};
-pub use settings::inputs::load_scene_with_inputs;
 pub(crate) use settings::integration::SOLVES;
 pub use settings::integration::{AccelerationSolution, Integration, Integrator, ProjectionTarget};
-pub use settings::outputs::ENERGIES;
+pub use settings::outputs::{ENERGIES, load_output};
 pub use starts::loops::{DependentLoop, Loops};
 pub use starts::start::{ExactStart, InitialMotion, SolvedVariable};
-pub use starts::state_with_unknowns::{StateWithUnknowns, load_output, load_state_with_unknowns};
+pub use starts::state::{State, load_state};
+pub use starts::state_with_unknowns::{StateWithUnknowns, load_state_with_unknowns};
 
 /// Event of a scene: an instant of a run at which a function of the state crosses zero.
 #[derive(Clone, Debug)]
@@ -240,6 +241,17 @@ pub fn load(source: &Source, model: &mut Model) -> Result<Scene, Diagnostics> {
     })
 }
 
+/// Reads a scene for its model and replaces inputs of the model by the scene's formulas. Equations
+/// are then derived with these formulas. The model must not have been used to read another scene
+/// before.
+///
+/// # Errors
+/// [`Diagnostics`] with every error of the scene file.
+pub fn load_scene_with_inputs(source: &Source, model: &mut Model) -> Result<Scene, Diagnostics> {
+    settings::inputs::bind_inputs(source, model)?;
+    load(source, model)
+}
+
 impl Scene {
     /// Scenes of the ladder (the varied start value), one for each value, with the text "name = value".
     /// Without a ladder, the scene itself is the only entry.
@@ -286,50 +298,6 @@ struct SceneNumbers {
     integration: Integration,
     /// Coefficients of restitution and friction, in the order of the scene's contacts.
     coefficients: Vec<settings::impacts::Coefficients>,
-}
-
-/// State of a mechanism at one instant: parameters, coordinates and generalized speeds.
-#[derive(Clone, Debug, PartialEq)]
-pub struct State {
-    /// Values of the parameters in SI units, in the order of the model.
-    pub parameters: Vec<f64>,
-    /// Values of the generalized coordinates in SI units, in the order of the model.
-    pub q: Vec<f64>,
-    /// Values of the generalized speeds in SI units, in the order of the model.
-    pub u: Vec<f64>,
-}
-
-impl State {
-    /// Warnings about angles of the state that were probably meant in degrees, one line each. These
-    /// angles exceed one turn and have few decimals.
-    #[must_use]
-    pub fn hints(&self, model: &Model) -> Vec<String> {
-        let turned = model.coordinates.iter().zip(&self.q).filter(|(c, q)| c.looks_like_degrees(**q));
-        turned.map(|(c, q)| format!("`{}` is {q} rad: if degrees are meant, write \"{q}*deg\"", c.name)).collect()
-    }
-}
-
-/// Reads a state file: `[parameters]`, if values differ from the model's defaults, and `[state]`.
-/// Formulas that the file gives to inputs replace the inputs in the model.
-///
-/// # Errors
-/// [`Diagnostics`] with every error of the state file.
-pub fn load_state(source: &Source, model: &mut Model) -> Result<State, Diagnostics> {
-    settings::inputs::bind_inputs(source, model)?;
-    let (reader, table) = TomlReader::parse(source)?;
-    let table = table.get_ref();
-    let mut values = ValueReader::new(reader, model);
-    values.state_file(table, &[]);
-    let parameters = values.parameters(table);
-    let state = values.section(table, "state");
-    if state.is_none() {
-        let help = "add [state] with every coordinate and every speed or every q'";
-        values.reader.errors.push(Diagnostic::of_file("the file has no `state`", help));
-    }
-    let state = state.and_then(|state| values.state(table, state, parameters.as_deref()?));
-    values.reader.finish()?;
-    let Start { q, u, .. } = state.expect("reported if missing");
-    Ok(State { parameters: double_values(&parameters.expect("reported if missing")), q, u })
 }
 
 impl<'a> ValueReader<'a, '_> {

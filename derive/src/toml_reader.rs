@@ -53,10 +53,12 @@ pub struct TomlReader<'a> {
     made: Vec<AssembledText>,
 }
 
-/// Places of a text that was assembled from parts of a file. Its bytes are numbered behind the last
-/// byte of the file that is read, so that a byte number identifies the text.
+/// Map from the bytes of a text that was assembled from parts of a file to their places in the
+/// file. The bytes of the text get numbers after that of the last byte of the file that is read, so
+/// that a byte number tells to which text it belongs.
 struct AssembledText {
-    /// Number of the first byte of the assembled text, counted on from the file that is read.
+    /// Number of the first byte of the assembled text. The count continues after the last byte of the
+    /// file that is read and of earlier assembled texts.
     start: usize,
     /// File from which the parts come; `None` for the file that is read.
     file: Option<Arc<Source>>,

@@ -23,7 +23,8 @@ struct ShelvedPublication {
     verdict: Result<ShelfVerdict, String>,
 }
 
-/// Verdict on a publication, as the list of publications shows it.
+/// Result of comparing the equations that a publication prints with the derived ones, as the list
+/// of publications shows it.
 struct ShelfVerdict {
     /// Title of the publication, for its heading in the list.
     title: String,

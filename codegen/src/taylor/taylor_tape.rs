@@ -94,23 +94,25 @@ struct TapeCoefficients<'a, S> {
 }
 
 impl<S: Numeric> TapeCoefficients<'_, S> {
-    /// Returns the coefficient of order `j` of a series.
+    /// Returns the coefficient of order `j` of the series with index `series`.
     fn of(&self, j: usize, series: usize) -> S {
         self.z[j * self.columns + series]
     }
 
-    /// Returns the convolution Σ a_j b_{k−j} of the series `a` and `b` over `from` ≤ j < `to`.
+    /// Returns the convolution Σ a_j b_{k−j} over `from` ≤ j < `to`, where k is the order to compute,
+    /// and `a` and `b` are the indices of the two series.
     fn convolution(&self, a: usize, b: usize, from: usize, to: usize) -> S {
         self.weighted_convolution(a, b, from, to, |_| S::int(1))
     }
 
-    /// Returns the convolution Σ j a_j b_{k−j} of the series `a` and `b` over `from` ≤ j < `to`.
+    /// Returns the convolution Σ j a_j b_{k−j} over `from` ≤ j < `to`, where k is the order to compute,
+    /// and `a` and `b` are the indices of the two series.
     fn counted_convolution(&self, a: usize, b: usize, from: usize, to: usize) -> S {
         self.weighted_convolution(a, b, from, to, whole_number)
     }
 
-    /// Returns the convolution Σ f(j) a_j b_{k−j} of the series `a` and `b` over `from` ≤ j < `to`,
-    /// where f is `factor`.
+    /// Returns the convolution Σ f(j) a_j b_{k−j} over `from` ≤ j < `to`, where f is `factor`, k is the
+    /// order to compute, and `a` and `b` are the indices of the two series.
     fn weighted_convolution(&self, a: usize, b: usize, from: usize, to: usize, factor: impl Fn(usize) -> S) -> S {
         let products = (from..to).map(|j| factor(j) * self.of(j, a) * self.of(self.k - j, b));
         products.reduce(|sum, product| sum + product).unwrap_or(S::int(0))

@@ -1,7 +1,8 @@
 //! Weighted sums of dot products of vectors, collected before they are expanded. Mass matrices are
 //! built from them.
 
-use super::vector::{Frames, Part, Vector};
+use super::frames::Frames;
+use super::vector::{Part, Vector};
 use crate::algebra::{Arena, Expr};
 use rustc_hash::FxHashMap;
 

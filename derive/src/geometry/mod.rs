@@ -3,6 +3,7 @@
 
 mod components;
 mod dot_product_sums;
+mod frames;
 mod motion;
 mod rotation;
 mod vector;
@@ -10,9 +11,10 @@ mod vector;
 pub(crate) use components::transposed;
 pub use components::{Components, apply_tensor, cross_components};
 pub use dot_product_sums::{Dots, SymmetricDots};
+pub use frames::Frames;
 pub use motion::{Motion, angular_velocities, linear_velocities};
 pub use rotation::{Oriented, Turn, TurnSense};
-pub use vector::{Frames, Part, Vector};
+pub use vector::{Part, Vector};
 
 use crate::algebra::Expr;
 

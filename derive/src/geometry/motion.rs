@@ -4,7 +4,8 @@
 //! T. R. Kane & D. A. Levinson, *Dynamics: Theory and Applications* (1985), §§ 2.4 (addition theorem), 2.7, 2.8 (points
 //! fixed on a body, and moving on it).
 
-use super::vector::{Frames, Vector};
+use super::frames::Frames;
+use super::vector::Vector;
 use super::{Frame, Placement, Point};
 use crate::algebra::Arena;
 use crate::algebra::term::calculus::Differential;

@@ -25,14 +25,15 @@ const TURNS: [i32; 2] = [1, 2];
 /// Largest total power of sines and cosines of all angles in a product.
 const MOST_TURNS: i32 = 4;
 
-/// Set of products that a stage of the search for a factor tries.
+/// Products of known parameters that a stage of the search tries as the factor of a base parameter.
 #[derive(Clone, Copy)]
 pub struct FactorSearchStage {
-    /// Largest total degree of a product in the known parameters.
+    /// Largest total degree of a tried product in the known parameters.
     degree: i32,
     /// True if a product may divide by known parameters; false if no exponent is negative.
     divides: bool,
-    /// True if a product must have the unit of the factor; false if units are ignored.
+    /// True if only products that have the unit of the wanted factor are tried; false if units are
+    /// ignored.
     by_unit: bool,
 }
 

@@ -9,15 +9,15 @@ use crate::model::Model;
 use crate::model::constraints::closed_poses::{ClosedPoseSearch, RandomNumbers, random_coordinate_ranges};
 use nalgebra::{DMatrix, DVector};
 
-/// Numbers of closed poses in a sample. They are tried in turn until dependent and independent
-/// columns differ clearly.
+/// Numbers of random poses with closed loops in a sample. They are tried in turn until dependent
+/// and independent columns of the regressor differ clearly.
 const POSES: [usize; 3] = [12, 24, 48];
 /// Number of states (speeds and accelerations) in each pose: half of them find the relations, half
 /// confirm them.
 const STATES: usize = 16;
-/// Ratio of the forces in a pose to those in most poses above which the pose counts as near a dead
-/// point of the speeds. Such a pose is left out, because its rounding errors would hide the other
-/// poses.
+/// Multiple of the usual (median) forces above which a pose counts as near a dead point, where the
+/// generalized speeds do not determine q̇. Such a pose is left out, because its rounding errors
+/// would hide the other poses.
 const NEAR_DEAD: f64 = 10.0;
 /// Largest absolute value of the speeds (1/s for angles) and accelerations (1/s²) of the sampled
 /// states.

@@ -2,10 +2,11 @@
 //! or a reduction.
 
 use super::derive_error::DeriveError;
-use super::equations_origin::{EquationsOrigin, SingularDistance};
+use super::equations_origin::EquationsOrigin;
 use super::formulations::formulation::Formulation;
 use super::motion::kinematics::{Kinematics, MotionVariables};
 use super::rows::{AccelerationEmbedding, RowName, Rows};
+use super::singular_distance::SingularDistance;
 use crate::algebra::solve::quadratic_minimum::QuadraticForm;
 use crate::algebra::term::calculus::{Differential, Gradient};
 use crate::algebra::term::steps::Definition;

@@ -2,6 +2,7 @@
 //! file.
 
 use super::formulations::formulation::Formulation;
+use super::singular_distance::SingularDistance;
 use crate::model::Model;
 
 /// Origin of a set of equations of motion: derived, printed in a publication, or reduced for a
@@ -81,41 +82,5 @@ impl EquationsOrigin {
 impl From<Formulation> for EquationsOrigin {
     fn from(formulation: Formulation) -> Self {
         Self::Derived(formulation)
-    }
-}
-
-/// Angle of a coordinate from a multiple of 90°, which replaces the coordinate in the equations
-/// near that angle.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct SingularDistance {
-    /// Index of the replaced coordinate, counted from 0.
-    pub coordinate: usize,
-    /// Value of the coordinate at which the distance is zero, in quarter turns: 1 for 90°.
-    pub quarter_turns: i32,
-}
-
-impl SingularDistance {
-    /// Value of the coordinate at which the distance is zero, in degrees.
-    #[must_use]
-    pub fn degrees(self) -> i64 {
-        90 * i64::from(self.quarter_turns)
-    }
-
-    /// Name of the distance in the names of equations, such as `q2-90deg`.
-    #[must_use]
-    pub fn name(&self, model: &Model) -> String {
-        self.distance_text(model, "deg")
-    }
-
-    /// Title of the distance for a heading, such as `q2-90°`.
-    #[must_use]
-    pub fn title(&self, model: &Model) -> String {
-        self.distance_text(model, "°")
-    }
-
-    /// Writes coordinate, sign and degrees, followed by the given text of the unit.
-    fn distance_text(self, model: &Model, unit: &str) -> String {
-        let sign = if self.quarter_turns < 0 { '+' } else { '-' };
-        format!("{}{sign}{}{unit}", model.coordinates[self.coordinate].name, self.degrees().abs())
     }
 }

@@ -9,6 +9,7 @@ mod formulations;
 mod motion;
 mod quantity;
 mod rows;
+mod singular_distance;
 mod solutions;
 mod unsolved;
 
@@ -18,7 +19,7 @@ pub use derivation::{
 };
 pub use derive_error::DeriveError;
 pub use equations::{Constrained, Equations};
-pub use equations_origin::{EquationsOrigin, SingularDistance};
+pub use equations_origin::EquationsOrigin;
 pub use formulations::formulation::{Formulation, FormulationProperties};
 pub use formulations::newton_euler::{Balance, newton_euler_balances, newton_euler_partial_velocities};
 pub use formulations::reaction_directions::balance_multipliers_along_reactions;
@@ -33,10 +34,11 @@ pub use motion::loads::{Load, MovingLoadPlace, moving_load_places};
 pub use motion::potential::potential_at_rest;
 pub use quantity::{EnergyQuantity, Quantity, QuantityKind, QuantityOwner, RowQuantity, VectorName};
 pub use rows::{AccelerationEmbedding, BalanceName, LineName, RowName, Rows, Stage, Step};
+pub use singular_distance::{SingularDistance, singular_distances};
 pub use solutions::accelerations::{SolvedAccelerations, accelerations, energy_gradient};
 pub use solutions::certificate::{Certificate, certify_accelerations, certify_inverse_dynamics};
 pub use solutions::divisors::{Divisors, LoadDivisor, distinct_divisors, divisor_without_number, load_divisors};
-pub use solutions::equations_in_distance::{equations_in_distance, singular_distances};
+pub use solutions::equations_in_distance::equations_in_distance;
 pub use solutions::inertia_check::{InertiaCheck, check_inertia_at};
 pub use solutions::jacobian::{Jacobian, jacobian};
 

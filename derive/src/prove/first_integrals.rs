@@ -100,7 +100,8 @@ impl Integral {
 /// conserved.
 #[derive(Clone, Debug)]
 pub struct IntegralSearch {
-    /// Text that describes the fields and functions that were searched.
+    /// Text that says for which symmetries and momenta the search for first integrals is complete, and
+    /// what it did not search.
     pub covered: String,
     /// Power d(T + V)/dt as a term in q and u, W; `None` if an energy is conserved. If `Some`, the
     /// applied loads have no potential that was found, or a potential that jumps in time.

@@ -37,7 +37,9 @@ fn equality_separator(rest: &str, notation: Notation) -> usize {
     marks.iter().find(|mark| rest.starts_with(**mark)).map_or(0, |mark| mark.len())
 }
 
-/// Parts of a range of a text between marks that stand outside of all groups and environments.
+/// Splits a range of a formula's text at the marks that stand outside of all brackets and
+/// environments, and returns the byte ranges of the parts. `mark` gives the length in bytes of the
+/// mark with which a text begins, such as an equals sign, and 0 if it begins with none.
 fn equality_parts(
     text: &str,
     range: Range<usize>,

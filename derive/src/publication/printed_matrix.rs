@@ -309,8 +309,8 @@ fn row_cells(text: &str, row: Range<usize>) -> Vec<Range<usize>> {
     cells
 }
 
-/// Byte ranges of the parts of a range between separators that are outside of all parentheses and
-/// brackets.
+/// Splits a range of the text of a matrix at the separators that stand outside of all parentheses
+/// and brackets, and returns the byte ranges of the parts.
 fn split_matrix_outside_brackets(text: &str, range: Range<usize>, is_mark: impl Fn(char) -> bool) -> Vec<Range<usize>> {
     let (mut parts, mut depth, mut from) = (Vec::new(), 0_usize, range.start);
     for (at, c) in text[range.clone()].char_indices() {

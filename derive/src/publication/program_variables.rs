@@ -18,7 +18,7 @@ pub fn variable_number_of_substitute(name: &str) -> Option<usize> {
     name.strip_prefix(LOCAL)?.strip_suffix('_')?.parse().ok()
 }
 
-/// Variables that a printed program assigns, with their values.
+/// Variables that a program listed in a publication assigns, with their values.
 #[derive(Default)]
 pub struct ProgramVariables {
     /// Index, in the list of values, of the latest value of each variable, by the name in the
@@ -30,10 +30,10 @@ pub struct ProgramVariables {
     unpacked: Vec<Vec<String>>,
 }
 
-/// Value of a variable of a printed program.
+/// Value that a program listed in a publication assigns to a variable.
 #[derive(Clone)]
 pub enum ProgramValue {
-    /// Value that was read as a term.
+    /// Value that was read as a symbolic term.
     Value(Expr),
     /// Value that was not read, with the reason.
     Unread(UnreadAssignment),

@@ -116,9 +116,10 @@ impl<'a, const N: usize> Taylor<'a, N> {
         }
     }
 
-    /// Jump of the derivative in each lane at the end of steps of signed sizes `h`, s, between the
-    /// polynomials of two steps. It is expressed as an error of the state, as in
-    /// [`crate::methods::taylor`], in the norm of the error test.
+    /// Jump of the derivative of the state, in each lane, where the tried step ends and the next
+    /// begins: the difference of the derivatives of the Taylor polynomials of both steps. The signed
+    /// step sizes `h`, s, scale the jump to an error of the state, as in [`crate::methods::taylor`].
+    /// Returns the norms of the error test.
     #[inline(always)]
     fn jump(&self, test: &ErrorTest, h: Lanes<N>) -> [f64; N] {
         let n = self.lengths.state();

@@ -147,8 +147,9 @@ impl<S: Real> Taylor<S> {
         (before * power).max(last * (power * h))
     }
 
-    /// Norm of the jump of the derivative at the end of a step of `h` s, between its polynomial and the
-    /// next. It is expressed as the error of the state that a term of the next order would make.
+    /// Norm of the jump of the state's derivative at the end of a step of `h` s, between the Taylor
+    /// polynomial of the step and that of the next step. The jump is expressed as the error of the
+    /// state that a term of the next order would make.
     ///
     /// It matters if the last terms happen to vanish: of x'' = −x³ through x = 0 only every fourth term is
     /// not zero.

@@ -135,22 +135,25 @@ impl QuadratureRun<'_> {
 
 /// Times at which panels (subintervals of the quadrature) meet, in the order of the run.
 struct PanelTimes {
-    /// Times τ of the nodes of a single period, s, or of all nodes if there is no period.
+    /// Times τ, s, at which panels meet: those within one period of the motion, or all of them if the
+    /// motion does not repeat. They are counted from an origin of the motion, not from the start of the
+    /// run.
     times: Vec<f64>,
     /// Period of the motion, s; `None` if it does not repeat.
     period: Option<f64>,
-    /// Time τ of the start of the motion, s.
+    /// Time τ at which the run starts, s.
     lead: f64,
     /// True if the run goes forward in time.
     forward: bool,
-    /// Index in `times` of the next node.
+    /// Index in `times` of the next time at which panels meet.
     at: usize,
-    /// Number of whole periods that are added to the times.
+    /// Number of whole periods that are added to `times`.
     turns: f64,
 }
 
 impl PanelTimes {
-    /// Creates the nodes of a motion in the direction of the signed length `span`, s; none if that is 0.
+    /// Lists the times at which the panels of a motion meet, in the direction of the signed length
+    /// `span`, s; the list is empty if `span` is 0.
     fn new(motion: &MotionByQuadrature<'_>, span: f64) -> Self {
         let forward = span >= 0.0;
         let mut times = if exactly_equal(span, 0.0) { Vec::new() } else { motion.course.nodes() };
@@ -164,8 +167,8 @@ impl PanelTimes {
         Self { times, period, lead: motion.lead, forward, at: 0, turns }
     }
 
-    /// Time from the start, s, of the next node beyond the time `t` from the start; `None` if there is
-    /// none.
+    /// Time from the start, s, at which the next two panels after the time `t` from the start meet;
+    /// `None` if no later panels meet.
     fn next_panel_time(&mut self, t: f64) -> Option<f64> {
         loop {
             if self.at >= self.times.len() {

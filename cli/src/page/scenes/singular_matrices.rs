@@ -17,7 +17,8 @@ use tripos_derive::prove::{DeterminantAtZero, Singularity};
 /// divisor gets a name.
 const SHORT: usize = 40;
 
-/// Returns the HTML of the statements and the table below the figure of determinants.
+/// Returns the HTML below the figure of determinants: the sentences that say where matrices of the
+/// equations are singular, and the table of the extreme values of their divisors along runs.
 pub fn singularity_statements(page: &Page, scene: &SceneSection) -> String {
     let divisors = divisors(page);
     let mut items = singular_divisor_definitions(page);

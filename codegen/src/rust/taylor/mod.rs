@@ -1,16 +1,14 @@
 //! Generated Rust function `taylor`, which computes the Taylor coefficients of a motion in time.
 
 mod taylor_statements;
+mod taylor_variables;
 
-use super::expression::expression;
 use super::names::rust_identifier;
 use super::rust_function::{Parameters, section, signature, statements, unpack};
 use crate::plan::{LineComments, TaylorPlan};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
-use rustc_hash::FxHashMap;
-use tripos_derive::algebra::Expr;
-use tripos_derive::algebra::text::display_tree::display_tree;
+use taylor_variables::TaylorWriter;
 
 /// Place of the text of the function `taylor`, as seen from a file that uses it.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -66,51 +64,6 @@ pub fn function(plan: &TaylorPlan<'_>, parameters: &Parameters) -> TokenStream {
             #constants
             #start
             #orders
-        }
-    }
-}
-
-/// Writer of the text of a function `taylor`, by the names in its plan.
-struct TaylorWriter<'a> {
-    plan: &'a TaylorPlan<'a>,
-}
-
-impl TaylorWriter<'_> {
-    /// Returns the variable of a series' coefficient of order 0.
-    fn order_zero_variable(&self, at: usize) -> TokenStream {
-        rust_identifier(&format!("{}_0", self.plan.names[at]))
-    }
-
-    /// Returns the variable of a series' coefficient of order 1.
-    fn order_one_variable(&self, at: usize) -> TokenStream {
-        rust_identifier(&format!("{}_1", self.plan.names[at]))
-    }
-
-    /// Returns the variable of a series' coefficient of order k − 1.
-    fn previous_order_variable(&self, at: usize) -> TokenStream {
-        rust_identifier(&format!("{}_last", self.plan.names[at]))
-    }
-
-    /// Returns the variable of a series' coefficient of order k.
-    fn current_order_variable(&self, at: usize) -> TokenStream {
-        rust_identifier(&self.plan.names[at])
-    }
-
-    /// Returns the variable of the reciprocal of a series' coefficient of order 0.
-    fn reciprocal_variable(&self, at: usize) -> TokenStream {
-        rust_identifier(&self.plan.over[&at])
-    }
-
-    /// Returns the variable of 1/(2 z), where z is the coefficient of order 0 of a square root.
-    fn over_twice_variable(&self, at: usize) -> TokenStream {
-        rust_identifier(&self.plan.over_twice[&at])
-    }
-
-    /// Returns the expression for a constant factor: its variable, or a number.
-    fn weight_variable_or_number(&self, e: Expr) -> TokenStream {
-        match self.plan.weights.get(&e).or_else(|| self.plan.variables.of.get(&e)) {
-            Some(name) => rust_identifier(name),
-            None => expression(&display_tree(self.plan.arena, e, &FxHashMap::default(), usize::MAX)),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Statements of the generated function `taylor`: coefficients of order 0, of order 1, and the loop
 //! over higher orders.
 
-use super::TaylorWriter;
+use super::taylor_variables::TaylorWriter;
 use crate::plan::LineComments;
 use crate::rust::rust_text::comment;
 use crate::taylor::{Operand, Rule};

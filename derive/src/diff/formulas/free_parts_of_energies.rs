@@ -58,9 +58,10 @@ impl EntryJudge<'_, '_> {
         found.change.is_some_and(|(own, _)| own != printed.value).then_some(found)
     }
 
-    /// Accepts a printed energy if it differs from the derived energy only in free parts; else
-    /// returns the finding unchanged.
-    /// `printed` is the value of the printed energy.
+    /// Accepts a printed energy if it differs from the derived energy only in parts without effect on
+    /// the equations of motion. These are a constant, the potential of loads that the model states as
+    /// forces, and, in L, the time derivative of a function of q and t. Otherwise returns the finding
+    /// unchanged. `printed` is the value of the printed energy.
     pub(super) fn up_to_free_parts(&mut self, finding: Finding, energy: EnergyQuantity, printed: Expr) -> Finding {
         let finding = self.accept_free_energy_constant(finding, printed);
         let Some(difference) = finding.difference.filter(|_| finding.judgement == Judgement::Different) else {

@@ -51,13 +51,13 @@ impl ValueConsequences {
         Self { put, d_dt, moves_otherwise, vectors: FxHashMap::default(), scalars: FxHashMap::default() }
     }
 
-    /// Printed value of the quantity `kind` itself; `None` if it is not printed.
+    /// Value that the publication prints for the quantity `kind`; `None` if it prints none.
     pub fn printed(&self, kind: &QuantityKind) -> Option<Expr> {
         self.put.iter().find(|value| value.kind == *kind).map(|value| value.printed)
     }
 
-    /// Value of a quantity, computed with printed values in place of derived ones; `None` if it
-    /// depends on no printed value.
+    /// Value of a quantity, computed with the values that the publication prints in place of derived
+    /// ones; `None` if the quantity depends on no printed value.
     pub fn value(&mut self, quantities: &mut Quantities<'_>, kind: &QuantityKind) -> Option<Expr> {
         if let Some(value) = self.printed(kind) {
             return Some(value);
@@ -70,8 +70,8 @@ impl ValueConsequences {
         value
     }
 
-    /// Value of a quantity from printed values, minus its derived value; `None` if it depends on no
-    /// printed value.
+    /// Value of a quantity, computed from the values that the publication prints, minus its derived
+    /// value; `None` if the quantity depends on no printed value.
     pub fn change_of_quantity(&mut self, quantities: &mut Quantities<'_>, kind: &QuantityKind) -> Option<Expr> {
         let value = self.value(quantities, kind)?;
         let right = derived_value(quantities, kind)?;
@@ -122,8 +122,9 @@ impl ValueConsequences {
         value
     }
 
-    /// Frame in which components of a vector are printed: `frame` itself if possible, else the
-    /// first; `None` if no component is printed.
+    /// Frame in which the publication prints components of the vector `name` of the point or body `of`:
+    /// `frame` if it prints some there, else the frame with the lowest index; `None` if it prints no
+    /// component of the vector.
     fn frame_of_printed_components(&self, name: VectorName, of: usize, frame: usize) -> Option<usize> {
         let frames = self.put.iter().filter_map(|value| match value.kind {
             QuantityKind::Component { vector, of: owner, frame, .. } if (vector, owner) == (name, of) => Some(frame),

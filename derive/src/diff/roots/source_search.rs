@@ -318,8 +318,8 @@ impl<'a, 'b> SourceSearch<'a, 'b> {
         self.exact.compare_exactly(solved, value.printed).then_some(sources)
     }
 
-    /// Symbol of the acceleration that an entry prints; `None` for an entry that prints no
-    /// acceleration.
+    /// Symbol of the acceleration whose formula the publication prints in the wrong entry with index
+    /// `at`; `None` if the entry is not an acceleration.
     fn acceleration_of(&self, at: usize) -> Option<Expr> {
         let model = self.exact.quantities.model;
         match self.values[at].as_ref()?.kind {
@@ -406,7 +406,7 @@ impl<'a, 'b> SourceSearch<'a, 'b> {
         tried
     }
 
-    /// Quantity whose value an entry prints; `None` for an entry that is no value.
+    /// Quantity whose value the publication prints in an entry; `None` for an entry that is no value.
     fn kind(&self, at: usize) -> Option<&QuantityKind> {
         self.values[at].as_ref().map(|v| &v.kind)
     }

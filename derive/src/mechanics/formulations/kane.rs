@@ -62,6 +62,26 @@ pub fn derive_kane(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, D
     })
 }
 
+impl Kinematics {
+    /// Kane's equations M u̇ = f as (M, f), with the given loads and the acceleration `fall` of free
+    /// fall. Partial velocities are never written out.
+    fn kane_system_by_recursion(
+        &mut self,
+        model: &Model,
+        velocities: &Velocities,
+        loads: &[Load],
+        fall: &Vector,
+    ) -> (Vec<Vec<Expr>>, Vec<Expr>) {
+        let mut resting = kinematic_rates_without_acceleration(model);
+        let forcing = self.forces_of_velocity_pairs(model, velocities, loads, fall, &mut resting);
+        let matrix = match self.composite_mass_matrix(model, velocities, &model.u()) {
+            Some(form) => form,
+            None => self.kinetic_energy_matrix(model, velocities, &model.u()),
+        };
+        (matrix, forcing)
+    }
+}
+
 /// Generalized active forces F_r = Σ_P (∂v_P/∂u_r)·R_P + Σ_B (∂ω_B/∂u_r)·T_B, one entry for each
 /// speed. Weights are included; reactions do not contribute.
 ///

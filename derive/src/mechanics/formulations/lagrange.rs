@@ -2,7 +2,9 @@
 //!
 //! H. Goldstein, C. Poole & J. Safko, *Classical Mechanics*, 3rd edition (2002), §1.4.
 
-use crate::algebra::term::calculus::Gradient;
+use super::tree_recursion::{FORCE, MOMENTUM, symmetric_derivative_matrix};
+use crate::algebra::term::adjoint::adjoint_product;
+use crate::algebra::term::calculus::{Differential, Gradient};
 use crate::algebra::{Expr, Rational};
 use crate::mechanics::derive_error::DeriveError;
 use crate::mechanics::motion::kinematics::{Kinematics, Velocities};
@@ -78,6 +80,43 @@ fn lagrange_rows_with_named_terms(
         gauss: None,
         kinetic_energy: kinematics.kinetic_energy_of_momentum_pairs(&pairs),
     })
+}
+
+impl Kinematics {
+    /// Lagrange's equations E q̈ = A from the energies, as (E, A, E q̈ − A). Of the loads, only gravity
+    /// is included.
+    fn lagrange_system(
+        &mut self,
+        model: &Model,
+        velocities: &Velocities,
+        potential: Expr,
+    ) -> (Vec<Vec<Expr>>, Vec<Expr>, Vec<Expr>) {
+        let n = model.coordinates.len();
+        let variables = [model.q(), model.q_dot()].concat();
+        // T = ½ Σ v · p with p linear in v, so the slopes of T are those of v, weighted by p.
+        let pairs = self.momentum_pairs(model, velocities);
+        let slopes = adjoint_product(&mut self.arena, &pairs, &variables, MOMENTUM);
+        let (along_q, momenta) = slopes.split_at(n);
+        let falling = adjoint_product(&mut self.arena, &[(potential, Expr::MINUS_ONE)], &model.q(), FORCE);
+        let mut along: Vec<(Expr, Expr)> = model.q().into_iter().zip(model.q_dot()).collect();
+        let mut coasting = Differential::along(&along);
+        along.extend(model.coordinates.iter().map(|c| (c.rate, c.second_rate)));
+        let mut moving = Differential::along(&along);
+        let arena = &mut self.arena;
+        let (mut forcing, mut required) = (Vec::with_capacity(n), Vec::with_capacity(n));
+        for i in 0..n {
+            let acting = arena.add(along_q[i], falling[i]);
+            let (coasting, moving) = (coasting.apply(arena, momenta[i]), moving.apply(arena, momenta[i]));
+            forcing.push(arena.sub(acting, coasting));
+            required.push(arena.sub(moving, acting));
+        }
+        let matrix = if self.frames.are_all_children_of_inertial() {
+            self.kinetic_energy_matrix(model, velocities, &model.q_dot())
+        } else {
+            symmetric_derivative_matrix(arena, momenta, &model.q_dot())
+        };
+        (matrix, forcing, required)
+    }
 }
 
 /// Velocity terms ∂T/∂q_i − (d/dt ∂T/∂q̇_i without its terms in q̈): one list of summands for each

@@ -1,13 +1,12 @@
-//! Kinetic and potential energy, and the momenta from which the kinetic energy is computed.
+//! Kinetic energy, and the momenta from which it is computed.
 //!
-//! T. R. Kane & D. A. Levinson, *Dynamics: Theory and Applications* (1985), §§ 5.1, 5.4.
+//! T. R. Kane & D. A. Levinson, *Dynamics: Theory and Applications* (1985), § 5.4.
 
 use super::kinematics::{Kinematics, Velocities};
 use crate::algebra::term::calculus::{Gradient, Substitution};
 use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Expr, Rational};
 use crate::geometry::{Dots, SymmetricDots, Vector, cross_components};
-use crate::mechanics::derive_error::DeriveError;
 use crate::model::{AddedMass, Model};
 
 /// Velocity paired with the momentum along it: v and m v of a mass centre, or ω and H of a rigid
@@ -167,60 +166,4 @@ impl Kinematics {
             _ => self.simplifier.simplify(&mut self.arena, energy),
         }
     }
-
-    /// Potential energy V = −Σ m g·p of gravity alone, J; zero at the configuration `zero_at` of the
-    /// model.
-    ///
-    /// # Errors
-    /// [`DeriveError::NoZeroOfPotential`] if V has no value at `zero_at`.
-    pub fn gravity_potential(&mut self, model: &Model) -> Result<Expr, DeriveError> {
-        let Some(gravity) = &model.gravity else { return Ok(Expr::ZERO) };
-        let g = Vector::in_frame(gravity.frame, gravity.acceleration);
-        if self.frames.carries {
-            return self.gravity_potential_by_first_moments(model, &g);
-        }
-        let mut work = Dots::default();
-        for body in &model.bodies {
-            work.add(body.mass, &g, &self.positions[body.centre]);
-        }
-        let work = work.sum(&mut self.arena, &mut self.frames);
-        let energy = self.arena.neg(work);
-        self.energy_with_stated_zero(model, energy)
-    }
-
-    /// Shifts a potential energy by a constant so that it is zero at the model's configuration
-    /// `zero_at`.
-    ///
-    /// # Errors
-    /// `DeriveError::NoZeroOfPotential` if the energy has no value at `zero_at`.
-    pub(in crate::mechanics) fn energy_with_stated_zero(
-        &mut self,
-        model: &Model,
-        energy: Expr,
-    ) -> Result<Expr, DeriveError> {
-        let Some(gravity) = &model.gravity else { return Ok(energy) };
-        if gravity.zero_at.is_empty() {
-            return Ok(self.simplifier.simplify(&mut self.arena, energy));
-        }
-        let mut to_zero = zero_energy_configuration(model);
-        let at_zero = to_zero.apply(&mut self.arena, energy);
-        if let Some(term) = to_zero.undefined {
-            return Err(DeriveError::NoZeroOfPotential {
-                term: crate::algebra::text::print::print_text(&self.arena, term),
-            });
-        }
-        let difference = self.arena.sub(energy, at_zero);
-        Ok(self.simplifier.simplify(&mut self.arena, difference))
-    }
-}
-
-/// Substitution that puts the coordinates at the configuration where the model's potential energy
-/// is zero.
-pub(in crate::mechanics) fn zero_energy_configuration(model: &Model) -> Substitution {
-    let mut values: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, Expr::ZERO)).collect();
-    for (symbol, value) in model.gravity.iter().flat_map(|gravity| &gravity.zero_at) {
-        values.retain(|(s, _)| s != symbol);
-        values.push((*symbol, *value));
-    }
-    Substitution::new(&values)
 }

@@ -5,6 +5,7 @@
 //! fixed on a body, and moving on it), 2.12 (generalized speeds), 2.14 (partial velocities).
 
 use super::equation_form::EquationForm;
+use super::frame_transport::name_transported_components;
 use crate::mechanics::derivation_limits::check_link_limit;
 use crate::mechanics::derive_error::DeriveError;
 
@@ -12,7 +13,7 @@ use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::term::calculus::{Differential, Gradient, Substitution};
 use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr};
-use crate::geometry::{Components, Frames, Vector, angular_velocities, apply_tensor, linear_velocities};
+use crate::geometry::{Components, Frames, Placement, Vector, angular_velocities, apply_tensor, linear_velocities};
 use crate::model::{Body, Model, Reaction, ReactionKind};
 
 /// Positions and velocities of a model as terms in q and q̇, with the arena and the applied loads,
@@ -142,6 +143,40 @@ impl Kinematics {
         let (frame, inertia) = body.rigid.as_ref()?;
         let omega = self.frames.express(&mut self.arena, &velocities.angular[*frame], inertia.frame);
         Some(omega.map(|e| self.simplifier.simplify(&mut self.arena, e)))
+    }
+
+    /// Angular velocity ω (rad/s) and angular momentum H (kg m²/s) of a rigid body, as named components
+    /// along the frame of its inertia; `None` for a particle.
+    pub(in crate::mechanics) fn angular_velocity_and_momentum(
+        &mut self,
+        body: &Body,
+        velocities: &Velocities,
+    ) -> Option<(Components, Components)> {
+        let (own, inertia) = body.rigid.as_ref()?;
+        let name = self.frames.name(*own);
+        let omega =
+            self.frames.express_frame_by_frame(&mut self.arena, &velocities.angular[*own], inertia.frame, "w", name);
+        let momentum = apply_tensor(&mut self.arena, &inertia.tensor, &omega);
+        Some((omega, name_transported_components(&mut self.arena, momentum, &format!("H_{}", body.name))))
+    }
+
+    /// Time derivatives of a point's position components along the frame in which the model places it,
+    /// m/s. Zero for the origin.
+    pub(in crate::mechanics) fn point_rates_in_frame(
+        &mut self,
+        model: &Model,
+        point: usize,
+        velocities: &Velocities,
+    ) -> Components {
+        let Some(Placement { components, .. }) = model.points[point].position else { return [Expr::ZERO; 3] };
+        let mut rates =
+            Differential::along(&model.q().into_iter().zip(velocities.rates.iter().copied()).collect::<Vec<_>>());
+        components.map(|e| rates.apply(&mut self.arena, e))
+    }
+
+    /// Acceleration of free fall, m/s², in the model's gravity frame; zero without gravity.
+    pub(in crate::mechanics) fn fall(model: &Model) -> Vector {
+        model.gravity.as_ref().map(|g| Vector::in_frame(g.frame, g.acceleration)).unwrap_or_default()
     }
 
     /// Checks that the inertia of each rigid body is constant in the body, if it is stated in a

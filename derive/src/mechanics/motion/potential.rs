@@ -4,9 +4,10 @@
 //! there, U is its potential energy. The remaining part of a load works only in motion, like a
 //! damper, or never, like a magnetic field.
 //!
-//! H. Goldstein, C. Poole & J. Safko, *Classical Mechanics*, 3rd edition (2002), §§ 1.4, 1.5, 2.7.
+//! H. Goldstein, C. Poole & J. Safko, *Classical Mechanics*, 3rd edition (2002), §§ 1.4, 1.5, 2.7;
+//! T. R. Kane & D. A. Levinson, *Dynamics: Theory and Applications* (1985), § 5.1.
 
-use super::energy::zero_energy_configuration;
+use super::frame_transport::name_transported_components;
 use super::kinematics::{Kinematics, LoadPotential, MotionVariables, rates_to_speeds};
 use super::loads::{Load, generalized_forces_of_loads};
 use crate::algebra::form::simplify::Simplifier;
@@ -14,6 +15,7 @@ use crate::algebra::solve::antiderivative::antiderivative;
 use crate::algebra::term::calculus::{Gradient, Substitution};
 use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr, Function, Node};
+use crate::geometry::{Dots, Vector};
 use crate::mechanics::derive_error::DeriveError;
 use crate::model::Model;
 
@@ -29,6 +31,68 @@ impl Kinematics {
         let of_loads = self.load_potential(model).energy;
         let sum = self.arena.add(gravity, of_loads);
         Ok(self.simplifier.simplify(&mut self.arena, sum))
+    }
+
+    /// Potential energy V = −Σ m g·p of gravity alone, J; zero at the configuration `zero_at` of the
+    /// model.
+    ///
+    /// # Errors
+    /// [`DeriveError::NoZeroOfPotential`] if V has no value at `zero_at`.
+    pub fn gravity_potential(&mut self, model: &Model) -> Result<Expr, DeriveError> {
+        let Some(gravity) = &model.gravity else { return Ok(Expr::ZERO) };
+        let g = Vector::in_frame(gravity.frame, gravity.acceleration);
+        if self.frames.carries {
+            return self.gravity_potential_by_first_moments(model, &g);
+        }
+        let mut work = Dots::default();
+        for body in &model.bodies {
+            work.add(body.mass, &g, &self.positions[body.centre]);
+        }
+        let work = work.sum(&mut self.arena, &mut self.frames);
+        let energy = self.arena.neg(work);
+        self.energy_with_stated_zero(model, energy)
+    }
+
+    /// Potential energy −g · Σ m p of gravity, J. The first moments m p are added before they are
+    /// expressed in the frame of g.
+    ///
+    /// # Errors
+    /// `DeriveError::NoZeroOfPotential` if it has no value at the model's `zero_at`.
+    fn gravity_potential_by_first_moments(&mut self, model: &Model, g: &Vector) -> Result<Expr, DeriveError> {
+        let mut moment = Vector::default();
+        for body in &model.bodies {
+            let own = self.positions[body.centre].scale(&mut self.arena, body.mass);
+            moment = moment.add(&mut self.arena, &own);
+        }
+        let mut named = moment.clone();
+        for (frame, components) in &mut named.parts {
+            let what = format!("mp_{}", self.frames.name(*frame).to_owned());
+            *components = name_transported_components(&mut self.arena, *components, &what);
+        }
+        let work = self.frames.dot(&mut self.arena, g, &named);
+        let energy = self.arena.neg(work);
+        self.energy_with_stated_zero(model, energy)
+    }
+
+    /// Shifts a potential energy by a constant so that it is zero at the model's configuration
+    /// `zero_at`.
+    ///
+    /// # Errors
+    /// `DeriveError::NoZeroOfPotential` if the energy has no value at `zero_at`.
+    fn energy_with_stated_zero(&mut self, model: &Model, energy: Expr) -> Result<Expr, DeriveError> {
+        let Some(gravity) = &model.gravity else { return Ok(energy) };
+        if gravity.zero_at.is_empty() {
+            return Ok(self.simplifier.simplify(&mut self.arena, energy));
+        }
+        let mut to_zero = zero_energy_configuration(model);
+        let at_zero = to_zero.apply(&mut self.arena, energy);
+        if let Some(term) = to_zero.undefined {
+            return Err(DeriveError::NoZeroOfPotential {
+                term: crate::algebra::text::print::print_text(&self.arena, term),
+            });
+        }
+        let difference = self.arena.sub(energy, at_zero);
+        Ok(self.simplifier.simplify(&mut self.arena, difference))
     }
 
     /// Potential of the applied loads: of all loads together or, if there is none, of each load that
@@ -138,6 +202,17 @@ impl Kinematics {
         let energy = at_zero.map_or(energy, |value| arena.sub(energy, value));
         simplifier.simplify(arena, energy)
     }
+}
+
+/// Substitution that puts the coordinates at the configuration where the model's potential energy
+/// is zero.
+fn zero_energy_configuration(model: &Model) -> Substitution {
+    let mut values: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, Expr::ZERO)).collect();
+    for (symbol, value) in model.gravity.iter().flat_map(|gravity| &gravity.zero_at) {
+        values.retain(|(s, _)| s != symbol);
+        values.push((*symbol, *value));
+    }
+    Substitution::new(&values)
 }
 
 /// Lists, for each applied load in the order of [`Kinematics::loads`], true if it contains an

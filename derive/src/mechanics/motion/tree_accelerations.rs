@@ -1,11 +1,13 @@
 //! Accelerations of frames and points of large models, computed along the tree with a name for each
-//! long subterm.
+//! long subterm. Rates of momenta and the acceleration energy are computed from them.
 
-use super::kinematics::{Kinematics, Velocities};
+use super::kinematics::{Kinematics, Velocities, kinematic_rates, rates_to_speeds};
+use super::loads::Load;
+use crate::algebra::solve::quadratic_minimum::{QuadraticBlock, QuadraticForm};
 use crate::algebra::term::calculus::Differential;
 use crate::algebra::{Expr, Rational};
 use crate::geometry::{Components, Placement, Vector, apply_tensor, cross_components};
-use crate::model::Model;
+use crate::model::{Body, Model};
 
 /// Accelerations of all frames and points, relative to free fall.
 pub(in crate::mechanics) struct Accelerations {
@@ -151,5 +153,118 @@ impl Kinematics {
                 arena.name(entry, &format!("turn_{name}_{}{}", i + 1, j + 1))
             })
         })
+    }
+
+    /// Rate ω' of the components of a rigid body's ω along the frame F of its inertia, and ω_F × H.
+    /// `None` for a particle.
+    fn angular_acceleration_along_tree(
+        &mut self,
+        body: &Body,
+        velocities: &Velocities,
+        accelerations: &Accelerations,
+    ) -> Option<(Components, Components)> {
+        let (omega, momentum) = self.angular_velocity_and_momentum(body, velocities)?;
+        let (own, inertia) = body.rigid.as_ref()?;
+        let name = self.frames.name(*own);
+        let alpha = self.frames.express_frame_by_frame(
+            &mut self.arena,
+            &accelerations.angular[*own],
+            inertia.frame,
+            "alpha",
+            name,
+        );
+        let of_frame = if *own == inertia.frame {
+            omega
+        } else {
+            let name = self.frames.name(inertia.frame);
+            self.frames.express_frame_by_frame(
+                &mut self.arena,
+                &velocities.angular[inertia.frame],
+                inertia.frame,
+                "w",
+                name,
+            )
+        };
+        let arena = &mut self.arena;
+        // The rate of the components is α less ω_F × ω.
+        let turning = cross_components(arena, &of_frame, &omega);
+        let within = std::array::from_fn(|i| arena.sub(alpha[i], turning[i]));
+        Some((within, cross_components(arena, &of_frame, &momentum)))
+    }
+
+    /// Rate dH/dt of a rigid body's angular momentum, N m, along the frame F of its inertia: I ω' + ω_F
+    /// × H. Here ω' differentiates the components along F. `None` for a particle.
+    pub(in crate::mechanics) fn angular_momentum_rate_along_tree(
+        &mut self,
+        body: &Body,
+        velocities: &Velocities,
+        accelerations: &Accelerations,
+    ) -> Option<Components> {
+        let (within, gyroscopic) = self.angular_acceleration_along_tree(body, velocities, accelerations)?;
+        let (_, inertia) = body.rigid.as_ref()?;
+        let rate = apply_tensor(&mut self.arena, &inertia.tensor, &within);
+        Some(std::array::from_fn(|i| self.arena.add(rate[i], gyroscopic[i])))
+    }
+
+    /// Vectors m a − weight (N) and dH/dt (N m) of a body, from accelerations that already contain the
+    /// free fall.
+    pub(in crate::mechanics) fn momentum_rates_along_tree(
+        &mut self,
+        model: &Model,
+        velocities: &Velocities,
+        accelerations: &Accelerations,
+        body: &Body,
+    ) -> (Vector, Vector) {
+        let a = &accelerations.linear[body.centre];
+        let home = self.frames.common_transport_frame([&velocities.linear[body.centre], a]);
+        let a = self.frames.express_frame_by_frame(&mut self.arena, a, home, "a", &model.points[body.centre].name);
+        let force = Vector::in_frame(home, a.map(|e| self.arena.mul(body.mass, e)));
+        let moment = self.angular_momentum_rate_along_tree(body, velocities, accelerations);
+        let frame = body.rigid.as_ref().map_or(0, |(_, inertia)| inertia.frame);
+        (force, moment.map_or_else(Vector::default, |rate| Vector::in_frame(frame, rate)))
+    }
+
+    /// Acceleration energy ½ Σ m a² + Σ ½ ω' · I ω' + ω' · (ω × H) in a given motion, as blocks ½ e · K
+    /// e + b · e. Here a is the acceleration of a mass centre less that of free fall.
+    pub(in crate::mechanics) fn acceleration_energy_along_tree(
+        &mut self,
+        model: &Model,
+        velocities: &Velocities,
+        rates: &mut Differential,
+        fall: &Vector,
+    ) -> Vec<QuadraticBlock> {
+        let accelerations = self.accelerations(model, velocities, rates, fall, AlphaTerms::Separate);
+        let mut blocks = Vec::new();
+        let none = [Expr::ZERO; 3];
+        for body in &model.bodies {
+            let a = &accelerations.linear[body.centre];
+            let home = self.frames.common_transport_frame([&velocities.linear[body.centre], a]);
+            let components =
+                self.frames.express_frame_by_frame(&mut self.arena, a, home, "a", &model.points[body.centre].name);
+            let mut tensor = [none; 3];
+            (0..3).for_each(|i| tensor[i][i] = body.mass);
+            blocks.push(QuadraticBlock { components, tensor, linear: none });
+            if let (Some((_, inertia)), Some((components, linear))) =
+                (&body.rigid, self.angular_acceleration_along_tree(body, velocities, &accelerations))
+            {
+                blocks.push(QuadraticBlock { components, tensor: inertia.tensor, linear });
+            }
+        }
+        blocks
+    }
+
+    /// Function of u̇ that Gauss's principle minimizes: the acceleration energy less the power of the
+    /// loads along u̇. Weights count as inertia forces.
+    pub(in crate::mechanics) fn gauss_function_along_tree(
+        &mut self,
+        model: &Model,
+        velocities: &Velocities,
+        loads: &[Load],
+    ) -> QuadraticForm {
+        let blocks =
+            self.acceleration_energy_along_tree(model, velocities, &mut kinematic_rates(model), &Self::fall(model));
+        let forces = self.forces_of_load_pairs(loads, &mut rates_to_speeds(model), &model.u());
+        let linear = forces.into_iter().map(|e| self.arena.neg(e)).collect();
+        QuadraticForm { blocks, linear }
     }
 }

@@ -8,28 +8,10 @@
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::term::steps::fresh_symbol;
-use crate::algebra::{Arena, Expr, Function, Node};
+use crate::algebra::{Arena, Expr};
 use crate::mechanics::derivation::Derivation;
-use crate::mechanics::equations_origin::SingularDistance;
+use crate::mechanics::singular_distance::SingularDistance;
 use crate::model::Model;
-
-/// Lists the useful distances of a model: from +90° for each coordinate whose cosine divides in the
-/// kinematic equations. Empty for a model with loops: its divisors vanish at dead points, which
-/// runs pass by other equations.
-#[must_use]
-pub fn singular_distances(model: &Model) -> Vec<SingularDistance> {
-    if !model.loops.is_empty() {
-        return Vec::new();
-    }
-    let arena = &model.arena;
-    let is_cosine = |e: &Expr, coordinate: Expr| match arena.node(*e) {
-        Node::Apply(Function::Cos, angle) => *angle == coordinate,
-        _ => false,
-    };
-    let divides = |coordinate| model.kinematic_equations.divisors.iter().any(|e| is_cosine(e, coordinate));
-    let coordinates = model.coordinates.iter().enumerate().filter(|(_, c)| divides(c.symbol));
-    coordinates.map(|(coordinate, _)| SingularDistance { coordinate, quarter_turns: 1 }).collect()
-}
 
 /// Rewrites equations in a distance d: d + origin replaces the coordinate in every term, and every
 /// term is simplified.

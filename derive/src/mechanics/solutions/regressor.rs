@@ -13,7 +13,7 @@
 //! loads and links", Int. J. Robotics Research 5(3) (1986) 101–119. The columns use nothing from
 //! Kane's equations, with which the regressor is compared.
 
-use crate::algebra::term::calculus::{Gradient, Substitution};
+use crate::algebra::term::calculus::{Gradient, Substitution, expand_names};
 use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr};
 use crate::geometry::{Components, Vector, apply_tensor, cross_components};
@@ -343,7 +343,7 @@ impl RegressorParameterValues {
         let back = kinematics.positions[anchor.point].neg(&mut kinematics.arena);
         let arm = kinematics.positions[body.centre].add(&mut kinematics.arena, &back);
         let Kinematics { arena, frames, simplifier, .. } = kinematics;
-        let r = frames.express(arena, &arm, anchor.frame).map(|e| without_named_terms(arena, e));
+        let r = frames.express(arena, &arm, anchor.frame).map(|e| expand_names(arena, e));
         let r = r.map(|e| simplifier.simplify(arena, e));
         let mut inertia = [[Expr::ZERO; 3]; 3];
         if let Some((_, own)) = &body.rigid {
@@ -387,22 +387,10 @@ impl RegressorParameterValues {
     }
 }
 
-/// Replaces all named subterms of a term by the terms that they stand for.
-fn without_named_terms(arena: &mut Arena, e: Expr) -> Expr {
-    let names: Vec<(Expr, Expr)> =
-        arena.reachable(&[e]).into_iter().filter_map(|part| Some((part, arena.named_term_value(part)?))).collect();
-    let mut put = Substitution::default();
-    for (name, term) in names {
-        let term = put.apply(arena, term);
-        put.set(name, term);
-    }
-    put.apply(arena, e)
-}
-
 /// Value of a term at zero coordinates, for terms that contain coordinates but do not depend on
 /// them. Returns the term itself if it has no value there.
 fn regressor_value_at_zero(arena: &mut Arena, e: Expr, coordinates: &[Expr]) -> Expr {
-    let e = without_named_terms(arena, e);
+    let e = expand_names(arena, e);
     let mut put = Substitution::new(&coordinates.iter().map(|q| (*q, Expr::ZERO)).collect::<Vec<_>>());
     let value = put.apply(arena, e);
     if put.undefined.is_some() { e } else { value }

@@ -2,23 +2,23 @@
 
 use super::reduction_basis::ReductionBasis;
 
-/// Largest number of terms that trials may make before no further choice is tried. The scenes of
-/// the library make at most 23 109 terms. For a floating chain of four links, all trials make 65
-/// 968 terms and take three times as long as a single trial.
+/// Largest number of symbolic terms that trial reductions of a scene may create before no further
+/// reduction is tried. The scenes of the library create at most 23 109 terms. For a floating chain
+/// of four links, all trials create 65 968 terms and take three times as long as a single trial.
 const MOST_WORK: usize = 24_000;
 
-/// Number of terms that the trials for a scene have made. It measures work equally on every
-/// machine.
+/// Number of symbolic terms created so far while reductions of a scene were tried. Counted in place
+/// of time, so that the limit on the search is the same on every machine.
 #[derive(Default)]
 pub struct SearchWork(usize);
 
 impl SearchWork {
-    /// Adds the number of terms that a trial made, in addition to those of its basis.
+    /// Adds the number of symbolic terms that a trial reduction created beyond those of `basis`.
     pub fn add(&mut self, trial: &ReductionBasis, basis: &ReductionBasis) {
         self.0 += trial.arena.len().saturating_sub(basis.arena.len());
     }
 
-    /// True if the limit is exceeded, so that no further choice is tried.
+    /// True if the limit on symbolic terms is exceeded, so that no further reduction is tried.
     pub fn is_search_work_used_up(&self) -> bool {
         self.0 > MOST_WORK
     }

@@ -6,7 +6,8 @@
 
 use crate::diagnostic::{Diagnostic, Diagnostics, Source};
 use crate::model::{Model, Unit};
-use crate::scene::numbers::number_reader::{Number, ParsedFormulas, ValueReader, VariedNumber, double_values};
+use crate::scene::numbers::number_reader::{ParsedFormulas, ValueReader, VariedNumber};
+use crate::scene::numbers::scene_number::{Number, double_values};
 use crate::scene::starts::state::Start;
 use crate::scene::{ExactStart, InitialMotion, Scene, SceneNumbers};
 use crate::toml_reader::TomlReader;

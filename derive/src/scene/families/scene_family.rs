@@ -6,7 +6,8 @@
 use super::sweep_grid::Grid;
 use crate::diagnostic::Diagnostics;
 use crate::model::Model;
-use crate::scene::numbers::number_reader::{Number, ParsedFormulas, ValueReader, VariedNumber, double_values};
+use crate::scene::numbers::number_reader::{ParsedFormulas, ValueReader, VariedNumber};
+use crate::scene::numbers::scene_number::{Number, double_values};
 use crate::scene::starts::state::Start;
 use crate::scene::{Scene, SceneNumbers};
 use crate::toml_reader::TomlReader;

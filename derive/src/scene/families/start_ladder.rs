@@ -2,7 +2,8 @@
 //! which runs fail.
 
 use crate::diagnostic::nearest_name_advice;
-use crate::scene::numbers::number_reader::{Number, ValueReader};
+use crate::scene::numbers::number_reader::ValueReader;
+use crate::scene::numbers::scene_number::Number;
 use crate::scene::starts::start::{ExactStart, InitialMotion};
 use toml::de::{DeTable, DeValue};
 use tripos_traits::DoubleDouble;

@@ -7,7 +7,8 @@
 use crate::algebra::Rational;
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, nearest_name_advice};
 use crate::model::Model;
-use crate::scene::numbers::number_reader::{Number, ValueReader, VariedNumber};
+use crate::scene::numbers::number_reader::{ValueReader, VariedNumber};
+use crate::scene::numbers::scene_number::Number;
 use crate::scene::{InitialMotion, Scene};
 use crate::toml_reader::{Located, TomlReader};
 

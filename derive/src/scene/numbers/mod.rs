@@ -2,4 +2,5 @@
 
 pub(super) mod named_positions;
 pub(super) mod number_reader;
+pub(super) mod scene_number;
 pub(super) mod signal_table;

@@ -5,11 +5,12 @@
 //! file's numbers. Earlier readings have no effect.
 
 use super::named_positions::Places;
+use super::scene_number::{Number, double_values, extended_values};
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::text::parse::{InteractionName, VelocityName, parse, parse_with_quantities};
 use crate::algebra::value::interval::{constant_with_wide_interval, without_zeros_of_wide_interval};
 use crate::algebra::value::rational_value::exact_value;
-use crate::algebra::value::tape::{Numeric, Tape};
+use crate::algebra::value::tape::Tape;
 use crate::algebra::{Arena, Expr, Rational};
 use crate::diagnostic::{Diagnostic, nearest_name_advice};
 use crate::model::{ImpossibleBody, Model, StatedInteraction, StatedUnit, Unit, redundant_reaction_message};
@@ -17,39 +18,6 @@ use crate::toml_reader::{Located, TomlReader};
 use rustc_hash::FxHashMap;
 use toml::de::DeTable;
 use tripos_traits::DoubleDouble;
-
-/// Number of a scene or state file: as a double, to 32 digits, and exact if known.
-#[derive(Clone, Debug)]
-pub struct Number {
-    /// The number rounded to a double.
-    pub double: f64,
-    /// Exact value; `None` if the number is not known to be rational, such as √2.
-    pub exact: Option<Rational>,
-    /// Value to 32 digits; the double itself if no more digits are known.
-    extended: DoubleDouble,
-}
-
-impl Number {
-    /// Creates a number whose value is known exactly.
-    pub fn exact(value: Rational) -> Self {
-        Self { double: value.to_f64(), extended: DoubleDouble::from_rational(&value), exact: Some(value) }
-    }
-
-    /// Creates a number whose value is known only as a double.
-    pub fn from_double(double: f64) -> Self {
-        Self { double, exact: None, extended: double.into() }
-    }
-
-    /// Creates a number whose value is known to 32 digits.
-    pub fn from_double_double(extended: DoubleDouble) -> Self {
-        Self { double: extended.hi(), exact: None, extended }
-    }
-
-    /// Value to 32 digits; the double itself if no more digits are known.
-    pub fn extended(&self) -> DoubleDouble {
-        self.extended
-    }
-}
 
 /// Number of a scene that a sweep may vary: a parameter or a start value, by its index in the
 /// model.
@@ -94,16 +62,6 @@ struct Term {
     varies: bool,
     /// Value of a formula without parameters, once it was evaluated; `None` before, or if it varies.
     constant: Option<Number>,
-}
-
-/// Values of numbers as doubles.
-pub fn double_values(numbers: &[Number]) -> Vec<f64> {
-    numbers.iter().map(|n| n.double).collect()
-}
-
-/// Values of numbers to 32 digits; the doubles if no more digits are known.
-pub fn extended_values(numbers: &[Number]) -> Vec<DoubleDouble> {
-    numbers.iter().map(Number::extended).collect()
 }
 
 /// Number with a name that a state file defines for its own formulas.

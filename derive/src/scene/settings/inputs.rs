@@ -7,7 +7,6 @@ use crate::diagnostic::{Diagnostics, Source, nearest_name_advice};
 use crate::model::{Input, InputBinding, Model, StatedUnit, TIME};
 use crate::scene::numbers::number_reader::{InputNumber, ValueReader};
 use crate::scene::numbers::signal_table::{Interpolation, signal_table_formula};
-use crate::scene::{Scene, load};
 use crate::toml_reader::{Located, TomlReader};
 use std::ops::Range;
 use toml::Spanned;
@@ -23,17 +22,6 @@ pub struct InputBindings {
     pub bindings: Vec<InputBinding>,
     /// Byte range of the section `[inputs]` in the scene file; empty without the section.
     pub place: Range<usize>,
-}
-
-/// Reads a scene for its model and replaces inputs of the model by the scene's formulas. Equations
-/// are then derived with these formulas. The model must not have been used to read another scene
-/// before.
-///
-/// # Errors
-/// [`Diagnostics`] with every error of the scene file.
-pub fn load_scene_with_inputs(source: &Source, model: &mut Model) -> Result<Scene, Diagnostics> {
-    bind_inputs(source, model)?;
-    load(source, model)
 }
 
 /// Replaces inputs of a model by the formulas that a scene or state file gives to them. Returns

@@ -1,11 +1,11 @@
 //! Outputs of a scene, and messages for quantities that rigid-body equations do not contain.
 
-use crate::diagnostic::nearest_name_advice;
+use crate::diagnostic::{Diagnostics, Source, nearest_name_advice};
 use crate::model::Model;
 use crate::plain_text::one_line;
 use crate::scene::SceneOutput;
 use crate::scene::numbers::number_reader::ValueReader;
-use crate::toml_reader::Located;
+use crate::toml_reader::{Located, TomlReader};
 use toml::de::{DeTable, DeValue};
 
 /// Names of energies in outputs. A quantity of the model with one of these names takes precedence.
@@ -95,7 +95,7 @@ impl<'a> ValueReader<'a, '_> {
 
     /// Reads the formula of an output as a term. `None` after an error is reported, also for quantities
     /// that the equations do not contain.
-    pub(in crate::scene) fn output_formula(&mut self, formula: &Located) -> Option<crate::algebra::Expr> {
+    fn output_formula(&mut self, formula: &Located) -> Option<crate::algebra::Expr> {
         let word = formula.text.trim().to_lowercase().replace([' ', '-'], "_");
         let known = self.model.arena.find_symbol(formula.text.trim()).is_some();
         if let (false, Some((_, why))) =
@@ -129,6 +129,20 @@ impl<'a> ValueReader<'a, '_> {
         }
         list
     }
+}
+
+/// Reads an output from a text outside a file, such as the command line, in the syntax of a scene's
+/// outputs.
+///
+/// # Errors
+/// [`Diagnostics`] if the text is no formula in names of the model.
+pub fn load_output(text: &str, model: &mut Model) -> Result<SceneOutput, Diagnostics> {
+    let source = Source::from_text("--output", text);
+    let mut values = ValueReader::new(TomlReader::new(&source), model);
+    let formula = Located { text: text.to_owned(), span: 0..text.len(), exact: true };
+    let value = values.output_formula(&formula);
+    values.reader.finish()?;
+    Ok(SceneOutput { name: text.trim().to_owned(), value: value.expect("reported if missing") })
 }
 
 /// Default outputs: every coordinate, then every generalized speed.

@@ -5,7 +5,7 @@ use crate::algebra::Expr;
 use crate::algebra::term::calculus::Gradient;
 use crate::algebra::value::tape::Tape;
 use crate::model::Model;
-use crate::scene::numbers::number_reader::Number;
+use crate::scene::numbers::scene_number::Number;
 use nalgebra::{DMatrix, DVector};
 use tripos_traits::{DoubleDouble, Scalar};
 

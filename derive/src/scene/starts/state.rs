@@ -5,11 +5,13 @@ use super::rates::StatedMotion;
 use super::start::{ExactStart, InitialMotion, SolvedVariable};
 use crate::algebra::value::tape::Tape;
 use crate::algebra::{Expr, Rational};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Diagnostics, Source};
 use crate::model::{Model, TIME, Unit};
 use crate::plain_text::with_significant_digits;
-use crate::scene::numbers::number_reader::{Number, ValueReader, VariedNumber, double_values, extended_values};
-use crate::toml_reader::Located;
+use crate::scene::numbers::number_reader::{ValueReader, VariedNumber};
+use crate::scene::numbers::scene_number::{Number, double_values, extended_values};
+use crate::scene::settings::inputs::bind_inputs;
+use crate::toml_reader::{Located, TomlReader};
 use std::ops::Range;
 use toml::de::DeTable;
 use tripos_traits::DoubleDouble;
@@ -25,6 +27,50 @@ pub struct Start {
     pub exact: ExactStart,
     /// Coordinates and rates that the file does not state and that were solved for.
     pub closed: Vec<SolvedVariable>,
+}
+
+/// State of a mechanism at one instant: parameters, coordinates and generalized speeds.
+#[derive(Clone, Debug, PartialEq)]
+pub struct State {
+    /// Values of the parameters in SI units, in the order of the model.
+    pub parameters: Vec<f64>,
+    /// Values of the generalized coordinates in SI units, in the order of the model.
+    pub q: Vec<f64>,
+    /// Values of the generalized speeds in SI units, in the order of the model.
+    pub u: Vec<f64>,
+}
+
+impl State {
+    /// Warnings about angles of the state that were probably meant in degrees, one line each. These
+    /// angles exceed one turn and have few decimals.
+    #[must_use]
+    pub fn hints(&self, model: &Model) -> Vec<String> {
+        let turned = model.coordinates.iter().zip(&self.q).filter(|(c, q)| c.looks_like_degrees(**q));
+        turned.map(|(c, q)| format!("`{}` is {q} rad: if degrees are meant, write \"{q}*deg\"", c.name)).collect()
+    }
+}
+
+/// Reads a state file: `[parameters]`, if values differ from the model's defaults, and `[state]`.
+/// Formulas that the file gives to inputs replace the inputs in the model.
+///
+/// # Errors
+/// [`Diagnostics`] with every error of the state file.
+pub fn load_state(source: &Source, model: &mut Model) -> Result<State, Diagnostics> {
+    bind_inputs(source, model)?;
+    let (reader, table) = TomlReader::parse(source)?;
+    let table = table.get_ref();
+    let mut values = ValueReader::new(reader, model);
+    values.state_file(table, &[]);
+    let parameters = values.parameters(table);
+    let state = values.section(table, "state");
+    if state.is_none() {
+        let help = "add [state] with every coordinate and every speed or every q'";
+        values.reader.errors.push(Diagnostic::of_file("the file has no `state`", help));
+    }
+    let state = state.and_then(|state| values.state(table, state, parameters.as_deref()?));
+    values.reader.finish()?;
+    let Start { q, u, .. } = state.expect("reported if missing");
+    Ok(State { parameters: double_values(&parameters.expect("reported if missing")), q, u })
 }
 
 /// Stated value of a variable that a constraint of the model fixes.

@@ -4,9 +4,8 @@ use crate::algebra::{Expr, Rational};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source};
 use crate::model::{Model, TIME, not_a_name};
 use crate::scene::SceneOutput;
-use crate::scene::numbers::number_reader::{
-    NamedNumber, Number, ValueReader, VariedNumber, double_values, extended_values,
-};
+use crate::scene::numbers::number_reader::{NamedNumber, ValueReader, VariedNumber};
+use crate::scene::numbers::scene_number::{Number, double_values, extended_values};
 use crate::scene::settings::inputs::bind_inputs;
 use crate::scene::settings::outputs::ENERGIES;
 use crate::toml_reader::{Located, TomlReader};
@@ -107,20 +106,6 @@ pub fn load_state_with_unknowns(
         asked.outputs = outputs;
     }
     Ok(asked)
-}
-
-/// Reads an output from a text outside a file, such as the command line, in the syntax of a scene's
-/// outputs.
-///
-/// # Errors
-/// [`Diagnostics`] if the text is no formula in names of the model.
-pub fn load_output(text: &str, model: &mut Model) -> Result<SceneOutput, Diagnostics> {
-    let source = Source::from_text("--output", text);
-    let mut values = ValueReader::new(TomlReader::new(&source), model);
-    let formula = Located { text: text.to_owned(), span: 0..text.len(), exact: true };
-    let value = values.output_formula(&formula);
-    values.reader.finish()?;
-    Ok(SceneOutput { name: text.trim().to_owned(), value: value.expect("reported if missing") })
 }
 
 /// Names of the coordinates, followed by the names of the generalized speeds.

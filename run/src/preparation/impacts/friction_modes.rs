@@ -9,8 +9,8 @@ use nalgebra::DVector;
 use tripos_derive::plain_text::with_reliable_digits;
 use tripos_sim::{ContactMode, ContactSolution, Failure, UndecidedContacts};
 
-/// Interval after an instant at which several possible modes are compared, in durations of the
-/// shortest flight.
+/// Time after an instant with several possible combinations of contact modes (sticking or
+/// slipping), at which these are compared. It is a multiple of the duration of the shortest flight.
 const AHEAD: f64 = 16384.0;
 
 impl ContactRun<'_> {

@@ -20,16 +20,16 @@ pub struct VariedStart {
     pub name: String,
     /// Unit of the varied number.
     pub unit: Unit,
-    /// Derivatives of the parameters by the number, in the order of the model.
+    /// Derivatives of the parameters with respect to the varied number, in the order of the model.
     pub parameters: Vec<f64>,
-    /// Derivatives of the integrated state (q, v) at the start by the number.
+    /// Derivatives of the integrated state (q, v) at the start with respect to the varied number.
     pub state: Vec<f64>,
-    /// Derivatives of the coefficients of restitution by the number, for each contact.
+    /// Derivative of each contact's coefficient of restitution with respect to the varied number.
     pub restitutions: Vec<f64>,
-    /// Derivatives of the coefficients of friction by the number, for each contact; 0 for a contact
-    /// without friction.
+    /// Derivative of each contact's coefficient of friction with respect to the varied number; 0 for a
+    /// contact without friction.
     pub frictions: Vec<f64>,
-    /// True if the scene's span of time changes with the number.
+    /// True if the scene's span of time changes with the varied number.
     pub moves_span: bool,
 }
 

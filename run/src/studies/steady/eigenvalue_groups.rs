@@ -28,14 +28,14 @@ pub(super) struct EigenvalueGroup {
     /// Possible error of the mean, in absolute value.
     off: f64,
     /// Centre and radius of a circle that the eigenvalues of the group do not leave, if they may
-    /// coincide with others. `None` if the group is surely separate.
+    /// coincide with other eigenvalues. `None` if no other eigenvalue can coincide with them.
     doubt: Option<(WideComplex, f64)>,
 }
 
 impl EigenvalueGroup {
-    /// Makes the modes of the group: a single mode, or a mode for each eigenvalue if the group is in
-    /// doubt. `form` is the Schur form of the whole matrix, `noise` its possible error, and `size` its
-    /// norm.
+    /// Computes the modes of this group of nearly equal eigenvalues: a single mode for the group, or
+    /// one for each eigenvalue if it is uncertain which eigenvalues coincide. `form` is the Schur form
+    /// of the whole matrix, `noise` its possible error, and `size` its norm.
     pub(super) fn modes(&self, form: &SchurForm, noise: f64, size: f64) -> Vec<Mode> {
         if let (Some(_), true) = (self.doubt, self.places.len() > 1) {
             let single = |at: &usize| Self { places: vec![*at], mean: form.t[*at][*at], ..self.clone() };

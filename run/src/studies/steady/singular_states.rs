@@ -17,8 +17,9 @@ use tripos_traits::DoubleDouble;
 /// 1, whichever is larger. At a zero, Newton's method finds only a half or a third of the digits,
 /// and slopes grow without bound.
 const NEAR: f64 = 1e-7;
-/// Largest ratio of an inertia to its values at the distance [`NEAR`] at which the inertia counts
-/// as zero. An inertia that vanishes grows with the square of the distance.
+/// An inertia on the diagonal of the mass matrix counts as zero in a state if it is at most this
+/// fraction of its value in a neighbouring state at the distance [`NEAR`]. An inertia that vanishes
+/// in a state grows with the square of the distance from that state.
 const VANISHED: f64 = 1e-2;
 /// Least eigenvalue, in absolute value, of a mass matrix scaled to the diagonal 1; below it, the
 /// matrix is singular.

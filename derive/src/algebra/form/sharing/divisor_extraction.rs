@@ -71,20 +71,20 @@ struct Candidate {
 pub(super) struct Extraction {
     /// Network from which divisors are taken out.
     network: Network,
-    /// Number of each common divisor found so far.
+    /// Index, in `divisors`, of each common divisor found so far.
     index: FxHashMap<Divisor, usize>,
-    /// Common divisors found so far, by number.
+    /// Common divisors, in the order in which they were found.
     divisors: Vec<Divisor>,
-    /// Positions and savings of each common divisor, by the divisor's number.
+    /// Positions and savings of each common divisor, by its index in `divisors`.
     candidates: Vec<Candidate>,
     /// Number of pairs of terms that the search for divisors has examined so far.
     pairs: usize,
     /// Amount of work for pairs of factors so far.
     weighed: usize,
-    /// Number of the divisor that a sum of the network computes, by the sum's atom.
+    /// Index, in `divisors`, of the divisor that a sum of the network computes, by the sum's atom.
     definition_of: FxHashMap<Atom, usize>,
-    /// Queue of divisors as (upper bound of the operations saved, number): the largest first, then
-    /// the oldest. A bound is computed again when its entry comes up.
+    /// Queue of divisors as (upper bound of the operations saved, index in `divisors`): the largest
+    /// bound first, then the oldest divisor. A bound is computed again when its entry comes up.
     queue: BinaryHeap<(usize, Reverse<usize>)>,
 }
 
