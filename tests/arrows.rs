@@ -141,6 +141,7 @@ fn the_library_needs_no_target_and_can_do_without_threads_and_files() {
     let gated = [
         ("run/src/studies/work_precision_chart.rs", "clock"),
         ("run/src/studies/sweep/ordered_work.rs", "threads"),
+        ("run/src/state_arrays/threads.rs", "threads"),
         ("derive/src/diagnostic.rs", "files"),
         ("derive/src/publication/publication_of_model.rs", "files"),
         ("derive/src/publication/author_files.rs", "files"),

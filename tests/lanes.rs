@@ -167,3 +167,60 @@ fn integrands_of_scenes_are_the_same_at_several_points_at_once() {
         scenes.filter(|(model, scene)| integrands_agree(&format!("{model} {}", scene.name), scene.system.double));
     assert!(tried.count() >= 10);
 }
+
+/// Goal: a row of an array is the value of its state. Method: every function of every library model, by each
+/// formulation, at 21 random states: bit by bit where the equations are interpreted, and up to rounding where they are
+/// compiled.
+#[test]
+fn functions_of_arrays_are_those_of_each_state() {
+    use tripos::code::{Code, CodePreparation, runnable_code};
+    use tripos::equations_name::find_equations;
+    use tripos::state_arrays::{Rows, StateFunction, StateRows, evaluate_states};
+    let mut random = Random(11);
+    let mut tried = 0;
+    for model in tripos_models::MODELS {
+        let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("models").join(model.name).join("model.toml");
+        let mechanism = tripos::Mechanism::read(&path).unwrap();
+        for compiled in model.systems.iter().filter(|system| !system.name.contains(['@', ':'])) {
+            let by = find_equations(&mechanism, &compiled.name.into()).unwrap();
+            // The mechanism has no compiled equations: they are interpreted.
+            let interpreted = runnable_code(&mechanism, &by, None, CodePreparation::Solved).unwrap();
+            let codes = [Code::Compiled(compiled), interpreted];
+            for code in codes {
+                let lengths = code.system().lengths();
+                let mut numbers = |count: usize| (0..count).map(|_| random.between(0.1, 1.4)).collect::<Vec<f64>>();
+                let p = numbers(lengths.parameters);
+                let (q, v) = (numbers(21 * lengths.coordinates), numbers(21 * lengths.variables));
+                let v_dot = numbers(21 * lengths.variables);
+                for function in StateFunction::ALL {
+                    let Some(shape) = function.shape(&code) else { continue };
+                    let width = shape.count();
+                    let accelerations = if function.takes_accelerations() { lengths.variables } else { 0 };
+                    let rows = |from: usize, count: usize| StateRows {
+                        count,
+                        q: Rows::each(
+                            &q[from * lengths.coordinates..][..count * lengths.coordinates],
+                            lengths.coordinates,
+                        ),
+                        v: Rows::each(&v[from * lengths.variables..][..count * lengths.variables], lengths.variables),
+                        v_dot: Rows::each(&v_dot[from * accelerations..][..count * accelerations], accelerations),
+                    };
+                    let mut all = vec![0.0; 21 * width];
+                    evaluate_states(function, &code, &p, rows(0, 21), &mut all);
+                    for state in 0..21 {
+                        let mut one = vec![0.0; width];
+                        evaluate_states(function, &code, &p, rows(state, 1), &mut one);
+                        let scale = one.iter().fold(1.0, |m: f64, x| m.max(x.abs()));
+                        for (one, many) in one.iter().zip(&all[state * width..]) {
+                            let is_same = one.to_bits() == many.to_bits() || one.is_nan() && many.is_nan();
+                            let is_near = code.is_compiled() && (one - many).abs() <= 1e-9 * scale;
+                            assert!(is_same || is_near, "{} {} {function:?}: {one} {many}", model.name, compiled.name);
+                        }
+                    }
+                    tried += 1;
+                }
+            }
+        }
+    }
+    assert!(tried > 1000, "{tried} functions were tried");
+}

@@ -37,7 +37,7 @@ use failure::{Failure, Output, print_json, print_to_stderr};
 use scene_file::read_scene_with;
 use std::ffi::OsString;
 use std::process::ExitCode;
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 use tripos::studies::chart_case::PrintedEquationsChoice;
 use tripos::studies::steady::LinearisationOptions;
 use tripos::studies::work_precision_chart::ChartPlan;
@@ -69,15 +69,25 @@ pub struct CommandOutput {
     pub messages: String,
 }
 
-/// Commands of one process run one after another, since interruption belongs to the process.
-static RUNNING: Mutex<()> = Mutex::new(());
+/// Lock for which the commands of one process wait: they run one after another, since interruption belongs to the
+/// process. A fork of the process has a lock of its own, since no command of the process runs on in it.
+fn command_lock() -> Arc<Mutex<()>> {
+    static LOCK: Mutex<Option<(u32, Arc<Mutex<()>>)>> = Mutex::new(None);
+    let process = std::process::id();
+    let mut known = LOCK.lock().unwrap_or_else(PoisonError::into_inner);
+    match &*known {
+        Some((owner, lock)) if *owner == process => Arc::clone(lock),
+        _ => Arc::clone(&known.insert((process, Arc::default())).1),
+    }
+}
 
 /// Runs a command of the program `tripos` with these words, without the name of the program.
 ///
 /// Nothing is printed: text for standard output and standard error is in the result. Signals stay with the caller, who
 /// ends the command from another thread by [`interrupt_command`]. Calls from several threads wait for one another.
 pub fn run_command(words: impl IntoIterator<Item = OsString>) -> CommandOutput {
-    let _alone = RUNNING.lock().unwrap_or_else(PoisonError::into_inner);
+    let lock = command_lock();
+    let _alone = lock.lock().unwrap_or_else(PoisonError::into_inner);
     interruption::forget_interruption();
     let words: Vec<OsString> = std::iter::once("tripos".into()).chain(words).collect();
     let (status, printed) = console::captured(|| match Arguments::try_parse_from(&words) {

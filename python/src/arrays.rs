@@ -1,103 +1,143 @@
-//! Functions of the equations over many states, on all cores.
+//! Arrays of NumPy as arguments, and as values.
 
-use tripos::code::Code;
-use tripos_traits::System;
+use crate::failure::RequestError;
+use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
+use pyo3::exceptions::PyTypeError;
+use pyo3::intern;
+use pyo3::prelude::*;
+use pyo3::sync::PyOnceLock;
+use pyo3::types::PyDict;
+use tripos::state_arrays::{Rows, StateRows, ValueShape};
 
-/// Arguments of a function at one state: parameters, coordinates, motion variables and accelerations.
-type Arguments<'a> = [&'a [f64]; 4];
-
-/// Function of the equations: the number of its values, and the procedure that writes them.
-pub struct Quantity {
-    /// Number of values of the function.
-    pub count: usize,
-    /// True if the function takes accelerations.
-    pub takes_accelerations: bool,
-    write: fn(&dyn System<f64>, Arguments<'_>, &mut [f64]),
+/// Coordinates, generalized speeds and, for some functions, accelerations: one state of the shape (n,), or N states of
+/// the shape (N, n).
+pub struct StateArrays<'py> {
+    q: StateArray<'py>,
+    u: StateArray<'py>,
+    u_dot: Option<StateArray<'py>>,
+    /// Number of states; `None` for one state without a row of its own.
+    pub states: Option<usize>,
 }
 
-/// Names of the functions that [`Quantity::of`] knows.
-pub const NAMES: [&str; 11] = [
-    "mass_matrix",
-    "forcing",
-    "accelerations",
-    "coordinate_rates",
-    "derivative",
-    "jacobian",
-    "kinetic_energy",
-    "potential_energy",
-    "power",
-    "constraints",
-    "inverse_dynamics",
-];
-
-impl Quantity {
-    /// Function of this name; `None` if the equations do not have it.
-    pub fn of(system: &dyn System<f64>, name: &str) -> Option<Self> {
-        let lengths = system.lengths();
-        let (nq, nv, n) = (lengths.coordinates, lengths.variables, lengths.variables + lengths.reactions);
-        let solved = |count: usize| system.has_accelerations().then_some(count);
-        let count = match name {
-            "mass_matrix" => Some(n * n),
-            "forcing" => Some(n),
-            "accelerations" => solved(nv),
-            "coordinate_rates" => Some(nq),
-            "derivative" => solved(nq + nv),
-            "jacobian" => solved((nq + nv) * (nq + nv)),
-            "kinetic_energy" | "potential_energy" => Some(1),
-            "power" => system.has_power().then_some(1),
-            "constraints" => Some(system.constraint_count()).filter(|count| *count > 0),
-            "inverse_dynamics" => (lengths.reactions == 0).then_some(nv),
-            _ => None,
-        }?;
-        let write: fn(&dyn System<f64>, Arguments<'_>, &mut [f64]) = match name {
-            "mass_matrix" => |system, [p, q, v, _], out| system.mass_matrix(p, q, v, out),
-            "forcing" => |system, [p, q, v, _], out| system.forcing(p, q, v, out),
-            "accelerations" => |system, [p, q, v, _], out| system.accelerations(p, q, v, out),
-            "coordinate_rates" => |system, [p, q, v, _], out| system.coordinate_rates(p, q, v, out),
-            "derivative" => |system, [p, q, v, _], out| {
-                let (rates, accelerations) = out.split_at_mut(q.len());
-                system.derivative(p, q, v, rates, accelerations);
-            },
-            "jacobian" => |system, [p, q, v, _], out| system.jacobian(p, q, v, out),
-            "kinetic_energy" => |system, [p, q, v, _], out| out[0] = system.kinetic_energy(p, q, v),
-            "potential_energy" => |system, [p, q, ..], out| out[0] = system.potential_energy(p, q),
-            "power" => |system, [p, q, v, _], out| out[0] = system.power(p, q, v),
-            "constraints" => |system, [p, q, v, _], out| system.constraints(p, q, v, out),
-            _ => |system, [p, q, v, a], out| {
-                let n = out.len();
-                let mut matrix = vec![0.0; n * n];
-                let mut forcing = vec![0.0; n];
-                system.mass_matrix(p, q, v, &mut matrix);
-                system.forcing(p, q, v, &mut forcing);
-                for (i, out) in out.iter_mut().enumerate() {
-                    *out = (0..n).map(|j| matrix[i * n + j] * a[j]).sum::<f64>() - forcing[i];
-                }
-            },
-        };
-        Some(Self { count, takes_accelerations: name == "inverse_dynamics", write })
+impl<'py> StateArrays<'py> {
+    /// Reads the arrays of states with so many coordinates and motion variables.
+    pub fn new(
+        (coordinates, variables): (usize, usize),
+        q: &Bound<'py, PyAny>,
+        u: &Bound<'py, PyAny>,
+        u_dot: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Self> {
+        let q = StateArray::new("q", q, coordinates)?;
+        let u = StateArray::new("u", u, variables)?;
+        let u_dot = u_dot.map(|given| StateArray::new("u_dot", given, variables)).transpose()?;
+        let arrays = [Some(&q), Some(&u), u_dot.as_ref()];
+        let counts = || arrays.iter().flatten().filter_map(|array| array.states);
+        // A single row counts for all states, as everywhere in NumPy.
+        let states = counts().find(|count| *count != 1).or_else(|| counts().next());
+        if counts().any(|count| count != 1 && Some(count) != states) {
+            let counts: Vec<String> = counts().map(|count| count.to_string()).collect();
+            return Err(RequestError::new_err(format!("the arrays have {} states", counts.join(", "))));
+        }
+        Ok(Self { q, u, u_dot, states })
     }
 
-    /// Values at `states` states, state by state. Coordinates, motion variables and accelerations are the rows of
-    /// arrays, each with the length of its rows.
-    pub fn values(&self, code: &Code, p: &[f64], states: usize, arguments: [(&[f64], usize); 3]) -> Vec<f64> {
-        let mut out = vec![0.0; states * self.count];
-        let threads = std::thread::available_parallelism().map_or(1, usize::from).min(states / 256 + 1);
-        let share = states.div_ceil(threads).max(1);
-        let row = |at: usize, state: usize| {
-            let (values, width) = arguments[at];
-            &values[state * width..(state + 1) * width]
+    /// Rows of all states.
+    pub fn rows(&self) -> PyResult<StateRows<'_>> {
+        let count = self.states.unwrap_or(1);
+        let v_dot = self.u_dot.as_ref().map_or(Ok(Rows::shared(&[])), |array| array.rows(count))?;
+        Ok(StateRows { count, q: self.q.rows(count)?, v: self.u.rows(count)?, v_dot })
+    }
+}
+
+/// One argument of a function.
+struct StateArray<'py> {
+    /// The numbers, row by row.
+    array: PyReadonlyArrayDyn<'py, f64>,
+    /// Number of states; `None` for one state without a row of its own.
+    states: Option<usize>,
+}
+
+impl<'py> StateArray<'py> {
+    /// Reads an argument of this name, whose states have `width` numbers. An array of doubles, row by row, is read in
+    /// place; anything else is converted as NumPy converts it.
+    fn new(name: &str, given: &Bound<'py, PyAny>, width: usize) -> PyResult<Self> {
+        let in_place = given.extract::<PyReadonlyArrayDyn<'py, f64>>().ok().filter(|array| array.is_c_contiguous());
+        let array = match in_place {
+            Some(array) => array,
+            None => converted(name, given)?,
         };
-        std::thread::scope(|scope| {
-            for (thread, out) in out.chunks_mut((share * self.count).max(1)).enumerate() {
-                let mut work = move || {
-                    for (k, out) in out.chunks_mut(self.count.max(1)).enumerate() {
-                        let state = thread * share + k;
-                        (self.write)(code.system(), [p, row(0, state), row(1, state), row(2, state)], out);
-                    }
-                };
-                if threads == 1 { work() } else { drop(scope.spawn(work)) }
+        let states = match *array.shape() {
+            [last] if last == width => None,
+            [states, last] if last == width => Some(states),
+            ref shape => {
+                let given: Vec<String> = shape.iter().map(usize::to_string).collect();
+                let comma = if given.len() == 1 { "," } else { "" };
+                let given = given.join(", ");
+                let what = format!("{name} has the shape ({given}{comma}); give ({width},) or (N, {width})");
+                return Err(RequestError::new_err(what));
             }
-        });
-        out
+        };
+        Ok(Self { array, states })
+    }
+
+    /// Rows of the argument for a function of `count` states.
+    fn rows(&self, count: usize) -> PyResult<Rows<'_>> {
+        let values = self.array.as_slice()?;
+        let width = self.array.shape().last().copied().unwrap_or(0);
+        Ok(if self.states == Some(count) { Rows::each(values, width) } else { Rows::shared(values) })
+    }
+}
+
+/// Array of doubles, row by row, from any array or list of real numbers.
+fn converted<'py>(name: &str, given: &Bound<'py, PyAny>) -> PyResult<PyReadonlyArrayDyn<'py, f64>> {
+    static CONVERT: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
+    let py = given.py();
+    let convert = CONVERT.get_or_try_init(py, || py.import("numpy")?.getattr("asarray").map(Bound::unbind))?.bind(py);
+    let how = PyDict::new(py);
+    how.set_item(intern!(py, "dtype"), intern!(py, "float64"))?;
+    how.set_item(intern!(py, "order"), intern!(py, "C"))?;
+    let array = convert.call1((given,)).and_then(|array| {
+        let kind: String = array.getattr(intern!(py, "dtype"))?.getattr(intern!(py, "kind"))?.extract()?;
+        // Truth values, integers, floats and objects such as fractions; times and complex numbers are none of them.
+        if !["b", "i", "u", "f", "O"].contains(&kind.as_str()) {
+            let dtype = array.getattr(intern!(py, "dtype"))?;
+            return Err(PyTypeError::new_err(format!("its numbers are of the type {dtype}")));
+        }
+        convert.call((array,), Some(&how))
+    });
+    let array = array.map_err(|error| {
+        let refused = RequestError::new_err(format!("{name} is no array of real numbers: {}", error.value(py)));
+        refused.set_cause(py, Some(error));
+        refused
+    })?;
+    array.extract()
+}
+
+/// Array with the values at one state (`states` is `None`) or at each state, which `fill` writes.
+pub fn filled_array(
+    py: Python<'_>,
+    states: Option<usize>,
+    shape: ValueShape,
+    fill: impl FnOnce(&mut [f64]),
+) -> PyResult<Bound<'_, PyAny>> {
+    macro_rules! filled {
+        ($kind:ident, $dimensions:expr) => {{
+            let array = $kind::<f64>::zeros(py, $dimensions, false);
+            fill(array.readwrite().as_slice_mut()?);
+            Ok(array.into_any())
+        }};
+    }
+    match (states, shape) {
+        (None, ValueShape::Number) => {
+            let mut value = [0.0];
+            fill(&mut value);
+            let array = PyArray1::from_slice(py, &value);
+            array.get_item(0)
+        }
+        (None, ValueShape::Vector(n)) => filled!(PyArray1, [n]),
+        (None, ValueShape::Matrix(n)) => filled!(PyArray2, [n, n]),
+        (Some(count), ValueShape::Number) => filled!(PyArray1, [count]),
+        (Some(count), ValueShape::Vector(n)) => filled!(PyArray2, [count, n]),
+        (Some(count), ValueShape::Matrix(n)) => filled!(PyArray3, [count, n, n]),
     }
 }

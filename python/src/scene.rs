@@ -7,13 +7,15 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
-use std::sync::{Mutex, PoisonError};
-use std::time::{Duration, Instant};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::{Mutex, OnceLock, PoisonError};
+use std::time::Instant;
 use tripos::observer::Observer;
 use tripos::{
     AccelerationSolution, ControllerSample, DerivativeInstants, EquationsName, Error, Integrator, Overrides,
     ProjectionTarget,
 };
+use tripos_models::MODELS;
 use tripos_sim::Poll;
 
 /// Scene of a model: a start, parameters, a span and outputs.
@@ -22,36 +24,43 @@ pub struct Scene {
     scene: Mutex<tripos::Scene>,
 }
 
-/// Time between two looks at the signals of Python: a look takes the lock of the interpreter.
-const BETWEEN_SIGNALS: Duration = Duration::from_millis(20);
+/// Time between two looks at the signals of Python, ms: a look takes the lock of the interpreter.
+const BETWEEN_SIGNALS: u64 = 20;
 
-/// Signals of Python during a run, such as Ctrl-C.
-struct Signals {
-    /// Time of the last look.
-    looked: Instant,
-    /// Exception of a signal that came during the run.
-    raised: Option<PyErr>,
-}
-
-static SIGNALS: Mutex<Option<Signals>> = Mutex::new(None);
+/// Instant of the last look at the signals, in milliseconds after the first.
+static LOOKED: AtomicU64 = AtomicU64::new(0);
+/// True if a signal came during the run.
+static IS_INTERRUPTED: AtomicBool = AtomicBool::new(false);
+/// Exception of the signal that came during the run. Nobody waits for anything while holding it, since a fork of the
+/// process at this moment would never see it released.
+static RAISED: Mutex<Option<PyErr>> = Mutex::new(None);
 
 /// True if the user interrupted Python; [`raise_signal`] raises the exception after the run.
 fn is_interrupted() -> bool {
-    // Another thread looks at this moment.
-    let Ok(mut signals) = SIGNALS.try_lock() else { return false };
-    let now = Instant::now();
-    let signals = signals.get_or_insert_with(|| Signals { looked: now, raised: None });
-    if signals.raised.is_none() && now.duration_since(signals.looked) >= BETWEEN_SIGNALS {
-        signals.looked = now;
-        signals.raised = Python::attach(|py| py.check_signals().err());
+    static BEGIN: OnceLock<Instant> = OnceLock::new();
+    let now = u64::try_from(BEGIN.get_or_init(Instant::now).elapsed().as_millis()).unwrap_or(u64::MAX);
+    let looked = LOOKED.load(Ordering::Relaxed);
+    // One of several threads looks.
+    let is_time = now >= looked + BETWEEN_SIGNALS
+        && LOOKED.compare_exchange(looked, now, Ordering::Relaxed, Ordering::Relaxed).is_ok();
+    if is_time
+        && !IS_INTERRUPTED.load(Ordering::Acquire)
+        && let Some(signal) = Python::attach(|py| py.check_signals().err())
+    {
+        *RAISED.lock().unwrap_or_else(PoisonError::into_inner) = Some(signal);
+        IS_INTERRUPTED.store(true, Ordering::Release);
     }
-    signals.raised.is_some()
+    IS_INTERRUPTED.load(Ordering::Acquire)
 }
 
 /// Raises the exception of a signal that came during the last run.
 fn raise_signal(py: Python<'_>) -> PyResult<()> {
-    let raised = py.detach(|| SIGNALS.lock().unwrap_or_else(PoisonError::into_inner).take()).and_then(|s| s.raised);
-    raised.map_or_else(|| py.check_signals(), Err)
+    if IS_INTERRUPTED.swap(false, Ordering::AcqRel)
+        && let Some(signal) = RAISED.lock().unwrap_or_else(PoisonError::into_inner).take()
+    {
+        return Err(signal);
+    }
+    py.check_signals()
 }
 
 /// Observer that ends long work if the user interrupts Python.
@@ -100,6 +109,10 @@ fn overrides(settings: Option<&Bound<'_, PyDict>>) -> PyResult<Overrides> {
 type SampledColumns<'py> = (Bound<'py, PyDict>, Vec<f64>, Vec<Vec<f64>>, Option<Bound<'py, PyDict>>, Vec<String>);
 
 impl Scene {
+    fn new(scene: tripos::Scene) -> Self {
+        Self { scene: Mutex::new(scene.with_compiled_equations(MODELS).with_observer(observer())) }
+    }
+
     /// Copy of the scene, for work without the lock of the interpreter.
     fn copied(&self) -> tripos::Scene {
         self.scene.lock().unwrap_or_else(PoisonError::into_inner).clone()
@@ -112,7 +125,7 @@ impl Scene {
     #[staticmethod]
     fn read(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
         let scene = py.detach(|| tripos::Scene::read(path)).map_err(|error| raised(py, &error))?;
-        Ok(Self { scene: Mutex::new(scene.with_observer(observer())) })
+        Ok(Self::new(scene))
     }
 
     /// Makes a scene of a model from the text of a scene file.
@@ -120,7 +133,12 @@ impl Scene {
     fn parse(py: Python<'_>, model: &Model, text: &str) -> PyResult<Self> {
         let mechanism = model.mechanism.clone();
         let scene = py.detach(|| tripos::Scene::parse(mechanism, text)).map_err(|error| raised(py, &error))?;
-        Ok(Self { scene: Mutex::new(scene.with_observer(observer())) })
+        Ok(Self::new(scene))
+    }
+
+    /// A scene that can be changed without changing this one.
+    fn copy(&self) -> Self {
+        Self { scene: Mutex::new(self.copied()) }
     }
 
     /// Model of the scene.
@@ -170,14 +188,15 @@ impl Scene {
         Ok((table, found.run.objections().into_iter().chain(found.missing_derivative()).collect()))
     }
 
-    /// Derivatives of one number at the end of the run with respect to all parameters and numbers of the start.
+    /// One number at the end of the run, its derivatives with respect to all parameters and numbers of the start, and
+    /// reasons not to trust them.
     #[pyo3(signature = (of, settings=None))]
     fn gradient_of<'py>(
         &self,
         py: Python<'py>,
         of: &str,
         settings: Option<&Bound<'py, PyDict>>,
-    ) -> PyResult<(Bound<'py, PyDict>, Vec<String>)> {
+    ) -> PyResult<(f64, Bound<'py, PyDict>, Vec<String>)> {
         let (scene, how) = (self.copied(), overrides(settings)?);
         let found = py.detach(|| scene.gradient(of, &how));
         raise_signal(py)?;
@@ -186,7 +205,12 @@ impl Scene {
         for slope in &found.slopes {
             table.set_item(&slope.by, slope.value)?;
         }
-        Ok((table, found.run.objections().into_iter().chain(found.missing()).collect()))
+        let value = match found.run.names.iter().position(|name| name == of) {
+            Some(at) => found.run.end[at],
+            None if of == "t" => found.run.solution.t_end,
+            None => f64::NAN,
+        };
+        Ok((value, table, found.run.objections().into_iter().chain(found.missing()).collect()))
     }
 
     /// Runs the scene with inputs that a Python function sets at instants: `controller(t, state)` gets a dictionary of

@@ -14,7 +14,7 @@ use tripos_derive::algebra::term::steps::{Definition, needed_steps};
 use tripos_derive::algebra::value::tape::{Numeric, Tape, UnknownSymbol};
 use tripos_derive::mechanics::{Derivation, Divisors, SolvedAccelerations, Unsolved, energy_gradient};
 use tripos_derive::reduce::Reduction;
-use tripos_traits::{DoubleDouble, Lengths, System};
+use tripos_traits::{DoubleDouble, Lanes, Lengths, System};
 
 /// Reason why equations of motion cannot be interpreted.
 #[derive(Clone, Debug)]
@@ -452,11 +452,13 @@ pub struct InterpretedSystem {
     pub double: InterpretedEquations,
     /// Equations as tapes in twice the precision of a double; empty until they are first used.
     extended: OnceLock<InterpretedEquations<DoubleDouble>>,
+    /// Equations as tapes for eight states at once; empty until they are first used.
+    lanes: OnceLock<InterpretedEquations<Lanes<8>>>,
 }
 
 impl From<InterpretedEquations> for InterpretedSystem {
     fn from(double: InterpretedEquations) -> Self {
-        Self { double, extended: OnceLock::new() }
+        Self { double, extended: OnceLock::new(), lanes: OnceLock::new() }
     }
 }
 
@@ -465,5 +467,12 @@ impl InterpretedSystem {
     #[must_use]
     pub fn extended(&self) -> &InterpretedEquations<DoubleDouble> {
         self.extended.get_or_init(|| self.double.convert_to())
+    }
+
+    /// Returns the equations as tapes for eight states at once, whose values have the same bits as
+    /// those of one state. The first call makes them.
+    #[must_use]
+    pub fn lanes(&self) -> &InterpretedEquations<Lanes<8>> {
+        self.lanes.get_or_init(|| self.double.convert_to())
     }
 }

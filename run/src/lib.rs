@@ -36,6 +36,7 @@ pub mod preparation;
 mod scene;
 mod scratch_pool;
 mod simulation;
+pub mod state_arrays;
 pub mod studies;
 pub mod trust;
 

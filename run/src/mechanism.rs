@@ -102,7 +102,7 @@ impl Mechanism {
         formulations: &[Formulation],
         extras: tripos_codegen::Extras,
     ) -> Result<tripos_codegen::emit::Emission, Error> {
-        Ok(tripos_codegen::emit::emit_rust_module(&self.model, module, formulations, extras)?)
+        Ok(tripos_codegen::emit::emit_rust_model(&self.model, module, formulations, extras)?)
     }
 }
 

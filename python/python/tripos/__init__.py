@@ -10,13 +10,15 @@
 
 from ._commands import CommandResult, TriposWarning, UntrustedRunWarning, answer, run_command
 from ._display import Page, Picture
-from ._model import EXAMPLE, Model
+from ._model import EXAMPLE, Dae, Model
 from ._mechanism import Mechanism
 from ._scene import Run, SampledRun, Scene
+from ._sweep import SweepRequest, SweepTable, run_block, sweep, sweep_frame
 from ._tripos import InputError, RequestError, StoppedError, TriposError
 
 __all__ = [
     "CommandResult",
+    "Dae",
     "EXAMPLE",
     "InputError",
     "Mechanism",
@@ -28,9 +30,14 @@ __all__ = [
     "SampledRun",
     "Scene",
     "StoppedError",
+    "SweepRequest",
+    "SweepTable",
     "TriposError",
     "TriposWarning",
     "UntrustedRunWarning",
     "answer",
+    "run_block",
     "run_command",
+    "sweep",
+    "sweep_frame",
 ]

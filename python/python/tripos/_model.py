@@ -294,11 +294,11 @@ class Model:
 
     def mass_matrix(self, q: ArrayLike, u: ArrayLike, *, equations: str = "kane", **parameters: float) -> Array:
         """Mass matrix M of M x = f, of the shape (n, n) or (N, n, n)."""
-        return self._value("mass_matrix", equations, parameters, q, u, square)
+        return self._model.value("mass_matrix", equations, parameters, q, u)
 
     def forcing(self, q: ArrayLike, u: ArrayLike, *, equations: str = "kane", **parameters: float) -> Array:
         """Forcing f of M x = f, of the shape (n,) or (N, n)."""
-        return self._value("forcing", equations, parameters, q, u)
+        return self._model.value("forcing", equations, parameters, q, u)
 
     def accelerations(self, q: ArrayLike, u: ArrayLike, *, equations: str = "kane", **parameters: float) -> Array:
         """Rates of the generalized speeds, of the shape (n,) or (N, n).
@@ -306,130 +306,127 @@ class Model:
         >>> Model.from_text(EXAMPLE).accelerations([[0.0], [1.0]], [[0.0], [0.0]], g=1.0).round(6).tolist()
         [[0.0], [-0.841471]]
         """
-        return self._value("accelerations", equations, parameters, q, u)
+        return self._model.value("accelerations", equations, parameters, q, u)
 
     def coordinate_rates(self, q: ArrayLike, u: ArrayLike, *, equations: str = "kane", **parameters: float) -> Array:
         """Rates of the coordinates, W u + w."""
-        return self._value("coordinate_rates", equations, parameters, q, u)
+        return self._model.value("coordinate_rates", equations, parameters, q, u)
 
     def derivative(self, q: ArrayLike, u: ArrayLike, *, equations: str = "kane", **parameters: float) -> Array:
         """Rates of the state (q, u)."""
-        return self._value("derivative", equations, parameters, q, u)
+        return self._model.value("derivative", equations, parameters, q, u)
 
     def jacobian(self, q: ArrayLike, u: ArrayLike, *, equations: str = "kane", **parameters: float) -> Array:
         """Slopes of `derivative` along the state: a row for each rate."""
-        return self._value("jacobian", equations, parameters, q, u, square)
+        return self._model.value("jacobian", equations, parameters, q, u)
 
     def kinetic_energy(self, q: ArrayLike, u: ArrayLike, *, equations: str = "kane", **parameters: float) -> Array:
         """Kinetic energy, J."""
-        return self._value("kinetic_energy", equations, parameters, q, u, scalar)
+        return self._model.value("kinetic_energy", equations, parameters, q, u)
 
     def potential_energy(self, q: ArrayLike, u: ArrayLike, *, equations: str = "kane", **parameters: float) -> Array:
         """Potential energy, J."""
-        return self._value("potential_energy", equations, parameters, q, u, scalar)
+        return self._model.value("potential_energy", equations, parameters, q, u)
 
     def power(self, q: ArrayLike, u: ArrayLike, *, equations: str = "kane", **parameters: float) -> Array:
         """Power of the loads without a potential, W."""
-        return self._value("power", equations, parameters, q, u, scalar)
+        return self._model.value("power", equations, parameters, q, u)
 
     def constraints(self, q: ArrayLike, u: ArrayLike, *, equations: str = "kane", **parameters: float) -> Array:
         """Residuals of the loops and of the motion constraints."""
-        return self._value("constraints", equations, parameters, q, u)
+        return self._model.value("constraints", equations, parameters, q, u)
 
     def inverse(
         self, q: ArrayLike, u: ArrayLike, u_dot: ArrayLike, *, equations: str = "kane", **parameters: float
     ) -> Array:
         """Generalized forces that give the accelerations `u_dot` beside the forces of the model, M u_dot - f."""
-        return self._value("inverse_dynamics", equations, parameters, q, u, x=u_dot)
+        return self._model.value("inverse_dynamics", equations, parameters, q, u, u_dot)
+
+    def regressor(self, q: ArrayLike, u: ArrayLike, u_dot: ArrayLike, **parameters: float) -> Array:
+        """Regressor Y of the base parameters, of the shape (n, k) or (N, n, k): the generalized forces of a motion are
+        Y pi + `regressor_rest`, with the `base_parameters` pi. Inputs that are forces count as 0.
+
+        >>> model = Model.from_text(EXAMPLE)
+        >>> pi = list(model.base_parameters().values())
+        >>> state = ([0.5], [0.2], [0.1])
+        >>> bool(np.allclose(model.regressor(*state) @ pi + model.regressor_rest(*state), model.inverse(*state)))
+        True
+        """
+        whole: Array = self._model.regressor(parameters, q, u, u_dot)[..., :-1]
+        return whole
+
+    def regressor_rest(self, q: ArrayLike, u: ArrayLike, u_dot: ArrayLike, **parameters: float) -> Array:
+        """Part of the generalized forces of a motion that no base parameter changes, of the shape (n,) or (N, n)."""
+        rest: Array = self._model.regressor(parameters, q, u, u_dot)[..., -1]
+        return rest
+
+    def base_parameters(self, **parameters: float) -> dict[str, float]:
+        """Values of the base parameters: the combinations of masses and inertias that motion can identify, by name.
+
+        A value that no formula gives is NaN.
+        """
+        values = self._model.base_parameters(parameters)
+        return {name: math.nan if value is None else value for name, value in values}
 
     def rhs(self, *, equations: str = "kane", **parameters: float) -> Callable[[float, ArrayLike], Array]:
         """Right-hand side f(t, y) of y' = f for `scipy.integrate.solve_ivp`, with y = (q, u)."""
-        count = len(self.coordinates)
-
-        def function(t: float, y: ArrayLike) -> Array:
-            state = np.asarray(y, dtype=float)
-            return self.derivative(state[:count], state[count:], equations=equations, **parameters)
-
-        return function
+        return self._of_state("derivative", equations, parameters)
 
     def rhs_jacobian(self, *, equations: str = "kane", **parameters: float) -> Callable[[float, ArrayLike], Array]:
         """Jacobian of `rhs`, for implicit methods of `solve_ivp`."""
-        count = len(self.coordinates)
+        return self._of_state("jacobian", equations, parameters)
+
+    def _of_state(self, name: str, equations: str, parameters: dict[str, float]) -> Callable[[float, ArrayLike], Array]:
+        count, value = len(self.coordinates), self._model.value
 
         def function(t: float, y: ArrayLike) -> Array:
             state = np.asarray(y, dtype=float)
-            return self.jacobian(state[:count], state[count:], equations=equations, **parameters)
+            return value(name, equations, parameters, state[:count], state[count:])
 
         return function
 
-    def _parameters(self, given: Mapping[str, float]) -> list[float]:
-        known = self._model.parameter_list()
-        names = [name for name, *_ in known]
-        for name in given:
-            if name not in names:
-                raise _tripos.RequestError(f"the model has no parameter `{name}`; its parameters are {', '.join(names)}")
-        values = []
-        for name, _, default, *_ in known:
-            value = given.get(name, default)
-            if value is None:
-                raise _tripos.RequestError(f"the parameter `{name}` has no default: give {name}=…")
-            values.append(float(value))
-        return values
+    def dae(self, *, equations: str = "kane", **parameters: float) -> Dae:
+        """Equations as an implicit system F(t, y, y') = 0, for solvers such as IDA of SUNDIALS.
 
-    def _value(
-        self,
-        name: str,
-        equations: str,
-        parameters: Mapping[str, float],
-        q: ArrayLike,
-        u: ArrayLike,
-        shaped: Callable[[Array], Array] | None = None,
-        x: ArrayLike | None = None,
-    ) -> Array:
-        p = self._parameters(parameters)
-        coordinates, variables, width = self._model.lengths(name, equations)
-        one, states_q = rows("q", q, coordinates)
-        also, states_u = rows("u", u, variables)
-        many = [states_q, states_u]
-        if x is not None:
-            last, states_x = rows("u_dot", x, variables)
-            many.append(states_x)
-            also = also and last
-        count = max(len(states) for states in many)
-        for states in many:
-            if len(states) not in (1, count):
-                raise _tripos.RequestError(f"the arrays have {', '.join(str(len(s)) for s in many)} states")
-        many = [np.ascontiguousarray(np.broadcast_to(s, (count, s.shape[1]))) for s in many]
-        accelerations = many[2] if x is not None else np.zeros((count, 0))
-        flat = self._model.evaluate(name, equations, p, many[0], many[1], accelerations)
-        values: Array = flat.reshape(count, width)
-        if shaped is not None:
-            values = shaped(values)
-        return values[0] if one and also else values
+        The accelerations are not solved for: F is (q' - W u - w, M x - f). The state y is (q, u), followed by the
+        reactions among the unknowns x, whose rates do not occur.
+
+        >>> model = Model.from_text(EXAMPLE)
+        >>> dae = model.dae()
+        >>> y = [0.5, 0.2]
+        >>> bool(abs(dae(0.0, y, model.rhs()(0.0, y))).max() < 1e-14)
+        True
+        """
+        return Dae(self, equations, parameters)
 
 
-def rows(name: str, values: ArrayLike, width: int) -> tuple[bool, Array]:
-    """States as rows, and whether one state was given without a row of its own."""
-    try:
-        array = np.asarray(values, dtype=np.float64)
-    except (TypeError, ValueError) as error:
-        raise _tripos.RequestError(f"{name} is no array of real numbers: {error}") from error
-    if array.ndim not in (1, 2) or array.shape[-1] != width:
-        raise _tripos.RequestError(f"{name} has the shape {array.shape}; give ({width},) or (N, {width})")
-    return array.ndim == 1, array if array.ndim == 2 else array.reshape(1, width)
+class Dae:
+    """Equations of motion as an implicit system F(t, y, y') = 0."""
 
+    def __init__(self, model: Model, equations: str, parameters: dict[str, float]) -> None:
+        self._value, self._equations, self._parameters = model._model.value, equations, parameters
+        self._coordinates = len(model.coordinates)
+        start = np.zeros(self._coordinates)
+        self._variables = self._coordinates if equations == "lagrange" else len(model.speeds)
+        unknowns = len(self._of("forcing", start, np.zeros(self._variables)))
+        #: True for each number of the state whose rate occurs; False for reactions.
+        self.is_differential: NDArray[np.bool_] = np.arange(self._coordinates + unknowns) < (
+            self._coordinates + self._variables
+        )
 
-def square(values: Array) -> Array:
-    """Rows as square matrices."""
-    n = round(values.shape[1] ** 0.5)
-    return values.reshape(len(values), n, n)
+    def _of(self, name: str, q: Array, u: Array) -> Array:
+        return self._value(name, self._equations, self._parameters, q, u)
 
-
-def scalar(values: Array) -> Array:
-    """Rows of one number as numbers."""
-    return values[:, 0]
-
-
+    def __call__(self, t: float, y: ArrayLike, y_dot: ArrayLike) -> Array:
+        """Residual F(t, y, y'), which is zero for a motion."""
+        state, rates = np.asarray(y, dtype=float), np.asarray(y_dot, dtype=float)
+        if state.shape != self.is_differential.shape or rates.shape != state.shape:
+            raise _tripos.RequestError(f"y and y' have the shapes {state.shape} and {rates.shape}; give ({len(self.is_differential)},)")
+        n = self._coordinates
+        q, u = state[:n], state[n : n + self._variables]
+        unknowns = np.concatenate([rates[n : n + self._variables], state[n + self._variables :]])
+        kinematic = rates[:n] - self._of("coordinate_rates", q, u)
+        return np.concatenate([kinematic, self._of("mass_matrix", q, u) @ unknowns - self._of("forcing", q, u)])
 
 
 @contextlib.contextmanager

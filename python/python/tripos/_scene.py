@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from typing import Any, Callable, NamedTuple, Optional
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from . import _tripos
 from ._commands import Option, UntrustedRunWarning, answer
@@ -222,9 +223,66 @@ class Scene:
         """Derivatives of one number at the end with respect to all parameters and numbers of the start.
 
         A derivative that does not exist is NaN, with a warning."""
-        slopes, reasons = self._scene.gradient_of(of, settings)
+        _, slopes, reasons = self._scene.gradient_of(of, settings)
         warn(reasons)
         return slopes
+
+    def objective(self, of: str, names: Sequence[str], **settings: Any) -> Callable[[ArrayLike], tuple[float, Array]]:
+        """Function of the numbers `names` that returns the value of `of` at the end, and its gradient.
+
+        `names` are parameters and numbers of the start. The function is what `scipy.optimize.minimize` takes with
+        `jac=True`. It leaves the scene as it is.
+
+        >>> import tripos
+        >>> model = tripos.Model.from_text(tripos.EXAMPLE)
+        >>> scene = tripos.Scene.from_text(model, "span = [0, 1]\\n[start]\\ntheta = 0.5\\nomega = 0\\n")
+        >>> value, slopes = scene.objective("theta", ["theta", "l"], rtol=1e-10)([0.5, 1.0])
+        >>> round(value, 6), slopes.round(6).tolist()
+        (-0.499157, [-0.992714, 0.044502])
+        """
+        chosen = list(names)
+        inner = self._scene.copy()
+
+        def function(values: ArrayLike) -> tuple[float, Array]:
+            numbers = np.asarray(values, dtype=float)
+            if numbers.shape != (len(chosen),):
+                raise _tripos.RequestError(f"the objective takes {len(chosen)} numbers, not the shape {numbers.shape}")
+            scene = inner.copy()
+            for name, number in zip(chosen, numbers):
+                scene.set(name, float(number))
+            value, slopes, reasons = scene.gradient_of(of, settings)
+            missing = [name for name in chosen if name not in slopes]
+            if missing:
+                known = ", ".join(slopes)
+                raise _tripos.RequestError(f"there is no derivative by `{missing[0]}`; there are those by {known}")
+            warn(reasons)
+            return value, np.array([slopes[name] for name in chosen])
+
+        return function
+
+    def jax_objective(self, of: str, names: Sequence[str], **settings: Any) -> Callable[[Any], Any]:
+        """`objective` as a function of JAX with its own reverse derivative (`jax.custom_vjp`), for `jax.grad` and
+        `jax.jit`. Numbers are doubles only if `jax_enable_x64` is set."""
+        import jax
+
+        objective = self.objective(of, names, **settings)
+        count = len(names)
+
+        def run(values: Any) -> tuple[Any, Any]:
+            value, slopes = objective(np.asarray(values, dtype=float))
+            kind = np.asarray(values).dtype
+            return np.asarray(value, dtype=kind), np.asarray(slopes, dtype=kind)
+
+        def both(values: Any) -> Any:
+            values = jax.numpy.asarray(values)
+            kind = values.dtype if jax.numpy.issubdtype(values.dtype, jax.numpy.floating) else jax.numpy.result_type(float)
+            shapes = (jax.ShapeDtypeStruct((), kind), jax.ShapeDtypeStruct((count,), kind))
+            return jax.pure_callback(run, shapes, values.astype(kind), vmap_method="sequential")
+
+        function = jax.custom_vjp(lambda values: both(values)[0])
+        function.defvjp(both, lambda slopes, weight: (weight * slopes,))
+        result: Callable[[Any], Any] = function
+        return result
 
     def sampled(
         self,

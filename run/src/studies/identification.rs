@@ -5,13 +5,14 @@
 //! [`tripos_derive::identify`] finds them. The rows of the regressor are the equations Y_b π_b +
 //! rest = tau. Here tau = B r is the generalized force of the inputs r ([`super::inverse`]).
 
+use crate::state_arrays::{Arguments, StateRows, share_states, write_in_lanes};
 use crate::{Error, Mechanism};
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::value::tape::Tape;
 use tripos_derive::identify::{BaseParameterFactor, Identification};
 use tripos_derive::mechanics::RegressorParameters;
 use tripos_derive::scene::MotionSample;
-use tripos_traits::DoubleDouble;
+use tripos_traits::{DoubleDouble, Lanes};
 
 /// Finds the base parameters of a mechanism: the combinations of inertial parameters that motions
 /// can determine.
@@ -97,17 +98,10 @@ pub fn regressor_rows(
     parameters: &[DoubleDouble],
     states: &[MotionSample],
 ) -> Result<Vec<RegressorRow>, Error> {
-    let regressor = &found.regressor;
     let speeds = model.speeds.len();
-    let columns = found.base.iter().map(|base| &regressor.columns[base.column].forces);
-    let terms: Vec<Expr> = columns.chain([&regressor.rest]).flatten().copied().collect();
-    let rates = model.speeds.iter().map(|speed| speed.rate).collect();
-    let known = [model.p(), model.q(), model.u(), rates].concat();
-    let tape: Tape<DoubleDouble> = crate::code::compile_tape(&regressor.arena, &known, &terms, "the regressor")?.to();
+    let tape: Tape<DoubleDouble> = regressor_tape(model, found)?.to();
     let mut p = parameters.to_vec();
-    let inputs = (0..p.len())
-        .filter(|at| model.parameters[*at].is_input && model.parameters[*at].unit.kilogram_exponent().is_one());
-    for at in inputs.collect::<Vec<_>>() {
+    for at in inputs_in_regressor(model) {
         p[at] = 0.0.into();
     }
     let mut list = Vec::new();
@@ -123,4 +117,83 @@ pub fn regressor_rows(
         }
     }
     Ok(list)
+}
+
+/// Tape of the regressor, from parameters, coordinates, generalized speeds and their rates. It has the
+/// factors of each base parameter along all speeds, and then the known part along all speeds.
+///
+/// # Errors
+/// [`Error::Request`] if a column contains a symbol without a value.
+fn regressor_tape(model: &Mechanism, found: &Identification) -> Result<Tape, Error> {
+    let regressor = &found.regressor;
+    let columns = found.base.iter().map(|base| &regressor.columns[base.column].forces);
+    let terms: Vec<Expr> = columns.chain([&regressor.rest]).flatten().copied().collect();
+    let rates = model.speeds.iter().map(|speed| speed.rate).collect();
+    let known = [model.p(), model.q(), model.u(), rates].concat();
+    crate::code::compile_tape(&regressor.arena, &known, &terms, "the regressor")
+}
+
+/// Indices of the inputs among the parameters that count as unknown forces: a regressor has them at 0.
+fn inputs_in_regressor(model: &Mechanism) -> Vec<usize> {
+    let is_input =
+        |at: &usize| model.parameters[*at].is_input && model.parameters[*at].unit.kilogram_exponent().is_one();
+    (0..model.parameters.len()).filter(is_input).collect()
+}
+
+/// Regressor of the base parameters in double precision, for arrays of states.
+pub struct StateRegressor {
+    /// Tape of [`regressor_tape`], for eight states at once.
+    tape: Tape<Lanes<8>>,
+    /// Indices of the inputs that are 0.
+    inputs: Vec<usize>,
+    /// Number of generalized speeds.
+    speeds: usize,
+}
+
+impl StateRegressor {
+    /// Compiles the regressor of a mechanism for arrays of states.
+    ///
+    /// # Errors
+    /// [`Error::Request`] if a column contains a symbol without a value.
+    pub fn new(model: &Mechanism, found: &Identification) -> Result<Self, Error> {
+        let tape = regressor_tape(model, found)?.to();
+        Ok(Self { tape, inputs: inputs_in_regressor(model), speeds: model.speeds.len() })
+    }
+
+    /// Number of rows and of columns at each state: a row for each generalized speed, a column for
+    /// each base parameter, and the known part as the last column.
+    #[must_use]
+    pub fn shape(&self) -> (usize, usize) {
+        (self.speeds, self.tape.outputs() / self.speeds.max(1))
+    }
+
+    /// Writes the regressor at each state, row by row. Arrays of many states are shared among all
+    /// cores.
+    ///
+    /// # Panics
+    /// If a length differs from that of the model, or if `out` does not have the rows and columns of
+    /// [`StateRegressor::shape`] for each state.
+    pub fn evaluate(&self, p: &[f64], states: StateRows<'_>, out: &mut [f64]) {
+        let (rows, columns) = self.shape();
+        let width = rows * columns;
+        assert_eq!(out.len(), states.count * width, "one place for each value");
+        let mut p = p.to_vec();
+        for at in &self.inputs {
+            p[*at] = 0.0;
+        }
+        share_states(states.count, width, out, &|first, out| {
+            let (mut inputs, mut scratch, mut values) = (Vec::new(), Vec::new(), vec![Lanes([0.0; 8]); width]);
+            write_in_lanes::<8>(&p, states, width, first, out, |at, out| {
+                let Arguments { p, q, v, v_dot } = at;
+                inputs.clear();
+                for part in [p, q, v, v_dot] {
+                    inputs.extend_from_slice(part);
+                }
+                self.tape.evaluate_into(&inputs, &mut scratch, &mut values);
+                for (at, out) in out.iter_mut().enumerate() {
+                    *out = values[at % columns * rows + at / columns];
+                }
+            });
+        });
+    }
 }

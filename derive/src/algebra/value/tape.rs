@@ -14,7 +14,7 @@ use crate::algebra::term::steps::Definition;
 use crate::algebra::{Arena, Expr, Function, Rational};
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
-use tripos_traits::{DoubleDouble, Enclosure, Interval, Scalar, Tangent};
+use tripos_traits::{DoubleDouble, Enclosure, Interval, Lanes, Scalar, Tangent};
 
 /// Number type in which expressions are evaluated, such as doubles or intervals.
 pub trait Numeric: Scalar {
@@ -108,6 +108,20 @@ impl Numeric for f64 {
     }
     fn power(self, n: i32) -> Self {
         self.powi(n)
+    }
+}
+
+/// Evaluates a tape at several states at once. Each lane has the same bits as a tape in doubles.
+impl<const N: usize> Numeric for Lanes<N> {
+    fn from_rational(value: &Rational) -> Self {
+        Self::from_f64(value.to_f64())
+    }
+    fn apply(self, f: Function) -> Self {
+        Self(self.0.map(|x| x.apply(f)))
+    }
+    fn power(self, n: i32) -> Self {
+        // A factor without a power is the most frequent.
+        if n == 1 { self } else { Self(self.0.map(|x| x.power(n))) }
     }
 }
 
@@ -331,20 +345,25 @@ impl<S: Numeric> Tape<S> {
         assert_eq!(inputs.len(), self.inputs, "one value for each input");
         assert_eq!(out.len(), self.outputs.len(), "one place for each output");
         scratch.clear();
-        for op in &self.ops {
-            let of = |slot: &u32| scratch[*slot as usize];
-            let value = match op {
-                Op::Constant(value) => *value,
-                Op::Pi => S::pi(),
-                Op::Input(at) => inputs[*at],
-                Op::Sum(constant, terms) => terms.iter().fold(*constant, |sum, (slot, k)| sum + *k * of(slot)),
-                Op::Product(factors) => {
-                    factors.iter().fold(S::int(1), |product, (slot, n)| product * of(slot).power(*n))
+        S::dispatch(
+            #[inline(always)]
+            || {
+                for op in &self.ops {
+                    let of = |slot: &u32| scratch[*slot as usize];
+                    let value = match op {
+                        Op::Constant(value) => *value,
+                        Op::Pi => S::pi(),
+                        Op::Input(at) => inputs[*at],
+                        Op::Sum(constant, terms) => terms.iter().fold(*constant, |sum, (slot, k)| sum + *k * of(slot)),
+                        Op::Product(factors) => {
+                            factors.iter().fold(S::int(1), |product, (slot, n)| product * of(slot).power(*n))
+                        }
+                        Op::Apply(f, slot) => of(slot).apply(*f),
+                    };
+                    scratch.push(value);
                 }
-                Op::Apply(f, slot) => of(slot).apply(*f),
-            };
-            scratch.push(value);
-        }
+            },
+        );
         for (place, slot) in out.iter_mut().zip(&self.outputs) {
             *place = scratch[*slot as usize];
         }

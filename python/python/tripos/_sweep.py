@@ -1,0 +1,260 @@
+"""Sweeps: runs of a scene from many starts or with many parameters, on one machine or on a cluster of Dask."""
+
+from __future__ import annotations
+
+import csv
+import dataclasses
+import hashlib
+import io
+import json
+import os
+import pathlib
+import tempfile
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any, Optional, Union
+
+import numpy as np
+
+from ._commands import Option, failure, run_command, warn_of
+from ._model import Path
+from ._scene import Scene
+
+#: Values that vary: texts as `tripos sweep --over` takes them, or the values of each number by its name.
+Over = Union[str, Sequence[str], Mapping[str, Iterable[float]]]
+#: Columns that hold texts.
+TEXTS = ("stop", "reason")
+
+
+class SweepTable:
+    """Table of a sweep: a row for each point, in the order of the points."""
+
+    def __init__(self, text: str) -> None:
+        #: The table as CSV: the same bytes as the file of `tripos sweep`.
+        self.csv = text
+        header = next(csv.reader([text[: text.index("\n")]]))
+        #: Names of the columns.
+        self.names: list[str] = header
+
+    @classmethod
+    def joined(cls, tables: Sequence[str]) -> SweepTable:
+        """Table of all blocks of a sweep, from the text of each block in their order."""
+        header = tables[0][: tables[0].index("\n") + 1]
+        return cls(header + "".join(table[len(header) :] for table in tables))
+
+    def __len__(self) -> int:
+        return self.csv.count("\n") - 1
+
+    def __getitem__(self, name: str) -> Any:
+        """Values of a column: numbers as an array, with NaN in empty cells; the texts of `stop` and `reason` as a list."""
+        if name not in self.names:
+            raise KeyError(f"the sweep has no column {name!r}; it has {', '.join(self.names)}")
+        at = self.names.index(name)
+        rows = csv.reader(io.StringIO(self.csv))
+        next(rows)
+        return values_of(name, (row[at] for row in rows))
+
+    def __repr__(self) -> str:
+        return f"<tripos.SweepTable: {len(self)} rows, {len(self.names)} columns>"
+
+    def _repr_html_(self) -> str:
+        html: str = self.to_pandas()._repr_html_()
+        return html
+
+    def to_pandas(self) -> Any:
+        """The table as a `pandas.DataFrame`."""
+        return frame_of(self.csv)
+
+    def save(self, path: Path) -> None:
+        """Writes the table to a file: Parquet if its name ends in `.parquet`, else CSV."""
+        if os.fspath(path).endswith(".parquet"):
+            self.to_pandas().to_parquet(path, index=False)
+        else:
+            pathlib.Path(path).write_text(self.csv, encoding="utf-8", newline="")
+
+
+@dataclasses.dataclass(frozen=True)
+class SweepRequest:
+    """Everything that a worker needs to run blocks of a sweep: texts, values and settings, but no file."""
+
+    #: Text of each file by its path in the folder of the sweep.
+    files: dict[str, str]
+    #: Path of the scene in this folder.
+    scene: str
+    #: Values that vary, as `tripos sweep --over` takes them.
+    over: tuple[str, ...]
+    #: Other options of `tripos sweep`.
+    options: dict[str, Option]
+
+    @classmethod
+    def of(cls, scene: Scene, over: Over, **options: Option) -> SweepRequest:
+        """Request for a sweep of a scene, with the arguments of `sweep`. The files beside its model go with it."""
+        model = scene.model
+        if scene._text:
+            files, path = {"model.toml": model.text, "scenes/scene.toml": scene._text}, "scenes/scene.toml"
+        else:
+            files, path = files_of(model.path.resolve(), scene.path.resolve())
+        if isinstance(over, str):
+            values = [over]
+        elif isinstance(over, Mapping):
+            values = [f"{name}={','.join(repr(float(value)) for value in list)}" for name, list in over.items()]
+        else:
+            values = list(over)
+        # Numbers that `Scene.set` changed are columns with one value.
+        values = [f"{name}={value!r}" for name, value in scene._set.items()] + values
+        return cls(files, path, tuple(values), options)
+
+    @property
+    def key(self) -> str:
+        """Text that is the same for the same sweep only."""
+        parts = json.dumps(dataclasses.asdict(self), sort_keys=True, default=os.fspath)
+        return hashlib.sha256(parts.encode()).hexdigest()[:24]
+
+
+def files_of(model: pathlib.Path, scene: pathlib.Path) -> tuple[dict[str, str], str]:
+    """Texts of a scene, its model, and the files beside the model, by their paths in a folder; and the scene's path."""
+    model = model / "model.toml" if model.is_dir() else model
+    folder = pathlib.Path(os.path.commonpath([model.parent, scene.parent]))
+    beside = [file for file in sorted(model.parent.glob("*.toml")) if file.is_file()]
+    texts = {file.relative_to(folder).as_posix(): file.read_text(encoding="utf-8") for file in {*beside, model, scene}}
+    return texts, scene.relative_to(folder).as_posix()
+
+
+def run_block(
+    request: SweepRequest, block: int = 0, blocks: int = 1, threads: Optional[int] = None
+) -> tuple[str, str, int]:
+    """Runs one of the blocks of a sweep. Returns its table, the messages, and the number of points of the whole sweep.
+
+    The result depends on the arguments alone (not on the number of threads), so that a lost block can be run again.
+    """
+    with tempfile.TemporaryDirectory(prefix="tripos-") as name:
+        folder = pathlib.Path(name)
+        for path, text in request.files.items():
+            file = folder / path
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text(text, encoding="utf-8")
+        table = folder / "table.csv"
+        result = run_command(
+            "sweep", folder / request.scene, over=list(request.over), shard=f"{block + 1}/{blocks}",
+            threads=threads if threads is not None else threads_of_worker(), out=table, json=True, **request.options,
+        )  # fmt: skip
+        # Exit status 3 says that some points have no result, and their rows give the reason.
+        if result.status not in (0, 3) or not table.is_file():
+            answer = json.loads(result.output) if result.output.startswith("{") else {}
+            # The folder is gone when somebody reads the message.
+            messages = result.messages.replace(name + os.sep, "")
+            raise failure(messages, answer.get("error", {}), result.status)
+        text = table.read_bytes().decode("utf-8")
+        return text, result.messages, int(json.loads(result.output)["points"])
+
+
+def threads_of_worker() -> Optional[int]:
+    """Number of threads of this worker of Dask; None, which means all cores, outside of a worker."""
+    try:
+        from distributed import get_worker
+
+        return max(1, int(get_worker().state.nthreads))
+    except (ImportError, ValueError, AttributeError):
+        return None
+
+
+def sweep(
+    scene: Scene,
+    over: Over,
+    *,
+    client: Any = None,
+    blocks: Optional[int] = None,
+    retries: int = 3,
+    progress: bool = False,
+    **options: Option,
+) -> SweepTable:
+    """Runs a scene for every combination of values: `over={"q2": [0.1, 0.2]}`, or `over="q2=0.1:1.5:1000"`.
+
+    Other options are those of the command `tripos sweep`, such as `by`, `method`, `rtol`, `until` and `digits`.
+    Without a `client` the sweep runs here, on all cores. With a client of Dask, blocks of points run on its workers; the
+    table is the same, byte for byte. A block whose worker is lost, or that fails, runs again up to `retries` times.
+    `progress` shows a bar, if tqdm is installed.
+
+    >>> import tripos
+    >>> model = tripos.Model.from_text(tripos.EXAMPLE)
+    >>> scene = tripos.Scene.from_text(model, "span = [0, 1]\\n[start]\\ntheta = 0.5\\nomega = 0\\n")
+    >>> table = tripos.sweep(scene, {"theta": [0.1, 0.2]}, rtol=1e-10)
+    >>> table["stop"], table["theta"].round(6).tolist()
+    (['end', 'end'], [-0.099993, -0.19997])
+    """
+    request = SweepRequest.of(scene, over, **options)
+    if client is None:
+        text, messages, _ = run_block(request)
+        warn_of(messages)
+        return SweepTable(text)
+    blocks = blocks or blocks_for(client)
+    counts = list(range(blocks))
+    keys = [f"tripos-sweep-{request.key}-{block}-of-{blocks}" for block in counts]
+    futures = client.map(
+        run_block, [request] * blocks, counts, [blocks] * blocks, key=keys, retries=retries, pure=True
+    )  # fmt: skip
+    try:
+        if progress:
+            show_progress(futures)
+        results = client.gather(futures)
+    except KeyboardInterrupt:
+        client.cancel(futures)
+        raise
+    warn_of(results[0][1])
+    return SweepTable.joined([table for table, _, _ in results])
+
+
+def sweep_frame(scene: Scene, over: Over, *, blocks: int = 64, **options: Option) -> Any:
+    """The table of a sweep as a `dask.dataframe.DataFrame`, a partition for each of the `blocks`.
+
+    A partition is run when it is needed, on the workers of the current client. `sweep_frame(…).to_parquet(folder)`
+    writes each partition where it was run, so that no machine holds the whole table.
+    """
+    import dask.dataframe
+
+    request = SweepRequest.of(scene, over, **options)
+    _, _, points = run_block(request, 0, 1 << 40)
+    first, messages, _ = run_block(request, 0, max(1, points))
+    warn_of(messages)
+    blocks = min(blocks, max(1, points))
+    return dask.dataframe.from_map(
+        block_frame, range(blocks), request=request, blocks=blocks, meta=frame_of(first).iloc[:0]
+    )
+
+
+def block_frame(block: int, request: SweepRequest, blocks: int) -> Any:
+    """Table of one block of a sweep as a `pandas.DataFrame`."""
+    return frame_of(run_block(request, block, blocks)[0])
+
+
+def frame_of(text: str) -> Any:
+    """Table of a sweep as a `pandas.DataFrame`, whose columns have the same types in each block."""
+    import pandas
+
+    names, *rows = csv.reader(io.StringIO(text))
+    columns = zip(*rows) if rows else [()] * len(names)
+    return pandas.DataFrame({name: values_of(name, cells) for name, cells in zip(names, columns)})
+
+
+def values_of(name: str, cells: Iterable[str]) -> Any:
+    """Values of a column of a sweep: texts as a list, and numbers as an array with NaN for empty cells."""
+    if name in TEXTS:
+        return list(cells)
+    return np.array([float(cell or "nan") for cell in cells], dtype=np.int64 if name == "index" else np.float64)
+
+
+def blocks_for(client: Any) -> int:
+    """Number of blocks for which all workers of a client have work until the end."""
+    threads = int(sum(client.nthreads().values()))
+    return 8 * max(1, threads)
+
+
+def show_progress(futures: Sequence[Any]) -> None:
+    """Shows a bar until all blocks have ended, if tqdm is installed."""
+    from distributed import as_completed
+
+    try:
+        from tqdm.auto import tqdm
+    except ImportError:
+        return
+    for _ in tqdm(as_completed(futures), total=len(futures), unit="block", desc="sweep"):
+        pass

@@ -1,0 +1,105 @@
+"""Forks, threads, other interpreters and signals: an exception or a result, and never a hang."""
+
+import multiprocessing
+import os
+import pickle
+import subprocess
+import sys
+import threading
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import tripos
+
+MODELS = Path(__file__).resolve().parents[2] / "models"
+START = "span = [0, 1]\n[start]\ntheta = 0.5\nomega = 0\n"
+
+
+def work(_=None):
+    """Values that use arrays, a run and a command."""
+    model = tripos.Model.from_text(tripos.EXAMPLE)
+    scene = tripos.Scene.from_text(model, START)
+    values = model.accelerations(np.linspace(0, 1, 5000)[:, None], np.zeros((5000, 1)))
+    run = scene.simulate(rtol=1e-10)
+    checked = tripos.run_command("prove", model.path).status
+    return float(values.sum()), run.end["theta"], checked
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="the system has no fork")
+@pytest.mark.filterwarnings("ignore:.*fork.*:DeprecationWarning")
+def test_a_fork_in_the_middle_of_a_command_and_a_run_has_a_package_that_works():
+    expected = work()
+    scene = tripos.Scene.from_text(tripos.Model.from_text(tripos.EXAMPLE), START.replace("[0, 1]", "[0, 300]"))
+    command = threading.Thread(target=tripos.run_command, args=("simulate", scene.path), kwargs={"rtol": 1e-12})
+    run = threading.Thread(target=scene.simulate, kwargs={"rtol": 1e-12, "by": "kane"})
+    command.start(), run.start()
+    forks = 0
+    while command.is_alive() or run.is_alive():
+        with multiprocessing.get_context("fork").Pool(1) as pool:
+            assert pool.map_async(work, [0]).get(timeout=60) == [expected]
+        forks += 1
+    command.join(), run.join()
+    assert forks > 0
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="the system has no fork")
+@pytest.mark.filterwarnings("ignore:.*fork.*:DeprecationWarning")
+@pytest.mark.parametrize("is_busy", [False, True])
+def test_a_fork_has_a_package_that_works(is_busy):
+    expected = work()
+    stop = threading.Event()
+    thread = threading.Thread(target=lambda: [work() for _ in iter(stop.is_set, True)])
+    if is_busy:
+        thread.start()
+    try:
+        with multiprocessing.get_context("fork").Pool(2) as pool:
+            assert pool.map_async(work, range(4)).get(timeout=100) == [expected] * 4
+    finally:
+        stop.set()
+        if is_busy:
+            thread.join()
+
+
+def test_a_new_process_has_the_same_results():
+    code = f"import sys; sys.path[:0] = {sys.path!r}; import test_processes as t; print(t.work())"
+    folder = Path(__file__).parent
+    output = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=folder, timeout=100)
+    assert output.stdout.strip() == repr(work()), output.stderr
+
+
+def test_threads_run_scenes_and_commands_at_once():
+    expected, results = work(), [None] * 6
+
+    def one(at):
+        results[at] = work()
+
+    threads = [threading.Thread(target=one, args=(at,)) for at in range(len(results))]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join(timeout=100)
+    assert results == [expected] * len(results)
+
+
+def test_a_second_interpreter_is_refused_or_served():
+    interpreters = pytest.importorskip("_xxsubinterpreters" if sys.version_info < (3, 13) else "_interpreters")
+    code = f"""
+import sys
+sys.path[:0] = {sys.path!r}
+try:
+    import tripos._tripos
+except ImportError as error:
+    assert "subinterpreter" in str(error) or "interpreter" in str(error), error
+"""
+    script = f"import {interpreters.__name__} as i; k = i.create(); i.run_string(k, {code!r}); i.destroy(k); print('ended')"
+    output = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=100)
+    assert output.stdout.strip() == "ended", output.stderr
+
+
+def test_errors_are_sent_between_processes():
+    for error in (tripos.InputError("a"), tripos.RequestError("b"), tripos.StoppedError("c")):
+        error.places, error.help = [{"line": 3}], "d"
+        copy = pickle.loads(pickle.dumps(error))
+        assert type(copy) is type(error) and copy.args == error.args and copy.places == error.places

@@ -1,0 +1,153 @@
+"""Sweeps: on this machine, in blocks, and on workers of Dask that are lost."""
+
+import os
+import signal
+import threading
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import tripos
+
+MODELS = Path(__file__).resolve().parents[2] / "models"
+LEANS = "q2=0.05:1.4:301"
+
+
+@pytest.fixture(scope="module")
+def scene():
+    return tripos.Scene(MODELS / "disk/scenes/report.toml")
+
+
+@pytest.fixture(scope="module")
+def client():
+    distributed = pytest.importorskip("distributed")
+    with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster:
+        with distributed.Client(cluster) as client:
+            yield client
+
+
+def of_the_program(tmp_path, scene, *over, **options):
+    file = tmp_path / "table.csv"
+    result = tripos.run_command("sweep", scene.path, over=list(over), out=file, **options)
+    assert result.status in (0, 3), result.messages
+    return file.read_text(encoding="utf-8")
+
+
+def test_the_table_is_that_of_the_program(tmp_path, scene):
+    assert tripos.sweep(scene, LEANS).csv == of_the_program(tmp_path, scene, LEANS)
+
+
+def test_values_are_texts_or_numbers(scene):
+    leans = [0.1, 0.2, 0.30000000000000004]
+    table = tripos.sweep(scene, {"q2": leans, "g": np.array([1.62, 9.81])})
+    assert len(table) == 6 and table["over:q2"].tolist() == [lean for lean in leans for _ in range(2)]
+    assert table.csv == tripos.sweep(scene, ["q2=0.1,0.2,0.30000000000000004", "g=1.62,9.81"]).csv
+    assert table["stop"][0] == "end" and table["reason"] == [""] * 6
+    with pytest.raises(KeyError, match="no column 'lean'"):
+        table["lean"]
+
+
+def test_a_row_is_a_run(scene):
+    table = tripos.sweep(scene, {"q2": [0.4]}, by="kane", rtol=1e-10, atol=1e-12)
+    own = tripos.Scene(scene.path)
+    own.set(q2=0.4)
+    run = own.simulate(by="kane", rtol=1e-10, atol=1e-12)
+    assert table["q3"][0] == pytest.approx(run.end["q3"], rel=1e-12)
+
+
+def test_numbers_that_were_set_are_columns():
+    own = tripos.Scene(MODELS / "disk/scenes/report.toml")
+    own.set(g=1.62)
+    table = tripos.sweep(own, {"q2": [0.4]})
+    assert table["over:g"].tolist() == [1.62]
+    assert table["q3"] == tripos.sweep(tripos.Scene(own.path), ["g=1.62", "q2=0.4"])["q3"]
+
+
+@pytest.mark.parametrize("blocks", [1, 2, 7, 40])
+def test_blocks_one_after_another_are_the_table(scene, blocks):
+    request = tripos.SweepRequest.of(scene, LEANS)
+    whole = tripos.sweep(scene, LEANS).csv
+    tables = [tripos.run_block(request, block, blocks, 1)[0] for block in range(blocks)]
+    assert len({table[: table.index("\n")] for table in tables}) == 1
+    assert tripos.SweepTable.joined(tables).csv == whole
+
+
+def test_requests_that_are_wrong_are_refused(scene):
+    with pytest.raises(tripos.TriposError, match="lean"):
+        tripos.sweep(scene, "lean=0:1:3")
+    with pytest.raises(tripos.TriposError):
+        tripos.sweep(scene, {"q2": []})
+    with pytest.raises(tripos.TriposError, match="method"):
+        tripos.sweep(scene, LEANS, method="leapfrog")
+    with pytest.raises(tripos.TriposError):
+        tripos.sweep(scene, {"q2": [float("nan")]})
+
+
+def test_points_without_a_result_are_rows(scene):
+    table = tripos.sweep(scene, {"M": [0.0, 1.0]})
+    assert len(table) == 2 and table["stop"][1] == "end"
+    assert table["stop"][0] != "end" and (table["reason"][0] or np.isnan(table["q1"][0]) or table["t_end"][0] >= 0)
+
+
+def test_dask_gives_the_same_bytes(scene, client):
+    assert tripos.sweep(scene, LEANS, client=client).csv == tripos.sweep(scene, LEANS).csv
+    assert tripos.sweep(scene, LEANS, client=client, blocks=1).csv == tripos.sweep(scene, LEANS).csv
+
+
+def test_a_scene_without_a_file_goes_to_the_workers(client):
+    model = tripos.Model.from_text(tripos.EXAMPLE)
+    scene = tripos.Scene.from_text(model, "span = [0, 1]\n[start]\ntheta = 0.5\nomega = 0\n")
+    over = {"theta": np.linspace(0.1, 1.0, 20)}
+    assert tripos.sweep(scene, over, client=client).csv == tripos.sweep(scene, over).csv
+
+
+def test_errors_of_workers_are_raised(scene, client):
+    with pytest.raises(tripos.TriposError, match="lean"):
+        tripos.sweep(scene, "lean=0:1:3", client=client, retries=0)
+
+
+def test_a_worker_that_is_killed_loses_nothing(scene, client):
+    over = "q2=0.05:1.4:4001"
+    expected = tripos.sweep(scene, over, rtol=1e-9).csv
+    (first, *_) = client.run(os.getpid).values()
+
+    def kill():
+        # The first blocks have ended, and others run.
+        time.sleep(0.3)
+        os.kill(first, signal.SIGKILL)
+
+    killer = threading.Thread(target=kill)
+    killer.start()
+    table = tripos.sweep(scene, over, client=client, blocks=60, rtol=1e-9)
+    killer.join()
+    assert table.csv == expected
+    assert first not in client.run(os.getpid).values()
+
+
+def test_tables_are_saved(tmp_path, scene):
+    pandas = pytest.importorskip("pandas")
+    table = tripos.sweep(scene, LEANS)
+    table.save(tmp_path / "table.csv")
+    assert (tmp_path / "table.csv").read_bytes() == table.csv.encode()
+    frame = table.to_pandas()
+    assert len(frame) == 301 and frame["q3"].tolist() == table["q3"].tolist()
+    pytest.importorskip("pyarrow")
+    table.save(tmp_path / "table.parquet")
+    pandas.testing.assert_frame_equal(pandas.read_parquet(tmp_path / "table.parquet"), frame)
+
+
+def test_a_lazy_frame_is_the_table(tmp_path, scene):
+    pandas = pytest.importorskip("pandas")
+    pytest.importorskip("pyarrow")
+    pytest.importorskip("dask.dataframe")
+    frame = tripos.sweep_frame(scene, LEANS, blocks=5)
+    assert frame.npartitions == 5
+    whole = frame.compute(scheduler="synchronous").reset_index(drop=True)
+    assert whole["q3"].tolist() == tripos.sweep(scene, LEANS)["q3"].tolist()
+    assert (whole["index"] == np.arange(301)).all()
+    frame.to_parquet(tmp_path / "parts")
+    assert len(list((tmp_path / "parts").glob("*.parquet"))) == 5
+    read = pandas.read_parquet(tmp_path / "parts")
+    assert read["q3"].tolist() == whole["q3"].tolist()
