@@ -4,6 +4,10 @@
 //! final name is whole. No command overwrites an input: [`refuse_overwriting_inputs`] is called before work
 //! begins.
 
+mod table_format;
+
+pub use table_format::TableFormat;
+
 use crate::failure::Failure;
 use std::io::Error;
 use std::path::{Path, PathBuf};
@@ -15,11 +19,11 @@ use tripos_derive::plain_text::path_as_plain_text;
 use tripos_derive::publication::publication_path_of_model;
 use tripos_derive::scene::Scene;
 
-/// Writes a table as a CSV file, and replaces an existing file.
+/// Writes a table to a file, and replaces an existing file. The name of the file states its format.
 ///
 /// # Errors
 /// [`Failure`] if the table cannot be written; then no part of it remains.
-pub fn write_csv_file<H: AsRef<str>>(
+pub fn write_table_file<H: AsRef<str>>(
     path: &Path,
     header: &[H],
     rows: impl IntoIterator<Item = Vec<String>>,
@@ -28,6 +32,7 @@ pub fn write_csv_file<H: AsRef<str>>(
         csv::ErrorKind::Io(error) => WriteError::Io(path.to_owned(), error),
         other => WriteError::Io(path.to_owned(), Error::other(format!("{other:?}"))),
     };
+    let format = TableFormat::of_name(path)?;
     let draft = Draft::create(path, ExistingFilePolicy::Replaced, UnfinishedFilePolicy::Removed)?;
     let mut writer = csv::Writer::from_writer(draft);
     writer.write_record(header.iter().map(AsRef::as_ref)).map_err(failed)?;
@@ -35,23 +40,7 @@ pub fn write_csv_file<H: AsRef<str>>(
         writer.write_record(row).map_err(failed)?;
     }
     let draft = writer.into_inner().map_err(|error| WriteError::Io(path.to_owned(), error.into_error()))?;
-    Ok(draft.finish()?)
-}
-
-/// File name extensions of table formats that are not text, which no command writes.
-const NOT_TEXT: [&str; 11] = ["parquet", "feather", "arrow", "xlsx", "xls", "ods", "mat", "h5", "hdf5", "npy", "npz"];
-
-/// Refuses a file name for a table whose extension promises another format than CSV.
-///
-/// # Errors
-/// [`Failure::Refused`] for the extension of a format that is not text, such as `.xlsx`.
-pub fn csv_name(path: &Path) -> Result<(), Failure> {
-    let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase()).unwrap_or_default();
-    if NOT_TEXT.contains(&ending.as_str()) {
-        let what = format!("`{}` ends in `.{ending}`, and this command writes CSV", path_as_plain_text(path));
-        return Err(Failure::request(what, "give a file that ends in .csv, which other programs convert"));
-    }
-    Ok(())
+    format.finish(draft)
 }
 
 /// Writes a text file, and replaces an existing file.

@@ -90,6 +90,12 @@ pub fn set_scene_values(
     Ok((scene, names.zip(values).collect()))
 }
 
+/// Returns the title of a scene, or the name of its file if it has no title.
+pub fn scene_title(scene: &Scene) -> String {
+    let stem = || scene.source.path.file_stem().map_or(String::new(), |stem| stem.to_string_lossy().into_owned());
+    if scene.title.is_empty() { stem() } else { scene.title.clone() }
+}
+
 /// Reads the text of a scene file.
 ///
 /// # Errors

@@ -4,7 +4,7 @@ pub mod passage_sentences;
 
 use crate::chart::figure::draw_figure_svg;
 use crate::failure::Failure;
-use crate::output_files::{write_csv_file, write_text_file};
+use crate::output_files::{write_table_file, write_text_file};
 use std::path::Path;
 use tripos::Mechanism;
 use tripos::studies::stability::{FindingTopic, Findings};
@@ -34,7 +34,7 @@ pub fn write_stability_tables(findings: &Findings, out: &Path) -> Result<(), Fai
         let words = [r.check, &r.formulation, r.solve, r.method, &r.case, r.quantity].map(str::to_owned);
         [words.to_vec(), vec![number(r.value), number(r.expected), r.remark.clone()]].concat()
     });
-    write_csv_file(&out.join("stability.csv"), &header, rows)?;
+    write_table_file(&out.join("stability.csv"), &header, rows)?;
     if findings.passages.is_empty() {
         return Ok(());
     }
@@ -44,7 +44,7 @@ pub fn write_stability_tables(findings: &Findings, out: &Path) -> Result<(), Fai
         let numbers = [format!("{:.2e}", p.least), number(p.error), p.steps.to_string(), p.stop.clone()];
         [words.to_vec(), numbers.to_vec(), vec![p.t_end.to_string()]].concat()
     });
-    write_csv_file(&out.join("passages.csv"), &header, rows)
+    write_table_file(&out.join("passages.csv"), &header, rows)
 }
 
 /// Returns the conclusions of the studies, one sentence each. Conclusions from the table of

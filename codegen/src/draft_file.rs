@@ -207,6 +207,31 @@ impl Draft {
         self.part.as_deref().unwrap_or(&self.path)
     }
 
+    /// Gives its final name to a file that `convert` makes from the text of the draft. The draft is
+    /// removed when this file is complete; until then it stays.
+    ///
+    /// # Errors
+    /// [`WriteError`] if `convert` fails, if the file cannot be written or renamed, or if the path is
+    /// a device or a pipe, which has no draft.
+    pub fn finish_converted(
+        mut self,
+        convert: impl FnOnce(&mut File, BufWriter<File>) -> io::Result<()>,
+    ) -> Result<(), WriteError> {
+        let failed = |error| WriteError::Io(self.path.clone(), error);
+        let Some(part) = self.part.take() else {
+            return Err(failed(Error::new(ErrorKind::InvalidInput, "it is no file, and this format needs one")));
+        };
+        self.file.flush().map_err(failed)?;
+        let mut name = part.as_os_str().to_owned();
+        name.push("2");
+        let converted = TempPath::try_from_path(PathBuf::from(name)).map_err(failed)?;
+        let file = File::create(&converted).map_err(failed)?;
+        self.file.get_mut().seek(SeekFrom::Start(0)).map_err(failed)?;
+        convert(self.file.get_mut(), BufWriter::new(file)).map_err(failed)?;
+        self.name_file(converted)?;
+        part.close().map_err(|error| WriteError::Io(self.path.clone(), error))
+    }
+
     /// Writes the last bytes and gives the file its final name.
     ///
     /// # Errors
@@ -215,12 +240,16 @@ impl Draft {
     pub fn finish(mut self) -> Result<(), WriteError> {
         let failed = |error| WriteError::Io(self.path.clone(), error);
         self.file.flush().map_err(failed)?;
-        let Some(part) = self.part.take() else { return Ok(()) };
-        let named = match self.existing {
-            ExistingFilePolicy::Replaced => part.persist(&self.target),
-            ExistingFilePolicy::Kept => part.persist_noclobber(&self.target),
-        };
         // The lock on the file is released at the end of this function, after the rename.
+        self.part.take().map_or(Ok(()), |part| self.name_file(part))
+    }
+
+    /// Gives a temporary file the final name. A file that cannot be renamed stays.
+    fn name_file(&self, file: TempPath) -> Result<(), WriteError> {
+        let named = match self.existing {
+            ExistingFilePolicy::Replaced => file.persist(&self.target),
+            ExistingFilePolicy::Kept => file.persist_noclobber(&self.target),
+        };
         named.map_err(|mut lost| {
             lost.path.disable_cleanup(true);
             match lost.error.kind() {

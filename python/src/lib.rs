@@ -19,5 +19,6 @@ fn _tripos(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(command::command, module)?)?;
     module.add_class::<model::Model>()?;
     module.add_class::<scene::Scene>()?;
-    module.add_class::<scene::Run>()
+    module.add_class::<scene::Run>()?;
+    module.add_class::<scene::SampledRun>()
 }

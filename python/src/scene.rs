@@ -104,10 +104,6 @@ fn overrides(settings: Option<&Bound<'_, PyDict>>) -> PyResult<Overrides> {
     Ok(how)
 }
 
-/// Columns of a sampled run by name, instants of the decisions, s, the values of the inputs at each, the estimated
-/// errors of the columns at the end, and reasons not to trust the run.
-type SampledColumns<'py> = (Bound<'py, PyDict>, Vec<f64>, Vec<Vec<f64>>, Option<Bound<'py, PyDict>>, Vec<String>);
-
 impl Scene {
     fn new(scene: tripos::Scene) -> Self {
         Self { scene: Mutex::new(scene.with_compiled_equations(MODELS).with_observer(observer())) }
@@ -224,7 +220,7 @@ impl Scene {
         instants: Vec<f64>,
         make: &Bound<'py, PyAny>,
         settings: Option<&Bound<'py, PyDict>>,
-    ) -> PyResult<SampledColumns<'py>> {
+    ) -> PyResult<SampledRun> {
         let (scene, how) = (self.copied(), overrides(settings)?);
         let failed: Mutex<Option<PyErr>> = Mutex::new(None);
         let names: Vec<&str> = inputs.iter().map(String::as_str).collect();
@@ -264,22 +260,7 @@ impl Scene {
             return Err(error);
         }
         let run = run.map_err(|error: Error| raised(py, &error))?;
-        let table = PyDict::new(py);
-        for name in &run.names {
-            let column = run.column(name).map_err(|error| raised(py, &error))?;
-            table.set_item(name, PyArray1::from_vec(py, column))?;
-        }
-        let decisions = run.decisions.iter();
-        let (at, values) = decisions.map(|decision| (decision.t, decision.values.clone())).unzip();
-        let errors = run.errors_at_end.as_ref().map(|errors| values_by_name(py, &run.names, errors)).transpose()?;
-        let mut warnings = run.warnings.clone();
-        if run.stop.is_failure() {
-            warnings.push(format!("stopped at t = {} s: {}", run.t_end, run.stop.described(&run.names)));
-        } else if errors.is_none() {
-            warnings
-                .push("the errors at the end are not known: the second run did not come to the same end".to_owned());
-        }
-        Ok((table, at, values, errors, warnings))
+        Ok(SampledRun { run })
     }
 }
 
@@ -306,16 +287,20 @@ impl Run {
     #[getter]
     fn values<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let rows: Vec<Vec<f64>> = self.run.samples().map(|(_, row)| row.to_vec()).collect();
-        if rows.is_empty() {
-            return Ok(PyArray2::zeros(py, [0, self.run.names.len()], false));
-        }
-        Ok(PyArray2::from_vec2(py, &rows)?)
+        rows_as_array(py, &rows, self.run.names.len())
     }
 
     /// Values at the end, by names.
     #[getter]
     fn end<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         values_by_name(py, &self.run.names, &self.run.end)
+    }
+
+    /// Estimated errors at the end, by names; `None` if they are not known.
+    #[getter]
+    fn errors<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
+        let errors = self.run.digits.as_ref().and_then(|digits| digits.errors_at_end());
+        errors.map(|errors| values_by_name(py, &self.run.names, errors)).transpose()
     }
 
     /// Correct digits at the end, by names; `None` if they are not known.
@@ -368,6 +353,91 @@ impl Run {
         let solution = &self.run.solution;
         (solution.steps, solution.rejected, solution.evaluations)
     }
+}
+
+/// Finished run of a scene with a controller.
+#[pyclass(frozen, module = "tripos._tripos")]
+pub struct SampledRun {
+    run: tripos::SampledRun,
+}
+
+#[pymethods]
+impl SampledRun {
+    #[getter]
+    fn names(&self) -> Vec<String> {
+        self.run.names.clone()
+    }
+
+    /// Instants of the samples, s.
+    #[getter]
+    fn t<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        PyArray1::from_slice(py, &self.run.t)
+    }
+
+    /// Values of the coordinates and generalized speeds: a row for each sample.
+    #[getter]
+    fn values<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        rows_as_array(py, &self.run.states, self.run.names.len())
+    }
+
+    /// Values at the end, by names.
+    #[getter]
+    fn end<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        values_by_name(py, &self.run.names, &self.run.end)
+    }
+
+    /// Estimated errors at the end, by names; `None` if they are not known.
+    #[getter]
+    fn errors<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
+        let errors = self.run.errors_at_end.as_ref();
+        errors.map(|errors| values_by_name(py, &self.run.names, errors)).transpose()
+    }
+
+    /// Instants at which the controller set the inputs, s.
+    #[getter]
+    fn decision_times<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        PyArray1::from_iter(py, self.run.decisions.iter().map(|decision| decision.t))
+    }
+
+    /// Values of the inputs: a row for each of the instants.
+    #[getter]
+    fn decisions<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let rows: Vec<Vec<f64>> = self.run.decisions.iter().map(|decision| decision.values.clone()).collect();
+        rows_as_array(py, &rows, self.run.inputs.len())
+    }
+
+    /// Names and instants of the events.
+    #[getter]
+    fn events(&self) -> Vec<(String, f64)> {
+        self.run.events.iter().map(|event| (event.name.clone(), event.t)).collect()
+    }
+
+    /// Reasons not to trust the run.
+    #[getter]
+    fn warnings(&self) -> Vec<String> {
+        let mut warnings = self.run.warnings.clone();
+        if self.run.stop.is_failure() {
+            warnings.push(self.ending());
+        } else if self.run.errors_at_end.is_none() && warnings.is_empty() {
+            warnings
+                .push("the errors at the end are not known: the second run did not come to the same end".to_owned());
+        }
+        warnings
+    }
+
+    /// Sentence that says when and why the run ended.
+    #[getter]
+    fn ending(&self) -> String {
+        format!("ended at t = {} s: {}", self.run.t_end, self.run.stop.described(&self.run.names))
+    }
+}
+
+/// Rows of equal lengths as an array.
+fn rows_as_array<'py>(py: Python<'py>, rows: &[Vec<f64>], width: usize) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    if rows.is_empty() {
+        return Ok(PyArray2::zeros(py, [0, width], false));
+    }
+    Ok(PyArray2::from_vec2(py, rows)?)
 }
 
 /// Values by names.

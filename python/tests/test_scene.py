@@ -61,7 +61,7 @@ def test_a_controller_is_a_function():
     scene = tripos.Scene.from_text(model, START)
     instants = np.arange(0.0, 2.0, 0.05)
     run = scene.sampled(["F"], instants, lambda t, state: [-5 * state["theta"] - 3 * state["omega"]])
-    assert abs(run.columns["theta"][-1]) < 0.05
+    assert abs(run["theta"][-1]) < 0.05
     assert run.decisions.shape == (len(run.decision_times), 1)
     assert not run.warnings and run.errors is not None and abs(run.errors["theta"]) < 1e-3
 
@@ -114,3 +114,37 @@ def test_ctrl_c_ends_a_run():
     with pytest.raises(KeyboardInterrupt):
         scene.simulate(rtol=1e-12, by="kane")
     assert time.monotonic() - begin < 10
+
+
+def test_a_run_with_a_controller_has_its_samples():
+    scene = tripos.Scene.from_text(tripos.Model.from_text(CART), START)
+
+    def make():
+        before = [0.0]
+
+        def controller(t, state):
+            force = -5 * state["theta"] - 3 * state["omega"] - 0.1 * before[0]
+            before[0] = force
+            return [force]
+
+        return controller
+
+    run = scene.sampled(["F"], np.arange(0.0, 2.0, 0.05), make=make, rtol=1e-9)
+    assert run.t[0] == 0.0 and run.t[-1] == 2.0 and (np.diff(run.t) > 0).all()
+    assert run.values.shape == (len(run.t), len(run.names)) and run["theta"][-1] == run.end["theta"]
+    assert "t = 2 s" in run.ending and run.events == []
+    for controller, make in [(None, None), (make(), make)]:
+        with pytest.raises(tripos.RequestError, match="either"):
+            scene.sampled(["F"], [0.5], controller, make=make)
+
+
+def test_few_digits_of_a_run_with_a_controller_are_a_warning():
+    # Between two decisions the coarse run has steps of its own, and the force decides by the sign of a state.
+    scene = tripos.Scene.from_text(tripos.Model.from_text(CART), START.replace("[0, 2]", "[0, 20]"))
+
+    def switch(t, state):
+        return [10.0 if state["omega"] > 0 else -10.0]
+
+    with pytest.warns(tripos.UntrustedRunWarning, match="fewer than three digits"):
+        run = scene.sampled(["F"], np.arange(0.0, 20.0, 0.5), switch, rtol=1e-2, atol=1e-2)
+    assert run.warnings

@@ -103,6 +103,22 @@ def test_a_scene_without_a_file_goes_to_the_workers(client):
     assert tripos.sweep(scene, over, client=client).csv == tripos.sweep(scene, over).csv
 
 
+def test_tables_of_inputs_go_to_the_workers(tmp_path, client):
+    model = tripos.EXAMPLE.replace("[coordinates]", "[inputs]\ntau = { unit = 'N*m' }\n\n[coordinates]")
+    (tmp_path / "signals").mkdir()
+    (tmp_path / "signals/drive.csv").write_text("t,torque\n0,0\n1,2\n2,-1\n")
+    (tmp_path / "model.toml").write_text(model + "\n[torques]\ndrive = { on = \"B\", frame = \"N\", vector = [0, 0, \"tau\"] }\n")
+    (tmp_path / "scenes").mkdir()
+    (tmp_path / "scenes/driven.toml").write_text(
+        "span = [0, 2]\n[start]\ntheta = 0.5\nomega = 0\n"
+        '[inputs]\ntau = { table = "../signals/drive.csv", time = "t", column = "torque" }\n'
+    )
+    scene = tripos.Scene(tmp_path / "scenes/driven.toml")
+    over = {"theta": [0.1, 0.2, 0.3]}
+    here = of_the_program(tmp_path, scene, "theta=0.1,0.2,0.3")
+    assert tripos.sweep(scene, over, client=client).csv == tripos.sweep(scene, over).csv == here
+
+
 def test_errors_of_workers_are_raised(scene, client):
     with pytest.raises(tripos.TriposError, match="lean"):
         tripos.sweep(scene, "lean=0:1:3", client=client, retries=0)
@@ -151,3 +167,31 @@ def test_a_lazy_frame_is_the_table(tmp_path, scene):
     assert len(list((tmp_path / "parts").glob("*.parquet"))) == 5
     read = pandas.read_parquet(tmp_path / "parts")
     assert read["q3"].tolist() == whole["q3"].tolist()
+
+
+@pytest.mark.parametrize("ending", ["parquet", "arrow"])
+def test_the_command_writes_tables_in_columns(tmp_path, scene, ending):
+    file = tmp_path / f"table.{ending}"
+    result = tripos.run_command("sweep", scene.path, over=LEANS, out=file)
+    if "table in columns" in result.messages:
+        assert result.status == 2 and not file.exists()
+        pytest.skip("the package was built without the feature `tables`")
+    feather = pytest.importorskip("pyarrow.feather")
+    parquet = pytest.importorskip("pyarrow.parquet")
+    table = parquet.read_table(file) if ending == "parquet" else feather.read_table(file)
+    expected = tripos.sweep(scene, LEANS)
+    assert table.column_names == expected.names and table.num_rows == len(expected)
+    for name in expected.names:
+        column = table[name].to_pylist()
+        if name in ("stop", "reason"):
+            assert column == expected[name]
+        else:
+            cells = np.array([np.nan if value is None else value for value in column], dtype=float)
+            assert np.array_equal(cells, expected[name].astype(float), equal_nan=True)
+    assert [path.name for path in tmp_path.iterdir()] == [file.name]
+    again = tripos.run_command("sweep", scene.path, over=LEANS, out=file)
+    assert again.status == 2, "an existing table is kept"
+    samples = tmp_path / f"samples.{ending}"
+    assert tripos.run_command("simulate", scene.path, out=samples).status in (0, 1)
+    read = parquet.read_table(samples) if ending == "parquet" else feather.read_table(samples)
+    assert read["t"].to_pylist()[0] == 0.0 and "q3" in read.column_names

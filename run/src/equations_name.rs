@@ -86,7 +86,15 @@ pub fn find_equations(model: &Mechanism, name: &EquationsName) -> Result<Equatio
         EquationsName::Printed(id) => id,
         // The reduced equations belong to a scene, and a model does not have them.
         EquationsName::Reduced | EquationsName::Unknown(_) => {
-            return formulation_of_name(&name.to_string()).map(EquationsOrigin::from);
+            // Printed equations are known here too; errors of their file are not what was asked for.
+            let printed = list_printed_equations(model).unwrap_or_default();
+            let names = Formulation::ALL.map(|f| f.name().to_owned()).into_iter();
+            let names: Vec<String> = names.chain(printed.iter().map(EquationsOrigin::name)).collect();
+            let name = name.to_string();
+            return Formulation::from_name(&name).map(EquationsOrigin::from).ok_or_else(|| {
+                let help = nearest_name_advice(&name, names.iter().map(String::as_str));
+                Error::request(format!("there is no formulation `{name}`"), help)
+            });
         }
     };
     let list = list_printed_equations(model)?;

@@ -247,8 +247,8 @@ pub fn evaluate_states(function: StateFunction, code: &Code, p: &[f64], states: 
     share_states(states.count, width, out, &|first, out| evaluation.write_range(first, out));
 }
 
-/// Shares states among all cores, if the crate is built with threads. `write` gets the number of its first state and room for the values
-/// of its states, of which each has `width`.
+/// Shares states among all cores, if the crate is built with threads. `write` gets the number of its
+/// first state, and room for the values of its states, of which each has `width`.
 pub(crate) fn share_states(count: usize, width: usize, out: &mut [f64], write: &(dyn Fn(usize, &mut [f64]) + Sync)) {
     if out.is_empty() {
         return;

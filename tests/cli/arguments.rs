@@ -77,7 +77,7 @@ fn files_of_another_kind_are_told_apart() {
         (&["new", "arm", "--like", "crane/scenes/first.toml"], &["is no model file"]),
         (
             &["sweep", "crane/scenes/first.toml", "--over", "M=1,2", "--out", "grid.parquet"],
-            &["`grid.parquet` ends in `.parquet`, and this command writes CSV"],
+            &["`grid.parquet` is a table in columns, and this program writes CSV", "tripos-cli/tables"],
         ),
         (
             &["simulate", "crane/scenes/first.toml", "--csv", "run.xlsx"],

@@ -38,8 +38,9 @@ pub struct Simulate {
     /// an event ends the run, by all parameters and all numbers of the start at once. Whole equations are run
     #[arg(long, value_name = "NAME")]
     pub gradient: Option<String>,
-    /// Write the samples to this file; one that is there is replaced if its name ends in .csv
-    #[arg(long, value_name = "FILE")]
+    /// Write the samples to this file: CSV, or Parquet or Arrow by its ending, as docs/files.md says; one that is
+    /// there is replaced if it has one of these endings
+    #[arg(long, visible_alias = "out", value_name = "FILE")]
     pub csv: Option<PathBuf>,
     /// Replace the file of --csv, whatever its name is; files that the run reads are never replaced
     #[arg(long, requires = "csv")]
@@ -128,7 +129,7 @@ pub struct Sweep {
     /// A column of digits: how many are right at the end, by a second run of each point, which takes about as long
     #[arg(long)]
     pub digits: bool,
-    /// Write a row for each point to this file
+    /// Write a row for each point to this file: CSV, or Parquet or Arrow by its ending, as docs/files.md says
     #[arg(long, value_name = "FILE")]
     pub out: PathBuf,
     /// Replace the file if it is there

@@ -2,7 +2,7 @@
 
 use super::sentences::{TARGETS, fastest};
 use crate::failure::Failure;
-use crate::output_files::write_csv_file;
+use crate::output_files::write_table_file;
 use crate::phrases::seconds;
 use std::fmt::Write;
 use std::path::Path;
@@ -29,19 +29,19 @@ pub fn write_chart_tables(out: &Path, list: &[Measurement], integrals: &[Conserv
         let numbers = [format!("{:e}", m.seconds.median), error, m.steps.to_string(), m.evaluations.to_string()];
         [key(m), numbers.to_vec(), vec![m.stop.code()]].concat()
     });
-    write_csv_file(&out.join("work_precision.csv"), &header, rows)?;
+    write_table_file(&out.join("work_precision.csv"), &header, rows)?;
     let header = ["formulation", "solve", "method", "tolerance", "runs", "shortest", "median", "longest"];
     let rows = list.iter().map(|m| {
         let times = [m.seconds.least, m.seconds.median, m.seconds.most].map(|t| format!("{t:e}"));
         [key(m), vec![m.seconds.runs.to_string()], times.to_vec()].concat()
     });
-    write_csv_file(&out.join("times.csv"), &header, rows)?;
+    write_table_file(&out.join("times.csv"), &header, rows)?;
     let header = ["formulation", "solve", "method", "tolerance", "integral", "drift"];
     let rows = list.iter().flat_map(|m| {
         let each = integrals.iter().zip(&m.drifts);
         each.map(move |(integral, drift)| [key(m), vec![integral.to_string(), format!("{drift:e}")]].concat())
     });
-    write_csv_file(&out.join("drifts.csv"), &header, rows)
+    write_table_file(&out.join("drifts.csv"), &header, rows)
 }
 
 /// Returns a tolerance as text in a table; `-` for `None`.

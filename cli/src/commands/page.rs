@@ -16,12 +16,12 @@ use crate::output_files::{make_folder, refuse_overwriting_inputs, write_text_fil
 use crate::page::{self, Page, RunRow, SceneSection, Standing};
 use crate::plot::{Panel, styles};
 use crate::run_panels::{self, RunCurves};
-use crate::scene_file::set_scene_values;
+use crate::scene_file::{scene_title, set_scene_values};
 use crate::workspace::{current_folder, edited_workspace_model_warning, model_file, read_model, workspace_around};
 use indicatif::ProgressBar;
 use motion_figure::page_motion_figure;
 use reduced_run::{ReducedRun, page_run_outputs};
-use rows::{EMPTY_COURSE, impacts_words, reduced_run_row, row, scene_facts, title};
+use rows::{EMPTY_COURSE, impacts_words, reduced_run_row, row, scene_facts};
 use run_figures::{RunFigureWriter, run_figure, run_figure_caption, run_figure_folder};
 use serde_json::json;
 use sketch::page_sketch;
@@ -453,7 +453,7 @@ impl<'a> PageRuns<'a> {
         rows.extend(runs.printed.iter().map(|(run, course)| row(scene, run, course, next())));
         Ok(SceneSection {
             file: path_as_plain_text(&scene.source.path),
-            title: title(scene),
+            title: scene_title(scene),
             about: scene.about.clone(),
             facts,
             runs: rows,

@@ -3,7 +3,7 @@
 use crate::arguments::Plot;
 use crate::failure::{Failure, Output, print_result, print_to_stderr, status, warn};
 use crate::interruption;
-use crate::output_files::{refuse_overwriting_inputs, write_csv_file};
+use crate::output_files::{refuse_overwriting_inputs, write_table_file};
 use crate::picture::{self, PictureFormat};
 use crate::plot::{Panel, Scale, Series, draw, figure_text_in_symbols};
 use crate::scene_file::{SceneWithSetValues, read_scene_with};
@@ -362,7 +362,7 @@ fn write_data(path: &Path, panels: &[Panel]) -> Result<(), Failure> {
             })
         })
     });
-    write_csv_file(path, &["panel", "curve", "against", "x", "y"], rows)
+    write_table_file(path, &["panel", "curve", "against", "x", "y"], rows)
 }
 
 #[cfg(test)]

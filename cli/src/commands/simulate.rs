@@ -6,7 +6,7 @@ mod sensitivity;
 use crate::arguments::Simulate;
 use crate::failure::{Failure, print, print_json, print_to_stderr, status, warn};
 use crate::interruption;
-use crate::output_files::{csv_name, refuse_overwriting_inputs, write_csv_file};
+use crate::output_files::{TableFormat, refuse_overwriting_inputs, write_table_file};
 use crate::scene_file::{SceneWithSetValues, read_scene_with};
 use crate::workspace::short_name;
 use serde_json::{Map, Value, json};
@@ -321,7 +321,7 @@ fn write_csv(path: &Path, run: &Run, slopes: Option<&Sensitivities>) -> Result<(
             .map(|x| x.to_string())
             .collect()
     });
-    write_csv_file(path, &header, rows)
+    write_table_file(path, &header, rows)
 }
 
 /// Refuses a path for the samples before the run: an input file, an existing file that is no CSV
@@ -329,12 +329,13 @@ fn write_csv(path: &Path, run: &Run, slopes: Option<&Sensitivities>) -> Result<(
 /// `Err` is the refusal.
 fn check_csv(path: &Path, existing: ExistingFilePolicy, model: &Mechanism, scene: &Scene) -> Result<(), Failure> {
     refuse_overwriting_inputs(model, Some(scene), [path])?;
-    csv_name(path)?;
+    let format = TableFormat::of_name(path)?;
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
     if let Some(Err(error)) = folder.map(std::fs::metadata) {
         return Err(Failure::Output(path_as_plain_text(path), error));
     }
-    let is_table = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv"));
+    let is_csv = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv"));
+    let is_table = is_csv || format != TableFormat::Csv;
     if path.is_file() && !is_table && existing == ExistingFilePolicy::Kept && !path.starts_with("/dev") {
         let what = format!("the file `{}` exists, and its name does not end in `.csv`", path_as_plain_text(path));
         return Err(Failure::request(what, "give another --csv, or --overwrite to replace it".to_owned()));

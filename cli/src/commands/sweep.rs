@@ -3,7 +3,7 @@
 use crate::arguments::Sweep as Request;
 use crate::failure::{Failure, print_json, print_to_stderr, status, warn};
 use crate::interruption;
-use crate::output_files::{csv_name, refuse_overwriting_inputs};
+use crate::output_files::{TableFormat, refuse_overwriting_inputs};
 use crate::scene_file::read_scene;
 use crate::sweep::{
     Columns, GrowingTable, KeptRows, Record, Tally, UnfinishedTableMismatch, other_sweep_failure, remove_record,
@@ -33,7 +33,7 @@ const MOST_THREADS: usize = 4096;
 pub fn sweep(request: &Request) -> Result<u8, Failure> {
     let (mut model, mut scene) = read_scene(&request.scene)?;
     refuse_overwriting_inputs(&model, Some(&scene), [request.out.as_path()])?;
-    csv_name(&request.out)?;
+    TableFormat::of_name(&request.out)?;
     let grid = Grid::read(&request.over, "--over", &scene, &mut model).map_err(Error::Inputs)?;
     grid.hints(&model).iter().for_each(|hint| warn(hint));
     let shard = Shard::read(&request.shard)?;

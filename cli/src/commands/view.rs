@@ -4,7 +4,7 @@ use crate::arguments::View as Request;
 use crate::failure::{Failure, Output, print_result, status, warn};
 use crate::interruption;
 use crate::output_files::{refuse_overwriting_inputs, write_text_file};
-use crate::scene_file::{SceneWithSetValues, read_scene_with};
+use crate::scene_file::{SceneWithSetValues, read_scene_with, scene_title};
 use crate::view::{LiveEquations, ViewContent, ViewPlace, document, turns_truly};
 use serde_json::json;
 use tripos::Mechanism;
@@ -36,7 +36,7 @@ pub fn view(request: &Request) -> Result<u8, Failure> {
         warn(objection);
     }
     let stopped = motions.iter().any(|motion| motion.failed);
-    let title = if scene.title.is_empty() { path_as_plain_text(&scene.source.path) } else { scene.title.clone() };
+    let title = scene_title(&scene);
     let seen = ViewContent { mechanism: &mechanism, scene: &scene, view, motions, title };
     if !turns_truly(&seen, ViewPlace::Alone) {
         warn(

@@ -8,7 +8,7 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Union
 
-from ._model import Model, Path
+from ._model import Model, Path, plain
 
 #: Formula or number.
 Formula = Union[str, int, float]
@@ -40,17 +40,17 @@ class Mechanism:
         self._sections: dict[str, dict[str, Value]] = {}
 
     def parameter(
-        self, name: str, unit: str, value: float | None = None, *, positive: bool = False, about: str = ""
+        self, name: str, unit: str, value: Formula | None = None, *, positive: bool = False, about: str = ""
     ) -> None:
         """Adds a parameter with its unit and, if given, its default value."""
         self._add("parameters", name, {"unit": unit, "value": value, "positive": positive or None, "about": about})
 
-    def input(self, name: str, unit: str, value: float = 0.0, *, about: str = "") -> None:
+    def input(self, name: str, unit: str, value: Formula = 0.0, *, about: str = "") -> None:
         """Adds an input: a force, torque or other number that a controller sets."""
         self._add("inputs", name, {"unit": unit, "value": value, "about": about})
 
-    def expression(self, name: str, formula: Formula) -> None:
-        """Adds a name for a formula."""
+    def expression(self, name: str, formula: Formula | Mapping[str, Value]) -> None:
+        """Adds a name for a formula, or for `{"value": …, "about": …}`."""
         self._add("expressions", name, formula)
 
     def coordinate(self, name: str, unit: str, about: str = "") -> None:
@@ -164,6 +164,7 @@ def word(name: str) -> str:
 
 def written(value: Value) -> str:
     """A value as TOML. Keys without a value are left out; a final underscore of a key is not written."""
+    value = plain(value)
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, str):
@@ -175,7 +176,8 @@ def written(value: Value) -> str:
             raise ValueError(f"{value} is no number of a model file")
         return repr(value)
     if isinstance(value, Mapping):
-        kept = {key: entry for key, entry in value.items() if entry is not None and entry != ""}
+        kept = {key: plain(entry) for key, entry in value.items()}
+        kept = {key: entry for key, entry in kept.items() if entry is not None and entry != ""}
         return "{ " + ", ".join(f"{word(key.rstrip('_'))} = {written(entry)}" for key, entry in kept.items()) + " }"
     if not isinstance(value, Iterable):
         raise ValueError(f"{value!r} cannot stand in a model file")

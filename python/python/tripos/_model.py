@@ -8,9 +8,12 @@ import json
 import math
 import os
 import pathlib
+import re
+import shutil
 import sys
 import tempfile
 import types
+import weakref
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, Callable, NamedTuple, Optional, Union
 
@@ -19,10 +22,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _tripos
 from ._commands import Option, answer, text_of
-from ._display import Page, Picture
+from ._display import Markdown, Page, Picture
 
 Array = NDArray[np.float64]
 Path = Union[str, "os.PathLike[str]"]
+#: Tables of a state: `{"state": {…}, "guess": {…}, "parameters": {…}}`, with numbers or formulas in quotes.
+State = Mapping[str, Mapping[str, Union[float, str]]]
 
 EXAMPLE = """\
 name = "Pendulum"
@@ -84,7 +89,6 @@ class Model:
     def __init__(self, path: Path) -> None:
         self._model = _tripos.Model.read(os.fspath(path))
         self._path: Optional[pathlib.Path] = pathlib.Path(path)
-        self._folder: Optional[tempfile.TemporaryDirectory[str]] = None
 
     @classmethod
     def from_text(cls, text: str) -> Model:
@@ -100,15 +104,14 @@ class Model:
         model = cls.__new__(cls)
         model._model = inner
         model._path = None
-        model._folder = None
         return model
 
     @property
     def path(self) -> pathlib.Path:
         """File of the model. A model that was made from a text gets a file in a folder that goes with it."""
         if self._path is None:
-            self._folder = tempfile.TemporaryDirectory(prefix="tripos-")
-            self._path = pathlib.Path(self._folder.name) / "model.toml"
+            self._path = folder_of(self) / file_name(self.title) / "model.toml"
+            self._path.parent.mkdir()
             self._path.write_text(self.text, encoding="utf-8")
         return self._path
 
@@ -137,7 +140,7 @@ class Model:
 
     def linearise(
         self,
-        about: Union[Path, Mapping[str, Mapping[str, float]]],
+        about: Union[Path, State],
         *,
         inputs: Sequence[str] = (),
         outputs: Sequence[str] = (),
@@ -157,7 +160,7 @@ class Model:
 
     def equilibria(
         self,
-        from_: Union[Path, Mapping[str, Mapping[str, float]], None] = None,
+        from_: Union[Path, State, None] = None,
         *,
         starts: Optional[int] = None,
         over: Sequence[str] = (),
@@ -176,7 +179,7 @@ class Model:
         """Forces that a motion needs, and the inputs that give them, as `tripos inverse` has them."""
         return answer("inverse", self.path, motion=motion, input=list(inputs))
 
-    def evaluate(self, at: Union[Path, Mapping[str, Mapping[str, float]]], by: str = "kane") -> Any:
+    def evaluate(self, at: Union[Path, State], by: str = "kane") -> Any:
         """Values of the equations at one state, as `tripos evaluate` has them."""
         with state_file(at) as file:
             return answer("evaluate", self.path, by=by, at=file)
@@ -185,13 +188,13 @@ class Model:
         """Equations as LaTeX: sections for a document, or a document."""
         return text_of("derive", self.path, by=by, format="latex", fragment=fragment, form=form)
 
-    def markdown(self, by: Optional[str] = None, *, form: Optional[str] = None) -> str:
-        """Equations as Markdown with formulas."""
-        return text_of("derive", self.path, by=by, format="markdown", form=form)
+    def markdown(self, by: Optional[str] = None, *, form: Optional[str] = None) -> Markdown:
+        """Equations as Markdown with formulas, which notebooks show."""
+        return Markdown(text_of("derive", self.path, by=by, format="markdown", form=form))
 
     def _repr_markdown_(self) -> str:
-        """Equations, for a notebook."""
-        return self.markdown("kane")
+        """Equations by Kane's method, for a notebook."""
+        return self.markdown("kane")._repr_markdown_()
 
     def sympy(self, by: str = "kane") -> types.SimpleNamespace:
         """Equations as SymPy objects: `mass_matrix`, `forcing`, `unknowns`, `accelerations`, energies and more.
@@ -429,8 +432,33 @@ class Dae:
         return np.concatenate([kinematic, self._of("mass_matrix", q, u) @ unknowns - self._of("forcing", q, u)])
 
 
+def folder_of(owner: object) -> pathlib.Path:
+    """A new folder, which is removed when its owner is, or when Python ends."""
+    folder = tempfile.mkdtemp(prefix="tripos-")
+    weakref.finalize(owner, shutil.rmtree, folder, ignore_errors=True)
+    return pathlib.Path(folder)
+
+
+def file_name(title: str) -> str:
+    """A title as the name of a file or folder.
+
+    >>> file_name("Thin disk, sliding")
+    'thin_disk_sliding'
+    """
+    return "_".join(re.findall(r"\w+", title.lower())) or "model"
+
+
+def plain(value: Any) -> Any:
+    """Numbers and arrays of NumPy as those of Python; other values as they are.
+
+    >>> plain(np.int64(3)), plain(np.array([1.0, 2.0]))
+    (3, [1.0, 2.0])
+    """
+    return value.tolist() if isinstance(value, (np.generic, np.ndarray)) else value
+
+
 @contextlib.contextmanager
-def state_file(given: Union[Path, Mapping[str, Mapping[str, float]], None]) -> Iterator[Optional[Path]]:
+def state_file(given: Union[Path, State, None]) -> Iterator[Optional[Path]]:
     """File of a state: the file itself, or one with the tables of a mapping."""
     if not isinstance(given, Mapping):
         yield given
@@ -441,9 +469,9 @@ def state_file(given: Union[Path, Mapping[str, Mapping[str, float]], None]) -> I
             raise _tripos.RequestError(f"`{table}` of a state is a table of numbers by name, not {entries!r}")
         lines.append(f"[{table}]")
         for name, value in entries.items():
-            if isinstance(value, (int, float)) and not math.isfinite(value):
+            if not isinstance(value, str) and not math.isfinite(value):
                 raise _tripos.RequestError(f"`{name}` of [{table}] is {value}, and a state has finite numbers")
-            lines.append(f"{json.dumps(name)} = {json.dumps(value)}")
+            lines.append(f"{json.dumps(name)} = {json.dumps(plain(value))}")
     with tempfile.TemporaryDirectory(prefix="tripos-") as folder:
         file = pathlib.Path(folder) / "state.toml"
         file.write_text("\n".join(lines) + "\n", encoding="utf-8")

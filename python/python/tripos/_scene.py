@@ -7,7 +7,7 @@ import pathlib
 import tempfile
 import warnings
 from collections.abc import Sequence
-from typing import Any, Callable, NamedTuple, Optional
+from typing import Any, Callable, Optional, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -15,40 +15,28 @@ from numpy.typing import ArrayLike
 from . import _tripos
 from ._commands import Option, UntrustedRunWarning, answer
 from ._display import Page, Picture
-from ._model import Array, Model, Path
+from ._model import Array, Model, Path, file_name, folder_of
 
 
-class SampledRun(NamedTuple):
-    """A run with a controller: columns by name, the decisions of the controller, and errors at the end."""
+class Samples:
+    """Samples of a finished run: instants, and values of quantities with names."""
 
-    columns: dict[str, Array]
-    #: Instants at which the controller set the inputs, s.
-    decision_times: Array
-    #: Values of the inputs: a row for each instant.
-    decisions: Array
-    #: Estimated error of each column at the end; None if it is not known.
-    errors: Optional[dict[str, float]]
-    #: Reasons not to trust the run.
-    warnings: list[str]
+    _run: Union[_tripos.Run, _tripos.SampledRun]
 
-
-class Run:
-    """A finished run of a scene."""
-
-    def __init__(self, inner: _tripos.Run) -> None:
+    def __init__(self, inner: Union[_tripos.Run, _tripos.SampledRun]) -> None:
         self._run = inner
         #: Instants of the samples, s.
         self.t: Array = inner.t
-        #: Values of the shown quantities: a row for each sample.
+        #: Values of the quantities: a row for each sample.
         self.values: Array = inner.values
 
     @property
     def names(self) -> list[str]:
-        """Names of the shown quantities."""
+        """Names of the quantities."""
         return self._run.names
 
     def __getitem__(self, name: str) -> Array:
-        """Values of a shown quantity at the samples."""
+        """Values of a quantity at the samples."""
         names = self.names
         if name not in names:
             raise KeyError(f"the run has no quantity {name!r}; it has {', '.join(names)}")
@@ -57,13 +45,13 @@ class Run:
 
     @property
     def end(self) -> dict[str, float]:
-        """Values of the shown quantities at the end."""
+        """Values of the quantities at the end."""
         return self._run.end
 
     @property
-    def digits(self) -> dict[str, float] | None:
-        """Correct digits of each quantity at the end; None if they are not known."""
-        return self._run.digits
+    def errors(self) -> dict[str, float] | None:
+        """Estimated error of each quantity at the end, in its unit; None if they are not known."""
+        return self._run.errors
 
     @property
     def events(self) -> list[tuple[str, float]]:
@@ -76,22 +64,12 @@ class Run:
         return self._run.warnings
 
     @property
-    def notes(self) -> list[str]:
-        """Notes on the way in which the run was made."""
-        return self._run.notes
-
-    @property
-    def drift(self) -> dict[str, float]:
-        """Largest change of each conserved quantity."""
-        return self._run.drift
-
-    @property
-    def is_trusted(self) -> bool:
-        """True if nothing speaks against the run."""
-        return self._run.is_trusted
+    def ending(self) -> str:
+        """Sentence that says when and why the run ended."""
+        return self._run.ending
 
     def __repr__(self) -> str:
-        return f"<tripos.Run: {self._run.ending}>"
+        return f"<tripos.{type(self).__name__}: {self.ending}>"
 
     def to_pandas(self) -> Any:
         """Samples as a `pandas.DataFrame` with the time as its index."""
@@ -118,6 +96,45 @@ class Run:
         return axes[:, 0]
 
 
+class Run(Samples):
+    """A finished run of a scene, with the quantities that the scene shows."""
+
+    _run: _tripos.Run
+
+    @property
+    def digits(self) -> dict[str, float] | None:
+        """Correct digits of each quantity at the end; None if they are not known."""
+        return self._run.digits
+
+    @property
+    def notes(self) -> list[str]:
+        """Notes on the way in which the run was made."""
+        return self._run.notes
+
+    @property
+    def drift(self) -> dict[str, float]:
+        """Largest change of each conserved quantity."""
+        return self._run.drift
+
+    @property
+    def is_trusted(self) -> bool:
+        """True if nothing speaks against the run."""
+        return self._run.is_trusted
+
+
+class SampledRun(Samples):
+    """A finished run with a controller. Its quantities are the coordinates and generalized speeds."""
+
+    _run: _tripos.SampledRun
+
+    def __init__(self, inner: _tripos.SampledRun) -> None:
+        super().__init__(inner)
+        #: Instants at which the controller set the inputs, s.
+        self.decision_times: Array = inner.decision_times
+        #: Values of the inputs: a row for each of these instants.
+        self.decisions: Array = inner.decisions
+
+
 class Scene:
     """A scene file: a model, a start, parameters, a span of time and outputs."""
 
@@ -125,7 +142,6 @@ class Scene:
         self._scene = _tripos.Scene.read(os.fspath(path))
         self._path: Optional[pathlib.Path] = pathlib.Path(path)
         self._text = ""
-        self._folder: Optional[tempfile.TemporaryDirectory[str]] = None
         self._set: dict[str, float] = {}
 
     @classmethod
@@ -141,17 +157,16 @@ class Scene:
         """
         scene = cls.__new__(cls)
         scene._scene = _tripos.Scene.parse(model._model, text)
-        scene._path, scene._text, scene._folder, scene._set = None, text, None, {}
+        scene._path, scene._text, scene._set = None, text, {}
         return scene
 
     @property
     def path(self) -> pathlib.Path:
         """File of the scene. A scene that was made from a text gets a folder with its model, which goes with it."""
         if self._path is None:
-            self._folder = tempfile.TemporaryDirectory(prefix="tripos-")
-            folder = pathlib.Path(self._folder.name)
+            folder = folder_of(self) / file_name(self.model.title)
+            (folder / "scenes").mkdir(parents=True)
             (folder / "model.toml").write_text(self.model.text, encoding="utf-8")
-            (folder / "scenes").mkdir()
             self._path = folder / "scenes" / "scene.toml"
             self._path.write_text(self._text, encoding="utf-8")
         return self._path
@@ -206,7 +221,8 @@ class Scene:
 
     def simulate(self, **settings: Any) -> Run:
         """Runs the scene. Settings replace those of the file: by, method, project, solve, step, max_step, rtol, atol,
-        until. Each reason not to trust the run is a Python warning too."""
+        until. `by` names a formulation, or a printed system as "printed:ID". Each reason not to trust the run is a
+        Python warning too."""
         run = Run(self._scene.run(settings))
         warn(run.warnings)
         return run
@@ -288,19 +304,25 @@ class Scene:
         self,
         inputs: Sequence[str],
         instants: Sequence[float],
-        controller: Callable[[float, dict[str, float]], Sequence[float]],
+        controller: Callable[[float, dict[str, float]], Sequence[float]] | None = None,
         *,
         make: Callable[[], Callable[[float, dict[str, float]], Sequence[float]]] | None = None,
         **settings: Any,
     ) -> SampledRun:
         """Runs the scene with inputs that `controller(t, state)` sets at the instants, s, each held until the next.
 
-        A second run gives the errors. A controller with a memory is made anew for each run by `make`."""
-        columns, at, values, errors, reasons = self._scene.run_sampled(
-            list(inputs), [float(t) for t in instants], make or (lambda: controller), settings
-        )
-        warn(reasons)
-        return SampledRun(columns, np.array(at), np.array(values).reshape(len(at), len(inputs)), errors, reasons)
+        `state` has the coordinates and generalized speeds by name; the function returns a number for each input. A
+        second run gives the errors. A controller with a memory is made anew for each run by `make`, in place of
+        `controller`."""
+        times = [float(t) for t in instants]
+        if controller is not None and make is None:
+            run = self._scene.run_sampled(list(inputs), times, lambda: controller, settings)
+        elif make is not None and controller is None:
+            run = self._scene.run_sampled(list(inputs), times, make, settings)
+        else:
+            raise _tripos.RequestError("give either `controller` or `make`, which returns a new controller")
+        warn(run.warnings)
+        return SampledRun(run)
 
 
 def warn(reasons: Sequence[str]) -> None:

@@ -9,6 +9,7 @@ import io
 import json
 import os
 import pathlib
+import re
 import tempfile
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, Optional, Union
@@ -111,11 +112,15 @@ class SweepRequest:
 
 
 def files_of(model: pathlib.Path, scene: pathlib.Path) -> tuple[dict[str, str], str]:
-    """Texts of a scene, its model, and the files beside the model, by their paths in a folder; and the scene's path."""
+    """Texts of a scene, of its model, of the files beside the model, and of the tables that the scene names, by their
+    paths in a folder; and the scene's path there."""
     model = model / "model.toml" if model.is_dir() else model
-    folder = pathlib.Path(os.path.commonpath([model.parent, scene.parent]))
-    beside = [file for file in sorted(model.parent.glob("*.toml")) if file.is_file()]
-    texts = {file.relative_to(folder).as_posix(): file.read_text(encoding="utf-8") for file in {*beside, model, scene}}
+    quoted = re.findall(r"""["']([^"'\n]+)["']""", scene.read_text(encoding="utf-8"))
+    named = [scene.parent / name for name in quoted if re.search(r"\.\w+$", name)]
+    files = {model, scene, *model.parent.glob("*.toml"), *named}
+    files = {file.resolve() for file in files if file.is_file()}
+    folder = pathlib.Path(os.path.commonpath([file.parent for file in files]))
+    texts = {file.relative_to(folder).as_posix(): file.read_text(encoding="utf-8") for file in sorted(files)}
     return texts, scene.relative_to(folder).as_posix()
 
 

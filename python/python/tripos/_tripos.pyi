@@ -60,13 +60,14 @@ class Scene:
         instants: list[float],
         make: Callable[[], Callable[[float, dict[str, float]], Any]],
         settings: dict[str, Any] | None = None,
-    ) -> tuple[dict[str, Array], list[float], list[list[float]], dict[str, float] | None, list[str]]: ...
+    ) -> SampledRun: ...
 
 class Run:
     names: list[str]
     t: Array
     values: Array
     end: dict[str, float]
+    errors: dict[str, float] | None
     digits: dict[str, float] | None
     events: list[tuple[str, float]]
     warnings: list[str]
@@ -75,5 +76,17 @@ class Run:
     drift: dict[str, float]
     is_trusted: bool
     work: tuple[int, int, int]
+
+class SampledRun:
+    names: list[str]
+    t: Array
+    values: Array
+    end: dict[str, float]
+    errors: dict[str, float] | None
+    decision_times: Array
+    decisions: Array
+    events: list[tuple[str, float]]
+    warnings: list[str]
+    ending: str
 
 def command(words: list[str]) -> tuple[int, str, str]: ...

@@ -400,7 +400,7 @@ pub fn parameters_one_rounding_away(scene: &Scene) -> Vec<f64> {
 
 /// Largest size of each shown value along a run, but at least the size below which a value does not
 /// matter.
-fn value_sizes_for_digits(scene: &Scene, values: &[Vec<f64>]) -> Vec<f64> {
+pub(crate) fn value_sizes_for_digits(scene: &Scene, values: &[Vec<f64>]) -> Vec<f64> {
     let how = &scene.integration;
     let adaptive = how.step.is_none() && how.method != Integrator::Quadrature;
     let matters = match (adaptive, how.rtol > 0.0) {

@@ -2,7 +2,7 @@
 //! stability over two.
 
 use crate::failure::{Failure, print_to_stderr};
-use crate::output_files::{refuse_overwriting_inputs, write_csv_file};
+use crate::output_files::{refuse_overwriting_inputs, write_table_file};
 use crate::picture::{self, PictureFormat};
 use crate::plot::{Panel, Scale, Series, draw};
 use std::path::Path;
@@ -128,7 +128,7 @@ fn write_equilibria_figure(
     let svg = draw(panels, 1).map_err(|error| Failure::from(Error::Stopped(error.to_string())))?;
     picture::write_picture(out, kind(out)?, &svg, picture::DPI)?;
     let data = out.with_extension("csv");
-    write_csv_file(&data, header, rows)?;
+    write_table_file(&data, header, rows)?;
     print_to_stderr(&format!("figure   {}\ndata     {}", path_as_plain_text(out), path_as_plain_text(&data)));
     Ok(())
 }

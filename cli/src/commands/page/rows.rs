@@ -15,12 +15,6 @@ pub static EMPTY_COURSE: InvariantValues = InvariantValues {
     divisors: Vec::new(),
 };
 
-/// Returns the title of a scene, or the name of its file if it has no title.
-pub fn title(scene: &Scene) -> String {
-    let stem = || scene.source.path.file_stem().map_or(String::new(), |stem| stem.to_string_lossy().into_owned());
-    if scene.title.is_empty() { stem() } else { scene.title.clone() }
-}
-
 /// Returns the number, times and losses of a run's impacts in words; `None` if it has none.
 pub fn impacts_words(run: &Run) -> Option<(&'static str, SceneFact)> {
     let list = run.impacts();

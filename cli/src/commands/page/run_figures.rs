@@ -5,7 +5,7 @@
 //! differ.
 
 use crate::failure::Failure;
-use crate::output_files::{make_folder, write_csv_file, write_text_file};
+use crate::output_files::{make_folder, write_table_file, write_text_file};
 use crate::page::Figure;
 use crate::plot::{Panel, draw};
 use std::collections::BTreeMap;
@@ -62,7 +62,7 @@ impl RunFigureWriter<'_> {
         let inside = self.out.join(&self.folder);
         make_folder(&inside)?;
         let [csv, svg] = ["csv", "svg"].map(|ending| format!("{name}.{ending}"));
-        write_csv_file(&inside.join(&csv), &["quantity", "equations", "t", "value"], panels.iter().flat_map(rows))?;
+        write_table_file(&inside.join(&csv), &["quantity", "equations", "t", "value"], panels.iter().flat_map(rows))?;
         write_text_file(&inside.join(&svg), &figure.svg)?;
         let link = |file: String| format!("{}/{file}", self.folder.display());
         Ok(Figure { data: vec![link(csv), link(svg)], ..figure })

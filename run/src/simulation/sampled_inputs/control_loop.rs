@@ -5,7 +5,9 @@ use crate::code::CodeForm;
 use crate::error::Error;
 use crate::preparation::problem::Problem;
 use crate::trust::constraint_residuals::{broken_constraint_objection, opened_loop_objections};
+use crate::trust::correct_digits::{FEW, value_sizes_for_digits};
 use crate::trust::watched_functions::{WatchedFunctions, watched_events};
+use tripos_derive::plain_text::with_significant_digits;
 use tripos_derive::scene::Scene;
 use tripos_sim::{EventRecord, Method, Options, OutputOption, Solution, Stop};
 use tripos_traits::{AbsoluteTolerance, DoubleDouble, Scalar};
@@ -203,6 +205,10 @@ impl ControlLoop<'_> {
                 first.t_end, first.stop, second.t_end, second.stop
             ));
         }
+        let errors = decisions.iter().filter_map(|decision| Some((decision.t, decision.errors.as_deref()?)));
+        let errors = errors.chain(errors_at_end.as_deref().map(|errors| (first.t_end, errors)));
+        let sizes = value_sizes_for_digits(self.problem.scene, &first.states);
+        warnings.extend(few_digits_warning(self.names, &sizes, errors));
         SampledRun {
             by: self.problem.by.clone(),
             code: form,
@@ -229,6 +235,28 @@ const ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// unit.
 fn control_loop_errors(own: &[f64], other: &[f64]) -> Vec<f64> {
     own.iter().zip(other).map(|(a, b)| (a - b).abs() + ROUNDING * a.abs()).collect()
+}
+
+/// Warning that fewer than three digits are correct, relative to the largest size of a value in the
+/// run, with the first instant of this; `None` if there are enough. A value that a controller brings
+/// to zero needs no digits of its own.
+fn few_digits_warning<'a>(
+    names: &[String],
+    sizes: &[f64],
+    errors: impl Iterator<Item = (f64, &'a [f64])>,
+) -> Option<String> {
+    let is_large = |error: f64, size: f64| error > size * 10_f64.powf(-FEW);
+    let mut large = errors.filter_map(|(t, errors)| {
+        let which = errors.iter().zip(sizes).position(|(error, size)| is_large(*error, *size))?;
+        Some((t, which, errors[which]))
+    });
+    let (t, which, error) = large.next()?;
+    Some(format!(
+        "fewer than three digits are right from t = {} s on, where `{}` may be off by {}: this is the difference from another run, whose controller decided from its own states",
+        with_significant_digits(t, 4),
+        names[which],
+        with_significant_digits(error, 2),
+    ))
 }
 
 impl WindowedRun {
