@@ -63,6 +63,9 @@ def test_numbers_that_were_set_are_columns():
     table = tripos.sweep(own, {"q2": [0.4]})
     assert table["over:g"].tolist() == [1.62]
     assert table["q3"] == tripos.sweep(tripos.Scene(own.path), ["g=1.62", "q2=0.4"])["q3"]
+    # A number that varies has the values of the sweep.
+    own.set(q2=0.1)
+    assert tripos.sweep(own, {"q2": [0.4]}).csv.splitlines()[0] == table.csv.splitlines()[0]
 
 
 @pytest.mark.parametrize("blocks", [1, 2, 7, 40])

@@ -9,7 +9,7 @@
 """
 
 from ._commands import CommandResult, TriposWarning, UntrustedRunWarning, answer, run_command
-from ._display import Page, Picture
+from ._display import Markdown, Page, Picture
 from ._model import EXAMPLE, Dae, Model
 from ._mechanism import Mechanism
 from ._scene import Run, SampledRun, Scene
@@ -21,6 +21,7 @@ __all__ = [
     "Dae",
     "EXAMPLE",
     "InputError",
+    "Markdown",
     "Mechanism",
     "Model",
     "Page",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 import html
 import os
 import pathlib
@@ -23,6 +24,11 @@ class Document(str):
 
 class Picture(Document):
     """A picture as the text of an SVG file; notebooks show it."""
+
+    def _repr_html_(self) -> str:
+        # As an image, the picture is shown in a notebook that the reader has not run.
+        data = base64.b64encode(self.encode("utf-8")).decode("ascii")
+        return f'<img src="data:image/svg+xml;base64,{data}">'
 
     def _repr_svg_(self) -> str:
         return str(self)

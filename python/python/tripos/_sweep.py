@@ -100,8 +100,9 @@ class SweepRequest:
             values = [f"{name}={','.join(repr(float(value)) for value in list)}" for name, list in over.items()]
         else:
             values = list(over)
-        # Numbers that `Scene.set` changed are columns with one value.
-        values = [f"{name}={value!r}" for name, value in scene._set.items()] + values
+        # Numbers that `Scene.set` changed are columns with one value, unless they vary.
+        varied = {text.partition("=")[0].strip() for text in values}
+        values = [f"{name}={value!r}" for name, value in scene._set.items() if name not in varied] + values
         return cls(files, path, tuple(values), options)
 
     @property
