@@ -35,7 +35,7 @@ def main() -> None:
     values = {sympy.Symbol(name): parameter.default for name, parameter in model.parameters.items()}
     solved = {}
     for symbol, formula in equations.accelerations:
-        solved[symbol] = formula.subs(solved)
+        solved[symbol] = sympy.sympify(formula).subs(solved)
     rates = [*equations.coordinate_rates, *(solved[symbol] for symbol in equations.unknowns)]
     # Symbols of the equations have assumptions; those of the users' functions have none.
     plain = {symbol: sympy.Symbol(str(symbol)) for symbol in set().union(*(e.free_symbols for e in rates))}
