@@ -158,8 +158,8 @@ def test_the_regressor_gives_the_generalized_forces(name):
     regressor, rest = model.regressor(q, u, u_dot), model.regressor_rest(q, u, u_dot)
     assert regressor.shape == (40, u.shape[1], pi.size) and rest.shape == u.shape
     forces = model.inverse(q, u, u_dot)
-    if np.isfinite(pi).all():
-        assert np.allclose(regressor @ pi + rest, forces, rtol=1e-9, atol=1e-9 * abs(forces).max())
+    assert np.isfinite(pi).all()
+    assert np.allclose(regressor @ pi + rest, forces, rtol=1e-9, atol=1e-9 * abs(forces).max())
     assert np.array_equal(model.regressor(q[3], u[3], u_dot[3]), regressor[3])
 
 

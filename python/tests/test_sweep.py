@@ -45,6 +45,7 @@ def test_values_are_texts_or_numbers(scene):
     assert len(table) == 6 and table["over:q2"].tolist() == [lean for lean in leans for _ in range(2)]
     assert table.csv == tripos.sweep(scene, ["q2=0.1,0.2,0.30000000000000004", "g=1.62,9.81"]).csv
     assert table["stop"][0] == "end" and table["reason"] == [""] * 6
+    assert tripos.sweep(scene, {"q2": 0.1}).csv == tripos.sweep(scene, "q2=0.1").csv
     with pytest.raises(KeyError, match="no column 'lean'"):
         table["lean"]
 
@@ -90,8 +91,9 @@ def test_requests_that_are_wrong_are_refused(scene):
 
 def test_points_without_a_result_are_rows(scene):
     table = tripos.sweep(scene, {"M": [0.0, 1.0]})
-    assert len(table) == 2 and table["stop"][1] == "end"
-    assert table["stop"][0] != "end" and (table["reason"][0] or np.isnan(table["q1"][0]) or table["t_end"][0] >= 0)
+    assert table["stop"] == ["no-start", "end"]
+    assert "`M` is stated to be positive" in table["reason"][0] and table["reason"][1] == ""
+    assert np.isnan(table["q1"][0]) and np.isfinite(table["q1"][1])
 
 
 def test_dask_gives_the_same_bytes(scene, client):
@@ -132,14 +134,18 @@ def test_a_worker_that_is_killed_loses_nothing(scene, client):
     expected = tripos.sweep(scene, over, rtol=1e-9).csv
     (first, *_) = client.run(os.getpid).values()
 
+    killed = []
+
     def kill():
         # The first blocks have ended, and others run.
         time.sleep(0.3)
         os.kill(first, signal.SIGKILL)
+        killed.append(time.monotonic())
 
     killer = threading.Thread(target=kill)
     killer.start()
     table = tripos.sweep(scene, over, client=client, blocks=60, rtol=1e-9)
+    assert killed and killed[0] < time.monotonic() - 0.1, "the worker was killed after the sweep"
     killer.join()
     assert table.csv == expected
     assert first not in client.run(os.getpid).values()

@@ -21,7 +21,7 @@ from ._model import Path
 from ._scene import Scene
 
 #: Values that vary: texts as `tripos sweep --over` takes them, or the values of each number by its name.
-Over = Union[str, Sequence[str], Mapping[str, Iterable[float]]]
+Over = Union[str, Sequence[str], Mapping[str, Union[float, Iterable[float]]]]
 #: Columns that hold texts.
 TEXTS = ("stop", "reason")
 
@@ -43,7 +43,7 @@ class SweepTable:
         return cls(header + "".join(table[len(header) :] for table in tables))
 
     def __len__(self) -> int:
-        return self.csv.count("\n") - 1
+        return sum(1 for _ in csv.reader(io.StringIO(self.csv))) - 1
 
     def __getitem__(self, name: str) -> Any:
         """Values of a column: numbers as an array, with NaN in empty cells; the texts of `stop` and `reason` as a list."""
@@ -97,7 +97,7 @@ class SweepRequest:
         if isinstance(over, str):
             values = [over]
         elif isinstance(over, Mapping):
-            values = [f"{name}={','.join(repr(float(value)) for value in list)}" for name, list in over.items()]
+            values = [f"{name}={listed(numbers)}" for name, numbers in over.items()]
         else:
             values = list(over)
         # Numbers that `Scene.set` changed are columns with one value, unless they vary.
@@ -110,6 +110,12 @@ class SweepRequest:
         """Text that is the same for the same sweep only."""
         parts = json.dumps(dataclasses.asdict(self), sort_keys=True, default=os.fspath)
         return hashlib.sha256(parts.encode()).hexdigest()[:24]
+
+
+def listed(numbers: Union[float, Iterable[float]]) -> str:
+    """Numbers as `tripos sweep --over` takes them; a single number is a list of one."""
+    several = numbers if isinstance(numbers, Iterable) else [numbers]
+    return ",".join(repr(float(number)) for number in several)
 
 
 def files_of(model: pathlib.Path, scene: pathlib.Path) -> tuple[dict[str, str], str]:
@@ -145,9 +151,9 @@ def run_block(
         )  # fmt: skip
         # Exit status 3 says that some points have no result, and their rows give the reason.
         if result.status not in (0, 3) or not table.is_file():
-            answer = json.loads(result.output) if result.output.startswith("{") else {}
             # The folder is gone when somebody reads the message.
-            messages = result.messages.replace(name + os.sep, "")
+            messages, output = (text.replace(name + os.sep, "") for text in (result.messages, result.output))
+            answer = json.loads(output) if output.startswith("{") else {}
             raise failure(messages, answer.get("error", {}), result.status)
         text = table.read_bytes().decode("utf-8")
         return text, result.messages, int(json.loads(result.output)["points"])
