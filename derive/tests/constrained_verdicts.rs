@@ -19,12 +19,12 @@ use tripos_derive::model::load;
 use tripos_derive::prove::prove;
 use tripos_derive::publication;
 
-struct Judged {
+pub struct Judged {
     derivations: Derivations,
-    difference: Difference,
+    pub difference: Difference,
 }
 
-fn judge(model: &str, publication: &str) -> Judged {
+pub fn judge(model: &str, publication: &str) -> Judged {
     let mut model = load(&Source::from_text("model.toml", model)).unwrap_or_else(|e| panic!("{e}"));
     let source = Source::from_text("publication.toml", publication);
     let publication =

@@ -42,6 +42,7 @@ mod literals;
 mod material_points;
 #[path = "common/mechanisms.rs"]
 mod mechanisms;
+mod multipliers_of_motion;
 mod mutations;
 mod named;
 mod named_files;

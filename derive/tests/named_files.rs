@@ -92,6 +92,20 @@ const MATLAB: &str = "function dz = cart(t, z, p)\n M = p.M; m = p.m; l = p.l; J
     dz(3) = (A(2,2)*b(1) - A(1,2)*b(2))/ ...\n (A(1,1)*A(2,2) - A(1,2)^2);\n\
     dz(4) = (A(1,1)*b(2) + A(1,2)*b(1))/(A(1,1)*A(2,2) - A(1,2)^2);\nend\n";
 
+/// Programs that solve the linear system of the accelerations, in the ways that people write this.
+const SOLVED_MATLAB: &str = "function dz = solved(t, z, p)\n x = z(1); theta = z(2);\n omega = z(4); l = p.l;\n\
+    Mm = [p.M + p.m, p.m*l*cos(theta); p.m*l*cos(theta), p.J + p.m*l^2];\n\
+    f = [p.F + p.m*l*omega^2*sin(theta); -p.m*p.g*l*sin(theta)];\n\
+    dz = zeros(4,1);\n dz(1:2) = z(3:4);\n dz(3:4) = Mm\\f;\nend\n\
+    function dz = inverse(t, z, p)\n theta = z(2);\n omega = z(4); l = p.l;\n\
+    a = inv([p.M + p.m, p.m*l*sin(theta); p.m*l*cos(theta), p.J + p.m*l^2])*[p.F + p.m*l*omega^2*sin(theta); -p.m*p.g*l*sin(theta)];\n\
+    dz = [z(3); z(4); a(1); a(2)];\nend\n";
+
+const SOLVED_PYTHON: &str = "import numpy as np\ndef solved(t, z, p):\n    x, theta, v, omega = z\n\
+    \x20   A = np.array([[M + m, m*l*np.cos(theta)], [m*l*np.cos(theta), J + m*l**2]])\n\
+    \x20   b = np.array([F + m*l*omega**2*np.sin(theta), m*g*l*np.sin(theta)])\n\
+    \x20   a = np.linalg.solve(A, b)\n    return [v, omega, a[0], a[1]]\n";
+
 const C: &str = "/* rates */\nvoid rates(const double *z, const params *p, double *dz) {\n\
     const double c = cos(z[1]), s = sin(z[1]);\n double row = (p->M + p->m)*x_ddot\n + p->m*p->l*(c*thetaddot - s*dtheta*theta_dot);\n\
     dz[0] = row; // x\n}\n";
@@ -102,6 +116,8 @@ fn read(name: &str) -> Result<Source, Diagnostics> {
         "cart.py" => PYTHON,
         "cart.m" => MATLAB,
         "cart.c" => C,
+        "solved.m" => SOLVED_MATLAB,
+        "solved.py" => SOLVED_PYTHON,
         _ => return Source::read(std::path::Path::new("/no/such/folder").join(name).as_path()),
     };
     Ok(Source::from_text(name, text))
@@ -353,4 +369,54 @@ fn only_files_beside_the_publication_are_read() {
     }
     let text = equation("1", "file = \"paper.tex\"\npart = \"f\"\nlabel = \"eq:T\"\nquantity = \"T\"");
     assert!(loaded(&text).is_err());
+}
+
+/// Goal: a program that solves the linear system is judged by its matrix and its right side, entry by entry. Method:
+/// one right program, one with a wrong entry of the matrix, and one with a wrong sign on the right.
+#[test]
+fn solved_linear_systems_of_programs_are_judged_by_their_entries() {
+    let listing = |id: &str, file: &str, derivative: &str| {
+        format!(
+            "[[listing]]\nid = \"{file}-{id}\"\nsection = \"1\"\nfile = \"{file}\"\npart = \"{id}\"\n\
+             formulation = \"lagrange\"\nstate = [\"x\", \"theta\", \"x'\", \"theta'\"]\nderivative = [{derivative}]\n"
+        )
+    };
+    let own = "\"p.M\" = \"M\"\n\"p.m\" = \"m\"\n\"p.l\" = \"l\"\n\"p.J\" = \"J\"\n\"p.g\" = \"g\"\n\"p.F\" = \"F\"\n";
+    let names = "\"z(1)\" = \"x\"\n\"z(2)\" = \"theta\"\n\"z(3)\" = \"x'\"\n\"z(4)\" = \"theta'\"\n\
+                 v = \"x'\"\nomega = \"theta'\"\n";
+    let dz = "\"dz(1)\", \"dz(2)\", \"dz(3)\", \"dz(4)\"";
+    let text = [
+        format!("[symbols]\n{own}{names}"),
+        listing("solved", "solved.m", dz),
+        listing("inverse", "solved.m", dz),
+        listing("solved", "solved.py", "\"return[0]\", \"return[1]\", \"return[2]\", \"return[3]\""),
+    ];
+    check(
+        &text.concat(),
+        &expect![[r#"
+        solved.m-solved-dz1 equal
+        solved.m-solved-dz2 equal
+        solved.m-solved-E11 equal
+        solved.m-solved-E12 equal
+        solved.m-solved-dz3 equal
+        solved.m-solved-E21 equal
+        solved.m-solved-E22 equal
+        solved.m-solved-dz4 equal
+        solved.m-inverse-dz1 equal
+        solved.m-inverse-dz2 equal
+        solved.m-inverse-E11 equal
+        solved.m-inverse-E12 different: m*l*sin(theta) should be m*l*cos(theta)
+        solved.m-inverse-dz3 equal
+        solved.m-inverse-E21 equal
+        solved.m-inverse-E22 equal
+        solved.m-inverse-dz4 equal
+        solved.py-solved-dz1 equal
+        solved.py-solved-dz2 equal
+        solved.py-solved-E11 equal
+        solved.py-solved-E12 equal
+        solved.py-solved-dz3 equal
+        solved.py-solved-E21 equal
+        solved.py-solved-E22 equal
+        solved.py-solved-dz4 different: m*l*g*sin(theta) should be -m*l*g*sin(theta)"#]],
+    );
 }

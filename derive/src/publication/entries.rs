@@ -1,9 +1,9 @@
 //! Reading of the entries of a publication: keys that all entries have, and entries with a single
 //! formula.
 
-use super::equalities::sides;
 use super::printed::LabelChoice;
-use super::printed_matrix::{MatrixCells, printed_matrix_cells};
+use super::printed::equalities::sides;
+use super::printed::printed_matrix::{MatrixCells, printed_matrix_cells};
 use super::publication_reader::{KEYS, PublicationReader};
 use super::{Entry, EntryKind, Initial};
 use crate::algebra::Expr;

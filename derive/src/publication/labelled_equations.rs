@@ -1,9 +1,9 @@
 //! Equations of a LaTeX file by their labels, and definitions of abbreviations that such equations state.
 
-use super::author_files::notation_of_author_file;
 use super::entries::{EntryTable, entry_formula_part};
-use super::equalities::{equations, sides};
+use super::names::author_files::notation_of_author_file;
 use super::printed::LabelChoice;
+use super::printed::equalities::{equations, sides};
 use super::publication_reader::PublicationReader;
 use crate::algebra::text::notation::Notation;
 use crate::diagnostic::shortened_for_message;

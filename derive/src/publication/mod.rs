@@ -47,38 +47,27 @@
 //! ```
 
 mod approximation;
-mod author_files;
-mod coriolis_matrix;
 mod entries;
-mod equalities;
 mod labelled_equations;
-mod listing;
-mod name_meanings;
-mod name_spelling;
 mod named_files;
+mod names;
 mod own_coordinates;
 mod printed;
-mod printed_abbreviations;
-mod printed_matrix;
-mod printed_system;
-mod program_assignments;
-mod program_variables;
+mod programs;
 mod publication_of_model;
 mod publication_reader;
-mod quantity_names;
-mod row_text;
-mod time_derivatives;
+mod systems;
 
-pub(crate) use equalities::has_right_side;
-pub use listing::Listing;
-pub use printed_abbreviations::{Abbreviation, PrintedAbbreviations};
-pub use printed_system::System;
+pub use names::printed_abbreviations::{Abbreviation, PrintedAbbreviations};
+pub use names::quantity_names::QuantityNames;
+pub(crate) use printed::equalities::has_right_side;
+pub use programs::listing::Listing;
 pub use publication_of_model::{
     hash_publication_of_model, is_publication_path, load_publication_of_model, publication_path_of_model,
 };
 pub use publication_reader::{load_publication, load_publication_in_coordinates, load_publication_with_files};
-pub use quantity_names::QuantityNames;
-pub(crate) use row_text::system_row_text;
+pub use systems::printed_system::System;
+pub(crate) use systems::row_text::system_row_text;
 
 use crate::algebra::Expr;
 use crate::algebra::text::notation::Notation;

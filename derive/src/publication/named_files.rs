@@ -1,7 +1,7 @@
 //! Reading of the files to which a publication refers, each once, and of their macros.
 
-use super::author_files::notation_of_author_file;
 use super::entries::EntryTable;
+use super::names::author_files::notation_of_author_file;
 use super::printed::{LatexFile, TracedError, TracedText, latex_without_comments};
 use super::publication_reader::PublicationReader;
 use crate::algebra::text::notation::Notation;

@@ -3,7 +3,7 @@
 
 use super::Publication;
 #[cfg(feature = "files")]
-use super::author_files::read_file_beside_publication;
+use super::names::author_files::read_file_beside_publication;
 use crate::diagnostic::Diagnostics;
 use crate::model::Model;
 use std::path::{Path, PathBuf};

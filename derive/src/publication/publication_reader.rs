@@ -4,9 +4,9 @@
 //! Every error is reported once, at its cause. In this folder, `None` means that an error is
 //! reported in the reader.
 
-use super::author_files::{AuthorFiles, notation_of_author_file, read_file_beside_publication};
-use super::name_meanings::NameMeanings;
-use super::name_spelling::notation_names;
+use super::names::author_files::{AuthorFiles, notation_of_author_file, read_file_beside_publication};
+use super::names::name_meanings::NameMeanings;
+use super::names::name_spelling::notation_names;
 use super::{Approximation, Publication};
 use crate::algebra::Expr;
 use crate::algebra::text::notation::Notation;

@@ -86,7 +86,8 @@ struct Score {
 impl TermTools<'_> {
     /// Rewrites the derived rows in the printed multipliers, and returns a description of the
     /// printed multipliers.
-    /// `known` holds the multipliers found in the publication so far. Returns `None` if the printed
+    /// `fixed` are the coordinates and the parameters that are no inputs; `known` holds the multipliers
+    /// found in the publication so far. Returns `None` if the printed
     /// multipliers equal the derived ones, or if the rows mention none.
     pub fn adapt_to_printed_multipliers(
         &mut self,
@@ -94,6 +95,7 @@ impl TermTools<'_> {
         printed: &[Row],
         multipliers: &[Expr],
         parameters: &[Expr],
+        fixed: &[Expr],
         known: &mut Multipliers,
     ) -> Option<String> {
         let at = |m: &Expr| order.unknowns.iter().position(|u| u == m);
@@ -124,16 +126,29 @@ impl TermTools<'_> {
             known.entries += 1;
             known.pairs.extend(pairs);
         }
+        let count = printed.iter().filter(|row| mentions(row)).count();
+        let follow = self.rows_that_follow(order, printed, &columns, &change).len();
+        if follow < count
+            && let Some(found) = self.multipliers_of_motion(order, printed, &columns, fixed, follow)
+        {
+            self.replace_multipliers(order, &columns, &found.matrix);
+            return Some(found.words);
+        }
         if change == unit_multiplier_matrix(width) {
             return None;
         }
+        self.replace_multipliers(order, &columns, &change);
+        is_mentioned.then(|| self.multiplier_words(order, &columns, &change))
+    }
+
+    /// Replaces the derived multipliers λ in the derived rows by B μ, with the matrix B `change`.
+    fn replace_multipliers(&mut self, order: &mut DerivedSystem, columns: &[usize], change: &[Row]) {
         for row in &mut order.rows {
             let before: Vec<Expr> = columns.iter().map(|c| row[*c]).collect();
-            for (column, value) in columns.iter().zip(self.row_times_matrix(&before, &change)) {
+            for (column, value) in columns.iter().zip(self.row_times_matrix(&before, change)) {
                 row[*column] = value;
             }
         }
-        is_mentioned.then(|| self.multiplier_words(order, &columns, &change))
     }
 
     /// Matrix B, `width` × `width`, that explains most row pairs, with its score; the plainest if
@@ -323,7 +338,7 @@ impl TermTools<'_> {
     }
 
     /// Product of a row and a square matrix, simplified.
-    fn row_times_matrix(&mut self, row: &[Expr], matrix: &[Row]) -> Row {
+    pub(super) fn row_times_matrix(&mut self, row: &[Expr], matrix: &[Row]) -> Row {
         let mut result = Vec::new();
         for column in 0..matrix.len() {
             let products: Vec<Expr> =
@@ -353,7 +368,7 @@ impl TermTools<'_> {
 }
 
 /// Subsets of `size` of the indices below `count`, each in ascending order; at most 50.
-fn multiplier_row_subsets(count: usize, size: usize) -> Vec<Vec<usize>> {
+pub(super) fn multiplier_row_subsets(count: usize, size: usize) -> Vec<Vec<usize>> {
     let mut list: Vec<Vec<usize>> = vec![Vec::new()];
     for _ in 0..size {
         let longer = |chosen: &Vec<usize>| {
@@ -367,6 +382,6 @@ fn multiplier_row_subsets(count: usize, size: usize) -> Vec<Vec<usize>> {
 }
 
 /// Unit matrix as terms, n × n.
-fn unit_multiplier_matrix(n: usize) -> Vec<Row> {
+pub(super) fn unit_multiplier_matrix(n: usize) -> Vec<Row> {
     (0..n).map(|i| (0..n).map(|k| if i == k { Expr::ONE } else { Expr::ZERO }).collect()).collect()
 }

@@ -3,7 +3,9 @@
 //! Every formula keeps its place in the author's file. All work is limited.
 
 mod displayed_equations;
+pub(super) mod equalities;
 mod latex_macros;
+pub(super) mod printed_matrix;
 mod program_statements;
 mod traced_text;
 

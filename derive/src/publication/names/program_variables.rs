@@ -28,6 +28,18 @@ pub struct ProgramVariables {
     values: Vec<ProgramValue>,
     /// Lists of variables that the program assigns together from one vector, as in `q, w = state`.
     unpacked: Vec<Vec<String>>,
+    /// Linear systems that the program solves, in the order of the statements.
+    solutions: Vec<LinearSolution>,
+}
+
+/// Linear system A x = b that a program solves, with its solution.
+pub struct LinearSolution {
+    /// Unknowns x as terms.
+    pub values: Vec<Expr>,
+    /// Matrix A, row by row.
+    pub matrix: Vec<Vec<Expr>>,
+    /// Right side b.
+    pub right: Vec<Expr>,
 }
 
 /// Value that a program listed in a publication assigns to a variable.
@@ -83,6 +95,16 @@ impl ProgramVariables {
     /// assignment.
     pub fn unpacked_variables(&self) -> &[Vec<String>] {
         &self.unpacked
+    }
+
+    /// Records a linear system that the program solves.
+    pub fn record_linear_solution(&mut self, solution: LinearSolution) {
+        self.solutions.push(solution);
+    }
+
+    /// Latest linear system of the program that has the solution `values`; `None` if there is none.
+    pub fn linear_solution(&self, values: &[Expr]) -> Option<&LinearSolution> {
+        self.solutions.iter().rev().find(|solution| solution.values == values)
     }
 
     /// Removes a variable, so that its name has the meaning from the publication file or the model

@@ -4,13 +4,13 @@
 //! in addition: that C is the choice by Christoffel symbols, and that Ṁ − 2 C is skew-symmetric, so
 //! that C + Cᵀ = Ṁ.
 
-use super::EntryKind;
-use super::entries::EntryTable;
-use super::publication_reader::PublicationReader;
 use crate::algebra::Expr;
 use crate::diagnostic::{nearest_name_advice, shortened_for_message};
 use crate::mechanics::{Quantity, QuantityKind, RowQuantity};
 use crate::model::TIME;
+use crate::publication::EntryKind;
+use crate::publication::entries::EntryTable;
+use crate::publication::publication_reader::PublicationReader;
 use crate::toml_reader::Located;
 
 /// Words for claims about the matrix C that a publication may state.

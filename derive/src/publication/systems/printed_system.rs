@@ -1,14 +1,14 @@
 //! Printed linear systems, and the reading of them, stated as a matrix or as equations of motion.
 
-use super::entries::EntryTable;
-use super::printed::LabelChoice;
-use super::publication_reader::PublicationReader;
 use super::row_text::system_row_text;
 use crate::algebra::solve::linear::{LinearForm, linear_row_term};
 use crate::algebra::text::notation::Notation;
 use crate::algebra::{Arena, Expr};
 use crate::diagnostic::{Diagnostic, nearest_name_advice, shortened_for_message};
 use crate::mechanics::Formulation;
+use crate::publication::entries::EntryTable;
+use crate::publication::printed::LabelChoice;
+use crate::publication::publication_reader::PublicationReader;
 use crate::toml_reader::Located;
 use std::ops::Range;
 use toml::Spanned;
@@ -21,21 +21,21 @@ const MAX_ROWS: usize = 500;
 struct ReportedError;
 
 /// List of formulas as terms, and the list of their printed texts.
-pub(super) type Formulas = (Vec<Expr>, Vec<String>);
+pub(in crate::publication) type Formulas = (Vec<Expr>, Vec<String>);
 /// Entries of a printed matrix, row by row: first as terms, then as printed texts.
-pub(super) type Matrix = (Vec<Vec<Expr>>, Vec<Vec<String>>);
+pub(in crate::publication) type Matrix = (Vec<Vec<Expr>>, Vec<Vec<String>>);
 
 /// Requirements for a printed matrix: its width, and the symbols that its entries must not contain.
 #[derive(Clone, Copy)]
-pub(super) struct MatrixRequirements<'a> {
+pub(in crate::publication) struct MatrixRequirements<'a> {
     /// Number of entries in each row; `None` if any common number is allowed.
-    pub(super) columns: Option<usize>,
+    pub(in crate::publication) columns: Option<usize>,
     /// Help text for an error in the number of columns.
-    pub(super) help: &'a str,
+    pub(in crate::publication) help: &'a str,
     /// Unknowns of the system, which no entry of the matrix may contain.
-    pub(super) unknowns: &'a [Expr],
+    pub(in crate::publication) unknowns: &'a [Expr],
     /// Notation in which the matrix entries are written.
-    pub(super) notation: Notation,
+    pub(in crate::publication) notation: Notation,
 }
 
 /// Printed linear system, matrix · unknowns = right, with any number of rows and one column for
@@ -91,7 +91,7 @@ impl System {
     }
 
     /// Ids of all rows, matrix entries and right-hand sides; `id` is the id of the system's entry.
-    pub(super) fn ids(&self, id: &str) -> Vec<String> {
+    pub(in crate::publication) fn ids(&self, id: &str) -> Vec<String> {
         let mut ids: Vec<String> = (0..self.right.len()).map(|row| self.row_id(id, row)).collect();
         for row in 0..self.right.len() {
             ids.extend((0..self.unknowns.len()).filter_map(|column| self.matrix_id(row, column)));
@@ -412,7 +412,7 @@ impl<'a> PublicationReader<'a, '_> {
     }
 
     /// Formulation that an entry states; reports an unknown name and returns `None`.
-    pub(super) fn read_system_formulation(&mut self, item: &EntryTable<'a>) -> Option<Formulation> {
+    pub(in crate::publication) fn read_system_formulation(&mut self, item: &EntryTable<'a>) -> Option<Formulation> {
         let name = self.required_entry_text(item, "formulation")?;
         let standard = Formulation::STANDARD;
         let found = Formulation::from_name(&name.text).filter(|formulation| standard.contains(formulation));
@@ -458,7 +458,7 @@ impl<'a> PublicationReader<'a, '_> {
     /// and names.
     /// Reports an error and returns `None` for an unknown or repeated name. `what` describes the
     /// names in messages.
-    pub(super) fn read_names_from_list(
+    pub(in crate::publication) fn read_names_from_list(
         &mut self,
         array: &'a [Spanned<DeValue<'a>>],
         span: &Range<usize>,
@@ -497,7 +497,7 @@ impl<'a> PublicationReader<'a, '_> {
     }
 
     /// Reads formulas that must not contain any of the `unknowns`; `None` if an error is reported.
-    pub(super) fn read_system_formulas(
+    pub(in crate::publication) fn read_system_formulas(
         &mut self,
         array: &'a [Spanned<DeValue<'a>>],
         what: &str,
@@ -530,7 +530,7 @@ impl<'a> PublicationReader<'a, '_> {
     }
 
     /// Reads a matrix whose rows have equal numbers of formulas; `None` if an error is reported.
-    pub(super) fn read_system_matrix(
+    pub(in crate::publication) fn read_system_matrix(
         &mut self,
         array: &'a [Spanned<DeValue<'a>>],
         span: &Range<usize>,
@@ -590,7 +590,7 @@ fn system_row_coefficients(form: &mut LinearForm, arena: &mut Arena, equation: E
 }
 
 /// Number with its noun in the singular or plural, such as "2 entries".
-pub(super) fn count_with_noun(n: usize, noun: &str) -> String {
+pub(in crate::publication) fn count_with_noun(n: usize, noun: &str) -> String {
     match (n, noun.strip_suffix('y')) {
         (1, _) => format!("1 {noun}"),
         (_, Some(stem)) => format!("{n} {stem}ies"),

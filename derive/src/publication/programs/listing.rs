@@ -1,10 +1,11 @@
 //! Printed programs (listings) that compute the time derivative of a state, and the reading of them.
 
-use super::entries::EntryTable;
-use super::printed_system::{MatrixRequirements, count_with_noun};
-use super::publication_reader::PublicationReader;
 use crate::algebra::Expr;
+use crate::algebra::text::print::print_text;
 use crate::mechanics::{Formulation, MotionVariables};
+use crate::publication::entries::EntryTable;
+use crate::publication::publication_reader::PublicationReader;
+use crate::publication::systems::printed_system::{MatrixRequirements, count_with_noun};
 use std::ops::Range;
 use std::sync::Arc;
 use toml::Spanned;
@@ -56,7 +57,7 @@ impl Listing {
 
     /// Ids of all derivatives and matrix entries that the program assigns; `id` is the id of its
     /// entry.
-    pub(super) fn ids(&self, id: &str) -> Vec<String> {
+    pub(in crate::publication) fn ids(&self, id: &str) -> Vec<String> {
         let mut ids: Vec<String> = (0..self.derivative.len()).map(|at| self.derivative_id(id, at)).collect();
         for (i, row) in self.matrix.iter().flatten().enumerate() {
             ids.extend((0..row.len()).map(|j| self.matrix_id(id, i, j)));
@@ -107,13 +108,36 @@ impl<'a> PublicationReader<'a, '_> {
                 })
             }
         };
-        let ((state, state_names, _), (derivative, derivative_texts)) = (state?, derivative?);
-        let (matrix, matrix_texts) = matrix?.unzip();
+        let ((state, state_names, moving), (mut derivative, mut derivative_texts)) = (state?, derivative?);
+        let mut matrix = matrix?;
+        if matrix.is_none() {
+            matrix = self.matrix_of_listing_solution(&moving, &mut derivative, &mut derivative_texts);
+        }
+        let (matrix, matrix_texts) = matrix.unzip();
         let formulation = formulation?;
         let (state, derivative, matrix) =
             self.state_in_model_coordinates(&state_names, (state, derivative, matrix), item)?;
         let moving = (0..state.len()).filter(|at| formulation.variables(self.model).contains(&state[*at])).collect();
         Some(Listing { formulation, state, state_names, derivative, derivative_texts, moving, matrix, matrix_texts })
+    }
+
+    /// Matrix of a linear system that the program solves for the derivatives of the motion variables,
+    /// which are at the places `moving`, with the texts of its entries. Its right side replaces these
+    /// derivatives. `None` if the program solves no such system.
+    fn matrix_of_listing_solution(
+        &self,
+        moving: &[usize],
+        derivative: &mut [Expr],
+        derivative_texts: &mut [String],
+    ) -> Option<(Vec<Vec<Expr>>, Vec<Vec<String>>)> {
+        let values: Vec<Expr> = moving.iter().map(|at| derivative[*at]).collect();
+        let solution = self.words.locals.linear_solution(&values)?;
+        let text = |e: &Expr| print_text(&self.model.arena, *e);
+        for (at, right) in moving.iter().zip(&solution.right) {
+            (derivative[*at], derivative_texts[*at]) = (*right, text(right));
+        }
+        let texts = solution.matrix.iter().map(|row| row.iter().map(text).collect()).collect();
+        Some((solution.matrix.clone(), texts))
     }
 
     /// True unless the program unpacks the variables of the state from a vector in another order,

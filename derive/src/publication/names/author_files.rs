@@ -1,9 +1,9 @@
 //! Files to which a publication refers: names, texts, and results of reading them.
 
-use super::printed::{LatexFile, Macros};
 use super::program_variables::ProgramVariables;
 use crate::algebra::text::notation::Notation;
 use crate::diagnostic::{Diagnostics, Source};
+use crate::publication::printed::{LatexFile, Macros};
 use crate::toml_reader::Located;
 use rustc_hash::FxHashMap;
 use std::path::Path;

@@ -1,14 +1,14 @@
 //! Reading of a program's assignments: the value of each variable, or the reason why it was not read.
 
-use super::author_files::notation_of_author_file;
-use super::entries::EntryTable;
-use super::printed::{Statement, TracedText, is_program_number, statement_copies_value, statements};
-use super::printed_matrix::{MatrixCells, printed_matrix_cells};
-use super::program_variables::{ProgramValue, ProgramVariables, UnreadAssignment};
-use super::publication_reader::PublicationReader;
 use crate::algebra::Expr;
 use crate::algebra::text::notation::Notation;
 use crate::diagnostic::{Source, shortened_for_message};
+use crate::publication::entries::EntryTable;
+use crate::publication::names::author_files::notation_of_author_file;
+use crate::publication::names::program_variables::{ProgramValue, ProgramVariables, UnreadAssignment};
+use crate::publication::printed::printed_matrix::{MatrixCells, printed_matrix_cells};
+use crate::publication::printed::{Statement, TracedText, is_program_number, statement_copies_value, statements};
+use crate::publication::publication_reader::PublicationReader;
 use crate::toml_reader::Located;
 use std::sync::Arc;
 
@@ -121,7 +121,9 @@ impl<'a> PublicationReader<'a, '_> {
                 self.apply_compound_assignment(&name, operator, value, &unread);
             }
             (ProgramValue::Unread(unread), _) => {
-                let is_whole = operator.is_none() && self.assign_vector_entries(&name, &formula, notation);
+                let is_whole = operator.is_none()
+                    && (self.assign_linear_solution(&name, &formula, notation)
+                        || self.assign_vector_entries(&name, &formula, notation));
                 if is_whole {
                     return;
                 }
@@ -136,7 +138,7 @@ impl<'a> PublicationReader<'a, '_> {
     }
 
     /// Assigns a value to a variable, and an unread value also to each entry of a range of indices.
-    fn assign_program_value(&mut self, name: &str, value: ProgramValue) {
+    pub(in crate::publication) fn assign_program_value(&mut self, name: &str, value: ProgramValue) {
         if let Some(locals) = Arc::get_mut(&mut self.words.locals) {
             // An assignment to several entries at once is not read, and this reason holds for each
             // entry.
@@ -197,9 +199,39 @@ impl<'a> PublicationReader<'a, '_> {
         self.assign_program_value(name, value);
     }
 
+    /// Assigns entries of a vector to others, as in `dz(1:2) = z(3:4)`. Returns false if the formula is
+    /// no range of entries.
+    fn assign_range_of_entries(&mut self, name: &str, formula: &Located, notation: Notation) -> bool {
+        let whole = formula.text.trim();
+        let Some(sources) = entries_of_assigned_range(whole) else { return false };
+        let Some(names) = names_of_assigned_entries(name, sources.len(), notation) else { return false };
+        // All values are read before the first is assigned.
+        let place = formula.span.clone();
+        let values: Vec<ProgramValue> = sources
+            .into_iter()
+            .map(|text| {
+                let entry = Located { text, span: place.clone(), exact: false };
+                self.words.read_program_formula(&mut self.model.arena, &entry, notation)
+            })
+            .collect();
+        for (name, value) in names.iter().zip(values) {
+            let value = match value {
+                ProgramValue::Unread(unread) => ProgramValue::Unread(unread.naming_variable(name)),
+                value @ ProgramValue::Value(_) => value,
+            };
+            self.assign_program_value(name, value);
+        }
+        true
+    }
+
     /// Assigns the entries of a vector or matrix, or of a copy of one; returns false if the formula
     /// is neither.
-    fn assign_vector_entries(&mut self, name: &str, formula: &Located, notation: Notation) -> bool {
+    pub(in crate::publication) fn assign_vector_entries(
+        &mut self,
+        name: &str,
+        formula: &Located,
+        notation: Notation,
+    ) -> bool {
         let copied = self.words.locals.entries(formula.text.trim());
         if !copied.is_empty() {
             for (from, index) in copied {
@@ -208,6 +240,9 @@ impl<'a> PublicationReader<'a, '_> {
                     self.assign_program_value(&format!("{name}{index}"), value);
                 }
             }
+            return true;
+        }
+        if self.assign_range_of_entries(name, formula, notation) {
             return true;
         }
         // A tuple is a list without brackets: a bracket instead of the parenthesis keeps all byte
@@ -251,6 +286,15 @@ impl<'a> PublicationReader<'a, '_> {
         }
         true
     }
+}
+
+/// Names of the entries of an assigned vector: those of a range such as z(1:4), or the first
+/// `count` entries of a whole vector. Returns `None` for a range of another length.
+pub fn names_of_assigned_entries(name: &str, count: usize, notation: Notation) -> Option<Vec<String>> {
+    let first = usize::from(notation == Notation::Matlab);
+    let (open, close) = if notation == Notation::Matlab { ('(', ')') } else { ('[', ']') };
+    let whole = || (first..first + count).map(|at| format!("{name}{open}{at}{close}")).collect();
+    Some(entries_of_assigned_range(name).unwrap_or_else(whole)).filter(|names| names.len() == count)
 }
 
 /// Names of the vector entries in a range of indices, such as z(1:4) in MATLAB or `z[0:4]` in

@@ -1,9 +1,9 @@
 //! Derived values of the names that a publication gives to derived quantities.
 
-use super::Publication;
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::{Arena, Expr};
 use crate::mechanics::{Quantities, Quantity, QuantityKind, RowQuantity};
+use crate::publication::Publication;
 
 /// Symbols of a publication for derived quantities, with their derived values or the reason why
 /// there is none.

@@ -26,12 +26,12 @@ pub struct Abbreviation {
 #[derive(Clone, Default)]
 pub struct PrintedAbbreviations {
     /// Store of the terms of printed formulas, separate from the model's arena.
-    pub(super) arena: Arena,
+    pub(in crate::publication) arena: Arena,
     /// Abbreviations in the order of the publication file.
-    pub(super) list: Vec<Abbreviation>,
+    pub(in crate::publication) list: Vec<Abbreviation>,
     /// Printed form of each formula, by the formula in the model's arena with all abbreviations
     /// written out.
-    pub(super) printed: FxHashMap<Expr, Expr>,
+    pub(in crate::publication) printed: FxHashMap<Expr, Expr>,
     /// Names of the model's symbols, which cannot be names of abbreviations.
     reserved: Vec<String>,
     /// Names of the model's parameters, which come before variables in printed products.
@@ -46,7 +46,7 @@ impl std::fmt::Debug for PrintedAbbreviations {
 
 impl PrintedAbbreviations {
     /// Empty store for printed formulas with abbreviations, in the symbols of the arena `model`.
-    pub(super) fn of(model: &Arena, parameters: Vec<String>) -> Self {
+    pub(in crate::publication) fn of(model: &Arena, parameters: Vec<String>) -> Self {
         Self { reserved: model.symbol_names().to_vec(), parameters, ..Self::default() }
     }
 
@@ -94,7 +94,7 @@ impl PrintedAbbreviations {
     /// Adds the abbreviation `name`, whose formula in the model's arena is `e`.
     /// An abbreviation of a single symbol, number or function, such as s1 for sin(q1), is not
     /// added: it is written out everywhere.
-    pub(super) fn add_abbreviation(&mut self, model: &Arena, name: &str, e: Expr) {
+    pub(in crate::publication) fn add_abbreviation(&mut self, model: &Arena, name: &str, e: Expr) {
         if self.arena.find_symbol(name).is_some()
             || self.reserved.iter().any(|one| one == name)
             || (!is_formula(model, e) && !self.printed.contains_key(&e))
@@ -110,7 +110,13 @@ impl PrintedAbbreviations {
 
     /// Records the printed form of the difference left − right of an equation, if either side uses
     /// an abbreviation.
-    pub(super) fn record_difference(&mut self, model: &Arena, difference: Expr, left: Expr, right: Expr) {
+    pub(in crate::publication) fn record_difference(
+        &mut self,
+        model: &Arena,
+        difference: Expr,
+        left: Expr,
+        right: Expr,
+    ) {
         if self.printed_form(left).or(self.printed_form(right)).is_none() {
             return;
         }
@@ -138,7 +144,13 @@ impl PrintedAbbreviations {
     /// an abbreviation.
     /// In `row`, abbreviations are written out: one coefficient for each unknown, then the
     /// right-hand side.
-    pub(super) fn record_row(&mut self, model: &mut Arena, equation: Expr, unknowns: &[Expr], row: &[Expr]) {
+    pub(in crate::publication) fn record_row(
+        &mut self,
+        model: &mut Arena,
+        equation: Expr,
+        unknowns: &[Expr],
+        row: &[Expr],
+    ) {
         let Some(as_printed) = self.printed_form(equation) else { return };
         let whole = linear_row_term(model, unknowns, row);
         self.printed.entry(whole).or_insert(as_printed);
@@ -162,7 +174,7 @@ impl PrintedAbbreviations {
 
     /// Symbol of an abbreviation; `None` for a name that is no abbreviation or that is always
     /// written out.
-    pub(super) fn symbol(&self, name: &str) -> Option<Expr> {
+    pub(in crate::publication) fn symbol(&self, name: &str) -> Option<Expr> {
         self.list.iter().find(|one| one.name == name).map(|one| one.symbol)
     }
 }

@@ -1,0 +1,266 @@
+//! Lagrange multipliers of printed equations that contain the constraints already.
+//!
+//! If an author has put the constraints into rows, no comparison of coefficients tells which derived
+//! rows a printed row combines. The motion does. With the derived accelerations a and multipliers λ
+//! of a state, printed rows P a + Q μ = r give the author's multipliers μ. They have the same forces
+//! as λ in all states, so μ = K λ, where K does not depend on rates and inputs. States with given
+//! rates and inputs determine K as a function of the coordinates and parameters.
+
+use super::derived_system::DerivedSystem;
+use super::lagrange_multipliers::{multiplier_row_subsets, unit_multiplier_matrix};
+use super::row_judgement::{Row, TermTools, judged_row_in_permitted_states};
+use crate::algebra::Expr;
+use crate::algebra::solve::linear::solve_linear;
+use crate::algebra::term::calculus::Substitution;
+use crate::algebra::text::print::print_text;
+use crate::algebra::value::rank::independent_rows;
+
+/// Largest number of unknowns of a system that is solved at states.
+const MOST_UNKNOWNS: usize = 10;
+/// Largest number of states that are tried to find independent multipliers.
+const MOST_STATES: i64 = 12;
+
+/// Multipliers μ of an author, who has put the constraints into rows.
+pub struct MultipliersOfMotion {
+    /// Matrix B with λ = B μ.
+    pub matrix: Vec<Row>,
+    /// Printed multipliers as sums of the derived ones, in words.
+    pub words: String,
+}
+
+/// Motion of the derived system in a state with given rates and inputs.
+struct StateOfMotion {
+    /// Numbers of the rates and inputs.
+    put: Substitution,
+    /// Accelerations and multipliers, as terms in coordinates and parameters.
+    unknowns: Row,
+}
+
+impl StateOfMotion {
+    /// Multipliers in the state; `columns` are their places among the unknowns.
+    fn multipliers(&self, columns: &[usize]) -> Row {
+        columns.iter().map(|c| self.unknowns[*c]).collect()
+    }
+}
+
+/// Printed rows that mention multipliers, whose columns are `columns`.
+fn rows_with_multipliers<'a>(printed: &'a [Row], columns: &'a [usize]) -> impl Iterator<Item = &'a Row> {
+    printed.iter().filter(|row| columns.iter().any(|c| row[*c] != Expr::ZERO))
+}
+
+impl TermTools<'_> {
+    /// Printed rows with multipliers that are combinations of the derived rows, in which λ = B μ with
+    /// the matrix `change`. The test is modulo random primes.
+    pub fn rows_that_follow(
+        &mut self,
+        order: &DerivedSystem,
+        printed: &[Row],
+        columns: &[usize],
+        change: &[Row],
+    ) -> Vec<Row> {
+        let derived: Vec<Row> = order
+            .rows
+            .iter()
+            .map(|row| {
+                let before: Vec<Expr> = columns.iter().map(|c| row[*c]).collect();
+                let mut row = row.clone();
+                for (column, value) in columns.iter().zip(self.row_times_matrix(&before, change)) {
+                    row[*column] = value;
+                }
+                judged_row_in_permitted_states(self.arena, self.comparer, &row)
+            })
+            .collect();
+        let Some(independent) = independent_rows(self.arena, &derived) else { return Vec::new() };
+        let basis: Vec<Row> = independent.iter().map(|at| derived[*at].clone()).collect();
+        let follows = |row: &&Row| {
+            let row = judged_row_in_permitted_states(self.arena, self.comparer, row);
+            let rows = [&basis[..], &[row]].concat();
+            independent_rows(self.arena, &rows).is_some_and(|found| found.len() == basis.len())
+        };
+        rows_with_multipliers(printed, columns).filter(follows).cloned().collect()
+    }
+
+    /// Finds the author's multipliers from the motion, with which more rows with multipliers follow from
+    /// the derived ones than `least`. `fixed` are the coordinates and the parameters that are no inputs.
+    ///
+    /// Rows from which K is computed follow from it in any case. So K counts only if the rows determine
+    /// the multipliers also without any one of them, or if K turns axes. Returns `None` if there is no such K.
+    pub fn multipliers_of_motion(
+        &mut self,
+        order: &DerivedSystem,
+        printed: &[Row],
+        columns: &[usize],
+        fixed: &[Expr],
+        least: usize,
+    ) -> Option<MultipliersOfMotion> {
+        if order.unknowns.len() > MOST_UNKNOWNS {
+            return None;
+        }
+        let mut seen = |row: &Row| judged_row_in_permitted_states(self.arena, self.comparer, row);
+        let derived: Vec<Row> = order.rows.iter().map(&mut seen).collect();
+        let rows: Vec<Row> = rows_with_multipliers(printed, columns).map(&mut seen).collect();
+        let used: Vec<usize> =
+            (0..columns.len()).filter(|at| rows.iter().any(|row| row[columns[*at]] != Expr::ZERO)).collect();
+        let all = self.arena.reachable(&[derived.concat(), rows.concat()].concat());
+        let varied = all.into_iter().filter(|e| self.arena.symbol_name(*e).is_some() && !fixed.contains(e)).collect();
+        let states = self.states_of_motion(&derived, columns, varied)?;
+        let mut best: Option<(usize, MultipliersOfMotion)> = None;
+        for chosen in multiplier_row_subsets(rows.len(), used.len()) {
+            let chosen: Vec<&Row> = chosen.iter().map(|at| &rows[*at]).collect();
+            let Some(matrix) = self.multiplier_matrix_of_rows(&states, &chosen, columns, &used) else { continue };
+            let words = self.printed_multiplier_words(order, columns, &used, &matrix);
+            let Some(inverse) = self.inverse_of_completed_matrix(&matrix, &used, columns.len()) else { continue };
+            let found = self.rows_that_follow(order, printed, columns, &inverse);
+            let follow = found.len();
+            if follow > best.as_ref().map_or(least, |(most, _)| *most)
+                && (self.determine_multipliers_twice(&found, columns, &used) || self.are_turned_axes(&matrix))
+            {
+                best = Some((follow, MultipliersOfMotion { matrix: inverse, words }));
+            }
+            if follow == rows.len() {
+                break;
+            }
+        }
+        best.map(|(_, found)| found)
+    }
+
+    /// States in which the derived multipliers are linearly independent, one for each of them.
+    /// `varied` are the rates and inputs, to which a state gives numbers.
+    fn states_of_motion(
+        &mut self,
+        derived: &[Row],
+        columns: &[usize],
+        varied: Vec<Expr>,
+    ) -> Option<Vec<StateOfMotion>> {
+        let independent = independent_rows(self.arena, derived)?;
+        let width = derived.first()?.len() - 1;
+        if independent.len() != width {
+            return None;
+        }
+        let mut states: Vec<StateOfMotion> = Vec::new();
+        for number in 0..MOST_STATES {
+            let value = |place: i64| (3 + 5 * number * place + place * place) % 11 - 4;
+            let values: Vec<(Expr, Expr)> =
+                varied.iter().zip(1..).map(|(symbol, place)| (*symbol, self.arena.integer(value(place)))).collect();
+            let mut put = Substitution::new(&values);
+            let at_state: Vec<Row> = independent.iter().map(|at| put.all(self.arena, &derived[*at])).collect();
+            let a: Vec<Row> = at_state.iter().map(|row| row[..width].to_vec()).collect();
+            let b: Vec<Row> = at_state.iter().map(|row| vec![row[width]]).collect();
+            let Ok((unknowns, _)) = solve_linear(self.arena, self.simplifier, &a, &b) else { continue };
+            let unknowns: Row = unknowns.iter().map(|row| self.simplifier.simplify(self.arena, row[0])).collect();
+            states.push(StateOfMotion { put, unknowns });
+            let known: Vec<Row> = states.iter().map(|state| state.multipliers(columns)).collect();
+            if independent_rows(self.arena, &known)?.len() < known.len() {
+                states.pop();
+            }
+            if states.len() == columns.len() {
+                return Some(states);
+            }
+        }
+        None
+    }
+
+    /// Matrix K with μ = K λ: a row for each used multiplier, computed from as many printed rows.
+    /// Returns `None` if these rows do not determine the multipliers.
+    fn multiplier_matrix_of_rows(
+        &mut self,
+        states: &[StateOfMotion],
+        chosen: &[&Row],
+        columns: &[usize],
+        used: &[usize],
+    ) -> Option<Vec<Row>> {
+        let (mut of_derived, mut of_printed): (Vec<Row>, Vec<Row>) = (Vec::new(), Vec::new());
+        for state in states {
+            let mut put = state.put.clone();
+            let rows: Vec<Row> = chosen.iter().map(|row| put.all(self.arena, row)).collect();
+            // Q μ = r − P a.
+            let q: Vec<Row> = rows.iter().map(|row| used.iter().map(|at| row[columns[*at]]).collect()).collect();
+            let mut rest = Vec::new();
+            for row in &rows {
+                let (right, left) = row.split_last()?;
+                let terms: Vec<Expr> = (0..left.len())
+                    .filter(|c| !columns.contains(c))
+                    .map(|c| self.arena.mul(left[c], state.unknowns[c]))
+                    .collect();
+                let sum = self.arena.sum(&terms);
+                rest.push(vec![self.arena.sub(*right, sum)]);
+            }
+            let (mu, _) = solve_linear(self.arena, self.simplifier, &q, &rest).ok()?;
+            of_derived.push(state.multipliers(columns));
+            of_printed.push(mu.iter().map(|row| self.simplifier.simplify(self.arena, row[0])).collect());
+        }
+        // Each state gives K λ = μ: the rows of λᵀ Kᵀ = μᵀ.
+        let (transposed, _) = solve_linear(self.arena, self.simplifier, &of_derived, &of_printed).ok()?;
+        let row = |i: usize| transposed.iter().map(|row| self.simplifier.simplify(self.arena, row[i])).collect();
+        Some((0..used.len()).map(row).collect())
+    }
+
+    /// True if the used multipliers are determined by the rows without any one of these.
+    fn determine_multipliers_twice(&self, rows: &[Row], columns: &[usize], used: &[usize]) -> bool {
+        let forces: Vec<Row> = rows.iter().map(|row| used.iter().map(|at| row[columns[*at]]).collect()).collect();
+        (0..forces.len()).all(|left_out| {
+            let others = [&forces[..left_out], &forces[left_out + 1..]].concat();
+            independent_rows(self.arena, &others).is_some_and(|found| found.len() == used.len())
+        })
+    }
+
+    /// True if the matrix K turns axes by angles that depend on the state: its rows are orthogonal, and
+    /// the squares of their lengths are one number.
+    fn are_turned_axes(&mut self, matrix: &[Row]) -> bool {
+        let mut product = |row: &Row, other: &Row| {
+            let terms: Vec<Expr> = row.iter().zip(other).map(|(a, b)| self.arena.mul(*a, *b)).collect();
+            let sum = self.arena.sum(&terms);
+            self.simplifier.simplify(self.arena, sum)
+        };
+        let square = product(&matrix[0], &matrix[0]);
+        let are_orthogonal = matrix.iter().enumerate().all(|(i, row)| {
+            matrix[..i].iter().all(|other| product(row, other) == Expr::ZERO) && product(row, row) == square
+        });
+        let is_number = |e: &Expr| self.arena.as_number(*e).is_some();
+        are_orthogonal && is_number(&square) && !matrix.iter().flatten().all(is_number)
+    }
+
+    /// Inverse of a matrix to which rows are added for the multipliers that no printed row mentions;
+    /// `used` are the places of the others, in the order of the rows. `None` if it is not regular.
+    fn inverse_of_completed_matrix(&mut self, matrix: &[Row], used: &[usize], width: usize) -> Option<Vec<Row>> {
+        let mut whole: Vec<Row> = vec![Row::new(); width];
+        for (at, row) in used.iter().zip(matrix) {
+            whole[*at].clone_from(row);
+        }
+        for at in 0..width {
+            if !whole[at].is_empty() {
+                continue;
+            }
+            let known: Vec<Row> = whole.iter().filter(|row| !row.is_empty()).cloned().collect();
+            whole[at] = unit_multiplier_matrix(width).into_iter().find(|row| {
+                let rows = [&known[..], std::slice::from_ref(row)].concat();
+                independent_rows(self.arena, &rows).is_some_and(|found| found.len() == rows.len())
+            })?;
+        }
+        let (inverse, _) = solve_linear(self.arena, self.simplifier, &whole, &unit_multiplier_matrix(width)).ok()?;
+        let simplified = |row: Row| row.into_iter().map(|e| self.simplifier.simplify(self.arena, e)).collect();
+        Some(inverse.into_iter().map(simplified).collect())
+    }
+
+    /// Describes the printed multipliers: each as a sum of derived ones.
+    fn printed_multiplier_words(
+        &mut self,
+        order: &DerivedSystem,
+        columns: &[usize],
+        used: &[usize],
+        matrix: &[Row],
+    ) -> String {
+        let mut list = Vec::new();
+        for (at, row) in used.iter().zip(matrix) {
+            let terms: Vec<Expr> =
+                row.iter().zip(columns).map(|(k, c)| self.arena.mul(*k, order.unknowns[*c])).collect();
+            let sum = self.arena.sum(&terms);
+            let printed = order.unknowns[columns[*at]];
+            if sum != printed {
+                let (name, sum) = (print_text(self.arena, printed), print_text(self.arena, sum));
+                list.push(format!("with the derived values, the printed {name} is {sum}"));
+            }
+        }
+        format!("multipliers of its own: {}", list.join(", "))
+    }
+}

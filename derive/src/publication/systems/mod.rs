@@ -1,0 +1,5 @@
+//! Reading of printed systems of equations, of Coriolis matrices, and the text of rows.
+
+pub(super) mod coriolis_matrix;
+pub(super) mod printed_system;
+pub(super) mod row_text;
