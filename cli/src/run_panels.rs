@@ -215,7 +215,7 @@ pub fn integrals(watch: &WatchedInvariants, curves: &[RunCurves]) -> Vec<Panel> 
             series
         };
         Panel {
-            title: format!("{symbol} : {}", integral.name()),
+            title: format!("{symbol} : {}", integral.name),
             x_label: "t [s]".to_owned(),
             y_label: format!("| {symbol} − {symbol} (t₀) | [{}]", integral.unit),
             scale: Scale::Logarithmic,

@@ -54,14 +54,14 @@ fn every_model_is_proved_by_the_normal_form() {
 fn the_disk_has_its_six_integrals() {
     let (derivations, proof) = proof_of("models/disk/model.toml");
     let model = read("models/disk/model.toml");
-    let names = proof.integrals.iter().map(|i| i.name(&model, &derivations.kinematics.arena));
+    let names = proof.integrals.iter().map(|i| i.full_name(&model, &derivations.kinematics.arena));
     assert_eq!(
         names.collect::<Vec<_>>(),
         [
             "energy T + V",
             "momentum p_q3 = ∂L/∂q3'",
-            "momentum p_q4 = ∂L/∂q4'; linear momentum along a1",
-            "momentum p_q5 = ∂L/∂q5'; linear momentum along a2",
+            "momentum p_q4 = ∂L/∂q4' (also linear momentum along a1)",
+            "momentum p_q5 = ∂L/∂q5' (also linear momentum along a2)",
             "angular momentum about a3 through the mass centre",
             "angular momentum about a3 through O",
         ]

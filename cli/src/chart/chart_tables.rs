@@ -39,7 +39,7 @@ pub fn write_chart_tables(out: &Path, list: &[Measurement], integrals: &[Conserv
     let header = ["formulation", "solve", "method", "tolerance", "integral", "drift"];
     let rows = list.iter().flat_map(|m| {
         let each = integrals.iter().zip(&m.drifts);
-        each.map(move |(integral, drift)| [key(m), vec![integral.to_string(), format!("{drift:e}")]].concat())
+        each.map(move |(integral, drift)| [key(m), vec![integral.name.clone(), format!("{drift:e}")]].concat())
     });
     write_table_file(&out.join("drifts.csv"), &header, rows)
 }

@@ -278,7 +278,7 @@ fn integrals(model: &Mechanism, scene: &Scene, run: &Run) -> Result<Vec<Integral
     let changes = watch.integrals.iter().zip(values).map(|(integral, values)| {
         let first = values.first().copied().unwrap_or(f64::NAN);
         let changes = values.iter().map(|value| (value - first).abs()).collect();
-        IntegralChange { name: integral.name().to_owned(), unit: integral.unit.clone(), changes }
+        IntegralChange { name: integral.name.clone(), unit: integral.unit.clone(), changes }
     });
     Ok(changes.collect())
 }

@@ -94,6 +94,7 @@ pub fn json_of(model: &Mechanism, arena: &Arena, proof: &Proof) -> Value {
         .map(|integral| {
             json!({
                 "name": integral.name(model, arena),
+                "also": integral.names(model, arena).split_off(1),
                 "expression": print_whole_text(arena, integral.expression),
                 "except_where": integral.divisors(arena).iter().map(|e| format!("{} = 0", print_whole_text(arena, *e))).collect::<Vec<_>>(),
                 "verdict": if integral.verdict.is_equal() { "proved" } else { proof_verdict_word(&integral.verdict) },
@@ -170,7 +171,7 @@ fn text_of(model: &Mechanism, arena: &Arena, proof: &Proof) -> String {
         let _ = writeln!(
             out,
             "  {}: {verdict}\n    {}",
-            integral.name(model, arena),
+            integral.full_name(model, arena),
             print_text(arena, integral.expression)
         );
         let divisors: Vec<String> =

@@ -92,7 +92,7 @@ fn as_json(model: &Mechanism, scene: &Scene, run: &Run) -> Value {
     let solution = &run.solution;
     let mut drift = Map::new();
     drift.insert("energy".to_owned(), json!(run.energy_drift));
-    drift.extend(drifts_except_energy(run).map(|drift| (drift.integral.to_string(), json!(drift.change))));
+    drift.extend(run.drifts.iter().map(|drift| (drift.integral.name.clone(), json!(drift.change))));
     let named = |list: Option<&[f64]>| -> Value { list.map_or(Value::Null, |list| Value::Object(named_values(list))) };
     let digits = run.digits.as_ref();
     let event = |(at, e): (usize, &EventRecord)| {
@@ -291,7 +291,7 @@ fn as_text(model: &Mechanism, scene: &Scene, run: &Run) -> String {
     }
     for drift in drifts_except_energy(run) {
         let _ =
-            writeln!(out, "largest change of {}: {}", drift.integral.name(), with_significant_digits(drift.change, 3));
+            writeln!(out, "largest change of {}: {}", drift.integral.name, with_significant_digits(drift.change, 3));
     }
     out
 }

@@ -3,7 +3,7 @@
 //! Candidates come from a stated search (see [`find_first_integrals`]). Each integral I is proved by
 //! the identity dI/dt − λᵀ (M u̇ − f) = 0 in q, u and free u̇, with the known multipliers λ = J ξ.
 
-use super::integral_kind::{IntegralKind, integral_addition_text};
+use super::integral_kind::IntegralKind;
 use super::noether::{NoetherTerms, VectorField};
 use super::rigid_motions;
 use super::verdicts::{Compared, verdict_on_pairs};
@@ -56,17 +56,19 @@ impl Integral {
         kinds.map(|(kind, place)| kind.integral_description(model, arena, xi, *place)).collect()
     }
 
-    /// Short name of the integral by its first kind. `arena` contains the integral's terms.
-    #[must_use]
-    pub fn title(&self, model: &Model, arena: &Arena) -> String {
-        self.kinds[0].title(model) + &integral_addition_text(arena, self.of_places[0])
-    }
-
-    /// Description of all kinds of the integral in a single text. `arena` contains the integral's
-    /// terms.
+    /// Name of the integral in all results: the description of its first kind. `arena` contains the
+    /// integral's terms.
     #[must_use]
     pub fn name(&self, model: &Model, arena: &Arena) -> String {
-        self.names(model, arena).join("; ")
+        self.names(model, arena).swap_remove(0)
+    }
+
+    /// Descriptions of all kinds of the integral in one text. `arena` contains the integral's terms.
+    #[must_use]
+    pub fn full_name(&self, model: &Model, arena: &Arena) -> String {
+        let names = self.names(model, arena);
+        let (name, others) = (&names[0], &names[1..]);
+        if others.is_empty() { name.clone() } else { format!("{name} (also {})", others.join(", ")) }
     }
 
     /// True if a kind of the integral is the energy T + V; false for momenta and Jacobi's integral.

@@ -144,7 +144,7 @@ fn excursions_for_objections<'a>(
 
 /// Objection that states the change of a first integral, with its instant.
 fn excursion_objection((integral, Excursion { t, change, .. }): &Worst<'_>) -> String {
-    let (name, unit, t) = (integral.name(), &integral.unit, with_significant_digits(*t, 4));
+    let (name, unit, t) = (&integral.name, &integral.unit, with_significant_digits(*t, 4));
     if change.is_nan() {
         return format!("{name}, constant in this motion, has no value at t = {t} s: do not trust this run");
     }

@@ -7,7 +7,6 @@
 use crate::code::compile_tape;
 use crate::error::Error;
 use crate::preparation::problem::Problem;
-use std::fmt;
 use tripos_derive::Model;
 use tripos_derive::algebra::Arena;
 use tripos_derive::algebra::text::print::print_text;
@@ -23,11 +22,8 @@ use tripos_traits::larger;
 pub struct ConservedQuantity {
     /// Kind of the integral, such as energy or a momentum.
     pub kind: IntegralKind,
-    /// Short title, such as `momentum p_q3`.
-    pub title: String,
-    /// Full names of the first integral; several if the function, or its negative, is several
-    /// quantities at once.
-    pub names: Vec<String>,
+    /// Name of the first integral in all results, such as `momentum p_q3 = ∂L/∂q3'`.
+    pub name: String,
     /// Unit of the first integral, such as J; "SI" if the unit is not known.
     pub unit: String,
 }
@@ -41,19 +37,7 @@ impl ConservedQuantity {
             None => "SI".to_owned(),
         };
         let kind = integral.kinds[0];
-        Self { kind, title: integral.title(model, arena), names: integral.names(model, arena), unit }
-    }
-
-    /// First of the full names of the integral.
-    #[must_use]
-    pub fn name(&self) -> &str {
-        &self.names[0]
-    }
-}
-
-impl fmt::Display for ConservedQuantity {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.names.join("; "))
+        Self { kind, name: integral.name(model, arena), unit }
     }
 }
 

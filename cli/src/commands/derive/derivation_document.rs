@@ -191,7 +191,7 @@ impl Document {
             self.blocks.push(Block::Words("None found.".to_owned()));
         }
         for (at, integral) in list.iter().enumerate() {
-            self.heading(Level::Item, &integral.name(model, arena));
+            self.heading(Level::Item, &integral.full_name(model, arena));
             let value = print_view(arena, integral.expression);
             self.blocks.push(Block::Equations(vec![(LeftSide::Entry('C', vec![at + 1]), value)]));
         }

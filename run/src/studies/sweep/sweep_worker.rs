@@ -121,7 +121,7 @@ impl<'a> Sweep<'a> {
     /// large model, they are not proved, and only the energy is named. Empty if nothing is constant.
     pub fn conserved_names(&self) -> Vec<&str> {
         match &self.watch {
-            Some(watch) => watch.integrals.iter().map(|integral| integral.title.as_str()).collect(),
+            Some(watch) => watch.integrals.iter().map(|integral| integral.name.as_str()).collect(),
             None if self.conserves_energy() => vec!["energy T + V"],
             None => Vec::new(),
         }
