@@ -255,7 +255,7 @@ fn a_controller_closes_the_loop_of_compiled_and_of_interpreted_equations() {
     let gains = [4.0, 4.0, 4.0, 0.01, 0.01, 0.002];
     let damped = || {
         move |sample: &tripos::ControllerSample<'_>| {
-            sample.state[6..].iter().zip(gains).map(|(u, gain)| -gain * u).collect()
+            sample.values[6..12].iter().zip(gains).map(|(u, gain)| -gain * u).collect()
         }
     };
     let how = Overrides { until: Some(0.5), ..Overrides::default() };
@@ -264,7 +264,7 @@ fn a_controller_closes_the_loop_of_compiled_and_of_interpreted_equations() {
     let (interpreted, compiled) = (run(&scene), run(&scene.clone().with_compiled_equations(tripos_models::MODELS)));
     assert_eq!([interpreted.code.name(), compiled.code.name()], ["interpreted", "compiled"]);
     assert_eq!(interpreted.decisions.len(), 50);
-    assert!(interpreted.decisions[49].values.iter().any(|tau| tau.abs() > 1.0));
+    assert!(interpreted.decisions[49].inputs.iter().any(|tau| tau.abs() > 1.0));
     for (a, b) in interpreted.end.iter().zip(&compiled.end) {
         assert!((a - b).abs() < 1e-9, "{a} {b}");
     }

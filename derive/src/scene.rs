@@ -29,7 +29,9 @@ pub use motions::prescribed_motion::{Formulas, Motion, MotionForm, MotionSample,
 pub use numbers::number_reader::NamedNumber;
 pub use settings::impacts::{ContactFriction, ImpactContact, ImpactLaw};
 pub(crate) use settings::integration::SOLVES;
-pub use settings::integration::{AccelerationSolution, Integration, Integrator, ProjectionTarget};
+pub use settings::integration::{
+    AccelerationSolution, Integration, Integrator, ProjectionTarget, SAMPLES, STEP_LIMITS,
+};
 pub use settings::outputs::{ENERGIES, load_output};
 pub use starts::loops::{DependentLoop, Loops};
 pub use starts::start::{ExactStart, InitialMotion, SolvedVariable};

@@ -35,8 +35,9 @@ static IS_INTERRUPTED: AtomicBool = AtomicBool::new(false);
 /// process at this moment would never see it released.
 static RAISED: Mutex<Option<PyErr>> = Mutex::new(None);
 
-/// True if the user interrupted Python; [`raise_signal`] raises the exception after the run.
-fn is_interrupted() -> bool {
+/// Calls `look` with the lock of the interpreter if it is time for a look at Python, and remembers an exception that it
+/// raises. True if there is an exception, which [`raise_signal`] raises after the run.
+fn is_interrupted_after(look: impl Fn(Python<'_>) -> PyResult<()>) -> bool {
     static BEGIN: OnceLock<Instant> = OnceLock::new();
     let now = u64::try_from(BEGIN.get_or_init(Instant::now).elapsed().as_millis()).unwrap_or(u64::MAX);
     let looked = LOOKED.load(Ordering::Relaxed);
@@ -45,12 +46,17 @@ fn is_interrupted() -> bool {
         && LOOKED.compare_exchange(looked, now, Ordering::Relaxed, Ordering::Relaxed).is_ok();
     if is_time
         && !IS_INTERRUPTED.load(Ordering::Acquire)
-        && let Some(signal) = Python::attach(|py| py.check_signals().err())
+        && let Some(signal) = Python::attach(|py| look(py).err())
     {
         *RAISED.lock().unwrap_or_else(PoisonError::into_inner) = Some(signal);
         IS_INTERRUPTED.store(true, Ordering::Release);
     }
     IS_INTERRUPTED.load(Ordering::Acquire)
+}
+
+/// True if the user interrupted Python; [`raise_signal`] raises the exception after the run.
+fn is_interrupted() -> bool {
+    is_interrupted_after(|py| py.check_signals())
 }
 
 /// Raises the exception of a signal that came during the last run.
@@ -63,9 +69,15 @@ fn raise_signal(py: Python<'_>) -> PyResult<()> {
     py.check_signals()
 }
 
-/// Observer that ends long work if the user interrupts Python.
-fn observer() -> Observer {
-    let poll = |_| if is_interrupted() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
+/// Observer that ends long work if the user interrupts Python. It calls `report` with the time that a run has reached, s.
+fn observer(report: Option<Py<PyAny>>) -> Observer {
+    let poll = move |t: f64| {
+        let is_interrupted = is_interrupted_after(|py| {
+            py.check_signals()?;
+            report.as_ref().map_or(Ok(()), |report| report.call1(py, (t,)).map(drop))
+        });
+        if is_interrupted { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    };
     Observer::new(Poll::new(poll), is_interrupted)
 }
 
@@ -94,9 +106,11 @@ fn overrides(settings: Option<&Bound<'_, PyDict>>) -> PyResult<Overrides> {
             "max_step" => how.max_step = Some(value.extract()?),
             "rtol" => how.rtol = Some(value.extract()?),
             "atol" => how.atol = Some(value.extract()?),
+            "step_limit" => how.step_limit = Some(value.extract()?),
+            "samples" => how.samples = Some(value.extract()?),
             "until" => how.until = Some(value.extract()?),
             name => {
-                let names = "by, method, project, solve, step, max_step, rtol, atol, until";
+                let names = "by, method, project, solve, step, max_step, rtol, atol, step_limit, samples, until";
                 return Err(RequestError::new_err(format!("there is no setting `{name}`; settings are {names}")));
             }
         }
@@ -106,12 +120,18 @@ fn overrides(settings: Option<&Bound<'_, PyDict>>) -> PyResult<Overrides> {
 
 impl Scene {
     fn new(scene: tripos::Scene) -> Self {
-        Self { scene: Mutex::new(scene.with_compiled_equations(MODELS).with_observer(observer())) }
+        Self { scene: Mutex::new(scene.with_compiled_equations(MODELS).with_observer(observer(None))) }
     }
 
     /// Copy of the scene, for work without the lock of the interpreter.
     fn copied(&self) -> tripos::Scene {
         self.scene.lock().unwrap_or_else(PoisonError::into_inner).clone()
+    }
+
+    /// Copy of the scene whose runs call `report` with the time that they have reached, s.
+    fn reporting(&self, report: Option<Py<PyAny>>) -> tripos::Scene {
+        let scene = self.copied();
+        if report.is_some() { scene.with_observer(observer(report)) } else { scene }
     }
 }
 
@@ -150,10 +170,17 @@ impl Scene {
         Ok(())
     }
 
-    /// Runs the scene with settings that replace those of its file.
-    #[pyo3(signature = (settings=None))]
-    fn run(&self, py: Python<'_>, settings: Option<&Bound<'_, PyDict>>) -> PyResult<Run> {
-        let (scene, how) = (self.copied(), overrides(settings)?);
+    /// First and last instant of a run, s.
+    #[getter]
+    fn span(&self) -> (f64, f64) {
+        self.copied().description().span
+    }
+
+    /// Runs the scene with settings that replace those of its file. `report` is called some times with the time that
+    /// the run has reached, s; then a second run, for the digits, begins again.
+    #[pyo3(signature = (settings=None, report=None))]
+    fn run(&self, py: Python<'_>, settings: Option<&Bound<'_, PyDict>>, report: Option<Py<PyAny>>) -> PyResult<Run> {
+        let (scene, how) = (self.reporting(report), overrides(settings)?);
         let run = py.detach(|| scene.simulate(&how));
         raise_signal(py)?;
         run.map(|run| Run { run }).map_err(|error| raised(py, &error))
@@ -209,10 +236,10 @@ impl Scene {
         Ok((value, table, found.run.objections().into_iter().chain(found.missing()).collect()))
     }
 
-    /// Runs the scene with inputs that a Python function sets at instants: `controller(t, state)` gets a dictionary of
-    /// coordinates and speeds, and returns the values of the inputs. `make` returns a new controller for each run.
+    /// Runs the scene with inputs that a Python function sets at instants: `controller(t, values)` gets a dictionary of
+    /// the shown quantities, and returns the values of the inputs: numbers, or a number for one input. `make` returns a new controller for each run.
     #[expect(clippy::needless_pass_by_value, reason = "arguments as Python gives them")]
-    #[pyo3(signature = (inputs, instants, make, settings=None))]
+    #[pyo3(signature = (inputs, instants, make, settings=None, report=None))]
     fn run_sampled<'py>(
         &self,
         py: Python<'py>,
@@ -220,27 +247,30 @@ impl Scene {
         instants: Vec<f64>,
         make: &Bound<'py, PyAny>,
         settings: Option<&Bound<'py, PyDict>>,
+        report: Option<Py<PyAny>>,
     ) -> PyResult<SampledRun> {
-        let (scene, how) = (self.copied(), overrides(settings)?);
+        let (scene, how) = (self.reporting(report), overrides(settings)?);
         let failed: Mutex<Option<PyErr>> = Mutex::new(None);
         let names: Vec<&str> = inputs.iter().map(String::as_str).collect();
         let count = names.len();
         let controller = || {
             let own = make.call0();
-            let failed = &failed;
+            let (failed, names) = (&failed, &names);
             move |sample: &ControllerSample<'_>| {
                 let call = || -> PyResult<Vec<f64>> {
-                    let state = PyDict::new(py);
-                    for (name, value) in sample.names.iter().zip(sample.state) {
-                        state.set_item(name, value)?;
-                    }
+                    let values = values_by_name(py, sample.names, sample.values)?;
                     let own = own.as_ref().map_err(|error| error.clone_ref(py))?;
-                    let values: Vec<f64> = own.call1((sample.t, state))?.extract()?;
-                    if values.len() == count && values.iter().all(|value| value.is_finite()) {
-                        return Ok(values);
+                    let returned = own.call1((sample.t, values))?;
+                    let numbers = returned.extract::<Vec<f64>>().or_else(|_| returned.extract().map(|x| vec![x]));
+                    match numbers {
+                        Ok(numbers) if numbers.len() == count && numbers.iter().all(|x| x.is_finite()) => Ok(numbers),
+                        _ => Err(RequestError::new_err(format!(
+                            "the controller returned {} at t = {} s; return a finite number for each of {}",
+                            returned.repr()?,
+                            sample.t,
+                            names.join(", "),
+                        ))),
                     }
-                    let what = format!("the controller returned {values:?}, not {count} finite numbers");
-                    Err(RequestError::new_err(what))
                 };
                 let stopped = failed.lock().is_ok_and(|failed| failed.is_some());
                 if stopped {
@@ -338,7 +368,7 @@ impl Run {
     #[getter]
     fn drift<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let (names, changes): (Vec<String>, Vec<f64>) =
-            self.run.drifts.iter().map(|drift| (drift.integral.name().to_owned(), drift.change)).unzip();
+            self.run.drifts.iter().map(|drift| (drift.integral.name.clone(), drift.change)).unzip();
         values_by_name(py, &names, &changes)
     }
 
@@ -374,7 +404,7 @@ impl SampledRun {
         PyArray1::from_slice(py, &self.run.t)
     }
 
-    /// Values of the coordinates and generalized speeds: a row for each sample.
+    /// Values of the shown quantities: a row for each sample.
     #[getter]
     fn values<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         rows_as_array(py, &self.run.states, self.run.names.len())
@@ -393,6 +423,18 @@ impl SampledRun {
         errors.map(|errors| values_by_name(py, &self.run.names, errors)).transpose()
     }
 
+    /// Correct digits at the end, by names; `None` if they are not known.
+    #[getter]
+    fn digits<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
+        let digits = self.run.digits_at_end.as_ref();
+        digits.map(|digits| values_by_name(py, &self.run.names, digits)).transpose()
+    }
+
+    #[getter]
+    fn is_trusted(&self) -> bool {
+        self.run.is_trusted()
+    }
+
     /// Instants at which the controller set the inputs, s.
     #[getter]
     fn decision_times<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
@@ -402,7 +444,7 @@ impl SampledRun {
     /// Values of the inputs: a row for each of the instants.
     #[getter]
     fn decisions<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let rows: Vec<Vec<f64>> = self.run.decisions.iter().map(|decision| decision.values.clone()).collect();
+        let rows: Vec<Vec<f64>> = self.run.decisions.iter().map(|decision| decision.inputs.clone()).collect();
         rows_as_array(py, &rows, self.run.inputs.len())
     }
 
@@ -415,20 +457,13 @@ impl SampledRun {
     /// Reasons not to trust the run.
     #[getter]
     fn warnings(&self) -> Vec<String> {
-        let mut warnings = self.run.warnings.clone();
-        if self.run.stop.is_failure() {
-            warnings.push(self.ending());
-        } else if self.run.errors_at_end.is_none() && warnings.is_empty() {
-            warnings
-                .push("the errors at the end are not known: the second run did not come to the same end".to_owned());
-        }
-        warnings
+        self.run.objections()
     }
 
     /// Sentence that says when and why the run ended.
     #[getter]
     fn ending(&self) -> String {
-        format!("ended at t = {} s: {}", self.run.t_end, self.run.stop.described(&self.run.names))
+        self.run.ending()
     }
 }
 

@@ -83,7 +83,7 @@ def test_the_model_of_a_scene_has_the_file_of_the_model():
     assert scene.model.path.resolve() == (MODELS / "furuta/model.toml").resolve()
 
 
-@pytest.mark.parametrize("answer", [[], [1.0, 2.0], [float("nan")], ["x"], None, 3.0])
+@pytest.mark.parametrize("answer", [[], [1.0, 2.0], [float("nan")], ["x"], None])
 def test_a_controller_that_returns_nonsense_is_refused(answer):
     scene = tripos.Scene.from_text(tripos.Model.from_text(CART), START)
     with pytest.raises((tripos.RequestError, TypeError, ValueError)):
@@ -148,3 +148,38 @@ def test_few_digits_of_a_run_with_a_controller_are_a_warning():
     with pytest.warns(tripos.UntrustedRunWarning, match="fewer than three digits"):
         run = scene.sampled(["F"], np.arange(0.0, 20.0, 0.5), switch, rtol=1e-2, atol=1e-2)
     assert run.warnings
+
+
+def test_a_controller_may_return_a_number_and_use_outputs():
+    model = tripos.Model.from_text(CART)
+    scene = tripos.Scene.from_text(model, 'outputs = ["theta", { name = "height", value = "-l*cos(theta)" }]\n' + START)
+    run = scene.sampled(["F"], [0.0, 1.0], lambda t, values: np.float64(values["height"]))
+    assert run.names == ["theta", "omega", "height"]
+    assert run.decisions[0, 0] == run["height"][0] == -np.cos(0.5)
+    assert run.digits["height"] > 3 and run.is_trusted
+    with pytest.raises(tripos.RequestError, match=r"returned 'no' at t = 0.5 s; return a finite number for each of F"):
+        scene.sampled(["F"], [0.5], lambda t, values: "no")
+
+
+def test_progress_is_shown_where_tqdm_is(capsys):
+    pytest.importorskip("tqdm")
+    scene = tripos.Scene.from_text(tripos.Model.from_text(tripos.EXAMPLE), START.replace("[0, 2]", "[0, 2000]"))
+    run = scene.simulate(progress=True, rtol=1e-12, by="kane")
+    shown = capsys.readouterr().err
+    assert "run:" in shown and "of 2000 s" in shown
+    assert run.end == scene.simulate(rtol=1e-12, by="kane").end
+
+
+def test_samples_and_the_step_limit_are_settings():
+    scene = tripos.Scene.from_text(tripos.Model.from_text(tripos.EXAMPLE), START)
+    assert scene.simulate(samples=5).t.tolist() == [0.0, 0.5, 1.0, 1.5, 2.0]
+    with pytest.warns(tripos.UntrustedRunWarning, match="3 steps|limit"):
+        assert not scene.simulate(step_limit=3).is_trusted
+    for setting in [{"samples": 1}, {"step_limit": 0}]:
+        with pytest.raises(tripos.RequestError, match="whole number from"):
+            scene.simulate(**setting)
+
+
+def test_a_view_of_an_untrusted_run_warns_as_the_run_does():
+    with pytest.warns(tripos.UntrustedRunWarning):
+        tripos.Scene(MODELS / "disk/scenes/report.toml").view(by="kane")

@@ -2,7 +2,8 @@
 
 use crate::equations_name::EquationsName;
 use crate::error::Error;
-use tripos_derive::scene::{AccelerationSolution, Integrator, ProjectionTarget, Scene};
+use std::ops::RangeInclusive;
+use tripos_derive::scene::{AccelerationSolution, Integrator, ProjectionTarget, SAMPLES, STEP_LIMITS, Scene};
 
 /// Settings of one run that replace the integration settings of its scene. `None` keeps the scene's
 /// value.
@@ -26,6 +27,10 @@ pub struct Overrides {
     pub rtol: Option<f64>,
     /// Absolute tolerance of the error of each step, for every component of the state in its own unit.
     pub atol: Option<f64>,
+    /// Largest number of attempted steps.
+    pub step_limit: Option<u64>,
+    /// Number of equally spaced samples, both ends included.
+    pub samples: Option<usize>,
     /// Last instant of the run, s. The run goes backwards in time if it is before the scene's first
     /// instant.
     pub until: Option<f64>,
@@ -87,6 +92,14 @@ impl Overrides {
             let help = "give at least one tolerance above zero";
             return Err(Error::request("rtol and atol are both zero".to_owned(), help.to_owned()));
         }
+        if let Some(limit) = self.step_limit {
+            check_count("step limit", limit, &STEP_LIMITS)?;
+            scene.integration.step_limit = limit;
+        }
+        if let Some(samples) = self.samples {
+            check_count("number of samples", u64::try_from(samples).unwrap_or(u64::MAX), &SAMPLES)?;
+            scene.integration.samples = Some(samples);
+        }
         if let Some(until) = self.until {
             if !until.is_finite() || until - scene.span.0 == 0.0 {
                 let help = format!("the run starts at {}: give another instant", scene.span.0);
@@ -96,4 +109,16 @@ impl Overrides {
         }
         Ok(())
     }
+}
+
+/// Checks that a number of steps or samples is in its range.
+///
+/// # Errors
+/// [`Error::Request`] if it is not.
+fn check_count(name: &str, count: u64, range: &RangeInclusive<u64>) -> Result<(), Error> {
+    if range.contains(&count) {
+        return Ok(());
+    }
+    let help = format!("give a whole number from {} to {}", range.start(), range.end());
+    Err(Error::request(format!("the {name} is {count}"), help))
 }

@@ -240,7 +240,7 @@ impl Scene {
     /// let controller = || {
     ///     let mut sum = 0.0;
     ///     move |sample: &ControllerSample<'_>| {
-    ///         let (x, v) = (sample.state[0], sample.state[1]);
+    ///         let (x, v) = (sample.values[0], sample.values[1]);
     ///         sum += 0.05 * x;
     ///         vec![-8.0 * x - 6.0 * v - 2.0 * sum]
     ///     }

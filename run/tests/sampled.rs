@@ -71,7 +71,7 @@ fn exact() -> Vec<[f64; 2]> {
 }
 
 fn controlled(scene: &Scene, how: &Overrides) -> SampledRun {
-    let controller = || |sample: &ControllerSample<'_>| vec![feedback([sample.state[0], sample.value("v").unwrap()])];
+    let controller = || |sample: &ControllerSample<'_>| vec![feedback([sample.values[0], sample.value("v").unwrap()])];
     scene.simulate_sampled(&["F"], &instants(), controller, how).unwrap_or_else(|e| panic!("{how:?}: {e}"))
 }
 
@@ -93,7 +93,7 @@ fn a_closed_loop_is_the_sampled_data_system_of_the_textbook_by_every_method() {
             assert_eq!(run.decisions.len(), 29);
             for ((decision, instant), truth) in run.decisions.iter().zip(instants()).zip(&exact) {
                 assert_eq!(decision.t.to_bits(), instant.to_bits());
-                let error = (decision.state[0] - truth[0]).abs().max((decision.state[1] - truth[1]).abs());
+                let error = (decision.values[0] - truth[0]).abs().max((decision.values[1] - truth[1]).abs());
                 assert!(error < tolerance, "{method:?}: {error:e} at {instant}");
                 assert!(run.t.iter().any(|t| t.to_bits() == instant.to_bits()), "a step ends at {instant}");
             }
@@ -150,9 +150,41 @@ fn the_second_run_decides_by_itself() {
     };
     let run = scene("").simulate_sampled(&["F"], &[0.0], controller, &Overrides::default()).unwrap();
     assert_eq!(made.get(), 2);
-    assert_eq!(run.decisions[0].values, [1.0]);
+    assert_eq!(run.decisions[0].inputs, [1.0]);
     let apart = (turned([0.1, 0.3], 1.0, 3.0)[0] - turned([0.1, 0.3], 2.0, 3.0)[0]).abs();
     assert!((run.errors_at_end.unwrap()[0] - apart).abs() < 1e-9);
+}
+
+/// Goal: outputs are shown, and a controller may use them. Method: an acceleration, whose force is the input before the
+/// decision, and an energy; both have closed forms at the exact states.
+#[test]
+fn a_controller_receives_the_outputs_of_the_scene() {
+    let more = "outputs = [\"x\", { name = \"a\", value = \"v'\" }, \"kinetic_energy\"]\n";
+    let model = tripos_derive::model::load(&Source::from_text("model.toml", MODEL)).unwrap_or_else(|e| panic!("{e}"));
+    let scene = Scene::parse(Mechanism::new(model), &format!("{more}{SCENE}")).unwrap_or_else(|e| panic!("{e}"));
+    let controller = || {
+        |sample: &ControllerSample<'_>| {
+            vec![feedback([sample.value("x").unwrap(), sample.value("v").unwrap()]) + 0.0 * sample.value("a").unwrap()]
+        }
+    };
+    let run = scene.simulate_sampled(&["F"], &instants(), controller, &Overrides::default()).unwrap();
+    assert_eq!(run.names, ["x", "v", "a", "kinetic_energy"]);
+    let mut force = 0.5;
+    for (decision, [x, v]) in run.decisions.iter().zip(exact()) {
+        assert!((decision.values[2] - (force - 8.0 * x) / 2.0).abs() < 1e-9, "{decision:?}");
+        assert!((decision.values[3] - v * v).abs() < 1e-9, "{decision:?}");
+        force = feedback([x, v]);
+    }
+    assert!(run.is_trusted() && run.digits_at_end.unwrap().iter().all(|digits| *digits > 7.0));
+    assert_eq!(run.end.len(), 4);
+
+    // An output without a value is an objection.
+    let more = "outputs = [\"x\", { name = \"root\", value = \"sqrt(x - 0.05)\" }]\n";
+    let model = tripos_derive::model::load(&Source::from_text("model.toml", MODEL)).unwrap_or_else(|e| panic!("{e}"));
+    let scene = Scene::parse(Mechanism::new(model), &format!("{more}{SCENE}")).unwrap_or_else(|e| panic!("{e}"));
+    let run = scene.simulate_sampled(&["F"], &[], controller, &Overrides::default()).unwrap();
+    assert!(run.objections().iter().any(|text| text.starts_with("`root` has no value at t = ")), "{:?}", run.warnings);
+    assert!(!run.is_trusted());
 }
 
 #[test]

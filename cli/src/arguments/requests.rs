@@ -185,6 +185,12 @@ pub struct RunOptions {
     /// Absolute tolerance
     #[arg(long)]
     pub atol: Option<f64>,
+    /// The largest number of attempted steps
+    #[arg(long)]
+    pub step_limit: Option<u64>,
+    /// The number of equally spaced samples, both ends included
+    #[arg(long)]
+    pub samples: Option<usize>,
     /// The last instant, s; before the first, the run goes backward
     #[arg(long, allow_negative_numbers = true)]
     pub until: Option<f64>,
@@ -196,7 +202,7 @@ impl RunOptions {
     /// # Errors
     /// [`Error::Request`] for an unknown name of a method, solve or invariant.
     pub fn overrides(&self) -> Result<Overrides, Error> {
-        let Self { by, method, project, solve, step, max_step, rtol, atol, until } = self;
+        let Self { by, method, project, solve, step, max_step, rtol, atol, step_limit, samples, until } = self;
         Ok(Overrides {
             by: by.as_deref().map(EquationsName::from),
             method: method.as_deref().map(str::parse).transpose()?,
@@ -206,6 +212,8 @@ impl RunOptions {
             max_step: *max_step,
             rtol: *rtol,
             atol: *atol,
+            step_limit: *step_limit,
+            samples: *samples,
             until: *until,
         })
     }

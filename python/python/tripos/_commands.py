@@ -70,8 +70,14 @@ def text_of(command: str, *arguments: Union[str, "os.PathLike[str]"], **options:
     return result.output
 
 
-def answer(command: str, *arguments: Union[str, "os.PathLike[str]"], **options: Option) -> Any:
-    """Answer of a command as Python objects, from its JSON. A failure is raised, and each warning is a Python warning.
+def answer(
+    command: str,
+    *arguments: Union[str, "os.PathLike[str]"],
+    warning: type[TriposWarning] = TriposWarning,
+    **options: Option,
+) -> Any:
+    """Answer of a command as Python objects, from its JSON. A failure is raised, and each warning is a Python warning
+    of the class `warning`.
 
     >>> import tripos
     >>> model = tripos.Model.from_text(tripos.EXAMPLE)
@@ -79,7 +85,7 @@ def answer(command: str, *arguments: Union[str, "os.PathLike[str]"], **options: 
     True
     """
     result = run_command(command, *arguments, json=True, **options)
-    warn_of(result.messages)
+    warn_of(result.messages, warning)
     try:
         value = json.loads(result.output)
     except ValueError:
@@ -89,10 +95,10 @@ def answer(command: str, *arguments: Union[str, "os.PathLike[str]"], **options: 
     return value
 
 
-def warn_of(messages: str) -> None:
-    """Makes each warning of a command a Python warning."""
+def warn_of(messages: str, category: type[TriposWarning] = TriposWarning) -> None:
+    """Makes each warning of a command a Python warning of a class."""
     for text in re.findall(r"^warning: (.*(?:\n(?!warning: |error: |note: )[ \t].*)*)", messages, flags=re.MULTILINE):
-        warnings.warn(text, TriposWarning, stacklevel=4)
+        warnings.warn(text, category, stacklevel=4)
 
 
 def failure(messages: str, error: Mapping[str, Any], status: int) -> Exception:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import pathlib
 import tempfile
@@ -16,6 +17,10 @@ from . import _tripos
 from ._commands import Option, UntrustedRunWarning, answer
 from ._display import Page, Picture
 from ._model import Array, Model, Path, file_name, folder_of
+from ._progress import RunBar
+
+#: Function of the time, s, and of the shown quantities by name that returns values of inputs: numbers, or one number.
+Controller = Callable[[float, dict[str, float]], Union[float, Sequence[float]]]
 
 
 class Samples:
@@ -54,6 +59,11 @@ class Samples:
         return self._run.errors
 
     @property
+    def digits(self) -> dict[str, float] | None:
+        """Correct digits of each quantity at the end; None if they are not known."""
+        return self._run.digits
+
+    @property
     def events(self) -> list[tuple[str, float]]:
         """Names of the events and their instants, s."""
         return self._run.events
@@ -62,6 +72,11 @@ class Samples:
     def warnings(self) -> list[str]:
         """Reasons not to trust the run."""
         return self._run.warnings
+
+    @property
+    def is_trusted(self) -> bool:
+        """True if nothing speaks against the run, and its errors at the end are known."""
+        return self._run.is_trusted
 
     @property
     def ending(self) -> str:
@@ -102,11 +117,6 @@ class Run(Samples):
     _run: _tripos.Run
 
     @property
-    def digits(self) -> dict[str, float] | None:
-        """Correct digits of each quantity at the end; None if they are not known."""
-        return self._run.digits
-
-    @property
     def notes(self) -> list[str]:
         """Notes on the way in which the run was made."""
         return self._run.notes
@@ -116,14 +126,10 @@ class Run(Samples):
         """Largest change of each conserved quantity."""
         return self._run.drift
 
-    @property
-    def is_trusted(self) -> bool:
-        """True if nothing speaks against the run."""
-        return self._run.is_trusted
-
 
 class SampledRun(Samples):
-    """A finished run with a controller. Its quantities are the coordinates and generalized speeds."""
+    """A finished run with a controller. Its quantities are the coordinates, the generalized speeds, and the further
+    outputs of the scene."""
 
     _run: _tripos.SampledRun
 
@@ -173,7 +179,7 @@ class Scene:
 
     def _answer(self, command: str, **options: Option) -> Any:
         values = [f"{name}={value!r}" for name, value in self._set.items()]
-        return answer(command, self.path, set=values, **options)
+        return answer(command, self.path, set=values, warning=UntrustedRunWarning, **options)
 
     def reduce(self) -> Any:
         """Reduced equations of the scene, what they leave out, and the proof that the motion stays the same."""
@@ -219,13 +225,19 @@ class Scene:
             self._scene.set(name, float(value))
             self._set[name] = float(value)
 
-    def simulate(self, **settings: Any) -> Run:
+    def simulate(self, *, progress: bool = False, **settings: Any) -> Run:
         """Runs the scene. Settings replace those of the file: by, method, project, solve, step, max_step, rtol, atol,
-        until. `by` names a formulation, or a printed system as "printed:ID". Each reason not to trust the run is a
-        Python warning too."""
-        run = Run(self._scene.run(settings))
+        step_limit, samples, until. `by` names a formulation, or a printed system as "printed:ID". Each reason not to
+        trust the run is a Python warning too. `progress` shows a bar, if tqdm is installed."""
+        with self._bar(progress, settings) as shown:
+            run = Run(self._scene.run(settings, shown and shown.show))
         warn(run.warnings)
         return run
+
+    def _bar(self, progress: bool, settings: dict[str, Any]) -> contextlib.AbstractContextManager[Optional[RunBar]]:
+        """Bar for a run with these settings; None in its place if no progress shall be shown."""
+        begin, end = self._scene.span
+        return RunBar(begin, settings.get("until") or end) if progress else contextlib.nullcontext()
 
     def sensitivity(self, *names: str, **settings: Any) -> dict[str, dict[str, float]]:
         """Derivatives of the shown quantities at the end with respect to parameters and numbers of the start.
@@ -304,23 +316,25 @@ class Scene:
         self,
         inputs: Sequence[str],
         instants: Sequence[float],
-        controller: Callable[[float, dict[str, float]], Sequence[float]] | None = None,
+        controller: Controller | None = None,
         *,
-        make: Callable[[], Callable[[float, dict[str, float]], Sequence[float]]] | None = None,
+        make: Callable[[], Controller] | None = None,
+        progress: bool = False,
         **settings: Any,
     ) -> SampledRun:
-        """Runs the scene with inputs that `controller(t, state)` sets at the instants, s, each held until the next.
+        """Runs the scene with inputs that `controller(t, values)` sets at the instants, s, each held until the next.
 
-        `state` has the coordinates and generalized speeds by name; the function returns a number for each input. A
-        second run gives the errors. A controller with a memory is made anew for each run by `make`, in place of
-        `controller`."""
+        `values` has the coordinates, the generalized speeds and the outputs of the scene by name. Accelerations and
+        reactions in outputs are those just before the instant. The function returns a number for each input; for one
+        input it may return a number alone. A second run gives the errors. A controller with a memory is made anew for
+        each run by `make`, in place of `controller`. `progress` shows a bar, if tqdm is installed."""
         times = [float(t) for t in instants]
-        if controller is not None and make is None:
-            run = self._scene.run_sampled(list(inputs), times, lambda: controller, settings)
-        elif make is not None and controller is None:
-            run = self._scene.run_sampled(list(inputs), times, make, settings)
-        else:
+        if (controller is None) == (make is None):
             raise _tripos.RequestError("give either `controller` or `make`, which returns a new controller")
+        with self._bar(progress, settings) as shown:
+            run = self._scene.run_sampled(
+                list(inputs), times, make or (lambda: controller), settings, shown and shown.show
+            )  # fmt: skip
         warn(run.warnings)
         return SampledRun(run)
 

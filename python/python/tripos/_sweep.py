@@ -16,8 +16,9 @@ from typing import Any, Optional, Union
 
 import numpy as np
 
-from ._commands import Option, failure, run_command, warn_of
+from ._commands import Option, UntrustedRunWarning, failure, run_command, warn_of
 from ._model import Path
+from ._progress import bar
 from ._scene import Scene
 
 #: Values that vary: texts as `tripos sweep --over` takes them, or the values of each number by its name.
@@ -196,7 +197,7 @@ def sweep(
     request = SweepRequest.of(scene, over, **options)
     if client is None:
         text, messages, _ = run_block(request)
-        warn_of(messages)
+        warn_of(messages, UntrustedRunWarning)
         return SweepTable(text)
     blocks = blocks or blocks_for(client)
     counts = list(range(blocks))
@@ -211,7 +212,7 @@ def sweep(
     except KeyboardInterrupt:
         client.cancel(futures)
         raise
-    warn_of(results[0][1])
+    warn_of(results[0][1], UntrustedRunWarning)
     return SweepTable.joined([table for table, _, _ in results])
 
 
@@ -226,7 +227,7 @@ def sweep_frame(scene: Scene, over: Over, *, blocks: int = 64, **options: Option
     request = SweepRequest.of(scene, over, **options)
     _, _, points = run_block(request, 0, 1 << 40)
     first, messages, _ = run_block(request, 0, max(1, points))
-    warn_of(messages)
+    warn_of(messages, UntrustedRunWarning)
     blocks = min(blocks, max(1, points))
     return dask.dataframe.from_map(
         block_frame, range(blocks), request=request, blocks=blocks, meta=frame_of(first).iloc[:0]
@@ -257,16 +258,16 @@ def values_of(name: str, cells: Iterable[str]) -> Any:
 def blocks_for(client: Any) -> int:
     """Number of blocks for which all workers of a client have work until the end."""
     threads = int(sum(client.nthreads().values()))
-    return 8 * max(1, threads)
+    return 32 * max(1, threads)
 
 
 def show_progress(futures: Sequence[Any]) -> None:
     """Shows a bar until all blocks have ended, if tqdm is installed."""
     from distributed import as_completed
 
-    try:
-        from tqdm.auto import tqdm
-    except ImportError:
+    shown = bar(total=len(futures), unit="block", desc="sweep")
+    if shown is None:
         return
-    for _ in tqdm(as_completed(futures), total=len(futures), unit="block", desc="sweep"):
-        pass
+    with shown:
+        for _ in as_completed(futures):
+            shown.update()

@@ -46,8 +46,11 @@ class Scene:
     def parse(model: Model, text: str) -> Scene: ...
     def copy(self) -> Scene: ...
     def mechanism(self) -> Model: ...
+    span: tuple[float, float]
     def set(self, name: str, value: float) -> None: ...
-    def run(self, settings: dict[str, Any] | None = None) -> Run: ...
+    def run(
+        self, settings: dict[str, Any] | None = None, report: Callable[[float], None] | None = None
+    ) -> Run: ...
     def slopes(
         self, names: list[str], settings: dict[str, Any] | None = None
     ) -> tuple[dict[str, dict[str, float]], list[str]]: ...
@@ -60,6 +63,7 @@ class Scene:
         instants: list[float],
         make: Callable[[], Callable[[float, dict[str, float]], Any]],
         settings: dict[str, Any] | None = None,
+        report: Callable[[float], None] | None = None,
     ) -> SampledRun: ...
 
 class Run:
@@ -83,6 +87,8 @@ class SampledRun:
     values: Array
     end: dict[str, float]
     errors: dict[str, float] | None
+    digits: dict[str, float] | None
+    is_trusted: bool
     decision_times: Array
     decisions: Array
     events: list[tuple[str, float]]

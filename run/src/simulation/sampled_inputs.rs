@@ -13,7 +13,7 @@
 
 mod control_loop;
 
-use super::shown_quantities::state_names;
+use super::shown_quantities::ShownQuantities;
 use crate::code::{CodeForm, CodePreparation, runnable_code};
 use crate::equations_name::{EquationsName, find_equations_or_first};
 use crate::error::Error;
@@ -25,27 +25,30 @@ use crate::trust::watched_functions::WatchedFunctions;
 use control_loop::{ControlLoop, finer_loop_options};
 use tripos_derive::diagnostic::nearest_name_advice;
 use tripos_derive::mechanics::EquationsOrigin;
+use tripos_derive::plain_text::with_reliable_digits;
 use tripos_derive::scene::{Integrator, Scene};
 use tripos_sim::{EventRecord, Stop};
 
-/// State of a run at an instant, as passed to a controller.
+/// Shown quantities of a run at an instant, as passed to a controller.
 #[derive(Clone, Copy, Debug)]
 pub struct ControllerSample<'a> {
     /// Instant at which the controller sets the inputs, s.
     pub t: f64,
     /// Index of the instant among all instants at which inputs are set, from 0.
     pub index: usize,
-    /// Names of the coordinates, then of the generalized speeds.
+    /// Names of the coordinates, of the generalized speeds, and of the further outputs of the scene.
     pub names: &'a [String],
-    /// Values of the coordinates and generalized speeds, in SI units, in the order of `names`.
-    pub state: &'a [f64],
+    /// Values of these quantities, in SI units, in the order of `names`. Accelerations and reactions
+    /// are those just before the instant: with the inputs that the controller replaces.
+    pub values: &'a [f64],
 }
 
 impl ControllerSample<'_> {
-    /// Value of a coordinate or a generalized speed at the instant, in its SI unit; `None` if the name is unknown.
+    /// Value of a coordinate, a generalized speed or an output at the instant, in its SI unit; `None`
+    /// if the name is unknown.
     #[must_use]
     pub fn value(&self, name: &str) -> Option<f64> {
-        self.names.iter().position(|known| known == name).map(|at| self.state[at])
+        self.names.iter().position(|known| known == name).map(|at| self.values[at])
     }
 }
 
@@ -62,18 +65,19 @@ pub struct HeldSignal<'a> {
     pub values: &'a [f64],
 }
 
-/// Values of the inputs from an instant on, with the state and its estimated errors at that
-/// instant.
+/// Values of the inputs from an instant on, with the shown quantities and their estimated errors
+/// at that instant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct InputDecision {
-    /// Instant from which the values are valid, s.
+    /// Instant from which the inputs have these values, s.
     pub t: f64,
     /// Values of the inputs, in the order of [`SampledRun::inputs`].
+    pub inputs: Vec<f64>,
+    /// Values of the shown quantities at the instant, in the order of [`SampledRun::names`], with the
+    /// inputs that were valid before.
     pub values: Vec<f64>,
-    /// State at the instant, in the order of [`SampledRun::names`].
-    pub state: Vec<f64>,
-    /// Estimated error of each value of the state, in its unit; `None` if the second run did not
-    /// reach the instant.
+    /// Estimated error of each of `values`, in its unit; `None` if the second run did not reach the
+    /// instant.
     pub errors: Option<Vec<f64>>,
 }
 
@@ -86,11 +90,11 @@ pub struct SampledRun {
     pub code: CodeForm,
     /// Names of the inputs that were set from outside.
     pub inputs: Vec<String>,
-    /// Names of the coordinates, then of the generalized speeds.
+    /// Names of the coordinates, of the generalized speeds, and of the further outputs of the scene.
     pub names: Vec<String>,
     /// Instants of the samples, s.
     pub t: Vec<f64>,
-    /// State at each sample, in the order of `names`.
+    /// Values of the shown quantities at each sample, in the order of `names`.
     pub states: Vec<Vec<f64>>,
     /// Values of the inputs at each instant at which they were set, in the order of time.
     pub decisions: Vec<InputDecision>,
@@ -98,10 +102,13 @@ pub struct SampledRun {
     pub events: Vec<EventRecord>,
     /// Instant at which the run ends, s.
     pub t_end: f64,
-    /// State at the end of the run, in the order of `names`.
+    /// Values of the shown quantities at the end of the run, in the order of `names`.
     pub end: Vec<f64>,
     /// Estimated error of each value of `end`, in its unit; `None` if the second run did not reach the end.
     pub errors_at_end: Option<Vec<f64>>,
+    /// Correct digits of each value of `end`, relative to its largest size in the run; `None` if the
+    /// second run did not reach the end.
+    pub digits_at_end: Option<Vec<f64>>,
     /// Numbers of accepted and of rejected steps, in this order.
     pub steps: (u64, u64),
     /// Reason why the run ended, such as the end of the span or an event.
@@ -111,10 +118,31 @@ pub struct SampledRun {
 }
 
 impl SampledRun {
-    /// Values of the coordinate or generalized speed `name` at each sample.
+    /// Reasons not to trust the run to its end; empty if there are none.
+    #[must_use]
+    pub fn objections(&self) -> Vec<String> {
+        let failure = self.stop.is_failure().then(|| self.ending());
+        failure.into_iter().chain(self.warnings.iter().cloned()).collect()
+    }
+
+    /// True if the run can be trusted to its end: there are no objections, and errors were estimated
+    /// to the end.
+    #[must_use]
+    pub fn is_trusted(&self) -> bool {
+        self.objections().is_empty() && self.errors_at_end.is_some()
+    }
+
+    /// Sentence that says when and why the run ended.
+    #[must_use]
+    pub fn ending(&self) -> String {
+        let t = with_reliable_digits(self.t_end, None);
+        format!("ended at t = {t} s: {}", self.stop.described(&self.names))
+    }
+
+    /// Values of the shown quantity `name` at each sample.
     ///
     /// # Errors
-    /// [`Error::Request`] if the model has no coordinate or speed of this name.
+    /// [`Error::Request`] if the run shows no quantity of this name.
     pub fn column(&self, name: &str) -> Result<Vec<f64>, Error> {
         let at = self.names.iter().position(|shown| shown == name).ok_or_else(|| {
             let help = nearest_name_advice(name, self.names.iter().map(String::as_str));
@@ -191,8 +219,8 @@ pub fn simulate_sampled<C: FnMut(&ControllerSample<'_>) -> Vec<f64>>(
     let code = runnable_code(mechanism, &by, scene.integration.distance, CodePreparation::preparation_for_runs(scene))?;
     let problem = Problem::new(mechanism, scene, &by, &code, None)?;
     let balance = WatchedFunctions::new(mechanism, mechanism, scene, &by)?;
-    let names = state_names(mechanism);
-    let loop_ = ControlLoop { problem: &problem, balance: &balance, places: &places, inputs, instants, names: &names };
+    let shown = ShownQuantities::new(mechanism, scene)?;
+    let loop_ = ControlLoop { problem: &problem, balance: &balance, places: &places, inputs, instants, shown: &shown };
     let start = problem.start()?;
     let options = integration_options(scene);
     let first = loop_.run(scene, &start, &options, &mut controller())?;

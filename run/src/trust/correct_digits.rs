@@ -338,7 +338,7 @@ fn records_by_event(list: &[EventRecord]) -> Vec<Vec<usize>> {
 
 /// Correct digits that a relative error leaves, −log₁₀; 0 if the error is 1 or more, or not a
 /// number.
-fn digits_left(relative: f64) -> f64 {
+pub(crate) fn digits_left(relative: f64) -> f64 {
     if relative < 1.0 { -relative.log10() } else { 0.0 }
 }
 

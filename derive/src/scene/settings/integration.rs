@@ -8,6 +8,7 @@ use crate::mechanics::SingularDistance;
 use crate::scene::numbers::number_reader::ValueReader;
 use crate::scene::numbers::scene_number::Number;
 use std::fmt;
+use std::ops::RangeInclusive;
 use std::str::FromStr;
 use toml::de::{DeTable, DeValue};
 use tripos_traits::{ATOL, AbsoluteTolerance, Method, RTOL};
@@ -182,6 +183,11 @@ pub struct Integration {
     pub may_measure: bool,
 }
 
+/// Numbers of samples that a run may have, both ends included.
+pub const SAMPLES: RangeInclusive<u64> = 2..=10_000_000;
+/// Limits that the number of attempted steps of a run may have.
+pub const STEP_LIMITS: RangeInclusive<u64> = 1..=1_000_000_000;
+
 /// Keys of the section `[integration]`.
 const KEYS: [&str; 11] =
     ["method", "solve", "rtol", "atol", "step", "max_step", "step_limit", "samples", "domain", "project", "distance"];
@@ -226,8 +232,8 @@ impl<'a> ValueReader<'a, '_> {
             atol,
             step: self.step(section, "step", p),
             max_step: self.step(section, "max_step", p),
-            step_limit: self.integration_count(section, "step_limit", 1, 1_000_000_000).unwrap_or(1_000_000),
-            samples: self.integration_count(section, "samples", 2, 10_000_000).and_then(|n| usize::try_from(n).ok()),
+            step_limit: self.integration_count(section, "step_limit", STEP_LIMITS).unwrap_or(1_000_000),
+            samples: self.integration_count(section, "samples", SAMPLES).and_then(|n| usize::try_from(n).ok()),
             domain_stops: self.choice(section, "domain", &["stop", "watch"]) != Some("watch"),
             project: project.and_then(|name| name.parse().ok()),
             may_measure: !self.refuses_distance(section),
@@ -356,17 +362,16 @@ impl<'a> ValueReader<'a, '_> {
         &mut self,
         section: Option<&'a DeTable<'a>>,
         key: &str,
-        least: u64,
-        most: u64,
+        range: RangeInclusive<u64>,
     ) -> Option<u64> {
         let value = section.and_then(|s| self.reader.get(s, key))?;
         let number = match value.get_ref() {
             DeValue::Integer(n) if n.radix() == 10 => n.as_str().replace('_', "").parse::<u64>().ok(),
             _ => None,
         };
-        let number = number.filter(|n| (least..=most).contains(n));
+        let number = number.filter(|n| range.contains(n));
         if number.is_none() {
-            let help = format!("write a whole number from {least} to {most}");
+            let help = format!("write a whole number from {} to {}", range.start(), range.end());
             self.reader.error(value.span(), format!("`{key}` is out of range"), help);
         }
         number

@@ -4,8 +4,9 @@ use super::{ControllerSample, InputDecision, SampledRun};
 use crate::code::CodeForm;
 use crate::error::Error;
 use crate::preparation::problem::Problem;
+use crate::simulation::shown_quantities::ShownQuantities;
 use crate::trust::constraint_residuals::{broken_constraint_objection, opened_loop_objections};
-use crate::trust::correct_digits::{FEW, value_sizes_for_digits};
+use crate::trust::correct_digits::{FEW, digits_left, value_sizes_for_digits};
 use crate::trust::watched_functions::{WatchedFunctions, watched_events};
 use tripos_derive::plain_text::with_significant_digits;
 use tripos_derive::scene::Scene;
@@ -50,15 +51,15 @@ pub struct ControlLoop<'a> {
     pub inputs: &'a [&'a str],
     /// Instants at which the controller sets the inputs, s.
     pub instants: &'a [f64],
-    /// Names of the coordinates, then of the generalized speeds.
-    pub names: &'a [String],
+    /// Quantities that the scene shows, and that the controller receives.
+    pub shown: &'a ShownQuantities,
 }
 
 /// Result of a run through all its windows, before errors are estimated.
 pub struct WindowedRun {
     /// Instants of the samples, s.
     t: Vec<f64>,
-    /// State (q, u) at each sample.
+    /// Values of the shown quantities at each sample.
     states: Vec<Vec<f64>>,
     /// Values of the inputs at each instant at which they were set.
     decisions: Vec<InputDecision>,
@@ -66,7 +67,7 @@ pub struct WindowedRun {
     events: Vec<EventRecord>,
     /// Instant at which the run ended, s.
     t_end: f64,
-    /// State (q, u) at the end.
+    /// Values of the shown quantities at the end.
     end: Vec<f64>,
     /// Number of accepted steps in all windows so far.
     steps: u64,
@@ -110,22 +111,22 @@ impl ControlLoop<'_> {
         let mut t = from;
         loop {
             if let Some((index, t)) = ahead.next_if(|(_, instant)| *instant <= t) {
-                let state = self.problem.with_scene(&now).shown_state(t, &y);
-                let values =
-                    self.call_controller(controller, &ControllerSample { t, index, names: self.names, state: &state })?;
-                for (at, value) in self.places.iter().zip(&values) {
+                let values = self.shown.of(&self.problem.with_scene(&now), t, &y)?;
+                let sample = ControllerSample { t, index, names: &self.shown.names, values: &values };
+                let inputs = self.call_controller(controller, &sample)?;
+                for (at, value) in self.places.iter().zip(&inputs) {
                     now.parameters[*at] = *value;
                     now.exact.parameters[*at] = DoubleDouble::from_f64(*value);
                 }
-                way.decisions.push(InputDecision { t, values, state, errors: None });
+                way.decisions.push(InputDecision { t, inputs, values, errors: None });
             }
             let end = ahead.peek().map_or(to, |(_, instant)| *instant);
             now.span = (t, end);
             let problem = self.problem.with_scene(&now);
             let solution = self.run_window(&problem, &y, how, way.steps + way.rejected)?;
-            way.add_window(&problem, &solution);
+            way.add_window(self.shown, &problem, &solution)?;
             if solution.stop != Stop::End || end >= to {
-                way.end = problem.shown_state(solution.t_end, &solution.y_end);
+                way.end = self.shown.of(&problem, solution.t_end, &solution.y_end)?;
                 return Ok(way);
             }
             (t, y) = (end, solution.y_end);
@@ -186,11 +187,12 @@ impl ControlLoop<'_> {
     /// Makes the result of a run; the errors are its differences from a second run.
     /// Without a second run, errors are `None`.
     pub fn sampled_run(&self, first: WindowedRun, second: Option<&WindowedRun>, form: CodeForm) -> SampledRun {
+        let names = &self.shown.names;
         let mut decisions = first.decisions;
         let mut errors_at_end = None;
         if let Some(second) = second {
             for (own, other) in decisions.iter_mut().zip(&second.decisions) {
-                own.errors = Some(control_loop_errors(&own.state, &other.state));
+                own.errors = Some(control_loop_errors(&own.values, &other.values));
             }
             // An event that ends both runs has a different instant in each run. The wanted error is
             // that of the state at the event.
@@ -208,12 +210,16 @@ impl ControlLoop<'_> {
         let errors = decisions.iter().filter_map(|decision| Some((decision.t, decision.errors.as_deref()?)));
         let errors = errors.chain(errors_at_end.as_deref().map(|errors| (first.t_end, errors)));
         let sizes = value_sizes_for_digits(self.problem.scene, &first.states);
-        warnings.extend(few_digits_warning(self.names, &sizes, errors));
+        warnings.extend(few_digits_warning(names, &sizes, errors));
+        let digits = |errors: &Vec<f64>| errors.iter().zip(&sizes).map(|(e, size)| digits_left(e / size)).collect();
+        let digits_at_end = errors_at_end.as_ref().map(digits);
+        let samples = first.t.iter().zip(&first.states).chain([(&first.t_end, &first.end)]);
+        warnings.extend(missing_value_warning(names, samples));
         SampledRun {
             by: self.problem.by.clone(),
             code: form,
             inputs: self.inputs.iter().map(|name| (*name).to_owned()).collect(),
-            names: self.names.to_vec(),
+            names: names.clone(),
             t: first.t,
             states: first.states,
             decisions,
@@ -221,6 +227,7 @@ impl ControlLoop<'_> {
             t_end: first.t_end,
             end: first.end,
             errors_at_end,
+            digits_at_end,
             steps: (first.steps, first.rejected),
             stop: first.stop,
             warnings,
@@ -259,15 +266,28 @@ fn few_digits_warning<'a>(
     ))
 }
 
+/// Warning that names the first shown quantity without a finite value, and its instant; `None` if
+/// all have values.
+fn missing_value_warning<'a>(
+    names: &[String],
+    mut samples: impl Iterator<Item = (&'a f64, &'a Vec<f64>)>,
+) -> Option<String> {
+    let (t, which) = samples.find_map(|(t, values)| Some((t, values.iter().position(|value| !value.is_finite())?)))?;
+    Some(format!("`{}` has no value at t = {} s", names[which], with_significant_digits(*t, 4)))
+}
+
 impl WindowedRun {
     /// Adds the solution of a window to the result of the run.
-    fn add_window(&mut self, problem: &Problem<'_>, solution: &Solution) {
+    ///
+    /// # Errors
+    /// `Error::Request` if the number of parameters does not fit the equations.
+    fn add_window(&mut self, shown: &ShownQuantities, problem: &Problem<'_>, solution: &Solution) -> Result<(), Error> {
         // A window begins at the end of the window before, whose sample is already known.
         let known = self.t.last().copied();
         let new = solution.t.iter().zip(&solution.y).filter(|(t, _)| Some(**t) != known);
         for (t, y) in new {
             self.t.push(*t);
-            self.states.push(problem.shown_state(*t, y));
+            self.states.push(shown.of(problem, *t, y)?);
         }
         self.events.extend(solution.events.iter().cloned());
         self.t_end = solution.t_end;
@@ -282,5 +302,6 @@ impl WindowedRun {
                 self.warnings.push(warning);
             }
         }
+        Ok(())
     }
 }
