@@ -206,6 +206,7 @@ const READS_TEXT: [(&str, &[&str]); 3] = [
             "derive/src/publication/publication_of_model.rs",
             "derive/src/publication/names/author_files.rs",
             "derive/src/publication/programs/assignments.rs",
+            "derive/src/publication/programs/linear_solutions.rs",
             "derive/src/publication/names/program_variables.rs",
             "derive/src/publication/labelled_equations.rs",
             "derive/src/publication/named_files.rs",

@@ -1,8 +1,8 @@
 //! Right rows with multipliers of an author who has put the constraints into the rows, and wrong ones.
 //!
-//! A disc rolls upright on a plane. By Newton's law, m a is the force of the contact; in the axes of the disc, of which
-//! the second is perpendicular to its plane, it is m R θ̈ along the path and m R θ̇ φ̇ across it. Its moment about the axle
-//! is −R times the first.
+//! A disc rolls upright on a plane. By Newton's law, m a is the force of the contact. In the axes of the disc, of which
+//! the second is perpendicular to its plane, it is m R θ'' along the path and m R θ' φ' across it. Its moment about the
+//! axle is −R times the first.
 
 use crate::constrained_verdicts::judge;
 

@@ -55,6 +55,7 @@ fn is_interrupted_after(look: impl Fn(Python<'_>) -> PyResult<()>) -> bool {
 }
 
 /// True if the user interrupted Python; [`raise_signal`] raises the exception after the run.
+#[expect(clippy::redundant_closure_for_method_calls, reason = "the method is of one lifetime alone")]
 fn is_interrupted() -> bool {
     is_interrupted_after(|py| py.check_signals())
 }

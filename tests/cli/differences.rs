@@ -120,7 +120,7 @@ fn an_added_force_is_told_in_a_screenful() {
         text.replace("[coordinates]", "c = { unit = \"N*s/m\" }\n\n[coordinates]") + drag
     });
     let (status, text) = diff(folder.path());
-    expect![[r#"
+    expect![[r"
         old/model.toml -> new/model.toml
         equations of motion: 11 of 114 entries changed
           kane f[u1]: new - old = R*c*cos(q2)*(u5*cos(q1) - u4*sin(q1))
@@ -143,7 +143,7 @@ fn an_added_force_is_told_in_a_screenful() {
           momentum p_q4 + c*q4, where p_q4 = ∂L/∂q4'
           momentum p_q5 + c*q5, where p_q5 = ∂L/∂q5'
         added: parameter c; force drag
-    "#]]
+    "]]
     .assert_eq(&text);
     assert_eq!(status, 1);
     assert!(text.lines().count() <= 40, "{text}");

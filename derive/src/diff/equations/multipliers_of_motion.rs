@@ -102,8 +102,9 @@ impl TermTools<'_> {
         let used: Vec<usize> =
             (0..columns.len()).filter(|at| rows.iter().any(|row| row[columns[*at]] != Expr::ZERO)).collect();
         let all = self.arena.reachable(&[derived.concat(), rows.concat()].concat());
-        let varied = all.into_iter().filter(|e| self.arena.symbol_name(*e).is_some() && !fixed.contains(e)).collect();
-        let states = self.states_of_motion(&derived, columns, varied)?;
+        let varied: Vec<Expr> =
+            all.into_iter().filter(|e| self.arena.symbol_name(*e).is_some() && !fixed.contains(e)).collect();
+        let states = self.states_of_motion(&derived, columns, &varied)?;
         let mut best: Option<(usize, MultipliersOfMotion)> = None;
         for chosen in multiplier_row_subsets(rows.len(), used.len()) {
             let chosen: Vec<&Row> = chosen.iter().map(|at| &rows[*at]).collect();
@@ -126,12 +127,7 @@ impl TermTools<'_> {
 
     /// States in which the derived multipliers are linearly independent, one for each of them.
     /// `varied` are the rates and inputs, to which a state gives numbers.
-    fn states_of_motion(
-        &mut self,
-        derived: &[Row],
-        columns: &[usize],
-        varied: Vec<Expr>,
-    ) -> Option<Vec<StateOfMotion>> {
+    fn states_of_motion(&mut self, derived: &[Row], columns: &[usize], varied: &[Expr]) -> Option<Vec<StateOfMotion>> {
         let independent = independent_rows(self.arena, derived)?;
         let width = derived.first()?.len() - 1;
         if independent.len() != width {

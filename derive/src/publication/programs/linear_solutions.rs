@@ -111,7 +111,7 @@ impl PublicationReader<'_, '_> {
             let i = i + first;
             value(if notation == Notation::Matlab { format!("{b}({i})") } else { format!("{b}[{i}]") })
         };
-        let right: Vec<Expr> = (0..MOST_UNKNOWNS + 1).map_while(entry).collect();
+        let right: Vec<Expr> = (0..=MOST_UNKNOWNS).map_while(entry).collect();
         let n = right.len();
         if !(1..=MOST_UNKNOWNS).contains(&n) {
             return None;

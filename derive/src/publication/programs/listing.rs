@@ -5,7 +5,7 @@ use crate::algebra::text::print::print_text;
 use crate::mechanics::{Formulation, MotionVariables};
 use crate::publication::entries::EntryTable;
 use crate::publication::publication_reader::PublicationReader;
-use crate::publication::systems::printed_system::{MatrixRequirements, count_with_noun};
+use crate::publication::systems::printed_system::{Matrix, MatrixRequirements, count_with_noun};
 use std::ops::Range;
 use std::sync::Arc;
 use toml::Spanned;
@@ -129,7 +129,7 @@ impl<'a> PublicationReader<'a, '_> {
         moving: &[usize],
         derivative: &mut [Expr],
         derivative_texts: &mut [String],
-    ) -> Option<(Vec<Vec<Expr>>, Vec<Vec<String>>)> {
+    ) -> Option<Matrix> {
         let values: Vec<Expr> = moving.iter().map(|at| derivative[*at]).collect();
         let solution = self.words.locals.linear_solution(&values)?;
         let text = |e: &Expr| print_text(&self.model.arena, *e);
