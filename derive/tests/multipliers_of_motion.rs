@@ -66,9 +66,9 @@ fn multipliers_in_the_axes_of_the_disc_are_the_authors_choice() {
         // Some of the rows.
         &[along, "I*theta'' = tau1 - R*P", "J*phi'' = tau2"],
         &[along, across],
-        // Multipliers of another sign, and sums of them.
+        // Multipliers of another sign, and a moment.
         &["-m*R*theta'' = P", "I*theta'' = tau1 + R*P"],
-        &["m*R*theta'' = P + Q", "m*R*theta'*phi' = P - Q", "I*theta'' = tau1 - R*(P + Q)"],
+        &["m*R^2*theta'' = P", "m*R*theta'*phi' = Q", "I*theta'' = tau1 - P", "J*phi'' = tau2"],
     ] {
         let words = verdicts(rows);
         assert!(words.iter().all(|word| ["equal", "scaled"].contains(&word.as_str())), "{rows:?}: {words:?}");
@@ -82,6 +82,8 @@ fn no_multipliers_make_wrong_rows_right() {
         &["m*R*theta'' = P", "I*theta'' = tau1 - 2*R*P", "J*phi'' = tau2"],
         &["2*m*R*theta'' = P", "m*R*theta'*phi' = Q"],
         &["m*R*theta'' = P", "m*R*theta'*phi' = P"],
+        &["m*R*theta'' = P", "2*m*R*theta'*phi' = Q"],
+        &["2*m*R*theta'*phi' = Q"],
         &["m*R*theta'' = P", "m*R*theta'*phi' = 2*Q", "I*theta'' = tau1 - R*Q"],
         &["m*R*theta'' = P", "m*R*theta'^2 = Q", "I*theta'' = tau1 - R*P"],
         &["m*R*theta'' = P", "m*R*theta'*phi' = Q", "I*theta'' = tau1 - R*P*cos(phi)"],
@@ -90,4 +92,31 @@ fn no_multipliers_make_wrong_rows_right() {
         let words = verdicts(rows);
         assert!(words.contains(&"different".to_owned()), "{rows:?}: {words:?}");
     }
+}
+
+/// Goal: one mistake is one wrong row. Method: the Coriolis term is doubled, and the other rows are right.
+#[test]
+fn right_rows_beside_a_wrong_one_keep_their_multipliers() {
+    let rows = ["m*R*theta'' = P", "2*m*R*theta'*phi' = Q", "I*theta'' = tau1 - R*P", "J*phi'' = tau2"];
+    assert_eq!(verdicts(&rows), ["scaled", "different", "equal", "equal"]);
+}
+
+/// Goal: one choice of multipliers holds for all entries. Method: rows in entries of their own, one of them wrong.
+#[test]
+fn multipliers_of_one_entry_are_those_of_the_others() {
+    let of = |rows: &[&str]| -> Vec<String> {
+        let entry = |(at, row): (usize, &&str)| {
+            let row = row.replace('P', "lambda_roll_1").replace('Q', "lambda_roll_2");
+            format!(
+                "[[system]]\nid = \"s{at}\"\nsection = \"1\"\nformulation = \"lagrange\"\nequations = [\"{row}\"]\n"
+            )
+        };
+        let publication: String = rows.iter().enumerate().map(entry).collect();
+        let judged = judge(DISC, &publication);
+        judged.difference.findings.iter().map(|finding| finding.judgement.word().to_owned()).collect()
+    };
+    let right = of(&["m*R*theta'' = P", "m*R*theta'*phi' = Q", "I*theta'' = tau1 - R*P", "J*phi'' = tau2"]);
+    assert!(!right.contains(&"different".to_owned()), "{right:?}");
+    let wrong = of(&["m*R*theta'' = P", "m*R*theta'*phi' = Q", "I*theta'' = tau1 + R*P", "J*phi'' = tau2"]);
+    assert!(wrong.contains(&"different".to_owned()), "{wrong:?}");
 }

@@ -16,7 +16,7 @@ const fn case(folder: &'static str, roots: usize, says: &'static [&'static str])
     Case { folder, roots, says }
 }
 
-const CASES: [Case; 73] = [
+const CASES: [Case; 76] = [
     // The sign of a multiplier in one system holds for its value below.
     case("03", 0, &["0 different"]),
     case("37", 1, &["the term 2*t1*cos(phi)/R should be 2*t1*cos(phi)/(3*R)"]),
@@ -44,6 +44,10 @@ const CASES: [Case; 73] = [
     case("40", 1, &["2 entries", "in h, m2*l1*l2*cos(q2) should be m2*l1*l2*sin(q2)"]),
     case("41", 1, &["2 entries", "in r1, q1' should be 2*q1'"]),
     case("42", 1, &["b*r1 should be -b*r1"]),
+    case("tc17", 1, &["2 entries", "in cd, cos(th1 + th2) should be cos(th1 - th2)"]),
+    case("tc25", 1, &["2 entries", "in sd, cos(dl) should be sin(dl)"]),
+    // A multiplier that the author has eliminated.
+    case("ta23", 1, &["s-row2, 1 entry", "m*a*x''*sin(phi) should be -m*a*x''*sin(phi)"]),
     // One mistake in several entries of a row, or of a matrix with what is claimed of it.
     case("16", 1, &["C-row2, 3 entries"]),
     case("17", 1, &["-m*r*theta''^2 should be -m*r*theta'^2", "8 equal"]),

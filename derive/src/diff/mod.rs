@@ -106,7 +106,7 @@ pub fn judge_publication(
     let mut found = judge_entries(model, publication, &mut tools, &mut book, &mut multipliers);
     let Kinematics { arena, simplifier, .. } = &mut tools.quantities.derivations.kinematics;
     let mut terms = TermTools { arena, simplifier, comparer: &mut tools.comparer };
-    if book.accept_suspected_corrections() | multipliers.choose_multiplier_matrix(&mut terms, &model.p()) {
+    if book.accept_suspected_corrections() | multipliers.choose_multiplier_matrix(&mut terms, model) {
         // Mistakes in abbreviations, and the author's multipliers, are known now for all entries.
         found = judge_entries(model, publication, &mut tools, &mut book, &mut multipliers);
     }

@@ -13,6 +13,7 @@ use crate::algebra::text::print::print_text;
 use crate::algebra::value::rank::pivot_rows_and_columns;
 use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr};
+use crate::model::Model;
 use std::cmp::Reverse;
 
 /// Largest number of choices of rows from which a matrix B is computed.
@@ -38,21 +39,45 @@ pub struct Multipliers {
     pairs: Vec<MultiplierRows>,
     /// Number of entries that mention multipliers.
     entries: usize,
+    /// Printed rows with multipliers of all systems that are compared with the derived rows of the
+    /// first such system.
+    printed: Option<PrintedRows>,
     /// Matrix B chosen for all entries; `None` before the choice.
     decided: Option<Vec<Row>>,
+}
+
+/// Printed rows with multipliers of systems that are compared with the same derived rows.
+struct PrintedRows {
+    /// Derived rows, in the derived multipliers.
+    order: DerivedSystem,
+    /// Printed rows that mention multipliers.
+    rows: Vec<Row>,
+    /// Columns of the multipliers.
+    columns: Vec<usize>,
 }
 
 impl Multipliers {
     /// Chooses one matrix B for all entries if at least two mention multipliers. Returns true if B
     /// was chosen.
-    pub fn choose_multiplier_matrix(&mut self, terms: &mut TermTools<'_>, parameters: &[Expr]) -> bool {
-        let Some(width) = self.pairs.first().map(|pair| pair.printed.len()).filter(|_| self.entries > 1) else {
+    pub fn choose_multiplier_matrix(&mut self, terms: &mut TermTools<'_>, model: &Model) -> bool {
+        if self.entries < 2 {
             return false;
-        };
-        let pairs: Vec<MultiplierRows> =
-            self.pairs.iter().filter(|pair| pair.printed.len() == width).cloned().collect();
-        self.decided = Some(terms.best_multiplier_matrix(&pairs, width, parameters).1);
-        true
+        }
+        if let Some(width) = self.pairs.first().map(|pair| pair.printed.len()) {
+            let pairs: Vec<MultiplierRows> =
+                self.pairs.iter().filter(|pair| pair.printed.len() == width).cloned().collect();
+            self.decided = Some(terms.best_multiplier_matrix(&pairs, width, &model.p()).1);
+        }
+        if let Some(PrintedRows { order, rows, columns }) = &self.printed {
+            let own = self.decided.clone().unwrap_or_else(|| unit_multiplier_matrix(columns.len()));
+            let follow = terms.rows_that_follow(order, rows, columns, &own).len();
+            if follow < rows.len()
+                && let Some(found) = terms.multipliers_of_motion(order, rows, columns, &fixed_symbols(model), follow)
+            {
+                self.decided = Some(found.matrix);
+            }
+        }
+        self.decided.is_some()
     }
 }
 
@@ -86,18 +111,17 @@ struct Score {
 impl TermTools<'_> {
     /// Rewrites the derived rows in the printed multipliers, and returns a description of the
     /// printed multipliers.
-    /// `fixed` are the coordinates and the parameters that are no inputs; `known` holds the multipliers
-    /// found in the publication so far. Returns `None` if the printed
+    /// `known` holds the multipliers found in the publication so far. Returns `None` if the printed
     /// multipliers equal the derived ones, or if the rows mention none.
     pub fn adapt_to_printed_multipliers(
         &mut self,
         order: &mut DerivedSystem,
         printed: &[Row],
-        multipliers: &[Expr],
-        parameters: &[Expr],
-        fixed: &[Expr],
+        model: &Model,
         known: &mut Multipliers,
     ) -> Option<String> {
+        let parameters = &model.p();
+        let multipliers: Vec<Expr> = model.motion_constraints.iter().map(|one| one.multiplier).collect();
         let at = |m: &Expr| order.unknowns.iter().position(|u| u == m);
         let columns: Vec<usize> = multipliers.iter().filter_map(at).collect();
         let width = columns.len();
@@ -122,14 +146,24 @@ impl TermTools<'_> {
             None if is_mentioned => self.best_multiplier_matrix(&pairs, width, parameters).1,
             None => unit_multiplier_matrix(width),
         };
-        if is_mentioned && known.decided.is_none() {
+        let is_first = known.decided.is_none();
+        if is_mentioned && is_first {
             known.entries += 1;
             known.pairs.extend(pairs);
+            let own = known.printed.get_or_insert_with(|| PrintedRows {
+                order: order.clone(),
+                rows: Vec::new(),
+                columns: columns.clone(),
+            });
+            if own.order.unknowns == order.unknowns && own.order.rows == order.rows {
+                own.rows.extend(printed.iter().filter(|row| mentions(row)).cloned());
+            }
         }
         let count = printed.iter().filter(|row| mentions(row)).count();
         let follow = self.rows_that_follow(order, printed, &columns, &change).len();
         if follow < count
-            && let Some(found) = self.multipliers_of_motion(order, printed, &columns, fixed, follow)
+            && is_first
+            && let Some(found) = self.multipliers_of_motion(order, printed, &columns, &fixed_symbols(model), follow)
         {
             self.replace_multipliers(order, &columns, &found.matrix);
             return Some(found.words);
@@ -365,6 +399,12 @@ impl TermTools<'_> {
         }
         format!("multipliers of its own: {}", list.join(", "))
     }
+}
+
+/// Coordinates and parameters of a model that are no inputs: symbols that a matrix B may contain.
+fn fixed_symbols(model: &Model) -> Vec<Expr> {
+    let constants = model.parameters.iter().filter(|parameter| !parameter.is_input).map(|parameter| parameter.symbol);
+    model.q().into_iter().chain(constants).collect()
 }
 
 /// Subsets of `size` of the indices below `count`, each in ascending order; at most 50.

@@ -84,7 +84,8 @@ impl TermTools<'_> {
     /// the derived ones than `least`. `fixed` are the coordinates and the parameters that are no inputs.
     ///
     /// Rows from which K is computed follow from it in any case. So K counts only if the rows determine
-    /// the multipliers also without any one of them, or if K turns axes. Returns `None` if there is no such K.
+    /// each multiplier also without any one of them, or if the axes of the others have unit length and
+    /// all axes are perpendicular. Returns `None` if there is no such K.
     pub fn multipliers_of_motion(
         &mut self,
         order: &DerivedSystem,
@@ -99,26 +100,32 @@ impl TermTools<'_> {
         let mut seen = |row: &Row| judged_row_in_permitted_states(self.arena, self.comparer, row);
         let derived: Vec<Row> = order.rows.iter().map(&mut seen).collect();
         let rows: Vec<Row> = rows_with_multipliers(printed, columns).map(&mut seen).collect();
-        let used: Vec<usize> =
-            (0..columns.len()).filter(|at| rows.iter().any(|row| row[columns[*at]] != Expr::ZERO)).collect();
         let all = self.arena.reachable(&[derived.concat(), rows.concat()].concat());
         let varied: Vec<Expr> =
             all.into_iter().filter(|e| self.arena.symbol_name(*e).is_some() && !fixed.contains(e)).collect();
         let states = self.states_of_motion(&derived, columns, &varied)?;
+        let is_printed = |row: &Row, at: usize| row[columns[at]] != Expr::ZERO;
+        let used: Vec<usize> = (0..columns.len()).filter(|at| rows.iter().any(|row| is_printed(row, *at))).collect();
+        // If no choice of all multipliers is possible, a row of one of them is wrong, and the others are chosen.
+        let fewer: Vec<Vec<usize>> = used.iter().filter(|_| used.len() > 1).map(|at| vec![*at]).collect();
         let mut best: Option<(usize, MultipliersOfMotion)> = None;
-        for chosen in multiplier_row_subsets(rows.len(), used.len()) {
-            let chosen: Vec<&Row> = chosen.iter().map(|at| &rows[*at]).collect();
-            let Some(matrix) = self.multiplier_matrix_of_rows(&states, &chosen, columns, &used) else { continue };
-            let words = self.printed_multiplier_words(order, columns, &used, &matrix);
-            let Some(inverse) = self.inverse_of_completed_matrix(&matrix, &used, columns.len()) else { continue };
-            let found = self.rows_that_follow(order, printed, columns, &inverse);
-            let follow = found.len();
-            if follow > best.as_ref().map_or(least, |(most, _)| *most)
-                && (self.determine_multipliers_twice(&found, columns, &used) || self.are_turned_axes(&matrix))
-            {
-                best = Some((follow, MultipliersOfMotion { matrix: inverse, words }));
+        for used in std::iter::once(used).chain(fewer) {
+            let is_other = |row: &Row| (0..columns.len()).any(|at| !used.contains(&at) && is_printed(row, at));
+            let rows: Vec<&Row> = rows.iter().filter(|row| !is_other(row)).collect();
+            for chosen in multiplier_row_subsets(rows.len(), used.len()) {
+                let chosen: Vec<&Row> = chosen.iter().map(|at| rows[*at]).collect();
+                let Some(matrix) = self.multiplier_matrix_of_rows(&states, &chosen, columns, &used) else { continue };
+                let words = self.printed_multiplier_words(order, columns, &used, &matrix);
+                let Some(inverse) = self.inverse_of_completed_matrix(&matrix, &used, columns.len()) else { continue };
+                let found = self.rows_that_follow(order, printed, columns, &inverse);
+                let follow = found.len();
+                if follow > best.as_ref().map_or(least, |(most, _)| *most)
+                    && self.are_multipliers_told(&matrix, &found, columns, &used)
+                {
+                    best = Some((follow, MultipliersOfMotion { matrix: inverse, words }));
+                }
             }
-            if follow == rows.len() {
+            if best.is_some() {
                 break;
             }
         }
@@ -191,29 +198,35 @@ impl TermTools<'_> {
         Some((0..used.len()).map(row).collect())
     }
 
-    /// True if the used multipliers are determined by the rows without any one of these.
-    fn determine_multipliers_twice(&self, rows: &[Row], columns: &[usize], used: &[usize]) -> bool {
+    /// True if the rows determine each used multiplier also without any one of them, or if K turns the
+    /// axes of the multipliers, those of the others to unit length.
+    fn are_multipliers_told(&mut self, matrix: &[Row], rows: &[Row], columns: &[usize], used: &[usize]) -> bool {
         let forces: Vec<Row> = rows.iter().map(|row| used.iter().map(|at| row[columns[*at]]).collect()).collect();
-        (0..forces.len()).all(|left_out| {
-            let others = [&forces[..left_out], &forces[left_out + 1..]].concat();
-            independent_rows(self.arena, &others).is_some_and(|found| found.len() == used.len())
-        })
-    }
-
-    /// True if the matrix K turns axes by angles that depend on the state: its rows are orthogonal, and
-    /// the squares of their lengths are one number.
-    fn are_turned_axes(&mut self, matrix: &[Row]) -> bool {
+        let arena = &*self.arena;
+        let count = |rows: &[Row]| independent_rows(arena, rows).map(|found| found.len());
+        let is_told_twice = |own: usize| {
+            (0..forces.len()).all(|left_out| {
+                let others = [&forces[..left_out], &forces[left_out + 1..]].concat();
+                // The multiplier is determined if its axis is in the span of the rows.
+                let axis: Row = (0..used.len()).map(|i| if i == own { Expr::ONE } else { Expr::ZERO }).collect();
+                let with = [&others[..], &[axis]].concat();
+                !others.is_empty() && count(&others).is_some() && count(&others) == count(&with)
+            })
+        };
+        let told: Vec<bool> = (0..used.len()).map(is_told_twice).collect();
+        if told.iter().all(|is_told| *is_told) {
+            return true;
+        }
         let mut product = |row: &Row, other: &Row| {
             let terms: Vec<Expr> = row.iter().zip(other).map(|(a, b)| self.arena.mul(*a, *b)).collect();
             let sum = self.arena.sum(&terms);
             self.simplifier.simplify(self.arena, sum)
         };
-        let square = product(&matrix[0], &matrix[0]);
-        let are_orthogonal = matrix.iter().enumerate().all(|(i, row)| {
-            matrix[..i].iter().all(|other| product(row, other) == Expr::ZERO) && product(row, row) == square
+        let are_turned = matrix.iter().enumerate().all(|(i, row)| {
+            matrix[..i].iter().all(|other| product(row, other) == Expr::ZERO)
+                && (told[i] || product(row, row) == Expr::ONE)
         });
-        let is_number = |e: &Expr| self.arena.as_number(*e).is_some();
-        are_orthogonal && is_number(&square) && !matrix.iter().flatten().all(is_number)
+        are_turned && !matrix.iter().flatten().all(|e| self.arena.as_number(*e).is_some())
     }
 
     /// Inverse of a matrix to which rows are added for the multipliers that no printed row mentions;
@@ -228,7 +241,12 @@ impl TermTools<'_> {
                 continue;
             }
             let known: Vec<Row> = whole.iter().filter(|row| !row.is_empty()).cloned().collect();
-            whole[at] = unit_multiplier_matrix(width).into_iter().find(|row| {
+            // Of two multipliers, the other one has the perpendicular axis.
+            let perpendicular = match known.as_slice() {
+                [row] if width == 2 => Some(vec![self.arena.neg(row[1]), row[0]]),
+                _ => None,
+            };
+            whole[at] = perpendicular.into_iter().chain(unit_multiplier_matrix(width)).find(|row| {
                 let rows = [&known[..], std::slice::from_ref(row)].concat();
                 independent_rows(self.arena, &rows).is_some_and(|found| found.len() == rows.len())
             })?;

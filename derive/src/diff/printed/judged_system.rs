@@ -241,15 +241,10 @@ impl EntryJudge<'_, '_> {
     /// Rewrites the derived rows in the multipliers that the printed rows use.
     /// Returns a description of the printed multipliers; `None` if they equal the derived ones.
     fn adapt_judged_system_to_multipliers(&mut self, order: &mut DerivedSystem, rows: &[Row]) -> Option<String> {
-        let multipliers: Vec<Expr> =
-            self.quantities.model.motion_constraints.iter().map(|constraint| constraint.multiplier).collect();
         let model = self.quantities.model;
-        let parameters = model.p();
-        let constants = model.parameters.iter().filter(|p| !p.is_input).map(|p| p.symbol);
-        let fixed: Vec<Expr> = model.q().into_iter().chain(constants).collect();
         let Kinematics { arena, simplifier, .. } = &mut self.quantities.derivations.kinematics;
         let mut terms = TermTools { arena, simplifier, comparer: self.comparer };
-        terms.adapt_to_printed_multipliers(order, rows, &multipliers, &parameters, &fixed, self.multipliers)
+        terms.adapt_to_printed_multipliers(order, rows, model, self.multipliers)
     }
 
     /// Expands derived and printed rows up to the order of an entry that holds near a point.

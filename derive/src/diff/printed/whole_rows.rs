@@ -27,6 +27,9 @@ const MOST_UNKNOWNS: usize = 8;
 /// compared.
 const MOST_MEANT: usize = 8;
 
+/// Largest number of multipliers that are eliminated from derived rows.
+const MOST_ELIMINATED: usize = 3;
+
 /// Result of reading a wrong row as one formula.
 pub(super) enum WholeRow {
     /// The row is not linear in the unknowns, and holds with the values of the unknowns from the
@@ -97,7 +100,9 @@ impl EntryJudge<'_, '_> {
         let (raw, value) = (of(|printed| printed.raw), of(|printed| printed.value));
         let [raw, value] = [&raw, &value].map(|row| self.row_as_term(row, &order.unknowns));
         let whole = PrintedFormulaValue { raw, value, reading: row[0].reading };
-        for expected in self.whole_rows_possibly_meant(order, judged) {
+        let mut meant = self.whole_rows_possibly_meant(order, judged);
+        meant.extend(self.rows_without_multipliers(&of(|printed| printed.value), order));
+        for expected in meant {
             let term = self.row_as_term(&expected, &order.unknowns);
             if let Some(mistake) = self.find_slip(whole, term) {
                 return Some(WholeRow::Changed(mistake, expected));
@@ -130,6 +135,50 @@ impl EntryJudge<'_, '_> {
             if row.len() == order.rows[at].len() && !list.contains(&row) {
                 list.push(row);
             }
+        }
+        list
+    }
+
+    /// Derived rows from which the multipliers are eliminated by the other rows, if the printed row
+    /// has no multipliers.
+    ///
+    /// With rows P q̈ + L λ = r, the other rows give λ = (LᵀL)⁻¹ Lᵀ (r − P q̈), which an author reads off
+    /// along the axes of the constraints.
+    fn rows_without_multipliers(&mut self, printed: &Row, order: &DerivedSystem) -> Vec<Row> {
+        let multipliers = self.quantities.model.motion_constraints.iter().map(|constraint| constraint.multiplier);
+        let columns: Vec<usize> = multipliers.filter_map(|m| order.unknowns.iter().position(|u| *u == m)).collect();
+        let has_multiplier = |row: &Row| columns.iter().any(|c| row[*c] != Expr::ZERO);
+        if !(1..=MOST_ELIMINATED).contains(&columns.len()) || has_multiplier(printed) {
+            return Vec::new();
+        }
+        let Kinematics { arena, simplifier, .. } = &mut self.quantities.derivations.kinematics;
+        let mut list = Vec::new();
+        for (at, row) in order.rows.iter().enumerate().filter(|(_, row)| has_multiplier(row)) {
+            let others: Vec<&Row> = order
+                .rows
+                .iter()
+                .enumerate()
+                .filter(|(i, row)| *i != at && has_multiplier(row))
+                .map(|(_, row)| row)
+                .collect();
+            let mut product = |left: usize, right: usize| {
+                let terms: Vec<Expr> = others.iter().map(|row| arena.mul(row[left], row[right])).collect();
+                let sum = arena.sum(&terms);
+                simplifier.simplify(arena, sum)
+            };
+            let square: Vec<Row> = columns.iter().map(|i| columns.iter().map(|k| product(*i, *k)).collect()).collect();
+            let kept: Vec<usize> = (0..row.len()).filter(|c| !columns.contains(c)).collect();
+            let right: Vec<Row> = columns.iter().map(|i| kept.iter().map(|c| product(*i, *c)).collect()).collect();
+            let Ok((values, _)) = solve_linear(arena, simplifier, &square, &right) else { continue };
+            let mut without = vec![Expr::ZERO; row.len()];
+            for (place, column) in kept.iter().enumerate() {
+                let terms: Vec<Expr> =
+                    columns.iter().zip(&values).map(|(c, value)| arena.mul(row[*c], value[place])).collect();
+                let sum = arena.sum(&terms);
+                let entry = arena.sub(row[*column], sum);
+                without[*column] = simplifier.simplify(arena, entry);
+            }
+            list.push(without);
         }
         list
     }

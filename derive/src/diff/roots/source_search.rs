@@ -12,6 +12,7 @@ use super::shared_mistake::find_shared_mistake;
 use super::solved_systems::SolvedSystems;
 use crate::algebra::Expr;
 use crate::algebra::meaning::permitted_states::PermittedStates;
+use crate::algebra::value::rank::independent_rows;
 use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::diff::equations::claim::Claim;
 use crate::diff::equations::matched_system::MatchedSystem;
@@ -22,6 +23,8 @@ use rustc_hash::FxHashMap;
 
 /// Largest number of sources that are combined to explain an entry, apart from all sources at once.
 const LARGEST_SET: usize = 3;
+/// Largest number of rows of a system whose combinations are compared with a printed row.
+const MOST_ROWS: usize = 8;
 /// Largest number of combinations of each size that are tried for one entry.
 const SETS: usize = 100;
 
@@ -226,7 +229,8 @@ impl<'a, 'b> SourceSearch<'a, 'b> {
             self.rows.entry(key).or_insert_with(|| row_changed_by_printed_values(quantities, &mut chain, table, key.2));
         }
         let known = key.and_then(|key| self.rows[&key].clone());
-        let found = self.gives_printed_entry(&mut chain, known, at);
+        let found =
+            self.gives_printed_entry(&mut chain, known, at) || self.gives_printed_combination(&mut chain, source, at);
         self.chains[source] = Some(chain);
         found
     }
@@ -241,6 +245,31 @@ impl<'a, 'b> SourceSearch<'a, 'b> {
         let reached =
             chain.printed(&value.kind).is_none().then(|| chain.value(self.exact.quantities, &value.kind)).flatten();
         reached.is_some_and(|reached| self.is_printed(reached, &value))
+    }
+
+    /// True if the printed row `at` is a combination of all rows that the printed values in `chain`, of
+    /// the entry `source`, give: an equation solved for an acceleration is one.
+    fn gives_printed_combination(&mut self, chain: &mut ValueConsequences, source: usize, at: usize) -> bool {
+        let Claim::Row { table: place, row } = *self.stated[at] else { return false };
+        let table = &self.tables[place];
+        if table.derived.len() > MOST_ROWS {
+            return false;
+        }
+        let quantities = &mut *self.exact.quantities;
+        let mut is_changed = false;
+        let mut rows: Vec<Row> = Vec::new();
+        for (derived, own) in table.derived.iter().enumerate() {
+            let changed = self
+                .rows
+                .entry((source, place, derived))
+                .or_insert_with(|| row_changed_by_printed_values(quantities, chain, table, derived));
+            is_changed |= changed.is_some();
+            rows.push(changed.clone().unwrap_or_else(|| own.clone()));
+        }
+        let arena = &self.exact.quantities.derivations.kinematics.arena;
+        let count = |rows: &[Row]| independent_rows(arena, rows).map(|found| found.len());
+        let with = [&rows[..], std::slice::from_ref(&table.printed[row])].concat();
+        is_changed && count(&rows).is_some() && count(&rows) == count(&with)
     }
 
     /// True if the printed value at `at` equals the printed value at `source`, or its negative.

@@ -385,7 +385,9 @@ impl NameMeanings {
     /// the written-out form.
     /// Formulas with `ddt` of an abbreviation are not recorded.
     fn record_printed_form(&mut self, arena: &Arena, formula: &Located, notation: Notation, e: Expr) {
-        if self.shorthand.abbreviations().is_empty() || self.shorthand.printed.contains_key(&e) {
+        // A formula that is the same as that of an abbreviation need not be printed as its name.
+        let is_known = self.shorthand.printed.contains_key(&e) && !self.shorthand.is_name(e);
+        if self.shorthand.abbreviations().is_empty() || is_known {
             return;
         }
         let locals = Arc::clone(&self.locals);

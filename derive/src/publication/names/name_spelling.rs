@@ -165,6 +165,11 @@ impl SymbolNames for NameSpeller<'_> {
         if let Some(number) = self.locals.variable_number(name) {
             return Ok(variable_substitute(number));
         }
+        // An entry of a vector that was assigned as a whole has no value, if the whole was not read.
+        let whole = name.find(['(', '[']).and_then(|at| self.locals.variable_number(&name[..at]));
+        if let Some(number) = whole.filter(|number| self.locals.unread(*number).is_some()) {
+            return Ok(variable_substitute(number));
+        }
         if let Some(name) = self.spellings.variable(name) {
             return Ok(name);
         }

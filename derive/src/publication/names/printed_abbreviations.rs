@@ -10,8 +10,8 @@ use crate::algebra::term::transfer::Transfer;
 use crate::algebra::{Arena, Expr, Node};
 use rustc_hash::FxHashMap;
 
-/// Abbreviation of a publication whose formula is a sum or a product.
-/// Other names for a single symbol, number or function are not kept.
+/// Abbreviation of a publication whose formula is a sum or a product, or a function of one.
+/// Other names for a single symbol, number or function of a symbol are not kept.
 #[derive(Clone, Debug)]
 pub struct Abbreviation {
     /// Name of the abbreviation, as declared in the publication file.
@@ -92,8 +92,8 @@ impl PrintedAbbreviations {
     }
 
     /// Adds the abbreviation `name`, whose formula in the model's arena is `e`.
-    /// An abbreviation of a single symbol, number or function, such as s1 for sin(q1), is not
-    /// added: it is written out everywhere.
+    /// An abbreviation of a single symbol, of a number or of a function of a symbol, such as s1 for
+    /// sin(q1), is not added: it is written out everywhere.
     pub(in crate::publication) fn add_abbreviation(&mut self, model: &Arena, name: &str, e: Expr) {
         if self.arena.find_symbol(name).is_some()
             || self.reserved.iter().any(|one| one == name)
@@ -179,9 +179,11 @@ impl PrintedAbbreviations {
     }
 }
 
-/// True if a term is a sum of at least two terms, or a product of at least two factors.
+/// True if a term is a sum of at least two terms, a product of at least two factors, or a function of
+/// one of these.
 fn is_formula(arena: &Arena, e: Expr) -> bool {
     match arena.node(e) {
+        Node::Apply(_, argument) => is_formula(arena, *argument),
         Node::Sum(constant, terms) => terms.len() > 1 || !constant.is_zero() || is_formula(arena, terms[0].0),
         Node::Product(factors) => factors.len() > 1 || is_formula(arena, factors[0].0),
         _ => false,

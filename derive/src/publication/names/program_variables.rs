@@ -28,8 +28,37 @@ pub struct ProgramVariables {
     values: Vec<ProgramValue>,
     /// Lists of variables that the program assigns together from one vector, as in `q, w = state`.
     unpacked: Vec<Vec<String>>,
+    /// Place of the statement that is being read, as a byte range in the reader's texts.
+    pub statement: Range<usize>,
+    /// Shapes of the arrays of the program, by their names.
+    shapes: FxHashMap<String, ArrayShape>,
+    /// Pairs of names that may be the same array, as after `K = M` in Python.
+    aliases: Vec<[String; 2]>,
     /// Linear systems that the program solves, in the order of the statements.
     solutions: Vec<LinearSolution>,
+}
+
+/// Kind of an array of a program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ArrayKind {
+    /// Matrix or vector of two indices whose product is that of matrices, as in MATLAB.
+    Matrix,
+    /// Array of two indices whose product is taken entry by entry, as in NumPy.
+    Table,
+    /// Array of one index.
+    Flat,
+    /// Number that a formula with arrays gives.
+    Number,
+}
+
+/// Size and kind of an array of a program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ArrayShape {
+    /// Number of rows; of an array with one index, the number of its entries.
+    pub rows: usize,
+    /// Number of columns.
+    pub columns: usize,
+    pub kind: ArrayKind,
 }
 
 /// Linear system A x = b that a program solves, with its solution.
@@ -95,6 +124,68 @@ impl ProgramVariables {
     /// assignment.
     pub fn unpacked_variables(&self) -> &[Vec<String>] {
         &self.unpacked
+    }
+
+    /// Shape of the array with this name; `None` for a name that is no array, or whose shape is not
+    /// known. An array of which only entries were assigned has the shape of these, if none is missing.
+    pub fn array_shape(&self, name: &str) -> Option<ArrayShape> {
+        self.shapes.get(name).copied().or_else(|| self.shape_of_entries(name))
+    }
+
+    /// Shape of an array of which only entries were assigned; `None` if one is missing.
+    fn shape_of_entries(&self, name: &str) -> Option<ArrayShape> {
+        let list = self.entries(name);
+        let is_matlab = list.first()?.1.starts_with('(');
+        let first = usize::from(is_matlab);
+        let places = list.iter().map(|(_, index)| {
+            let numbers: Option<Vec<usize>> = index
+                .split(['(', ')', '[', ']', ','])
+                .filter(|part| !part.is_empty())
+                .map(|part| part.trim().parse::<usize>().ok()?.checked_sub(first))
+                .collect();
+            numbers
+        });
+        let places: Vec<Vec<usize>> = places.collect::<Option<_>>()?;
+        let pairs: Vec<&Vec<usize>> = places.iter().filter(|place| place.len() == 2).collect();
+        if pairs.is_empty() {
+            let rows = places.iter().map(|place| place[0] + 1).max()?;
+            let kind = if is_matlab { ArrayKind::Matrix } else { ArrayKind::Flat };
+            return (places.len() == rows).then_some(ArrayShape { rows, columns: 1, kind });
+        }
+        let rows = pairs.iter().map(|place| place[0] + 1).max()?;
+        let columns = pairs.iter().map(|place| place[1] + 1).max()?;
+        let is_complete = (0..rows).all(|i| (0..columns).all(|k| pairs.iter().any(|place| **place == [i, k])));
+        let kind = if is_matlab { ArrayKind::Matrix } else { ArrayKind::Table };
+        is_complete.then_some(ArrayShape { rows, columns, kind })
+    }
+
+    /// Records the shape of an array, or that a name is no array any more.
+    pub fn set_array_shape(&mut self, name: &str, shape: Option<ArrayShape>) {
+        self.aliases.retain(|pair| pair.iter().all(|own| own != name));
+        match shape {
+            Some(shape) => {
+                self.numbers.remove(name);
+                self.shapes.insert(name.to_owned(), shape);
+            }
+            None => {
+                self.shapes.remove(name);
+            }
+        }
+    }
+
+    /// Records that two names may be the same array.
+    pub fn record_alias(&mut self, name: &str, other: &str) {
+        self.aliases.push([name.to_owned(), other.to_owned()]);
+    }
+
+    /// Other names of the array `name`.
+    pub fn array_aliases(&self, name: &str) -> Vec<String> {
+        let other = |[a, b]: &[String; 2]| match (a == name, b == name) {
+            (true, _) => Some(b.clone()),
+            (_, true) => Some(a.clone()),
+            _ => None,
+        };
+        self.aliases.iter().filter_map(other).collect()
     }
 
     /// Records a linear system that the program solves.

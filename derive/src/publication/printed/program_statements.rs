@@ -366,7 +366,9 @@ fn read_program_statement(text: &str, range: Range<usize>, notation: Notation, l
     }
     let operator = own[..first].chars().next_back().filter(|c| matches!(c, '+' | '-' | '*' | '/'));
     let left = own[..first - operator.map_or(0, char::len_utf8)].trim();
-    let left = if notation == Notation::Python { left.split(':').next().unwrap_or(left) } else { left };
+    // A type may follow a name in Python. A colon in brackets belongs to an index.
+    let colon = statement_marks_outside_brackets(left, ':').first().copied().unwrap_or(left.len());
+    let left = if notation == Notation::Python { &left[..colon] } else { left };
     let left = if notation == Notation::C { left.rsplit([' ', '*', '&']).next().unwrap_or(left) } else { left };
     let left = left.rsplit('\n').next().unwrap_or(left);
     let tuple = left.trim().trim_start_matches(['[', '(']).trim_end_matches(',');

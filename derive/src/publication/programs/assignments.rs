@@ -1,19 +1,19 @@
 //! Reading of a program's assignments: the value of each variable, or the reason why it was not read.
 
+use super::arrays::{Operand, Operation, ProgramArray, combined_operands};
+use super::indices::{entry_names, indexed_name, selected_entries};
 use crate::algebra::Expr;
 use crate::algebra::text::notation::Notation;
 use crate::diagnostic::{Source, shortened_for_message};
 use crate::publication::entries::EntryTable;
 use crate::publication::names::author_files::notation_of_author_file;
-use crate::publication::names::program_variables::{ProgramValue, ProgramVariables, UnreadAssignment};
-use crate::publication::printed::printed_matrix::{MatrixCells, printed_matrix_cells};
+use crate::publication::names::program_variables::{
+    ArrayKind, ArrayShape, ProgramValue, ProgramVariables, UnreadAssignment,
+};
 use crate::publication::printed::{Statement, TracedText, is_program_number, statement_copies_value, statements};
 use crate::publication::publication_reader::PublicationReader;
 use crate::toml_reader::Located;
 use std::sync::Arc;
-
-/// Largest number of entries of a vector that a range of indices may name.
-const MOST_ENTRIES: usize = 100;
 
 impl<'a> PublicationReader<'a, '_> {
     /// Variables that the program of an entry assigns; `None` if the entry names no program, or if
@@ -74,6 +74,9 @@ impl<'a> PublicationReader<'a, '_> {
             " ".to_owned(),
             TracedText::from_place(" ", &place).places,
         );
+        if let Some(locals) = Arc::get_mut(&mut self.words.locals) {
+            locals.statement = line.span.clone();
+        }
         let unread = |name: &str, why: &str| {
             let help = "name the part of the program that decides".to_owned();
             let place = line.span.clone();
@@ -84,7 +87,7 @@ impl<'a> PublicationReader<'a, '_> {
         };
         if is_nested {
             for name in &targets {
-                self.assign_program_value(name, unread(name, "a condition or a loop decides about it"));
+                self.assign_program_value(name, unread(name, "a condition or a loop decides about it"), notation);
             }
             return;
         }
@@ -94,7 +97,9 @@ impl<'a> PublicationReader<'a, '_> {
                 locals.record_unpacking(&targets);
             }
             for name in &targets {
-                self.assign_declared_meaning(name, &right.text, || unread(name, "it is assigned together with others"));
+                self.assign_declared_meaning(name, &right.text, notation, || {
+                    unread(name, "it is assigned together with others")
+                });
             }
             return;
         }
@@ -104,50 +109,301 @@ impl<'a> PublicationReader<'a, '_> {
             // The key `name = ` marks that the number is assigned; it cannot be the name of a
             // variable.
             if self.words.locals.has_variable(&name) || self.words.locals.has_variable(&format!("{name} = ")) {
-                self.assign_program_value(&name, unread(&name, "it gets two values"));
+                self.assign_program_value(&name, unread(&name, "it gets two values"), notation);
             } else {
-                self.assign_program_value(&format!("{name} = "), ProgramValue::Value(Expr::ZERO));
+                self.assign_program_value(&format!("{name} = "), ProgramValue::Value(Expr::ZERO), notation);
             }
             return;
         }
         let formula = self.register_assembled_formula(source, right);
+        if self.assign_array_formula(&name, operator, &formula, notation) {
+            return;
+        }
         let value = self.words.read_program_formula(&mut self.model.arena, &formula, notation);
         match (value, operator) {
             (ProgramValue::Value(value), None) => {
                 self.words.record_program_variable(&self.model.arena, &name, &formula, notation, value);
-                self.assign_program_value(&name, ProgramValue::Value(value));
+                self.assign_program_value(&name, ProgramValue::Value(value), notation);
             }
             (ProgramValue::Value(value), Some(operator)) => {
-                self.apply_compound_assignment(&name, operator, value, &unread);
+                self.apply_compound_assignment(&name, operator, value, notation, &unread);
             }
             (ProgramValue::Unread(unread), _) => {
-                let is_whole = operator.is_none()
-                    && (self.assign_linear_solution(&name, &formula, notation)
-                        || self.assign_vector_entries(&name, &formula, notation));
-                if is_whole {
-                    return;
-                }
                 let wrong = || ProgramValue::Unread(unread.naming_variable(&name));
                 if operator.is_none() {
-                    self.assign_declared_meaning(&name, &formula.text, wrong);
+                    self.assign_declared_meaning(&name, &formula.text, notation, wrong);
                 } else {
-                    self.assign_program_value(&name, wrong());
+                    self.assign_program_value(&name, wrong(), notation);
                 }
             }
         }
     }
 
-    /// Assigns a value to a variable, and an unread value also to each entry of a range of indices.
-    pub(in crate::publication) fn assign_program_value(&mut self, name: &str, value: ProgramValue) {
+    /// Assigns a formula with arrays, or changes an array by an operator such as `+=`. Returns false
+    /// if neither the formula nor the variable is an array.
+    fn assign_array_formula(
+        &mut self,
+        name: &str,
+        operator: Option<char>,
+        formula: &Located,
+        notation: Notation,
+    ) -> bool {
+        let own = operator.and_then(|_| self.words.locals.array_shape(name));
+        let read = match (self.read_program_array(formula, notation), own) {
+            (None, None) => return false,
+            (Some(read), _) => read,
+            (None, Some(_)) => {
+                let value = self.words.read_program_formula(&mut self.model.arena, formula, notation);
+                Ok((ProgramArray { rows: vec![vec![value]], kind: ArrayKind::Number }, Vec::new()))
+            }
+        };
+        // A copy of itself, as in `z = z(:)`, changes nothing.
+        let copied = formula.text.trim().trim_end_matches(';').trim_end_matches("(:)");
+        if operator.is_none() && copied == name {
+            return true;
+        }
+        let outcome = read.and_then(|(array, solutions)| {
+            let changed = match (operator, own) {
+                (None, _) => Ok(array),
+                (Some(operator), Some(shape)) => self.changed_array(name, shape, operator, array, notation),
+                (Some(_), None) => Err("a change of a vector or matrix is not read here"),
+            };
+            changed.and_then(|array| self.assign_array(name, array, notation)).map(|()| solutions).map_err(|message| {
+                UnreadAssignment {
+                    place: formula.span.clone(),
+                    message: message.to_owned(),
+                    help: "write it out entry by entry".to_owned(),
+                    names_assignment: false,
+                }
+            })
+        });
+        match outcome {
+            Ok(solutions) => {
+                if let Some(locals) = Arc::get_mut(&mut self.words.locals) {
+                    for solution in solutions {
+                        locals.record_linear_solution(solution);
+                    }
+                    let source = formula.text.trim();
+                    if notation == Notation::Python && operator.is_none() && locals.array_shape(source).is_some() {
+                        locals.record_alias(name, source);
+                    }
+                }
+            }
+            Err(unread) => {
+                let wrong = || ProgramValue::Unread(unread.naming_variable(name));
+                if operator.is_none() {
+                    self.assign_declared_meaning(name, &formula.text, notation, wrong);
+                } else {
+                    self.assign_program_value(name, wrong(), notation);
+                }
+            }
+        }
+        true
+    }
+
+    /// Array `name` after a change such as `+=` by another array or a number.
+    fn changed_array(
+        &mut self,
+        name: &str,
+        shape: ArrayShape,
+        operator: char,
+        by: ProgramArray,
+        notation: Notation,
+    ) -> Result<ProgramArray, &'static str> {
+        let before = Operand::Array(self.array_of_variable(name, shape, notation));
+        let by = match by.rows.first() {
+            Some(row) if by.kind == ArrayKind::Number => Operand::Number(row[0].clone()),
+            _ => Operand::Array(by),
+        };
+        let operation = match operator {
+            '+' => Operation::Add,
+            '-' => Operation::Subtract,
+            '*' => Operation::Times,
+            _ => Operation::Over,
+        };
+        match combined_operands(&mut self.model.arena, before, by, operation)? {
+            Operand::Array(array) => Ok(array),
+            Operand::Number(_) => Err("a change of a vector to a number is not read"),
+        }
+    }
+
+    /// Array of a variable, entry by entry. An entry without a value is unread.
+    pub(in crate::publication) fn array_of_variable(
+        &self,
+        name: &str,
+        shape: ArrayShape,
+        notation: Notation,
+    ) -> ProgramArray {
+        let entry = |row, column| {
+            let names = entry_names(name, (row, column), Some(shape), notation);
+            let locals = &self.words.locals;
+            let value = names.iter().find_map(|name| locals.value(locals.variable_number(name)?)).cloned();
+            value.unwrap_or_else(|| {
+                ProgramValue::Unread(UnreadAssignment {
+                    place: self.words.locals.statement.clone(),
+                    message: format!("`{}` has no value", names[0]),
+                    help: "assign it".to_owned(),
+                    names_assignment: true,
+                })
+            })
+        };
+        let rows = (0..shape.rows).map(|row| (0..shape.columns).map(|column| entry(row, column)).collect()).collect();
+        ProgramArray { rows, kind: shape.kind }
+    }
+
+    /// Array of the entries that indices select, as in `z(3:4)`. `None` if the text is no indexed name.
+    pub(in crate::publication) fn array_of_indices(
+        &mut self,
+        text: &str,
+        notation: Notation,
+    ) -> Option<Result<ProgramArray, String>> {
+        let (name, indices) = indexed_name(text)?;
+        let shape = self.words.locals.array_shape(name);
+        let Some((rows, columns)) = selected_entries(&indices, shape, notation) else {
+            return Some(Err(format!("what `{}` selects is not known", shortened_for_message(text))));
+        };
+        let value = |reader: &mut Self, row: usize, column: usize| match shape {
+            Some(shape) => reader.array_of_variable(name, shape, notation).rows[row][column].clone(),
+            None => {
+                let text = entry_names(name, (row, column), None, notation).pop().unwrap_or_default();
+                let span = reader.words.locals.statement.clone();
+                let entry = Located { text, span, exact: false };
+                reader.words.read_program_formula(&mut reader.model.arena, &entry, notation)
+            }
+        };
+        let is_inside = shape.is_none_or(|shape| {
+            rows.iter().all(|row| *row < shape.rows) && columns.iter().all(|column| *column < shape.columns)
+        });
+        if !is_inside {
+            return Some(Err(format!("`{}` selects entries that do not exist", shortened_for_message(text))));
+        }
+        let lines: Vec<Vec<ProgramValue>> =
+            rows.iter().map(|row| columns.iter().map(|column| value(self, *row, *column)).collect()).collect();
+        Some(Ok(if notation == Notation::Matlab {
+            ProgramArray { rows: lines, kind: ArrayKind::Matrix }
+        } else if lines.len() == 1 || columns.len() == 1 {
+            ProgramArray::flat(lines.into_iter().flatten().collect())
+        } else {
+            ProgramArray { rows: lines, kind: ArrayKind::Table }
+        }))
+    }
+
+    /// Assigns an array to a variable, or to the entries that its indices select. The error is the
+    /// reason why the assignment is not read.
+    fn assign_array(&mut self, name: &str, array: ProgramArray, notation: Notation) -> Result<(), &'static str> {
+        let shape = array.shape();
+        let Some((whole, indices)) = indexed_name(name) else {
+            if shape.kind == ArrayKind::Number {
+                self.assign_program_value(name, array.rows[0][0].clone(), notation);
+                return Ok(());
+            }
+            self.forget_entries(name, &format!("`{name}` is another vector or matrix now"));
+            if let Some(locals) = Arc::get_mut(&mut self.words.locals) {
+                locals.set_array_shape(name, Some(shape));
+                for (row, line) in array.rows.into_iter().enumerate() {
+                    for (column, value) in line.into_iter().enumerate() {
+                        for entry in entry_names(name, (row, column), Some(shape), notation) {
+                            locals.assign_variable(&entry, value.clone());
+                        }
+                    }
+                }
+            }
+            return Ok(());
+        };
+        let known = self.words.locals.array_shape(whole);
+        let Some((rows, columns)) = selected_entries(&indices, known, notation) else {
+            return Err("the entries that it is assigned to are not known");
+        };
+        let places: Vec<(usize, usize)> =
+            rows.iter().flat_map(|row| columns.iter().map(|column| (*row, *column))).collect();
+        let values: Vec<ProgramValue> = array.rows.into_iter().flatten().collect();
+        let fits = if shape.rows == 1 || shape.columns == 1 {
+            rows.len() == 1 || columns.len() == 1
+        } else {
+            (rows.len(), columns.len()) == (shape.rows, shape.columns)
+        };
+        let values = match values.as_slice() {
+            [value] => vec![value.clone(); places.len()],
+            _ if fits && values.len() == places.len() => values,
+            _ => return Err("the sizes of its two sides do not fit"),
+        };
+        let whole = whole.to_owned();
+        for (place, value) in places.into_iter().zip(values) {
+            self.assign_entry(&whole, place, &value, notation);
+        }
+        Ok(())
+    }
+
+    /// Assigns a value to one entry of an array, by all its names.
+    fn assign_entry(&mut self, whole: &str, place: (usize, usize), value: &ProgramValue, notation: Notation) {
+        for other in self.words.locals.array_aliases(whole) {
+            self.forget_entries(&other, &format!("`{other}` and `{whole}` may be one array, which changes"));
+        }
         if let Some(locals) = Arc::get_mut(&mut self.words.locals) {
-            // An assignment to several entries at once is not read, and this reason holds for each
-            // entry.
-            for entry in entries_of_assigned_range(name)
-                .filter(|_| matches!(value, ProgramValue::Unread(_)))
-                .into_iter()
-                .flatten()
-            {
-                locals.assign_variable(&entry, value.clone());
+            let shape = locals.array_shape(whole);
+            for name in entry_names(whole, place, shape, notation) {
+                locals.assign_variable(&name, value.clone());
+            }
+        }
+    }
+
+    /// Makes all entries of an array unread, for the reason `why`.
+    fn forget_entries(&mut self, name: &str, why: &str) {
+        if let Some(locals) = Arc::get_mut(&mut self.words.locals) {
+            for (entry, _) in locals.entries(name) {
+                let unread = UnreadAssignment {
+                    place: locals.statement.clone(),
+                    message: why.to_owned(),
+                    help: "name the part of the program that decides".to_owned(),
+                    names_assignment: true,
+                };
+                locals.assign_variable(&entry, ProgramValue::Unread(unread));
+            }
+        }
+    }
+
+    /// Assigns a value to a variable or to the entries that its indices select. If it is not known
+    /// which entries change, none has a value any more.
+    fn assign_program_value(&mut self, name: &str, value: ProgramValue, notation: Notation) {
+        if let Some((whole, indices)) = indexed_name(name) {
+            let shape = self.words.locals.array_shape(whole);
+            match selected_entries(&indices, shape, notation) {
+                Some((rows, columns)) => {
+                    let whole = whole.to_owned();
+                    for place in rows.iter().flat_map(|row| columns.iter().map(|column| (*row, *column))) {
+                        self.assign_entry(&whole, place, &value, notation);
+                    }
+                }
+                None => {
+                    self.forget_entries(whole, &format!("`{name}` may be this entry, and it was assigned"));
+                    for other in self.words.locals.array_aliases(whole) {
+                        self.forget_entries(
+                            &other,
+                            &format!("`{other}` and `{whole}` may be one array, which changes"),
+                        );
+                    }
+                }
+            }
+            if let Some(locals) = Arc::get_mut(&mut self.words.locals) {
+                locals.assign_variable(name, value);
+            }
+            return;
+        }
+        let entries = self.words.locals.entries(name);
+        if let Some(locals) = Arc::get_mut(&mut self.words.locals) {
+            locals.set_array_shape(name, None);
+            for (entry, _) in entries {
+                // The reason why the whole was not read holds for each entry.
+                let unread = match &value {
+                    ProgramValue::Unread(_) => value.clone(),
+                    ProgramValue::Value(_) => ProgramValue::Unread(UnreadAssignment {
+                        place: locals.statement.clone(),
+                        message: format!("`{name}` is a number from here on"),
+                        help: "name the part of the program that decides".to_owned(),
+                        names_assignment: true,
+                    }),
+                };
+                locals.assign_variable(&entry, unread);
             }
             locals.assign_variable(name, value);
         }
@@ -156,7 +412,13 @@ impl<'a> PublicationReader<'a, '_> {
     /// Restores the meaning from the publication file or the model, if the program only copies a
     /// variable from elsewhere.
     /// Else assigns the unread value `wrong`. An acceleration is always computed, never copied.
-    fn assign_declared_meaning(&mut self, name: &str, right: &str, wrong: impl FnOnce() -> ProgramValue) {
+    fn assign_declared_meaning(
+        &mut self,
+        name: &str,
+        right: &str,
+        notation: Notation,
+        wrong: impl FnOnce() -> ProgramValue,
+    ) {
         let model = &self.model;
         let is_acceleration =
             |e: Expr| model.coordinates.iter().any(|c| c.second_rate == e) || model.speeds.iter().any(|s| s.rate == e);
@@ -166,7 +428,7 @@ impl<'a> PublicationReader<'a, '_> {
                 locals.forget(name);
             }
         } else {
-            self.assign_program_value(name, wrong());
+            self.assign_program_value(name, wrong(), notation);
         }
     }
 
@@ -177,6 +439,7 @@ impl<'a> PublicationReader<'a, '_> {
         name: &str,
         operator: char,
         value: Expr,
+        notation: Notation,
         unread: &dyn Fn(&str, &str) -> ProgramValue,
     ) {
         let locals = &self.words.locals;
@@ -196,118 +459,6 @@ impl<'a> PublicationReader<'a, '_> {
             || unread(name, "the change is made to a value that is unknown, or divides by one"),
             ProgramValue::Value,
         );
-        self.assign_program_value(name, value);
+        self.assign_program_value(name, value, notation);
     }
-
-    /// Assigns entries of a vector to others, as in `dz(1:2) = z(3:4)`. Returns false if the formula is
-    /// no range of entries.
-    fn assign_range_of_entries(&mut self, name: &str, formula: &Located, notation: Notation) -> bool {
-        let whole = formula.text.trim();
-        let Some(sources) = entries_of_assigned_range(whole) else { return false };
-        let Some(names) = names_of_assigned_entries(name, sources.len(), notation) else { return false };
-        // All values are read before the first is assigned.
-        let place = formula.span.clone();
-        let values: Vec<ProgramValue> = sources
-            .into_iter()
-            .map(|text| {
-                let entry = Located { text, span: place.clone(), exact: false };
-                self.words.read_program_formula(&mut self.model.arena, &entry, notation)
-            })
-            .collect();
-        for (name, value) in names.iter().zip(values) {
-            let value = match value {
-                ProgramValue::Unread(unread) => ProgramValue::Unread(unread.naming_variable(name)),
-                value @ ProgramValue::Value(_) => value,
-            };
-            self.assign_program_value(name, value);
-        }
-        true
-    }
-
-    /// Assigns the entries of a vector or matrix, or of a copy of one; returns false if the formula
-    /// is neither.
-    pub(in crate::publication) fn assign_vector_entries(
-        &mut self,
-        name: &str,
-        formula: &Located,
-        notation: Notation,
-    ) -> bool {
-        let copied = self.words.locals.entries(formula.text.trim());
-        if !copied.is_empty() {
-            for (from, index) in copied {
-                let value = self.words.locals.variable_number(&from).and_then(|n| self.words.locals.value(n)).cloned();
-                if let Some(value) = value {
-                    self.assign_program_value(&format!("{name}{index}"), value);
-                }
-            }
-            return true;
-        }
-        if self.assign_range_of_entries(name, formula, notation) {
-            return true;
-        }
-        // A tuple is a list without brackets: a bracket instead of the parenthesis keeps all byte
-        // positions.
-        let whole = formula.text.trim();
-        let is_tuple = whole.starts_with('(') && whole.ends_with(')') && whole.contains(',') && !whole.contains('[');
-        let is_bare = !is_tuple && whole.contains(',') && !whole.contains(['(', '[']);
-        let (text, shift) = match (is_tuple, is_bare) {
-            (true, _) => (format!("[{}]", &whole[1..whole.len() - 1]), 0),
-            (_, true) => (format!("[{whole}]"), 1),
-            _ => (formula.text.clone(), 0),
-        };
-        let Ok(MatrixCells { rows, factor: None }) = printed_matrix_cells(&text, notation) else { return false };
-        let is_row = rows.len() == 1;
-        let is_column = rows.iter().all(|row| row.len() == 1);
-        let first = usize::from(notation == Notation::Matlab);
-        for (i, row) in rows.iter().enumerate() {
-            for (j, cell) in row.iter().enumerate() {
-                let range = cell.start.saturating_sub(shift)..cell.end.saturating_sub(shift);
-                let entry = Located { text: text[cell.clone()].to_owned(), span: formula.part(range), exact: true };
-                let value = self.words.read_program_formula(&mut self.model.arena, &entry, notation);
-                let value = match value {
-                    ProgramValue::Unread(unread) => ProgramValue::Unread(unread.naming_variable(name)),
-                    value @ ProgramValue::Value(_) => value,
-                };
-                let (i, j) = (i + first, j + first);
-                let mut names = if notation == Notation::Matlab {
-                    vec![format!("{name}({i},{j})")]
-                } else {
-                    vec![format!("{name}[{i},{j}]"), format!("{name}[{i}][{j}]")]
-                };
-                if is_row || is_column {
-                    let at = if is_row { j } else { i };
-                    let brackets = if notation == Notation::Matlab { ('(', ')') } else { ('[', ']') };
-                    names.push(format!("{name}{}{at}{}", brackets.0, brackets.1));
-                }
-                for name in names {
-                    self.assign_program_value(&name, value.clone());
-                }
-            }
-        }
-        true
-    }
-}
-
-/// Names of the entries of an assigned vector: those of a range such as z(1:4), or the first
-/// `count` entries of a whole vector. Returns `None` for a range of another length.
-pub fn names_of_assigned_entries(name: &str, count: usize, notation: Notation) -> Option<Vec<String>> {
-    let first = usize::from(notation == Notation::Matlab);
-    let (open, close) = if notation == Notation::Matlab { ('(', ')') } else { ('[', ']') };
-    let whole = || (first..first + count).map(|at| format!("{name}{open}{at}{close}")).collect();
-    Some(entries_of_assigned_range(name).unwrap_or_else(whole)).filter(|names| names.len() == count)
-}
-
-/// Names of the vector entries in a range of indices, such as z(1:4) in MATLAB or `z[0:4]` in
-/// Python.
-/// Returns `None` for a name without a range.
-fn entries_of_assigned_range(name: &str) -> Option<Vec<String>> {
-    let open = name.find(['(', '['])?;
-    let is_python = name[open..].starts_with('[');
-    let (first, last) = name[open + 1..].strip_suffix([')', ']'])?.split_once(':')?;
-    let first = if is_python && first.is_empty() { 0 } else { first.parse::<usize>().ok()? };
-    let last = last.parse::<usize>().ok()?;
-    let range = if is_python { first..last } else { first..last.saturating_add(1) };
-    let (bracket, close) = if is_python { ('[', ']') } else { ('(', ')') };
-    let whole = &name[..open];
-    (range.len() <= MOST_ENTRIES).then(|| range.map(|at| format!("{whole}{bracket}{at}{close}")).collect())
 }

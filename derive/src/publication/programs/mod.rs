@@ -1,5 +1,7 @@
-//! Reading of printed programs: their assignments, the linear systems that they solve, and listings.
+//! Reading of printed programs: their assignments and arrays, the linear systems that they solve, and listings.
 
+mod array_formulas;
+mod arrays;
 pub(super) mod assignments;
-pub(super) mod linear_solutions;
+mod indices;
 pub(super) mod listing;
