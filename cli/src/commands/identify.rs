@@ -2,8 +2,8 @@
 //! the regressor.
 
 use super::inverse::{Shape, read_motion, table};
-use crate::failure::{Failure, print, print_json};
-use crate::workspace::{read_model, short_name};
+use crate::files::workspace::{read_model, short_name};
+use crate::terminal::failure::{Failure, print, print_json};
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;
@@ -26,7 +26,11 @@ use tripos_traits::DoubleDouble;
 pub fn identify(model: &Path, varied: RegressorParameters, at: Option<&Path>, shape: Shape) -> Result<u8, Failure> {
     let mut model = read_model(model)?;
     let motion = at.map(|at| read_motion(at, &mut model)).transpose()?;
-    let found = of_model(&model, varied)?;
+    let mut found = of_model(&model, varied)?;
+    // Groups of closed poses hold at the values of the model file only.
+    if motion.as_ref().is_some_and(|motion| !is_at_defaults(&model, &motion.parameters)) {
+        found.ungroup();
+    }
     let parameters = motion.as_ref().map(|motion| motion.parameters.clone()).or_else(|| defaults(&model));
     let known = parameters.as_ref().map(|p| base_parameter_values(&model, &found, p)).transpose()?;
     let regressor = match &motion {
@@ -59,6 +63,12 @@ fn defaults(model: &Mechanism) -> Option<Vec<DoubleDouble>> {
         None => p.is_input.then(|| 0.0.into()),
     };
     model.parameters.iter().map(value).collect()
+}
+
+/// True if all parameters beside inputs have the values of the model file.
+fn is_at_defaults(model: &Mechanism, parameters: &[DoubleDouble]) -> bool {
+    let mut known = model.parameters.iter().zip(parameters).filter(|(p, _)| !p.is_input);
+    known.all(|(p, x)| p.value.as_ref().is_some_and(|value| DoubleDouble::from_rational(value) == *x))
 }
 
 /// Returns the name of the parameter of a regressor column.

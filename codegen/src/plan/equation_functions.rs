@@ -1,8 +1,8 @@
 //! Functions that plans have in common: each is planned from one set of equations.
 
-use super::function::{Arguments, Function, Returns, Value};
-use super::planner::Planner;
-use super::variable_names::variable_name_without_primes;
+use super::programs::function::{Arguments, Function, Returns, Value};
+use super::programs::planner::Planner;
+use super::programs::variable_names::variable_name_without_primes;
 use std::ops::RangeInclusive;
 use tripos_derive::algebra::solve::elimination::Elimination;
 use tripos_derive::algebra::term::calculus::Substitution;

@@ -4,8 +4,8 @@ use super::equation_functions::{
     accelerations, constraints, derivative, divisors, inverse_dynamics, jacobian, kinematics_and_energies,
     linear_system, plan_speed_conversions, text_of_equation_symbols,
 };
-use super::function::{Function, LineComments};
-use super::planner::Planner;
+use super::programs::function::{Function, LineComments};
+use super::programs::planner::Planner;
 use super::taylor_plan::TaylorPlan;
 use crate::taylor::Recurrences;
 use tripos_derive::algebra::solve::elimination::Elimination;

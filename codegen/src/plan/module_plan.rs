@@ -6,11 +6,11 @@ use super::equation_functions::{
     redundant_constraints, residual,
 };
 use super::formulation_plan::formulation_facts;
-use super::function::{Arguments, Function, Returns, Value};
-use super::planner::Planner;
+use super::programs::function::{Arguments, Function, Returns, Value};
+use super::programs::planner::Planner;
+use super::programs::variable_names::Language;
 use super::regressor::RegressorFunctions;
 use super::scene_outputs::SceneOutputs;
-use super::variable_names::Language;
 use tripos_derive::algebra::Expr;
 use tripos_derive::mechanics::{Jacobian, SolvedAccelerations};
 use tripos_derive::model::DomainCondition;

@@ -6,8 +6,8 @@ use super::equation_functions::{
     needs_reaction, plan_speed_conversions, redundant_constraints,
 };
 use super::formulation_plan::formulation_facts;
-use super::function::{Arguments, Function, Returns, Value};
-use super::planner::Planner;
+use super::programs::function::{Arguments, Function, Returns, Value};
+use super::programs::planner::Planner;
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::solve::elimination::Elimination;
 

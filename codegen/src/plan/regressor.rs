@@ -5,9 +5,9 @@
 //! parameters, which motion can determine. The second set is written only if each base parameter is
 //! proved to equal a formula in the model's parameters.
 
-use super::function::{Arguments, Function, Returns, Value};
-use super::planner::{Planner, Sharing};
-use super::variable_names::Language;
+use super::programs::function::{Arguments, Function, Returns, Value};
+use super::programs::planner::{Planner, Sharing};
+use super::programs::variable_names::Language;
 use tripos_derive::algebra::form::simplify::Simplifier;
 use tripos_derive::algebra::text::definitions::write_definitions;
 use tripos_derive::algebra::{Arena, Expr};
@@ -49,11 +49,12 @@ impl RegressorFunctions {
     /// # Errors
     /// [`DeriveError`] if the regressor of the model cannot be derived.
     pub fn new(model: &Model, equations: &Equations) -> Result<Self, DeriveError> {
-        let Identification { regressor, base, grouped, complete, .. } =
-            Identification::new(model, RegressorParameters::Bodies)?;
+        let found = Identification::new(model, RegressorParameters::Bodies)?;
+        let is_grouped = found.before_grouping().is_some();
+        let Identification { regressor, base, complete, .. } = found;
         let (mut arena, mut columns) = (regressor.arena, regressor.columns);
         // Closed poses group parameters by numbers of one model, which no formula gives.
-        let is_proved = matches!(complete, Completeness::Proved(_)) && grouped.is_empty();
+        let is_proved = matches!(complete, Completeness::Proved(_)) && !is_grouped;
         let base = is_proved.then(|| base_regressor_parameters(&mut arena, &columns, &base)).flatten();
         let count = columns.iter().map(|column| column.forces.len()).sum::<usize>();
         let all = columns.iter().flat_map(|column| &column.forces).chain(&regressor.rest).copied();

@@ -1,8 +1,8 @@
 //! Planned functions for the outputs and events of a scene, which depend on the state alone.
 
 use super::equation_functions::definitions_of_other_variables;
-use super::function::{Arguments, Function, Returns, Value};
-use super::planner::Planner;
+use super::programs::function::{Arguments, Function, Returns, Value};
+use super::programs::planner::Planner;
 use rustc_hash::FxHashSet;
 use tripos_derive::algebra::solve::elimination::Elimination;
 use tripos_derive::algebra::term::steps::{Definition, needed_steps};

@@ -1,21 +1,20 @@
 //! Plan of the functions of a scene's reduced equations, and their cost compared with the equations
 //! of the whole model.
 
-use super::cost::OperationCount;
 use super::equation_functions::{accelerations, derivative, divisors, jacobian, kinematics_and_energies};
 use super::formulation_plan::{Jacobian, singular_text};
-use super::function::{Arguments, Function, Returns, Value};
-use super::planner::{Planner, Sharing};
+use super::programs::cost::OperationCount;
+use super::programs::function::{Arguments, Function, Returns, Value};
+use super::programs::planner::{Planner, Sharing};
+use super::programs::variable_names::{Language, variable_name_without_primes};
 use super::taylor_plan::TaylorPlan;
-use super::variable_names::{Language, variable_name_without_primes};
 use crate::taylor::{Recurrences, cheapest_recurrences_of};
-use tripos_derive::Model;
 use tripos_derive::algebra::form::simplify::Simplifier;
 use tripos_derive::algebra::text::print::print_text;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{self, DeriveError, SolvedAccelerations, Unsolved};
 use tripos_derive::reduce::{PotentialDifference, ReducedQuantity, Reduction};
-use tripos_derive::{Equations, Formulation, derive};
+use tripos_derive::{Equations, Formulation, Model, derive};
 
 /// Reduced equations of a scene, solved for the accelerations.
 pub struct SceneEquations<'a> {

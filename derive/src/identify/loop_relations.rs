@@ -3,8 +3,9 @@
 //! closed poses are known only as numbers.
 
 use super::{BaseParameter, BaseParameterFactor, Identification};
-use crate::algebra::Expr;
+use crate::algebra::term::calculus::Gradient;
 use crate::algebra::value::tape::Tape;
+use crate::algebra::{Arena, Expr};
 use crate::model::Model;
 use crate::model::constraints::closed_poses::{ClosedPoseSearch, RandomNumbers, random_coordinate_ranges};
 use nalgebra::{DMatrix, DVector};
@@ -12,9 +13,27 @@ use nalgebra::{DMatrix, DVector};
 /// Numbers of random poses with closed loops in a sample. They are tried in turn until dependent
 /// and independent columns of the regressor differ clearly.
 const POSES: [usize; 3] = [12, 24, 48];
-/// Number of states (speeds and accelerations) in each pose: half of them find the relations, half
-/// confirm them.
+/// Smallest number of regular poses that decides relations.
+const FEWEST: usize = 8;
+/// Number of states (speeds and accelerations) in each pose.
 const STATES: usize = 16;
+/// Smallest singular value of the constraints and speeds, with rows of length up to 1, below which a
+/// pose is singular: there the speeds do not determine q̇, and the columns of the regressor are quotients
+/// of rounding errors. It allows for the rounding of a pose that is a double root.
+const SINGULAR: f64 = 1e-5;
+/// Fraction of the usual (median) smallest singular value below which a pose counts as near a
+/// singular pose.
+const NEAR_SINGULAR: f64 = 0.01;
+/// Size of a force relative to its largest intermediate term, below which it is the rounding error
+/// of a zero.
+const CANCELLED: f64 = 1e-12;
+/// Largest factor between columns of length 1. Larger factors come from columns that are zero but
+/// for rounding errors.
+const LARGEST: f64 = 1e6;
+/// Largest denominator of the fractions to which factors are rounded.
+const DENOMINATORS: u32 = 360;
+/// Relative distance to a fraction below which a factor is rounded to it.
+const CLOSE: f64 = 1e-10;
 /// Multiple of the usual (median) forces above which a pose counts as near a dead point, where the
 /// generalized speeds do not determine q̇. Such a pose is left out, because its rounding errors
 /// would hide the other poses.
@@ -69,7 +88,11 @@ pub fn group_by_loop_relations(model: &Model, found: &mut Identification) -> Opt
     let mut seen = None;
     for most in POSES {
         let Some((samples, poses)) = sample_rows_on_loops(model, found, most) else { break };
-        let (relations, sample) = loop_relations_of_sample(&samples, poses);
+        let (mut relations, mut sample) = loop_relations_of_sample(&samples, poses);
+        // A few poses satisfy relations that others refute.
+        if poses < FEWEST {
+            (relations, sample.is_clear) = (None, false);
+        }
         let before = seen.replace(sample);
         if let Some(relations) = relations {
             group_parameters_on_loops(found, &relations);
@@ -99,7 +122,8 @@ fn loop_relations_of_sample([rows, elsewhere]: &[DMatrix<f64>; 2], poses: usize)
                 left -= other * other.dot(&left);
             }
         }
-        let size = left.norm() / column.norm();
+        // A column without forces is dependent; a quotient of its norms has no value.
+        let size = if column.norm() > 0.0 { left.norm() / column.norm() } else { 0.0 };
         // The remainder of an unclear column counts on both sides of the gap.
         if size < INDEPENDENT {
             seen.dependent = seen.dependent.max(size);
@@ -120,9 +144,16 @@ fn loop_relations_of_sample([rows, elsewhere]: &[DMatrix<f64>; 2], poses: usize)
     let mut shares = Vec::new();
     for (at, column) in given {
         let Ok(factors) = svd.solve(&column, 0.0) else { return (None, seen) };
+        let length = column.norm();
+        let is_huge =
+            |(place, factor): (usize, &f64)| factor.abs() * rows.column(kept[place]).norm() > LARGEST * length;
+        if factors.iter().enumerate().any(is_huge) {
+            return (None, seen);
+        }
+        let factors = factors.map(nearest_fraction);
         let there = elsewhere.column(at);
-        // A dependence that holds only at the states where it was found is accidental.
-        if (&beside * &factors - there).norm() > INDEPENDENT * there.norm() {
+        // A dependence that holds only in the poses where it was found is accidental.
+        if (&beside * &factors - there).norm() > INDEPENDENT * there.norm().max(length) {
             return (None, seen);
         }
         shares.push((at, factors));
@@ -131,27 +162,46 @@ fn loop_relations_of_sample([rows, elsewhere]: &[DMatrix<f64>; 2], poses: usize)
     (Some(Relations { kept, shares }), seen)
 }
 
-/// Adds each dependent base parameter, with its factors, to those that are kept.
+/// Fraction with a small denominator that a number equals within rounding, else the number.
+fn nearest_fraction(x: f64) -> f64 {
+    let mut fractions = (1..=DENOMINATORS).map(f64::from).map(|below| (x * below).round() / below);
+    fractions.find(|near| (near - x).abs() <= CLOSE * x.abs()).unwrap_or(x)
+}
+
+/// Adds each dependent base parameter, with its factors, to those that are kept. One that no kept
+/// parameter takes up has no effect in closed poses.
 fn group_parameters_on_loops(found: &mut Identification, Relations { kept, shares }: &Relations) {
     let mut base: Vec<BaseParameter> = kept.iter().map(|at| found.base[*at].clone()).collect();
+    let mut used: Vec<usize> = Vec::new();
     for (at, factors) in shares {
         let BaseParameter { column, .. } = found.base[*at];
         let largest = factors.amax();
+        if largest > 0.0 {
+            used.push(*at);
+        } else {
+            found.without_effect.push(column);
+        }
         for (place, factor) in factors.iter().enumerate().filter(|(_, factor)| factor.abs() > NONE * largest) {
             base[place].with.push((column, BaseParameterFactor::Number(*factor)));
         }
     }
+    found.without_effect.sort_unstable();
     // A dependent base parameter keeps its own combination: its name stands for the whole combination.
-    let given: Vec<BaseParameter> = shares.iter().map(|(at, _)| found.base[*at].clone()).collect();
+    let given: Vec<BaseParameter> = used.iter().map(|at| found.base[*at].clone()).collect();
     found.grouped = given.into_iter().filter(|base| !base.with.is_empty()).collect();
     found.base = base;
 }
 
-/// Evaluates the columns of the base parameters in at most `most` closed poses, as two matrices
-/// with a row for each speed of each state. Rows are scaled to equal size, so that every state
-/// counts alike. Also returns the number of poses, without those near a dead point of the speeds.
+/// Evaluates the columns of the base parameters in about `most` closed poses, as two matrices of
+/// different poses with a row for each speed of each state. Rows are scaled to equal size, so that
+/// every state counts alike. Also returns the number of poses, without singular ones and those near
+/// a dead point of the speeds.
 ///
-/// `None` if a parameter has no value or no closed pose is found.
+/// Loops may close in several assemblies, such as a parallelogram and a folded one. Relations have
+/// to hold in all of them, because a base parameter belongs to the model, not to one assembly. An
+/// assembly in which every pose is singular is left out: no motion is computed there.
+///
+/// `None` if a parameter has no value or fewer than two regular closed poses are found.
 fn sample_rows_on_loops(model: &Model, found: &mut Identification, most: usize) -> Option<([DMatrix<f64>; 2], usize)> {
     let regressor = &mut found.regressor;
     let time = model.time();
@@ -170,11 +220,10 @@ fn sample_rows_on_loops(model: &Model, found: &mut Identification, most: usize) 
     let loops: Vec<Expr> = model.loops.iter().chain(&model.closed).map(|c| c.equation).collect();
     let poses =
         ClosedPoseSearch { known: &of_poses, coordinates: &coordinates, reach: &reach, loops: &loops, flat: 0.0 };
-    let tries = poses.tries() * most / POSES[0];
-    let poses = poses.seek_closed_poses_from(&mut regressor.arena, tries, most)?;
-    if poses.is_empty() {
-        return None;
-    }
+    // Half of the poses find the relations, half confirm them.
+    let tries = 2 * poses.tries() * most / POSES[0];
+    let mut poses = poses.seek_closed_poses_from(&mut regressor.arena, tries, 2 * most)?;
+    keep_regular_poses(model, &mut regressor.arena, &of_poses, &coordinates, &mut poses)?;
     let rates: Vec<Expr> = model.speeds.iter().map(|s| s.rate).collect();
     let inputs = [of_poses.iter().map(|(s, _)| *s).collect(), coordinates, model.u(), rates].concat();
     let terms: Vec<Expr> = found.base.iter().flat_map(|base| regressor.columns[base.column].forces.clone()).collect();
@@ -190,7 +239,13 @@ fn sample_rows_on_loops(model: &Model, found: &mut Identification, most: usize) 
             // like a relation.
             let moving: Vec<f64> = (0..2 * speeds).map(|_| FAST * chance.draw()).collect();
             let known = of_poses.iter().map(|(_, x)| *x).chain(q.iter().copied());
-            let forces = tape.evaluate(&known.chain(moving).collect::<Vec<f64>>());
+            let inputs = known.chain(moving).collect::<Vec<f64>>();
+            let mut forces = tape.evaluate(&inputs);
+            for (force, term) in forces.iter_mut().zip(tape.largest_terms(&inputs)) {
+                if term.is_finite() && force.abs() <= CANCELLED * term {
+                    *force = 0.0;
+                }
+            }
             if forces.iter().all(|x| x.is_finite()) {
                 let row = |r: usize| (0..columns).map(move |column| column * speeds + r);
                 samples[state % 2].extend((0..speeds).flat_map(row).map(|at| forces[at]));
@@ -208,7 +263,7 @@ fn sample_rows_on_loops(model: &Model, found: &mut Identification, most: usize) 
     };
     of_pose.retain(|pose| forces(pose) <= NEAR_DEAD);
     let samples = [0, 1].map(|half| {
-        let rows = of_pose.iter().flat_map(|pose| pose[half].row_iter());
+        let rows = of_pose.iter().skip(half).step_by(2).flatten().flat_map(|part| part.row_iter());
         let mut rows: Vec<_> = rows.map(nalgebra::Matrix::into_owned).collect();
         for row in &mut rows {
             let size = row.iter().zip(&usual).map(|(x, usual)| (x / usual).powi(2)).sum::<f64>().sqrt();
@@ -222,13 +277,64 @@ fn sample_rows_on_loops(model: &Model, found: &mut Identification, most: usize) 
     is_some.then(|| (samples.map(|rows| DMatrix::from_rows(&rows)), of_pose.len()))
 }
 
-/// Median over the poses of the length of each column; 1 for a column that is zero in most poses.
+/// Removes singular poses and those near them, in which the speeds do not determine q̇ (or only with
+/// large rounding errors). `None` if a derivative of the constraints or speeds has no value.
+fn keep_regular_poses(
+    model: &Model,
+    arena: &mut Arena,
+    of_poses: &[(Expr, f64)],
+    coordinates: &[Expr],
+    poses: &mut Vec<Vec<f64>>,
+) -> Option<()> {
+    let rates = model.q_dot();
+    let mut gradient = Gradient::new(&rates);
+    let equations: Vec<Expr> =
+        model.motion_constraints.iter().map(|c| c.equation).chain(model.speeds.iter().map(|s| s.definition)).collect();
+    let mut slopes = vec![Expr::ZERO; equations.len() * rates.len()];
+    for (row, equation) in equations.iter().enumerate() {
+        for &(at, slope) in gradient.apply(arena, *equation).iter() {
+            slopes[row * rates.len() + at] = slope;
+        }
+    }
+    // The equations are linear in the rates, so the values of the rates do not matter.
+    let inputs = [of_poses.iter().map(|(s, _)| *s).collect(), coordinates.to_vec(), rates.clone()].concat();
+    let tape = Tape::new(arena, &inputs, &slopes).ok()?;
+    let matrix = |q: &Vec<f64>| {
+        let known = of_poses.iter().map(|(_, x)| *x).chain(q.iter().copied());
+        let values = tape.evaluate(&known.chain(rates.iter().map(|_| 0.0)).collect::<Vec<f64>>());
+        DMatrix::from_row_slice(equations.len(), rates.len(), &values)
+    };
+    let all: Vec<(DMatrix<f64>, Vec<f64>)> = poses.drain(..).map(|q| (matrix(&q), q)).collect();
+    let all: Vec<_> = all.into_iter().filter(|(matrix, _)| matrix.iter().all(|x| x.is_finite())).collect();
+    // Rows are scaled alike in all poses: a row that vanishes in a pose makes the pose singular.
+    let longest = |row: usize| all.iter().map(|(matrix, _)| matrix.row(row).norm()).fold(0.0, f64::max);
+    let longest: Vec<f64> = (0..equations.len()).map(longest).collect();
+    let least = |mut matrix: DMatrix<f64>| {
+        for (mut row, size) in matrix.row_iter_mut().zip(&longest) {
+            if *size > 0.0 {
+                row /= *size;
+            }
+        }
+        matrix.singular_values().min()
+    };
+    let mut judged: Vec<(f64, Vec<f64>)> = all.into_iter().map(|(matrix, q)| (least(matrix), q)).collect();
+    judged.retain(|(least, _)| *least > SINGULAR);
+    let mut sizes: Vec<f64> = judged.iter().map(|(least, _)| *least).collect();
+    sizes.sort_by(f64::total_cmp);
+    let usual = sizes.get(sizes.len() / 2).copied().unwrap_or(0.0);
+    poses.extend(judged.into_iter().filter(|(least, _)| *least >= NEAR_SINGULAR * usual).map(|(_, q)| q));
+    Some(())
+}
+
+/// Median length of each column over the poses in which it is not zero; 1 for a column that is zero
+/// in all poses. Another assembly may show a column that is zero in most poses.
 fn median_column_sizes_on_loops(of_pose: &[[DMatrix<f64>; 2]]) -> Vec<f64> {
     let columns = of_pose.first().map_or(0, |pose| pose[0].ncols());
     let usual = (0..columns).map(|column| {
-        let mut sizes: Vec<f64> = of_pose.iter().map(|pose| pose[0].column(column).norm()).collect();
+        let sizes = of_pose.iter().map(|pose| pose[0].column(column).norm());
+        let mut sizes: Vec<f64> = sizes.filter(|size| *size > 0.0).collect();
         sizes.sort_by(f64::total_cmp);
-        sizes[sizes.len() / 2]
+        sizes.get(sizes.len() / 2).copied().unwrap_or(1.0)
     });
-    usual.map(|size| if size > 0.0 { size } else { 1.0 }).collect()
+    usual.collect()
 }

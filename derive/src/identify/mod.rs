@@ -84,8 +84,8 @@ pub struct Identification {
     pub on_loops: Option<LoopSample>,
     /// True if the mechanism of the model has loops.
     has_loops: bool,
-    /// Number of base parameters before closed poses grouped them.
-    ungrouped: usize,
+    /// Base parameters before closed poses grouped them.
+    before_loops: Vec<BaseParameter>,
 }
 
 impl Identification {
@@ -105,7 +105,7 @@ impl Identification {
             grouped: Vec::new(),
             on_loops: None,
             has_loops: !model.loops.is_empty(),
-            ungrouped: 0,
+            before_loops: Vec::new(),
             regressor,
         };
         let Some(mut table) = ColumnRelations::new(&arena, &found.regressor.columns, &letters) else {
@@ -120,7 +120,7 @@ impl Identification {
         } else {
             Completeness::AtPoints
         };
-        found.ungrouped = found.base.len();
+        found.before_loops.clone_from(&found.base);
         found.on_loops =
             if found.has_loops { loop_relations::group_by_loop_relations(model, &mut found) } else { None };
         Ok(found)
@@ -150,7 +150,21 @@ impl Identification {
     /// `None` if closed poses grouped none.
     #[must_use]
     pub fn before_grouping(&self) -> Option<usize> {
-        (self.ungrouped > self.base.len()).then_some(self.ungrouped)
+        let count = self.before_loops.len();
+        (count > self.base.len()).then_some(count)
+    }
+
+    /// Returns to the base parameters before closed poses grouped them. They hold in all poses and at
+    /// all values of the parameters; groups of closed poses hold in closed poses, at the values of the
+    /// model file. In closed poses, columns of the ungrouped parameters depend on one another.
+    pub fn ungroup(&mut self) {
+        if self.before_grouping().is_none() {
+            return;
+        }
+        self.base.clone_from(&self.before_loops);
+        self.grouped.clear();
+        self.without_effect.retain(|at| self.base.iter().all(|base| base.column != *at));
+        self.on_loops = None;
     }
 
     /// True if every factor in the base parameters is known.

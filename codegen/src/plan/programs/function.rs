@@ -124,7 +124,7 @@ impl Returns {
 
     /// Returns the index of the computed entry that gives the value of entry `at` of `count`. In a
     /// symmetric matrix it lies in the upper triangle; otherwise it is `at`.
-    pub(super) fn entry_of_upper_triangle(self, at: usize, count: usize) -> usize {
+    pub(in crate::plan) fn entry_of_upper_triangle(self, at: usize, count: usize) -> usize {
         let side = count.isqrt();
         match self {
             Self::Matrix { symmetric: true } if at % side < at / side => (at % side) * side + at / side,

@@ -1,0 +1,10 @@
+//! Functions as programs of numbered values, with arguments, names, parts and costs, and their planner.
+
+pub(super) mod arguments;
+pub(super) mod cost;
+pub(super) mod function;
+pub(super) mod fusion;
+pub(super) mod planner;
+pub(super) mod program;
+pub(super) mod program_parts;
+pub(super) mod variable_names;
