@@ -70,7 +70,9 @@ impl Model {
             return Ok(known);
         }
         let found = py.detach(|| {
-            let found = identify(&self.mechanism, RegressorParameters::Bodies)?;
+            let mut found = identify(&self.mechanism, RegressorParameters::Bodies)?;
+            // Arrays may hold any pose and any parameters, where groups of closed poses do not hold.
+            found.ungroup();
             let regressor = StateRegressor::new(&self.mechanism, &found)?;
             Ok((found, regressor))
         });

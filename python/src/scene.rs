@@ -232,9 +232,14 @@ impl Scene {
         let value = match found.run.names.iter().position(|name| name == of) {
             Some(at) => found.run.end[at],
             None if of == "t" => found.run.solution.t_end,
-            None => f64::NAN,
+            None => energy_at_end(&found.run, of).ok_or_else(|| {
+                RequestError::new_err(format!("the run does not show `{of}`; add it to the outputs of the scene"))
+            })?,
         };
-        Ok((value, table, found.run.objections().into_iter().chain(found.missing()).collect()))
+        let fixed = found.moving_span.iter();
+        let fixed =
+            fixed.map(|name| format!("the span depends on `{name}`: the derivative is that at a fixed instant"));
+        Ok((value, table, found.run.objections().into_iter().chain(found.missing()).chain(fixed).collect()))
     }
 
     /// Runs the scene with inputs that a Python function sets at instants: `controller(t, values)` gets a dictionary of
@@ -465,6 +470,17 @@ impl SampledRun {
     #[getter]
     fn ending(&self) -> String {
         self.run.ending()
+    }
+}
+
+/// Energy of this name at the end of a run, J; `None` for another name, or if the run has no energies there.
+fn energy_at_end(run: &tripos::Run, name: &str) -> Option<f64> {
+    let (kinetic, potential) = run.energies.last().filter(|_| run.solution.t.last() == Some(&run.solution.t_end))?;
+    match name {
+        "kinetic_energy" => Some(*kinetic),
+        "potential_energy" => Some(*potential),
+        "total_energy" => Some(kinetic + potential),
+        _ => None,
     }
 }
 

@@ -149,7 +149,7 @@ def test_threads_share_a_model():
     assert all(np.array_equal(result, expected) for result in results)
 
 
-@pytest.mark.parametrize("name", ["furuta", "puma560", "four_bar", "gimbals"])
+@pytest.mark.parametrize("name", ["furuta", "puma560", "four_bar", "gimbals", "governor", "window_linkage", "bricard"])
 def test_the_regressor_gives_the_generalized_forces(name):
     model = tripos.Model(MODELS / name)
     q, u = states(model, 40)
@@ -171,3 +171,43 @@ def test_a_fit_by_the_regressor_finds_the_base_parameters():
     regressor = model.regressor(q, u, u_dot)
     fit, *_ = np.linalg.lstsq(regressor.reshape(-1, regressor.shape[-1]), forces.ravel(), rcond=None)
     assert np.allclose(fit, list(model.base_parameters().values()), rtol=1e-8)
+
+
+def test_masked_numbers_are_refused():
+    model = tripos.Model(MODELS / "furuta")
+    q, u = states(model, 5)
+    whole = np.ma.masked_array(q, mask=False)
+    assert np.array_equal(model.accelerations(whole, u), model.accelerations(q, u))
+    for name, arrays in [("q", (np.ma.masked_array(q, q > 0.3), u)), ("u", (q, np.ma.masked_array(u, u > 0)))]:
+        with pytest.raises(tripos.RequestError, match=f"^{name} has masked numbers"):
+            model.accelerations(*arrays)
+        with pytest.raises(tripos.RequestError, match=f"^{name} has masked numbers"):
+            model.regressor(*arrays, u)
+
+
+def test_parameters_may_have_the_names_of_arguments():
+    names = ["q", "u", "u_dot", "self", "equations", "parameters"]
+    m = tripos.Mechanism("Cart")
+    m.parameter("m", "kg", 2)
+    m.coordinate("x", "m"), m.speed("v", "x'"), m.inertial("N", "O")
+    m.point("P", from_="O", frame="N", position=["x", 0, 0])
+    m.particle("cart", point="P", mass="m")
+    for name in names:
+        m.input(name, "N")
+        m.force(f"f_{name}", on="cart", frame="N", vector=[name, 0, 0])
+    model, state = m.model(), ([0.0], [0.0])
+    for name in names[:4]:
+        given = {name: 3.0}
+        assert model.accelerations(*state, **given)[0] == 1.5
+        assert model.inverse(*state, [0.0], **given)[0] == -3.0
+        assert model.rhs(**given)(0.0, [0.0, 0.0])[1] == 1.5
+        assert np.isfinite(model.regressor(*state, [0.0], **given)).all() and model.base_parameters(**given)
+        assert model.dae(**given)(0.0, [0.0, 0.0], [0.0, 1.5]).tolist() == [0.0, 0.0]
+    for name in names:
+        assert model.accelerations(*state, parameters={name: 3.0}, m=3.0)[0] == 1.0
+    with pytest.raises(tripos.RequestError, match=r"`equations` is 2.0, .*parameters={'equations'"):
+        model.accelerations(*state, equations=2.0)
+    with pytest.raises(tripos.RequestError, match=r"`parameters` is 2.0"):
+        model.accelerations(*state, parameters=2.0)
+    with pytest.raises(tripos.RequestError, match="`m` is given twice"):
+        model.accelerations(*state, parameters={"m": 1.0}, m=2.0)

@@ -42,8 +42,7 @@ def test_the_implicit_system_is_zero_for_a_motion(name, equations):
 
 
 def test_an_implicit_solver_moves_along(scene):
-    from scipy.optimize import root
-
+    root = pytest.importorskip("scipy.optimize").root
     dae = scene.model.dae()
     y, h = np.array([0.5, 0.0]), 1e-3
     for _ in range(1000):
@@ -70,8 +69,7 @@ def test_the_objective_has_the_gradient_of_differences(scene):
 
 
 def test_scipy_finds_a_start_by_the_gradient(scene):
-    from scipy.optimize import minimize
-
+    minimize = pytest.importorskip("scipy.optimize").minimize
     objective = scene.objective("theta", ["theta"], rtol=1e-11)
 
     def square(x):
@@ -93,3 +91,43 @@ def test_jax_differentiates_a_run(scene):
     twice = jax.jit(jax.grad(lambda x: 2 * function(x) ** 2))(at)
     assert np.allclose(twice, 4 * value * slopes, rtol=1e-12)
     assert jax.vmap(function)(jax.numpy.stack([at, at])).shape == (2,)
+
+
+def test_an_objective_with_a_wrong_request_fails_when_it_is_made(scene):
+    for of, names, settings, text in [
+        ("phi", ["theta"], {}, "phi"),
+        ("theta", ["length"], {}, "no derivative by `length`"),
+        ("theta", ["theta", "l", "theta"], {}, "`theta` is given twice"),
+        ("theta", "theta", {}, r"give a list: \['theta'\]"),
+        ("theta", ["theta"], {"tolerance": 1e-3}, "tolerance"),
+        ("theta", ["theta"], {"rtol": "1e-3"}, "rtol"),
+    ]:
+        with pytest.raises(tripos.RequestError, match=text):
+            scene.objective(of, names, **settings)
+    with pytest.raises(tripos.RequestError, match="no array of real numbers"):
+        scene.objective("theta", ["theta"])([1j])
+
+
+def test_an_objective_may_be_the_time_of_an_event(scene):
+    text = START.replace("[0, 1]", "[0, 3]") + '[[events]]\nname = "bottom"\nzero = "theta"\nterminal = true\n'
+    falling = tripos.Scene.from_text(scene.model, text)
+    assert falling.objective("t", ["theta"])([0.5])[0] == pytest.approx(falling.simulate().t[-1], rel=1e-6)
+
+
+@pytest.mark.parametrize("method", ["rhs", "rhs_jacobian", "dae"])
+def test_functions_for_solvers_refuse_wrong_requests_at_once(scene, method):
+    make = getattr(scene.model, method)
+    with pytest.raises(tripos.RequestError, match="no parameter `foo`"):
+        make(foo=1.0)
+    with pytest.raises(tripos.TriposError, match="hamilton"):
+        make(equations="hamilton")
+
+
+def test_functions_for_solvers_refuse_other_numbers(scene):
+    masked = np.ma.masked_array([0.5, 0.0], [True, False])
+    for y, text in [([0.5, 1j], "complex128"), (np.array([0.5, 1j]), "complex128"), (masked, "masked numbers")]:
+        with pytest.raises(tripos.RequestError, match=text):
+            scene.model.rhs()(0.0, y)
+        with pytest.raises(tripos.RequestError, match=text):
+            scene.model.dae()(0.0, y, [0.0, 0.0])
+    assert scene.model.rhs()(0.0, [1, 0]).tolist() == scene.model.rhs()(0.0, np.array([1.0, 0.0])).tolist()

@@ -1,5 +1,6 @@
 """Forks, threads, other interpreters and signals: an exception or a result, and never a hang."""
 
+import copy
 import multiprocessing
 import os
 import pickle
@@ -103,3 +104,68 @@ def test_errors_are_sent_between_processes():
         error.places, error.help = [{"line": 3}], "d"
         copy = pickle.loads(pickle.dumps(error))
         assert type(copy) is type(error) and copy.args == error.args and copy.places == error.places
+
+
+def check_of(model):
+    """Degrees of freedom by a command, which needs a file of the model."""
+    return model.check()["degrees_of_freedom"]
+
+
+def run_of(scene):
+    """A run of a scene that came from another process."""
+    assert scene.reduce()
+    return scene.simulate(rtol=1e-10)
+
+
+def test_a_pool_of_new_processes_takes_models_and_scenes_and_returns_runs():
+    from concurrent.futures import ProcessPoolExecutor
+
+    model = tripos.Model.from_text(tripos.EXAMPLE)
+    scene = tripos.Scene.from_text(model, START)
+    scene.set(g=1.62, theta=0.3)
+    filed = tripos.Scene(MODELS / "furuta/scenes/swing.toml")
+    filed.set(g=5.0)
+    with ProcessPoolExecutor(1, mp_context=multiprocessing.get_context("spawn")) as pool:
+        assert list(pool.map(check_of, [model, filed.model, scene.model])) == [1, 2, 1]
+        for run, own in zip(pool.map(run_of, [scene, filed]), [scene, filed]):
+            here = own.simulate(rtol=1e-10)
+            assert type(run) is tripos.Run and run.end == here.end and np.array_equal(run.values, here.values)
+
+
+def test_copies_by_pickle_are_the_same():
+    torque = '[torques.motor]\non = "B"\nframe = "N"\nvector = [0, 0, "F"]\n'
+    text = tripos.EXAMPLE + '\n[inputs]\nF = { unit = "N*m" }\n' + torque
+    scene = tripos.Scene.from_text(tripos.Model.from_text(text), START)
+    scene.set(l=2.0)
+    for run in (scene.simulate(), scene.sampled(["F"], [0.2, 0.4], lambda t, values: -values["theta"])):
+        for copied in (pickle.loads(pickle.dumps(run)), pickle.loads(pickle.dumps(pickle.loads(pickle.dumps(run)))),
+                       copy.copy(run), copy.deepcopy(run)):  # fmt: skip
+            assert type(copied) is type(run) and repr(copied) == repr(run)
+            public = [name for name in dir(run) if not name.startswith("_") and not callable(getattr(run, name))]
+            assert {"t", "values", "names", "end", "errors", "digits", "is_trusted", "ending"} < set(public)
+            for name in public:
+                assert np.array_equal(getattr(copied, name), getattr(run, name)), name
+    for protocol in range(2, pickle.HIGHEST_PROTOCOL + 1):
+        copied = pickle.loads(pickle.dumps(scene, protocol))
+        assert copied.simulate().end == scene.simulate().end and copied.model.text == text
+        assert pickle.loads(pickle.dumps(scene.model, protocol)).text == text
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="the system has no fork")
+def test_a_forked_child_leaves_the_folders_of_its_parent():
+    code = f"""
+import sys
+sys.path[:0] = {sys.path!r}
+import os, tripos
+model = tripos.Model.from_text(tripos.EXAMPLE)
+folder = model.path.parent
+if os.fork() == 0:
+    assert model.check()["degrees_of_freedom"] == 1
+    sys.exit(0)
+assert os.wait()[1] == 0
+assert model.check()["degrees_of_freedom"] == 1 and folder.is_dir()
+print(folder)
+"""
+    output = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=100)
+    assert output.returncode == 0, output.stderr
+    assert not Path(output.stdout.strip()).exists()

@@ -1,5 +1,7 @@
 """Scenes, runs and controllers."""
 
+import copy
+import gc
 from pathlib import Path
 
 import numpy as np
@@ -155,7 +157,7 @@ def test_a_controller_may_return_a_number_and_use_outputs():
     scene = tripos.Scene.from_text(model, 'outputs = ["theta", { name = "height", value = "-l*cos(theta)" }]\n' + START)
     run = scene.sampled(["F"], [0.0, 1.0], lambda t, values: np.float64(values["height"]))
     assert run.names == ["theta", "omega", "height"]
-    assert run.decisions[0, 0] == run["height"][0] == -np.cos(0.5)
+    assert run.decisions[0, 0] == run["height"][0] == pytest.approx(-np.cos(0.5), rel=1e-14)
     assert run.digits["height"] > 3 and run.is_trusted
     with pytest.raises(tripos.RequestError, match=r"returned 'no' at t = 0.5 s; return a finite number for each of F"):
         scene.sampled(["F"], [0.5], lambda t, values: "no")
@@ -167,6 +169,8 @@ def test_progress_is_shown_where_tqdm_is(capsys):
     run = scene.simulate(progress=True, rtol=1e-12, by="kane")
     shown = capsys.readouterr().err
     assert "run:" in shown and "of 2000 s" in shown
+    # The last line shows a full bar, and a colon is never followed by another.
+    assert "second run, for the digits: 100%" in shown.split("\r")[-1] and ": :" not in shown and "::" not in shown
     assert run.end == scene.simulate(rtol=1e-12, by="kane").end
 
 
@@ -183,3 +187,130 @@ def test_samples_and_the_step_limit_are_settings():
 def test_a_view_of_an_untrusted_run_warns_as_the_run_does():
     with pytest.warns(tripos.UntrustedRunWarning):
         tripos.Scene(MODELS / "disk/scenes/report.toml").view(by="kane")
+
+
+def test_a_run_is_a_mapping_of_names_to_columns():
+    run = tripos.Scene.from_text(tripos.Model.from_text(tripos.EXAMPLE), START).simulate()
+    assert "theta" in run and "phi" not in run and 0 not in run
+    assert list(run) == list(run.keys()) == run.names and len(run) == len(run.names)
+    columns = dict(run)
+    assert list(columns) == run.names and np.array_equal(columns["omega"], run["omega"])
+
+
+@pytest.mark.parametrize(
+    "setting",
+    [
+        {"rtol": "1e-8"}, {"rtol": True}, {"atol": 1j}, {"step": [0.1]}, {"until": "a"}, {"samples": 5.0},
+        {"samples": -5}, {"samples": True}, {"step_limit": "10"}, {"step_limit": 1 << 70}, {"by": 1}, {"method": 4.0},
+    ],
+)  # fmt: skip
+def test_settings_of_wrong_kinds_are_refused_by_name(setting):
+    scene = tripos.Scene.from_text(tripos.Model.from_text(CART), START)
+    (name,) = setting
+    for call in [
+        lambda: scene.simulate(**setting),
+        lambda: scene.simulate(progress=True, **setting),
+        lambda: scene.sampled(["F"], [0.5], lambda t, values: 0.0, **setting),
+        lambda: scene.sensitivity("l", **setting),
+        lambda: scene.gradient("theta", **setting),
+    ]:
+        with pytest.raises(tripos.RequestError, match=f"the setting `{name}` is "):
+            call()
+
+
+def test_settings_may_be_numbers_of_numpy():
+    scene = tripos.Scene.from_text(tripos.Model.from_text(tripos.EXAMPLE), START)
+    run = scene.simulate(samples=np.int64(5), rtol=np.float32(1e-3), until=np.array(1), by=None)
+    assert run.t.tolist() == [0.0, 0.25, 0.5, 0.75, 1.0]
+
+
+@pytest.mark.parametrize(
+    "instants", [0.5, [[0.5, 1.0]], "text", [1j], None, np.ma.masked_array([0.5, 1.0], [True, False])]
+)
+def test_other_instants_are_refused(instants):
+    scene = tripos.Scene.from_text(tripos.Model.from_text(CART), START)
+    with pytest.raises(tripos.RequestError, match="^instants "):
+        scene.sampled(["F"], instants, lambda t, values: 0.0)
+
+
+def test_few_digits_with_a_controller_give_a_hint_to_make():
+    scene = tripos.Scene.from_text(tripos.Model.from_text(CART), START.replace("[0, 2]", "[0, 20]"))
+
+    def make():
+        before = [0.0]
+
+        def controller(t, values):
+            before[0] += values["theta"]
+            return -before[0]
+
+        return controller
+
+    instants = np.arange(0.0, 20.0, 0.5)
+    with pytest.warns(tripos.UntrustedRunWarning, match="digits are right.* give `make` in its place"):
+        scene.sampled(["F"], instants, make())
+    with pytest.warns(tripos.UntrustedRunWarning) as caught:
+        scene.sampled(["F"], instants, make=make, rtol=1e-1, atol=1e-1)
+    assert not any("`make`" in str(warning.message) for warning in caught)
+
+
+def test_a_copy_of_a_scene_is_set_alone():
+    scene = tripos.Scene.from_text(tripos.Model.from_text(tripos.EXAMPLE), START)
+    scene.set(g=5.0)
+    before = scene.simulate().end
+    for copied in (scene.copy(), copy.copy(scene), copy.deepcopy(scene)):
+        assert copied.simulate().end == before
+        copied.set(l=2.0)
+        assert copied.simulate().end != before and scene.simulate().end == before
+        assert copied._set == {"g": 5.0, "l": 2.0} and scene._set == {"g": 5.0}
+
+
+def test_copies_outlive_their_originals():
+    model = tripos.Model.from_text(tripos.EXAMPLE)
+    scene = tripos.Scene.from_text(model, START)
+    assert model.path.is_file() and scene.path.is_file()
+    models, scenes = (copy.copy(model), copy.deepcopy(model)), (copy.copy(scene), copy.deepcopy(scene), scene.copy())
+    folder = model.path.parent.parent
+    del model, scene
+    gc.collect()
+    assert all(copied.check()["degrees_of_freedom"] == 1 for copied in models)
+    assert all(copied.reduce() for copied in scenes)
+    del models, scenes
+    gc.collect()
+    assert not folder.exists()
+
+
+def test_a_scene_may_set_a_number_named_self():
+    text = tripos.EXAMPLE.replace("m = {", "self = {").replace('mass = "m"', 'mass = "self"')
+    scene = tripos.Scene.from_text(tripos.Model.from_text(text), START)
+    scene.set(**{"self": 2.0})
+    assert scene._set == {"self": 2.0}
+
+
+def test_errors_of_a_scene_without_states_are_not_needed():
+    m = tripos.Mechanism("Cart")
+    m.parameter("m", "kg", 1)
+    m.coordinate("x", "m"), m.speed("v", "x'"), m.inertial("N", "O")
+    m.point("P", from_="O", frame="N", position=["x", 0, 0])
+    m.particle("cart", point="P", mass="m")
+    run = tripos.Scene.from_text(m.model(), "span = [0, 2]\n[start]\nx = 1\nv = 3\n").simulate()
+    assert run.is_trusted and run.errors is None and run.end["x"] == pytest.approx(7.0)
+    for words in (tripos.Run.is_trusted.__doc__, tripos.Run.errors.__doc__):
+        assert "not needed" in " ".join(words.split())
+
+
+def test_a_progress_bar_is_full_after_an_event(capsys):
+    pytest.importorskip("tqdm")
+    event = '[[events]]\nname = "bottom"\nzero = "theta"\nterminal = true\n'
+    scene = tripos.Scene.from_text(tripos.Model.from_text(tripos.EXAMPLE), START + event)
+    scene.simulate(progress=True)
+    assert "100%" in capsys.readouterr().err.split("\r")[-1]
+    with pytest.raises(tripos.TriposError):
+        scene.simulate(progress=True, method="leapfrog")
+    assert "100%" not in capsys.readouterr().err
+
+
+def test_long_titles_have_short_file_names():
+    title = "A pendulum with " + "a very long title " * 30
+    model = tripos.Model.from_text(tripos.EXAMPLE.replace('"Pendulum"', f'"{title}"'))
+    assert model.check()["degrees_of_freedom"] == 1 and len(model.path.parent.name) <= 60
+    assert tripos.Scene.from_text(model, START).reduce()

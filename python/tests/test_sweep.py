@@ -204,3 +204,72 @@ def test_the_command_writes_tables_in_columns(tmp_path, scene, ending):
     assert tripos.run_command("simulate", scene.path, out=samples).status in (0, 1)
     read = parquet.read_table(samples) if ending == "parquet" else feather.read_table(samples)
     assert read["t"].to_pylist()[0] == 0.0 and "q3" in read.column_names
+
+
+@pytest.mark.parametrize("option", ["out", "json", "resume", "shard", "json_"])
+def test_options_of_the_command_that_make_no_sense_are_refused(scene, option):
+    with pytest.raises(tripos.RequestError, match=rf"`{option}`.*(table\.save|`blocks`)"):
+        tripos.sweep(scene, {"q2": [0.1]}, **{option: "table.csv"})
+    with pytest.raises(tripos.RequestError, match=option):
+        tripos.SweepRequest.of(scene, {"q2": [0.1]}, **{option: "table.csv"})
+
+
+def test_threads_are_an_option(scene):
+    assert tripos.sweep(scene, LEANS, threads=1).csv == tripos.sweep(scene, LEANS).csv
+    with pytest.raises(tripos.RequestError, match="threads is 0"):
+        tripos.sweep(scene, LEANS, threads=0)
+    with pytest.raises(tripos.RequestError, match="run_block"):
+        tripos.SweepRequest.of(scene, LEANS, threads=1)
+
+
+@pytest.mark.parametrize("values", ["12", b"12", ["a"], [[0.1, 0.2]], [None], None, [1j], np.zeros((2, 2))])
+def test_values_that_are_no_numbers_are_refused(scene, values):
+    with pytest.raises(tripos.RequestError, match="the values of `q2` are "):
+        tripos.sweep(scene, {"q2": values})
+
+
+@pytest.mark.parametrize("blocks", [0, -1, 2.0, "2"])
+def test_the_number_of_blocks_is_positive(scene, blocks):
+    with pytest.raises(tripos.RequestError, match="`blocks` is "):
+        tripos.sweep(scene, LEANS, blocks=blocks)
+
+
+def test_a_sweep_here_shows_a_bar(scene, capsys):
+    pytest.importorskip("tqdm")
+    expected = tripos.sweep(scene, LEANS).csv
+    capsys.readouterr()
+    assert tripos.sweep(scene, LEANS, progress=True).csv == expected
+    assert "sweep: 100%" in capsys.readouterr().err.split("\r")[-1]
+    assert tripos.sweep(scene, LEANS, blocks=3).csv == expected
+    assert tripos.sweep(scene, {"q2": [0.1, 0.2]}, progress=True).csv == tripos.sweep(scene, {"q2": [0.1, 0.2]}).csv
+
+
+@pytest.mark.parametrize("settings", [{}, {"blocks": 200}])
+def test_ctrl_c_keeps_the_finished_rows(scene, settings):
+    over = "q2=0.05:1.4:200001"
+    threading.Timer(2.0, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+    with pytest.raises(KeyboardInterrupt, match="the first [0-9]+ rows are the attribute `table`") as caught:
+        tripos.sweep(scene, over, rtol=1e-9, **settings)
+    assert "resume" not in str(caught.value) and "table.csv" not in str(caught.value)
+    table = caught.value.table
+    assert 0 < len(table) < 200001 and table["index"].tolist() == list(range(len(table)))
+    request = tripos.SweepRequest.of(scene, over, rtol=1e-9)
+    assert table.csv.startswith(tripos.run_block(request, 0, 200001)[0])
+
+
+def test_a_wrong_request_starts_no_task(scene):
+    class Client:
+        def nthreads(self):
+            raise AssertionError("the request went to the workers")
+
+    with pytest.raises(tripos.TriposError, match="lean"):
+        tripos.sweep(scene, "lean=0:1:3", client=Client())
+    with pytest.raises(tripos.RequestError, match="blocks"):
+        tripos.sweep(scene, LEANS, client=Client(), blocks=0)
+
+
+def test_a_scene_goes_to_a_worker(scene, client):
+    own = scene.copy()
+    own.set(q2=0.3)
+    future = client.submit(lambda scene: scene.simulate(until=0.1), own, pure=False)
+    assert future.result().end == own.simulate(until=0.1).end

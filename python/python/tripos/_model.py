@@ -21,11 +21,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _tripos
-from ._commands import Option, answer, text_of
+from ._commands import answer, text_of
 from ._display import Markdown, Page, Picture
 
 Array = NDArray[np.float64]
+MaskedArray = np.ma.MaskedArray
 Path = Union[str, "os.PathLike[str]"]
+#: Values of parameters and inputs by name.
+Given = Optional[Mapping[str, float]]
 #: Tables of a state: `{"state": {…}, "guess": {…}, "parameters": {…}}`, with numbers or formulas in quotes.
 State = Mapping[str, Mapping[str, Union[float, str]]]
 
@@ -82,13 +85,17 @@ class Model:
     """A mechanism, read from a model file or its folder.
 
     The functions take coordinates `q` and generalized speeds `u` (for Lagrange's equations: the rates of `q`) of the
-    shape (n,) for one state, or (N, n) for N states. Parameters and inputs are keywords; the file's defaults fill the
-    rest. `equations` names the equations that are evaluated: "kane", "lagrange", "newton-euler".
+    shape (n,) for one state, or (N, n) for N states. Parameters and inputs are keywords, or entries of the mapping
+    `parameters`; the file's defaults fill the rest. The mapping can also name a parameter `equations` or `parameters`.
+    `equations` names the equations that are evaluated: "kane", "lagrange", "newton-euler".
+
+    Models can be copied and pickled. A pickled model is the path of its file, which is read again, or its text.
     """
 
     def __init__(self, path: Path) -> None:
         self._model = _tripos.Model.read(os.fspath(path))
         self._path: Optional[pathlib.Path] = pathlib.Path(path)
+        self._folder: Optional[Folder] = None
 
     @classmethod
     def from_text(cls, text: str) -> Model:
@@ -102,18 +109,38 @@ class Model:
     @classmethod
     def _of(cls, inner: _tripos.Model) -> Model:
         model = cls.__new__(cls)
-        model._model = inner
-        model._path = None
+        model._model, model._path, model._folder = inner, None, None
         return model
+
+    def __copy__(self) -> Model:
+        """A model with the same equations. A model never changes, and its copies share its temporary folder."""
+        model = type(self)._of(self._model)
+        model._path, model._folder = self._path, self._folder
+        return model
+
+    def __deepcopy__(self, memo: Any) -> Model:
+        return self.__copy__()
+
+    def __getstate__(self) -> dict[str, Optional[str]]:
+        """State for `pickle`: the file of the model, or its text if it has no file."""
+        if self._path is None:
+            return {"path": None, "text": self.text}
+        return {"path": os.fspath(self._path.absolute()), "text": None}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        path, text = state["path"], state["text"]
+        self._model = _tripos.Model.parse(text) if path is None else _tripos.Model.read(path)
+        self._path, self._folder = None if path is None else pathlib.Path(path), None
 
     @property
     def path(self) -> pathlib.Path:
         """File of the model. A model that was made from a text gets a file in a folder that goes with it."""
-        if self._path is None:
-            self._path = folder_of(self) / file_name(self.title) / "model.toml"
-            self._path.parent.mkdir()
-            self._path.write_text(self.text, encoding="utf-8")
-        return self._path
+        if self._path is not None:
+            return self._path
+        name = f"{file_name(self.title)}/model.toml"
+        if self._folder is None or not self._folder.path.is_dir():
+            self._folder = Folder({name: self.text})
+        return self._folder.path / name
 
     def check(self) -> Any:
         """Degrees of freedom, redundant constraints, singular poses and unused declarations, as `tripos check` has."""
@@ -168,7 +195,7 @@ class Model:
     ) -> Any:
         """Rest positions and steady motions, with the stability of each."""
         with state_file(from_) as at:
-            options: dict[str, Option] = {"from": at, "starts": starts, "over": list(over), "for": list(solve_for)}
+            options: dict[str, Any] = {"from": at, "starts": starts, "over": list(over), "for": list(solve_for)}
             return answer("equilibria", self.path, **options)
 
     def identify(self, *, declared: bool = False, at: Optional[Path] = None) -> Any:
@@ -198,6 +225,9 @@ class Model:
 
     def sympy(self, by: str = "kane") -> types.SimpleNamespace:
         """Equations as SymPy objects: `mass_matrix`, `forcing`, `unknowns`, `accelerations`, energies and more.
+
+        `accelerations` is an ordered list of pairs (symbol, formula). A formula may contain the symbols of earlier
+        pairs: put these in, the last pair first, for a formula in the state alone.
 
         >>> pytest = __import__("pytest"); _ = pytest.importorskip("sympy")
         >>> Model.from_text(EXAMPLE).sympy().mass_matrix
@@ -295,59 +325,92 @@ class Model:
     def __repr__(self) -> str:
         return f"<tripos.Model {self.title!r}: {len(self.coordinates)} coordinates, {len(self.speeds)} speeds>"
 
-    def mass_matrix(self, q: ArrayLike, u: ArrayLike, *, equations: str = "kane", **parameters: float) -> Array:
+    def mass_matrix(
+        self, q: ArrayLike, u: ArrayLike, /, *, equations: str = "kane", parameters: Given = None, **values: float
+    ) -> Array:
         """Mass matrix M of M x = f, of the shape (n, n) or (N, n, n)."""
-        return self._model.value("mass_matrix", equations, parameters, q, u)
+        return self._value("mass_matrix", equations, parameters, values, q, u)
 
-    def forcing(self, q: ArrayLike, u: ArrayLike, *, equations: str = "kane", **parameters: float) -> Array:
+    def forcing(
+        self, q: ArrayLike, u: ArrayLike, /, *, equations: str = "kane", parameters: Given = None, **values: float
+    ) -> Array:
         """Forcing f of M x = f, of the shape (n,) or (N, n)."""
-        return self._model.value("forcing", equations, parameters, q, u)
+        return self._value("forcing", equations, parameters, values, q, u)
 
-    def accelerations(self, q: ArrayLike, u: ArrayLike, *, equations: str = "kane", **parameters: float) -> Array:
+    def accelerations(
+        self, q: ArrayLike, u: ArrayLike, /, *, equations: str = "kane", parameters: Given = None, **values: float
+    ) -> Array:
         """Rates of the generalized speeds, of the shape (n,) or (N, n).
 
         >>> Model.from_text(EXAMPLE).accelerations([[0.0], [1.0]], [[0.0], [0.0]], g=1.0).round(6).tolist()
         [[0.0], [-0.841471]]
         """
-        return self._model.value("accelerations", equations, parameters, q, u)
+        return self._value("accelerations", equations, parameters, values, q, u)
 
-    def coordinate_rates(self, q: ArrayLike, u: ArrayLike, *, equations: str = "kane", **parameters: float) -> Array:
+    def coordinate_rates(
+        self, q: ArrayLike, u: ArrayLike, /, *, equations: str = "kane", parameters: Given = None, **values: float
+    ) -> Array:
         """Rates of the coordinates, W u + w."""
-        return self._model.value("coordinate_rates", equations, parameters, q, u)
+        return self._value("coordinate_rates", equations, parameters, values, q, u)
 
-    def derivative(self, q: ArrayLike, u: ArrayLike, *, equations: str = "kane", **parameters: float) -> Array:
+    def derivative(
+        self, q: ArrayLike, u: ArrayLike, /, *, equations: str = "kane", parameters: Given = None, **values: float
+    ) -> Array:
         """Rates of the state (q, u)."""
-        return self._model.value("derivative", equations, parameters, q, u)
+        return self._value("derivative", equations, parameters, values, q, u)
 
-    def jacobian(self, q: ArrayLike, u: ArrayLike, *, equations: str = "kane", **parameters: float) -> Array:
+    def jacobian(
+        self, q: ArrayLike, u: ArrayLike, /, *, equations: str = "kane", parameters: Given = None, **values: float
+    ) -> Array:
         """Slopes of `derivative` along the state: a row for each rate."""
-        return self._model.value("jacobian", equations, parameters, q, u)
+        return self._value("jacobian", equations, parameters, values, q, u)
 
-    def kinetic_energy(self, q: ArrayLike, u: ArrayLike, *, equations: str = "kane", **parameters: float) -> Array:
+    def kinetic_energy(
+        self, q: ArrayLike, u: ArrayLike, /, *, equations: str = "kane", parameters: Given = None, **values: float
+    ) -> Array:
         """Kinetic energy, J."""
-        return self._model.value("kinetic_energy", equations, parameters, q, u)
+        return self._value("kinetic_energy", equations, parameters, values, q, u)
 
-    def potential_energy(self, q: ArrayLike, u: ArrayLike, *, equations: str = "kane", **parameters: float) -> Array:
+    def potential_energy(
+        self, q: ArrayLike, u: ArrayLike, /, *, equations: str = "kane", parameters: Given = None, **values: float
+    ) -> Array:
         """Potential energy, J."""
-        return self._model.value("potential_energy", equations, parameters, q, u)
+        return self._value("potential_energy", equations, parameters, values, q, u)
 
-    def power(self, q: ArrayLike, u: ArrayLike, *, equations: str = "kane", **parameters: float) -> Array:
+    def power(
+        self, q: ArrayLike, u: ArrayLike, /, *, equations: str = "kane", parameters: Given = None, **values: float
+    ) -> Array:
         """Power of the loads without a potential, W."""
-        return self._model.value("power", equations, parameters, q, u)
+        return self._value("power", equations, parameters, values, q, u)
 
-    def constraints(self, q: ArrayLike, u: ArrayLike, *, equations: str = "kane", **parameters: float) -> Array:
+    def constraints(
+        self, q: ArrayLike, u: ArrayLike, /, *, equations: str = "kane", parameters: Given = None, **values: float
+    ) -> Array:
         """Residuals of the loops and of the motion constraints."""
-        return self._model.value("constraints", equations, parameters, q, u)
+        return self._value("constraints", equations, parameters, values, q, u)
 
     def inverse(
-        self, q: ArrayLike, u: ArrayLike, u_dot: ArrayLike, *, equations: str = "kane", **parameters: float
+        self,
+        q: ArrayLike,
+        u: ArrayLike,
+        u_dot: ArrayLike,
+        /,
+        *,
+        equations: str = "kane",
+        parameters: Given = None,
+        **values: float,
     ) -> Array:
         """Generalized forces that give the accelerations `u_dot` beside the forces of the model, M u_dot - f."""
-        return self._model.value("inverse_dynamics", equations, parameters, q, u, u_dot)
+        return self._value("inverse_dynamics", equations, parameters, values, q, u, u_dot)
 
-    def regressor(self, q: ArrayLike, u: ArrayLike, u_dot: ArrayLike, **parameters: float) -> Array:
+    def regressor(
+        self, q: ArrayLike, u: ArrayLike, u_dot: ArrayLike, /, *, parameters: Given = None, **values: float
+    ) -> Array:
         """Regressor Y of the base parameters, of the shape (n, k) or (N, n, k): the generalized forces of a motion are
         Y pi + `regressor_rest`, with the `base_parameters` pi. Inputs that are forces count as 0.
+
+        It holds in all poses, at all parameters. Where loops are closed, columns may depend on one another: `identify`
+        tells which act only together there, at the values of the model file.
 
         >>> model = Model.from_text(EXAMPLE)
         >>> pi = list(model.base_parameters().values())
@@ -355,40 +418,76 @@ class Model:
         >>> bool(np.allclose(model.regressor(*state) @ pi + model.regressor_rest(*state), model.inverse(*state)))
         True
         """
-        whole: Array = self._model.regressor(parameters, q, u, u_dot)[..., :-1]
-        return whole
+        return self._regressor(parameters, values, q, u, u_dot)[..., :-1]
 
-    def regressor_rest(self, q: ArrayLike, u: ArrayLike, u_dot: ArrayLike, **parameters: float) -> Array:
+    def regressor_rest(
+        self, q: ArrayLike, u: ArrayLike, u_dot: ArrayLike, /, *, parameters: Given = None, **values: float
+    ) -> Array:
         """Part of the generalized forces of a motion that no base parameter changes, of the shape (n,) or (N, n)."""
-        rest: Array = self._model.regressor(parameters, q, u, u_dot)[..., -1]
-        return rest
+        return self._regressor(parameters, values, q, u, u_dot)[..., -1]
 
-    def base_parameters(self, **parameters: float) -> dict[str, float]:
-        """Values of the base parameters: the combinations of masses and inertias that motion can identify, by name.
+    def base_parameters(self, /, *, parameters: Given = None, **values: float) -> dict[str, float]:
+        """Values of the base parameters: the combinations of masses and inertias that motion can identify.
 
-        A value that no formula gives is NaN.
+        Each key is the leading parameter of its combination alone; `identify()` has the whole formulas. A value that no
+        formula gives is NaN.
         """
-        values = self._model.base_parameters(parameters)
-        return {name: math.nan if value is None else value for name, value in values}
+        found = self._model.base_parameters(values_of(parameters, values))
+        return {name: math.nan if value is None else value for name, value in found}
 
-    def rhs(self, *, equations: str = "kane", **parameters: float) -> Callable[[float, ArrayLike], Array]:
-        """Right-hand side f(t, y) of y' = f for `scipy.integrate.solve_ivp`, with y = (q, u)."""
-        return self._of_state("derivative", equations, parameters)
+    def rhs(
+        self, /, *, equations: str = "kane", parameters: Given = None, **values: float
+    ) -> Callable[[float, ArrayLike], Array]:
+        """Right-hand side f(t, y) of y' = f for `scipy.integrate.solve_ivp`, with y = (q, u).
 
-    def rhs_jacobian(self, *, equations: str = "kane", **parameters: float) -> Callable[[float, ArrayLike], Array]:
+        The function ignores t. A model that depends on the time has t as its last coordinate, so that y contains it.
+        """
+        return self._of_state("derivative", equations, values_of(parameters, values))
+
+    def rhs_jacobian(
+        self, /, *, equations: str = "kane", parameters: Given = None, **values: float
+    ) -> Callable[[float, ArrayLike], Array]:
         """Jacobian of `rhs`, for implicit methods of `solve_ivp`."""
-        return self._of_state("jacobian", equations, parameters)
+        return self._of_state("jacobian", equations, values_of(parameters, values))
 
-    def _of_state(self, name: str, equations: str, parameters: dict[str, float]) -> Callable[[float, ArrayLike], Array]:
+    def _of_state(self, name: str, equations: str, values: dict[str, float]) -> Callable[[float, ArrayLike], Array]:
         count, value = len(self.coordinates), self._model.value
+        # A wrong parameter or formulation fails here, and not in the solver.
+        self._variables_of(name, equations, values)
 
         def function(t: float, y: ArrayLike) -> Array:
-            state = np.asarray(y, dtype=float)
-            return value(name, equations, parameters, state[:count], state[count:])
+            state = real_array("y", y)
+            return value(name, equations, values, state[:count], state[count:])
 
         return function
 
-    def dae(self, *, equations: str = "kane", **parameters: float) -> Dae:
+    def _value(
+        self, name: str, equations: str, parameters: Given, values: dict[str, float], *arrays: ArrayLike
+    ) -> Array:
+        """Values of a function of the equations at the states in `arrays`: q, u and for some functions u_dot."""
+        refuse_masks(arrays)
+        if parameters is not None:
+            values = values_of(parameters, values)
+        return self._model.value(name, equations_name(equations), values, *arrays)
+
+    def _regressor(self, parameters: Given, values: dict[str, float], *arrays: ArrayLike) -> Array:
+        """Regressor with the rest as its last column."""
+        refuse_masks(arrays)
+        whole: Array = self._model.regressor(values_of(parameters, values), *arrays)
+        return whole
+
+    def _variables_of(self, name: str, equations: str, values: dict[str, float]) -> int:
+        """Number of the motion variables that a function of the equations takes: generalized speeds or, for Lagrange's
+        equations, rates of the coordinates. Wrong parameters are refused."""
+        q, u = np.zeros(len(self.coordinates)), np.zeros(len(self.speeds))
+        try:
+            self._model.value(name, equations_name(equations), values, q, u)
+        except _tripos.RequestError:
+            self._model.value(name, equations, values, q, q)
+            return len(q)
+        return len(u)
+
+    def dae(self, /, *, equations: str = "kane", parameters: Given = None, **values: float) -> Dae:
         """Equations as an implicit system F(t, y, y') = 0, for solvers such as IDA of SUNDIALS.
 
         The accelerations are not solved for: F is (q' - W u - w, M x - f). The state y is (q, u), followed by the
@@ -400,7 +499,7 @@ class Model:
         >>> bool(abs(dae(0.0, y, model.rhs()(0.0, y))).max() < 1e-14)
         True
         """
-        return Dae(self, equations, parameters)
+        return Dae(self, equations, values_of(parameters, values))
 
 
 class Dae:
@@ -409,9 +508,8 @@ class Dae:
     def __init__(self, model: Model, equations: str, parameters: dict[str, float]) -> None:
         self._value, self._equations, self._parameters = model._model.value, equations, parameters
         self._coordinates = len(model.coordinates)
-        start = np.zeros(self._coordinates)
-        self._variables = self._coordinates if equations == "lagrange" else len(model.speeds)
-        unknowns = len(self._of("forcing", start, np.zeros(self._variables)))
+        self._variables = model._variables_of("forcing", equations, parameters)
+        unknowns = len(self._of("forcing", np.zeros(self._coordinates), np.zeros(self._variables)))
         #: True for each number of the state whose rate occurs; False for reactions.
         self.is_differential: NDArray[np.bool_] = np.arange(self._coordinates + unknowns) < (
             self._coordinates + self._variables
@@ -422,9 +520,10 @@ class Dae:
 
     def __call__(self, t: float, y: ArrayLike, y_dot: ArrayLike) -> Array:
         """Residual F(t, y, y'), which is zero for a motion."""
-        state, rates = np.asarray(y, dtype=float), np.asarray(y_dot, dtype=float)
+        state, rates = real_array("y", y), real_array("y_dot", y_dot)
         if state.shape != self.is_differential.shape or rates.shape != state.shape:
-            raise _tripos.RequestError(f"y and y' have the shapes {state.shape} and {rates.shape}; give ({len(self.is_differential)},)")
+            shapes = f"{state.shape} and {rates.shape}; give ({len(self.is_differential)},)"
+            raise _tripos.RequestError(f"y and y' have the shapes {shapes}")
         n = self._coordinates
         q, u = state[:n], state[n : n + self._variables]
         unknowns = np.concatenate([rates[n : n + self._variables], state[n + self._variables :]])
@@ -432,20 +531,79 @@ class Dae:
         return np.concatenate([kinematic, self._of("mass_matrix", q, u) @ unknowns - self._of("forcing", q, u)])
 
 
-def folder_of(owner: object) -> pathlib.Path:
-    """A new folder, which is removed when its owner is, or when Python ends."""
-    folder = tempfile.mkdtemp(prefix="tripos-")
-    weakref.finalize(owner, shutil.rmtree, folder, ignore_errors=True)
-    return pathlib.Path(folder)
+class Folder:
+    """A temporary folder with files. It is removed with its last owner, or when Python ends."""
+
+    def __init__(self, files: Mapping[str, str]) -> None:
+        self.path = pathlib.Path(tempfile.mkdtemp(prefix="tripos-"))
+        weakref.finalize(self, remove_folder, self.path, os.getpid())
+        for name, text in files.items():
+            file = self.path / name
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text(text, encoding="utf-8")
+
+
+def remove_folder(path: pathlib.Path, process: int) -> None:
+    """Removes a temporary folder in the process that made it. A forked child leaves the folder to its parent."""
+    if os.getpid() == process:
+        shutil.rmtree(path, ignore_errors=True)
 
 
 def file_name(title: str) -> str:
-    """A title as the name of a file or folder.
+    """A title as the name of a file or folder, of at most 60 characters.
 
     >>> file_name("Thin disk, sliding")
     'thin_disk_sliding'
     """
-    return "_".join(re.findall(r"\w+", title.lower())) or "model"
+    return "_".join(re.findall(r"\w+", title.lower()))[:60] or "model"
+
+
+def values_of(parameters: Given, values: dict[str, float]) -> dict[str, float]:
+    """Values of parameters and inputs from the mapping `parameters` and from keywords."""
+    if parameters is None:
+        return values
+    if not isinstance(parameters, Mapping):
+        advice = "give a parameter of this name as parameters={'parameters': …}"
+        raise _tripos.RequestError(f"`parameters` is {parameters!r}, not a mapping of values by name; {advice}")
+    twice = [name for name in parameters if name in values]
+    if twice:
+        raise _tripos.RequestError(f"`{twice[0]}` is given twice: in `parameters` and as a keyword")
+    return {**parameters, **values}
+
+
+def equations_name(given: str) -> str:
+    """Name of equations; other values are refused."""
+    if not isinstance(given, str):
+        advice = "give a parameter of this name as parameters={'equations': …}"
+        raise _tripos.RequestError(f"`equations` is {given!r}, not the name of equations such as \"kane\"; {advice}")
+    return given
+
+
+def refuse_masks(arrays: Sequence[ArrayLike]) -> None:
+    """Refuses arrays of q, u and u_dot with masked numbers, whose values nobody means."""
+    for array in arrays:
+        if isinstance(array, MaskedArray):
+            refuse_mask(("q", "u", "u_dot")[[array is other for other in arrays].index(True)], array)
+
+
+def refuse_mask(name: str, array: ArrayLike) -> None:
+    """Refuses an array with masked numbers."""
+    if np.ma.is_masked(array):
+        raise _tripos.RequestError(f"{name} has masked numbers; fill them first: {name}.filled(numpy.nan)")
+
+
+def real_array(name: str, given: ArrayLike) -> Array:
+    """An array or list of real numbers as an array of doubles; others are refused."""
+    if type(given) is np.ndarray and given.dtype == np.float64:
+        return given
+    refuse_mask(name, given)
+    try:
+        array = np.asarray(given)
+        if array.dtype.kind not in "biufO":
+            raise TypeError(f"its numbers are of the type {array.dtype}")
+        return array.astype(np.float64)
+    except (TypeError, ValueError) as error:
+        raise _tripos.RequestError(f"{name} is no array of real numbers: {error}") from error
 
 
 def plain(value: Any) -> Any:

@@ -37,5 +37,12 @@ class RunBar:
         done = min(abs(t - self._begin), self._bar.total)
         if done < self._bar.n:
             self._bar.reset()
-            self._bar.set_description("second run, for the digits")
+            self._bar.set_description_str("second run, for the digits")
         self._bar.update(done - self._bar.n)
+
+    def finish(self, t: float) -> None:
+        """Shows a full bar after a run that ended at the time t, s."""
+        if self._bar is None:
+            return
+        self._bar.total = self._bar.n = abs(t - self._begin)
+        self._bar.refresh()

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import contextlib
+import numbers
 import os
 import pathlib
 import tempfile
+import types
 import warnings
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, Callable, Optional, Union
 
 import numpy as np
@@ -16,17 +18,31 @@ from numpy.typing import ArrayLike
 from . import _tripos
 from ._commands import Option, UntrustedRunWarning, answer
 from ._display import Page, Picture
-from ._model import Array, Model, Path, file_name, folder_of
+from ._model import Array, Folder, Model, Path, file_name, plain, real_array
 from ._progress import RunBar
 
 #: Function of the time, s, and of the shown quantities by name that returns values of inputs: numbers, or one number.
 Controller = Callable[[float, dict[str, float]], Union[float, Sequence[float]]]
+#: Kind of each setting of a run.
+SETTINGS: dict[str, type] = {
+    **dict.fromkeys(("by", "method", "project", "solve"), str),
+    **dict.fromkeys(("step", "max_step", "rtol", "atol", "until"), float),
+    **dict.fromkeys(("step_limit", "samples"), int),
+}
+#: Advice for runs with few digits whose controller was given as `controller`.
+MAKE_HINT = "; if the controller has a memory, such as an observer, a filter or an integrator, give `make` in its place"
 
 
 class Samples:
-    """Samples of a finished run: instants, and values of quantities with names."""
+    """Samples of a finished run: instants, and values of quantities with names.
 
-    _run: Union[_tripos.Run, _tripos.SampledRun]
+    A run is a mapping of the names to the values: `run["x"]`, `"x" in run`, `list(run)` and `dict(run)`. Runs can be
+    copied and pickled.
+    """
+
+    _run: Any
+    #: Values of the inner run that a pickled run keeps.
+    _kept: tuple[str, ...] = ("names", "end", "errors", "digits", "events", "warnings", "is_trusted", "ending")
 
     def __init__(self, inner: Union[_tripos.Run, _tripos.SampledRun]) -> None:
         self._run = inner
@@ -35,10 +51,30 @@ class Samples:
         #: Values of the quantities: a row for each sample.
         self.values: Array = inner.values
 
+    def __getstate__(self) -> dict[str, Any]:
+        """State for `pickle`: arrays and values, without the extension module."""
+        kept = {name: getattr(self._run, name) for name in self._kept}
+        return {**self.__dict__, "_run": types.SimpleNamespace(**kept)}
+
     @property
     def names(self) -> list[str]:
         """Names of the quantities."""
-        return self._run.names
+        names: list[str] = self._run.names
+        return names
+
+    def keys(self) -> list[str]:
+        """Names of the quantities, as `dict(run)` needs them."""
+        return self.names
+
+    def __contains__(self, name: object) -> bool:
+        return name in self.names
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.names)
+
+    def __len__(self) -> int:
+        """Number of the quantities; `len(run.t)` is the number of samples."""
+        return len(self.names)
 
     def __getitem__(self, name: str) -> Array:
         """Values of a quantity at the samples."""
@@ -51,37 +87,48 @@ class Samples:
     @property
     def end(self) -> dict[str, float]:
         """Values of the quantities at the end."""
-        return self._run.end
+        end: dict[str, float] = self._run.end
+        return end
 
     @property
     def errors(self) -> dict[str, float] | None:
-        """Estimated error of each quantity at the end, in its unit; None if they are not known."""
-        return self._run.errors
+        """Estimated error of each quantity at the end, in its unit.
+
+        None if they are not known, or not needed: a scene whose reduced system has no states needs no integration.
+        """
+        errors: dict[str, float] | None = self._run.errors
+        return errors
 
     @property
     def digits(self) -> dict[str, float] | None:
-        """Correct digits of each quantity at the end; None if they are not known."""
-        return self._run.digits
+        """Correct digits of each quantity at the end; None where `errors` is None."""
+        digits: dict[str, float] | None = self._run.digits
+        return digits
 
     @property
     def events(self) -> list[tuple[str, float]]:
         """Names of the events and their instants, s."""
-        return self._run.events
+        events: list[tuple[str, float]] = self._run.events
+        return events
 
     @property
     def warnings(self) -> list[str]:
         """Reasons not to trust the run."""
-        return self._run.warnings
+        reasons: list[str] = self._run.warnings
+        return reasons
 
     @property
     def is_trusted(self) -> bool:
-        """True if nothing speaks against the run, and its errors at the end are known."""
-        return self._run.is_trusted
+        """True if nothing speaks against the run, and its errors at the end are known or not needed.
+
+        The errors are not needed if the reduced system has no states. `errors` is None then.
+        """
+        return bool(self._run.is_trusted)
 
     @property
     def ending(self) -> str:
         """Sentence that says when and why the run ended."""
-        return self._run.ending
+        return str(self._run.ending)
 
     def __repr__(self) -> str:
         return f"<tripos.{type(self).__name__}: {self.ending}>"
@@ -114,24 +161,24 @@ class Samples:
 class Run(Samples):
     """A finished run of a scene, with the quantities that the scene shows."""
 
-    _run: _tripos.Run
+    _kept = (*Samples._kept, "notes", "drift")
 
     @property
     def notes(self) -> list[str]:
         """Notes on the way in which the run was made."""
-        return self._run.notes
+        notes: list[str] = self._run.notes
+        return notes
 
     @property
     def drift(self) -> dict[str, float]:
         """Largest change of each conserved quantity."""
-        return self._run.drift
+        drift: dict[str, float] = self._run.drift
+        return drift
 
 
 class SampledRun(Samples):
     """A finished run with a controller. Its quantities are the coordinates, the generalized speeds, and the further
     outputs of the scene."""
-
-    _run: _tripos.SampledRun
 
     def __init__(self, inner: _tripos.SampledRun) -> None:
         super().__init__(inner)
@@ -142,13 +189,18 @@ class SampledRun(Samples):
 
 
 class Scene:
-    """A scene file: a model, a start, parameters, a span of time and outputs."""
+    """A scene file: a model, a start, parameters, a span of time and outputs.
+
+    Scenes can be copied and pickled. A pickled scene is the path of its file, which is read again, or the texts of the
+    scene and its model; and the numbers that were set.
+    """
 
     def __init__(self, path: Path) -> None:
         self._scene = _tripos.Scene.read(os.fspath(path))
         self._path: Optional[pathlib.Path] = pathlib.Path(path)
         self._text = ""
         self._set: dict[str, float] = {}
+        self._folder: Optional[Folder] = None
 
     @classmethod
     def from_text(cls, model: Model, text: str) -> Scene:
@@ -163,19 +215,48 @@ class Scene:
         """
         scene = cls.__new__(cls)
         scene._scene = _tripos.Scene.parse(model._model, text)
-        scene._path, scene._text, scene._set = None, text, {}
+        scene._path, scene._text, scene._set, scene._folder = None, text, {}, None
         return scene
+
+    def copy(self) -> Scene:
+        """A scene with the same numbers. `set` on one of the two does not change the other."""
+        scene = type(self).__new__(type(self))
+        scene._scene, scene._set = self._scene.copy(), dict(self._set)
+        scene._path, scene._text, scene._folder = self._path, self._text, self._folder
+        return scene
+
+    def __copy__(self) -> Scene:
+        return self.copy()
+
+    def __deepcopy__(self, memo: Any) -> Scene:
+        return self.copy()
+
+    def __getstate__(self) -> dict[str, Any]:
+        """State for `pickle`: the file of the scene, or the texts of scene and model; and the numbers that were set."""
+        if self._path is not None:
+            return {"path": os.fspath(self._path.absolute()), "set": dict(self._set)}
+        return {"path": None, "text": self._text, "model": self.model.text, "set": dict(self._set)}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        path = state["path"]
+        if path is None:
+            self._scene = _tripos.Scene.parse(_tripos.Model.parse(state["model"]), state["text"])
+        else:
+            self._scene = _tripos.Scene.read(path)
+        self._path, self._text = None if path is None else pathlib.Path(path), state.get("text", "")
+        self._set, self._folder = {}, None
+        self.set(**state["set"])
 
     @property
     def path(self) -> pathlib.Path:
         """File of the scene. A scene that was made from a text gets a folder with its model, which goes with it."""
-        if self._path is None:
-            folder = folder_of(self) / file_name(self.model.title)
-            (folder / "scenes").mkdir(parents=True)
-            (folder / "model.toml").write_text(self.model.text, encoding="utf-8")
-            self._path = folder / "scenes" / "scene.toml"
-            self._path.write_text(self._text, encoding="utf-8")
-        return self._path
+        if self._path is not None:
+            return self._path
+        model = self.model
+        name = file_name(model.title)
+        if self._folder is None or not self._folder.path.is_dir():
+            self._folder = Folder({f"{name}/model.toml": model.text, f"{name}/scenes/scene.toml": self._text})
+        return self._folder.path / name / "scenes" / "scene.toml"
 
     def _answer(self, command: str, **options: Option) -> Any:
         values = [f"{name}={value!r}" for name, value in self._set.items()]
@@ -192,7 +273,9 @@ class Scene:
             self._answer("view", against=list(against), out=file, **settings)
             return Page(file.read_text(encoding="utf-8"))
 
-    def figure(self, *what: str, against: Optional[str] = None, also: Sequence[str] = (), **settings: Option) -> Picture:
+    def figure(
+        self, *what: str, against: Optional[str] = None, also: Sequence[str] = (), **settings: Option
+    ) -> Picture:
         """Figure of quantities over time or against one another, a panel for each of `what`."""
         with tempfile.TemporaryDirectory(prefix="tripos-") as folder:
             file = pathlib.Path(folder) / "figure.svg"
@@ -219,7 +302,7 @@ class Scene:
             model._path = pathlib.Path(model._model.file)
         return model
 
-    def set(self, **values: float) -> None:
+    def set(self, /, **values: float) -> None:
         """Sets parameters and numbers of the start, in the units of the model file."""
         for name, value in values.items():
             self._scene.set(name, float(value))
@@ -229,21 +312,23 @@ class Scene:
         """Runs the scene. Settings replace those of the file: by, method, project, solve, step, max_step, rtol, atol,
         step_limit, samples, until. `by` names a formulation, or a printed system as "printed:ID". Each reason not to
         trust the run is a Python warning too. `progress` shows a bar, if tqdm is installed."""
+        settings = checked(settings)
         with self._bar(progress, settings) as shown:
-            run = Run(self._scene.run(settings, shown and shown.show))
+            run = Run(self._scene.run(settings, None if shown is None else shown.show))
+            finish(shown, run)
         warn(run.warnings)
         return run
 
     def _bar(self, progress: bool, settings: dict[str, Any]) -> contextlib.AbstractContextManager[Optional[RunBar]]:
         """Bar for a run with these settings; None in its place if no progress shall be shown."""
         begin, end = self._scene.span
-        return RunBar(begin, settings.get("until") or end) if progress else contextlib.nullcontext()
+        return RunBar(begin, settings.get("until", end)) if progress else contextlib.nullcontext()
 
     def sensitivity(self, *names: str, **settings: Any) -> dict[str, dict[str, float]]:
         """Derivatives of the shown quantities at the end with respect to parameters and numbers of the start.
 
         A derivative that does not exist is NaN, with a warning."""
-        slopes, reasons = self._scene.slopes(list(names), settings)
+        slopes, reasons = self._scene.slopes(list(names), checked(settings))
         warn(reasons)
         return slopes
 
@@ -251,7 +336,7 @@ class Scene:
         """Derivatives of one number at the end with respect to all parameters and numbers of the start.
 
         A derivative that does not exist is NaN, with a warning."""
-        _, slopes, reasons = self._scene.gradient_of(of, settings)
+        _, slopes, reasons = self._scene.gradient_of(of, checked(settings))
         warn(reasons)
         return slopes
 
@@ -259,7 +344,7 @@ class Scene:
         """Function of the numbers `names` that returns the value of `of` at the end, and its gradient.
 
         `names` are parameters and numbers of the start. The function is what `scipy.optimize.minimize` takes with
-        `jac=True`. It leaves the scene as it is.
+        `jac=True`. It leaves the scene as it is. Unknown names and settings are refused at once.
 
         >>> import tripos
         >>> model = tripos.Model.from_text(tripos.EXAMPLE)
@@ -268,23 +353,23 @@ class Scene:
         >>> round(value, 6), slopes.round(6).tolist()
         (-0.499157, [-0.992714, 0.044502])
         """
-        chosen = list(names)
+        chosen, settings = distinct_names(names), checked(settings)
         inner = self._scene.copy()
+        with contextlib.suppress(_tripos.StoppedError):
+            # One step finds unknown names. It may stop where the scene cannot start without the numbers.
+            columns(inner.gradient_of(of, {**settings, "step_limit": 1})[1], chosen)
 
         def function(values: ArrayLike) -> tuple[float, Array]:
-            numbers = np.asarray(values, dtype=float)
-            if numbers.shape != (len(chosen),):
-                raise _tripos.RequestError(f"the objective takes {len(chosen)} numbers, not the shape {numbers.shape}")
+            given = real_array("the point of the objective", values)
+            if given.shape != (len(chosen),):
+                raise _tripos.RequestError(f"the objective takes {len(chosen)} numbers, not the shape {given.shape}")
             scene = inner.copy()
-            for name, number in zip(chosen, numbers):
+            for name, number in zip(chosen, given):
                 scene.set(name, float(number))
             value, slopes, reasons = scene.gradient_of(of, settings)
-            missing = [name for name in chosen if name not in slopes]
-            if missing:
-                known = ", ".join(slopes)
-                raise _tripos.RequestError(f"there is no derivative by `{missing[0]}`; there are those by {known}")
+            gradient = columns(slopes, chosen)
             warn(reasons)
-            return value, np.array([slopes[name] for name in chosen])
+            return value, gradient
 
         return function
 
@@ -303,7 +388,8 @@ class Scene:
 
         def both(values: Any) -> Any:
             values = jax.numpy.asarray(values)
-            kind = values.dtype if jax.numpy.issubdtype(values.dtype, jax.numpy.floating) else jax.numpy.result_type(float)
+            is_real = jax.numpy.issubdtype(values.dtype, jax.numpy.floating)
+            kind = values.dtype if is_real else jax.numpy.result_type(float)
             shapes = (jax.ShapeDtypeStruct((), kind), jax.ShapeDtypeStruct((count,), kind))
             return jax.pure_callback(run, shapes, values.astype(kind), vmap_method="sequential")
 
@@ -326,17 +412,81 @@ class Scene:
 
         `values` has the coordinates, the generalized speeds and the outputs of the scene by name. Accelerations and
         reactions in outputs are those just before the instant. The function returns a number for each input; for one
-        input it may return a number alone. A second run gives the errors. A controller with a memory is made anew for
-        each run by `make`, in place of `controller`. `progress` shows a bar, if tqdm is installed."""
-        times = [float(t) for t in instants]
-        if (controller is None) == (make is None):
-            raise _tripos.RequestError("give either `controller` or `make`, which returns a new controller")
+        input it may return a number alone. `progress` shows a bar, if tqdm is installed.
+
+        The motion is computed twice: the difference of the two runs gives the errors. A controller with a memory, such
+        as an observer, a filter or an integrator, must therefore be given as `make`, a function that returns a new
+        controller for each run. As `controller`, it would begin the second run with the memory of the first, and the
+        errors would be wrong."""
+        times, settings, own = instants_of(instants), checked(settings), maker_of(controller, make)
         with self._bar(progress, settings) as shown:
-            run = self._scene.run_sampled(
-                list(inputs), times, make or (lambda: controller), settings, shown and shown.show
-            )  # fmt: skip
-        warn(run.warnings)
-        return SampledRun(run)
+            report = None if shown is None else shown.show
+            run = SampledRun(self._scene.run_sampled(list(inputs), times, own, settings, report))
+            finish(shown, run)
+        hint = "" if controller is None else MAKE_HINT
+        warn([reason + hint if "digits are right" in reason else reason for reason in run.warnings])
+        return run
+
+
+def checked(settings: Mapping[str, Any]) -> dict[str, Any]:
+    """Settings of a run with values of the right kinds; those that are None are left out."""
+    return {name: setting_of(name, plain(value)) for name, value in settings.items() if value is not None}
+
+
+def setting_of(name: str, value: Any) -> Any:
+    """Value of a setting, if it is of the right kind. The run itself refuses unknown names."""
+    kind = SETTINGS.get(name)
+    if kind is str and not isinstance(value, str):
+        raise _tripos.RequestError(f"the setting `{name}` is {value!r}; give a name in quotes")
+    if kind is float and (isinstance(value, bool) or not isinstance(value, numbers.Real)):
+        raise _tripos.RequestError(f"the setting `{name}` is {value!r}; give a number")
+    if kind is int and (isinstance(value, bool) or not isinstance(value, int) or not 0 <= value < 1 << 63):
+        raise _tripos.RequestError(f"the setting `{name}` is {value!r}; give a positive whole number")
+    return value
+
+
+def instants_of(given: ArrayLike) -> list[float]:
+    """Instants of a controller as a list of numbers."""
+    times = real_array("instants", given)
+    if times.ndim != 1:
+        raise _tripos.RequestError(f"instants has the shape {times.shape}; give (N,)")
+    return [float(t) for t in times]
+
+
+def maker_of(controller: Controller | None, make: Callable[[], Controller] | None) -> Callable[[], Controller]:
+    """Function that returns the controller of a run: `make`, or one that returns `controller` each time."""
+    if make is not None and controller is None:
+        return make
+    if controller is None or make is not None:
+        raise _tripos.RequestError("give either `controller` or `make`, which returns a new controller")
+    given = controller
+    return lambda: given
+
+
+def distinct_names(names: Sequence[str]) -> list[str]:
+    """Names as a list; a text in place of the list, and names that occur twice, are refused."""
+    if isinstance(names, str):
+        raise _tripos.RequestError(f"the names are the text {names!r}; give a list: [{names!r}]")
+    chosen = list(names)
+    twice = [name for name in chosen if chosen.count(name) > 1]
+    if twice:
+        raise _tripos.RequestError(f"the name `{twice[0]}` is given twice; give each number of the objective once")
+    return chosen
+
+
+def columns(slopes: Mapping[str, float], names: Sequence[str]) -> Array:
+    """Derivatives by these names in their order."""
+    missing = [name for name in names if name not in slopes]
+    if missing:
+        known = ", ".join(slopes)
+        raise _tripos.RequestError(f"there is no derivative by `{missing[0]}`; there are those by {known}")
+    return np.array([slopes[name] for name in names])
+
+
+def finish(shown: Optional[RunBar], run: Samples) -> None:
+    """Fills the bar of a run that has ended."""
+    if shown is not None:
+        shown.finish(float(run.t[-1]))
 
 
 def warn(reasons: Sequence[str]) -> None:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import contextlib
 import csv
 import dataclasses
 import hashlib
 import io
 import json
+import operator
 import os
 import pathlib
 import re
@@ -16,8 +18,9 @@ from typing import Any, Optional, Union
 
 import numpy as np
 
+from . import _tripos
 from ._commands import Option, UntrustedRunWarning, failure, run_command, warn_of
-from ._model import Path
+from ._model import Path, plain
 from ._progress import bar
 from ._scene import Scene
 
@@ -25,6 +28,16 @@ from ._scene import Scene
 Over = Union[str, Sequence[str], Mapping[str, Union[float, Iterable[float]]]]
 #: Columns that hold texts.
 TEXTS = ("stop", "reason")
+#: Options of the command that a sweep in Python does not take, and what to use in their place.
+REFUSED = {
+    **dict.fromkeys(("out", "json", "resume", "overwrite"), "save the returned table by table.save(path)"),
+    "shard": "give the number of blocks as `blocks`, or call tripos.run_block",
+    "threads": "give it to tripos.sweep, tripos.sweep_frame or tripos.run_block",
+}
+#: So many blocks that the first one has no point: it checks the request alone.
+CHECK_BLOCKS = 1 << 40
+#: Number of blocks of a sweep here with a bar.
+BLOCKS_OF_BAR = 20
 
 
 class SweepTable:
@@ -47,7 +60,7 @@ class SweepTable:
         return sum(1 for _ in csv.reader(io.StringIO(self.csv))) - 1
 
     def __getitem__(self, name: str) -> Any:
-        """Values of a column: numbers as an array, with NaN in empty cells; the texts of `stop` and `reason` as a list."""
+        """Values of a column: numbers as an array, with NaN in empty cells; texts of `stop` and `reason` as a list."""
         if name not in self.names:
             raise KeyError(f"the sweep has no column {name!r}; it has {', '.join(self.names)}")
         at = self.names.index(name)
@@ -90,6 +103,9 @@ class SweepRequest:
     @classmethod
     def of(cls, scene: Scene, over: Over, **options: Option) -> SweepRequest:
         """Request for a sweep of a scene, with the arguments of `sweep`. The files beside its model go with it."""
+        for name in options:
+            if name.strip("_") in REFUSED:
+                raise _tripos.RequestError(f"`{name}` is no option of a sweep in Python: {REFUSED[name.strip('_')]}")
         model = scene.model
         if scene._text:
             files, path = {"model.toml": model.text, "scenes/scene.toml": scene._text}, "scenes/scene.toml"
@@ -98,7 +114,7 @@ class SweepRequest:
         if isinstance(over, str):
             values = [over]
         elif isinstance(over, Mapping):
-            values = [f"{name}={listed(numbers)}" for name, numbers in over.items()]
+            values = [f"{name}={listed(name, numbers)}" for name, numbers in over.items()]
         else:
             values = list(over)
         # Numbers that `Scene.set` changed are columns with one value, unless they vary.
@@ -113,10 +129,17 @@ class SweepRequest:
         return hashlib.sha256(parts.encode()).hexdigest()[:24]
 
 
-def listed(numbers: Union[float, Iterable[float]]) -> str:
-    """Numbers as `tripos sweep --over` takes them; a single number is a list of one."""
-    several = numbers if isinstance(numbers, Iterable) else [numbers]
-    return ",".join(repr(float(number)) for number in several)
+def listed(name: str, numbers: Union[float, Iterable[float]]) -> str:
+    """Values of a number as `tripos sweep --over` takes them; a single value is a list of one."""
+    if isinstance(numbers, (str, bytes)):
+        advice = f'give numbers, or the text form over="{name}=0:1:11"'
+        raise _tripos.RequestError(f"the values of `{name}` are the text {numbers!r}; {advice}")
+    given = plain(numbers)
+    several = given if isinstance(given, Iterable) else [given]
+    try:
+        return ",".join(repr(float(number)) for number in several)
+    except (TypeError, ValueError) as error:
+        raise _tripos.RequestError(f"the values of `{name}` are not all numbers: {error}") from error
 
 
 def files_of(model: pathlib.Path, scene: pathlib.Path) -> tuple[dict[str, str], str]:
@@ -138,6 +161,7 @@ def run_block(
     """Runs one of the blocks of a sweep. Returns its table, the messages, and the number of points of the whole sweep.
 
     The result depends on the arguments alone (not on the number of threads), so that a lost block can be run again.
+    Ctrl-C raises a `KeyboardInterrupt` whose `table` has the finished rows.
     """
     with tempfile.TemporaryDirectory(prefix="tripos-") as name:
         folder = pathlib.Path(name)
@@ -146,10 +170,14 @@ def run_block(
             file.parent.mkdir(parents=True, exist_ok=True)
             file.write_text(text, encoding="utf-8")
         table = folder / "table.csv"
-        result = run_command(
-            "sweep", folder / request.scene, over=list(request.over), shard=f"{block + 1}/{blocks}",
-            threads=threads if threads is not None else threads_of_worker(), out=table, json=True, **request.options,
-        )  # fmt: skip
+        threads = threads_of_worker() if threads is None else threads
+        try:
+            result = run_command(
+                "sweep", folder / request.scene, over=list(request.over), shard=f"{block + 1}/{blocks}",
+                threads=threads, out=table, json=True, **request.options,
+            )  # fmt: skip
+        except KeyboardInterrupt:
+            raise interruption(unfinished_tables(folder)) from None
         # Exit status 3 says that some points have no result, and their rows give the reason.
         if result.status not in (0, 3) or not table.is_file():
             # The folder is gone when somebody reads the message.
@@ -158,6 +186,23 @@ def run_block(
             raise failure(messages, answer.get("error", {}), result.status)
         text = table.read_bytes().decode("utf-8")
         return text, result.messages, int(json.loads(result.output)["points"])
+
+
+def unfinished_tables(folder: pathlib.Path) -> list[str]:
+    """Whole lines of the table that an interrupted command left in a folder; none if it wrote no header."""
+    files = [file for file in (folder / "table.csv", folder / "table.csv.part") if file.is_file()]
+    texts = [file.read_bytes().decode("utf-8") for file in files]
+    return [text[: text.rindex("\n") + 1] for text in texts if "\n" in text]
+
+
+def interruption(tables: Sequence[str]) -> KeyboardInterrupt:
+    """Exception for a sweep that Ctrl-C ended. Its attribute `table` has the finished rows; None if there are none."""
+    table = SweepTable.joined(tables) if tables else None
+    rows = len(table) if table is not None else 0
+    kept = f"the first {rows} rows are the attribute `table` of this exception" if rows else "no row is finished"
+    exception = KeyboardInterrupt(f"the sweep was interrupted: {kept}")
+    exception.table = table if rows else None  # type: ignore[attr-defined]
+    return exception
 
 
 def threads_of_worker() -> Optional[int]:
@@ -177,15 +222,19 @@ def sweep(
     client: Any = None,
     blocks: Optional[int] = None,
     retries: int = 3,
+    threads: Optional[int] = None,
     progress: bool = False,
     **options: Option,
 ) -> SweepTable:
     """Runs a scene for every combination of values: `over={"q2": [0.1, 0.2]}`, or `over="q2=0.1:1.5:1000"`.
 
     Other options are those of the command `tripos sweep`, such as `by`, `method`, `rtol`, `until` and `digits`.
-    Without a `client` the sweep runs here, on all cores. With a client of Dask, blocks of points run on its workers; the
-    table is the same, byte for byte. A block whose worker is lost, or that fails, runs again up to `retries` times.
-    `progress` shows a bar, if tqdm is installed.
+    Without a `client` the sweep runs here, on all cores. With a client of Dask, blocks of points run on its workers;
+    the table is the same, byte for byte. A block whose worker is lost, or that fails, runs again up to `retries` times.
+    `threads` is the number of threads of a block; the default is all cores here, and those of each worker on Dask.
+    `progress` shows a bar, if tqdm is installed; a sweep here then runs in blocks, one after another.
+
+    Ctrl-C here raises a `KeyboardInterrupt` whose attribute `table` is a `SweepTable` of the finished rows, or None.
 
     >>> import tripos
     >>> model = tripos.Model.from_text(tripos.EXAMPLE)
@@ -195,28 +244,72 @@ def sweep(
     (['end', 'end'], [-0.099993, -0.19997])
     """
     request = SweepRequest.of(scene, over, **options)
+    count = number_of_blocks(blocks) if blocks is not None else None
     if client is None:
-        text, messages, _ = run_block(request)
-        warn_of(messages, UntrustedRunWarning)
-        return SweepTable(text)
-    blocks = blocks or blocks_for(client)
-    counts = list(range(blocks))
-    keys = [f"tripos-sweep-{request.key}-{block}-of-{blocks}" for block in counts]
-    futures = client.map(
-        run_block, [request] * blocks, counts, [blocks] * blocks, key=keys, retries=retries, pure=True
-    )  # fmt: skip
-    try:
-        if progress:
-            show_progress(futures)
-        results = client.gather(futures)
-    except KeyboardInterrupt:
-        client.cancel(futures)
-        raise
+        results = run_here(request, count, threads, progress)
+    else:
+        # A wrong request fails here, and not on each worker.
+        run_block(request, 0, CHECK_BLOCKS, threads)
+        results = run_on(client, request, count or blocks_for(client), retries, threads, progress)
     warn_of(results[0][1], UntrustedRunWarning)
     return SweepTable.joined([table for table, _, _ in results])
 
 
-def sweep_frame(scene: Scene, over: Over, *, blocks: int = 64, **options: Option) -> Any:
+def number_of_blocks(given: int) -> int:
+    """Number of blocks, if it is a positive whole number."""
+    try:
+        blocks = operator.index(given)
+    except TypeError:
+        blocks = 0
+    if blocks < 1:
+        raise _tripos.RequestError(f"`blocks` is {given!r}; give a whole number from 1")
+    return blocks
+
+
+def run_here(
+    request: SweepRequest, blocks: Optional[int], threads: Optional[int], progress: bool
+) -> list[tuple[str, str, int]]:
+    """Results of the blocks of a sweep that run here one after another. Without a bar, the default is one block."""
+    if blocks is None and progress:
+        _, _, points = run_block(request, 0, CHECK_BLOCKS, threads)
+        blocks = min(points, BLOCKS_OF_BAR)
+    count = blocks or 1
+    results: list[tuple[str, str, int]] = []
+    with bar_of_blocks(count) if progress else contextlib.nullcontext() as shown:
+        for block in range(count):
+            try:
+                results.append(run_block(request, block, count, threads))
+            except KeyboardInterrupt as interrupt:
+                own = getattr(interrupt, "table", None)
+                raise interruption([table for table, _, _ in results] + ([] if own is None else [own.csv])) from None
+            if shown is not None:
+                shown.update()
+    return results
+
+
+def run_on(
+    client: Any, request: SweepRequest, blocks: int, retries: int, threads: Optional[int], progress: bool
+) -> list[tuple[str, str, int]]:
+    """Results of the blocks of a sweep that run on the workers of a client of Dask."""
+    counts = list(range(blocks))
+    keys = [f"tripos-sweep-{request.key}-{block}-of-{blocks}" for block in counts]
+    futures = client.map(
+        run_block, [request] * blocks, counts, [blocks] * blocks, [threads] * blocks,
+        key=keys, retries=retries, pure=True,
+    )  # fmt: skip
+    try:
+        if progress:
+            show_progress(futures)
+        results: list[tuple[str, str, int]] = client.gather(futures)
+    except KeyboardInterrupt:
+        client.cancel(futures)
+        raise
+    return results
+
+
+def sweep_frame(
+    scene: Scene, over: Over, *, blocks: int = 64, threads: Optional[int] = None, **options: Option
+) -> Any:
     """The table of a sweep as a `dask.dataframe.DataFrame`, a partition for each of the `blocks`.
 
     A partition is run when it is needed, on the workers of the current client. `sweep_frame(…).to_parquet(folder)`
@@ -225,18 +318,19 @@ def sweep_frame(scene: Scene, over: Over, *, blocks: int = 64, **options: Option
     import dask.dataframe
 
     request = SweepRequest.of(scene, over, **options)
-    _, _, points = run_block(request, 0, 1 << 40)
+    blocks = number_of_blocks(blocks)
+    _, _, points = run_block(request, 0, CHECK_BLOCKS)
     first, messages, _ = run_block(request, 0, max(1, points))
     warn_of(messages, UntrustedRunWarning)
     blocks = min(blocks, max(1, points))
     return dask.dataframe.from_map(
-        block_frame, range(blocks), request=request, blocks=blocks, meta=frame_of(first).iloc[:0]
+        block_frame, range(blocks), request=request, blocks=blocks, threads=threads, meta=frame_of(first).iloc[:0]
     )
 
 
-def block_frame(block: int, request: SweepRequest, blocks: int) -> Any:
+def block_frame(block: int, request: SweepRequest, blocks: int, threads: Optional[int] = None) -> Any:
     """Table of one block of a sweep as a `pandas.DataFrame`."""
-    return frame_of(run_block(request, block, blocks)[0])
+    return frame_of(run_block(request, block, blocks, threads)[0])
 
 
 def frame_of(text: str) -> Any:
@@ -265,9 +359,13 @@ def show_progress(futures: Sequence[Any]) -> None:
     """Shows a bar until all blocks have ended, if tqdm is installed."""
     from distributed import as_completed
 
-    shown = bar(total=len(futures), unit="block", desc="sweep")
-    if shown is None:
-        return
-    with shown:
-        for _ in as_completed(futures):
-            shown.update()
+    with bar_of_blocks(len(futures)) as shown:
+        if shown is not None:
+            for _ in as_completed(futures):
+                shown.update()
+
+
+def bar_of_blocks(blocks: int) -> contextlib.AbstractContextManager[Any]:
+    """Bar of the blocks that have ended; None in its place if tqdm is not installed."""
+    shown = bar(total=blocks, unit="block", desc="sweep")
+    return contextlib.nullcontext() if shown is None else shown
