@@ -7,24 +7,19 @@
 mod arguments;
 mod chart;
 mod commands;
-mod console;
-mod failure;
+mod files;
 mod glossary;
-mod interruption;
-mod judged_publication;
 mod latex;
-mod output_files;
 mod page;
 mod phrases;
 mod picture;
 mod plot;
 mod run_panels;
-mod scene_file;
 mod sketch;
 mod stability;
 mod sweep;
+mod terminal;
 mod view;
-mod workspace;
 
 use arguments::{Arguments, Command};
 use clap::Parser;
@@ -33,11 +28,11 @@ use commands::diff::coordinates::in_found_coordinates;
 use commands::diff::{Compare, diff_with_file};
 use commands::inverse::Shape;
 use commands::linearise::LinearSystemFormat;
-use failure::{Failure, Output, print_json, print_to_stderr};
-use scene_file::read_scene_with;
+use files::scene_file::read_scene_with;
 use std::ffi::OsString;
 use std::process::ExitCode;
 use std::sync::{Arc, Mutex, PoisonError};
+use terminal::failure::{Failure, Output, print_json, print_to_stderr};
 use tripos::studies::chart_case::PrintedEquationsChoice;
 use tripos::studies::steady::LinearisationOptions;
 use tripos::studies::work_precision_chart::ChartPlan;
@@ -88,9 +83,9 @@ fn command_lock() -> Arc<Mutex<()>> {
 pub fn run_command(words: impl IntoIterator<Item = OsString>) -> CommandOutput {
     let lock = command_lock();
     let _alone = lock.lock().unwrap_or_else(PoisonError::into_inner);
-    interruption::forget_interruption();
+    terminal::interruption::forget_interruption();
     let words: Vec<OsString> = std::iter::once("tripos".into()).chain(words).collect();
-    let (status, printed) = console::captured(|| match Arguments::try_parse_from(&words) {
+    let (status, printed) = terminal::console::captured(|| match Arguments::try_parse_from(&words) {
         Ok(arguments) => finish_command(arguments.command),
         Err(error) => {
             print_json_of_wrong_arguments(&error, &words);
@@ -99,9 +94,9 @@ pub fn run_command(words: impl IntoIterator<Item = OsString>) -> CommandOutput {
                 print_to_stderr(text.trim_end());
             } else {
                 // The text is kept in memory, where writing does not fail.
-                let _ = failure::print(&text);
+                let _ = terminal::failure::print(&text);
             }
-            u8::try_from(error.exit_code()).unwrap_or(failure::status::BAD_INPUT)
+            u8::try_from(error.exit_code()).unwrap_or(terminal::failure::status::BAD_INPUT)
         }
     });
     CommandOutput { status, output: printed.output, messages: printed.messages }
@@ -109,7 +104,7 @@ pub fn run_command(words: impl IntoIterator<Item = OsString>) -> CommandOutput {
 
 /// Asks the command that [`run_command`] runs on another thread to end soon and to keep its finished results.
 pub fn interrupt_command() {
-    interruption::ask_for_interruption();
+    terminal::interruption::ask_for_interruption();
 }
 
 /// Runs a command, and prints its failure. Returns the exit status.
@@ -122,8 +117,11 @@ fn finish_command(command: Command) -> u8 {
             // If the user interrupted the command, a failure that follows is reported as an
             // interruption.
             let is_own = matches!(failure, Failure::Interrupted(_) | Failure::Output(..));
-            let failure =
-                if interruption::is_interrupted() && !is_own { Failure::Interrupted(String::new()) } else { failure };
+            let failure = if terminal::interruption::is_interrupted() && !is_own {
+                Failure::Interrupted(String::new())
+            } else {
+                failure
+            };
             print_to_stderr(&failure.to_string());
             if is_json {
                 // If standard output is closed, the error cannot be reported there.

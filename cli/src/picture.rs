@@ -7,8 +7,8 @@
 #[cfg(feature = "pictures")]
 mod png_and_pdf;
 
-use crate::failure::Failure;
-use crate::output_files::write_text_file;
+use super::files::output_files::write_text_file;
+use super::terminal::failure::Failure;
 use std::path::Path;
 use tripos_derive::plain_text::path_as_plain_text;
 
@@ -83,7 +83,7 @@ pub fn write_picture(path: &Path, kind: PictureFormat, svg: &str, dpi: u32) -> R
 #[cfg(feature = "pictures")]
 fn write_converted_picture(path: &Path, kind: PictureFormat, svg: &str, dpi: u32) -> Result<(), Failure> {
     let bytes = if kind == PictureFormat::Png { png_and_pdf::png(svg, dpi) } else { png_and_pdf::pdf(svg) };
-    crate::output_files::write_binary_file(path, &bytes?)
+    crate::files::output_files::write_binary_file(path, &bytes?)
 }
 
 #[cfg(not(feature = "pictures"))]

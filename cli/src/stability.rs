@@ -2,9 +2,9 @@
 
 pub mod passage_sentences;
 
+use super::files::output_files::{write_table_file, write_text_file};
+use super::terminal::failure::Failure;
 use crate::chart::figure::draw_figure_svg;
-use crate::failure::Failure;
-use crate::output_files::{write_table_file, write_text_file};
 use std::path::Path;
 use tripos::Mechanism;
 use tripos::studies::stability::{FindingTopic, Findings};

@@ -1,9 +1,9 @@
 //! Files of a speed chart: CSV tables for programs, and a table of advice for people.
 
 use super::sentences::{TARGETS, fastest};
-use crate::failure::Failure;
-use crate::output_files::write_table_file;
+use crate::files::output_files::write_table_file;
 use crate::phrases::seconds;
+use crate::terminal::failure::Failure;
 use std::fmt::Write;
 use std::path::Path;
 use tripos::ConservedQuantity;

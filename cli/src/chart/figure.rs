@@ -2,9 +2,9 @@
 //! solves.
 
 use super::sentences::{is_derived, is_whole};
-use crate::failure::Failure;
 use crate::plot::styles::{BY_QUADRATURE, FRONT, METHODS, MOST_PRINTED, NUMERIC, PRINTED, equations_style};
 use crate::plot::{Figure, Panel, PlotError, Scale, Series, draw, draw_heat};
+use crate::terminal::failure::Failure;
 use tripos::studies::chart_case::MethodAtTolerance;
 use tripos::studies::work_precision_chart::Measurement;
 use tripos_derive::mechanics::EquationsOrigin;

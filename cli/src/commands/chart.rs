@@ -1,10 +1,11 @@
 //! Command `tripos chart`: measures speed against accuracy for every formulation, solve and method.
 
 use crate::chart::{chart_tables, figure};
-use crate::failure::{Failure, Output, print_result, print_to_stderr, warn};
-use crate::interruption::{self, ProgressBarReporter, counting_progress_bar};
-use crate::output_files::{make_folder, refuse_overwriting_inputs, write_text_file};
-use crate::scene_file::SceneWithSetValues;
+use crate::files::output_files::{make_folder, refuse_overwriting_inputs, write_text_file};
+use crate::files::scene_file::SceneWithSetValues;
+use crate::terminal::failure::{Failure, Output, print_result, print_to_stderr, warn};
+use crate::terminal::interruption;
+use crate::terminal::interruption::{ProgressBarReporter, counting_progress_bar};
 use serde_json::json;
 use std::path::{Path, PathBuf};
 use tripos::studies::chart_case::PrintedEquationsChoice;

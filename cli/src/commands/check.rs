@@ -1,8 +1,8 @@
 //! Command `tripos check`: states facts about a model before its equations are used.
 
-use crate::failure::{Failure, Output, print, print_json};
+use crate::files::workspace::{read_model, short_name};
 use crate::phrases::{NAMED_TERMS_HEADING, shorten_formula};
-use crate::workspace::{read_model, short_name};
+use crate::terminal::failure::{Failure, Output, print, print_json};
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use std::path::Path;

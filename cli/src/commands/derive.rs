@@ -10,9 +10,9 @@ mod sympy;
 mod typst;
 
 use crate::arguments::{self, Format};
-use crate::failure::{Failure, print, print_json, print_to_stderr};
+use crate::files::workspace::{read_model, short_name};
 use crate::phrases::NAMED_TERMS_HEADING;
-use crate::workspace::{read_model, short_name};
+use crate::terminal::failure::{Failure, print, print_json, print_to_stderr};
 use derivation_document::Document;
 use rustc_hash::FxHashSet;
 use serde_json::{Value, json};

@@ -7,11 +7,11 @@ mod root_mistakes;
 pub use models::changed_equations;
 
 use crate::commands::prove::{proof_verdict_word, proof_witness_json};
-use crate::failure::{Failure, Output, print, print_json, print_result, print_to_stderr, status};
+use crate::files::judged_publication::JudgedPublication;
+use crate::files::workspace::{model_file, read_model, short_name};
 use crate::glossary::{glossary_json, glossary_text};
-use crate::judged_publication::JudgedPublication;
 use crate::phrases::{entry_count_words, shorten_formula};
-use crate::workspace::{model_file, read_model, short_name};
+use crate::terminal::failure::{Failure, Output, print, print_json, print_result, print_to_stderr, status};
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};

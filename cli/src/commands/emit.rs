@@ -1,8 +1,8 @@
 //! Command `tripos emit`: writes generated code of any model file, for use in another program.
 
-use crate::failure::{Failure, Output, print_result, print_to_stderr, warn};
-use crate::scene_file::read_scene;
-use crate::workspace::model_file;
+use crate::files::scene_file::read_scene;
+use crate::files::workspace::model_file;
+use crate::terminal::failure::{Failure, Output, print_result, print_to_stderr, warn};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use tripos::equations_name::formulation_of_name;

@@ -7,8 +7,8 @@ mod followed_motion;
 mod range;
 
 use super::linearise::{linearised_modes_json, linearised_motion_json, modes_text, motion_kind_words, state_json};
-use crate::failure::{Failure, Output, print, print_json};
-use crate::workspace::{read_model, short_name};
+use crate::files::workspace::{read_model, short_name};
+use crate::terminal::failure::{Failure, Output, print, print_json};
 use range::Range;
 use serde_json::{Value, json};
 use std::fmt::Write;

@@ -1,8 +1,8 @@
 //! Command `tripos evaluate`: prints matrix, forcing, accelerations, reactions and energies at one
 //! state.
 
-use crate::failure::{Failure, Output, print, print_json, warn};
-use crate::workspace::{read_model, short_name};
+use crate::files::workspace::{read_model, short_name};
+use crate::terminal::failure::{Failure, Output, print, print_json, warn};
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use std::path::Path;

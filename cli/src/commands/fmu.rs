@@ -1,7 +1,7 @@
 //! Command `tripos fmu`: writes a scene as a functional mock-up unit (FMU).
 
-use crate::failure::{Failure, Output, print_result, print_to_stderr, warn};
-use crate::scene_file::read_scene_with;
+use crate::files::scene_file::read_scene_with;
+use crate::terminal::failure::{Failure, Output, print_result, print_to_stderr, warn};
 use serde_json::json;
 use std::ffi::OsString;
 use std::io::{Cursor, Write};

@@ -1,11 +1,11 @@
 //! Command `tripos grade`: gives marks and feedback for submissions, based on their root mistakes.
 
 use crate::arguments::{Grade as Request, MarksFormat};
-use crate::failure::{Failure, print, print_json, status};
-use crate::judged_publication::JudgedPublication;
-use crate::output_files;
+use crate::files::judged_publication::JudgedPublication;
+use crate::files::output_files;
+use crate::files::workspace::{read_model, short_name};
 use crate::page::markup::html::escape;
-use crate::workspace::{read_model, short_name};
+use crate::terminal::failure::{Failure, print, print_json, status};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::fmt::Write;

@@ -1,8 +1,8 @@
 //! Command `tripos inverse`: computes the generalized forces that a motion needs, and the inputs
 //! that give them.
 
-use crate::failure::{Failure, print, print_json, warn};
-use crate::workspace::{read_model, short_name};
+use crate::files::workspace::{read_model, short_name};
+use crate::terminal::failure::{Failure, print, print_json, warn};
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use std::path::Path;

@@ -3,9 +3,9 @@
 mod notations;
 
 use crate::arguments::Notation;
-use crate::failure::{Failure, print, print_json};
+use crate::files::workspace::{read_model, short_name};
 use crate::phrases::decimal_text;
-use crate::workspace::{read_model, short_name};
+use crate::terminal::failure::{Failure, print, print_json};
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use std::path::Path;

@@ -2,8 +2,8 @@
 //! for `man`.
 
 use crate::arguments::Arguments;
-use crate::failure::{Failure, print};
-use crate::output_files::{make_folder, write_text_file};
+use crate::files::output_files::{make_folder, write_text_file};
+use crate::terminal::failure::{Failure, print};
 use clap::CommandFactory;
 use clap_complete::Shell;
 use clap_mangen::Man;

@@ -1,7 +1,7 @@
 //! Command `tripos new`: makes a new folder with a commented model and a scene to start from.
 
-use crate::failure::{Failure, print};
-use crate::workspace::{model_file, workspace_around};
+use crate::files::workspace::{model_file, workspace_around};
+use crate::terminal::failure::{Failure, print};
 use std::path::{Path, PathBuf};
 use tripos_codegen::draft_file;
 use tripos_derive::diagnostic::Source;

@@ -10,14 +10,17 @@ mod standings;
 mod study_figures;
 
 use crate::arguments::Page as Request;
-use crate::failure::{Failure, print_json, print_to_stderr, status, warn};
-use crate::interruption::{self, counting_progress_bar};
-use crate::output_files::{make_folder, refuse_overwriting_inputs, write_text_file};
+use crate::files::output_files::{make_folder, refuse_overwriting_inputs, write_text_file};
+use crate::files::scene_file::{scene_title, set_scene_values};
+use crate::files::workspace::{
+    current_folder, edited_workspace_model_warning, model_file, read_model, workspace_around,
+};
 use crate::page::{self, Page, RunRow, SceneSection, Standing};
 use crate::plot::{Panel, styles};
 use crate::run_panels::{self, RunCurves};
-use crate::scene_file::{scene_title, set_scene_values};
-use crate::workspace::{current_folder, edited_workspace_model_warning, model_file, read_model, workspace_around};
+use crate::terminal::failure::{Failure, print_json, print_to_stderr, status, warn};
+use crate::terminal::interruption;
+use crate::terminal::interruption::counting_progress_bar;
 use indicatif::ProgressBar;
 use motion_figure::page_motion_figure;
 use reduced_run::{ReducedRun, page_run_outputs};
@@ -35,8 +38,7 @@ use tripos::trust::compared_quantities::ComparedQuantities;
 use tripos::{Error, InvariantValues, Mechanism, Run, WatchedInvariants, run_code};
 use tripos_codegen::model_folders::{is_same_model_file, scenes_in_model_folder};
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source};
-use tripos_derive::mechanics::EquationsOrigin;
-use tripos_derive::mechanics::{DerivationInSteps, derive_in_steps};
+use tripos_derive::mechanics::{DerivationInSteps, EquationsOrigin, derive_in_steps};
 use tripos_derive::plain_text::path_as_plain_text;
 use tripos_derive::scene::{AccelerationSolution, FigureKind, Integrator, Scene, load, model_path_of_scene};
 use tripos_derive::{Formulation, Model};

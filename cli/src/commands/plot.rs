@@ -1,12 +1,12 @@
 //! Command `tripos plot`: draws quantities of runs as a figure, with its data in a CSV file.
 
 use crate::arguments::Plot;
-use crate::failure::{Failure, Output, print_result, print_to_stderr, status, warn};
-use crate::interruption;
-use crate::output_files::{refuse_overwriting_inputs, write_table_file};
+use crate::files::output_files::{refuse_overwriting_inputs, write_table_file};
+use crate::files::scene_file::{SceneWithSetValues, read_scene_with};
 use crate::picture::{self, PictureFormat};
 use crate::plot::{Panel, Scale, Series, draw, figure_text_in_symbols};
-use crate::scene_file::{SceneWithSetValues, read_scene_with};
+use crate::terminal::failure::{Failure, Output, print_result, print_to_stderr, status, warn};
+use crate::terminal::interruption;
 use serde_json::json;
 use std::path::{Path, PathBuf};
 use tripos::equations_name::find_equations_or_first;

@@ -1,9 +1,9 @@
 //! Command `tripos prove`: proves the equivalence of the formulations, and first integrals of the
 //! motion.
 
-use crate::failure::{Failure, Output, print, print_json, status};
+use crate::files::workspace::{read_model, short_name};
 use crate::glossary::{glossary_json, glossary_text};
-use crate::workspace::{read_model, short_name};
+use crate::terminal::failure::{Failure, Output, print, print_json, status};
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;

@@ -5,8 +5,8 @@ mod equation_changes;
 mod python;
 mod sympy_reference;
 
-use crate::failure::{Failure, Output, print, print_json, print_result, status};
-use crate::workspace::workspace_here;
+use crate::files::workspace::workspace_here;
+use crate::terminal::failure::{Failure, Output, print, print_json, print_result, status};
 use equation_changes::{EquationComparison, compare_with_committed_equations};
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};

@@ -1,9 +1,9 @@
 //! Command `tripos scene`: shows the reduced equations of a scene and the parts of the model that
 //! it does not need.
 
-use crate::failure::{Failure, Output, print, print_json};
-use crate::scene_file::SceneWithSetValues;
-use crate::workspace::short_name;
+use crate::files::scene_file::SceneWithSetValues;
+use crate::files::workspace::short_name;
+use crate::terminal::failure::{Failure, Output, print, print_json};
 use serde_json::{Value, json};
 use std::fmt::Write;
 use tripos::{Mechanism, ReducedScene};

@@ -1,6 +1,6 @@
 //! Command `tripos schema`: prints JSON Schemas of the file formats, for editors.
 
-use crate::failure::{Failure, print};
+use crate::terminal::failure::{Failure, print};
 use tripos_derive::schema::SchemaFormat;
 
 /// Prints the JSON Schema of a file format. Returns the exit status. An unknown format prints

@@ -2,12 +2,12 @@
 
 mod motion;
 
-use crate::failure::{Failure, Output, print_result, status};
-use crate::judged_publication::JudgedPublication;
-use crate::output_files;
+use crate::files::judged_publication::JudgedPublication;
+use crate::files::output_files;
+use crate::files::workspace::{current_folder, read_model, workspace_around};
 use crate::page::markup::html::escape;
 use crate::phrases::{entry_count_words, shorten_formula};
-use crate::workspace::{current_folder, read_model, workspace_around};
+use crate::terminal::failure::{Failure, Output, print_result, status};
 use motion::{ShelvedMotion, motions};
 use serde_json::{Value, json};
 use std::fmt::Write;

@@ -4,11 +4,11 @@ mod gradient;
 mod sensitivity;
 
 use crate::arguments::Simulate;
-use crate::failure::{Failure, print, print_json, print_to_stderr, status, warn};
-use crate::interruption;
-use crate::output_files::{TableFormat, refuse_overwriting_inputs, write_table_file};
-use crate::scene_file::{SceneWithSetValues, read_scene_with};
-use crate::workspace::short_name;
+use crate::files::output_files::{TableFormat, refuse_overwriting_inputs, write_table_file};
+use crate::files::scene_file::{SceneWithSetValues, read_scene_with};
+use crate::files::workspace::short_name;
+use crate::terminal::failure::{Failure, print, print_json, print_to_stderr, status, warn};
+use crate::terminal::interruption;
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use std::path::Path;

@@ -1,11 +1,11 @@
 //! Command `tripos sketch`: draws a mechanism as textbooks do, as a picture or in LaTeX.
 
-use crate::failure::{Failure, Output, print_result};
-use crate::output_files::{refuse_overwriting_inputs, write_text_file};
+use crate::files::output_files::{refuse_overwriting_inputs, write_text_file};
+use crate::files::scene_file::read_scene;
+use crate::files::workspace::{model_file, read_model};
 use crate::picture;
-use crate::scene_file::read_scene;
 use crate::sketch::{sketch_svg_file, tikz_picture as tikz};
-use crate::workspace::{model_file, read_model};
+use crate::terminal::failure::{Failure, Output, print_result};
 use serde_json::json;
 use std::path::Path;
 use tripos::Mechanism;

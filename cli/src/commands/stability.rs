@@ -1,11 +1,12 @@
 //! Command `tripos stability`: studies the limits of a scene's runs, such as passages near singular
 //! places and growth of errors.
 
-use crate::failure::{Failure, Output, print_result};
-use crate::interruption::{self, ProgressBarReporter, counting_progress_bar};
-use crate::output_files::{make_folder, refuse_overwriting_inputs};
-use crate::scene_file::SceneWithSetValues;
+use crate::files::output_files::{make_folder, refuse_overwriting_inputs};
+use crate::files::scene_file::SceneWithSetValues;
 use crate::stability::{stability_conclusions, write_stability_results};
+use crate::terminal::failure::{Failure, Output, print_result};
+use crate::terminal::interruption;
+use crate::terminal::interruption::{ProgressBarReporter, counting_progress_bar};
 use serde_json::json;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};

@@ -1,23 +1,22 @@
 //! Command `tripos sweep`: runs a scene from many starts or with many parameter values.
 
 use crate::arguments::Sweep as Request;
-use crate::failure::{Failure, print_json, print_to_stderr, status, warn};
-use crate::interruption;
-use crate::output_files::{TableFormat, refuse_overwriting_inputs};
-use crate::scene_file::read_scene;
+use crate::files::output_files::{TableFormat, refuse_overwriting_inputs};
+use crate::files::scene_file::read_scene;
+use crate::files::workspace::short_name;
 use crate::sweep::{
     Columns, GrowingTable, KeptRows, Record, Tally, UnfinishedTableMismatch, other_sweep_failure, remove_record,
 };
-use crate::workspace::short_name;
+use crate::terminal::failure::{Failure, print_json, print_to_stderr, status, warn};
+use crate::terminal::interruption;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::json;
 use std::num::NonZero;
 use std::ops::Range;
 use std::time::{Duration, Instant};
-use tripos::Error;
 use tripos::equations_name::find_equations_or_first;
-use tripos::integration_method_words;
 use tripos::studies::sweep::{Shard, Sweep, SweepRow, work_in_order};
+use tripos::{Error, integration_method_words};
 use tripos_codegen::draft_file::ExistingFilePolicy;
 use tripos_derive::scene::Grid;
 

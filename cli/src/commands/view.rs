@@ -1,10 +1,10 @@
 //! Command `tripos view`: writes a scene's motion as a moving picture in one HTML file.
 
 use crate::arguments::View as Request;
-use crate::failure::{Failure, Output, print_result, status, warn};
-use crate::interruption;
-use crate::output_files::{refuse_overwriting_inputs, write_text_file};
-use crate::scene_file::{SceneWithSetValues, read_scene_with, scene_title};
+use crate::files::output_files::{refuse_overwriting_inputs, write_text_file};
+use crate::files::scene_file::{SceneWithSetValues, read_scene_with, scene_title};
+use crate::terminal::failure::{Failure, Output, print_result, status, warn};
+use crate::terminal::interruption;
 use crate::view::{LiveEquations, ViewContent, ViewPlace, document, turns_truly};
 use serde_json::json;
 use tripos::Mechanism;

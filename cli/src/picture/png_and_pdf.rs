@@ -1,7 +1,7 @@
 //! PNG and PDF files of figures, made from their SVG.
 
 use super::{CSS, MOST_PIXELS};
-use crate::failure::Failure;
+use crate::terminal::failure::Failure;
 use resvg::tiny_skia::{Color, Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
 use tripos::Error;

@@ -1,7 +1,7 @@
 //! Table of a sweep as a file that grows row by row, and that an interrupted sweep leaves unfinished.
 
-use crate::failure::Failure;
-use crate::output_files::TableFormat;
+use crate::files::output_files::TableFormat;
+use crate::terminal::failure::Failure;
 use std::io::{Read, Write};
 use std::path::Path;
 use tripos_codegen::draft_file::{Draft, ExistingFilePolicy, UnfinishedFilePolicy, WriteError};

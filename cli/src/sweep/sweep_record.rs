@@ -5,8 +5,8 @@
 //! a row depends on is in the record: texts of the files, values, points, equations, and
 //! integration.
 
-use crate::failure::Failure;
-use crate::output_files::write_text_file;
+use crate::files::output_files::write_text_file;
+use crate::terminal::failure::Failure;
 use serde_json::{Map, Value};
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};

@@ -5,7 +5,7 @@
 //! end.
 
 use super::{ViewContent, ViewPlace};
-use crate::failure::Failure;
+use crate::terminal::failure::Failure;
 use serde_json::{Value, json};
 use tripos::EquationsName;
 use tripos::code::derive_or_read_equations;

@@ -7,6 +7,7 @@
 use crate::code::compile_tape;
 use crate::error::Error;
 use crate::preparation::problem::Problem;
+use std::fmt;
 use tripos_derive::Model;
 use tripos_derive::algebra::Arena;
 use tripos_derive::algebra::text::print::print_text;
@@ -38,6 +39,12 @@ impl ConservedQuantity {
         };
         let kind = integral.kinds[0];
         Self { kind, name: integral.name(model, arena), unit }
+    }
+}
+
+impl fmt::Display for ConservedQuantity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.name)
     }
 }
 

@@ -26,22 +26,14 @@ extern crate std;
 #[cfg(feature = "std")]
 extern crate alloc;
 
-mod circular;
 mod compiled;
 mod direction;
 mod dispatch;
-mod double_double;
-mod dual;
-mod enclosure;
-mod interval;
-mod lanes;
-mod maxima;
 mod method;
+mod numbers;
 mod points;
-mod scalar;
 
 mod system;
-mod tangent;
 #[cfg(feature = "std")]
 mod tolerance;
 
@@ -50,16 +42,16 @@ pub use compiled::{
 };
 pub use direction::Direction;
 pub use dispatch::lane_width;
-pub use double_double::DoubleDouble;
-pub use dual::Dual;
-pub use enclosure::Enclosure;
-pub use interval::Interval;
-pub use lanes::Lanes;
-pub use maxima::{larger, larger_or_second, largest};
 pub use method::Method;
+pub use numbers::double_double::DoubleDouble;
+pub use numbers::dual::Dual;
+pub use numbers::enclosure::Enclosure;
+pub use numbers::interval::Interval;
+pub use numbers::lanes::Lanes;
+pub use numbers::maxima::{larger, larger_or_second, largest};
+pub use numbers::scalar::{Real, Scalar, series};
+pub use numbers::tangent::Tangent;
 pub use points::{AtPoints, Integrands};
-pub use scalar::{Real, Scalar, series};
 pub use system::{Lengths, System, by_columns};
-pub use tangent::Tangent;
 #[cfg(feature = "std")]
 pub use tolerance::{ATOL, AbsoluteTolerance, RTOL};

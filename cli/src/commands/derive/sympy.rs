@@ -10,7 +10,7 @@
 //! differentiated by and compiled one by one.
 
 use super::SolvedFormulation;
-use crate::failure::Failure;
+use crate::terminal::failure::Failure;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::fmt::Write;
 use tripos_derive::Model;

@@ -1,9 +1,9 @@
 //! Command `tripos diff --find-coordinates`: searches for the coordinates that a publication uses.
 
 use super::{Comparison, CoordinateReport, verdicts};
-use crate::failure::Failure;
-use crate::judged_publication::JudgedPublication;
-use crate::workspace::model_file;
+use crate::files::judged_publication::JudgedPublication;
+use crate::files::workspace::model_file;
+use crate::terminal::failure::Failure;
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;

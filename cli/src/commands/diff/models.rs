@@ -5,10 +5,10 @@
 //! the old value, the new value and the difference of all entries.
 
 use super::Comparison;
-use crate::failure::Failure;
+use crate::files::workspace::short_name;
 use crate::glossary::{glossary_json, glossary_text};
 use crate::phrases::{entry_count_words, shorten_formula};
-use crate::workspace::short_name;
+use crate::terminal::failure::Failure;
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;

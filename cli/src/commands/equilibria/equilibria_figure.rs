@@ -1,10 +1,10 @@
 //! Figures of steady motions followed along a number: eigenvalues over one number, and changes of
 //! stability over two.
 
-use crate::failure::{Failure, print_to_stderr};
-use crate::output_files::{refuse_overwriting_inputs, write_table_file};
+use crate::files::output_files::{refuse_overwriting_inputs, write_table_file};
 use crate::picture::{self, PictureFormat};
 use crate::plot::{Panel, Scale, Series, draw};
+use crate::terminal::failure::{Failure, print_to_stderr};
 use std::path::Path;
 use tripos::studies::steady::{Continuation, ContinuationMap, CrossingKind};
 use tripos::{Error, Mechanism};

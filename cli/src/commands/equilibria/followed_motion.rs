@@ -1,11 +1,10 @@
 //! Output for a steady motion that is followed along one number, or over two numbers.
 
 use super::super::linearise::eigenvalue_text;
-use super::equilibria_figure;
-use super::point_of;
 use super::range::Range;
-use crate::failure::{Failure, Output, print, print_json, print_to_stderr};
-use crate::workspace::short_name;
+use super::{equilibria_figure, point_of};
+use crate::files::workspace::short_name;
+use crate::terminal::failure::{Failure, Output, print, print_json, print_to_stderr};
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::Path;

@@ -1,8 +1,8 @@
 //! Figure of the motion of one scene on the page, drawn by the viewer of `tripos view`.
 
-use crate::failure::Failure;
-use crate::interruption;
 use crate::page::{MotionFigure, SceneSection, Standing, Viewer};
+use crate::terminal::failure::Failure;
+use crate::terminal::interruption;
 use crate::view::{LiveEquations, LiveView, STYLE, ViewContent, ViewPlace, figure, script, turns_truly};
 use tripos::Mechanism;
 use tripos::pictures::view::{View, ViewMotion};

@@ -1,8 +1,8 @@
 //! Reduced equations of a scene on the page: their description, their run, and outputs for
 //! comparison with the whole model.
 
-use crate::failure::Failure;
 use crate::page::ReducedEquationsContent;
+use crate::terminal::failure::Failure;
 use tripos::trust::compared_quantities::ComparedQuantities;
 use tripos::{
     InvariantValues, Mechanism, Problem, ReducedScene, Run, WatchedInvariants, run_problem, set_whole_model_energies,

@@ -4,10 +4,10 @@
 //! Invariant: each row of a table is a point that was given to the plot, so that the two cannot
 //! differ.
 
-use crate::failure::Failure;
-use crate::output_files::{make_folder, write_table_file, write_text_file};
+use crate::files::output_files::{make_folder, write_table_file, write_text_file};
 use crate::page::Figure;
 use crate::plot::{Panel, draw};
+use crate::terminal::failure::Failure;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use tripos::{Error, Mechanism};

@@ -6,10 +6,10 @@
 use super::run_figures::run_figure_caption;
 use crate::chart::sentences::{TARGETS, chart_caption, chart_recommendation, fastest};
 use crate::chart::{chart_tables, figure};
-use crate::failure::Failure;
-use crate::output_files::make_folder as make;
+use crate::files::output_files::make_folder as make;
 use crate::page::{Advice, Figure, RecommendedRun};
 use crate::stability::{passage_sentences, write_stability_tables};
+use crate::terminal::failure::Failure;
 use std::path::{Path, PathBuf};
 use tripos::Mechanism;
 use tripos::studies::chart_case::PrintedEquationsChoice;

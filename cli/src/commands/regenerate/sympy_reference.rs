@@ -2,8 +2,8 @@
 //! only if it agrees.
 
 use super::python::{find_python, run_with_time_limit};
-use crate::failure::{Failure, Output, print, status, warn};
 use crate::phrases::formula_beginning;
+use crate::terminal::failure::{Failure, Output, print, status, warn};
 use std::fmt::Write;
 use std::path::Path;
 use std::process::Command;

@@ -3,8 +3,8 @@
 //! The start and the span are those of the first scene of the publication's model. Both motions are
 //! runs of this scene: by Kane's equations, and by the printed equations as they stand.
 
-use crate::failure::Failure;
-use crate::judged_publication::JudgedPublication;
+use crate::files::judged_publication::JudgedPublication;
+use crate::terminal::failure::Failure;
 use serde_json::{Value, json};
 use std::path::Path;
 use tripos::{EquationsName, Overrides, Scene};

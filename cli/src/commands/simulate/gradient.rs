@@ -4,8 +4,8 @@
 use super::sensitivity::sensitivity_unit_suffix;
 use super::{as_json, as_text, report_run};
 use crate::arguments::Simulate;
-use crate::failure::{Failure, print, print_json};
-use crate::interruption;
+use crate::terminal::failure::{Failure, print, print_json};
+use crate::terminal::interruption;
 use serde_json::{Value, json};
 use std::fmt::Write;
 use tripos::studies::sensitivity::gradient::Slope;

@@ -1,10 +1,11 @@
 //! Equations of motion in numbers that carry derivatives ("slopes"): compiled, or interpreted by
 //! tapes with slopes.
 
-use super::contact_history::ContactHistory;
+use super::contacts::contact_history::ContactHistory;
+use super::contacts::grazing_contacts;
+use super::contacts::grazing_contacts::grazing_gap_limit;
+use super::contacts::precise_contacts::PreciseContacts;
 use super::corners::corners;
-use super::grazing_contacts::{self, grazing_gap_limit};
-use super::precise_contacts::PreciseContacts;
 use super::slope_carrier::{SlopeCarrier, SlopeFunctions};
 use super::varied_start::VariedStart;
 use crate::code::{Code, CodePreparation, derive_or_read_equations, interpreted_code, runnable_code};

@@ -2,11 +2,11 @@
 //!
 //! Invariant: the values are those of [`crate::preparation::impacts::HeldContactEquations`], bit by
 //! bit. The slopes of the contact forces follow from the linear system for these forces
-//! ([`super::precise_contacts`]).
+//! ([`crate::studies::sensitivity::contacts::precise_contacts`]).
 
-use super::contact_history::{ContactHistory, end_derivatives};
-use super::held_directions::HeldDirections;
-use super::precise_contacts::{
+use super::contacts::contact_history::{ContactHistory, end_derivatives};
+use super::contacts::held_directions::HeldDirections;
+use super::contacts::precise_contacts::{
     ActingContacts, ContactForceDerivative, ForceFreeMotion, ParameterStateDirection, PreciseContacts,
 };
 use super::varied_start::VariedStart;

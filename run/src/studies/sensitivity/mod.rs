@@ -19,22 +19,14 @@
 //! Reduced equations of a scene are not differentiated. They contain constants that would have to
 //! be differentiated too.
 
-mod contact_history;
-mod contact_zeros;
+mod contacts;
 mod corners;
-mod crossing_derivatives;
 mod difference;
 mod differentiable_quantities;
 mod end_derivatives;
 mod equations_with_slopes;
 pub mod gradient;
-mod grazing_contacts;
-mod held_contact_forces;
-mod held_directions;
 mod held_tangents;
-mod impact_strikes;
-mod motion_before_crossing;
-mod precise_contacts;
 mod ridders_table;
 mod run_differences;
 mod slope_carrier;

@@ -1,11 +1,11 @@
 //! Runs with contacts in numbers that carry derivatives ("slopes") by parameters and numbers of the
 //! start.
 
-use super::contact_history::{ContactChangeInstant, ContactHistory, end_derivatives};
+use super::contacts::contact_history::{ContactChangeInstant, ContactHistory, end_derivatives};
+use super::contacts::crossing_derivatives::CrossingDerivatives;
+use super::contacts::precise_contacts::{ParameterStateDirection, PreciseContacts};
 use super::corners::check_no_corner;
-use super::crossing_derivatives::CrossingDerivatives;
 use super::held_tangents::{ContactTapes, HeldTangents, round_to_doubles, slopes};
-use super::precise_contacts::{ParameterStateDirection, PreciseContacts};
 use super::varied_start::VariedStart;
 use crate::preparation::impacts::{
     ContactCrossing, GapMinimum, HeldContactEquations, HeldContacts, NumberCarrier, SceneContacts,

@@ -4,8 +4,8 @@
 //! rates determine. Its derivative is a difference of starts in 32 digits, of order 4 in the step.
 //! It has about 20 correct digits, so it is accurate to double precision.
 
+use super::contacts::held_contact_forces::VariedNumber;
 use super::difference::{CENTRAL, FORWARD, STEP, derivative_by_rule};
-use super::held_contact_forces::VariedNumber;
 use crate::error::Error;
 use crate::preparation::problem::Problem;
 use tripos_derive::diagnostic::Diagnostics;

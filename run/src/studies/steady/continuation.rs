@@ -4,11 +4,11 @@
 use super::SteadyProblem;
 use super::equilibrium_search::{ELSEWHERE, search_unknowns};
 use super::linear_system::{FamilySearch, SteadyLinearSystem};
-use super::mode::Mode;
 use super::quotient_system::ShiftedStates;
+use super::spectra::mode::Mode;
+use super::spectra::wide_matrix::WideMatrix;
 use super::steady_newton::Unknowns;
 use super::steady_state::SteadyState;
-use super::wide_matrix::WideMatrix;
 use crate::{Error, Mechanism};
 use tripos_derive::scene::StateWithUnknowns;
 use tripos_traits::{DoubleDouble, Scalar};

@@ -1,14 +1,14 @@
 //! Linear system of a mechanism near a steady motion, with its modes and stability.
 
 use super::SteadyProblem;
-use super::controllability::{TransferFunction, controllable_dimension, transfer_functions};
-use super::eigenvalues::eigenvalue_modes;
-use super::mode::Mode;
 use super::quotient_system::{QuotientSystem, ShiftedStates};
+use super::spectra::controllability::{TransferFunction, controllable_dimension, transfer_functions};
+use super::spectra::eigenvalues::eigenvalue_modes;
+use super::spectra::mode::Mode;
+use super::spectra::wide_matrix::WideMatrix;
 use super::stability::Stability;
 use super::steady_newton::Unknowns;
 use super::steady_state::SteadyState;
-use super::wide_matrix::WideMatrix;
 use crate::{Error, Mechanism};
 use nalgebra::DMatrix;
 use tripos_derive::plain_text::with_significant_digits;

@@ -10,34 +10,28 @@
 
 mod continuation;
 mod continuation_map;
-mod controllability;
-mod eigenvalue_groups;
-mod eigenvalues;
 mod equilibrium_search;
 mod force_balance;
 mod linear_system;
-mod mode;
-mod nilpotent_part;
 mod quotient_system;
-mod schur_form;
 mod singular_states;
+mod spectra;
 mod stability;
 mod steady_conditions;
 mod steady_family;
 mod steady_newton;
 mod steady_state;
 mod symbolic_linear_system;
-mod wide_complex;
-mod wide_matrix;
 
 pub use continuation::{Continuation, ContinuationPoint, CrossingKind, StabilityCrossing, continue_steady_motion};
 pub use continuation_map::{ContinuationMap, continuation_map};
-pub use controllability::{TransferFunction, controllable_dimension};
-pub use eigenvalues::eigenvalue_modes;
 pub use equilibrium_search::{FoundMotion, find_equilibria};
 pub use linear_system::{LinearisationOptions, SteadyLinearSystem, linearise};
-pub use mode::Mode;
 pub use quotient_system::{QuotientSystem, ShiftedStates};
+pub use spectra::controllability::{TransferFunction, controllable_dimension};
+pub use spectra::eigenvalues::eigenvalue_modes;
+pub use spectra::mode::Mode;
+pub use spectra::wide_matrix::WideMatrix;
 pub use stability::Stability;
 pub use steady_conditions::{
     BranchesAt, Conditions, Formula, NamedFormula, SolutionBranch, SteadyConditions, Velocity, conditions,
@@ -45,7 +39,6 @@ pub use steady_conditions::{
 pub use steady_newton::Unknowns;
 pub use steady_state::SteadyState;
 pub use symbolic_linear_system::{SymbolicEntry, SymbolicLinearForm, symbolic_linear_system};
-pub use wide_matrix::WideMatrix;
 
 use crate::{Error, Mechanism};
 use tripos_derive::algebra::Expr;

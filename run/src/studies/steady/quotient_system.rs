@@ -2,8 +2,8 @@
 //! shift.
 
 use super::SteadyProblem;
+use super::spectra::wide_matrix::{WideMatrix, least_squares, null_space};
 use super::steady_state::SteadyState;
-use super::wide_matrix::{WideMatrix, least_squares, null_space};
 use crate::Error;
 use nalgebra::{DMatrix, DVector};
 use tripos_derive::flow::FlowProgramResults;

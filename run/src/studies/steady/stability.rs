@@ -1,8 +1,8 @@
 //! Stability of a steady motion, judged by the eigenvalues of its linear system.
 
 use super::SteadyProblem;
-use super::mode::Mode;
 use super::quotient_system::QuotientSystem;
+use super::spectra::mode::Mode;
 use super::steady_state::SteadyState;
 use tripos_derive::algebra::value::zero_test::{ZeroTest, zero_test};
 

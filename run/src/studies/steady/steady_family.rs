@@ -3,9 +3,9 @@
 
 use super::SteadyProblem;
 use super::quotient_system::QuotientSystem;
+use super::spectra::wide_matrix::{least_squares, smallest_singular_directions};
 use super::steady_newton::Unknowns;
 use super::steady_state::SteadyState;
-use super::wide_matrix::{least_squares, smallest_singular_directions};
 use nalgebra::{DMatrix, DVector};
 use tripos_traits::{DoubleDouble, Scalar};
 

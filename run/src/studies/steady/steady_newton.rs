@@ -2,8 +2,8 @@
 //! precision and residuals in 32 digits, so each step adds about fifteen digits.
 
 use super::SteadyProblem;
+use super::spectra::wide_matrix::least_squares;
 use super::steady_state::{BALANCED, SteadyState};
-use super::wide_matrix::least_squares;
 use crate::{Error, Mechanism};
 use nalgebra::{DMatrix, DVector};
 use tripos_derive::flow::FlowProgramResults;

@@ -4,7 +4,7 @@
 use super::SteadyProblem;
 use super::linear_system::SteadyLinearSystem;
 use super::quotient_system::quotient_pivots;
-use super::wide_matrix::WideMatrix;
+use super::spectra::wide_matrix::WideMatrix;
 use crate::{Error, Mechanism};
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::text::display_tree::DisplayTree;

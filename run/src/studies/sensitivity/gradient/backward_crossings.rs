@@ -3,12 +3,12 @@
 use super::recorded_steps::RecordedPart;
 use crate::preparation::impacts::{ContactCrossing, HeldContacts, SceneContacts};
 use crate::preparation::problem::Problem;
-use crate::studies::sensitivity::contact_history::DerivativeEnd;
+use crate::studies::sensitivity::contacts::contact_history::DerivativeEnd;
+use crate::studies::sensitivity::contacts::crossing_derivatives::CrossingDerivatives;
+use crate::studies::sensitivity::contacts::held_contact_forces::VariedNumber;
+use crate::studies::sensitivity::contacts::precise_contacts::{ParameterStateDirection, PreciseContacts};
 use crate::studies::sensitivity::corners::check_no_corner;
-use crate::studies::sensitivity::crossing_derivatives::CrossingDerivatives;
 use crate::studies::sensitivity::equations_with_slopes::SlopeEquations;
-use crate::studies::sensitivity::held_contact_forces::VariedNumber;
-use crate::studies::sensitivity::precise_contacts::{ParameterStateDirection, PreciseContacts};
 use crate::studies::sensitivity::slope_carrier::rates_along;
 use tripos_sim::{Corner, ProductSums};
 

@@ -8,11 +8,11 @@ use super::transposed_products::BackwardTapes;
 use super::varied_numbers::{VariedNumber, moved_jumps};
 use crate::error::Error;
 use crate::preparation::problem::Problem;
-use crate::studies::sensitivity::contact_history::DerivativeEnd;
+use crate::studies::sensitivity::contacts::contact_history::DerivativeEnd;
+use crate::studies::sensitivity::contacts::grazing_contacts::grazing_gap_limit;
+use crate::studies::sensitivity::contacts::precise_contacts::PreciseContacts;
 use crate::studies::sensitivity::differentiable_quantities::DifferentiableQuantities;
 use crate::studies::sensitivity::equations_with_slopes::SlopeEquations;
-use crate::studies::sensitivity::grazing_contacts::grazing_gap_limit;
-use crate::studies::sensitivity::precise_contacts::PreciseContacts;
 use tripos_sim::adjoint::{Adjoint, AdjointError, RecordedSteps, adjoint_segments};
 use tripos_sim::{Options, RightHandSide};
 

@@ -64,6 +64,9 @@ pub struct Gradient {
     /// Derivatives of the quantity by each parameter and each number that the start states, in the
     /// order of the model.
     pub slopes: Vec<Slope>,
+    /// Names of the numbers on which the span of the run depends. Their derivatives are those at a
+    /// fixed instant.
+    pub moving_span: Vec<String>,
     /// Description of the second run that gave the errors; `None` if no second run came to the same
     /// end.
     pub assessed_by: Option<String>,
@@ -189,7 +192,9 @@ pub fn gradient(
     });
     let slopes = slopes.collect();
     let (states, assessed_by) = assessed.map_or((0, None), |known| (known.own.states, known.by));
-    Ok(Gradient { run, of: of.to_owned(), is_total, slopes, assessed_by, states, scene })
+    // An event that ends the run has an instant of its own.
+    let moving_span = if is_total { Vec::new() } else { moving_span(&numbers) };
+    Ok(Gradient { run, of: of.to_owned(), is_total, slopes, moving_span, assessed_by, states, scene })
 }
 
 /// Computes the gradient of a run that changes its generalized speeds on the way, by differences of
@@ -235,7 +240,8 @@ fn gradient_by_differences(
             .filter_map(|slope| Some(format!("there is no derivative by `{}`: {}", slope.by, slope.missing.as_ref()?))),
     );
     let is_total = matches!(run.solution.stop, Stop::Event { .. } | Stop::LeftDomain { .. });
-    Ok(Gradient { run, of: of.to_owned(), is_total, slopes, assessed_by: Some(WORDS.to_owned()), states: 0, scene })
+    let (assessed_by, moving_span) = (Some(WORDS.to_owned()), Vec::new());
+    Ok(Gradient { run, of: of.to_owned(), is_total, slopes, moving_span, assessed_by, states: 0, scene })
 }
 
 /// Returns the scene with DOP853 if its integrator `own` cannot be swept backwards; the tolerances
@@ -287,12 +293,18 @@ fn notes(mechanism: &Mechanism, own: Method, scene: &Scene, numbers: &[VariedNum
     if own.name() != run {
         list.push(format!("the method {} has no gradient: the run is by {run}, to the same tolerances", own.name()));
     }
-    let moving = numbers.iter().filter(|number| number.seed.as_ref().is_ok_and(|seed| seed.moves_span));
     list.extend(
-        moving
-            .map(|number| format!("the span depends on `{}`: the derivative is that at a fixed instant", number.name)),
+        moving_span(numbers)
+            .iter()
+            .map(|name| format!("the span depends on `{name}`: the derivative is that at a fixed instant")),
     );
     list
+}
+
+/// Names of the numbers on which the span of the run depends.
+fn moving_span(numbers: &[VariedNumber]) -> Vec<String> {
+    let moving = numbers.iter().filter(|number| number.seed.as_ref().is_ok_and(|seed| seed.moves_span));
+    moving.map(|number| number.name.clone()).collect()
 }
 
 /// Warnings that the derivatives by some numbers do not exist, a warning for each reason.

@@ -6,7 +6,7 @@ use crate::preparation::impacts::{
 };
 use crate::preparation::initial_state::InitialState;
 use crate::preparation::problem::Problem;
-use crate::studies::sensitivity::grazing_contacts::grazing_gap_limit;
+use crate::studies::sensitivity::contacts::grazing_contacts::grazing_gap_limit;
 use crate::trust::load_power::accumulated_load_power;
 use std::cell::{Cell, RefCell};
 use tripos_sim::{

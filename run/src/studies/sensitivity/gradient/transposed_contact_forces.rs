@@ -19,7 +19,7 @@ use super::transposed_products::{BackwardTapes, TransposedProducts};
 use crate::error::{Error, refused_scene_error};
 use crate::preparation::impacts::{ContactOperators, HeldContactEquations, HeldContacts, SceneContacts};
 use crate::preparation::problem::Problem;
-use crate::studies::sensitivity::held_directions::HeldDirections;
+use crate::studies::sensitivity::contacts::held_directions::HeldDirections;
 use nalgebra::DVector;
 use tripos_derive::algebra::value::tape::{BackwardWorkspace, Tape};
 use tripos_sim::{Failure, ProductSums, RightHandSide, TransposedRightHandSide};

@@ -8,8 +8,8 @@
 //! are global. Interruption never changes numbers: the steps of an interrupted run equal those of
 //! the whole run.
 
-use crate::console::is_captured;
-use crate::failure::{print_to_stderr, status};
+use super::console::is_captured;
+use super::failure::{print_to_stderr, status};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::ops::ControlFlow;
 use std::sync::OnceLock;

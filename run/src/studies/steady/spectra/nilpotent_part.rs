@@ -11,9 +11,9 @@ use super::wide_complex::WideComplex;
 use tripos_traits::{DoubleDouble, Scalar};
 
 /// Multiple of its rounding error up to which a quantity counts as 0.
-pub(super) const ZERO: f64 = 1e3;
+pub(in crate::studies::steady) const ZERO: f64 = 1e3;
 /// Multiple of its rounding error from which a quantity counts as different from 0.
-pub(super) const NOT_ZERO: f64 = 1e7;
+pub(in crate::studies::steady) const NOT_ZERO: f64 = 1e7;
 /// Fraction of the rounding error up to which coefficients count as 0 when eigenvalues are tested
 /// for coincidence. It is below 1, since most entries are known to more than 27 digits, and a
 /// coefficient contains squared differences.
@@ -21,7 +21,7 @@ const SAME: f64 = 1e-3;
 
 /// Decision if a quantity is 0, from its size and its rounding error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum ZeroDecision {
+pub(in crate::studies::steady) enum ZeroDecision {
     /// The quantity is 0 up to rounding.
     Zero,
     /// The quantity is neither clearly 0 nor clearly different from 0.
@@ -32,7 +32,7 @@ pub(super) enum ZeroDecision {
 
 impl ZeroDecision {
     /// Decides if a quantity with the absolute value `x` and the given rounding error is 0.
-    pub(super) fn decide_zero(x: f64, rounding: f64) -> Self {
+    pub(in crate::studies::steady) fn decide_zero(x: f64, rounding: f64) -> Self {
         if x <= ZERO * rounding {
             Self::Zero
         } else if x >= NOT_ZERO * rounding {
@@ -44,16 +44,16 @@ impl ZeroDecision {
 }
 
 /// Part of a Schur form that belongs to eigenvalues which may coincide.
-pub(super) struct NilpotentPart {
+pub(in crate::studies::steady) struct NilpotentPart {
     /// Mean of the eigenvalues of the part.
-    pub(super) mean: WideComplex,
+    pub(in crate::studies::steady) mean: WideComplex,
     /// Diagonal block of the Schur form, with the mean subtracted on its diagonal; row by row.
     nilpotent: Vec<Vec<WideComplex>>,
 }
 
 impl NilpotentPart {
     /// Makes the part from the block of the first `many` rows and columns of a Schur form.
-    pub(super) fn new(form: &SchurForm, many: usize) -> Self {
+    pub(in crate::studies::steady) fn new(form: &SchurForm, many: usize) -> Self {
         let sum = (0..many).fold(WideComplex::default(), |sum, at| sum + form.t[at][at]);
         let mean = sum.scaled(DoubleDouble::int(1) / DoubleDouble::from_f64(many as f64));
         let mut nilpotent: Vec<Vec<WideComplex>> = form.t[..many].iter().map(|row| row[..many].to_vec()).collect();
@@ -65,7 +65,7 @@ impl NilpotentPart {
 
     /// True if the eigenvalues coincide: the symmetric functions of their differences from the mean are
     /// 0 up to rounding. `off` is the possible error of the part.
-    pub(super) fn coincides(&self, off: f64) -> bool {
+    pub(in crate::studies::steady) fn coincides(&self, off: f64) -> bool {
         // Coefficients of the product of all (s − λ + mean). Those of the product of all (s + |λ − mean|)
         // are at least as large.
         let mut coefficients = vec![WideComplex::from_f64(1.0)];
@@ -92,7 +92,7 @@ impl NilpotentPart {
 
     /// Largest exponent for which a power of the nilpotent block is not 0, and a flag that is true if
     /// this is sure. Entries of the block may have the error `off`.
-    pub(super) fn largest_nonzero_power(&self, off: f64) -> (usize, bool) {
+    pub(in crate::studies::steady) fn largest_nonzero_power(&self, off: f64) -> (usize, bool) {
         let many = self.nilpotent.len();
         let length = self.norm().max(off);
         let mut product = self.nilpotent.clone();
@@ -111,7 +111,7 @@ impl NilpotentPart {
 
     /// Rank of the nilpotent block, by elimination with the largest pivots, and a flag that is true if
     /// the rank is sure. Entries of the block may have the error `off`.
-    pub(super) fn rank(&self, off: f64) -> (usize, bool) {
+    pub(in crate::studies::steady) fn rank(&self, off: f64) -> (usize, bool) {
         let mut left = self.nilpotent.clone();
         for rank in 0..left.len() {
             let places = (rank..left.len()).flat_map(|i| (rank..left.len()).map(move |j| (i, j)));
@@ -153,7 +153,7 @@ fn matrix_product(a: &[Vec<WideComplex>], b: &[Vec<WideComplex>]) -> Vec<Vec<Wid
 ///
 /// P = Q (1 Z; 0 0) Qᴴ with T₁₁ Z − Z T₂₂ = T₁₂, which is solved column by column. Differences of
 /// eigenvalues count as at least `noise`.
-pub(super) fn spectral_projector(form: &SchurForm, many: usize, noise: f64) -> (f64, Vec<f64>) {
+pub(in crate::studies::steady) fn spectral_projector(form: &SchurForm, many: usize, noise: f64) -> (f64, Vec<f64>) {
     let (t, n) = (&form.t, form.t.len());
     let mut z: Vec<Vec<WideComplex>> = vec![Vec::with_capacity(n - many); many];
     for column in many..n {

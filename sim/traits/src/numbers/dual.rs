@@ -1,6 +1,6 @@
 //! Dual number: a value with its derivative along a single direction.
 
-use crate::scalar::Scalar;
+use super::scalar::Scalar;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// Dual number: a value and its derivative along a single direction. Both go through a computation

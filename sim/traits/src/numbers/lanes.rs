@@ -11,11 +11,12 @@
 
 #![allow(clippy::inline_always, reason = "the instructions of a processor reach only what is inlined")]
 
-use crate::circular::{self, MulAdd};
+use super::circular;
+use super::circular::MulAdd;
+use super::maxima::larger_or_second;
+use super::scalar::series::{Factors, Pair};
+use super::scalar::{Scalar, series};
 use crate::dispatch;
-use crate::maxima::larger_or_second;
-use crate::scalar::Scalar;
-use crate::scalar::series::{self, Factors, Pair};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// Vector of `N` f64, on which every operation acts lane by lane; 4 or 8 of them fill a register.

@@ -8,7 +8,7 @@ use tripos_sim::ContactMode;
 
 /// Kind of function of the state that is zero at the instant at which a contact changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum ContactFunction {
+pub(in crate::studies::sensitivity) enum ContactFunction {
     /// Gap of a contact, which closes.
     Gap,
     /// Normal force of a contact, which opens.
@@ -21,26 +21,26 @@ pub(super) enum ContactFunction {
 
 /// Function of a contact that crosses zero at an instant, with its rate there.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct ContactZero {
+pub(in crate::studies::sensitivity) struct ContactZero {
     /// Kind of the function, such as a gap or a slip velocity.
-    pub(super) what: ContactFunction,
+    pub(in crate::studies::sensitivity) what: ContactFunction,
     /// Index of the contact in the scene, from 0.
-    pub(super) contact: usize,
+    pub(in crate::studies::sensitivity) contact: usize,
     /// Time derivative of the function at its zero, in its unit per s.
-    pub(super) rate: f64,
+    pub(in crate::studies::sensitivity) rate: f64,
 }
 
 /// Derivative of an instant by a varied number, and the size of the derivative's terms.
 #[derive(Clone, Copy)]
-pub(super) struct InstantDerivative {
+pub(in crate::studies::sensitivity) struct InstantDerivative {
     /// Derivative of the instant, s per unit of the varied number.
-    pub(super) by: f64,
+    pub(in crate::studies::sensitivity) by: f64,
     /// Sum of the sizes of the derivative's terms, in the unit of the derivative.
-    pub(super) size: f64,
+    pub(in crate::studies::sensitivity) size: f64,
 }
 
 /// Behaviour of a contact's gap at the instant at which it is zero.
-pub(super) enum GapBehaviour {
+pub(in crate::studies::sensitivity) enum GapBehaviour {
     /// The gap increases from zero.
     Opens,
     /// The gap is at its minimum, up to the error of the run.
@@ -65,7 +65,7 @@ pub struct MotionBeforeCrossing<'c> {
 
 impl MotionBeforeCrossing<'_> {
     /// Name of a contact, by its index.
-    pub(super) fn name(&self, contact: usize) -> &str {
+    pub(in crate::studies::sensitivity) fn name(&self, contact: usize) -> &str {
         &self.wide.contacts.impacts[contact].name
     }
 
@@ -76,7 +76,11 @@ impl MotionBeforeCrossing<'_> {
 
     /// Kind of function whose zero makes a held contact change its mode. `None` if the contact does not
     /// change, or changes only because other contacts do.
-    pub(super) fn changing_function(&self, contact: usize, mode: ContactMode) -> Option<ContactFunction> {
+    pub(in crate::studies::sensitivity) fn changing_function(
+        &self,
+        contact: usize,
+        mode: ContactMode,
+    ) -> Option<ContactFunction> {
         let forces = self.forces.as_ref()?;
         match (mode, self.crossing.after.kept.mode(contact)) {
             (_, None) => forces.is_force_zero(self.normal(contact)).then_some(ContactFunction::Force),
@@ -92,7 +96,7 @@ impl MotionBeforeCrossing<'_> {
     }
 
     /// Finds the behaviour of a contact's gap that is zero: it opens, touches or closes.
-    pub(super) fn gap_behaviour(&self, contact: usize) -> GapBehaviour {
+    pub(in crate::studies::sensitivity) fn gap_behaviour(&self, contact: usize) -> GapBehaviour {
         let (contacts, y) = (self.wide.contacts, self.crossing.before);
         let slopes = contacts.gap_slopes(y);
         let (rate, scale) = sum_and_size(slopes.row(contact).iter().zip(&self.rates).map(|(slope, rate)| slope * rate));
@@ -115,7 +119,11 @@ impl MotionBeforeCrossing<'_> {
     ///
     /// # Errors
     /// Text that says why the function has no crossing, or its force is not determined.
-    pub(super) fn crossing_zero(&self, what: ContactFunction, contact: usize) -> Result<ContactZero, String> {
+    pub(in crate::studies::sensitivity) fn crossing_zero(
+        &self,
+        what: ContactFunction,
+        contact: usize,
+    ) -> Result<ContactZero, String> {
         let still = vec![0.0; self.wide.contacts.parameters.len()];
         let none = vec![0.0; self.wide.contacts.impacts.len()];
         let time = VariedNumber { name: "t", parameters: &still, restitutions: &none, frictions: &none };
@@ -180,7 +188,7 @@ impl MotionBeforeCrossing<'_> {
     ///
     /// # Errors
     /// Text that says why the derivative has no value.
-    pub(super) fn instant_derivative(
+    pub(in crate::studies::sensitivity) fn instant_derivative(
         &self,
         zero: &ContactZero,
         varied: &VariedNumber<'_>,

@@ -9,9 +9,9 @@
 
 #![allow(clippy::inline_always, reason = "the instructions of a processor reach only what is inlined")]
 
+use super::lanes::each_lane;
+use super::scalar::{Real, Scalar};
 use crate::dispatch;
-use crate::lanes::each_lane;
-use crate::scalar::{Real, Scalar};
 use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 

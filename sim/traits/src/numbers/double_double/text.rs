@@ -1,7 +1,8 @@
 //! Parsing and printing of `DoubleDouble` in decimal notation.
 
 use super::DoubleDouble;
-use core::fmt::{self, Display, Formatter, Write};
+use core::fmt;
+use core::fmt::{Display, Formatter, Write};
 
 /// Exponent of 10⁴⁵, the largest power of ten that two f64 hold exactly.
 const LARGEST_EXACT_POWER: i32 = 45;

@@ -264,7 +264,7 @@ impl<'c> CrossingDerivatives<'c> {
         let largest = across.changes.iter().map(|change| change.size).fold(0.0, f64::max);
         for (at, (strike, change)) in self.strikes.iter().zip(&across.changes).enumerate() {
             if change.is_apart {
-                return Err(super::precise_contacts::APART.to_owned());
+                return Err(crate::studies::sensitivity::contacts::precise_contacts::APART.to_owned());
             }
             let inertia = &strike.operators.inertia;
             let direction = ParameterStateDirection { parameters: varied.parameters, state: &across.before[at] };

@@ -8,12 +8,11 @@ mod table_format;
 
 pub use table_format::TableFormat;
 
-use crate::failure::Failure;
+use crate::terminal::failure::Failure;
 use std::io::Error;
 use std::path::{Path, PathBuf};
-use tripos_codegen::draft_file::{
-    self, Draft, ExistingFilePolicy, UnfinishedFilePolicy, WriteError, draft_would_change,
-};
+use tripos_codegen::draft_file;
+use tripos_codegen::draft_file::{Draft, ExistingFilePolicy, UnfinishedFilePolicy, WriteError, draft_would_change};
 use tripos_derive::Model;
 use tripos_derive::plain_text::path_as_plain_text;
 use tripos_derive::publication::publication_path_of_model;

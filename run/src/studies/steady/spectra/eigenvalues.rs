@@ -13,7 +13,8 @@ use super::nilpotent_part::NOT_ZERO;
 use super::schur_form::SchurForm;
 use super::wide_matrix::WideMatrix;
 use crate::Error;
-use nalgebra::{Complex as Double, DMatrix};
+use nalgebra::Complex as Double;
+use nalgebra::DMatrix;
 use tripos_traits::{DoubleDouble, Scalar};
 
 /// Relative error that the entries of a matrix are assumed to have.

@@ -3,7 +3,7 @@
 //! Every table is written as CSV first, under its temporary name, so that an interrupted command can
 //! go on with it. A table in columns is made from it at the end.
 
-use crate::failure::Failure;
+use crate::terminal::failure::Failure;
 use std::path::Path;
 use tripos_codegen::draft_file::Draft;
 use tripos_derive::plain_text::path_as_plain_text;
@@ -70,7 +70,8 @@ impl TableFormat {
 mod columns {
     use arrow_array::{ArrayRef, Float64Array, Int64Array, RecordBatch, StringArray};
     use arrow_schema::{ArrowError, DataType, Field, Schema};
-    use std::io::{self, Read, Write};
+    use std::io;
+    use std::io::{Read, Write};
     use std::sync::Arc;
 
     /// Number of rows that are converted at a time.

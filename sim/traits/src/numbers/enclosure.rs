@@ -6,8 +6,8 @@
 //! branches, so that the mean value theorem holds. The sign of x jumps at 0, so its slope there may
 //! be any number.
 
+use super::interval::Interval;
 use crate::Scalar;
-use crate::interval::Interval;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// Range of the values of a function over a range of its argument, and range of its derivative

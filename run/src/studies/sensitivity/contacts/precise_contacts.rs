@@ -5,12 +5,12 @@
 //! held. Here c is the motion of these rows without Λ: accelerations, or the parts of velocities
 //! that impulses remove. With a and Λ known, their derivatives follow from those of the residuals,
 //! by the same matrices. Friction of slipping contacts is part of the system ([`super::held_directions`]).
-//! The derivatives of the residuals are differences in 32 digits ([`super::difference`]), so the
+//! The derivatives of the residuals are differences in 32 digits ([`crate::studies::sensitivity::difference`]), so the
 //! definition of contacts need not be written twice.
 
-use super::difference::directional_difference;
 use super::held_directions::HeldDirections;
 use crate::preparation::impacts::{ContactOperators, SceneContacts};
+use crate::studies::sensitivity::difference::directional_difference;
 use nalgebra::DVector;
 use tripos_derive::algebra::value::tape::Tape;
 use tripos_sim::Failure;

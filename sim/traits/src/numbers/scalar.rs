@@ -2,7 +2,8 @@
 
 pub mod series;
 
-use crate::circular::{self, MulAdd};
+use super::circular;
+use super::circular::MulAdd;
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use series::{Factors, Pair};

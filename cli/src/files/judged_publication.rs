@@ -1,6 +1,6 @@
 //! Judgement of a publication against its model.
 
-use crate::failure::Failure;
+use crate::terminal::failure::Failure;
 use tripos::Mechanism;
 use tripos_derive::diagnostic::{Diagnostics, Source};
 use tripos_derive::diff::{CoordinateTable, Difference, judge_publication};

@@ -20,7 +20,7 @@ const CIRCLES: usize = 4;
 
 /// Group of eigenvalues that coincide, or that the errors do not allow to separate.
 #[derive(Clone, Debug)]
-pub(super) struct EigenvalueGroup {
+pub(in crate::studies::steady) struct EigenvalueGroup {
     /// Indices of the eigenvalues on the diagonal of the Schur form.
     places: Vec<usize>,
     /// Mean of the eigenvalues of the group.
@@ -36,7 +36,7 @@ impl EigenvalueGroup {
     /// Computes the modes of this group of nearly equal eigenvalues: a single mode for the group, or
     /// one for each eigenvalue if it is uncertain which eigenvalues coincide. `form` is the Schur form
     /// of the whole matrix, `noise` its possible error, and `size` its norm.
-    pub(super) fn modes(&self, form: &SchurForm, noise: f64, size: f64) -> Vec<Mode> {
+    pub(in crate::studies::steady) fn modes(&self, form: &SchurForm, noise: f64, size: f64) -> Vec<Mode> {
         if let (Some(_), true) = (self.doubt, self.places.len() > 1) {
             let single = |at: &usize| Self { places: vec![*at], mean: form.t[*at][*at], ..self.clone() };
             return self.places.iter().flat_map(|at| single(at).modes(form, noise, size)).collect();
@@ -79,7 +79,7 @@ impl EigenvalueGroup {
 }
 
 /// Unites groups from separate blocks of a matrix if their means are equal within their errors.
-pub(super) fn unite_groups(groups: Vec<EigenvalueGroup>) -> Vec<EigenvalueGroup> {
+pub(in crate::studies::steady) fn unite_groups(groups: Vec<EigenvalueGroup>) -> Vec<EigenvalueGroup> {
     let mut list: Vec<EigenvalueGroup> = Vec::new();
     for mut group in groups {
         let mut apart = Vec::new();
@@ -106,15 +106,15 @@ pub(super) fn unite_groups(groups: Vec<EigenvalueGroup>) -> Vec<EigenvalueGroup>
 }
 
 /// Eigenvalues of a matrix with its Schur form, to be sorted into groups that coincide.
-pub(super) struct UngroupedSpectrum<'f> {
+pub(in crate::studies::steady) struct UngroupedSpectrum<'f> {
     /// Schur form of the matrix.
-    pub(super) form: &'f SchurForm,
+    pub(in crate::studies::steady) form: &'f SchurForm,
     /// Eigenvalues, in the order of the diagonal of the Schur form.
-    pub(super) values: Vec<WideComplex>,
+    pub(in crate::studies::steady) values: Vec<WideComplex>,
     /// Norm of the possible error of the matrix.
-    pub(super) noise: f64,
+    pub(in crate::studies::steady) noise: f64,
     /// Frobenius norm of the matrix.
-    pub(super) size: f64,
+    pub(in crate::studies::steady) size: f64,
 }
 
 impl UngroupedSpectrum<'_> {
@@ -123,7 +123,7 @@ impl UngroupedSpectrum<'_> {
     /// A set of eigenvalues that do not coincide is split at the largest gap. Eigenvalues that an error
     /// of the matrix may mix with others are in doubt. They stay in the smallest circle across which no
     /// error moves an eigenvalue.
-    pub(super) fn groups(&self, first: usize) -> Vec<EigenvalueGroup> {
+    pub(in crate::studies::steady) fn groups(&self, first: usize) -> Vec<EigenvalueGroup> {
         let all: Vec<usize> = (0..self.values.len()).collect();
         let mut groups = Vec::new();
         let mut sets = vec![(all, (WideComplex::default(), self.size))];

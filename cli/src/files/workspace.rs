@@ -1,7 +1,7 @@
 //! Models that arguments name, and the workspace around the current folder.
 
-use crate::failure::Failure;
-use crate::interruption::run_follower;
+use crate::terminal::failure::Failure;
+use crate::terminal::interruption::run_follower;
 use std::path::{Path, PathBuf};
 use tripos::Mechanism;
 use tripos::code::compiled_model;

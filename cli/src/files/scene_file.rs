@@ -1,7 +1,7 @@
 //! Scene files that arguments name, each read with its model, and new values for their numbers.
 
-use crate::failure::{Failure, print_to_stderr, warn};
-use crate::workspace::{edited_workspace_model_warning, model_file, read_model};
+use super::workspace::{edited_workspace_model_warning, model_file, read_model};
+use crate::terminal::failure::{Failure, print_to_stderr, warn};
 use std::path::{Path, PathBuf};
 use tripos::{Error, Mechanism};
 use tripos_codegen::model_folders::scenes_in_model_folder;

@@ -1,7 +1,7 @@
 //! Failures of commands: messages, exit statuses and JSON. Also the printing of results and
 //! warnings.
 
-use crate::console::{write_message, write_output};
+use super::console::{write_message, write_output};
 use serde_json::{Value, json};
 use std::fmt;
 use tripos::Error;
