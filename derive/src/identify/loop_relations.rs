@@ -87,7 +87,7 @@ struct Relations {
 pub fn group_by_loop_relations(model: &Model, found: &mut Identification) -> Option<LoopSample> {
     let mut seen = None;
     for most in POSES {
-        let Some((samples, poses)) = sample_rows_on_loops(model, found, most) else { break };
+        let Some((samples, poses)) = sample_rows_on_loops(model, found, most) else { continue };
         let (mut relations, mut sample) = loop_relations_of_sample(&samples, poses);
         // A few poses satisfy relations that others refute.
         if poses < FEWEST {
@@ -105,6 +105,9 @@ pub fn group_by_loop_relations(model: &Model, found: &mut Identification) -> Opt
     }
     seen
 }
+
+/// Number of independent rows that a pose of one degree of freedom gives.
+const ROWS_OF_POSE: usize = 3;
 
 /// Finds the columns that depend on earlier columns in the first matrix, and confirms them in the
 /// second. The relations are `None` if there is no clear gap, or if the second matrix refutes them.
@@ -193,15 +196,15 @@ fn group_parameters_on_loops(found: &mut Identification, Relations { kept, share
 }
 
 /// Evaluates the columns of the base parameters in about `most` closed poses, as two matrices of
-/// different poses with a row for each speed of each state. Rows are scaled to equal size, so that
-/// every state counts alike. Also returns the number of poses, without singular ones and those near
-/// a dead point of the speeds.
+/// different poses, or of different states if these are few, with a row for each speed of each state.
+/// Rows are scaled to equal size, so that every state counts alike. Also returns the number of poses,
+/// without singular ones and those near a dead point of the speeds.
 ///
 /// Loops may close in several assemblies, such as a parallelogram and a folded one. Relations have
 /// to hold in all of them, because a base parameter belongs to the model, not to one assembly. An
 /// assembly in which every pose is singular is left out: no motion is computed there.
 ///
-/// `None` if a parameter has no value or fewer than two regular closed poses are found.
+/// `None` if a parameter has no value or the regular closed poses found are too few.
 fn sample_rows_on_loops(model: &Model, found: &mut Identification, most: usize) -> Option<([DMatrix<f64>; 2], usize)> {
     let regressor = &mut found.regressor;
     let time = model.time();
@@ -220,7 +223,7 @@ fn sample_rows_on_loops(model: &Model, found: &mut Identification, most: usize) 
     let loops: Vec<Expr> = model.loops.iter().chain(&model.closed).map(|c| c.equation).collect();
     let poses =
         ClosedPoseSearch { known: &of_poses, coordinates: &coordinates, reach: &reach, loops: &loops, flat: 0.0 };
-    // Half of the poses find the relations, half confirm them.
+    // Half of the poses find the relations, half confirm them, if they are enough.
     let tries = 2 * poses.tries() * most / POSES[0];
     let mut poses = poses.seek_closed_poses_from(&mut regressor.arena, tries, 2 * most)?;
     keep_regular_poses(model, &mut regressor.arena, &of_poses, &coordinates, &mut poses)?;
@@ -262,9 +265,18 @@ fn sample_rows_on_loops(model: &Model, found: &mut Identification, most: usize) 
         (0..columns).map(size).fold(0.0, f64::max)
     };
     of_pose.retain(|pose| forces(pose) <= NEAR_DEAD);
+    // A pose of one degree of freedom gives three independent rows: of the acceleration, the square of the speed, and
+    // the loads. If half of the poses are too few for all columns, the halves have other states of all poses.
+    let independent = ROWS_OF_POSE * speeds * of_pose.len();
+    let is_by_poses = independent / 2 >= 2 * columns;
     let samples = [0, 1].map(|half| {
-        let rows = of_pose.iter().skip(half).step_by(2).flatten().flat_map(|part| part.row_iter());
-        let mut rows: Vec<_> = rows.map(nalgebra::Matrix::into_owned).collect();
+        let parts: Vec<&DMatrix<f64>> = if is_by_poses {
+            of_pose.iter().skip(half).step_by(2).flatten().collect()
+        } else {
+            of_pose.iter().map(|parts| &parts[half]).collect()
+        };
+        let mut rows: Vec<_> =
+            parts.iter().flat_map(|part| part.row_iter()).map(nalgebra::Matrix::into_owned).collect();
         for row in &mut rows {
             let size = row.iter().zip(&usual).map(|(x, usual)| (x / usual).powi(2)).sum::<f64>().sqrt();
             if size > 0.0 {
@@ -273,7 +285,8 @@ fn sample_rows_on_loops(model: &Model, found: &mut Identification, most: usize) 
         }
         rows
     });
-    let is_some = samples.iter().all(|rows| !rows.is_empty());
+    // Too few rows satisfy relations by accident.
+    let is_some = samples.iter().all(|rows| !rows.is_empty()) && 2 * independent >= 3 * columns;
     is_some.then(|| (samples.map(|rows| DMatrix::from_rows(&rows)), of_pose.len()))
 }
 
