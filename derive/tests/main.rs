@@ -52,6 +52,7 @@ mod oblique_axes;
 mod potentials;
 mod printed_forms;
 mod printed_symbols;
+mod program_arrays;
 mod proofs;
 mod properties;
 mod publication_files;

@@ -16,7 +16,7 @@ const fn case(folder: &'static str, roots: usize, says: &'static [&'static str])
     Case { folder, roots, says }
 }
 
-const CASES: [Case; 76] = [
+const CASES: [Case; 77] = [
     // The sign of a multiplier in one system holds for its value below.
     case("03", 0, &["0 different"]),
     case("37", 1, &["the term 2*t1*cos(phi)/R should be 2*t1*cos(phi)/(3*R)"]),
@@ -38,8 +38,10 @@ const CASES: [Case; 76] = [
     case("15", 1, &["a*k1 should be a^2*k1", "b*k2 should be b^2*k2"]),
     // Abbreviations and variables of programs, named once.
     case("12", 1, &["T, 6 entries", "in I0, the term mr*l^2 is missing"]),
+    // A product of a matrix and a vector, assigned to a range.
+    case("29", 0, &["7 equal"]),
     case("13", 1, &["3 entries", "in b, Jw should be Jb"]),
-    case("20", 1, &["in M11, h2*cos(q3 + q2) should be 2*h2*cos(q3 + q2)"]),
+    case("20", 1, &["in M11, h2*c23 should be 2*h2*c23"]),
     case("39", 1, &["2 entries", "in r1,"]),
     case("40", 1, &["2 entries", "in h, m2*l1*l2*cos(q2) should be m2*l1*l2*sin(q2)"]),
     case("41", 1, &["2 entries", "in r1, q1' should be 2*q1'"]),
@@ -83,7 +85,7 @@ const CASES: [Case; 76] = [
     case("c26", 1, &["m*R*theta'^2 should be m*R*theta'*phi'"]),
     // Mistakes in abbreviations, named once, and one abbreviation for another.
     case("l07", 1, &["s-row1, 3 entries", "sin(q2 - q3) should be sin(q2 + q3)"]),
-    case("p23", 1, &["2 entries", "in k, h*sin(theta1 - theta2)/2 should be h*sin(theta1 - theta2)"]),
+    case("p23", 1, &["2 entries", "in k, h*s/2 should be h*s"]),
     case("h23", 1, &["4 entries", "in a12, -m2*l1*l2*cos(d) should be m2*l1*l2*cos(d)"]),
     case("a08", 1, &["2 entries", "in D, m*cos(theta)^2 should be m*sin(theta)^2"]),
     case("h21", 2, &["s-row1, 3 entries", "in b1,", "in b2,"]),
@@ -150,7 +152,6 @@ fn what_is_not_read_is_said_with_its_reason() {
             assert!(said.contains(part), "{folder} without {part:?}:\n{said}");
         }
     };
-    said("29", &["the assignment of `dz(1:4)` was not read: `Om` is a vector or a matrix", "rhs.m"]);
     said("31", &["the constraint `cx` fixes `x`", "the constraint `cx` is solved for `x`, so it has no multiplier"]);
     said("35", &["the program takes its state apart as `omega, theta`, in another order"]);
     let (status, said) = judged("30");
