@@ -13,9 +13,10 @@ fn extension() -> PathBuf {
     let program = std::env::current_exe().unwrap();
     let folder = program.ancestors().find(|folder| folder.ends_with("deps")).and_then(Path::parent).unwrap();
     let name = format!("{}_tripos{}", std::env::consts::DLL_PREFIX, std::env::consts::DLL_SUFFIX);
-    [folder.join(&name), folder.join("deps").join(&name)].into_iter().find(|file| file.is_file()).unwrap_or_else(|| {
-        panic!("cargo did not compile {name} in {}", folder.display());
-    })
+    // `cargo build` copies it to the folder above, where it may be older than the one of this test.
+    let written = |file: &PathBuf| file.metadata().and_then(|data| data.modified()).ok();
+    let files = [folder.join(&name), folder.join("deps").join(&name)].into_iter().filter(|file| file.is_file());
+    files.max_by_key(written).unwrap_or_else(|| panic!("cargo did not compile {name} in {}", folder.display()))
 }
 
 /// Runs pytest with these arguments in a folder in which the package stands as `pip` would install it.
