@@ -246,7 +246,7 @@ def test_few_digits_with_a_controller_give_a_hint_to_make():
         return controller
 
     instants = np.arange(0.0, 20.0, 0.5)
-    with pytest.warns(tripos.UntrustedRunWarning, match="digits are right.* give `make` in its place"):
+    with pytest.warns(tripos.UntrustedRunWarning, match="three digits.* give `make` in its place"):
         scene.sampled(["F"], instants, make())
     with pytest.warns(tripos.UntrustedRunWarning) as caught:
         scene.sampled(["F"], instants, make=make, rtol=1e-1, atol=1e-1)

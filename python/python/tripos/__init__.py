@@ -10,7 +10,8 @@
 
 from ._commands import CommandResult, TriposWarning, UntrustedRunWarning, answer, run_command
 from ._display import Markdown, Page, Picture
-from ._model import EXAMPLE, Dae, Model
+from ._dae import Dae
+from ._model import EXAMPLE, Model
 from ._mechanism import Mechanism
 from ._scene import Run, SampledRun, Scene
 from ._sweep import SweepRequest, SweepTable, run_block, sweep, sweep_frame

@@ -8,7 +8,8 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Union
 
-from ._model import Model, Path, plain
+from ._arguments import Path, plain
+from ._model import Model
 
 #: Formula or number.
 Formula = Union[str, int, float]

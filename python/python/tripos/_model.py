@@ -2,35 +2,27 @@
 
 from __future__ import annotations
 
-import contextlib
 import importlib.util
-import json
 import math
 import os
 import pathlib
-import re
-import shutil
 import sys
 import tempfile
 import types
-import weakref
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Sequence
 from typing import Any, Callable, NamedTuple, Optional, Union
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from . import _tripos
+from ._arguments import (
+    Array, Given, Path, State, equations_name, real_array, refuse_masks, values_of,
+)  # fmt: skip
 from ._commands import answer, text_of
+from ._dae import Dae
 from ._display import Markdown, Page, Picture
-
-Array = NDArray[np.float64]
-MaskedArray = np.ma.MaskedArray
-Path = Union[str, "os.PathLike[str]"]
-#: Values of parameters and inputs by name.
-Given = Optional[Mapping[str, float]]
-#: Tables of a state: `{"state": {…}, "guess": {…}, "parameters": {…}}`, with numbers or formulas in quotes.
-State = Mapping[str, Mapping[str, Union[float, str]]]
+from ._files import Folder, file_name, state_file
 
 EXAMPLE = """\
 name = "Pendulum"
@@ -500,137 +492,3 @@ class Model:
         True
         """
         return Dae(self, equations, values_of(parameters, values))
-
-
-class Dae:
-    """Equations of motion as an implicit system F(t, y, y') = 0."""
-
-    def __init__(self, model: Model, equations: str, parameters: dict[str, float]) -> None:
-        self._value, self._equations, self._parameters = model._model.value, equations, parameters
-        self._coordinates = len(model.coordinates)
-        self._variables = model._variables_of("forcing", equations, parameters)
-        unknowns = len(self._of("forcing", np.zeros(self._coordinates), np.zeros(self._variables)))
-        #: True for each number of the state whose rate occurs; False for reactions.
-        self.is_differential: NDArray[np.bool_] = np.arange(self._coordinates + unknowns) < (
-            self._coordinates + self._variables
-        )
-
-    def _of(self, name: str, q: Array, u: Array) -> Array:
-        return self._value(name, self._equations, self._parameters, q, u)
-
-    def __call__(self, t: float, y: ArrayLike, y_dot: ArrayLike) -> Array:
-        """Residual F(t, y, y'), which is zero for a motion."""
-        state, rates = real_array("y", y), real_array("y_dot", y_dot)
-        if state.shape != self.is_differential.shape or rates.shape != state.shape:
-            shapes = f"{state.shape} and {rates.shape}; give ({len(self.is_differential)},)"
-            raise _tripos.RequestError(f"y and y' have the shapes {shapes}")
-        n = self._coordinates
-        q, u = state[:n], state[n : n + self._variables]
-        unknowns = np.concatenate([rates[n : n + self._variables], state[n + self._variables :]])
-        kinematic = rates[:n] - self._of("coordinate_rates", q, u)
-        return np.concatenate([kinematic, self._of("mass_matrix", q, u) @ unknowns - self._of("forcing", q, u)])
-
-
-class Folder:
-    """A temporary folder with files. It is removed with its last owner, or when Python ends."""
-
-    def __init__(self, files: Mapping[str, str]) -> None:
-        self.path = pathlib.Path(tempfile.mkdtemp(prefix="tripos-"))
-        weakref.finalize(self, remove_folder, self.path, os.getpid())
-        for name, text in files.items():
-            file = self.path / name
-            file.parent.mkdir(parents=True, exist_ok=True)
-            file.write_text(text, encoding="utf-8")
-
-
-def remove_folder(path: pathlib.Path, process: int) -> None:
-    """Removes a temporary folder in the process that made it. A forked child leaves the folder to its parent."""
-    if os.getpid() == process:
-        shutil.rmtree(path, ignore_errors=True)
-
-
-def file_name(title: str) -> str:
-    """A title as the name of a file or folder, of at most 60 characters.
-
-    >>> file_name("Thin disk, sliding")
-    'thin_disk_sliding'
-    """
-    return "_".join(re.findall(r"\w+", title.lower()))[:60] or "model"
-
-
-def values_of(parameters: Given, values: dict[str, float]) -> dict[str, float]:
-    """Values of parameters and inputs from the mapping `parameters` and from keywords."""
-    if parameters is None:
-        return values
-    if not isinstance(parameters, Mapping):
-        advice = "give a parameter of this name as parameters={'parameters': …}"
-        raise _tripos.RequestError(f"`parameters` is {parameters!r}, not a mapping of values by name; {advice}")
-    twice = [name for name in parameters if name in values]
-    if twice:
-        raise _tripos.RequestError(f"`{twice[0]}` is given twice: in `parameters` and as a keyword")
-    return {**parameters, **values}
-
-
-def equations_name(given: str) -> str:
-    """Name of equations; other values are refused."""
-    if not isinstance(given, str):
-        advice = "give a parameter of this name as parameters={'equations': …}"
-        raise _tripos.RequestError(f"`equations` is {given!r}, not the name of equations such as \"kane\"; {advice}")
-    return given
-
-
-def refuse_masks(arrays: Sequence[ArrayLike]) -> None:
-    """Refuses arrays of q, u and u_dot with masked numbers, whose values nobody means."""
-    for array in arrays:
-        if isinstance(array, MaskedArray):
-            refuse_mask(("q", "u", "u_dot")[[array is other for other in arrays].index(True)], array)
-
-
-def refuse_mask(name: str, array: ArrayLike) -> None:
-    """Refuses an array with masked numbers."""
-    if np.ma.is_masked(array):
-        raise _tripos.RequestError(f"{name} has masked numbers; fill them first: {name}.filled(numpy.nan)")
-
-
-def real_array(name: str, given: ArrayLike) -> Array:
-    """An array or list of real numbers as an array of doubles; others are refused."""
-    if type(given) is np.ndarray and given.dtype == np.float64:
-        return given
-    refuse_mask(name, given)
-    try:
-        array = np.asarray(given)
-        if array.dtype.kind not in "biufO":
-            raise TypeError(f"its numbers are of the type {array.dtype}")
-        return array.astype(np.float64)
-    except (TypeError, ValueError) as error:
-        raise _tripos.RequestError(f"{name} is no array of real numbers: {error}") from error
-
-
-def plain(value: Any) -> Any:
-    """Numbers and arrays of NumPy as those of Python; other values as they are.
-
-    >>> plain(np.int64(3)), plain(np.array([1.0, 2.0]))
-    (3, [1.0, 2.0])
-    """
-    return value.tolist() if isinstance(value, (np.generic, np.ndarray)) else value
-
-
-@contextlib.contextmanager
-def state_file(given: Union[Path, State, None]) -> Iterator[Optional[Path]]:
-    """File of a state: the file itself, or one with the tables of a mapping."""
-    if not isinstance(given, Mapping):
-        yield given
-        return
-    lines = []
-    for table, entries in given.items():
-        if not isinstance(entries, Mapping):
-            raise _tripos.RequestError(f"`{table}` of a state is a table of numbers by name, not {entries!r}")
-        lines.append(f"[{table}]")
-        for name, value in entries.items():
-            if not isinstance(value, str) and not math.isfinite(value):
-                raise _tripos.RequestError(f"`{name}` of [{table}] is {value}, and a state has finite numbers")
-            lines.append(f"{json.dumps(name)} = {json.dumps(plain(value))}")
-    with tempfile.TemporaryDirectory(prefix="tripos-") as folder:
-        file = pathlib.Path(folder) / "state.toml"
-        file.write_text("\n".join(lines) + "\n", encoding="utf-8")
-        yield file

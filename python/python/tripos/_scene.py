@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import numbers
 import os
 import pathlib
 import tempfile
@@ -16,21 +15,20 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _tripos
+from ._arguments import Array, Path, checked, distinct_names, instants_of, real_array
 from ._commands import Option, UntrustedRunWarning, answer
 from ._display import Page, Picture
-from ._model import Array, Folder, Model, Path, file_name, plain, real_array
+from ._files import Folder, file_name
+from ._model import Model
 from ._progress import RunBar
 
 #: Function of the time, s, and of the shown quantities by name that returns values of inputs: numbers, or one number.
 Controller = Callable[[float, dict[str, float]], Union[float, Sequence[float]]]
-#: Kind of each setting of a run.
-SETTINGS: dict[str, type] = {
-    **dict.fromkeys(("by", "method", "project", "solve"), str),
-    **dict.fromkeys(("step", "max_step", "rtol", "atol", "until"), float),
-    **dict.fromkeys(("step_limit", "samples"), int),
-}
 #: Advice for runs with few digits whose controller was given as `controller`.
-MAKE_HINT = "; if the controller has a memory, such as an observer, a filter or an integrator, give `make` in its place"
+FEW_DIGITS = (
+    "fewer than three digits are known at the end; if the controller has a memory, such as an observer, a filter or an "
+    "integrator, give `make` in its place"
+)
 
 
 class Samples:
@@ -423,34 +421,10 @@ class Scene:
             report = None if shown is None else shown.show
             run = SampledRun(self._scene.run_sampled(list(inputs), times, own, settings, report))
             finish(shown, run)
-        hint = "" if controller is None else MAKE_HINT
-        warn([reason + hint if "digits are right" in reason else reason for reason in run.warnings])
+        warn(run.warnings)
+        if controller is not None and min((run.digits or {"": 0.0}).values()) < 3:
+            warn([FEW_DIGITS])
         return run
-
-
-def checked(settings: Mapping[str, Any]) -> dict[str, Any]:
-    """Settings of a run with values of the right kinds; those that are None are left out."""
-    return {name: setting_of(name, plain(value)) for name, value in settings.items() if value is not None}
-
-
-def setting_of(name: str, value: Any) -> Any:
-    """Value of a setting, if it is of the right kind. The run itself refuses unknown names."""
-    kind = SETTINGS.get(name)
-    if kind is str and not isinstance(value, str):
-        raise _tripos.RequestError(f"the setting `{name}` is {value!r}; give a name in quotes")
-    if kind is float and (isinstance(value, bool) or not isinstance(value, numbers.Real)):
-        raise _tripos.RequestError(f"the setting `{name}` is {value!r}; give a number")
-    if kind is int and (isinstance(value, bool) or not isinstance(value, int) or not 0 <= value < 1 << 63):
-        raise _tripos.RequestError(f"the setting `{name}` is {value!r}; give a positive whole number")
-    return value
-
-
-def instants_of(given: ArrayLike) -> list[float]:
-    """Instants of a controller as a list of numbers."""
-    times = real_array("instants", given)
-    if times.ndim != 1:
-        raise _tripos.RequestError(f"instants has the shape {times.shape}; give (N,)")
-    return [float(t) for t in times]
 
 
 def maker_of(controller: Controller | None, make: Callable[[], Controller] | None) -> Callable[[], Controller]:
@@ -461,17 +435,6 @@ def maker_of(controller: Controller | None, make: Callable[[], Controller] | Non
         raise _tripos.RequestError("give either `controller` or `make`, which returns a new controller")
     given = controller
     return lambda: given
-
-
-def distinct_names(names: Sequence[str]) -> list[str]:
-    """Names as a list; a text in place of the list, and names that occur twice, are refused."""
-    if isinstance(names, str):
-        raise _tripos.RequestError(f"the names are the text {names!r}; give a list: [{names!r}]")
-    chosen = list(names)
-    twice = [name for name in chosen if chosen.count(name) > 1]
-    if twice:
-        raise _tripos.RequestError(f"the name `{twice[0]}` is given twice; give each number of the objective once")
-    return chosen
 
 
 def columns(slopes: Mapping[str, float], names: Sequence[str]) -> Array:

@@ -19,8 +19,8 @@ from typing import Any, Optional, Union
 import numpy as np
 
 from . import _tripos
+from ._arguments import Path, plain
 from ._commands import Option, UntrustedRunWarning, failure, run_command, warn_of
-from ._model import Path, plain
 from ._progress import bar
 from ._scene import Scene
 
