@@ -84,6 +84,8 @@ fn no_multipliers_make_wrong_rows_right() {
         &["m*R*theta'' = P", "m*R*theta'*phi' = P"],
         &["m*R*theta'' = P", "2*m*R*theta'*phi' = Q"],
         &["2*m*R*theta'*phi' = Q"],
+        // A sign in the component across the path.
+        &["m*(x''*cos(phi) + y''*sin(phi)) = P", "m*(x''*sin(phi) + y''*cos(phi)) = Q"],
         &["m*R*theta'' = P", "m*R*theta'*phi' = 2*Q", "I*theta'' = tau1 - R*Q"],
         &["m*R*theta'' = P", "m*R*theta'^2 = Q", "I*theta'' = tau1 - R*P"],
         &["m*R*theta'' = P", "m*R*theta'*phi' = Q", "I*theta'' = tau1 - R*P*cos(phi)"],

@@ -10,7 +10,7 @@ use super::row_judgement::{Row, TermTools, WRITTEN, judged_row_in_permitted_stat
 use super::row_matching::matching_row_with_factor;
 use crate::algebra::solve::linear::{determinant, solve_linear};
 use crate::algebra::text::print::print_text;
-use crate::algebra::value::rank::pivot_rows_and_columns;
+use crate::algebra::value::rank::{independent_rows, pivot_rows_and_columns};
 use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr};
 use crate::model::Model;
@@ -222,10 +222,25 @@ impl TermTools<'_> {
         parameters: &[Expr],
     ) {
         let form = self.multiplier_matrix_form(&change, parameters);
+        // Axes that are neither perpendicular nor of unit length are nobody's choice, unless all rows agree on them.
+        if form == Form::Other && !self.are_multipliers_told_twice(pairs) {
+            return;
+        }
         let score = self.multiplier_matrix_score(pairs, &change, form);
         if score > best.0 {
             *best = (score, change);
         }
+    }
+
+    /// True if the printed rows determine the multipliers that they mention also without any one row.
+    fn are_multipliers_told_twice(&self, pairs: &[MultiplierRows]) -> bool {
+        let width = pairs.first().map_or(0, |pair| pair.printed.len());
+        let mentioned = (0..width).filter(|at| pairs.iter().any(|pair| pair.printed[*at] != Expr::ZERO)).count();
+        (0..pairs.len()).all(|left_out| {
+            let others = pairs.iter().enumerate().filter(|(at, _)| *at != left_out);
+            let rows: Vec<Row> = others.map(|(_, pair)| pair.printed.clone()).collect();
+            !rows.is_empty() && independent_rows(self.arena, &rows).is_some_and(|found| found.len() == mentioned)
+        })
     }
 
     /// Score of the matrix B `change`, whose form is `form`.
