@@ -207,6 +207,7 @@ const READS_TEXT: [(&str, &[&str]); 3] = [
             "derive/src/publication/names/author_files.rs",
             "derive/src/publication/programs/assignments.rs",
             "derive/src/publication/programs/array_formulas.rs",
+            "derive/src/publication/programs/array_functions.rs",
             "derive/src/publication/programs/indices.rs",
             "derive/src/publication/names/program_variables.rs",
             "derive/src/publication/labelled_equations.rs",

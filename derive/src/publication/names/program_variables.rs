@@ -173,9 +173,11 @@ impl ProgramVariables {
         }
     }
 
-    /// Records that two names may be the same array.
+    /// Records that two names may be the same array, and so may the other names of the second.
     pub fn record_alias(&mut self, name: &str, other: &str) {
-        self.aliases.push([name.to_owned(), other.to_owned()]);
+        for own in self.array_aliases(other).into_iter().chain([other.to_owned()]) {
+            self.aliases.push([name.to_owned(), own]);
+        }
     }
 
     /// Other names of the array `name`.

@@ -11,5 +11,7 @@ mod traced_text;
 
 pub use displayed_equations::{LabelChoice, LatexFile};
 pub use latex_macros::{Macros, latex_without_comments};
-pub use program_statements::{Statement, is_program_number, statement_copies_value, statements};
+pub use program_statements::{
+    Statement, comma_parts, is_program_number, marks_outside_brackets, statement_copies_value, statements,
+};
 pub use traced_text::{TracedError, TracedText};

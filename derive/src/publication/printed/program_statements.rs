@@ -298,14 +298,14 @@ fn program_statements_in_range(text: &str, range: Range<usize>, notation: Notati
     list
 }
 
-/// Byte positions of the character `mark` outside of parentheses, brackets and braces.
-fn statement_marks_outside_brackets(text: &str, mark: char) -> Vec<usize> {
+/// Byte positions of these characters outside of parentheses, brackets and braces.
+pub fn marks_outside_brackets(text: &str, marks: &[char]) -> Vec<usize> {
     let (mut depth, mut list) = (0_usize, Vec::new());
     for (at, c) in text.char_indices() {
         match c {
             '(' | '[' | '{' => depth += 1,
             ')' | ']' | '}' => depth = depth.saturating_sub(1),
-            c if c == mark && depth == 0 => list.push(at),
+            c if depth == 0 && marks.contains(&c) => list.push(at),
             _ => {}
         }
     }
@@ -313,9 +313,9 @@ fn statement_marks_outside_brackets(text: &str, mark: char) -> Vec<usize> {
 }
 
 /// Byte ranges of the parts of a text between commas outside of parentheses, brackets and braces.
-fn statement_comma_parts(text: &str) -> Vec<Range<usize>> {
+pub fn comma_parts(text: &str) -> Vec<Range<usize>> {
     let (mut list, mut from) = (Vec::new(), 0);
-    for at in statement_marks_outside_brackets(text, ',') {
+    for at in marks_outside_brackets(text, &[',']) {
         list.push(from..at);
         from = at + 1;
     }
@@ -350,16 +350,15 @@ fn read_program_statement(text: &str, range: Range<usize>, notation: Notation, l
     let is_comparison = |at: usize| {
         bytes.get(at + 1) == Some(&b'=') || (at > 0 && matches!(bytes[at - 1], b'=' | b'<' | b'>' | b'!' | b'~'))
     };
-    let signs: Vec<usize> =
-        statement_marks_outside_brackets(own, '=').into_iter().filter(|at| !is_comparison(*at)).collect();
+    let signs: Vec<usize> = marks_outside_brackets(own, &['=']).into_iter().filter(|at| !is_comparison(*at)).collect();
     if signs.len() > MAX_CHAIN && notation != Notation::C {
         return;
     }
     let (Some(first), Some(last)) = (signs.first().copied(), signs.last().copied()) else { return };
     // A declaration in C may contain several variables.
     let declares = own[..first].trim().contains(' ') && notation == Notation::C;
-    if declares && statement_marks_outside_brackets(own, ',').iter().any(|comma| *comma > first) {
-        for part in statement_comma_parts(own) {
+    if declares && marks_outside_brackets(own, &[',']).iter().any(|comma| *comma > first) {
+        for part in comma_parts(own) {
             read_program_statement(text, range.start + part.start..range.start + part.end, notation, list);
         }
         return;
@@ -367,18 +366,18 @@ fn read_program_statement(text: &str, range: Range<usize>, notation: Notation, l
     let operator = own[..first].chars().next_back().filter(|c| matches!(c, '+' | '-' | '*' | '/'));
     let left = own[..first - operator.map_or(0, char::len_utf8)].trim();
     // A type may follow a name in Python. A colon in brackets belongs to an index.
-    let colon = statement_marks_outside_brackets(left, ':').first().copied().unwrap_or(left.len());
+    let colon = marks_outside_brackets(left, &[':']).first().copied().unwrap_or(left.len());
     let left = if notation == Notation::Python { &left[..colon] } else { left };
     let left = if notation == Notation::C { left.rsplit([' ', '*', '&']).next().unwrap_or(left) } else { left };
     let left = left.rsplit('\n').next().unwrap_or(left);
     let tuple = left.trim().trim_start_matches(['[', '(']).trim_end_matches(',');
-    let is_tuple = !statement_marks_outside_brackets(tuple, ',').is_empty() || left.starts_with('[');
+    let is_tuple = !marks_outside_brackets(tuple, &[',']).is_empty() || left.starts_with('[');
     let shown = |text: &str| text.replace("->", ".").replace(char::is_whitespace, "").replace('"', "'");
     let right = last + 1..own.len();
     if is_tuple {
         let names: Vec<String> =
-            statement_comma_parts(tuple).into_iter().map(|p| shown(tuple[p].trim_end_matches(')'))).collect();
-        let values = statement_comma_parts(&own[right.clone()]);
+            comma_parts(tuple).into_iter().map(|p| shown(tuple[p].trim_end_matches(')'))).collect();
+        let values = comma_parts(&own[right.clone()]);
         if values.len() == names.len() && notation == Notation::Python {
             for (name, value) in names.into_iter().zip(values) {
                 let right = traced(right.start + value.start..right.start + value.end);

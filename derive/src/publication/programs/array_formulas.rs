@@ -2,19 +2,18 @@
 //! ranges of entries, and lists of them.
 
 use super::arrays::{Operand, Operation, ProgramArray, combined_operands, joined_blocks, solved_array};
-use super::indices::{bracketed_end, parts_outside_brackets};
+use super::indices::bracketed_end;
 use crate::algebra::Expr;
 use crate::algebra::text::notation::Notation;
 use crate::publication::names::program_variables::{ArrayKind, LinearSolution, ProgramValue, UnreadAssignment};
 use crate::publication::printed::printed_matrix::{MatrixCells, printed_matrix_cells};
+use crate::publication::printed::{comma_parts, marks_outside_brackets};
 use crate::publication::publication_reader::PublicationReader;
 use crate::toml_reader::Located;
 use std::ops::Range;
 
 /// Deepest nesting of a formula with arrays.
 const DEEPEST: usize = 40;
-/// Largest number of rows or columns that `zeros`, `ones` or `eye` makes.
-const MOST_ROWS: usize = 50;
 /// Functions that make an array of a list.
 const ARRAYS: [&str; 7] = ["array", "asarray", "matrix", "Matrix", "mat", "asmatrix", "ImmutableMatrix"];
 /// Functions of arrays that are read beside those that make them.
@@ -39,17 +38,17 @@ const FUNCTIONS: [&str; 17] = [
 ];
 
 /// Reason why a formula with arrays is not read.
-type Reason = String;
+pub(super) type Reason = String;
 
 /// Formula with arrays that is being read, with the linear systems that it solves.
-struct ArrayFormula<'a> {
-    formula: &'a Located,
-    notation: Notation,
+pub(super) struct ArrayFormula<'a> {
+    pub formula: &'a Located,
+    pub notation: Notation,
     solutions: Vec<LinearSolution>,
 }
 
 /// Trimmed byte range of a text, without semicolons behind.
-fn trimmed(text: &str, range: Range<usize>) -> Range<usize> {
+pub(super) fn trimmed(text: &str, range: Range<usize>) -> Range<usize> {
     let part = &text[range.clone()];
     let start = range.start + part.len() - part.trim_start().len();
     let end = range.start + part.trim_end_matches([' ', ';', '\t']).len();
@@ -57,14 +56,14 @@ fn trimmed(text: &str, range: Range<usize>) -> Range<usize> {
 }
 
 /// True if a text is a name, possibly with members, as `np.array`.
-fn is_name(text: &str) -> bool {
+pub(super) fn is_name(text: &str) -> bool {
     text.starts_with(|c: char| c.is_alphabetic() || c == '_')
         && text.chars().all(|c| c.is_alphanumeric() || matches!(c, '_' | '.'))
 }
 
 /// True if a text is a list of parts between commas.
 fn is_list(text: &str) -> bool {
-    parts_outside_brackets(text, &[',']).len() > 1
+    comma_parts(text).len() > 1
 }
 
 /// Text inside the parentheses that enclose a whole text; `None` if there are none.
@@ -163,7 +162,7 @@ impl PublicationReader<'_, '_> {
     }
 
     /// Value of the part `range` of a formula.
-    fn array_operand(
+    pub(super) fn array_operand(
         &mut self,
         reading: &mut ArrayFormula<'_>,
         range: Range<usize>,
@@ -176,7 +175,7 @@ impl PublicationReader<'_, '_> {
         if text.is_empty() || depth > DEEPEST {
             return Err("a part of it is not read".to_owned());
         }
-        let list = parts_outside_brackets(text, &[',']);
+        let list = comma_parts(text);
         if list.len() > 1 && notation == Notation::Python {
             let mut entries = Vec::new();
             for part in list.into_iter().filter(|part| !text[part.clone()].trim().is_empty()) {
@@ -249,7 +248,7 @@ impl PublicationReader<'_, '_> {
     }
 
     /// Solution of the linear system A x = b.
-    fn array_solution(
+    pub(super) fn array_solution(
         &mut self,
         reading: &mut ArrayFormula<'_>,
         a: &ProgramArray,
@@ -277,8 +276,8 @@ impl PublicationReader<'_, '_> {
     }
 
     /// Inverse of a matrix.
-    fn array_inverse(&mut self, a: &ProgramArray) -> Result<Operand, Reason> {
-        let unit = unit_array(a.rows.len(), a.rows.len(), a.kind);
+    pub(super) fn array_inverse(&mut self, a: &ProgramArray) -> Result<Operand, Reason> {
+        let unit = ProgramArray::unit(a.rows.len(), a.kind);
         Ok(Operand::Array(solved_array(&mut self.model.arena, a, &unit)?.0))
     }
 
@@ -406,97 +405,6 @@ impl PublicationReader<'_, '_> {
         let kind = if is_nested { ArrayKind::Table } else { kind };
         Ok(Operand::Array(joined_blocks(blocks, kind)?))
     }
-
-    /// Value of a function of arrays; `inside` is the byte range of its arguments.
-    fn array_call(
-        &mut self,
-        reading: &mut ArrayFormula<'_>,
-        function: &str,
-        inside: Range<usize>,
-        depth: usize,
-    ) -> Result<Operand, Reason> {
-        let text = reading.formula.text[inside.clone()].to_owned();
-        let arguments: Vec<Range<usize>> = parts_outside_brackets(&text, &[','])
-            .into_iter()
-            .filter(|part| {
-                // An argument with a name, as `dtype=float`, changes no entry.
-                let part = text[part.clone()].trim();
-                !part.is_empty() && !part.split_once('=').is_some_and(|(name, _)| is_name(name.trim()))
-            })
-            .collect();
-        if matches!(function, "zeros" | "ones" | "eye") {
-            return array_of_sizes(function, &text, reading.notation);
-        }
-        let lists = matches!(function, "concatenate" | "hstack" | "vstack" | "block");
-        let mut operands = Vec::new();
-        for argument in &arguments {
-            let place = trimmed(&text, argument.clone());
-            let list = &text[place.clone()];
-            // The list of parts of `concatenate([a, b])`.
-            if lists && list.starts_with(['[', '(']) && bracketed_end(list, 0) == Some(list.len()) {
-                for part in parts_outside_brackets(&list[1..list.len() - 1], &[',']) {
-                    let part = place.start + 1 + part.start..place.start + 1 + part.end;
-                    if !text[part.clone()].trim().is_empty() {
-                        let at = inside.start + part.start..inside.start + part.end;
-                        operands.push(self.array_operand(reading, at, depth + 1)?);
-                    }
-                }
-                continue;
-            }
-            let at = inside.start + place.start..inside.start + place.end;
-            operands.push(self.array_operand(reading, at, depth + 1)?);
-        }
-        let unread = || format!("`{function}` is not read here");
-        let two = |operands: Vec<Operand>| -> Result<(Operand, Operand), Reason> {
-            let [left, right]: [Operand; 2] = operands.try_into().map_err(|_| unread())?;
-            Ok((left, right))
-        };
-        match function {
-            "vertcat" => {
-                let blocks = operands.into_iter().map(|operand| vec![operand]).collect();
-                Ok(Operand::Array(joined_blocks(blocks, ArrayKind::Matrix)?))
-            }
-            "horzcat" => Ok(Operand::Array(joined_blocks(vec![operands], ArrayKind::Matrix)?)),
-            "concatenate" | "hstack" => {
-                let parts: Option<Vec<Vec<ProgramValue>>> = operands
-                    .into_iter()
-                    .map(|operand| match operand {
-                        Operand::Number(value) => Some(vec![value]),
-                        Operand::Array(array) if array.kind == ArrayKind::Flat => array.entries(),
-                        Operand::Array(_) => None,
-                    })
-                    .collect();
-                Ok(Operand::Array(ProgramArray::flat(parts.ok_or_else(unread)?.concat())))
-            }
-            "solve" | "linsolve" | "mldivide" => match two(operands)? {
-                (Operand::Array(a), Operand::Array(b)) => self.array_solution(reading, &a, &b),
-                _ => Err(unread()),
-            },
-            "dot" | "matmul" | "mtimes" => {
-                let (left, right) = two(operands)?;
-                combined_operands(&mut self.model.arena, left, right, Operation::Product).map_err(str::to_owned)
-            }
-            _ => {
-                let [operand]: [Operand; 1] = operands.try_into().map_err(|_| unread())?;
-                let Operand::Array(array) = operand else { return Err(unread()) };
-                match function {
-                    "inv" => self.array_inverse(&array),
-                    "transpose" => Ok(Operand::Array(array.transposed())),
-                    "array" | "asarray" => Ok(Operand::Array(array)),
-                    // A list is a column of `Matrix`, and a row of `matrix`.
-                    "Matrix" | "ImmutableMatrix" => {
-                        Ok(Operand::Array(ProgramArray { kind: ArrayKind::Matrix, ..array }))
-                    }
-                    "matrix" | "mat" | "asmatrix" => {
-                        let is_list = array.kind == ArrayKind::Flat;
-                        let array = ProgramArray { kind: ArrayKind::Matrix, ..array };
-                        Ok(Operand::Array(if is_list { array.transposed() } else { array }))
-                    }
-                    _ => Err(unread()),
-                }
-            }
-        }
-    }
 }
 
 /// Byte range of A in a text such as `inv(A)`; `None` for any other text.
@@ -517,73 +425,26 @@ fn is_array_text(reader: &PublicationReader<'_, '_>, text: &str, notation: Notat
     !text.trim().is_empty() && reader.contains_array(text, notation)
 }
 
-/// Unit matrix as an array.
-fn unit_array(rows: usize, columns: usize, kind: ArrayKind) -> ProgramArray {
-    let entry = |i, k| ProgramValue::Value(if i == k { Expr::ONE } else { Expr::ZERO });
-    ProgramArray { rows: (0..rows).map(|i| (0..columns).map(|k| entry(i, k)).collect()).collect(), kind }
-}
-
-/// Array that `zeros`, `ones` or `eye` makes; `text` has the sizes.
-fn array_of_sizes(function: &str, text: &str, notation: Notation) -> Result<Operand, Reason> {
-    let is_list = text.trim_start().starts_with(['(', '[']);
-    let sizes: Option<Vec<usize>> = text
-        .split([',', '(', ')', '[', ']'])
-        .map(str::trim)
-        .filter(|size| !size.is_empty() && !size.contains('='))
-        .map(|size| size.parse().ok().filter(|n| (1..=MOST_ROWS).contains(n)))
-        .collect();
-    let (rows, columns, is_flat) = match (sizes.unwrap_or_default().as_slice(), notation, is_list) {
-        (&[n], Notation::Python, _) if function != "eye" => (n, 1, true),
-        (&[n], ..) => (n, n, false),
-        // The second argument of `np.zeros(4, float)` is no size.
-        (&[n, m], Notation::Matlab, _) | (&[n, m], _, true) => (n, m, false),
-        _ => return Err(format!("the sizes of `{function}` are not read")),
-    };
-    let kind = match (notation, is_flat) {
-        (Notation::Matlab, _) => ArrayKind::Matrix,
-        (_, true) => ArrayKind::Flat,
-        _ => ArrayKind::Table,
-    };
-    if function == "eye" {
-        return Ok(Operand::Array(unit_array(rows, columns, kind)));
-    }
-    let value = ProgramValue::Value(if function == "ones" { Expr::ONE } else { Expr::ZERO });
-    Ok(Operand::Array(ProgramArray { rows: vec![vec![value; columns]; rows], kind }))
-}
-
 /// Byte position and sign of the last `+` or `-` outside of brackets that adds terms or stands in
 /// front of the first; `None` if there is none.
 fn last_sum_sign(text: &str) -> Option<(usize, char)> {
-    positions_outside_brackets(text, &['+', '-']).into_iter().rev().find(|(at, _)| {
+    let at = marks_outside_brackets(text, &['+', '-']).into_iter().rev().find(|at| {
         let before = text[..*at].trim_end();
         let last = before.chars().next_back();
         let is_exponent = matches!(last, Some('e' | 'E'))
             && before[..before.len() - 1].ends_with(|c: char| c.is_ascii_digit() || c == '.');
         !is_exponent && !matches!(last, Some('+' | '-' | '*' | '/' | '@' | '\\' | '^' | ',' | ':'))
-    })
+    })?;
+    Some((at, text[at..].chars().next()?))
 }
 
 /// Byte position and sign of the last `*`, `/`, `@` or `\` outside of brackets; `None` if there is
 /// none. `**` is a power.
 fn last_product_sign(text: &str) -> Option<(usize, char)> {
     let bytes = text.as_bytes();
-    positions_outside_brackets(text, &['*', '/', '@', '\\']).into_iter().rev().find(|(at, _)| {
+    let at = marks_outside_brackets(text, &['*', '/', '@', '\\']).into_iter().rev().find(|at| {
         let is_star = |at: Option<usize>| at.and_then(|at| bytes.get(at)) == Some(&b'*');
         bytes[*at] != b'*' || !is_star(Some(at + 1)) && !is_star(at.checked_sub(1))
-    })
-}
-
-/// Byte positions of signs outside of brackets, each with its sign.
-fn positions_outside_brackets(text: &str, signs: &[char]) -> Vec<(usize, char)> {
-    let mut depth = 0_usize;
-    let mut list = Vec::new();
-    for (at, c) in text.char_indices() {
-        match c {
-            '(' | '[' | '{' => depth += 1,
-            ')' | ']' | '}' => depth = depth.saturating_sub(1),
-            c if depth == 0 && signs.contains(&c) => list.push((at, c)),
-            _ => {}
-        }
-    }
-    list
+    })?;
+    Some((at, text[at..].chars().next()?))
 }

@@ -43,6 +43,12 @@ impl ProgramArray {
         Self { rows: entries.into_iter().map(|entry| vec![entry]).collect(), kind: ArrayKind::Flat }
     }
 
+    /// Unit matrix with `size` rows.
+    pub fn unit(size: usize, kind: ArrayKind) -> Self {
+        let entry = |i, k| ProgramValue::Value(if i == k { Expr::ONE } else { Expr::ZERO });
+        Self { rows: (0..size).map(|i| (0..size).map(|k| entry(i, k)).collect()).collect(), kind }
+    }
+
     /// Number of rows and of columns, and the kind.
     pub fn shape(&self) -> ArrayShape {
         ArrayShape { rows: self.rows.len(), columns: self.rows.first().map_or(0, Vec::len), kind: self.kind }

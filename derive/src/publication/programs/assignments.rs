@@ -162,6 +162,10 @@ impl<'a> PublicationReader<'a, '_> {
         if operator.is_none() && copied == name {
             return true;
         }
+        // In Python, an operator such as `+=` changes an array that may have other names.
+        if operator.is_some() && notation == Notation::Python {
+            self.forget_aliases(name);
+        }
         let outcome = read.and_then(|(array, solutions)| {
             let changed = match (operator, own) {
                 (None, _) => Ok(array),
@@ -183,7 +187,7 @@ impl<'a> PublicationReader<'a, '_> {
                     for solution in solutions {
                         locals.record_linear_solution(solution);
                     }
-                    let source = formula.text.trim();
+                    let source = viewed_array(&formula.text);
                     if notation == Notation::Python && operator.is_none() && locals.array_shape(source).is_some() {
                         locals.record_alias(name, source);
                     }
@@ -336,14 +340,19 @@ impl<'a> PublicationReader<'a, '_> {
 
     /// Assigns a value to one entry of an array, by all its names.
     fn assign_entry(&mut self, whole: &str, place: (usize, usize), value: &ProgramValue, notation: Notation) {
-        for other in self.words.locals.array_aliases(whole) {
-            self.forget_entries(&other, &format!("`{other}` and `{whole}` may be one array, which changes"));
-        }
+        self.forget_aliases(whole);
         if let Some(locals) = Arc::get_mut(&mut self.words.locals) {
             let shape = locals.array_shape(whole);
             for name in entry_names(whole, place, shape, notation) {
                 locals.assign_variable(&name, value.clone());
             }
+        }
+    }
+
+    /// Makes all entries of the other names of an array unread, since the array changes.
+    fn forget_aliases(&mut self, name: &str) {
+        for other in self.words.locals.array_aliases(name) {
+            self.forget_entries(&other, &format!("`{other}` and `{name}` may be one array, which changes"));
         }
     }
 
@@ -376,12 +385,7 @@ impl<'a> PublicationReader<'a, '_> {
                 }
                 None => {
                     self.forget_entries(whole, &format!("`{name}` may be this entry, and it was assigned"));
-                    for other in self.words.locals.array_aliases(whole) {
-                        self.forget_entries(
-                            &other,
-                            &format!("`{other}` and `{whole}` may be one array, which changes"),
-                        );
-                    }
+                    self.forget_aliases(whole);
                 }
             }
             if let Some(locals) = Arc::get_mut(&mut self.words.locals) {
@@ -461,4 +465,17 @@ impl<'a> PublicationReader<'a, '_> {
         );
         self.assign_program_value(name, value, notation);
     }
+}
+
+/// Name of the array of which a formula of Python is the array itself or a view, as `A`, `A.T` and
+/// `A[0]`; another text for other formulas.
+fn viewed_array(formula: &str) -> &str {
+    let mut text = formula.trim();
+    let views = [".T", ".transpose()", ".ravel()"];
+    while let Some(rest) = views.iter().find_map(|view| text.strip_suffix(view)) {
+        text = rest;
+    }
+    let inner = text.strip_suffix(')').and_then(|text| text.split_once("asarray(")).map(|(_, inner)| inner);
+    let text = inner.unwrap_or(text);
+    indexed_name(text).map_or(text, |(name, _)| name)
 }

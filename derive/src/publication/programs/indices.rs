@@ -2,7 +2,7 @@
 
 use crate::algebra::text::notation::Notation;
 use crate::publication::names::program_variables::{ArrayKind, ArrayShape};
-use std::ops::Range;
+use crate::publication::printed::comma_parts;
 
 /// Largest number of entries that indices select.
 const MOST_ENTRIES: usize = 100;
@@ -19,24 +19,6 @@ pub fn bracketed_end(text: &str, open: usize) -> Option<usize> {
     None
 }
 
-/// Byte ranges of the parts of a text between these signs, outside of brackets.
-pub fn parts_outside_brackets(text: &str, signs: &[char]) -> Vec<Range<usize>> {
-    let (mut depth, mut from, mut list) = (0_usize, 0, Vec::new());
-    for (at, c) in text.char_indices() {
-        match c {
-            '(' | '[' | '{' => depth += 1,
-            ')' | ']' | '}' => depth = depth.saturating_sub(1),
-            c if depth == 0 && signs.contains(&c) => {
-                list.push(from..at);
-                from = at + c.len_utf8();
-            }
-            _ => {}
-        }
-    }
-    list.push(from..text.len());
-    list
-}
-
 /// Name and indices of an indexed variable, as `M(1,2)` or `M[0][1]`; `None` for any other text.
 pub fn indexed_name(text: &str) -> Option<(&str, Vec<&str>)> {
     let open = text.find(['(', '['])?;
@@ -51,7 +33,7 @@ pub fn indexed_name(text: &str) -> Option<(&str, Vec<&str>)> {
         }
         let end = bracketed_end(text, at)?;
         let inside = &text[at + 1..end - 1];
-        indices.extend(parts_outside_brackets(inside, &[',']).into_iter().map(|part| inside[part].trim()));
+        indices.extend(comma_parts(inside).into_iter().map(|part| inside[part].trim()));
         at = end;
     }
     (indices.len() <= 2).then_some((name, indices))
