@@ -16,7 +16,7 @@ const fn case(folder: &'static str, roots: usize, says: &'static [&'static str])
     Case { folder, roots, says }
 }
 
-const CASES: [Case; 77] = [
+const CASES: [Case; 78] = [
     // The sign of a multiplier in one system holds for its value below.
     case("03", 0, &["0 different"]),
     case("37", 1, &["the term 2*t1*cos(phi)/R should be 2*t1*cos(phi)/(3*R)"]),
@@ -48,6 +48,8 @@ const CASES: [Case; 77] = [
     case("42", 1, &["b*r1 should be -b*r1"]),
     case("tc17", 1, &["2 entries", "in cd, cos(th1 + th2) should be cos(th1 - th2)"]),
     case("tc25", 1, &["2 entries", "in sd, cos(dl) should be sin(dl)"]),
+    // A row solved for an acceleration that follows from a wrong energy.
+    case("crane", 1, &["T, 3 entries", "the term m*l*x'*theta'*cos(theta) is missing"]),
     // A multiplier that the author has eliminated.
     case("ta23", 1, &["s-row2, 1 entry", "m*a*x''*sin(phi) should be -m*a*x''*sin(phi)"]),
     // One mistake in several entries of a row, or of a matrix with what is claimed of it.
