@@ -1,5 +1,5 @@
-//! Exact computer algebra: terms, their values, normal forms, comparison, solution and text. It
-//! knows no mechanics.
+//! Exact computer algebra: terms, their values, normal forms, comparison, solution and text. No
+//! part of it depends on mechanics.
 
 pub mod form;
 pub mod meaning;

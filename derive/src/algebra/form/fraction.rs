@@ -126,7 +126,8 @@ impl Fraction {
     }
 }
 
-/// Fractions with equal denominators: the denominator, and pairs (numerator, coefficient).
+/// Group of summands with the same denominator: that denominator, and pairs (numerator,
+/// coefficient).
 type Group<'a> = (&'a [(RingPolynomial, u32)], Vec<(&'a RingPolynomial, Rational)>);
 
 /// Numerators of the given fractions over their common denominator, in the same order. `None` if

@@ -39,7 +39,8 @@ pub struct Normalizer {
     ring: Ring,
     /// Normal form of each term so far; `None` if the term has none within the budget.
     forms: FxHashMap<Expr, Option<Rc<Fraction>>>,
-    /// Divisor of each atom of angles: the base angle is the atom divided by this number.
+    /// Divisor of each atom: a term without a sum, such as q₁, of which angles are multiples. The
+    /// base angle is the atom divided by this number.
     parts_of_turn: FxHashMap<Expr, i64>,
 }
 
@@ -50,7 +51,8 @@ impl Default for Normalizer {
 }
 
 impl Normalizer {
-    /// Largest number of multiplications of terms for one normal form; it takes about a second.
+    /// Usual budget for one normal form: a number of multiplications of terms that takes about a
+    /// second.
     pub const BUDGET: u64 = 2_000_000;
 
     /// Creates a normalizer. The budget is the number of multiplications of terms that are allowed
@@ -60,8 +62,8 @@ impl Normalizer {
         Self { ring: Ring::new(budget), forms: FxHashMap::default(), parts_of_turn: FxHashMap::default() }
     }
 
-    /// Sets the number of multiplications of terms that are still allowed. A full ring is emptied
-    /// first.
+    /// Sets the number of multiplications of terms that are still allowed. If the ring has its
+    /// largest number of generators, the ring and all normal forms are dropped first.
     pub fn set_budget(&mut self, budget: u64) {
         if self.ring.size() == GENERATORS {
             self.ring = Ring::new(0);
@@ -106,8 +108,9 @@ impl Normalizer {
         self.forms[&e].clone()
     }
 
-    /// Divides the base angles until every angle in the listed terms is a whole multiple of them.
-    /// Then the normal forms of all terms are in the same ring.
+    /// Refines the base angles until every angle in the listed terms is a whole multiple of base
+    /// angles. The normal forms of all these terms are then polynomials and fractions of the same
+    /// ring.
     pub fn prepare(&mut self, arena: &Arena, list: &[Expr]) {
         let parts = arena.reachable(list);
         self.refine_angles(arena, &parts);
@@ -132,8 +135,8 @@ impl Normalizer {
         (0..self.ring.size()).filter(|at| arena.reachable(&[self.ring.expression(*at)]).iter().all(known)).collect()
     }
 
-    /// Divides the base angles until every angle among the terms `parts` is a whole multiple of
-    /// them. If they change, all normal forms so far are dropped.
+    /// Refines the base angles until every angle among the terms `parts` is a whole multiple of
+    /// base angles. If a base angle changes, all normal forms so far are dropped.
     fn refine_angles(&mut self, arena: &Arena, parts: &[Expr]) {
         let mut finer = false;
         for part in parts {
@@ -241,7 +244,8 @@ impl Normalizer {
         Some(angle_atoms(arena, expanded))
     }
 
-    /// Polynomials (sin, cos) of n times a base angle; `None` if they are too large.
+    /// Sine and cosine of n times a base angle, as two polynomials of the ring. `None` if the
+    /// number of multiplications exceeds the budget or the ring is full.
     fn multiple_of_base_angle(
         &mut self,
         arena: &mut Arena,
@@ -265,8 +269,8 @@ impl Normalizer {
         self.multiple_of_angle(&unit, n)
     }
 
-    /// Polynomials (sin, cos) of n times an angle, from the pair `unit` of the angle; `None` if
-    /// they are too large.
+    /// Sine and cosine of n times an angle, as two polynomials of the ring. `unit` is the pair
+    /// (sin, cos) of the single angle. `None` if the budget of multiplications is used up.
     fn multiple_of_angle(
         &mut self,
         unit: &(RingPolynomial, RingPolynomial),
@@ -295,8 +299,8 @@ impl Normalizer {
         form.denominator.is_empty().then(|| form.numerator.clone())
     }
 
-    /// Polynomials (sin, cos) of the sum of two angles, each given as (sin, cos); `None` if they
-    /// are too large.
+    /// Sine and cosine of the sum of two angles, as two polynomials of the ring. Each angle is
+    /// given as its pair (sin, cos). `None` if the budget of multiplications is used up.
     fn sum_of_angles(
         &mut self,
         a: &(RingPolynomial, RingPolynomial),

@@ -36,7 +36,8 @@ impl LaurentPolynomial {
         Self::monomial(Vec::new(), value)
     }
 
-    /// Reads a term as a sum of monomials in its factors, without expanding it.
+    /// Reads a term of the arena as a polynomial, without expanding it. Each summand becomes a
+    /// monomial in its factors.
     pub(super) fn read_sum(arena: &Arena, e: Expr) -> Self {
         let monomial = |e: Expr| match arena.node(e) {
             Node::Product(factors) => factors.to_vec(),
@@ -211,8 +212,9 @@ impl LaurentPolynomial {
         (common, content, rest)
     }
 
-    /// Atom that most terms of the polynomial share, and true if they share it with positive exponents.
-    /// Ties take the first. `None` if no two terms share an atom.
+    /// Atom that occurs in most terms of the polynomial with exponents of one sign, and true if
+    /// that sign is positive. If several atoms tie, the first is taken. `None` if no two terms
+    /// share an atom.
     pub(super) fn most_shared_atom(&self) -> Option<(Expr, bool)> {
         let mut counts: BTreeMap<(Expr, bool), usize> = BTreeMap::new();
         for (atom, n) in self.terms.keys().flatten() {

@@ -33,7 +33,8 @@ impl Powers {
     /// Exponents of the monomial 1: all are 0.
     pub const ONE: Self = Self([0; GENERATORS]);
 
-    /// Exponent, in the monomial, of a generator: a variable of the ring, given by its number.
+    /// Exponent of a generator in the monomial. The generator is a variable of the ring, given by
+    /// its number.
     pub fn exponent_of(&self, generator: usize) -> u8 {
         self.0[generator]
     }
@@ -53,7 +54,7 @@ impl Powers {
         Some(result)
     }
 
-    /// Quotient of two monomials; `None` if an exponent would be negative.
+    /// Quotient `self` / `other` of two monomials; `None` if an exponent would be negative.
     fn over(&self, other: &Self) -> Option<Self> {
         let mut result = *self;
         for (a, b) in result.0.iter_mut().zip(&other.0) {
@@ -144,7 +145,8 @@ impl RingPolynomial {
         terms.fold(first, |common, (m, _)| common.common(m))
     }
 
-    /// True if the generator, a variable of the ring given by its number, occurs in the polynomial.
+    /// True if the generator occurs in the polynomial. The generator is a variable of the ring,
+    /// given by its number.
     fn mentions(&self, generator: usize) -> bool {
         self.terms.iter().any(|(m, _)| m.exponent_of(generator) > 0)
     }
@@ -168,7 +170,7 @@ pub enum Square {
 pub struct Ring {
     /// Generators by number: the expression of each, and its known square.
     generators: Vec<(Expr, Square)>,
-    /// Number of each generator, by its expression.
+    /// Number of each generator (a variable of the ring), by the expression that it stands for.
     numbers: FxHashMap<Expr, usize>,
     /// Number of multiplications of terms that are still allowed. Results are `None` once it is
     /// used up.
@@ -192,8 +194,9 @@ impl Ring {
         self.generators.len()
     }
 
-    /// Number of the generator that stands for `e`. It is added if it is new, with the square that
-    /// `square` returns. `None` if the ring is full or `square` returns `None`.
+    /// Number of the generator (a variable of the ring) that stands for the expression `e`. A new
+    /// generator is added, with the square that the closure `square` returns. `None` if the ring is
+    /// full or the closure returns `None`.
     pub fn generator(&mut self, e: Expr, square: impl FnOnce(&mut Self) -> Option<Square>) -> Option<usize> {
         if let Some(&number) = self.numbers.get(&e) {
             return Some(number);
@@ -251,8 +254,9 @@ impl Ring {
         Some(polynomial_of_sum(product))
     }
 
-    /// Adds the term k · powers to a sum, with known squares of generators replaced. `None` if the
-    /// ring's budget of multiplications is used up or an exponent exceeds 255.
+    /// Adds the term k · powers to the polynomial `sum`. Squares of generators are replaced by
+    /// their known values. `None` if the ring's budget of multiplications is used up or an exponent
+    /// exceeds 255.
     fn reduce_into(&mut self, sum: &mut FxHashMap<Powers, Rational>, powers: Powers, k: Rational) -> Option<()> {
         let mut pending = vec![(powers, k)];
         while let Some((powers, k)) = pending.pop() {
@@ -366,13 +370,13 @@ impl Ring {
     }
 }
 
-/// Returns the polynomial with the sign of one generator (a variable of the ring) changed.
+/// Conjugate of the polynomial in one generator: the sign of this variable is changed.
 fn ring_conjugate(p: &RingPolynomial, generator: usize) -> RingPolynomial {
     let flip = |(m, k): &(Powers, Rational)| (*m, if m.exponent_of(generator) % 2 == 1 { k.neg() } else { k.clone() });
     RingPolynomial { terms: p.terms.iter().map(flip).collect() }
 }
 
-/// Adds the term k · powers to a sum of like terms.
+/// Adds the term k · powers to a sum of terms, in which each monomial has one coefficient.
 fn add_ring_term(sum: &mut FxHashMap<Powers, Rational>, powers: Powers, k: Rational) {
     match sum.entry(powers) {
         std::collections::hash_map::Entry::Vacant(place) => {
@@ -385,7 +389,8 @@ fn add_ring_term(sum: &mut FxHashMap<Powers, Rational>, powers: Powers, k: Ratio
     }
 }
 
-/// Converts a sum of like terms to a polynomial with its terms in descending order.
+/// Converts a map from monomials to coefficients into a polynomial with its terms in descending
+/// order.
 fn polynomial_of_sum(sum: FxHashMap<Powers, Rational>) -> RingPolynomial {
     let mut terms: Vec<_> = sum.into_iter().filter(|(_, k)| !k.is_zero()).collect();
     terms.sort_unstable_by_key(|(m, _)| Reverse(*m));

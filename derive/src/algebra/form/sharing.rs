@@ -70,7 +70,8 @@ pub enum Products {
 }
 
 impl SharingOptions {
-    /// All twelve readings: every treatment of products with every treatment of angles.
+    /// All twelve options: each of the four treatments of products with each of the three
+    /// treatments of angles.
     pub const ALL: [Self; 12] = {
         let mut all = [Self { products: Products::Factored, angles: Angles::Kept }; 12];
         let mut at = 0;
@@ -82,7 +83,7 @@ impl SharingOptions {
         all
     };
 
-    /// Three readings that most often give the fewest operations.
+    /// Three options that most often give the fewest operations.
     pub const COMMON_OPTIONS: [Self; 3] = [
         Self { products: Products::Factored, angles: Angles::Kept },
         Self { products: Products::Expanded, angles: Angles::Kept },
@@ -117,8 +118,8 @@ impl Products {
 /// Takes common sub-sums and sub-products out of the steps and values of a function. Returns the
 /// new steps and values.
 ///
-/// `None` if the reading asks for composed angles and no angle can be composed, or if an exponent
-/// becomes too large for the arena.
+/// `None` if the options ask for composed angles and no angle can be composed, or too many can.
+/// `None` also if an exponent becomes too large for the arena.
 pub fn share_common_parts(
     arena: &mut Arena,
     simplifier: &mut Simplifier,

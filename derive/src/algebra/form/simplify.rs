@@ -15,7 +15,7 @@ use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
 
-/// Simplifier of terms; it remembers its results.
+/// Simplifier of terms. It remembers the result for each term.
 #[derive(Clone, Default)]
 pub struct Simplifier {
     /// Short form of each term simplified so far.
@@ -149,8 +149,8 @@ impl Simplifier {
         forms.remove(parts.last()?)
     }
 
-    /// Short form of a polynomial as a term: squares are reduced and common factors taken out, if
-    /// that saves operations.
+    /// Short form of a polynomial, as a term: squares of sines and cosines are replaced and common
+    /// factors taken out, if that saves operations.
     fn short_form(&mut self, arena: &mut Arena, polynomial: &LaurentPolynomial) -> Expr {
         let e = polynomial.expand(arena);
         if let Some(&done) = self.memo.get(&e) {
@@ -163,8 +163,8 @@ impl Simplifier {
         result
     }
 
-    /// Negative power of a polynomial with several terms, whose simplified sum becomes an atom.
-    /// `None` if the sum is the number 0.
+    /// Negative power of a polynomial with several terms. The polynomial is simplified to a sum,
+    /// which becomes an atom of the result. `None` if this sum is the number 0.
     fn inverse_power(&mut self, arena: &mut Arena, base: &LaurentPolynomial, n: i32) -> Option<LaurentPolynomial> {
         let base = self.short_form(arena, base);
         // The divisor is identically zero: nothing can be simplified, and the zero test of the
@@ -236,8 +236,8 @@ fn reduce(arena: &mut Arena, polynomial: &LaurentPolynomial) -> LaurentPolynomia
     if canonical.terms.len() < best.terms.len() { canonical } else { best }
 }
 
-/// Measure that replacing squares should lessen: number of terms, then number of different sines
-/// and cosines.
+/// Size of a polynomial, as a measure for replacing squares: its number of terms, then its number
+/// of different sines and cosines.
 fn size(arena: &Arena, polynomial: &LaurentPolynomial) -> (usize, usize) {
     let circular: std::collections::BTreeSet<Expr> =
         polynomial.terms.keys().flatten().map(|(e, _)| *e).filter(|e| is_sine_or_cosine(arena, *e)).collect();

@@ -6,7 +6,7 @@ use crate::algebra::text::print::printed_length;
 use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr};
 
-/// Largest number of nodes of a formula that is written out; it makes some ten lines of text.
+/// Largest number of nodes of a written-out formula, which prints as some ten lines of text.
 const MOST_READ: usize = 250;
 
 /// Largest number of nodes of a written-out formula for which simplification is tried.

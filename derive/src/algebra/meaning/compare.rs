@@ -40,10 +40,10 @@ pub use super::witness::Witness;
 /// Engine that proved an equality of two terms.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Engine {
-    /// The difference of the terms has the normal form 0.
+    /// The normal form of the difference of the two terms is 0.
     NormalForm,
-    /// The difference of the terms is 0 at random points of random prime fields. The result is
-    /// wrong with a probability below 2^−exponent.
+    /// The difference of the two terms is 0 at random points of random prime fields. The verdict
+    /// "equal" is wrong with a probability below 2^−exponent.
     Modular {
         /// Exponent of the error bound 2^−exponent.
         exponent: f64,
@@ -64,7 +64,8 @@ impl fmt::Display for Engine {
 /// Verdict on two terms: equal, different or undecided, in whatever form they are written.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
-    /// The two terms are equal wherever both have a value; the engine proved it.
+    /// The two terms are equal wherever both have a value. The engine says by which method this is
+    /// proved.
     Equal(Engine),
     /// The two terms differ; the witness is a state that shows it.
     Different(Witness),
@@ -80,7 +81,8 @@ impl Verdict {
     }
 }
 
-/// Largest number of multiplications of terms for expanding the angles of one comparison.
+/// Largest number of multiplications of polynomial terms for expanding the angles of one
+/// comparison.
 const ANGLES: u64 = 100_000;
 
 /// Answer of exact algebra to the question if a difference of terms is zero.
@@ -101,8 +103,8 @@ enum Answer {
 pub struct Comparer {
     /// Converter of terms to normal forms, which it remembers.
     normalizer: Normalizer,
-    /// Number of multiplications left for all normal forms together, so that many large comparisons
-    /// do not add up to hours.
+    /// Number of multiplications of polynomial terms left for all normal forms together. It keeps
+    /// many large comparisons from adding up to hours.
     budget: u64,
     /// Permitted states, in which the terms are compared.
     permitted: PermittedStates,
@@ -156,9 +158,9 @@ impl Comparer {
         }
     }
 
-    /// Compares two sides, which are not proved equal in all states, in permitted states. Returns
-    /// the engine and the states of an equality. The error is the verdict if they are not proved
-    /// equal.
+    /// Compares two sides in permitted states, if they are not proved equal in all states. Returns
+    /// the engine that proves them equal there, and the states in which the equality holds. The
+    /// error is the verdict "different" or "undecided".
     fn where_permitted(
         &mut self,
         arena: &mut Arena,
@@ -231,11 +233,11 @@ impl Comparer {
         self.compare(arena, e, Expr::ZERO)
     }
 
-    /// Expands angles such as (a + b)² in a term to sums of products, so that equal angles are
-    /// equal terms.
+    /// Expands the arguments of sines and cosines in a term, such as (a + b)², to sums of products,
+    /// so that equal angles become equal terms.
     ///
-    /// The step has its own budget, since no comparison is possible without it, and angles are
-    /// short.
+    /// The expansion has its own budget of multiplications. No comparison is possible without it,
+    /// and angles are short.
     pub(crate) fn expand_angles(&mut self, arena: &mut Arena, e: Expr) -> Expr {
         self.normalizer.set_budget(ANGLES);
         let mut pairs = Vec::new();
@@ -254,7 +256,7 @@ impl Comparer {
     }
 }
 
-/// Symbols that occur in the given terms.
+/// Symbols that occur in the given terms, each once.
 fn symbols_compared(arena: &Arena, terms: &[Expr]) -> Vec<Expr> {
     arena.reachable(terms).into_iter().filter(|e| arena.symbol_name(*e).is_some()).collect()
 }
@@ -283,8 +285,8 @@ fn reason_of_undecided_comparison(arena: &Arena, difference: Expr) -> String {
     }
 }
 
-/// Verdict on two sides that are not proved equal: a state that shows their difference, or the
-/// reason why the question is undecided.
+/// Verdict on two sides that are not proved equal. It is a state that shows their difference, or
+/// the reason why the question is undecided.
 fn compare_by_witness(arena: &Arena, asked: &WitnessRequest<'_>, zero: Answer) -> Verdict {
     let roots = has_roots(arena, &arena.reachable(&[asked.sides[2]]));
     if let Answer::Disputed = zero {
@@ -360,7 +362,8 @@ mod tests {
         }
     }
 
-    /// Sign patterns that random points rarely meet, roots of numbers, multiples of π/12, rounding.
+    /// Absolute values, roots of numbers, multiples of π/12 and rounding lead to no wrong verdict.
+    /// Random points rarely meet the sign patterns that decide here.
     #[test]
     fn roots_deceive_neither_way() {
         let product = |n: usize| (0..n).map(|i| format!("(abs(x{i}) - x{i})")).collect::<Vec<_>>().join("*");
@@ -407,7 +410,7 @@ mod tests {
         assert!(compare("abs(M)", "M").is_equal());
         // (1 + M)² has a positive root too, which only the real numbers know.
         assert!(!matches!(compare("sqrt((1 + M)^2)", "1 + M"), Verdict::Different(_)));
-        // Nor does rounding, where 10^17 cancels.
+        // Rounding proves no difference either, where terms of size 10^17 cancel.
         let verdict = compare("sqrt((1 + M)^2)", "1 + M + 10^17*cos(q)^2 + 10^17*sin(q)^2 - 10^17");
         assert!(!matches!(verdict, Verdict::Different(_)), "{verdict:?}");
     }
@@ -444,7 +447,8 @@ mod tests {
         assert!(compare("exp(a + b)*sin(q)^2", "exp(b + a)*(1 - cos(q)^2)").is_equal());
     }
 
-    /// A term that has cancelled still restricts the domain of the whole expression.
+    /// A term that cancels from the difference still restricts the states in which the sides are
+    /// compared.
     #[test]
     fn no_witness_is_outside_the_domain_of_what_was_written() {
         let judged = |left: &str, right: &str| {
@@ -455,7 +459,8 @@ mod tests {
         for text in ["log(w) - (log(w) + abs(w) - w)", "sqrt(w)^2 - abs(w)", "0*acos(w - 2) + abs(w) - w"] {
             assert!(!matches!(judged(text, "0"), Verdict::Different(_)), "{text}: {:?}", judged(text, "0"));
         }
-        // The same without the logarithm is different, and so is what differs inside its domain.
+        // Without the logarithm the two sides differ. So do two sides that differ where the
+        // logarithm is defined.
         assert!(matches!(judged("abs(w) - w", "0"), Verdict::Different(_)));
         let Verdict::Different(witness) = judged("log(w) - log(w) + 2*w", "w") else { panic!("2 w is not w") };
         assert!(witness.at.len() == 1 && witness.at[0].1 > 0.0, "{witness:?}");

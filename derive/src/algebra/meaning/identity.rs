@@ -7,8 +7,8 @@ use super::compare::Engine;
 use crate::algebra::value::zero_test::{Trial, zero_test_points};
 use crate::algebra::{Arena, Expr};
 
-/// Two terms that are equal for all values of their symbols for which both have a value, with the
-/// evidence.
+/// Two terms that are proved equal for all values of their symbols at which both terms have a
+/// value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Identity {
     /// Left side of the identity.
@@ -20,9 +20,9 @@ pub struct Identity {
 }
 
 impl Identity {
-    /// Points of prime fields at which left − right is zero, for a second evaluation elsewhere.
-    /// They follow from the terms, so they are the same on every machine. Empty if both sides are
-    /// the same term.
+    /// Points of prime fields at which left − right is zero, so that another program can evaluate
+    /// it there again. The points depend only on the terms and are the same on every machine. Empty
+    /// if both sides are the same term.
     #[must_use]
     pub fn trials(&self, arena: &mut Arena) -> Vec<Trial> {
         let difference = arena.sub(self.left, self.right);

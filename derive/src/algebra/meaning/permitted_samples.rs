@@ -7,7 +7,8 @@ use crate::algebra::value::field::Generator;
 use crate::algebra::value::tape::Tape;
 use crate::algebra::{Arena, Expr};
 
-/// Number of random states that are drawn; states that are not permitted are left out.
+/// Number of random states that are drawn for samples, including states that turn out not to be
+/// permitted.
 const DRAWN: usize = 200;
 
 impl PermittedStates {
@@ -35,7 +36,8 @@ impl PermittedStates {
     }
 }
 
-/// Random number of size 0.3 to 1.7, of random sign unless it must be positive.
+/// Random number with an absolute value from 0.3 to 1.7. Its sign is random, unless the number must
+/// be positive.
 fn random_sample_number(generator: &mut Generator, is_positive: bool) -> f64 {
     let size = 0.3 + (generator.next() % 1_400_000) as f64 * 1e-6;
     if is_positive || generator.next().is_multiple_of(2) { size } else { -size }

@@ -49,23 +49,24 @@ impl BitOr for StatesOfValidity {
 /// Permitted states of a mechanism. By default all states are permitted.
 #[derive(Clone, Default)]
 pub struct PermittedStates {
-    /// Substitution of the values in free symbols for the dependent terms.
+    /// Substitution that replaces dependent terms by their values in free symbols.
     put: Substitution,
     /// True if sines or cosines are among the terms that depend on free symbols.
     has_angles: bool,
-    /// Dependent terms, each with its value in free symbols.
+    /// Dependent terms as pairs (term, value), with the value in free symbols.
     dependent: Vec<(Expr, Expr)>,
-    /// Signs of terms that follow from the conditions on permitted states, in the symbols as
-    /// written.
+    /// Signs of terms that follow from the conditions on permitted states, in symbols as the model
+    /// gives them.
     signs: Signs,
     /// Signs of terms that follow from the conditions on permitted states, in free (independent)
     /// symbols.
     free_signs: Signs,
-    /// Terms that are positive in permitted states, in the symbols as written.
+    /// Terms that are positive in permitted states, in symbols as the model gives them.
     conditions: Vec<Expr>,
     /// Terms that are positive in permitted states, in free symbols.
     free_conditions: Vec<Expr>,
     /// True if results mention the constraints, and witnesses show the values of free symbols.
+    /// False for symbols that readers need not know.
     is_told: bool,
     /// Substitution of shorter terms for sums that the equations make equal to them.
     shorter: Substitution,
@@ -85,7 +86,7 @@ pub struct RewrittenSides {
 impl PermittedStates {
     /// Creates the states in which each term of `dependent` equals its value and all `conditions`
     /// are positive. `dependent` has pairs (term, value); the values must not contain dependent
-    /// symbols. The sine and cosine of a dependent angle may be given too.
+    /// symbols. If an angle is dependent, its sine and cosine may be given as terms too.
     pub fn new(arena: &mut Arena, dependent: Vec<(Expr, Expr)>, conditions: Vec<Expr>) -> Self {
         let mut put = Substitution::new(&dependent);
         let has_angles = dependent.iter().any(|(e, _)| arena.symbol_name(*e).is_none());
@@ -95,7 +96,7 @@ impl PermittedStates {
         };
         let mut free_conditions: Vec<Expr> = conditions.iter().map(|e| free(arena, *e)).collect();
         let (signs, free_signs) = (Signs::new(arena, &conditions), Signs::new(arena, &free_conditions));
-        // A positive dependent symbol is positive only where the free symbols permit it.
+        // A positive dependent symbol restricts the free symbols: its value must be positive.
         free_conditions.extend(dependent.iter().filter(|(s, _)| arena.is_positive(*s)).map(|(_, value)| *value));
         Self {
             put,
@@ -110,28 +111,28 @@ impl PermittedStates {
         }
     }
 
-    /// Adds a message about an equation that is not solved for any symbol, so that some described
-    /// states may not be permitted.
+    /// Sets the message about an equation that is not solved for any symbol. States that violate
+    /// this equation are then counted as permitted, although they are not.
     #[must_use]
     pub fn with_unsolved_equation(self, open: Option<String>) -> Self {
         Self { open, ..self }
     }
 
-    /// Leaves the constraints and the free symbols out of results, for symbols that readers need
-    /// not know, such as the rate of time.
+    /// Hides the constraints and the free symbols from results and witnesses. This suits symbols
+    /// that readers need not know, such as the rate of time.
     #[must_use]
     pub fn hide_free_symbols(self) -> Self {
         Self { is_told: false, ..self }
     }
 
-    /// Adds pairs (sum, shorter term) that the equations make equal.
+    /// Sets pairs (sum, shorter term) that the equations of the mechanism make equal.
     #[must_use]
     pub fn with_shorter_terms(self, shorter: &[(Expr, Expr)]) -> Self {
         Self { shorter: Substitution::new(shorter), ..self }
     }
 
-    /// Replaces sums in a term by shorter terms that are equal in permitted states. A term without
-    /// sums of this kind is returned unchanged.
+    /// Replaces sums in a term by shorter terms that are equal to them in permitted states. The
+    /// term is returned unchanged if no sum can be replaced.
     pub fn replace_by_shorter_terms(&mut self, arena: &mut Arena, e: Expr) -> Expr {
         let whole = expand_names(arena, e);
         let short = self.shorter.apply(arena, whole);
@@ -157,16 +158,16 @@ impl PermittedStates {
         self.open.as_deref()
     }
 
-    /// Writes a term in the free (independent) symbols of permitted states. A quotient whose
-    /// divisor would become 0 stays unchanged.
+    /// Writes a term in the free (independent) symbols of permitted states. A quotient stays
+    /// unchanged if its divisor becomes 0 in permitted states.
     pub fn write_in_free_symbols(&mut self, arena: &mut Arena, e: Expr) -> Expr {
         let e = if self.has_angles { expand_multiple_angles(arena, e) } else { e };
         self.put.apply(arena, e)
     }
 
-    /// Rewritten forms of two sides in permitted states; each uses more facts than the form before
-    /// it. Forms that change nothing are left out. `None` if the sides divide by a term that is 0
-    /// in all permitted states.
+    /// Rewritten forms of the two sides of a comparison in permitted states. Each form uses more
+    /// facts than the form before it; forms that change nothing are left out. `None` if a side
+    /// divides by a term that is 0 in all permitted states.
     pub fn rewritten_sides(&mut self, arena: &mut Arena, left: Expr, right: Expr) -> Option<Vec<RewrittenSides>> {
         let mut list: Vec<RewrittenSides> = Vec::new();
         let told = self.is_told;

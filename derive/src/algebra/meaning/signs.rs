@@ -48,12 +48,12 @@ impl Sign {
         matches!(self, Self::Positive | Self::NotNegative)
     }
 
-    /// Sign of k times the term, for a number k other than 0.
+    /// Sign of the product k · term, for a rational number k other than 0.
     fn scaled(self, k: &Rational) -> Self {
         if k.is_negative() { self.negated() } else { self }
     }
 
-    /// Sign of the product of two terms.
+    /// Sign of the product of two terms that have the given signs.
     fn times(self, other: Self) -> Self {
         match (self, other) {
             (Self::Unknown, _) | (_, Self::Unknown) => Self::Unknown,
@@ -65,7 +65,7 @@ impl Sign {
         }
     }
 
-    /// Sign of a rational number; 0 counts as not negative.
+    /// Sign of a rational number; 0 gives `NotNegative`.
     fn of_number(value: &Rational) -> Self {
         match (value.is_zero(), value.is_negative()) {
             (true, _) => Self::NotNegative,
@@ -95,7 +95,8 @@ pub struct Signs {
     bounds: Vec<Bounds>,
 }
 
-/// Largest number of multiplications of terms in the search for the square root of a sum.
+/// Largest number of multiplications of polynomial terms in the search for the square root of a
+/// sum.
 const ROOT: u64 = 50_000;
 
 impl Signs {
@@ -118,7 +119,8 @@ impl Signs {
         self.bounds.iter().find(|b| b.of == e)
     }
 
-    /// Adds the bound of a term that follows from a positive sum of the form constant + k · term.
+    /// Adds the bound of a term that follows from a positive term of the form constant + k · term.
+    /// Positive terms of other forms give no bound.
     fn add_bound_from(&mut self, arena: &mut Arena, positive: Expr) {
         let (constant, terms) = match arena.node(positive).clone() {
             Node::Sum(constant, terms) => (constant, terms.to_vec()),
@@ -142,7 +144,8 @@ impl Signs {
         }
     }
 
-    /// Adds bounds of a term; a bound that is already known is kept.
+    /// Adds bounds of a term. A lower or upper bound that is already known is kept instead of the
+    /// new one.
     fn add_bounds(&mut self, of: Expr, low: Option<Expr>, high: Option<Expr>) {
         match self.bounds.iter_mut().find(|b| b.of == of) {
             Some(known) => {
@@ -160,7 +163,7 @@ impl Signs {
         let bent: Vec<Expr> = arena.reachable(&[e]);
         let bent = bent.into_iter().filter(|part| matches!(arena.node(*part), Node::Apply(f, _) if is_bent(*f)));
         let bent: Vec<Expr> = bent.collect();
-        // Operands come first, so that inner terms are resolved already.
+        // Inner terms come before outer terms, so the arguments are already resolved.
         let mut put = Substitution::default();
         for part in bent {
             let Node::Apply(f, argument) = *arena.node(part) else { continue };
@@ -288,8 +291,9 @@ impl Signs {
         Sign::Unknown
     }
 
-    /// Sign of a cosine or a sine from the bounds of its angle. It is known for a cosine between
-    /// −π/2 and π/2, and for a sine between 0 and π or between −π and 0.
+    /// Sign of a sine or cosine that follows from the bounds of its angle. A cosine has a known
+    /// sign for angles between −π/2 and π/2. A sine has a known sign for angles between 0 and π, or
+    /// between −π and 0.
     fn sign_of_wave(&self, arena: &mut Arena, f: Function, argument: Expr) -> Sign {
         let Some(Bounds { low: Some(low), high: Some(high), .. }) = self.bounds_of(argument).cloned() else {
             return Sign::Unknown;
@@ -306,8 +310,8 @@ impl Signs {
         }
     }
 
-    /// Sign of a term that is a multiple of a positive term plus a rest of the same sign; unknown
-    /// for other terms.
+    /// Sign of a term that is a multiple of a known positive term plus a rest of the same sign.
+    /// `Unknown` for other terms.
     fn sign_by_known_terms(&self, arena: &mut Arena, e: Expr, known: &FxHashMap<Expr, Sign>) -> Sign {
         for positive in &self.positive {
             let Some(k) = ratio_to_positive_term(arena, e, *positive) else { continue };
@@ -328,7 +332,8 @@ impl Signs {
     }
 }
 
-/// Sign of the sum constant + Σ k · term if all its parts have the same sign; unknown otherwise.
+/// Sign of the sum constant + Σ k · term, from the known signs of its terms. `Unknown` unless all
+/// summands have the same sign.
 fn sign_of_sum(constant: &Rational, terms: &[(Expr, Rational)], known: &FxHashMap<Expr, Sign>) -> Sign {
     let mut parts: Vec<Sign> = terms.iter().map(|(term, k)| known[term].scaled(k)).collect();
     if !constant.is_zero() {
@@ -343,8 +348,9 @@ fn sign_of_sum(constant: &Rational, terms: &[(Expr, Rational)], known: &FxHashMa
     if parts.iter().all(is_not_positive) { sign.negated() } else { Sign::Unknown }
 }
 
-/// Ratio of the coefficients, in the sum `e` over that in the sum `positive`, of the first term
-/// that both sums contain. `None` if they have no common term.
+/// Ratio of two coefficients of one term: its coefficient in the sum `e`, divided by its
+/// coefficient in the sum `positive`. The first term that both sums contain is used. `None` if they
+/// have no common term.
 fn ratio_to_positive_term(arena: &Arena, e: Expr, positive: Expr) -> Option<Rational> {
     let terms = |e: Expr| match arena.node(e) {
         Node::Sum(_, terms) => terms.to_vec(),
@@ -357,7 +363,8 @@ fn ratio_to_positive_term(arena: &Arena, e: Expr, positive: Expr) -> Option<Rati
     })
 }
 
-/// True if the constant `a` is proved to be at least the constant `b`. False proves nothing.
+/// True if the constant `a` is proved to be at least the constant `b`. False means that nothing is
+/// proved.
 fn is_at_least(arena: &Arena, a: Expr, b: Expr) -> bool {
     if a == b {
         return true;
@@ -390,8 +397,8 @@ mod tests {
     use crate::algebra::text::parse::parse_free;
     use crate::algebra::text::print::print_text;
 
-    /// Resolves the roots and absolute values of a text where r and l + x are positive, h > 1/10, and q and p are
-    /// angles of bounded size.
+    /// Resolves the roots and absolute values of a term and returns it as text. Known facts: r > 0,
+    /// l + x > 0, h > 1/10, and bounds of the angles q and p.
     fn resolved(e: &str) -> String {
         let mut arena = Arena::new();
         let m = arena.symbol("m");
@@ -420,7 +427,7 @@ mod tests {
             ("sqrt(r^3)", "r*sqrt(r)"),
             ("abs(sqrt(r^2) + m)", "r + m"),
         ] {
-            // The order in which factors and terms are printed says nothing.
+            // The order in which factors and terms are printed does not matter here.
             let mut arena = Arena::new();
             let (found, wanted) = (resolved(e), parse_free(&mut arena, value).unwrap());
             assert_eq!(parse_free(&mut arena, &found).unwrap(), wanted, "{e}: {found}");

@@ -1,5 +1,5 @@
-//! Witnesses of differences: states at which two sides have different values, in numbers that
-//! people can type.
+//! Witnesses of differences: states at which two sides have different values. Their numbers have
+//! few digits, so that people can type them.
 
 use super::signs::{Bounds, Signs};
 use crate::algebra::value::field::Generator;
@@ -21,10 +21,10 @@ pub struct Witness {
     pub difference: f64,
 }
 
-/// Number of states that are tried for a clear witness.
+/// Number of states that are tried for a witness with a clear difference.
 const STATES: usize = 100;
-/// Number of states that are tried until the sides have values at one, since roots and conditions
-/// may exclude many.
+/// Largest number of states that are tried until both sides have values at one of them. Square
+/// roots and conditions may exclude many states.
 const MOST_STATES: usize = 2000;
 
 /// Requirements on a witness: a state at which the two sides of a comparison differ.
@@ -42,10 +42,10 @@ pub struct WitnessRequest<'a> {
     pub shown: Vec<(Expr, Expr)>,
 }
 
-/// Finds a state at which the two sides differ. The flag is true if an interval of the difference
-/// that excludes 0 proves that they differ.
-/// All terms of `defined` have a value at the state, including terms that cancelled. `None` if no
-/// state was found.
+/// Finds a state at which the two sides differ. All terms of `defined` have a value there. `None`
+/// if no such state was found.
+///
+/// The flag is true if the difference is proved: an interval that encloses it excludes 0.
 pub fn find_witness(arena: &Arena, asked: &WitnessRequest<'_>) -> Option<(Witness, bool)> {
     let symbols_of = |roots: &[Expr]| {
         let parts = arena.reachable(roots).into_iter();
@@ -108,7 +108,8 @@ fn witness_value(arena: &Arena, signs: &Signs, symbol: Expr, generator: &mut Gen
     if low.is_none_or(|low| plain > low) && high.is_none_or(|high| plain < high) {
         return plain;
     }
-    // Between both bounds, or as far from the single bound as the number is from 0.
+    // The value lies between both bounds. With a single bound, its distance from the bound is the
+    // number's distance from 0.
     match (low, high) {
         (Some(low), Some(high)) => low + (high - low) * (plain.abs() / LARGEST),
         (Some(low), None) => low + plain.abs(),
@@ -122,10 +123,10 @@ fn mentions_witness_symbol(arena: &Arena, e: Expr, symbols: &[Expr]) -> bool {
     arena.reachable(&[e]).iter().any(|part| symbols.binary_search(part).is_ok())
 }
 
-/// Upper limit of the size of all numbers that people are asked to type.
+/// Upper limit of the absolute values of random numbers that scales them between two bounds.
 const LARGEST: f64 = 3.2;
 
-/// Random number from 0.2 to 2.99 with two decimals, which people can type.
+/// Random number from 0.2 to 2.99 with two decimals, short enough for people to type.
 fn handy_witness_size(generator: &mut Generator) -> f64 {
     (20 + generator.next() % 280) as f64 / 100.0
 }

@@ -11,10 +11,11 @@ use crate::algebra::term::calculus::Differential;
 use crate::algebra::value::zero_test::{ZeroTest, count_roots_for_zero_test, zero_test};
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 
-/// Largest depth of nested integrations by parts and expansions of products.
+/// Largest depth of nesting of the integration rules that lead to other integrations.
 const DEEPEST: usize = 8;
-/// Largest number of operations, over all terms that are examined for one primitive. Rules lead to
-/// other rules, and the derivative of a long product is much longer.
+/// Largest number of operations for one primitive, summed over all terms that are examined. The
+/// limit is needed because rules lead to other rules, and derivatives of long products are much
+/// longer.
 const MOST_WORK: usize = 200_000;
 
 /// Finds a function F with the partial derivatives ∂F/∂xᵢ = `slopes`ᵢ, up to a constant. `None` if
@@ -53,14 +54,15 @@ pub fn antiderivative(
     })
 }
 
-/// Powers of a square root that are tried: those in laws of springs, and in forces that decrease
-/// with the distance or its square.
+/// Exponents n of a square root (√b)ⁿ that are tried in the integration of r (√b)ⁿ b′. They occur
+/// in laws of springs, and in forces that decrease with the distance or its square.
 const ROOTS: [i32; 3] = [-1, 1, -3];
 
-/// Number of points of a zero test that do not count as work.
+/// Number of points of a zero test that are not counted as work.
 const FREE_POINTS: usize = 32;
 
-/// Number of multiplications of terms that expanding the powers of sums in a product takes.
+/// Estimated number of multiplications of terms for expanding the powers of sums in a product; 0
+/// for other terms.
 fn integrand_expansion_work(arena: &Arena, e: Expr) -> usize {
     let Node::Product(factors) = arena.node(e) else { return 0 };
     let of_power = |(base, n): &(Expr, i32)| match arena.node(*base) {
@@ -83,8 +85,8 @@ struct Integration<'a> {
 }
 
 impl Integration<'_> {
-    /// Primitive of a term with respect to x. `depth` is the number of enclosing integrations.
-    /// `None` if no rule applies or the work is used up.
+    /// Primitive of a term with respect to x. `depth` is the number of integrations that led to
+    /// this one. `None` if no rule applies, `depth` exceeds its limit or no work is left.
     fn integrate(&mut self, e: Expr, depth: usize) -> Option<Expr> {
         *self.left = self.left.checked_sub(1)?;
         if depth > DEEPEST {
@@ -122,8 +124,8 @@ impl Integration<'_> {
         self.short(slope)
     }
 
-    /// True if the term does not change with x, even if it contains x. False also if the test takes
-    /// more work than is left.
+    /// True if the term is proved not to change with x, even if it contains x. False also if the
+    /// test takes more work than is left.
     fn is_constant(&mut self, e: Expr) -> bool {
         if !self.depends(e) {
             return true;
@@ -131,8 +133,9 @@ impl Integration<'_> {
         self.slope(e).and_then(|slope| self.is_zero(slope)).unwrap_or(false)
     }
 
-    /// True if the term is identically zero; `None` if the test takes more work than is left. The
-    /// cost doubles with each square root, which has no value at half of all random points.
+    /// True if the term is identically zero; `None` if the zero test takes more work than is left.
+    /// The cost doubles with each square root, since at half of all random points a root has no
+    /// value.
     fn is_zero(&mut self, e: Expr) -> Option<bool> {
         let parts = self.arena.reachable(&[e]);
         let points = 1_usize.checked_shl(count_roots_for_zero_test(self.arena, &parts))? / FREE_POINTS;
@@ -147,7 +150,8 @@ impl Integration<'_> {
         self.is_constant(quotient).then_some(quotient)
     }
 
-    /// Primitive of the sum constant + Σ k · term, term by term.
+    /// Primitive of the sum constant + Σ k · term, integrated term by term. `None` if a term has no
+    /// primitive by the rules.
     fn sum(&mut self, constant: &Rational, terms: &[(Expr, Rational)], depth: usize) -> Option<Expr> {
         let mut parts = vec![(self.x, constant.clone())];
         for (term, k) in terms {
@@ -156,8 +160,8 @@ impl Integration<'_> {
         Some(self.arena.linear_combination(&parts))
     }
 
-    /// Factors of a product, as pairs (base, exponent); a term that is not a product is its only
-    /// factor.
+    /// Factors of a product, as pairs (base, exponent). A term that is not a product gives the pair
+    /// (term, 1).
     fn factors(&self, e: Expr) -> Vec<(Expr, i32)> {
         match self.arena.node(e) {
             Node::Product(factors) => factors.to_vec(),
@@ -165,7 +169,8 @@ impl Integration<'_> {
         }
     }
 
-    /// Primitive of r bⁿ b′, r √bⁿ b′ or r f(b) b′, where r does not change with x.
+    /// Primitive of a term of the form r bⁿ b′, r (√b)ⁿ b′ or r f(b) b′, where r does not change
+    /// with x. `None` for other terms.
     fn integrate_inner(&mut self, e: Expr) -> Option<Expr> {
         let factors = self.factors(e);
         for (base, n) in &factors {
@@ -177,8 +182,9 @@ impl Integration<'_> {
                 _ => None,
             };
             let found = match under_root {
-                // A radicand next to its own root makes one power with it, counted in halves. The
-                // radicand may be written in another form, or with a number taken out.
+                // The radicand may be a factor beside its own root: they are one power, counted in
+                // halves. The radicand may also be written in another form, or with a number taken
+                // out.
                 Some(argument) => {
                     let beside = factors.iter().find(|(other, _)| *other == argument).map_or(0, |(_, n)| *n);
                     let own = n + 2 * beside;
@@ -194,9 +200,9 @@ impl Integration<'_> {
         None
     }
 
-    /// True if the derivative `slope` may be zero over a whole range of x, because signs of terms
-    /// with x are added in it. A quotient by it has no value there, although both sides of the rule
-    /// have a value.
+    /// True if the derivative `slope` may be zero over a whole range of x. This is possible if it
+    /// contains a sum with the sign of a term that depends on x. A quotient by such a derivative
+    /// has no value in that range, although both sides of the rule have one.
     fn has_plateau(&self, slope: Expr) -> bool {
         let is_jump = |e: Expr| match *self.arena.node(e) {
             Node::Apply(Function::Sign, argument) => self.depends(argument),
@@ -325,9 +331,9 @@ impl Integration<'_> {
         Some(self.arena.linear_combination(&parts))
     }
 
-    /// Primitive of a product with a sum, which is multiplied out. The sums are tried in turn until
-    /// one gives a primitive, since the derivative of a radicand must not be multiplied out. `None`
-    /// if none does.
+    /// Primitive of a product that contains a sum, by multiplying out one sum. The sums are tried
+    /// in turn, because the derivative of a radicand must not be multiplied out. `None` if no sum
+    /// gives a primitive.
     fn integrate_by_terms(&mut self, e: Expr, depth: usize) -> Option<Expr> {
         let factors = self.factors(e);
         let sums = factors.iter().filter(|(base, n)| *n > 0 && self.depends(*base)).map(|(base, _)| *base);
@@ -335,8 +341,8 @@ impl Integration<'_> {
         sums.into_iter().find_map(|sum| self.by_terms_of(e, sum, depth))
     }
 
-    /// Primitive of a product with the given sum, which is multiplied out; `None` if a part has no
-    /// primitive.
+    /// Primitive of a product by multiplying out the given sum, one of its factors. `None` if a
+    /// resulting product has no primitive by the rules.
     fn by_terms_of(&mut self, e: Expr, sum: Expr, depth: usize) -> Option<Expr> {
         let Node::Sum(constant, terms) = self.arena.node(sum).clone() else { return None };
         let rest = self.arena.div(e, sum)?;
@@ -351,8 +357,8 @@ impl Integration<'_> {
         Some(self.arena.linear_combination(&parts))
     }
 
-    /// Primitive by parts: ∫ xⁿ g = xⁿ G − n ∫ xⁿ⁻¹ G, where G is a primitive of g. `None` if x is
-    /// not a factor or a part has no primitive.
+    /// Primitive of a product xⁿ g by parts: ∫ xⁿ g = xⁿ G − ∫ n xⁿ⁻¹ G, where G is a primitive of
+    /// g. `None` if x is not a factor of the term, or if a part has no primitive by the rules.
     fn integrate_by_parts(&mut self, e: Expr, depth: usize) -> Option<Expr> {
         let (_, n) = *self.factors(e).iter().find(|(base, n)| *base == self.x && *n > 0)?;
         let power = self.arena.pow(self.x, n).ok()?;
@@ -374,8 +380,8 @@ mod tests {
     use crate::algebra::text::print::print_text;
     use crate::algebra::value::tape::Tape;
 
-    /// Primitive, as text, that the rules find for slopes along x, y, z with constants a and b; `None` if they find
-    /// none.
+    /// Primitive, as text, of a field with the given slopes along x, y and z; a and b are
+    /// constants. `None` if the rules find no primitive.
     fn found(slopes: &[&str]) -> Option<String> {
         let mut arena = Arena::default();
         let variables = ["x", "y", "z"].map(|name| arena.symbol(name));
@@ -409,19 +415,20 @@ mod tests {
             &["tanh(a*x)"],
             &["atan(x)"],
             &["x*(a + sin(x))*(x - b)"],
-            // A spring of the length b; gravity of a point.
+            // The force of a spring of length b, and the weight of a point.
             &["a*(1 - b/sqrt(x^2 + y^2))*x", "a*(1 - b/sqrt(x^2 + y^2))*y"],
             &["a*x/sqrt(x^2 + y^2 + z^2)^3", "a*y/sqrt(x^2 + y^2 + z^2)^3", "a*z/sqrt(x^2 + y^2 + z^2)^3"],
             &["cos(x)*sin(y)", "sin(x)*cos(y)"],
             &["y*exp(x*y)", "x*exp(x*y)"],
-            // A spring between ends at one distance from its pivot.
+            // A spring whose two ends have the same distance from the pivot between them.
             &["sin(x)*(a*(1 + cos(x)) - b*sqrt(2 + 2*cos(x)))/(1 + cos(x))"],
         ] {
             assert!(found(slopes).is_some(), "{slopes:?}");
         }
     }
 
-    /// Two stops with a gap between them: each law is 0 in the gap, and so no potential may divide by its slope there.
+    /// Two stops with a gap between them have a potential. Each law of force is 0 in the gap, so
+    /// the potential must not divide by the slope of the force there.
     #[test]
     fn a_gap_between_stops_has_a_potential() {
         for slope in ["-a*max(x - b, 0) - a*min(x + b, 0)", "-a*max(x - b, 0)", "max(x - b, 0)^2 - min(x + b, 0)^2"] {

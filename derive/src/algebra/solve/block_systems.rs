@@ -17,13 +17,14 @@ use petgraph::algo::{maximum_matching, tarjan_scc};
 use petgraph::graph::{DiGraph, UnGraph};
 use rustc_hash::FxHashMap;
 
-/// Largest number of rows of a block that is solved directly by cofactors.
+/// Largest number of rows of a block that is solved by cofactors without elimination.
 const LARGEST: usize = 4;
-/// Largest number of rows that are solved by cofactors after the elimination in a larger block.
+/// Largest number of rows that may remain after elimination in a larger block and are then solved
+/// by cofactors.
 const LARGEST_LEFT: usize = 6;
 
-/// Solves A x = b with a square matrix A, block by block. Returns x and the divisors, in most cases
-/// determinants of blocks.
+/// Solves A x = b with a square matrix A, block by block. Returns x and the divisors; most divisors
+/// are determinants of blocks.
 ///
 /// # Errors
 /// [`Singular`] if A is singular for all values of its symbols.
@@ -57,9 +58,9 @@ pub fn solve_blocks(
     Ok((x, divisors))
 }
 
-/// Solves a large block: eliminates with entries that are never zero, and solves the rest by
-/// cofactors if it is small enough. Returns the solution and the divisors. Error if the block is
-/// singular.
+/// Solves a block with more than four rows. Entries that are never zero are pivots first; the rest
+/// is solved by cofactors if it is small enough. Returns the solution and the divisors, or
+/// [`Singular`].
 fn solve_large_block(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -118,8 +119,8 @@ fn solve_large_block(
     Ok((x, divisors))
 }
 
-/// Row and column of the shortest entry that is proved never to be zero, among rows and columns
-/// without a pivot. `None` if there is no entry of that kind.
+/// Row and column of the next pivot: the shortest entry that is proved never to be zero. Rows and
+/// columns that have a pivot already are left out. `None` if there is no such entry.
 fn never_zero_block_pivot(
     arena: &Arena,
     rows: &[Vec<Expr>],
@@ -141,8 +142,8 @@ fn never_zero_block_pivot(
     best.map(|(_, r, c)| (r, c))
 }
 
-/// Connected blocks of a square matrix, as (rows, columns): rows and columns of different blocks
-/// share no non-zero entry.
+/// Connected blocks of a square matrix, as pairs (row indices, column indices). No non-zero entry
+/// lies in the rows of one block and the columns of another.
 fn blocks(a: &[Vec<Expr>]) -> Vec<(Vec<usize>, Vec<usize>)> {
     let n = a.len();
     let (mut row_seen, mut result) = (vec![false; n], Vec::new());
@@ -174,10 +175,12 @@ fn blocks(a: &[Vec<Expr>]) -> Vec<(Vec<usize>, Vec<usize>)> {
     result
 }
 
-/// Splits a large connected block into blocks that can be solved in sequence, each with the
-/// unknowns of earlier blocks known. The blocks are the strongly connected components of the graph
-/// of rows, after each row is matched with an unknown. A. L. Dulmage & N. S. Mendelsohn, Canadian
-/// Journal of Mathematics 10 (1958) 517-534.
+/// Splits a large connected block into blocks that are solved in sequence: each uses the unknowns
+/// of earlier blocks. Returns pairs (row indices, column indices).
+///
+/// Each row is matched with an unknown. The blocks are the strongly connected components of the
+/// graph of rows. A. L. Dulmage & N. S. Mendelsohn, Canadian Journal of Mathematics 10 (1958)
+/// 517-534.
 fn block_triangular_parts(a: &[Vec<Expr>], rows: Vec<usize>, columns: Vec<usize>) -> Vec<(Vec<usize>, Vec<usize>)> {
     if rows.len() <= LARGEST || rows.len() != columns.len() {
         return vec![(rows, columns)];
@@ -213,8 +216,8 @@ fn block_triangular_parts(a: &[Vec<Expr>], rows: Vec<usize>, columns: Vec<usize>
     parts.collect()
 }
 
-/// Right-hand side of a row for the unknowns in `columns`, after the values `x` of all other
-/// unknowns are inserted.
+/// Right-hand side of a row of A x = b for the unknowns in `columns`. The values `x` of all other
+/// unknowns are inserted and moved to this side.
 fn right_side(
     arena: &mut Arena,
     simplifier: &mut Simplifier,

@@ -1,7 +1,7 @@
-//! Elimination: linear systems with symmetric or general matrices, solved in the arena for
-//! generated code. The module is separate from `blocks`, which divides by determinants alone, and
-//! from `linear`, which solves systems without names. It is also separate from `reduce::pivots`,
-//! which solves rows for some columns.
+//! Elimination for generated code: linear systems with symmetric or general matrices are solved in
+//! the arena. The module is separate from `block_systems`, which divides by determinants of blocks.
+//! It is also separate from `linear`, which solves systems without named entries, and from
+//! `reduce::pivots`, which solves rows for a part of the columns.
 //!
 //! The method is Gaussian elimination in an order that keeps the fill-in low, with every entry in
 //! its short form. Short entries are written out, so that terms that are identically zero
@@ -19,8 +19,9 @@ use crate::algebra::value::range::range_excludes_zero;
 use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr, Node};
 
-/// Number of operations above which an entry gets its own name, for each trial. The first trial
-/// keeps long entries, which may cancel pivots later. The last trial names every entry.
+/// Number of operations above which an entry gets its own name, for each of three trials. The first
+/// trial keeps long entries, which may cancel later. The last trial names every entry that needs an
+/// operation.
 const LONGEST: [usize; 3] = [150, 40, 0];
 
 /// Linear system A x = b with a square matrix A (n × n).
@@ -34,8 +35,8 @@ pub struct LinearSystem<'a> {
     pub unknowns: &'a [Expr],
     /// True if A is symmetric, and positive definite wherever it is regular.
     pub symmetric: bool,
-    /// True if every entry gets a name at once, without the search for entries that cancel. Meant
-    /// for large systems.
+    /// True for a large system: every entry gets a name at once, without the search for entries
+    /// that cancel.
     pub is_large: bool,
 }
 
@@ -44,8 +45,8 @@ pub struct LinearSystem<'a> {
 pub struct Elimination {
     /// Steps that define named entries and all unknowns, in the order of computation.
     pub steps: Vec<Definition>,
-    /// Divisors of the steps, each base once, in the order in which they occur; plain numbers are
-    /// left out.
+    /// Bases of the divisors in the steps, each once, in the order in which they occur. Plain
+    /// numbers are left out.
     pub divisors: Vec<Expr>,
 }
 
@@ -85,7 +86,8 @@ pub fn eliminate(
     Ok(Elimination { steps, divisors })
 }
 
-/// Number of operations of a solution after common parts are shared, as in the generated code.
+/// Number of operations of a solution after common parts are shared, as in the generated code. It
+/// is the least over three options for sharing.
 fn elimination_cost(arena: &Arena, steps: &[Definition], unknowns: &[Expr]) -> usize {
     let counts = SharingOptions::COMMON_OPTIONS.into_iter().filter_map(|reading| {
         let mut arena = arena.clone();
@@ -171,8 +173,8 @@ impl<'a> EliminationState<'a> {
         if zero { Expr::ZERO } else { e }
     }
 
-    /// Returns the entry `e`, or a new symbol for it, defined by a step, if `e` has more than
-    /// `longest` operations.
+    /// Names an entry `e` with more than `longest` operations: adds a step for it and returns the
+    /// new symbol. Returns a shorter entry unchanged.
     fn name_entry(&mut self, e: Expr, name: &str) -> Expr {
         if operation_count(self.arena, e) <= self.longest {
             return e;
@@ -182,8 +184,8 @@ impl<'a> EliminationState<'a> {
         symbol
     }
 
-    /// Row and column of the best pivot: proved never to be zero, then with the least fill-in, then
-    /// the shortest. `None` if no pivot is left.
+    /// Row and column of the best pivot. A pivot that is proved never to be zero is best; then the
+    /// least fill-in decides, then the shortest entry. `None` if no pivot is left.
     fn pivot(&self) -> Option<(usize, usize)> {
         let n = self.right.len();
         let active = |flags: &[bool]| -> Vec<usize> { (0..n).filter(|i| flags[*i]).collect() };
@@ -211,8 +213,8 @@ impl<'a> EliminationState<'a> {
         best.map(|(.., row, column)| (row, column))
     }
 
-    /// Eliminates the pivot's column c from all remaining rows: a_ij becomes a_ij − (a_ic / d)
-    /// a_rj, with the pivot d in row r.
+    /// Eliminates the pivot's column from all remaining rows. With the pivot d in row r and column
+    /// c, entry a_ij becomes a_ij − (a_ic / d) a_rj.
     fn eliminate_column(&mut self, row: usize, column: usize) {
         let n = self.right.len();
         let d = self.name_entry(self.matrix[row][column], "d");
@@ -246,8 +248,8 @@ impl<'a> EliminationState<'a> {
         }
     }
 
-    /// Adds the steps that define the unknowns, from the last pivot to the first. Each uses the
-    /// unknowns already defined.
+    /// Adds the steps that define the unknowns, from the last pivot to the first. Each step uses
+    /// the unknowns already defined.
     fn substitute_back(&mut self, unknowns: &[Expr]) {
         // Term that stands for an unknown in other steps: its symbol, or 0 if its value is 0.
         let mut known: Vec<Option<Expr>> = vec![None; unknowns.len()];
@@ -268,7 +270,7 @@ impl<'a> EliminationState<'a> {
     }
 }
 
-/// Divisors in the given terms: the bases of negative powers, each once.
+/// Divisors in the given terms: the bases of powers with negative exponents, each once.
 #[must_use]
 pub fn divisors(arena: &Arena, values: &[Expr]) -> Vec<Expr> {
     let mut found = Vec::new();

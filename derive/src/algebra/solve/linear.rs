@@ -11,7 +11,8 @@ use crate::algebra::{Arena, Expr, Function, Node};
 pub struct NotLinear {
     /// Symbol in which the expression is not linear.
     pub symbol: Expr,
-    /// Coefficient that depends on the symbols, though it should not; or the whole expression.
+    /// Coefficient of the symbol, which depends on the symbols though it should not. It may also be
+    /// the whole expression.
     pub coefficient: Expr,
 }
 
@@ -46,11 +47,12 @@ impl LinearForm {
         &self.symbols
     }
 
-    /// Splits an expression into e = Σ coefficientᵢ · symbolᵢ + rest. Returns the coefficients, in
-    /// the order of the symbols, and the rest.
+    /// Splits an expression e into the linear form e = Σ coefficientᵢ · symbolᵢ + rest. Returns the
+    /// coefficients, in the order of the symbols, and the rest.
     ///
-    /// # Errors [`NotLinear`] if the expression is not linear in the symbols, in whatever form it
-    /// is written.
+    /// # Errors
+    /// [`NotLinear`] if the expression is not linear in the symbols, in whatever form it is
+    /// written.
     pub fn coefficients(&mut self, arena: &mut Arena, e: Expr) -> Result<(Vec<Expr>, Expr), NotLinear> {
         let parts = arena.reachable(&[e]);
         if !self.symbols.iter().any(|s| parts.binary_search(s).is_ok()) {
@@ -62,9 +64,9 @@ impl LinearForm {
         self.coefficients_by_zero_tests(arena, e)
     }
 
-    /// Splits an expression that is linear by form: its derivatives contain none of the symbols,
-    /// which needs no further proof. `None` if it is not linear by form, or if it contains a sign
-    /// function, which jumps and has no derivative.
+    /// Splits an expression that is linear by form: its derivatives and the rest contain none of
+    /// the symbols. `None` if this is not so, or if the expression contains a sign function, which
+    /// has no derivative at its jump.
     fn coefficients_by_form(&mut self, arena: &mut Arena, e: Expr, parts: &[Expr]) -> Option<(Vec<Expr>, Expr)> {
         if parts.iter().any(|part| matches!(arena.node(*part), Node::Apply(Function::Sign, _))) {
             return None;
@@ -80,8 +82,8 @@ impl LinearForm {
         (!mentioned).then_some((coefficients, rest))
     }
 
-    /// Splits an expression that is linear after simplification only, as proved by zero tests.
-    /// Error if it is not linear.
+    /// Splits an expression that is linear only after simplification, as zero tests prove. Error if
+    /// it is not linear.
     fn coefficients_by_zero_tests(&mut self, arena: &mut Arena, e: Expr) -> Result<(Vec<Expr>, Expr), NotLinear> {
         let mut coefficients = Vec::with_capacity(self.symbols.len());
         for at in 0..self.symbols.len() {
@@ -101,8 +103,8 @@ impl LinearForm {
             coefficients.push(at_zero);
         }
         let rest = self.at_zero.apply(arena, e);
-        // Decisive test: the linear form must equal the expression, since jumps such as sign(u)
-        // have no slope.
+        // Decisive test: the linear form must equal the expression. Derivatives alone do not show
+        // jumps such as sign(u).
         let mut terms: Vec<Expr> = coefficients.iter().zip(&self.symbols).map(|(c, s)| arena.mul(*c, *s)).collect();
         terms.push(rest);
         let form = arena.sum(&terms);
@@ -117,8 +119,8 @@ impl LinearForm {
     }
 }
 
-/// Writes a row of a linear system as the term Σ entry · unknown − right, which must vanish. The
-/// right-hand side is the last entry of the row.
+/// Writes a row of a linear system as the term Σ entry · unknown − right, which is 0 in a solution.
+/// The last entry of the row is the right-hand side.
 pub fn linear_row_term(arena: &mut Arena, unknowns: &[Expr], row: &[Expr]) -> Expr {
     let mut terms: Vec<Expr> = row.iter().zip(unknowns).map(|(a, x)| arena.mul(*a, *x)).collect();
     terms.push(arena.neg(row[row.len() - 1]));
@@ -135,7 +137,7 @@ pub struct Singular {
 }
 
 /// Solves A X = B exactly, for a square matrix A (n × n) and several right-hand sides, the columns
-/// of B. Returns X and the pivots that it was divided by.
+/// of B. Returns X by rows, and the pivots, which are its divisors.
 ///
 /// The method is Gaussian elimination. An entry that the zero test finds identically zero is never
 /// a pivot. Plain numbers are taken first, then short terms, so that divisors stay simple. Entries
@@ -218,8 +220,8 @@ pub fn determinant(arena: &mut Arena, simplifier: &mut Simplifier, a: &[Vec<Expr
     if is_odd(&order) { arena.neg(product) } else { product }
 }
 
-/// True if the (row, column) pairs form an odd permutation, which changes the sign of a
-/// determinant.
+/// True if the pairs (row, column) are an odd permutation. The determinant then has the opposite
+/// sign of the product of its pivots.
 fn is_odd(order: &[(usize, usize)]) -> bool {
     let inversions = |list: Vec<usize>| {
         (0..list.len()).map(|i| list[i + 1..].iter().filter(|later| **later < list[i]).count()).sum::<usize>()
@@ -229,8 +231,8 @@ fn is_odd(order: &[(usize, usize)]) -> bool {
     (rows + columns) % 2 == 1
 }
 
-/// Row and column of the simplest entry that the zero test does not find identically zero, among
-/// rows and columns without a pivot. `None` if there is no entry of that kind.
+/// Row and column of the next pivot: the simplest entry that is not identically zero by the zero
+/// test. Rows and columns that have a pivot already are left out. `None` if there is no such entry.
 fn simplest_linear_pivot(
     arena: &Arena,
     rows: &[Vec<Expr>],
@@ -274,7 +276,7 @@ mod tests {
         }
     }
 
-    /// A jump has no slope, and what has the slope 1 everywhere else is not linear for that.
+    /// Terms with kinks or jumps are not linear, even if their slope is constant elsewhere.
     #[test]
     fn what_bends_or_jumps_has_none() {
         for text in ["u*v", "sin(u)", "u + sign(u)", "abs(u)", "m*u/(1 + v^2)"] {

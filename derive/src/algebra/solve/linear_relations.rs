@@ -11,11 +11,12 @@ use crate::algebra::{Arena, Expr};
 use rustc_hash::FxHashMap;
 
 /// Finds all linear relations Σ cₖ eₖ = 0 between the expressions eₖ of `list`. Returns a basis of
-/// the vectors c, which depend on no symbols except `constants`.
+/// the vectors c, whose entries contain no symbols except `constants`.
 ///
 /// The expressions are brought over a common denominator. Each monomial in the other symbols gives
 /// one linear equation for c. Independence of the chosen equations is tested modulo a random prime,
 /// so the caller must prove the relations.
+///
 /// `None` if an expression has no normal form within the budget.
 pub fn linear_relations(
     arena: &mut Arena,
@@ -50,9 +51,9 @@ pub fn linear_relations(
     Some(basis)
 }
 
-/// Finds the coefficients that must be zero because a row has a single entry, repeatedly. Their
-/// columns are cleared and empty rows removed, so that little is left to eliminate. Returns true
-/// for each such coefficient.
+/// Finds the coefficients of a relation that must be zero: those that are the only entry of an
+/// equation (a row). Their columns are set to 0, and empty rows are removed. This is repeated until
+/// nothing changes. Returns true for each coefficient that must be zero.
 fn forced_relation_zeros(matrix: &mut Vec<Vec<Expr>>, columns: usize) -> Vec<bool> {
     let mut forced = vec![false; columns];
     loop {
@@ -76,8 +77,9 @@ fn forced_relation_zeros(matrix: &mut Vec<Vec<Expr>>, columns: usize) -> Vec<boo
     }
 }
 
-/// Matrix of the linear equations for the coefficients: a row for each monomial in symbols that are
-/// not constant, a column for each expression. `None` if the budget of multiplications is used up.
+/// Matrix of the linear equations for the coefficients of a relation. It has a row for each
+/// monomial in symbols that are not constant, and a column for each expression. `None` if the
+/// budget of multiplications is used up.
 fn coefficients(
     arena: &mut Arena,
     normalizer: &mut Normalizer,

@@ -15,8 +15,8 @@ pub(crate) struct QuadraticEquation {
 }
 
 impl QuadraticEquation {
-    /// Coefficients of an equation in a symbol; `None` unless the equation depends on the symbol and is at most
-    /// quadratic in it.
+    /// Reads the coefficients of an equation in a symbol. `None` unless the equation depends on the
+    /// symbol and is at most quadratic in it.
     pub(crate) fn new(arena: &mut Arena, equation: Expr, symbol: Expr) -> Option<Self> {
         let mut along = Differential::partial(symbol);
         let slope = along.apply(arena, equation);
@@ -34,9 +34,8 @@ impl QuadraticEquation {
         self.a == Expr::ZERO
     }
 
-    /// Solution x of A x² + B x + C = 0: −C/B if linear, else the root −B/(2 A) + √(B²/(4 A²) −
-    /// C/A).
-    /// Returns `None` if a divisor is zero.
+    /// Solution x of A x² + B x + C = 0. It is −C/B for a linear equation. Otherwise it is the root
+    /// −B/(2 A) + √(B²/(4 A²) − C/A). `None` if a divisor is zero.
     pub(crate) fn value(&self, arena: &mut Arena) -> Option<Expr> {
         if self.is_linear() {
             let quotient = arena.div(self.c, self.b)?;

@@ -1,18 +1,19 @@
-//! Least value of a quadratic form in named terms: the unknowns at which it is taken. The time is
-//! proportional to the number of names, not to its square.
+//! Minimization of a quadratic form in named terms: the unknowns at which it has its least value.
+//! The time is proportional to the number of names, not to its square.
 //!
-//! The terms are linear in the unknowns through other named terms. The accelerations of bodies, for
-//! example, are linear in those of joints, each body's through that of the body before it. The
-//! names are removed from the form, the last first: each named term is replaced by the terms in its
-//! definition. An unknown that no remaining name depends on is eliminated at once, while few terms
-//! are coupled to it.
+//! The terms are linear in the unknowns through other named terms. For example, the accelerations
+//! of bodies are linear in those of joints, and each body's acceleration contains that of the body
+//! before it. The names are removed from the form, the last first: each named term is replaced by
+//! the terms in its definition. An unknown that no remaining name depends on is eliminated at once,
+//! while few terms are coupled to it.
+//!
 //! On a chain this is the recursion of articulated bodies (A. F. Vereshchagin, 1974; R.
 //! Featherstone, Int. J. Robotics Research 2 (1983) 13–30), found as an elimination in the order of
 //! the names. The form that is minimized is then that of Gauss's principle.
 //!
-//! An unknown may occur in one name only, as the rate of a relative angle does in the angular
-//! acceleration of its body. Then the name may replace the unknown. This avoids terms that cancel
-//! later, and the unknown follows from the name at the end.
+//! If an unknown occurs in one name only, the name may replace the unknown. An example is the rate
+//! of a relative angle in the angular acceleration of its body. This avoids terms that cancel
+//! later. The unknown follows from the name at the end.
 //!
 //! Invariant: a pivot is the second derivative of the form along one unknown, minimized over the
 //! unknowns already eliminated. It is positive where the form is positive definite.
@@ -51,12 +52,12 @@ pub struct QuadraticForm {
 /// Order in which named terms and unknowns are eliminated from the quadratic form.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Order {
-    /// First the term that depends on most unknowns; among equals, the term with most names between
-    /// it and the unknowns. On an arm these are all terms of its last body, then all of the body
-    /// before it.
+    /// First the term that depends on most unknowns. Among equals, the term with the longest chain
+    /// of names down to the unknowns is first. On an arm these are the terms of the last body, then
+    /// those of the body before it.
     Farthest,
-    /// First the term that is coupled to fewest others. This is good on a chain whose angles are
-    /// all measured from one frame.
+    /// First the term that is coupled to the fewest other terms. This is good on a chain whose
+    /// angles are all measured from one frame.
     Fewest,
 }
 
@@ -65,7 +66,7 @@ enum Order {
 enum SolvedFor {
     /// The form is minimized over the unknowns themselves.
     Unknowns,
-    /// The form is minimized over names that replace unknowns, where an unknown occurs in a single
+    /// The form is minimized over names instead of unknowns, for each unknown that occurs in one
     /// name only.
     Names,
 }
@@ -81,14 +82,16 @@ struct Attempt {
     most: usize,
 }
 
-/// Depth of a name: number of unknowns that it depends on, and number of names between it and the
-/// unknowns.
+/// Depth of a name: the number of unknowns that it depends on, and the length of the longest chain
+/// of names down to the unknowns.
 type Depth = (usize, usize);
 
-/// Computes the unknowns that minimize a quadratic form. Returns the steps that define them, in the
-/// order of computation, in terms of names and of earlier unknowns. Steps may also define names,
-/// from which unknowns follow.
-/// The cheapest of several orders of elimination is returned. `None` if a component is not linear
+/// Computes the unknowns that minimize a quadratic form. Returns the steps that define the
+/// unknowns, in the order of computation, in terms of names and earlier unknowns. Steps may also
+/// define names, from which unknowns follow.
+///
+/// Several orders of elimination are tried; the cheapest result is returned. `None` if a component
+/// is not linear in the unknowns, or if the unknowns are not determined.
 /// in the unknowns, or if the unknowns are not determined.
 pub fn minimize_quadratic_form(
     arena: &mut Arena,
@@ -111,8 +114,8 @@ pub fn minimize_quadratic_form(
     both.into_iter().min_by_key(|(cost, _)| *cost).map(|(_, solved)| solved)
 }
 
-/// Number of operations of the given steps and of all named terms that they use, except names that
-/// the steps define.
+/// Number of operations of the given steps and of all named terms that they use. Names that the
+/// steps define are not counted twice.
 fn cost_of_minimum(arena: &Arena, steps: &[Definition]) -> usize {
     let stated: FxHashSet<Expr> = steps.iter().map(|step| step.symbol).collect();
     let values: Vec<Expr> = steps.iter().map(|step| step.value).collect();
@@ -121,7 +124,8 @@ fn cost_of_minimum(arena: &Arena, steps: &[Definition]) -> usize {
     names.chain(values.iter().copied()).map(|e| operation_count(arena, e)).sum()
 }
 
-/// Minimizes the form with the given settings. `None` if the attempt fails or exceeds its limit.
+/// Minimizes the form in one attempt with the given settings. `None` if the form does not determine
+/// the unknowns, is not linear in names, or needs more new terms than the attempt allows.
 fn minimize_once(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -210,8 +214,9 @@ fn minimize_once(
     is_whole.then_some(solved)
 }
 
-/// Depth of each name: number of unknowns that it depends on, and number of names between. Both
-/// numbers are 0 for the order `Fewest`, which does not use them.
+/// Depth of each name: the number of unknowns that it depends on, and the length of the longest
+/// chain of names down to the unknowns. Both numbers are 0 for the order `Fewest`, which does not
+/// use depths.
 fn depths(
     order: Order,
     named: &[Expr],
@@ -230,7 +235,8 @@ fn depths(
     depth
 }
 
-/// Named terms within `terms` that depend on the unknowns, operands first.
+/// Named terms among the subterms of `terms` that depend on the unknowns, operands before the terms
+/// built from them.
 fn names_in_quadratic_form(arena: &Arena, terms: &[Expr], unknowns: &[Expr]) -> Vec<Expr> {
     let mut varying: FxHashSet<Expr> = unknowns.iter().copied().collect();
     let mut parts = arena.reachable(terms);

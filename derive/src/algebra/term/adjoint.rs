@@ -1,18 +1,20 @@
-//! Transposed products with a Jacobian: Σ weight · ∂e/∂x for many x at the cost of one e.
+//! Transposed products with a Jacobian: Σ weight · ∂e/∂x for many variables x, at the cost of a
+//! single evaluation.
 //!
 //! Named terms are processed from the last to the first, as in the reverse mode of automatic
 //! differentiation: A. Griewank & A. Walther, *Evaluating Derivatives*, 2nd edition (2008), §3.2.
-//! The weight of a named term is the sum of the contributions of all terms that mention it. Each
-//! named term passes its weight on to the terms that it mentions.
-//! The work grows with the number of names, not with the product of names and variables.
+//! The weight of a named term is the sum of the contributions of all terms that contain it. Each
+//! named term passes its weight on to the terms that it contains. The work grows with the number of
+//! names, not with the product of names and variables.
 
 use super::calculus::Gradient;
 use crate::algebra::{Arena, Expr};
 use rustc_hash::{FxHashMap, FxHashSet};
 
 /// Computes Σ weight · ∂e/∂x over the pairs (e, weight), for each variable x: the transposed
-/// Jacobian times the weights. The result has one sum per variable, in their order.
-/// The weight of a named term gets a name too: `letter`, an underscore and the term's name.
+/// Jacobian times the weights. The result has one sum for each variable, in the order of
+/// `variables`. The weight of a named term gets a name too: `letter`, an underscore and the term's
+/// name.
 pub fn adjoint_product(arena: &mut Arena, pairs: &[(Expr, Expr)], variables: &[Expr], letter: &str) -> Vec<Expr> {
     let roots: Vec<Expr> = pairs.iter().map(|(e, _)| *e).collect();
     let mut varying: FxHashSet<Expr> = variables.iter().copied().collect();

@@ -1,14 +1,14 @@
-//! Expressions as a hash-consed graph.
+//! Store of expressions as a graph in which each term occurs once (hash-consing).
 //!
 //! Invariants: two [`Expr`] of one arena are equal exactly if they are the same term, so a
 //! comparison of terms compares two integers. Operands have smaller handles than the terms built
-//! from them, so every pass is a loop over handles and cannot overflow the stack.
-//! Equal handles mean equal form. If terms of different form are identically equal is decided in
-//! [`crate::algebra::value::zero_test`].
+//! from them. So every pass is a loop over handles and cannot overflow the stack. Equal handles
+//! mean equal form. The module [`crate::algebra::value::zero_test`] decides if terms of different
+//! form are identically equal.
 //!
 //! The constructors keep a light canonical form: like terms are collected, powers of one base are
 //! merged, coefficients are exact. tan x is sin x · (cos x)⁻¹, so that it cancels against cosines.
-//! Absent on purpose: expansion and trigonometric identities. They cost terms, and belong to
+//! Absent on purpose: expansion and trigonometric identities. They make terms longer, and belong to
 //! [`crate::algebra::form::simplify`].
 
 use crate::algebra::Rational;
@@ -63,7 +63,7 @@ pub enum Function {
     Tanh,
     /// Absolute value |x|.
     Abs,
-    /// Sign function: −1, 0 or 1. It is the derivative of the absolute value, and 0 at 0.
+    /// Sign function: −1, 0 or 1; its value at 0 is 0. It is the derivative of the absolute value.
     Sign,
 }
 
@@ -112,8 +112,9 @@ pub enum Node {
     Product(Box<[(Expr, i32)]>),
     /// Value of an elementary function at the argument, a term.
     Apply(Function, Expr),
-    /// A named term: number of its label, and the term that the name abbreviates. Larger terms show
-    /// only the name, and no rewriting looks behind it. Its value is that of the abbreviated term.
+    /// A named term: the number of its label, and the term that the name abbreviates. Larger terms
+    /// show only the name, and rewriting treats the named term as an atom. Its value is that of the
+    /// abbreviated term.
     Named(u32, Expr),
 }
 
@@ -127,8 +128,8 @@ pub enum PowerError {
     TooLarge,
 }
 
-/// Names of the terms of an arena: labels, handles of named terms, and the symbols with which names
-/// were written.
+/// Names of the terms of an arena: labels, handles of named terms, and the symbols that documents
+/// show for named terms.
 #[derive(Clone, Default)]
 pub(in crate::algebra) struct Names {
     /// Labels of named terms, each once, in the order of creation. Several terms may share a label.
@@ -138,15 +139,16 @@ pub(in crate::algebra) struct Names {
     /// Handle of the [`Node::Named`] for each term that has a name, by the handle of the
     /// abbreviated term.
     pub(in crate::algebra) stands: FxHashMap<Expr, Expr>,
-    /// Symbol with which a document shows a named term, by the handle of the named term. Terms that
-    /// no document has defined are missing.
+    /// Symbol that documents show for a named term, by the handle of the named term. A named term
+    /// has no entry until a document has defined it.
     pub(in crate::algebra) symbols: FxHashMap<Expr, NameSymbol>,
-    /// Number of named terms written so far under each label. It numbers terms that share a label.
+    /// Number of named terms that documents have defined so far under each label. It distinguishes
+    /// the names of terms that share a label.
     pub(in crate::algebra) written: FxHashMap<String, usize>,
-    /// Part of a document that names are written for at present; it is appended to them. `None` for
-    /// names that all documents share.
+    /// Part of a document for which names are written at present; it is appended to new names.
+    /// `None` for names that all documents share.
     pub(in crate::algebra) part: Option<String>,
-    /// Name in documents for each symbol whose name there differs from its name in files.
+    /// Name in documents, by name in files, for each symbol whose two names differ.
     pub(in crate::algebra) printed: FxHashMap<String, String>,
 }
 
@@ -165,7 +167,7 @@ pub(in crate::algebra) struct NameSymbol {
 pub struct Arena {
     /// Nodes of all terms, indexed by handle.
     nodes: Vec<Node>,
-    /// Hash table that finds the handle of a node.
+    /// Hash table from each node to its handle.
     table: HashTable<u32>,
     /// Names of all symbols, in the order of declaration.
     symbols: Vec<String>,
@@ -173,7 +175,8 @@ pub struct Arena {
     symbol_index: FxHashMap<String, Expr>,
     /// Symbols that were declared positive.
     positive: FxHashSet<Expr>,
-    /// Terms that must have a value wherever the written formulas are valid.
+    /// Terms that were cancelled from written formulas. The formulas are valid only where these
+    /// terms have values.
     restrictions: Vec<Expr>,
     /// Names that abbreviate terms, and their symbols in documents.
     pub(in crate::algebra) names: Names,
@@ -185,7 +188,7 @@ impl Default for Arena {
     }
 }
 
-/// Hash of a node, for the table that keeps each term once.
+/// Hash of a node, for the hash table that stores each term once.
 fn hash_of(node: &Node) -> u64 {
     let mut hasher = FxHasher::default();
     node.hash(&mut hasher);
@@ -193,11 +196,11 @@ fn hash_of(node: &Node) -> u64 {
 }
 
 impl Arena {
-    /// Largest absolute exponent that a power may have; larger exponents are refused. The parser
+    /// Largest absolute value of an exponent of a power; larger exponents are refused. The parser
     /// limits written exponents to [`Self::MAX_WRITTEN_EXPONENT`], so that derivations stay far
-    /// below.
+    /// below this limit.
     pub const MAX_EXPONENT: i32 = 1_000_000;
-    /// Largest absolute exponent that the parser accepts in a formula.
+    /// Largest absolute value of an exponent that the parser accepts in a formula.
     pub const MAX_WRITTEN_EXPONENT: i32 = 1000;
 
     /// Creates an arena that contains only the numbers 0, 1 and −1.
@@ -218,8 +221,7 @@ impl Arena {
         arena
     }
 
-    /// Handle of a node: that of the stored node if the arena already has it, else that of a new
-    /// entry.
+    /// Stores a node and returns its handle. A node that the arena already has keeps its handle.
     pub(in crate::algebra) fn intern(&mut self, node: Node) -> Expr {
         let hash = hash_of(&node);
         let nodes = &self.nodes;
@@ -343,23 +345,25 @@ impl Arena {
         self.reachable_until(roots, |_| false)
     }
 
-    /// All terms that the text of `roots` shows, the roots included, in the order of handles. Terms
-    /// that only occur behind a written name are left out.
+    /// All subterms that appear in the text of `roots`, the roots included, in the order of
+    /// handles. Terms that occur only inside named terms, which the text shows by name, are left
+    /// out.
     #[must_use]
     pub fn shown_subterms(&self, roots: &[Expr]) -> Vec<Expr> {
         self.subterms_until(roots, |_| false, |e| self.written_name(e).is_some())
     }
 
-    /// Subterms of the terms `roots`, the roots included, in the order of handles. Left out are
-    /// terms for which `known` is true, and terms that occur only inside of known terms.
+    /// Subterms of the terms `roots`, the roots included, in the order of handles. Left out are the
+    /// terms for which `known` is true, and terms that occur only inside these.
     pub(crate) fn reachable_until(&self, roots: &[Expr], known: impl Fn(Expr) -> bool) -> Vec<Expr> {
         self.subterms_until(roots, known, |_| false)
     }
 
-    /// Subterms of the terms `roots`, in the order of handles. Left out are terms for which `known`
-    /// is true. The operands of terms for which `is_end` is true are not visited.
+    /// Subterms of the terms `roots`, in the order of handles. Terms for which `known` is true are
+    /// left out, with their operands. Operands of terms for which `is_end` is true are not visited.
     fn subterms_until(&self, roots: &[Expr], known: impl Fn(Expr) -> bool, is_end: impl Fn(Expr) -> bool) -> Vec<Expr> {
-        // A bit for each handle up to the largest root: operands have smaller ones.
+        // `seen` has a bit for each handle up to the largest root, since operands have smaller
+        // handles.
         let words = roots.iter().map(|e| e.index() / 64 + 1).max().unwrap_or(0);
         let mut seen = vec![0_u64; words];
         let mut stack: Vec<Expr> = Vec::new();
@@ -397,8 +401,8 @@ impl Arena {
     }
 }
 
-/// Sorts a list of handles. `seen` has a bit set for each of them: few handles are sorted by
-/// comparison, many by reading the bits.
+/// Sorts a list of handles. `seen` has a bit set for each listed handle. A short list is sorted by
+/// comparison, a long list by reading the bits in order.
 fn sort_handles(all: &mut Vec<Expr>, seen: &[u64]) {
     if all.len() < seen.len() / 4 {
         return all.sort_unstable();

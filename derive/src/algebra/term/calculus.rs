@@ -1,11 +1,11 @@
-//! Derivatives along given rates, gradients, and substitution. Each is one loop over the shared
-//! graph; nothing is expanded.
+//! Derivatives along given rates, gradients, and substitution. Each operation is one loop over the
+//! shared graph of terms; nothing is expanded.
 
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use rustc_hash::FxHashMap;
 use std::rc::Rc;
 
-/// Rebuilds the term `e` from new operands, which `map` gives for the old operands. `None` if a
+/// Rebuilds the term `e` from new operands; `map` has the new operand for each old one. `None` if a
 /// divisor became the literal 0.
 fn substitute_operands(arena: &mut Arena, e: Expr, map: &FxHashMap<Expr, Expr>) -> Option<Expr> {
     Some(match arena.node(e).clone() {
@@ -43,12 +43,12 @@ fn substitute_operands(arena: &mut Arena, e: Expr, map: &FxHashMap<Expr, Expr>) 
     })
 }
 
-/// Substitution of terms for symbols (or for any other terms), everywhere at once.
+/// Substitution of terms for symbols, or for any other terms, wherever they occur.
 ///
 /// Reuse a value for many expressions: it remembers every term that it has rewritten.
 #[derive(Clone, Default)]
 pub struct Substitution {
-    /// Replacement of each term, for the given pairs and for every term rewritten so far.
+    /// Replacement of each term: the given pairs, and the result for every term rewritten so far.
     map: FxHashMap<Expr, Expr>,
     /// First term whose divisor became 0 by the substitution; it was left unchanged. `None` if
     /// every term has a value.
@@ -110,10 +110,11 @@ pub fn expand_names(arena: &mut Arena, e: Expr) -> Expr {
     put.apply(arena, e)
 }
 
-/// Derivative of terms along given rates: d e = Σ (∂e/∂x)·rate(x) over the symbols x.
+/// Derivative of terms along given rates: the derivative of e is Σ (∂e/∂x)·rate(x) over the symbols
+/// x.
 ///
-/// With a single rate x ↦ 1 it is ∂/∂x; with q ↦ q̇, q̇ ↦ q̈ it is d/dt. Symbols without a rate are
-/// constants. Reuse a value for many expressions: it remembers every derivative.
+/// With a single rate x ↦ 1 it is ∂/∂x; with the rates q ↦ q̇, q̇ ↦ q̈ it is d/dt. Symbols without
+/// a rate are constants. Reuse a value for many expressions: it remembers every derivative.
 #[derive(Clone, Default)]
 pub struct Differential {
     /// Derivative of each term: the given rates of symbols, and every term differentiated so far.
@@ -151,7 +152,7 @@ impl Differential {
         self.map[&e]
     }
 
-    /// Derivative of a term from the derivatives of its operands, which must be in `map`.
+    /// Derivative of a term from the derivatives of its operands, which `map` must contain.
     fn derivative_of_node(&self, arena: &mut Arena, e: Expr) -> Expr {
         if arena.operands(e).all(|operand| self.map[&operand] == Expr::ZERO) {
             return Expr::ZERO;
@@ -194,10 +195,10 @@ impl Differential {
 /// order of the variables. Derivatives that are 0 by form are left out.
 pub type Slopes = Rc<[(usize, Expr)]>;
 
-/// Gradient of terms: their partial derivatives with respect to several variables, without those
-/// that are 0 by form.
+/// Gradient of terms: their partial derivatives with respect to several variables. Derivatives that
+/// are 0 by form are left out.
 ///
-/// One pass computes all derivatives, where [`Differential::partial`] takes a pass for each
+/// One pass computes all derivatives, whereas [`Differential::partial`] takes a pass for each
 /// variable. Reuse a value for many expressions: it remembers every gradient.
 pub struct Gradient {
     /// Gradient of each variable and of every term differentiated so far.
@@ -216,8 +217,8 @@ impl Gradient {
         Self { map, nothing }
     }
 
-    /// Computes the gradient of the term `e`: pairs (number of the variable, derivative), without
-    /// those that are 0 by form.
+    /// Computes the gradient of the term `e`: pairs (number of the variable, derivative).
+    /// Derivatives that are 0 by form are left out.
     pub fn apply(&mut self, arena: &mut Arena, e: Expr) -> Slopes {
         if let Some(done) = self.map.get(&e) {
             return done.clone();
@@ -229,7 +230,7 @@ impl Gradient {
         self.map[&e].clone()
     }
 
-    /// Gradient of a term from the gradients of its operands, which must be in `map`.
+    /// Gradient of a term from the gradients of its operands, which `map` must contain.
     fn gradient_of_node(&self, arena: &mut Arena, e: Expr) -> Slopes {
         if arena.operands(e).all(|operand| self.map[&operand].is_empty()) {
             return self.nothing.clone();
@@ -308,7 +309,7 @@ fn derivative_of(arena: &mut Arena, f: Function, x: Expr, value: Expr) -> Expr {
             arena.sub(Expr::ONE, square)
         }
         Function::Abs => arena.apply(Function::Sign, x),
-        // The derivative of sign x away from its jump at 0.
+        // The derivative of sign x is 0 everywhere except at the jump at 0.
         Function::Sign => Expr::ZERO,
     }
 }
@@ -318,7 +319,8 @@ mod tests {
     use super::*;
     use crate::algebra::text::parse::parse_free;
 
-    /// Goal: one pass gives what one differentiation for each variable gives. Method: equal terms, and nothing else.
+    /// A gradient has the same derivatives as one differentiation for each variable. The terms are
+    /// compared by handle.
     #[test]
     fn a_gradient_holds_the_partial_derivatives() {
         let mut arena = Arena::new();
@@ -338,7 +340,8 @@ mod tests {
         }
     }
 
-    /// Goal: operands come first, whichever way the order is made. Method: few terms of many, and most of them.
+    /// Subterms come after their operands, for short lists (sorted by comparison) and long lists
+    /// (sorted by bits).
     #[test]
     fn terms_are_reached_operands_first() {
         let mut arena = Arena::new();

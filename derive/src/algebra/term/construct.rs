@@ -28,7 +28,7 @@ impl Arena {
         self.intern(Node::Pi)
     }
 
-    /// Adds `scale · e` to a sum under construction, which is kept as a constant and a list of
+    /// Adds `scale · e` to a sum under construction. The sum is kept as a constant and a list of
     /// pairs (term, coefficient).
     fn accumulate(&self, e: Expr, scale: &Rational, constant: &mut Rational, terms: &mut Vec<(Expr, Rational)>) {
         match self.node(e) {
@@ -59,8 +59,8 @@ impl Arena {
         }
     }
 
-    /// Sum of the given terms, with like terms collected. The time is linear in their number,
-    /// except for sorting.
+    /// Sum of the given terms, with like terms collected. The time is linear in the number of
+    /// terms, except for sorting.
     pub fn sum(&mut self, terms: &[Expr]) -> Expr {
         let (mut constant, mut collected) = (Rational::ZERO, Vec::with_capacity(terms.len()));
         for &e in terms {
@@ -107,13 +107,14 @@ impl Arena {
         self.linear_combination(&[(a, k.clone())])
     }
 
-    /// Splits a sum into a rational factor (its content, with the sign of the first coefficient)
-    /// and a sum without such a factor.
-    /// A number is returned with the term 1. Other terms are returned with the factor 1.
+    /// Splits a sum into its content, a rational factor with the sign of the first coefficient, and
+    /// a sum with content 1. A number is returned as (number, 1). Any other term is returned with
+    /// the factor 1.
     pub fn split_content(&mut self, e: Expr) -> (Rational, Expr) {
         let content = match self.node(e) {
             Node::Number(value) => return (value.clone(), Expr::ONE),
-            // Most sums have integer coefficients, and 1 among them.
+            // Most sums have integer coefficients, and the first coefficient is 1: their content is
+            // 1.
             Node::Sum(constant, terms)
                 if terms[0].1.is_one() && constant.is_integer() && terms.iter().all(|(_, k)| k.is_integer()) =>
             {
@@ -131,8 +132,8 @@ impl Arena {
     }
 
     /// Multiplies a product under construction by `e^n`. The product is kept as a number
-    /// `coefficient` and a list of pairs (base, exponent).
-    /// Error if a negative power of 0 arises or a power is too large.
+    /// `coefficient` and a list of pairs (base, exponent). Error for a negative power of 0, or for
+    /// a number that is too large.
     fn accumulate_power(
         &mut self,
         e: Expr,
@@ -170,7 +171,7 @@ impl Arena {
                 _ => merged.push((base, n)),
             }
         }
-        // root: sqrt(x)^2 = x.  Sound where x >= 0, which sqrt asks for anyway.
+        // √x² = x is valid where x ≥ 0, and √x has a value only there.
         let root = merged
             .iter()
             .position(|&(base, n)| matches!(self.node(base), Node::Apply(Function::Sqrt, _)) && !(0..=1).contains(&n));

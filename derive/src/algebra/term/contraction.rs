@@ -7,8 +7,8 @@
 use super::calculus::Substitution;
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 
-/// Contracts products of sines and cosines in `e`: two terms of a sum that form an addition theorem
-/// become one sine or cosine.
+/// Contracts products of sines and cosines in `e` and returns the new term. Two terms of a sum that
+/// form an addition theorem become a single sine or cosine.
 pub fn contract_products(arena: &mut Arena, e: Expr) -> Expr {
     let mut put = Substitution::default();
     for part in arena.reachable(&[e]) {
@@ -31,8 +31,8 @@ struct Pair {
     is_mixed: bool,
     /// True if both functions are sines. It has a meaning only if `is_mixed` is false.
     are_sines: bool,
-    /// Angles a and b, rad. In a mixed pair the angle of the sine comes first, else the angle with
-    /// the lower handle.
+    /// Angles a and b, rad. If one function is a sine and the other a cosine, the sine's angle
+    /// comes first. Otherwise the angle with the lower handle comes first.
     angles: (Expr, Expr),
     /// Remaining factors of the term, as pairs (base, exponent).
     others: Vec<(Expr, i32)>,
@@ -93,7 +93,7 @@ impl Pair {
 }
 
 /// All ways to read a product as [`Pair`]: one for each two factors that are sines or cosines. `at`
-/// and `k` are its position and coefficient in the sum.
+/// and `k` are the position and the coefficient of the product in its sum.
 fn contractible_pairs(arena: &Arena, at: usize, term: Expr, k: &Rational) -> Vec<Pair> {
     let Node::Product(factors) = arena.node(term) else { return Vec::new() };
     let wave = |(base, n): &(Expr, i32)| match arena.node(*base) {

@@ -1,17 +1,17 @@
 //! Divided differences: (e(b) − e(a))/(b − a) as a term without that subtraction, so that no digits
 //! are lost for b near a.
 //!
-//! Each function has a rule by which its divided difference follows from those of its operands. So
-//! a single loop over the shared graph gives the divided difference of any term, as for a
-//! derivative.
-//! At b = a each rule becomes the rule of the derivative, so the term is valid there too.
+//! Each function has a rule that gives its divided difference from those of its operands. So one
+//! loop over the shared graph gives the divided difference of any term, as for a derivative. At b =
+//! a each rule becomes the rule of the derivative, so the term is valid there too.
 //!
 //! Absent on purpose: a function sinc z = sin z/z in the arena. Only the rules of sine and cosine
 //! need it. As a function it would have to be known to every pass over terms, to both zero tests
 //! and to the recurrences of Taylor coefficients. To the zero tests sin z/z is an ordinary
 //! quotient, and sinc z would be an atom without rules.
-//! So the values of sinc are inputs of the term, listed by name in `DividedDifference::sincs`. The code
-//! that evaluates the term takes sin z/z as 1 at z = 0.
+//!
+//! So the values of sinc are inputs of the term, listed by name in `DividedDifference::sincs`. The
+//! code that evaluates the term takes sin z/z as 1 at z = 0.
 
 use super::calculus::{Differential, Substitution};
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
@@ -28,13 +28,17 @@ pub struct DividedDifference {
 }
 
 /// Divided difference e\[a, b\] = (e(b) − e(a))/(b − a) of `e` as a function of the symbol `x`. At
-/// a = b it is de/dx.
+/// a = b it is de/dx. Its unit is that of de/dx.
 ///
-/// Nothing is subtracted except where the derivative itself subtracts. The unit is that of de/dx. By name of rule:
-/// constant 0; x ↦ 1; sum: term by term; product: (f g)\[a, b\] = f\[a, b\] g(b) + f(a) g\[a, b\]; inverse:
-/// −f\[a, b\]/(f(a) f(b)); power: by halves, f²ⁿ\[a, b\] = fⁿ\[a, b\] (fⁿ(a) + fⁿ(b)); root: f\[a, b\]/(√f(a) + √f(b)),
-/// and odd powers of √f by these; sine: sin(k x + c)\[a, b\] = k sinc(k (b − a)/2) cos(k (a + b)/2 + c); cosine: the
-/// rule of the sine with −sin in place of cos.
+/// The term subtracts nothing that the derivative does not subtract. The rules are:
+///
+/// - constant: 0; symbol x: 1; sum: term by term
+/// - product: (f g)\[a, b\] = f\[a, b\] g(b) + f(a) g\[a, b\]
+/// - inverse: −f\[a, b\]/(f(a) f(b))
+/// - power: by halves, f²ⁿ\[a, b\] = fⁿ\[a, b\] (fⁿ(a) + fⁿ(b))
+/// - root: f\[a, b\]/(√f(a) + √f(b)); odd powers of √f by these rules
+/// - sine: sin(k x + c)\[a, b\] = k sinc(k (b − a)/2) cos(k (a + b)/2 + c)
+/// - cosine: the rule of the sine with −sin in place of cos
 ///
 /// `None` in three cases. The argument of a sine or cosine is not linear in x by form. Or x occurs
 /// in another function, such as exp, asin or |x|. Or a divisor becomes the literal 0 at a or b.
@@ -72,8 +76,8 @@ pub fn divided_difference(arena: &mut Arena, e: Expr, x: Expr, a: Expr, b: Expr)
     defined.then(|| DividedDifference { value: rules.map[&e], sincs: rules.sincs })
 }
 
-/// State of the computation of a divided difference: the divided differences of all parts so far,
-/// and their values at both ends.
+/// State of the computation of a divided difference: the divided difference of every subterm so
+/// far, and the substitutions of both ends.
 struct DividedRules {
     /// Symbol x, as a function of which the divided difference is taken.
     x: Expr,
@@ -129,7 +133,8 @@ impl DividedRules {
         }
     }
 
-    /// Values at both ends and divided difference of a part whose difference is already in `map`.
+    /// Values of a subterm at both ends, with its divided difference, which must already be in
+    /// `map`.
     fn end_values(&mut self, arena: &mut Arena, e: Expr) -> DividedPair {
         let [at_a, at_b] = self.at.each_mut().map(|at| at.apply(arena, e));
         DividedPair { at_a, at_b, difference: self.map[&e] }
@@ -149,7 +154,8 @@ impl DividedRules {
     }
 
     /// Divided difference of sin(k x + c): k sinc(k (b − a)/2) cos(k (a + b)/2 + c). For the
-    /// cosine, −sin takes the place of cos. `None` if the argument is not linear in x.
+    /// cosine, −sin takes the place of cos(k (a + b)/2 + c). `None` if the argument is not linear
+    /// in x.
     fn divided_difference_of_wave(&mut self, arena: &mut Arena, f: Function, argument: Expr) -> Option<Expr> {
         let k = self.slope.apply(arena, argument);
         if arena.mentions(k, self.x) {
@@ -190,8 +196,9 @@ impl DividedRules {
     }
 }
 
-/// Values at both ends and divided difference of a product: (f g)\[a, b\] = f\[a, b\] g(b) + f(a)
-/// g\[a, b\]. `None` if a divisor is 0.
+/// Product of two functions f and g, each given by its values at both ends and its divided
+/// difference. The rule is (f g)\[a, b\] = f\[a, b\] g(b) + f(a) g\[a, b\]. `None` if a divisor is
+/// 0.
 fn multiply_pairs(arena: &mut Arena, f: DividedPair, g: DividedPair) -> Option<DividedPair> {
     let mut product = |factors: &[(Expr, i32)]| arena.try_product(factors).ok();
     let first = product(&[(f.difference, 1), (g.at_b, 1)])?;
@@ -200,9 +207,9 @@ fn multiply_pairs(arena: &mut Arena, f: DividedPair, g: DividedPair) -> Option<D
     Some(DividedPair { at_a, at_b, difference: arena.add(first, second) })
 }
 
-/// Values at both ends and divided difference of fⁿ for n ≠ 0, by the binary digits of |n|. So
-/// nothing cancels if f changes its sign between a and b, and the term grows only with the number
-/// of digits. `None` if a divisor is 0.
+/// Power fⁿ for n ≠ 0, by the binary digits of |n|: its values at both ends and its divided
+/// difference. Nothing cancels if f changes its sign between a and b, and the term grows only with
+/// the number of digits. `None` if a divisor is 0.
 fn power_of_pair(arena: &mut Arena, f: DividedPair, n: i32) -> Option<DividedPair> {
     let size = n.unsigned_abs();
     let mut result = f;
@@ -228,9 +235,9 @@ fn power_of_pair(arena: &mut Arena, f: DividedPair, n: i32) -> Option<DividedPai
     })
 }
 
-/// Writes √g gⁿ among the factors as (√g)²ⁿ⁺¹. Returns the numerical factor that remains, and the
-/// new factors.
-/// For a product of √g and 1/g, the divided difference would subtract nearly equal values where
+/// Writes each product √g gⁿ among the factors as (√g)²ⁿ⁺¹. Returns the numerical factor that
+/// remains, and the new factors. Otherwise the divided difference of √g · 1/g would subtract nearly
+/// equal values if g(b) is much larger than g(a).
 /// g(b) far exceeds g(a).
 fn join_divided_roots(arena: &mut Arena, factors: &[(Expr, i32)]) -> (Rational, Vec<(Expr, i32)>) {
     let mut powers = factors.to_vec();

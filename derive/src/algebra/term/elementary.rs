@@ -1,13 +1,12 @@
 //! Exact values and symmetries of the elementary functions.
-//!
-//! Every rule keeps the meaning wherever the function is defined. Rules that hold only in some
-//! places are not used.
+//! Every rule is valid wherever the function is defined. Rules that are valid only for a part of
+//! the arguments are not used.
 
 use super::calculus::Substitution;
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use num_rational::BigRational;
 
-/// True if the function is computed from e to the power of its argument: exp, sinh, cosh or tanh.
+/// True if the function is computed from eˣ: exp, sinh, cosh or tanh.
 pub(in crate::algebra) fn is_exponential(function: Function) -> bool {
     matches!(function, Function::Exp | Function::Sinh | Function::Cosh | Function::Tanh)
 }
@@ -22,7 +21,7 @@ pub(super) fn canonical_function_value(arena: &mut Arena, f: Function, argument:
     match f {
         Function::Sin | Function::Cos => canonical_sine_or_cosine(arena, f, argument),
         Function::Sqrt => square_root(arena, argument),
-        // odd: f(−x) = −f(x), even: f(−x) = f(x); both fix the value at 0.
+        // Odd functions have f(−x) = −f(x), even functions f(−x) = f(x). The values at 0 are known.
         Function::Asin | Function::Atan | Function::Sinh | Function::Tanh | Function::Sign => {
             if argument == Expr::ZERO {
                 return Expr::ZERO;
@@ -84,28 +83,27 @@ pub fn split_multiple_of_pi(arena: &mut Arena, argument: Expr) -> (Rational, Exp
     }
 }
 
-/// Multiple of π above which whole turns are subtracted from an angle, since a double would lose
-/// the fraction of a turn.
+/// Number of half turns (multiples of π) above which whole turns are subtracted from an angle. A
+/// double would lose the fraction of a turn in a larger number.
 const MANY_TURNS: f64 = 1e6;
 
-/// Subtracts whole turns from an angle that is given as a multiple of π. The result is a multiple
-/// from 0 to 2.
+/// Subtracts whole turns from an angle, which is given as a multiple of π. The result is a multiple
+/// of π from 0 to 2.
 fn without_whole_turns(turns: &Rational) -> Rational {
     let halves = turns.to_big() / BigRational::from_integer(2.into());
     turns.add(&Rational::from_big(halves.floor()).mul(&Rational::integer(-2)))
 }
 
-/// Largest number of inverse trigonometric functions in an angle whose sine is rewritten without
-/// them.
+/// Largest number of inverse trigonometric functions in an angle whose sine or cosine is rewritten
+/// without these functions.
 const MOST_INVERSE: usize = 2;
-/// Largest whole multiple of an inverse trigonometric function in an angle whose sine is rewritten
-/// without that function.
+/// Largest whole multiple of an inverse trigonometric function, in an angle whose sine or cosine is
+/// rewritten without that function.
 const MOST_MULTIPLE: i64 = 4;
 
-/// Rewrites the sine or cosine of an angle that contains a whole multiple of an asin, acos or atan:
-/// sin(atan x) = x/√(1 + x²). The result is algebraic in x.
-/// `None` if the angle contains no such function, or more than `MOST_INVERSE` of them, or too large
-/// a multiple.
+/// Rewrites the sine or cosine of an angle that contains a whole multiple of an asin, acos or atan.
+/// For example, sin(atan x) = x/√(1 + x²): the result is algebraic in x. `None` if the angle
+/// contains no such function, too many such functions, or too large a multiple.
 fn wave_of_inverse(arena: &mut Arena, f: Function, argument: Expr) -> Option<Expr> {
     let is_inverse =
         |e: Expr| matches!(arena.node(e), Node::Apply(Function::Asin | Function::Acos | Function::Atan, _));
@@ -156,7 +154,7 @@ fn canonical_sine_or_cosine(arena: &mut Arena, f: Function, argument: Expr) -> E
         let pi = arena.pi();
         argument = arena.linear_combination(&[(rest, Rational::ONE), (pi, turns.clone())]);
     }
-    // Quarter turns: sin(x + k π/2) runs through sin, cos, −sin, −cos.
+    // sin(x + k π/2) is sin x, cos x, −sin x, −cos x for k = 0, 1, 2, 3.
     let quarters = turns.mul(&Rational::integer(2));
     let Some(k) = quarters.to_i64() else {
         if rest == Expr::ZERO
@@ -227,7 +225,8 @@ fn square_root(arena: &mut Arena, argument: Expr) -> Expr {
     inside.push((argument, 1));
     let inside = arena.try_product(&inside).expect("positive symbols and numbers are not zero");
     if arena.as_number(inside).is_some_and(Rational::is_negative) {
-        // √(−M²) has no value. It stays as it was written: √(−1), apart from M, would be refused where it is read back.
+        // √(−M²) has no value, so it stays as written. As M √(−1), a saved model could not be read
+        // again.
         return arena.intern_apply(Function::Sqrt, argument);
     }
     let root = if inside == Expr::ONE { Expr::ONE } else { arena.intern_apply(Function::Sqrt, inside) };
@@ -246,8 +245,8 @@ fn exact_root(value: &Rational) -> Option<Rational> {
     (&root * &root == big).then(|| Rational::from_big(root))
 }
 
-/// Writes an angle as the sum Σ k·atom and returns its pairs (atom, k). Atoms are neither numbers
-/// nor sums; a constant counts as the atom 1.
+/// Splits an angle into the sum Σ k·atom and returns the pairs (atom, k). Atoms are neither numbers
+/// nor sums; a constant counts as a multiple of the atom 1.
 pub fn angle_atoms(arena: &Arena, argument: Expr) -> Vec<(Expr, Rational)> {
     match arena.node(argument) {
         Node::Sum(constant, terms) => {
@@ -262,12 +261,12 @@ pub fn angle_atoms(arena: &Arena, argument: Expr) -> Vec<(Expr, Rational)> {
     }
 }
 
-/// Largest whole multiple of an angle whose sine and cosine are expanded into those of the angle
-/// itself.
+/// Largest whole multiple n of an angle for which sin nq and cos nq are expanded into sin q and cos
+/// q.
 const MOST_TURNS: u64 = 16;
 
-/// Expands sines and cosines in a term by the addition theorems: those of sums and whole multiples
-/// of angles become those of single angles.
+/// Expands sines and cosines in a term by the addition theorems. Sines and cosines of sums and
+/// whole multiples of angles are replaced by those of single angles.
 pub fn expand_multiple_angles(arena: &mut Arena, e: Expr) -> Expr {
     let mut put = Substitution::default();
     for part in arena.reachable(&[e]) {
@@ -293,7 +292,8 @@ pub fn expand_multiple_angles(arena: &mut Arena, e: Expr) -> Expr {
     put.apply(arena, e)
 }
 
-/// Pair (sin, cos) of the sum of two angles, each given as (sin, cos).
+/// Sine and cosine of the sum of two angles, as a pair (sin, cos). Each angle is given as such a
+/// pair.
 fn sine_and_cosine_of_sum(arena: &mut Arena, a: (Expr, Expr), b: (Expr, Expr)) -> (Expr, Expr) {
     let (sc, cs, cc, ss) = (arena.mul(a.0, b.1), arena.mul(a.1, b.0), arena.mul(a.1, b.1), arena.mul(a.0, b.0));
     (arena.add(sc, cs), arena.sub(cc, ss))

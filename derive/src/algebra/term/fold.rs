@@ -3,17 +3,17 @@
 //! A [`Fold`] gives each kind of node its value: a double, an interval, a residue, a range, a bound
 //! or a tape operation.
 //! Invariant: the values are a dense list in the order of the handles. So no pass is recursive, and
-//! terms that are evaluated repeatedly are listed once.
-//! Absent on purpose: passes that build other terms (`calculus`, `normal`, `simplify`). They keep
-//! their results from one call to the next.
+//! terms that are evaluated repeatedly are listed once. Absent on purpose: passes that build other
+//! terms (`calculus`, `normal_form`, `simplify`). They keep their results from one call to the
+//! next.
 
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use rustc_hash::{FxBuildHasher, FxHashMap};
 use std::ops::Index;
 
-/// Rules that evaluate a term of the arena: one rule for each kind of node, from the values of the
-/// node's operands.
-/// A rule that returns `None` ends the pass: then no term has a value.
+/// Rules that evaluate a term of the arena. There is one rule for each kind of node; it uses the
+/// values of the node's operands. If a rule returns `None`, the evaluation ends without a value for
+/// any term.
 pub trait Fold {
     /// Type of the value of a term: a double, an interval, a residue or any other type.
     type Value: Clone;
@@ -42,8 +42,8 @@ pub trait Fold {
     fn named(&mut self, term: Expr, of: &Values<'_, Self::Value>) -> Option<Self::Value> {
         Some(of[term].clone())
     }
-    /// Value that the rules give to a whole term without a look at its operands; `None` if the
-    /// operands determine the value.
+    /// Value of a term that the rules know without evaluating its operands. `None` if the value
+    /// follows from the operands, which is the default.
     fn known(&mut self, _term: Expr) -> Option<Self::Value> {
         None
     }
@@ -55,7 +55,7 @@ pub trait Fold {
 pub struct FoldOrder {
     /// Collected terms with all their subterms, sorted by handle.
     nodes: Vec<Expr>,
-    /// Position of each term in `nodes`. It is left empty for short lists, where a binary search is
+    /// Position of each term in `nodes`. The map is empty for short lists, where a binary search is
     /// as fast.
     places: FxHashMap<Expr, u32>,
 }
@@ -122,7 +122,7 @@ pub fn fold<F: Fold>(arena: &Arena, term: Expr, rules: &mut F) -> Option<F::Valu
     needed.fold(arena, rules)?.list.pop()
 }
 
-/// Values of all terms that an evaluation has reached, found by the handles of the terms.
+/// Values of all terms of an evaluation, accessible by the handles of the terms.
 #[derive(Clone, Debug)]
 pub struct Values<'a, V> {
     /// Evaluated terms, with their positions in the list of values.

@@ -1,32 +1,31 @@
 //! Named terms: a term that grows with the model gets a name, and larger terms mention the name.
+//! Rewriting treats a named term as an atom and does not look inside it. Evaluation looks inside:
+//! values, residues, ranges, derivatives and bounds pass through names. So code that asks about the
+//! meaning of a term need not know of names.
 //!
-//! No rewriting looks behind a name: it treats the named term as an atom. Evaluation does: values,
-//! residues, ranges, derivatives and bounds pass through names. So a question about the meaning of
-//! a term need not know of them.
 //! Kane's and Autolev's Z's are such names: T. R. Kane & D. A. Levinson, *Dynamics: Theory and
 //! Applications* (1985), § 4.9.
 //!
 //! Invariants: a term has one name. Numbers, symbols and multiples of named terms get no name.
-//! Terms that are equal up to a numerical factor share a name.
-//! A name becomes a symbol, distinct from all others, when a document defines it
-//! ([`crate::algebra::text::definitions`]). A name that is never written blocks no other name, and
-//! its term is shown in full.
+//! Terms that are equal up to a numerical factor share a name. A name becomes a symbol, distinct
+//! from all others, when a document defines it ([`crate::algebra::text::definitions`]). A name that
+//! is never written blocks no other name, and its term is shown in full.
 
 use super::arena::Names;
 use crate::algebra::{Arena, Expr, Node, Rational};
 
 impl Names {
-    /// Appends the part of the document that is being written to a wanted name, as `name_part`.
-    /// Without a part, the name is returned unchanged.
+    /// Appends an underscore and the part of the document that is being written to the name
+    /// `wanted`. Without a part, the name is returned unchanged.
     pub(in crate::algebra) fn name_in_part(&self, wanted: &str) -> String {
         self.part.as_ref().map_or_else(|| wanted.to_owned(), |part| format!("{wanted}_{part}"))
     }
 }
 
 impl Arena {
-    /// Gives the term `e` a name with the label `wanted` and returns the named term, times the
-    /// numerical factor of `e`. Returns `e` itself if it is neither a sum nor a product, so that a
-    /// name would save nothing.
+    /// Gives the term `e` a name with the label `wanted`. Returns the named term, times the
+    /// numerical factor of `e`. Returns `e` itself if it is neither a sum nor a product, since a
+    /// name would then save nothing.
     pub fn name(&mut self, e: Expr, wanted: &str) -> Expr {
         let (content, bare) = self.split_for_name(e);
         if !matches!(self.node(bare), Node::Sum(..) | Node::Product(_)) {
@@ -44,7 +43,7 @@ impl Arena {
         self.scale(stands, &content)
     }
 
-    /// Number of a label of named terms; the label is added if it is new.
+    /// Number of a label of named terms; a new label is added.
     fn add_name_label(&mut self, wanted: &str) -> u32 {
         if let Some(known) = self.names.label_index.get(wanted) {
             return *known;
@@ -55,8 +54,8 @@ impl Arena {
         label
     }
 
-    /// Gives the term `e` the label of the named term `before`, which it replaces. Returns `e`
-    /// unchanged if `before` has no name.
+    /// Names the term `e` like the named term `before`, which it replaces: with the same label.
+    /// Returns `e` unchanged if `before` has no name.
     pub fn name_like(&mut self, before: Expr, e: Expr) -> Expr {
         let wanted = self.name_of(before).map(str::to_owned);
         wanted.map_or(e, |wanted| self.name(e, &wanted))
@@ -83,7 +82,7 @@ impl Arena {
         }
     }
 
-    /// True if any term of the arena has a name that abbreviates it.
+    /// True if the arena has any named terms.
     #[must_use]
     pub fn has_names(&self) -> bool {
         !self.names.stands.is_empty()
@@ -104,7 +103,7 @@ impl Arena {
     }
 
     /// Name with which a document has defined a named term; no other term of the arena has this
-    /// name. `None` if `e` is not a named term, or if its name was never written: then `e` is shown
+    /// name. `None` if `e` is not a named term, or if no document has defined it: then `e` is shown
     /// in full.
     #[must_use]
     pub fn written_name(&self, e: Expr) -> Option<&str> {

@@ -5,10 +5,11 @@ use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use num_integer::Integer;
 use rustc_hash::FxHashMap;
 
-/// Common period r of the given terms in the variable x, in turns. It is the least r > 0 for which
-/// e(x + 2 π r) = e(x) follows from their form.
-/// For this, x may occur only in sines and cosines of k x + c, with k rational and c free of x. The
-/// period is 1 if no term mentions x; `None` if the form shows no period.
+/// Common period r of the given terms in the variable x, in turns: the least r > 0 for which e(x +
+/// 2 π r) = e(x) follows from their form.
+///
+/// The form shows a period if x occurs only in sines and cosines of k x + c, with k rational and c
+/// free of x. The period is 1 if no term contains x; `None` if the form shows no period.
 ///
 /// ```
 /// use tripos_derive::algebra::term::period::period_in_turns;
@@ -25,8 +26,8 @@ use rustc_hash::FxHashMap;
 pub fn period_in_turns(arena: &mut Arena, terms: &[Expr], x: Expr) -> Option<Rational> {
     let mut slope = Differential::partial(x);
     let mut repeats: FxHashMap<Expr, bool> = FxHashMap::default();
-    // Each factor k gives the period 1/k, and r is the least common multiple of all these periods:
-    // that of the numerators over the greatest common divisor of the denominators.
+    // Each factor k gives the period 1/k, and r is the least common multiple of these periods: lcm
+    // of their numerators over gcd of their denominators.
     let (mut multiple, mut divisor) = (1_i64, 0_i64);
     for part in arena.reachable(terms) {
         let mut does = part != x && arena.operands(part).all(|operand| repeats[&operand]);

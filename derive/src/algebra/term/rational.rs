@@ -26,9 +26,9 @@ enum Repr {
     Big(Box<BigRational>),
 }
 
-/// Compares numerators and denominators, which is enough since fractions are reduced. `BigRational`
-/// itself compares and hashes by a recursion as deep as Euclid's algorithm is long. That overflows
-/// the stack for numbers of some thousand digits.
+/// Two rational numbers are equal if their numerators and denominators are equal, since fractions
+/// are reduced. `BigRational` itself compares and hashes by a recursion as deep as Euclid's
+/// algorithm is long. That overflows the stack for numbers of some thousand digits.
 impl PartialEq for Repr {
     fn eq(&self, other: &Self) -> bool {
         match (self, other) {
@@ -58,13 +58,14 @@ impl Rational {
     /// The number −1.
     pub const MINUS_ONE: Self = Self(Repr::Small(-1, 1));
 
-    /// Rational number for the integer `n`.
+    /// Creates the rational number with the integer value `n`.
     #[must_use]
     pub const fn integer(n: i64) -> Self {
         Self(Repr::Small(n, 1))
     }
 
-    /// Rational number `numerator / denominator`, reduced; `None` if the denominator is zero.
+    /// Creates the rational number `numerator / denominator`, reduced; `None` if the denominator is
+    /// zero.
     #[must_use]
     pub fn fraction(numerator: i64, denominator: i64) -> Option<Self> {
         (denominator != 0).then(|| Self::from_wide(i128::from(numerator), i128::from(denominator)))
@@ -123,7 +124,7 @@ impl Rational {
                 let big = self.to_big();
                 match big.to_f64() {
                     Some(value) if !value.is_nan() => value,
-                    // Beyond the range of a double on either side.
+                    // The value is too large or too small for a double.
                     _ if big.numer().bits() < big.denom().bits() => 0.0,
                     _ if big.is_negative() => f64::NEG_INFINITY,
                     _ => f64::INFINITY,
@@ -132,7 +133,7 @@ impl Rational {
         }
     }
 
-    /// Reduced rational number n/d of wide integers; d must not be 0.
+    /// Creates the rational number n/d of 128-bit integers, reduced; d must not be 0.
     fn from_wide(n: i128, d: i128) -> Self {
         if let (Ok(n), Ok(d)) = (i64::try_from(n), i64::try_from(d))
             && let Some(reduced) = Self::reduced(n, d)
@@ -148,7 +149,8 @@ impl Rational {
         }
     }
 
-    /// Reduced fraction n/d of machine words. `None` if its sign change overflows, or for 0/0.
+    /// Creates the reduced fraction n/d of machine words. `None` for 0/0, or if the sign change of
+    /// a negative d overflows.
     fn reduced(n: i64, d: i64) -> Option<Self> {
         if d == 1 {
             return Some(Self(Repr::Small(n, 1)));
@@ -270,9 +272,9 @@ impl Rational {
     /// Number of bits above which a power of a rational number is refused rather than computed.
     pub const MAX_BITS: u64 = 100_000;
 
-    /// Greatest positive rational number of which both numbers are integer multiples: gcd of the
-    /// numerators over lcm of the denominators. If either number is 0, it is the absolute value of
-    /// the other.
+    /// Greatest common divisor of two rational numbers: the largest positive rational number of
+    /// which both are integer multiples. It is the gcd of the numerators over the lcm of the
+    /// denominators. If one number is 0, it is the absolute value of the other.
     #[must_use]
     pub fn greatest_common_divisor(&self, other: &Self) -> Self {
         if self.is_zero() || other.is_zero() {
@@ -280,7 +282,8 @@ impl Rational {
             return if value.is_negative() { value.neg() } else { value };
         }
         if let (Repr::Small(a, b), Repr::Small(c, d)) = (&self.0, &other.0) {
-            // Both are reduced, and a prime in a numerator and in a denominator would divide one of the numbers alone.
+            // The result is reduced, since both fractions are: a prime in its numerator and
+            // denominator would divide both parts of one fraction.
             let numerator = i64::try_from(a.unsigned_abs().gcd(&c.unsigned_abs()));
             if let (Ok(numerator), Some(denominator)) = (numerator, (b / b.gcd(d)).checked_mul(*d)) {
                 return Self(Repr::Small(numerator, denominator));
@@ -360,8 +363,8 @@ mod tests {
         assert!((Rational::integer(10).pow(300).unwrap().to_f64() / 1e300 - 1.0).abs() < 1e-15);
     }
 
-    /// Consecutive Fibonacci numbers, whose Euclid's algorithm is as long as it can be: 30 000 digits would take 140
-    /// 000 nested calls.
+    /// Long fractions need no deep stack. For consecutive Fibonacci numbers Euclid's algorithm
+    /// takes the most steps: 140 000 nested calls for 30 000 digits.
     #[test]
     fn long_numbers_are_compared_and_hashed_without_a_deep_stack() {
         let (mut a, mut b) = (BigInt::one(), BigInt::one());

@@ -1,11 +1,12 @@
-//! Steps of a computation: values that are computed in sequence. Each has a symbol, by which later
-//! steps mention it.
+//! Steps of a computation: values that are computed in sequence. Each value has a symbol, by which
+//! later steps refer to it.
 
 use super::calculus::Substitution;
 use crate::algebra::{Arena, Expr};
 use rustc_hash::FxHashSet;
 
-/// A step of a computation: a symbol and its value, in terms of symbols that earlier steps define.
+/// Step of a computation: it defines a symbol by a value, a term in the symbols of earlier steps
+/// and inputs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Definition {
     /// Symbol that the step of the computation defines.
@@ -29,8 +30,8 @@ pub fn needed_steps(arena: &Arena, steps: &[Definition], expressions: &[Expr]) -
     list
 }
 
-/// Adds the steps to the substitution `put`, which then replaces each step's symbol by its value.
-/// Values are inserted as named terms, so that nothing is written out.
+/// Adds steps to the substitution `put`, which then replaces the symbol of each step by its value.
+/// Values are inserted as named terms, so that terms stay short.
 pub fn substitute_steps(arena: &mut Arena, put: &mut Substitution, steps: &[Definition]) {
     for step in steps {
         let value = put.apply(arena, step.value);
@@ -40,8 +41,8 @@ pub fn substitute_steps(arena: &mut Arena, put: &mut Substitution, steps: &[Defi
 }
 
 /// Creates a new symbol with the name `wanted`, or with underscores appended if that name is taken.
-/// Within a part of a document ([`crate::algebra::text::definitions`]), the name of the part is
-/// appended first.
+/// While a document part is being written ([`crate::algebra::text::definitions`]), the name of the
+/// part is appended before the underscores.
 pub fn fresh_symbol(arena: &mut Arena, wanted: &str) -> Expr {
     let wanted = arena.names.name_in_part(wanted);
     unused_symbol(arena, &wanted)

@@ -5,9 +5,10 @@ use rustc_hash::FxHashMap;
 
 /// Hash of the structure of each given term. The list must contain every operand before the terms
 /// built from it.
-/// Equal structures have equal hashes in any arena; different structures hardly ever do. Hashes
-/// give an order that does not depend on when terms were built. No decision on equality may rest on
-/// them.
+///
+/// Equal structures have equal hashes in any arena; different structures hardly ever do. So hashes
+/// give an order of terms that does not depend on when the terms were built. They must not decide
+/// if terms are equal.
 pub(in crate::algebra) fn structure_hashes(arena: &Arena, terms: &[Expr]) -> FxHashMap<Expr, u64> {
     let mut known: FxHashMap<Expr, u64> = FxHashMap::default();
     for e in terms {
@@ -15,7 +16,8 @@ pub(in crate::algebra) fn structure_hashes(arena: &Arena, terms: &[Expr]) -> FxH
             Node::Number(value) => hash_of_text(1, &value.to_string()),
             Node::Symbol(_) => hash_of_text(2, arena.symbol_name(*e).unwrap_or_default()),
             Node::Pi => mix_hashes(3, 0),
-            // Operands of sums and products stand in the order of the arena, on which the number must not depend.
+            // The sum of operand hashes does not depend on the order of the operands, which differs
+            // between arenas.
             Node::Sum(constant, terms) => {
                 let parts = terms.iter().map(|(term, k)| mix_hashes(known[term], hash_of_text(4, &k.to_string())));
                 mix_hashes(hash_of_text(5, &constant.to_string()), parts.fold(0, u64::wrapping_add))
@@ -40,7 +42,8 @@ fn mix_hashes(a: u64, b: u64) -> u64 {
     x ^ (x >> 31)
 }
 
-/// Hash of a text; `kind` separates the kinds of nodes that it may stand for.
+/// Hash of a text. `kind` is the number of a node kind; equal texts of different kinds have
+/// different hashes.
 fn hash_of_text(kind: u64, words: &str) -> u64 {
     words.bytes().fold(mix_hashes(kind, 0), |sum, byte| mix_hashes(sum, u64::from(byte)))
 }

@@ -9,19 +9,20 @@ pub struct Transfer<'a> {
     from: &'a Arena,
     /// Copy of each term transferred so far, by its handle in the source arena.
     done: FxHashMap<Expr, Expr>,
-    /// Suffix appended to the label of each named term that has no name in the target arena.
+    /// Suffix for the labels of named terms that get a new name in the target arena; empty within
+    /// one model.
     suffix: &'static str,
 }
 
 impl<'a> Transfer<'a> {
-    /// Creates a transfer of terms of the arena `from`. A named term without a name in the target
-    /// arena gets the same label there.
+    /// Creates a transfer of terms of the arena `from` to an arena of the same model. Named terms
+    /// keep their labels; a term that already has a name in the target arena keeps that name.
     pub fn new(from: &'a Arena) -> Self {
         Self { from, done: FxHashMap::default(), suffix: "" }
     }
 
-    /// Creates a transfer of terms of `from` into the arena of a different model. The suffix marks
-    /// the labels of named terms that have no name there.
+    /// Creates a transfer of terms of the arena `from` to the arena of a different model. The
+    /// suffix is appended to the labels of named terms that have no name there yet.
     pub fn to_other_model(from: &'a Arena, suffix: &'static str) -> Self {
         Self { suffix, ..Self::new(from) }
     }

@@ -5,11 +5,13 @@
 //! written first, on their own: the equations by Kane's method. Names of all other terms end in the
 //! name of the document part in which they first occur. So `ratio_x_v` is a term of Kane's
 //! equations, and `ratio_x_v_lagrange` a term of Lagrange's equations only.
-//! Numbers distinguish terms that have the same label in a part. A number depends on the structure
-//! of the terms and not on when they were built. So it is the same wherever the part is written.
 //!
-//! Invariant: a named term has the same symbol whenever it is written, and each step comes after
-//! the steps that it needs.
+//! Numbers distinguish terms that have the same label in a part. A number depends on the structure
+//! of the terms, not on when they were built. So a term has the same number in every document that
+//! contains the part.
+//!
+//! Invariant: a named term has the same symbol in all texts, and each step comes after the steps
+//! that it needs.
 
 use crate::algebra::term::arena::NameSymbol;
 use crate::algebra::term::calculus::Substitution;
@@ -20,8 +22,9 @@ use crate::algebra::{Arena, Expr};
 
 /// Replaces named terms in the given steps and values by symbols, and adds a step that defines each
 /// symbol. Returns the steps and the values.
-/// An added step comes before the first step that needs it. A given step may itself define a named
-/// term by an equal formula, which is then kept as its value.
+///
+/// An added step comes before the first step that needs it. A given step may define a named term by
+/// an equal formula; its formula is then kept.
 pub fn write_definitions(arena: &mut Arena, steps: &[Definition], values: &[Expr]) -> (Vec<Definition>, Vec<Expr>) {
     let mut writing = DefinitionWriter::default();
     for step in steps {
@@ -35,8 +38,9 @@ pub fn write_definitions(arena: &mut Arena, steps: &[Definition], values: &[Expr
 
 /// Gives every named term in `values` a symbol, for the document part `part`. The values stay
 /// unchanged; documents show them with these symbols.
-/// Names that are written later without a part of their own belong to `part`. All values of a part
-/// must be given at once, since the numbers in their names depend on one another.
+///
+/// Terms that are named later get names of this part too, until another part begins. All values of
+/// a part must be given at once, since the numbers in their names depend on one another.
 pub fn define_names_in_part(arena: &mut Arena, part: &str, values: &[Expr]) {
     arena.names.part = Some(part.to_owned());
     let mut named: Vec<Expr> = arena.reachable(values);
@@ -50,8 +54,9 @@ pub fn define_names_in_part(arena: &mut Arena, part: &str, values: &[Expr]) {
     }
 }
 
-/// Definitions of all named terms that the terms `shown` contain, directly or within other
-/// definitions. Each comes after the definitions that it uses.
+/// Definitions of all named terms that occur in the terms `shown`, directly or within other
+/// definitions. Each definition comes after the definitions that it uses. Named terms without a
+/// symbol are left out.
 #[must_use]
 pub fn definitions_shown(arena: &Arena, shown: &[Expr]) -> Vec<Definition> {
     let named = arena.reachable(shown).into_iter();
@@ -72,8 +77,8 @@ struct DefinitionWriter {
 }
 
 impl DefinitionWriter {
-    /// Symbol that a given step defines: the symbol of a named term, or the term itself if it is a
-    /// plain symbol.
+    /// Symbol for the left side of a given step. For a named term it is the symbol of that term; a
+    /// plain symbol is returned unchanged.
     fn symbol_defined_by_step(&mut self, arena: &mut Arena, e: Expr) -> Expr {
         if arena.named_term_value(e).is_none() {
             return e;
@@ -98,7 +103,7 @@ impl DefinitionWriter {
     }
 }
 
-/// Symbol with which a named term is written; it is created if the term has none.
+/// Symbol with which documents show a named term; a new symbol is created if the term has none.
 fn definition_symbol(arena: &mut Arena, named: Expr) -> Expr {
     match arena.names.symbols.get(&named) {
         Some(known) => known.symbol,
@@ -106,8 +111,9 @@ fn definition_symbol(arena: &mut Arena, named: Expr) -> Expr {
     }
 }
 
-/// Gives a named term a symbol: its label and the part's name, then the next number among the terms
-/// of that label in this part. A term that already has a symbol keeps it.
+/// Gives a named term a symbol. Its name is the label, the part's name, and the next number among
+/// the terms with this label in this part. A term that already has a symbol keeps it, and the
+/// number is counted nevertheless.
 fn next_definition_symbol(arena: &mut Arena, named: Expr) -> Expr {
     let wanted = arena.names.name_in_part(arena.label_of(named).unwrap_or_default());
     let count = arena.names.written.entry(wanted.clone()).or_insert(0);
@@ -122,9 +128,9 @@ fn next_definition_symbol(arena: &mut Arena, named: Expr) -> Expr {
     symbol
 }
 
-/// Copies the names written in another arena of the same model into `arena`. In `from`, a term may
-/// have the opposite sign, which depends on the terms built before. It is then a different term,
-/// and no term of `arena` gets its name.
+/// Copies to `arena` the symbols of named terms that were written in `from`, another arena of the
+/// same model. A term without a name in `arena` gets no symbol. This happens if the two arenas
+/// write the term with opposite signs, which depend on the order in which terms were built.
 pub fn adopt_definitions(arena: &mut Arena, from: &Arena) {
     let mut known: Vec<_> = from.names.symbols.iter().collect();
     known.sort_unstable_by_key(|(e, _)| **e);

@@ -1,4 +1,4 @@
-//! Views of formulas: display trees, from which all notations and generated code are written.
+//! Display trees of formulas, from which all notations and generated code are written.
 //!
 //! Factors and terms are in the order in which their symbols were declared, and sums come last. sin
 //! x / cos x becomes tan x; negative powers become a fraction.
@@ -54,11 +54,10 @@ pub fn display_tree(arena: &Arena, e: Expr, shared: &SharedNames, budget: usize)
     DisplayTreeBuilder { arena, ranks: display_sort_keys(arena, e), shared, left: budget }.expand(e)
 }
 
-/// Sort key of a term among factors: number of the symbol in it that was declared last, kind of
-/// node, handle.
+/// Sort key of a factor: number of the symbol in it that was declared last, kind of node, handle.
 type SortKey = (u32, u8, Expr);
 
-/// Sort key of the term `e` and of each subterm that its text shows.
+/// Sort keys of the term `e` and of all its subterms that its text shows.
 fn display_sort_keys(arena: &Arena, e: Expr) -> FxHashMap<Expr, SortKey> {
     let mut ranks: FxHashMap<Expr, SortKey> = FxHashMap::default();
     for part in arena.shown_subterms(&[e]) {
@@ -90,7 +89,7 @@ fn display_sort_keys(arena: &Arena, e: Expr) -> FxHashMap<Expr, SortKey> {
 struct DisplayTreeBuilder<'a> {
     /// Arena of the terms.
     arena: &'a Arena,
-    /// Sort key of each term.
+    /// Sort key of each subterm that the formula shows.
     ranks: FxHashMap<Expr, SortKey>,
     /// Terms that are shown by a name in place of their formulas.
     shared: &'a SharedNames,
@@ -99,7 +98,7 @@ struct DisplayTreeBuilder<'a> {
 }
 
 impl DisplayTreeBuilder<'_> {
-    /// Display tree of a term, or its name if it is a shared term.
+    /// Display tree of a term; a shared term becomes its name.
     fn view(&mut self, e: Expr) -> DisplayTree {
         match self.shared.get(&e) {
             Some(name) => DisplayTree::Shared(name.clone()),
@@ -107,7 +106,7 @@ impl DisplayTreeBuilder<'_> {
         }
     }
 
-    /// Display tree of a term, even if the term itself has a shared name.
+    /// Display tree of a term, written out even if the term itself has a shared name.
     fn expand(&mut self, e: Expr) -> DisplayTree {
         if self.left == 0 {
             return DisplayTree::Cut;
@@ -182,7 +181,8 @@ impl DisplayTreeBuilder<'_> {
         let (mut above, mut below) = (Vec::new(), Vec::new());
         let mut negative = k.is_negative();
         let tangents = self.take_tangents(&mut factors);
-        // Symbols first, then functions, then sums: `u4 sin q1` cannot be misread, `sin q1 u4` can.
+        // Symbols come first, then functions, then sums: `sin q1 u4` could be misread as sin(q1
+        // u4).
         let class = |e: Expr| match self.arena.node(e) {
             Node::Apply(..) => 1,
             Node::Sum(..) => 2,
@@ -194,7 +194,7 @@ impl DisplayTreeBuilder<'_> {
         ordered.sort_by_key(|(class, ..)| *class);
         for (_, base, n, tangent) in ordered {
             let mut view = self.view(base);
-            // −a (5 c − 6) is a (6 − 5 c).
+            // A minus sign is taken into a sum: −a (5 c − 6) becomes a (6 − 5 c).
             if let DisplayTree::Sum(parts) = &mut view
                 && negative
                 && n % 2 != 0
@@ -226,8 +226,8 @@ impl DisplayTreeBuilder<'_> {
         (negative, view)
     }
 
-    /// Takes the tangents sin^n·cos^−n out of a list of factors, and returns them as pairs (angle,
-    /// n).
+    /// Takes the tangents out of a list of factors: sin^n·cos^−n of one angle is tan^n. Returns
+    /// pairs (angle, n).
     fn take_tangents(&self, factors: &mut Vec<(Expr, i32)>) -> Vec<(Expr, i32)> {
         let mut tangents = Vec::new();
         for at in 0..factors.len() {
@@ -250,7 +250,7 @@ impl DisplayTreeBuilder<'_> {
     }
 }
 
-/// Moves the first positive term of a sum to the front, because a sum that begins with a minus is
+/// Moves the first positive term of a sum to the front if the sum begins with a minus, which is
 /// harder to read.
 fn positive_first(parts: &mut Vec<(bool, DisplayTree)>) {
     if let Some(at) = parts.iter().position(|(negative, _)| !negative)
@@ -280,7 +280,8 @@ pub fn is_sum_free_formula(view: &DisplayTree) -> bool {
     }
 }
 
-/// Splits a product into its leading whole number, `1` if there is none, and its remaining factors.
+/// Splits a product into its leading whole number and its other factors. The number is `1` if there
+/// is none.
 #[must_use]
 pub fn constant_and_factors(view: &DisplayTree) -> (String, Vec<DisplayTree>) {
     match view {

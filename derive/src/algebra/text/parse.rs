@@ -1,10 +1,9 @@
 //! Parser of infix formulas: `-R*u2*tan(q2) + u4*cos(q1)`, `q1'` for a time derivative, `^` for
 //! powers.
-//!
 //! Decimals are exact (`0.1` is 1/10). Sums and products are read in loops, so their length is
 //! unlimited; nesting is limited to [`MAX_DEPTH`]. `tan`, `sec`, `csc` and `cot` are read as
-//! quotients of sine and cosine. If the caller can resolve velocities, `v(P) @ A [1]` is an
-//! operand.
+//! quotients of sine and cosine. Components of velocities such as `v(P) @ A [1]` are operands only
+//! if the caller can resolve them.
 
 mod calls;
 mod coefficient_size;
@@ -31,19 +30,20 @@ pub const MAX_DEPTH: usize = 200;
 /// Largest cost of exact arithmetic in one expression, in squared bits; it takes about a second.
 const MAX_WORK: u64 = 50_000_000_000;
 
-/// Function that resolves a name. It returns the term of the name, or an error as (message, help).
+/// Function that resolves a name: it returns the term that the name stands for. Its error is the
+/// pair (message, help).
 pub type Resolve<'a> = dyn FnMut(&mut Arena, &str) -> Result<Expr, (String, Option<String>)> + 'a;
 
-/// Function that resolves a component of a velocity or position. It returns the term, or an error
-/// as (message, help).
+/// Function that resolves a component of a velocity or position: it returns the term of that
+/// component. Its error is the pair (message, help).
 pub type ResolveVelocity<'a> = dyn FnMut(&mut Arena, &VelocityName<'_>) -> Result<Expr, (String, Option<String>)> + 'a;
 
-/// Function that resolves a component of a force or torque between bodies. It returns the term, or
-/// an error as (message, help).
+/// Function that resolves a component of a force or torque between bodies: it returns the term of
+/// that component. Its error is the pair (message, help).
 pub type ResolveInteraction<'a> =
     dyn FnMut(&mut Arena, &InteractionName<'_>) -> Result<Expr, (String, Option<String>)> + 'a;
 
-/// Parses one expression; `resolve` gives the term of each name.
+/// Parses one expression; the function `resolve` returns the term for each name.
 ///
 /// # Errors
 /// First [`ParseError`] in the text.
@@ -51,13 +51,12 @@ pub fn parse(arena: &mut Arena, text: &str, resolve: &mut Resolve<'_>) -> Result
     parse_primed(arena, text, 1, resolve)
 }
 
-/// Function that gives the time derivative of a term. It returns the derivative, or an error as
-/// (message, help).
+/// Function that returns the time derivative of a term. Its error is the pair (message, help).
 pub type ResolveRate<'a> = dyn FnMut(&mut Arena, Expr) -> Result<Expr, (String, Option<String>)> + 'a;
 
-/// Parses a formula of a publication; `resolve` gives the term of each name. Names may end in up to
-/// `primes` primes, since published equations contain second derivatives `q1''`. `ddt(…)` is the
-/// time derivative of a term, given by `rate`.
+/// Parses a formula of a publication; the function `resolve` returns the term for each name. Names
+/// may end in up to `primes` primes, since published equations contain second derivatives `q1''`.
+/// `ddt(…)` is the time derivative of a term, which the function `rate` returns.
 ///
 /// # Errors
 /// First [`ParseError`] in the text.
@@ -72,7 +71,7 @@ pub fn parse_published(
 }
 
 /// Parses a formula in which names may end in up to `primes` primes, such as the second derivative
-/// `q1''`. `resolve` gives the term of each name.
+/// `q1''`. The function `resolve` returns the term for each name.
 ///
 /// # Errors
 /// First [`ParseError`] in the text.
@@ -86,8 +85,8 @@ pub fn parse_primed(
 }
 
 /// Parses one expression that may contain components of velocities, and of forces and torques
-/// between bodies. `resolve` gives the term of each name, `velocity` that of a velocity, and
-/// `interaction` that of a force or torque.
+/// between bodies. Three functions return terms: `resolve` for a name, `velocity` for a component
+/// of a velocity, `interaction` for a component of a force or torque.
 ///
 /// # Errors
 /// First [`ParseError`] in the text.
@@ -118,7 +117,7 @@ pub fn is_reserved_by_parser(name: &str) -> bool {
     name == "pi" || is_function(name)
 }
 
-/// Functions of several arguments. Without parentheses they are ordinary names.
+/// Functions of several arguments. A name of this list without parentheses is an ordinary name.
 const SEVERAL_ARGUMENTS: [&str; 3] = ["min", "max", "atan2"];
 
 /// True if `name` is a function of one argument in the expression language.
@@ -174,7 +173,7 @@ impl Parser<'_, '_> {
         if self.at < self.text.len() {
             return Err(ParseError::unexpected(self.text, self.at, self.primes));
         }
-        // log(w) − log(w) + w is w, but only where log(w) has a value.
+        // log(w) − log(w) + w becomes w, but has a value only where log(w) has one.
         let partial = std::mem::take(&mut self.partial);
         if !partial.is_empty() {
             let kept = self.arena.reachable(&[e]);
@@ -194,7 +193,8 @@ impl Parser<'_, '_> {
         }
     }
 
-    /// Skips the given byte and the space after it, if it comes next; true if it did.
+    /// Skips the given byte and the space after it, if the byte comes next. Returns true if it was
+    /// skipped.
     fn take(&mut self, byte: u8) -> bool {
         let found = self.peek() == Some(byte);
         if found {
@@ -225,7 +225,7 @@ impl Parser<'_, '_> {
         loop {
             let term = self.term()?;
             let (above, below) = coefficient_bits(self.arena, term);
-            // Different denominators multiply in a sum; numerators hardly grow.
+            // Different denominators multiply when fractions are added; numerators hardly grow.
             if below > 1 && denominators.insert(coefficient_denominator(self.arena, term)) {
                 common += below;
             }
@@ -308,8 +308,8 @@ impl Parser<'_, '_> {
         Ok(if negative { self.arena.neg(e) } else { e })
     }
 
-    /// Parses an operand with its exponent, if it has one. An exponent is an integer or a half of
-    /// an odd integer.
+    /// Parses an operand with its exponent, if it has one. An exponent is an integer or half an
+    /// integer. Error for other exponents.
     fn power(&mut self) -> Result<Expr, ParseError> {
         let start = self.at;
         let base = self.primary()?;
@@ -348,8 +348,8 @@ impl Parser<'_, '_> {
         Ok(())
     }
 
-    /// Parses the rest of a parenthesis, whose opening mark was at byte `open`. Error if it is
-    /// never closed.
+    /// Parses an expression after an opening parenthesis at byte `open`, up to its closing
+    /// parenthesis. Error if the parenthesis is never closed.
     fn parenthesized(&mut self, open: usize) -> Result<Expr, ParseError> {
         self.enter_nesting(open)?;
         let e = self.sum()?;

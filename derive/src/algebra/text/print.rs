@@ -1,8 +1,8 @@
 //! Printing of expressions: as text, which parses back to the same term; in LaTeX, Typst and
 //! `MathML`; and as Python source.
 //!
-//! A formula printed for people is cut after `BUDGET` nodes, since nobody reads further;
-//! [`print_whole_text`] is for programs.
+//! A formula printed for people is cut after `BUDGET` nodes, since nobody reads further.
+//! [`print_whole_text`] prints formulas for programs, a hundred times as long.
 
 mod latex;
 mod line_breaks;
@@ -43,8 +43,8 @@ pub fn text_of(view: &DisplayTree) -> String {
     out
 }
 
-/// Prints an expression as plain text for programs, like [`print_text`]. It is cut only after two million
-/// nodes, a size that shared terms can reach.
+/// Prints an expression as plain text for programs. It is cut only after two million nodes; terms
+/// that are shared often can reach this size.
 #[must_use]
 pub fn print_whole_text(arena: &Arena, e: Expr) -> String {
     let mut out = String::new();
@@ -59,15 +59,15 @@ pub fn print_whole_view(arena: &Arena, e: Expr, shared: &SharedNames) -> Display
     display_tree(arena, e, shared, 100 * BUDGET)
 }
 
-/// Builds the display tree of a term, cut after `BUDGET` nodes. A symbol that would look like
-/// another with its subscript is printed as a word.
+/// Builds the display tree of a term, cut after `BUDGET` nodes. If a symbol with a subscript would
+/// look like another symbol, it is printed as a word.
 #[must_use]
 pub fn print_view(arena: &Arena, e: Expr) -> DisplayTree {
     with_distinct_names(arena, display_tree(arena, e, &FxHashMap::default(), BUDGET))
 }
 
-/// Display tree of a symbol, by its printed name. It is a whole word if another symbol would look
-/// the same.
+/// Display tree of a symbol, by its printed name. The symbol is a whole word if another symbol
+/// would look the same with its subscript.
 #[must_use]
 pub fn print_symbol_view(arena: &Arena, name: &str) -> DisplayTree {
     if arena.names.printed.contains_key(name.trim_end_matches('\'')) {
@@ -77,8 +77,8 @@ pub fn print_symbol_view(arena: &Arena, name: &str) -> DisplayTree {
     if looks_like_another { DisplayTree::Word(name.to_owned()) } else { DisplayTree::Name(name.to_owned()) }
 }
 
-/// Replaces the names in a display tree by printed names; symbols that would look alike become
-/// words.
+/// Replaces the names in a display tree by printed names. Symbols that would look like other
+/// symbols become words.
 fn with_distinct_names(arena: &Arena, view: DisplayTree) -> DisplayTree {
     let boxed = |part: Box<DisplayTree>| Box::new(with_distinct_names(arena, *part));
     match view {

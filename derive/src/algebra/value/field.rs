@@ -20,15 +20,16 @@ impl Generator {
     }
 }
 
-/// Prime field: arithmetic modulo a prime between 2^60 and 2^61 that is 23 modulo 24.
-/// In it −1 is not a square, so exactly one of the two roots of a square is itself a square. 2 and
-/// 3 are squares, so sines of multiples of π/12 have values.
+/// Prime field: arithmetic modulo a prime p between 2^60 and 2^61 with p = 23 modulo 24.
+///
+/// In such a field −1 is not a square, so exactly one of the two roots of a square is itself a
+/// square. 2 and 3 are squares, so sines of multiples of π/12 have values.
 #[derive(Clone, Copy)]
 pub struct Field {
     /// Prime modulus of the field, between 2^60 and 2^61.
     pub prime: u64,
-    /// Value ⌊2^122 / prime⌋. Products are reduced by a multiplication with it, because divisions
-    /// of double words are slow.
+    /// Value ⌊2^122 / prime⌋. Products are reduced by a multiplication with this value, because
+    /// divisions of 128-bit numbers are slow.
     reciprocal: u64,
 }
 
@@ -62,7 +63,8 @@ impl Field {
 
     /// Product a · b modulo the prime.
     pub fn mul(self, a: u64, b: u64) -> u64 {
-        // Barrett's reduction: the quotient is at most two too small, for a product below 2^122.
+        // Barrett's reduction: for a product below 2^122 the quotient is at most two below the
+        // exact quotient.
         let product = u128::from(a) * u128::from(b);
         let quotient = ((product >> 60) * u128::from(self.reciprocal)) >> 62;
         let rest = product - quotient * u128::from(self.prime);
@@ -103,8 +105,8 @@ impl Field {
         Some(self.pow(base, u64::from(n.unsigned_abs())))
     }
 
-    /// Square root of a modulo the prime. Of the two roots it is the root that is itself a square.
-    /// `None` if a has no root.
+    /// Square root of a modulo the prime: of the two roots, the one that is itself a square. `None`
+    /// if a has no root.
     pub fn root(self, a: u64) -> Option<u64> {
         let root = self.pow(a, self.prime.div_ceil(4));
         (self.mul(root, root) == a).then_some(root)

@@ -19,11 +19,11 @@ pub struct PointInterval {
     hi: f64,
 }
 
-/// Relative error allowed for a library's sine, cosine or exponential. It is a hundred units in the
-/// last place, far above the error of any real library.
+/// Relative error allowed for the sine, cosine or exponential of a library: a hundred units in the
+/// last place. The error of any real library is far smaller.
 const LIBRARY: f64 = 100.0 * f64::EPSILON;
-/// Largest absolute exponent for which a power is enclosed, since powers are built by repeated
-/// multiplication.
+/// Largest absolute value of an exponent for which a power has an interval. Powers are computed by
+/// repeated multiplication.
 const MOST_POWER: u32 = 2000;
 
 impl PointInterval {
@@ -39,8 +39,8 @@ impl PointInterval {
         Self { lo: x, hi: x }
     }
 
-    /// True if all numbers of the interval agree to the given relative precision. A number agrees
-    /// with 0 only if it is 0.
+    /// True if the width of the interval is at most `precision` times its smaller end, in absolute
+    /// value. An interval that contains 0 fulfils this only if it is the point 0.
     pub fn is_within_precision(self, precision: f64) -> bool {
         self.hi - self.lo <= precision * self.lo.abs().min(self.hi.abs())
     }
@@ -60,19 +60,21 @@ impl PointInterval {
         self.lo > other.hi
     }
 
-    /// Interval of a rational number: a single double if that is exact. `None` beyond the range of
-    /// doubles.
+    /// Interval that contains a rational number; it is a single double if that is exact. `None`
+    /// beyond the range of doubles.
     fn rational(value: &Rational) -> Option<Self> {
         let x = value.to_f64();
         if Rational::from_f64_exact(x).as_ref() == Some(value) { Some(Self::point(x)) } else { Self::new(x, x) }
     }
 
-    /// Interval of the sum of two numbers; `None` beyond the range of doubles.
+    /// Interval of the sums x + y, for x in this interval and y in `other`; `None` beyond the range
+    /// of doubles.
     fn add(self, other: Self) -> Option<Self> {
         Self::new(self.lo + other.lo, self.hi + other.hi)
     }
 
-    /// Interval of the product of two numbers; `None` beyond the range of doubles.
+    /// Interval of the products x · y, for x in this interval and y in `other`; `None` beyond the
+    /// range of doubles.
     fn mul(self, other: Self) -> Option<Self> {
         let products = [self.lo * other.lo, self.lo * other.hi, self.hi * other.lo, self.hi * other.hi];
         let lo = products.iter().copied().fold(f64::INFINITY, f64::min);
@@ -80,8 +82,8 @@ impl PointInterval {
         Self::new(lo, hi)
     }
 
-    /// Interval of xⁿ. `None` if n is too large, for a negative power of an interval with 0, or
-    /// beyond the range of doubles.
+    /// Interval of the powers xⁿ, for x in the interval. `None` if n is too large, if n is negative
+    /// and the interval may contain 0, or beyond the range of doubles.
     fn power(self, n: i32) -> Option<Self> {
         if n.unsigned_abs() > MOST_POWER {
             return None;
@@ -107,8 +109,8 @@ impl PointInterval {
         Self { lo: if self.excludes_zero() { a.min(b) } else { 0.0 }, hi: a.max(b) }
     }
 
-    /// Interval of a function such as sine, computed from its value at the middle. The function and
-    /// its slope must be at most 1 in size.
+    /// Interval of a function such as sine, computed from its value at the middle of the interval.
+    /// The absolute values of the function and of its slope must be at most 1.
     fn enclose_wave(self, f: impl Fn(f64) -> f64) -> Option<Self> {
         let value = f(f64::midpoint(self.lo, self.hi));
         let radius = self.hi - self.lo + LIBRARY * value.abs();
@@ -151,8 +153,8 @@ impl PointInterval {
 /// Relative width of a constant's interval above which its digits count as lost to rounding.
 const KNOWN: f64 = 1e-8;
 
-/// Power of ten of the first number in the term that is beyond the range of normal doubles; `None`
-/// if every number fits.
+/// Power of ten of the first number in the term whose size is beyond the range of normal doubles.
+/// `None` if all numbers are within this range.
 #[must_use]
 pub fn number_beyond_doubles(arena: &Arena, e: Expr) -> Option<f64> {
     let fits = |value: &&Rational| {
@@ -167,7 +169,7 @@ pub fn number_beyond_doubles(arena: &Arena, e: Expr) -> Option<f64> {
     found.map(magnitude)
 }
 
-/// Power of ten of a number's size, rounded to an integer.
+/// Power of ten of a number's absolute value, rounded to an integer.
 fn magnitude(value: &Rational) -> f64 {
     let big = value.to_big();
     let bits = |n: u64| i64::try_from(n).unwrap_or(i64::MAX);
@@ -175,8 +177,8 @@ fn magnitude(value: &Rational) -> f64 {
     (twos as f64 * std::f64::consts::LOG10_2).round()
 }
 
-/// Part of a term without symbols whose value doubles do not give to eight digits, such as
-/// exp(10^-20) − 1 or sin(10^30). `None` if there is no such part.
+/// First constant part of a term whose value is not known to eight digits in doubles, such as
+/// exp(10^-20) − 1 or sin(10^30). A constant part has no symbols. `None` if there is no such part.
 pub fn constant_with_wide_interval(arena: &Arena, e: Expr) -> Option<Expr> {
     let mut constant: FxHashSet<Expr> = FxHashSet::default();
     // Operands have smaller handles than the terms built from them.
@@ -195,8 +197,8 @@ pub fn constant_with_wide_interval(arena: &Arena, e: Expr) -> Option<Expr> {
         let is_known = match enclose_in_interval(arena, part, &FxHashMap::default()) {
             _ if matches!(arena.node(part), Node::Number(_) | Node::Pi) => true,
             Some(found) => found.is_within_precision(KNOWN),
-            // The value lies at the edge of a function's domain; a value beyond the range of
-            // doubles is reported elsewhere.
+            // Without an interval, the value is at the edge of a function's domain, or beyond the
+            // range of doubles. The second case is reported elsewhere.
             None => Tape::new(arena, &[], &[part]).is_ok_and(|tape| !tape.evaluate(&[])[0].is_finite()),
         };
         if !is_known {
@@ -206,8 +208,8 @@ pub fn constant_with_wide_interval(arena: &Arena, e: Expr) -> Option<Expr> {
     None
 }
 
-/// Replaces parts of the term `e` by 0 if they have no symbols, are exactly 0, and lose their
-/// digits in doubles. An example is 2 + √5 (1/(5 + 2 √5) − 1).
+/// Replaces constant parts of the term `e` by 0 if they are exactly 0 but lose their digits in
+/// doubles. An example is 2 + √5 (1/(5 + 2 √5) − 1).
 pub fn without_zeros_of_wide_interval(arena: &mut Arena, mut e: Expr) -> Expr {
     while let Some(lost) =
         constant_with_wide_interval(arena, e).filter(|lost| zero_test(arena, *lost) == ZeroTest::Zero)
@@ -222,9 +224,11 @@ pub fn without_zeros_of_wide_interval(arena: &mut Arena, mut e: Expr) -> Expr {
     e
 }
 
-/// Interval that contains the value of the term `e` at a point; `at` gives the value of each
-/// symbol. `None` if a symbol has no value, or if a divisor or an argument is not known to be in
-/// its domain.
+/// Interval that contains the value of the term `e` at a point; the map `at` has the value of each
+/// symbol.
+///
+/// `None` if a symbol has no value, if a divisor may be 0, or if the argument of a function may be
+/// outside its domain. `None` also beyond the range of doubles.
 pub fn enclose_in_interval(arena: &Arena, e: Expr, at: &FxHashMap<Expr, f64>) -> Option<PointInterval> {
     fold(arena, e, &mut IntervalRules(at))
 }
@@ -280,13 +284,13 @@ mod tests {
         end(interval.lo) <= *x && *x <= end(interval.hi)
     }
 
-    /// A number below `size` on either side of 0, out of a thousand.
+    /// Random number from −`size` to `size`, in steps of a thousandth of `size`.
     fn number(generator: &mut Generator, size: f64) -> f64 {
         (generator.next() % 2001) as f64 / 1000.0 * size - size
     }
 
-    /// Goal: powers and sums hold the exact value. Method: the same in rational arithmetic, at points that doubles
-    /// hold.
+    /// Intervals of powers and sums contain the exact value, computed in rational arithmetic at
+    /// points that doubles represent exactly.
     #[test]
     fn powers_and_sums_hold_the_exact_value() {
         let mut generator = Generator(1);
@@ -315,15 +319,16 @@ mod tests {
         }
     }
 
-    /// Goal: an interval of arguments gives one that holds the values between. Method: every function at seeded points;
-    /// a library's value there is within its error, which the interval allows for a hundred times.
+    /// The interval of a function contains the function's values at arguments between the ends. All
+    /// functions are tested at seeded points. The error of the library's values is far below the
+    /// error that the interval allows.
     #[test]
     fn functions_hold_their_values_between_the_ends() {
         let mut generator = Generator(2);
         for (f, name) in Function::ALL {
             let mut found = 0;
             for at in 0..1000 {
-                // Near 0, within [−1, 1], and beyond.
+                // Arguments near 0, within [−0.9, 0.9], and up to 10.
                 let x = number(&mut generator, [1e-9, 0.9, 10.0][at % 3]);
                 let width = [0.0, 1e-9, 0.1, 5.0][at % 4];
                 let (left, right) = (number(&mut generator, width).abs(), number(&mut generator, width).abs());
@@ -336,7 +341,7 @@ mod tests {
         }
     }
 
-    /// Goal: no function is enclosed too tightly. Method: identities, whose two sides have intervals that must meet.
+    /// No interval is too narrow: the intervals of both sides of an identity must overlap.
     #[test]
     fn functions_and_their_inverses_meet() {
         let mut generator = Generator(3);
@@ -350,7 +355,7 @@ mod tests {
                 (Function::Cos, Function::Acos, x.abs()),
                 (Function::Exp, Function::Log, x),
             ] {
-                // sin x = 1 within rounding is outside the domain as far as anyone can see.
+                // If rounding may put sin x above 1, the inverse has no interval.
                 let Some(back) = after(first, second, x) else { continue };
                 assert!(back.lo <= x && x <= back.hi, "{} {} of {x}: {back:?}", second.name(), first.name());
             }

@@ -1,20 +1,21 @@
-//! Ranges of the values that a term can take: often enough to prove that a determinant is never
-//! zero.
+//! Ranges of the values that a term can take. They are often enough to prove that a determinant is
+//! never zero.
 //!
-//! The ranges are exact and sound but never sharp: each operand counts as if it varied on its own.
+//! The ranges are proved, but they may be too wide: each operand counts as if it varied on its own.
 //! So "never zero" is a proof for all real values of the symbols, and for all positive values of
 //! positive symbols. Any other result proves nothing.
 
 use crate::algebra::term::fold::{Fold, Values, fold};
 use crate::algebra::{Arena, Expr, Function, Rational};
 
-/// True if the term `e` is proved never to be zero where it has a value. False proves nothing.
+/// True if the term `e` is proved never to be zero where it has a value. False means that nothing
+/// is proved.
 #[must_use]
 pub fn range_excludes_zero(arena: &Arena, e: Expr) -> bool {
     fold(arena, e, &mut Ranges(arena)).is_some_and(|range| range.nonzero)
 }
 
-/// True if the term `e` is proved never to be above zero. False proves nothing.
+/// True if the term `e` is proved never to be above zero. False means that nothing is proved.
 #[must_use]
 pub fn range_excludes_positive(arena: &Arena, e: Expr) -> bool {
     fold(arena, e, &mut Ranges(arena)).is_some_and(|range| range.neg().is_nonnegative())
@@ -72,12 +73,12 @@ impl Range {
         Self::new(Some(value.clone()), Some(value.clone()))
     }
 
-    /// Returns the range, marked as never 0.
+    /// Same range, marked as never 0.
     fn without_zero(self) -> Self {
         Self { nonzero: true, ..self }
     }
 
-    /// Returns the range, marked as never 0 if `other` is never 0.
+    /// Same range, marked as never 0 if the range `other` is never 0.
     fn without_zero_if(self, other: &Self) -> Self {
         if other.nonzero { self.without_zero() } else { self }
     }
@@ -102,7 +103,7 @@ impl Range {
         let total = |bound: fn(&Self) -> &Option<Rational>| {
             parts.iter().try_fold(Rational::ZERO, |sum, part| Some(sum.add(bound(part).as_ref()?)))
         };
-        // Parts of one sign cannot cancel, so one non-zero part makes the sum non-zero.
+        // Parts of one sign cannot cancel: if one of them is never 0, the sum is never 0.
         let one_sign = |parts: &[Self]| parts.iter().all(Self::is_nonnegative) && parts.iter().any(|part| part.nonzero);
         let opposite: Vec<Self> = parts.iter().map(Self::neg).collect();
         let sum = Self::new(total(|part| &part.low), total(|part| &part.high));
@@ -147,7 +148,7 @@ impl Range {
         Self::new(Some(Rational::ZERO), high).without_zero_if(self)
     }
 
-    /// Range of 1/x for the x ≠ 0 of the range; it never contains 0.
+    /// Range of 1/x, for all x ≠ 0 in the range. It is marked as never 0.
     fn reciprocal(&self) -> Self {
         if self.neg().is_nonnegative() {
             return self.neg().reciprocal().neg();
@@ -179,7 +180,8 @@ mod tests {
     use super::*;
     use crate::algebra::text::parse::parse_free;
 
-    /// `M`, `R` and `m` are positive, all other symbols are any real numbers.
+    /// True if the term is proved never to be zero. `M`, `R` and `m` are positive; all other
+    /// symbols are any real numbers.
     fn proved(text: &str) -> bool {
         let mut arena = Arena::new();
         for name in ["M", "R", "m"] {

@@ -1,9 +1,8 @@
-//! Rank of a matrix for general values of its symbols: elimination modulo random primes, at random
-//! points.
+//! Rank of a matrix for general values of its symbols, by elimination modulo random primes at
+//! random points. The module also solves linear systems modulo a prime.
 //!
 //! The rank at a random point is never above the true rank. It is below the true rank only with the
-//! probability of a false zero. Nothing is eliminated symbolically. Linear systems modulo a prime are
-//! solved here too.
+//! probability of a false zero. Nothing is eliminated symbolically.
 
 use super::field::Field;
 use super::residues::{ResidueSampler, residues};
@@ -23,15 +22,15 @@ pub struct Rank {
 /// Rank of a matrix of terms, given by rows, for general values of the symbols.
 ///
 /// The matrix is evaluated at up to four random points, and the largest rank is returned. It is
-/// never above the true rank, and below it only with the probability of a false zero. `None` if no
-/// point could be evaluated.
+/// never above the true rank, and below it only if a non-zero residue happens to vanish. `None` if
+/// no point could be evaluated.
 #[must_use]
 pub fn rank(arena: &Arena, matrix: &[Vec<Expr>]) -> Option<Rank> {
     let mut best: Option<Rank> = None;
     for (field, rows) in residue_matrices(arena, matrix) {
         let (basis, dependent) = eliminate_residues(field, rows);
         best = best.max(Some(Rank { rank: basis.len(), dependent }));
-        // A point cannot show more than full rank, so the search ends there.
+        // No point can show a rank above full rank, so the search ends.
         if dependent.is_none() {
             break;
         }
@@ -39,8 +38,9 @@ pub fn rank(arena: &Arena, matrix: &[Vec<Expr>]) -> Option<Rank> {
     best
 }
 
-/// Row indices of a largest independent set of rows, and the pivot column of each. The set has each
-/// row that does not depend on earlier rows. `None` if no point could be evaluated.
+/// Largest set of independent rows of a matrix: their row indices, and the pivot column of each.
+/// The set contains each row that does not depend on earlier rows. `None` if no point could be
+/// evaluated.
 #[must_use]
 pub fn pivot_rows_and_columns(arena: &Arena, matrix: &[Vec<Expr>]) -> Option<(Vec<usize>, Vec<usize>)> {
     let mut best: Option<Vec<(usize, usize)>> = None;
@@ -53,16 +53,16 @@ pub fn pivot_rows_and_columns(arena: &Arena, matrix: &[Vec<Expr>]) -> Option<(Ve
     best.map(|basis| basis.into_iter().unzip())
 }
 
-/// Row indices of a largest independent set of rows: each row that does not depend on earlier rows.
-/// `None` if no point could be evaluated.
+/// Row indices of a largest set of independent rows: of each row that does not depend on earlier
+/// rows. `None` if no point could be evaluated.
 #[must_use]
 pub fn independent_rows(arena: &Arena, matrix: &[Vec<Expr>]) -> Option<Vec<usize>> {
     pivot_rows_and_columns(arena, matrix).map(|(rows, _)| rows)
 }
 
 /// True if `row` is a linear combination of the independent `rows` with coefficients that do not
-/// depend on the symbols `moving`. Then it follows from the rows in every configuration.
-/// False if it is no such combination, or if no random point could be evaluated.
+/// depend on the symbols `moving`. The row then depends on them in every configuration. False
+/// otherwise, or if no random point could be evaluated.
 #[must_use]
 pub(crate) fn keeps_rank_everywhere(arena: &Arena, rows: &[Vec<Expr>], row: &[Expr], moving: &FxHashSet<Expr>) -> bool {
     let all: Vec<Expr> = rows.iter().flatten().chain(row).copied().collect();
@@ -81,17 +81,17 @@ pub(crate) fn keeps_rank_everywhere(arena: &Arena, rows: &[Vec<Expr>], row: &[Ex
     false
 }
 
-/// Largest number of random fields that are tried for a point where all entries of a matrix have
-/// values.
+/// Largest number of random prime fields that are tried in the search for a point at which all
+/// entries of a matrix have values.
 const DRAWS: usize = 40;
 
-/// Coefficients of the linear combination of the first `count` rows that equals the row after them,
-/// modulo a prime. `values` holds all rows of length `width`, concatenated.
-/// `None` if the row is no such combination, or if the first rows are dependent.
+/// Coefficients of the linear combination of the first `count` rows that equals the next row,
+/// modulo a prime. `values` holds all rows, each of length `width`, one after the other. `None` if
+/// the next row is no such combination, or if the first rows are dependent.
 fn row_combination(field: Field, values: &[u64], count: usize, width: usize) -> Option<Vec<u64>> {
     let mut basis = Basis::new(field);
-    // Each row is extended by a unit vector of its own. The remainder of the last row then shows
-    // how much of each row was subtracted.
+    // Each row is extended by its own unit vector. So the remainder of the last row shows which
+    // multiple of each row was subtracted.
     let tagged = |at: usize| {
         let own = (0..count).map(|other| u64::from(other == at));
         values[at * width..(at + 1) * width].iter().copied().chain(own).collect::<Vec<u64>>()
@@ -116,7 +116,8 @@ pub(crate) fn residue_matrices<'a>(
     residues(arena, matrix.concat(), 4).map(move |(field, values)| (field, rows(values)))
 }
 
-/// Basis of a row space modulo a prime: independent rows, each reduced by the rows before it.
+/// Basis of a row space modulo a prime: independent rows, each with 0 in the pivot columns of the
+/// rows before it.
 pub(crate) struct Basis {
     /// Prime field of the entries of the rows.
     field: Field,
@@ -135,11 +136,11 @@ impl Basis {
         self.rows.len()
     }
 
-    /// Basis of the null space: independent vectors x of the given length with row · x = 0 for all
-    /// rows of the basis.
+    /// Basis of the null space: independent vectors x of the given length, with row · x = 0 for
+    /// each row of this basis.
     pub fn null_space(&self, length: usize) -> Vec<Vec<u64>> {
         let f = self.field;
-        // Rows with 0 in the pivot columns of all other rows.
+        // First, each row gets 0 in the pivot columns of all other rows.
         let mut rows = self.rows.clone();
         for at in 0..rows.len() {
             let (column, row) = rows[at].clone();
@@ -162,8 +163,8 @@ impl Basis {
         (0..length).filter(|column| !is_pivot(column)).map(vector).collect()
     }
 
-    /// Remainder of a row after elimination by the rows of the basis. Its entries in their pivot
-    /// columns are 0.
+    /// Remainder of a row after multiples of the basis rows are subtracted. Its entries in the
+    /// pivot columns of the basis are 0.
     fn reduce(&self, mut row: Vec<u64>) -> Vec<u64> {
         let f = self.field;
         for (column, known) in &self.rows {
@@ -178,8 +179,8 @@ impl Basis {
         row
     }
 
-    /// Adds a row to the basis if it is independent of the rows there, and returns its pivot
-    /// column. `None` if the row is dependent; the basis then stays unchanged.
+    /// Adds a row to the basis if it is independent of the basis, and returns its pivot column.
+    /// `None` if the row is dependent; the basis then stays unchanged.
     pub fn add_row(&mut self, row: Vec<u64>) -> Option<usize> {
         let f = self.field;
         let mut row = self.reduce(row);
@@ -193,8 +194,9 @@ impl Basis {
     }
 }
 
-/// Eliminates a matrix over a field. Returns its independent rows as pairs (row, pivot column), and
-/// the first row that depends on earlier rows, or `None`.
+/// Eliminates a matrix over the field `f`. Returns the independent rows as pairs (row index, pivot
+/// column), and the index of the first row that depends on earlier rows. This index is `None` if
+/// all rows are independent.
 fn eliminate_residues(f: Field, rows: Vec<Vec<u64>>) -> (Vec<(usize, usize)>, Option<usize>) {
     let (mut basis, mut independent, mut dependent) = (Basis::new(f), Vec::new(), None);
     for (at, row) in rows.into_iter().enumerate() {
@@ -207,7 +209,7 @@ fn eliminate_residues(f: Field, rows: Vec<Vec<u64>>) -> (Vec<(usize, usize)>, Op
 }
 
 /// Brings a matrix over the field `f` to reduced echelon form and removes its zero rows. Returns
-/// the pivot columns: the first columns that are independent.
+/// the pivot columns, which are the first independent columns.
 pub(crate) fn reduced_echelon_form(f: Field, rows: &mut Vec<Vec<u64>>) -> Vec<usize> {
     let columns = rows.first().map_or(0, Vec::len);
     let mut pivots = Vec::new();
@@ -231,8 +233,9 @@ pub(crate) fn reduced_echelon_form(f: Field, rows: &mut Vec<Vec<u64>>) -> Vec<us
     pivots
 }
 
-/// Unique solution x of the linear system Σ xₖ columnₖ = last column over the field `f`. Each row
-/// of the matrix is an equation. `None` if there is no solution, or more than one.
+/// Unique solution x of a linear system over the field `f`. Each row of the matrix is an equation:
+/// its last entry is the right-hand side, the others are coefficients of x. `None` if there is no
+/// solution, or more than one.
 #[must_use]
 pub(crate) fn unique_solution(f: Field, mut rows: Vec<Vec<u64>>) -> Option<Vec<u64>> {
     let unknowns = rows.first()?.len() - 1;

@@ -3,18 +3,18 @@
 use crate::algebra::term::fold::{Fold, Values, fold};
 use crate::algebra::{Arena, Expr, Function, Rational};
 
-/// Decimals of π, 60 of them: more than twice the digits of a double are never needed.
+/// The number π with 60 decimals, more than twice the digits that any number type holds.
 const PI: &str = "3.141592653589793238462643383279502884197169399375105820974945";
 
-/// Rational approximation of π to 60 decimals, which exceeds every precision in use.
+/// Rational approximation of π with 60 decimals, more exact than any number type in use.
 #[must_use]
 pub fn rational_value_of_pi() -> Rational {
     Rational::parse_decimal(PI).expect("decimals")
 }
 
-/// Value of the term `e` as a rational number, with π to 60 decimals. `known` gives the values of
-/// some terms, such as symbols.
-/// `None` if a function, a symbol without a value or a division by 0 occurs.
+/// Value of the term `e` as a rational number, with π to 60 decimals. `known` has values of terms,
+/// such as symbols, as pairs (term, value). `None` if a function, a symbol without a value or a
+/// division by 0 occurs.
 #[must_use]
 pub fn exact_value(arena: &Arena, e: Expr, known: &[(Expr, Rational)]) -> Option<Rational> {
     fold(arena, e, &mut Exact(known))
@@ -62,14 +62,15 @@ mod tests {
         exact_value(&arena, e, &[]).map(|value| DoubleDouble::from_rational(&value))
     }
 
-    /// The second double of 9.81 is 9.81 minus the first, by exact decimal expansion of both:
-    /// 9.81000000000000049737991503207013010978698730468750 is the first.
+    /// The double nearest to 9.81 and the rest are kept. The rest was computed from the exact
+    /// decimal expansion of the double: 9.81000000000000049737991503207013010978698730468750.
     #[test]
     fn what_a_double_leaves_of_a_decimal_is_kept() {
         assert_eq!(extended("9.81"), Some(DoubleDouble::sum(9.81, -4.973_799_150_320_702e-16)));
     }
 
-    /// The second double of π is 1.2246467991473532e-16 (sin of the first one, to its own rounding).
+    /// The double nearest to π and the rest are kept. The rest is 1.2246467991473532e-16, the sine
+    /// of that double.
     #[test]
     fn pi_has_more_digits_than_a_double() {
         assert_eq!(extended("pi"), Some(DoubleDouble::sum(std::f64::consts::PI, 1.224_646_799_147_353_2e-16)));

@@ -1,4 +1,4 @@
-//! Reconstruction of numbers from residues: rational numbers and surds.
+//! Reconstruction of rational numbers, and of sums with square roots, from residues modulo a prime.
 //!
 //! Each result is a guess, since other numbers have the same residue. The caller must prove it.
 
@@ -10,11 +10,11 @@ use crate::algebra::Rational;
 /// prime.
 const LARGEST: u64 = 1 << 24;
 
-/// Reconstructs the rational number with a small numerator and denominator from its residue in the
-/// field `f`. `None` if there is no such number.
+/// Reconstructs a rational number from its residue in the field `f`. Its numerator and denominator
+/// are at most 2^24; `None` if no such number has this residue.
 ///
-/// P. S. Wang, "A p-adic algorithm for univariate partial fractions", SYMSAC (1981) 212–217. It
-/// uses the remainders of Euclid's algorithm.
+/// The method uses the remainders of Euclid's algorithm: P. S. Wang, "A p-adic algorithm for
+/// univariate partial fractions", SYMSAC (1981) 212–217.
 #[must_use]
 pub fn reconstruct_rational(f: Field, residue: u64) -> Option<Rational> {
     let (mut last, mut rest) = (i128::from(f.prime), i128::from(residue));
@@ -39,8 +39,8 @@ const MOST_NUMERATOR: i64 = 288;
 const ROOTS: [i64; 3] = [2, 3, 6];
 
 /// Reconstructs a number a + b √n from its residue in the field `f`, and returns (a, n, b). The
-/// numbers a and b ≠ 0 are small and rational; n is 2, 3 or 6.
-/// The search tries all denominators, and all numerators of b. `None` if no number fits.
+/// numbers a and b ≠ 0 are small and rational; n is 2, 3 or 6. All small denominators, and all
+/// small numerators of b, are tried. `None` if no number fits.
 #[must_use]
 pub fn reconstruct_surd(f: Field, residue: u64) -> Option<(Rational, i64, Rational)> {
     for n in ROOTS {
@@ -67,8 +67,8 @@ mod tests {
     use super::*;
     use crate::algebra::value::field::Generator;
 
-    /// Goal: numbers come back from their residues, and a residue of no small fraction is refused. Method: fractions,
-    /// and a residue that belongs to none.
+    /// Fractions are reconstructed from their residues. The residue of no small fraction gives
+    /// `None`.
     #[test]
     fn fractions_come_back_from_residues() {
         let f = Field::random(&mut Generator(5));
@@ -79,7 +79,8 @@ mod tests {
         assert_eq!(reconstruct_rational(f, f.pow(3, 1_000_003)), None);
     }
 
-    /// Goal: numbers beside roots come back. Method: entries of a turn about (1, 1, 1), and of one by an eighth.
+    /// Numbers with square roots are reconstructed. The numbers are entries of a rotation about (1,
+    /// 1, 1) and of a rotation by 45°.
     #[test]
     fn numbers_with_roots_come_back_from_residues() {
         let f = Field::random(&mut Generator(7));

@@ -15,24 +15,25 @@ use num_integer::Integer;
 use rustc_hash::{FxHashMap, FxHashSet, FxHasher};
 use std::hash::{Hash, Hasher};
 
-/// Number of random points, half of them in each of two prime fields, at which a term must be zero
-/// to count as zero.
+/// Number of random points at which a term must be zero to count as zero. Half of the points are in
+/// one prime field, half in another.
 pub(in crate::algebra) const POINTS: usize = 4;
 
-/// Random point of a prime field. It gives residues to every symbol and to every base angle, the
-/// unit of which the angles in a term are whole multiples.
+/// Random point of a prime field. It gives residues to all symbols and to all base angles; the
+/// angles in a term are whole multiples of base angles.
 #[derive(Clone)]
 pub(in crate::algebra) struct ResiduePoint {
     /// Prime field of the residues.
     pub field: Field,
     /// Seed from which the residues of symbols and base angles are drawn.
     seed: u64,
-    /// Symbols that were drawn again, with the new seeds of their residues.
+    /// New seed of each symbol whose residue was drawn again.
     redrawn: FxHashMap<Expr, u64>,
 }
 
 impl ResiduePoint {
-    /// Creates the point of a prime field that a seed determines.
+    /// Creates the point of the prime field `field` that belongs to a seed. Equal seeds give equal
+    /// points.
     pub fn new(field: Field, seed: u64) -> Self {
         Self { field, seed, redrawn: FxHashMap::default() }
     }
@@ -52,8 +53,8 @@ impl ResiduePoint {
         Generator(hasher.finish() ^ self.seed).next() % self.field.prime
     }
 
-    /// Residues (sin, cos) of the base angle named by `key`; angles are whole multiples of it.
-    /// `None` if they do not exist at the point.
+    /// Residues (sin, cos) of the base angle that `key` identifies. `None` if the base angle has no
+    /// residues at this point.
     fn base_angle(&self, key: u64) -> Option<(u64, u64)> {
         let f = self.field;
         let t = self.residue(("angle", key));
@@ -62,7 +63,8 @@ impl ResiduePoint {
         Some((f.mul(f.add(t, t), inverse), f.mul(f.sub(1, t2), inverse)))
     }
 
-    /// Residues (sin, cos) of the angle π/12: (√6 − √2)/4 and (√6 + √2)/4.
+    /// Residues (sin, cos) of the angle π/12, which are (√6 − √2)/4 and (√6 + √2)/4. `None` if the
+    /// field has no such roots.
     fn sine_and_cosine_of_pi_12(&self) -> Option<(u64, u64)> {
         let f = self.field;
         let (two, three) = (f.root(2)?, f.root(3)?);
@@ -70,7 +72,7 @@ impl ResiduePoint {
         Some((f.mul(f.sub(six, two), quarter), f.mul(f.add(six, two), quarter)))
     }
 
-    /// Residues (sin, cos) of k times an angle, from the pair `unit` of the angle.
+    /// Residues (sin, cos) of k times an angle. `unit` is the pair (sin, cos) of the angle itself.
     fn sine_and_cosine_of_multiple(&self, unit: (u64, u64), k: i64) -> (u64, u64) {
         let f = self.field;
         let (mut result, mut power, mut left) = ((0, 1), unit, k.unsigned_abs());
@@ -90,10 +92,11 @@ impl ResiduePoint {
         (f.add(f.mul(a.0, b.1), f.mul(a.1, b.0)), f.sub(f.mul(a.1, b.1), f.mul(a.0, b.0)))
     }
 
-    /// Residue of e to the power of an argument; `None` if it is 0 or a denominator is too large.
-    /// For a sum of symbols and of products of symbols it follows from their residues. For any
-    /// other argument it follows from the argument's residue alone, since the argument may be
-    /// written as different sums.
+    /// Residue of e to the power of an argument. `None` if it is 0 or a denominator is too large.
+    ///
+    /// If the argument is a sum of symbols and of products of symbols, the residue follows from
+    /// theirs. For any other argument it follows from the argument's residue alone, since the
+    /// argument may be written as different sums.
     fn exponential(
         &self,
         arena: &Arena,
@@ -121,8 +124,8 @@ impl ResiduePoint {
         (product != 0).then_some(product)
     }
 
-    /// Residues (sin, cos) of an angle, from the residues of its atoms. `bases` remembers the pairs
-    /// of base angles by their names. `None` if the point has no value for the angle.
+    /// Residues (sin, cos) of an angle, from the residues of its atoms. `bases` stores the residues
+    /// of base angles for later calls. `None` if the angle has no residues at this point.
     fn angle(
         &self,
         arena: &Arena,
@@ -141,9 +144,9 @@ impl ResiduePoint {
             let (base, parts) = if *arena.node(atom) == Node::Pi && 12 % denominator == 0 {
                 (self.sine_and_cosine_of_pi_12()?, 12)
             } else {
-                // The base angle atom/denominator is named by its residue, so angles that are
-                // identically equal are equal here. A constant part counts as a multiple of the
-                // atom 1, which need not be among the parts.
+                // A base angle atom/denominator is identified by its residue, so that identically
+                // equal angles have equal residues. A constant counts as a multiple of the atom 1,
+                // which need not be in `values`.
                 let value = if atom == Expr::ONE { 1 } else { values[atom] };
                 let name = f.mul(value, f.inverse(u64::try_from(denominator).ok()?)?);
                 let base = match bases.get(&name) {
@@ -160,8 +163,8 @@ impl ResiduePoint {
     }
 }
 
-/// Least common denominator of the coefficients of each atom inside angles and exponents among the
-/// given terms. It is 0 if it does not fit a word.
+/// Least common denominator of the coefficients of each atom, in all angles and exponents among the
+/// given terms. It is 0 if it does not fit a 64-bit integer.
 pub(in crate::algebra) fn angle_denominators(arena: &Arena, parts: &[Expr]) -> FxHashMap<Expr, i64> {
     let mut denominators: FxHashMap<Expr, i64> = FxHashMap::default();
     for part in parts {
@@ -174,8 +177,8 @@ pub(in crate::algebra) fn angle_denominators(arena: &Arena, parts: &[Expr]) -> F
                 if *known == 0 {
                     continue;
                 }
-                // A base angle too fine for a word: no point can be drawn, and the test is
-                // undecided.
+                // A denominator that does not fit a 64-bit integer: no point has residues, and the
+                // zero test is undecided.
                 let product = (*known / known.gcd(&d)).checked_mul(d);
                 *known = product.unwrap_or(0);
             }
@@ -193,8 +196,8 @@ fn is_monomial(arena: &Arena, e: Expr) -> bool {
     }
 }
 
-/// Residue of every needed term at a point; `None` if an inverse or a square root does not exist
-/// there.
+/// Residue of every needed term at a point. `None` if an inverse or a square root does not exist at
+/// this point.
 pub(in crate::algebra) fn residues_at_point<'n>(
     arena: &Arena,
     needed: &'n FoldOrder,
@@ -213,10 +216,11 @@ pub(in crate::algebra) struct Residues<'a> {
     denominators: &'a FxHashMap<Expr, i64>,
     /// Point that gives symbols and base angles their residues.
     point: ResiduePoint,
-    /// Sets of symbols whose residues come from another seed than the point's, each with that seed.
+    /// Sets of symbols whose residues are drawn with another seed than that of the point, each with
+    /// its seed.
     moved: &'a [(&'a FxHashSet<Expr>, u64)],
-    /// Residues (sine, cosine) of base angles, by the names of the angles. Most terms that contain
-    /// a sine also contain the cosine.
+    /// Residues (sine, cosine) of base angles, by the keys that identify these angles. They are
+    /// kept because most terms with a sine also contain the cosine.
     bases: FxHashMap<u64, (u64, u64)>,
     /// Residues (sine, cosine) of each angle evaluated so far.
     angles: FxHashMap<Expr, (u64, u64)>,
@@ -244,8 +248,8 @@ impl<'a> Residues<'a> {
         self.angles.get(&argument).copied()
     }
 
-    /// Residue of exp, sinh, cosh or tanh at an argument, computed from exponentials. `None` if the
-    /// point has no value for it.
+    /// Residue of exp, sinh, cosh or tanh of an argument, computed from an exponential. `None` if
+    /// the exponential has no residue at this point.
     pub(in crate::algebra) fn exponential(
         &self,
         function: Function,
@@ -264,8 +268,8 @@ impl<'a> Residues<'a> {
         })
     }
 
-    /// Residues (sine, cosine) of an angle, computed once and remembered; `None` if the point has
-    /// no value for the angle.
+    /// Residues (sine, cosine) of an angle; they are stored for later calls. `None` if the angle
+    /// has no residues at this point.
     fn sine_and_cosine(&mut self, argument: Expr, of: &Values<'_, u64>) -> Option<(u64, u64)> {
         if let Some(known) = self.angles.get(&argument) {
             return Some(*known);
@@ -317,9 +321,8 @@ impl Fold for Residues<'_> {
 }
 
 /// Residues of the given terms, in their order, at random points, each modulo another prime: pairs
-/// (field, residues).
-/// At most `count` points are returned, and fewer if the terms have no values. Each point is
-/// computed only when the iterator reaches it.
+/// (field, residues). Each point is computed only when the iterator reaches it. The iterator has at
+/// most `count` items, and fewer if the terms have no residues at the points tried.
 pub(in crate::algebra) fn residues(
     arena: &Arena,
     terms: Vec<Expr>,
@@ -354,8 +357,8 @@ impl PointWithResidues {
         self.0.field
     }
 
-    /// Residues of further terms at the point, in their order; `None` if a term has no residue.
-    /// Sines of fractions of an angle are consistent only within one call.
+    /// Residues of further terms at the point, in the order of the terms. `None` if a term has no
+    /// residue. Sines and cosines of fractions of an angle agree only within one call.
     pub fn values(&self, arena: &Arena, terms: &[Expr]) -> Option<Vec<u64>> {
         let needed = FoldOrder::new(arena, terms);
         let denominators = angle_denominators(arena, needed.nodes());
@@ -364,8 +367,8 @@ impl PointWithResidues {
     }
 }
 
-/// Evaluates terms at many points of a prime field, where chosen symbols change from point to point
-/// and the others stay.
+/// Evaluates terms at many points of a prime field. From point to point, chosen symbols get new
+/// residues and all other symbols keep theirs.
 pub struct ResidueSampler<'a> {
     /// Arena of the terms.
     arena: &'a Arena,
@@ -398,10 +401,9 @@ impl<'a> ResidueSampler<'a> {
         self.generator.next()
     }
 
-    /// Residues of the terms, in their order, at the point that `seed` determines. Each set of
-    /// symbols in `moved` takes its residues from its own seed instead.
-    /// `None` if a term has no residue. An angle keeps its sine and cosine if no symbol in it is
-    /// moved.
+    /// Residues of the terms, in their order, at the point that belongs to `seed`. Each set of
+    /// symbols in `moved` takes its residues from the seed given with it instead. `None` if a term
+    /// has no residue. An angle without moved symbols keeps its sine and cosine.
     pub fn at(&self, field: Field, seed: u64, moved: &[(&FxHashSet<Expr>, u64)]) -> Option<Vec<u64>> {
         let mut residues =
             Residues { moved, ..Residues::new(self.arena, &self.denominators, ResiduePoint::new(field, seed)) };
@@ -411,7 +413,7 @@ impl<'a> ResidueSampler<'a> {
 }
 
 /// Generator of random numbers, seeded with the structure of the terms and the names of their
-/// symbols, not with handles.
+/// symbols. It does not depend on handles, so it gives the same numbers in every run.
 pub(in crate::algebra) fn residue_generator(arena: &Arena, needed: &FoldOrder) -> Generator {
     let hashes = needed.fold(arena, &mut Hashes(arena));
     Generator(hashes.iter().flat_map(Values::iter).fold(0, |all: u64, (_, hash)| all.wrapping_add(*hash)))
@@ -443,7 +445,7 @@ impl Fold for Hashes<'_> {
     }
 }
 
-/// Well-mixed hash of a key.
+/// Hash of a key, with well-mixed bits.
 fn hash_of(key: impl Hash) -> u64 {
     let mut hasher = FxHasher::default();
     key.hash(&mut hasher);

@@ -1,7 +1,6 @@
-//! Tangents: values of terms and their derivatives along a direction, modulo a random prime, as
-//! dual numbers.
+//! Values of terms and their derivatives along a direction, modulo a random prime, as dual numbers.
 //!
-//! The derivative of a term is computed by the rules of differentiation from residues alone. It
+//! The derivative of a term is computed by the rules of differentiation, from residues alone. It
 //! shares no code with [`crate::algebra::term::calculus`], which builds terms, so that it can check
 //! the derivatives built there.
 
@@ -57,23 +56,25 @@ pub struct Tangents<'a> {
     arena: &'a Arena,
     /// Terms whose values and derivatives are computed.
     terms: &'a [Expr],
-    /// Each symbol that varies, with the symbol whose residue is its rate.
+    /// Direction of the derivatives: for each symbol that varies, the symbol whose residue is its
+    /// rate.
     along: FxHashMap<Expr, Expr>,
     /// Search for random points at which all terms have residues.
     draw: PointSearch<'a>,
 }
 
 impl<'a> Tangents<'a> {
-    /// Prepares the terms for evaluation. `along` is the direction: pairs (symbol, symbol that
-    /// stands for its rate).
+    /// Prepares the terms for evaluation. `along` is the direction of the derivatives: pairs
+    /// (symbol that varies, symbol whose residue is its rate).
     #[must_use]
     pub fn new(arena: &'a Arena, terms: &'a [Expr], along: &[(Expr, Expr)]) -> Self {
         let all: Vec<Expr> = terms.iter().chain(along.iter().flat_map(|(x, d)| [x, d])).copied().collect();
         Self { arena, terms, along: along.iter().copied().collect(), draw: PointSearch::with_slopes(arena, &all) }
     }
 
-    /// Draws the next point at which every term has a value and a derivative. Returns its field and
-    /// a dual number per term, in their order. `None` if no point was found in eight attempts.
+    /// Draws the next random point at which every term has a value and a derivative. Returns the
+    /// prime field of the point and a dual number for each term, in their order. `None` if no point
+    /// was found in eight attempts.
     pub fn next(&mut self) -> Option<(Field, Vec<TangentValue>)> {
         (0..MOST_DRAWN).find_map(|_| {
             let point = self.draw.point()?;
@@ -95,7 +96,8 @@ struct Slopes<'a> {
     values: &'a Values<'a, u64>,
     /// Rules by which the residues of the terms were computed.
     residues: &'a Residues<'a>,
-    /// Direction: each symbol that varies, with the symbol whose residue is its rate.
+    /// Direction of the derivatives: for each symbol that varies, the symbol whose residue is its
+    /// rate.
     along: &'a FxHashMap<Expr, Expr>,
 }
 
@@ -142,8 +144,8 @@ impl Fold for Slopes<'_> {
 }
 
 impl Slopes<'_> {
-    /// Residue of the derivative f′(x) at the argument of a function; `None` if it has no residue
-    /// at this point.
+    /// Residue of the derivative f′(x) of a function at its argument x. `None` if the derivative
+    /// has no residue at this point.
     fn derivative(&self, function: Function, argument: Expr) -> Option<u64> {
         let (f, x) = (self.field, self.values[argument]);
         let other = |function| self.residues.exponential(function, argument, self.values);
@@ -173,7 +175,7 @@ mod tests {
     use crate::algebra::text::parse::parse_free;
     use crate::algebra::value::field::Generator;
 
-    /// The slope modulo a prime is the residue of the derivative that calculus builds.
+    /// The derivatives modulo a prime are the residues of the derivatives that `calculus` builds.
     #[test]
     fn slopes_are_those_of_derivatives() {
         for text in [

@@ -1,9 +1,8 @@
-//! Numerical evaluation: expressions as a tape, a straight-line list of operations, in numbers of
-//! any precision.
+//! Numerical evaluation of expressions, in numbers of any precision. A tape is a straight-line list
+//! of operations that computes all expressions.
 //!
-//! Invariant: the constants of a tape are exact rationals, rounded once to each kind of number that
-//! the tape is evaluated in. A tape proves nothing: no question of meaning is decided by its
-//! numbers.
+//! Invariant: the constants of a tape are exact rationals, rounded once to the number type in which
+//! the tape is evaluated. A tape proves nothing: its numbers decide no question of meaning.
 
 mod backwards;
 
@@ -18,15 +17,16 @@ use tripos_traits::{DoubleDouble, Enclosure, Interval, Lanes, Scalar, Tangent};
 
 /// Number type in which expressions are evaluated, such as doubles or intervals.
 pub trait Numeric: Scalar {
-    /// Converts a rational number to the nearest value, to the 32 digits that two doubles hold.
+    /// Converts a rational number to the nearest value, to the 32 digits that a pair of doubles
+    /// holds.
     #[must_use]
     fn from_rational(value: &Rational) -> Self {
         let nearest = value.to_f64();
         let rest = Rational::from_f64_exact(nearest).map(|exact| value.add(&exact.neg()));
         Self::from_f64(nearest) + Self::from_f64(rest.map_or(0.0, |rest| rest.to_f64()))
     }
-    /// Function value f(x), angles in radians. It is "not a number" outside of the function's
-    /// domain.
+    /// Function value f(x), with angles in radians. The result is NaN ("not a number") outside of
+    /// the function's domain.
     #[must_use]
     fn apply(self, f: Function) -> Self {
         function_value(self, f)
@@ -59,8 +59,8 @@ fn function_value<S: Scalar>(x: S, f: Function) -> S {
 
 impl Numeric for DoubleDouble {}
 
-/// Evaluates a tape in numbers with derivatives. Values use the same functions as a tape in
-/// doubles, so that they have the same bits.
+/// Number with derivatives. Its value is computed with the functions for doubles, so it has the
+/// same bits as in a tape of doubles.
 impl<const K: usize> Numeric for Tangent<K> {
     fn from_rational(value: &Rational) -> Self {
         Self::constant(value.to_f64())
@@ -73,8 +73,8 @@ impl<const K: usize> Numeric for Tangent<K> {
     }
 }
 
-/// Evaluates a tape over intervals of its inputs. A constant that no double represents exactly
-/// becomes the interval between the two neighbouring doubles.
+/// Range of values for ranges of the inputs. A constant that no double represents exactly becomes
+/// the interval between the two neighbouring doubles.
 impl Numeric for Enclosure {
     fn from_rational(value: &Rational) -> Self {
         let nearest = value.to_f64();
@@ -83,8 +83,8 @@ impl Numeric for Enclosure {
     }
 }
 
-/// Evaluates a tape in doubles with the functions of the system's standard library. They are
-/// independent of the functions in generated code.
+/// Double, evaluated with the functions of the system's standard library. They are independent of
+/// the functions in generated code.
 impl Numeric for f64 {
     fn from_rational(value: &Rational) -> Self {
         value.to_f64()
@@ -111,7 +111,7 @@ impl Numeric for f64 {
     }
 }
 
-/// Evaluates a tape at several states at once. Each lane has the same bits as a tape in doubles.
+/// Doubles of several states at once. Each lane has the same bits as a tape in doubles.
 impl<const N: usize> Numeric for Lanes<N> {
     fn from_rational(value: &Rational) -> Self {
         Self::from_f64(value.to_f64())
@@ -125,8 +125,8 @@ impl<const N: usize> Numeric for Lanes<N> {
     }
 }
 
-/// Operation of a tape, with constants of type `K`. A slot is the number of an earlier operation,
-/// whose result it uses.
+/// Operation of a tape, with constants of type `K`. An operand is a slot: the number of an earlier
+/// operation, whose result is used.
 #[derive(Clone, Debug)]
 enum Op<K> {
     /// A constant number, rounded to the number type.
@@ -145,7 +145,7 @@ enum Op<K> {
 }
 
 impl Op<Rational> {
-    /// Converts the operation to numbers of type `S`, with its constants rounded to that type.
+    /// Same operation for numbers of type `S`, with its constants rounded to that type.
     fn round_constants<S: Numeric>(&self) -> Op<S> {
         match self {
             Self::Constant(value) => Op::Constant(S::from_rational(value)),
@@ -169,7 +169,7 @@ pub struct Tape<S = f64> {
     ops: Vec<Op<S>>,
     /// Operations with exact constants, from which other number types are rounded.
     exact: Arc<[Op<Rational>]>,
-    /// Slot of each output: the operation whose result it is.
+    /// Slot of each output: the number of the operation that computes it.
     outputs: Vec<u32>,
     /// Number of inputs of the tape.
     inputs: usize,
@@ -179,8 +179,7 @@ pub struct Tape<S = f64> {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnknownSymbol(pub String);
 
-/// A tape under construction. Each term is mapped to its slot, the number of the operation that
-/// computes it.
+/// Tape under construction. Each term has a slot: the number of the operation that computes it.
 struct Assembly<'a> {
     /// Arena of the compiled terms.
     arena: &'a Arena,
@@ -281,8 +280,9 @@ impl Tape {
         Ok(Self { ops, exact: made.ops.into(), outputs, inputs: inputs.len() })
     }
 
-    /// Size of the largest intermediate term in the computation of each output, in the output's
-    /// unit. An output is accurate only to the rounding of this term, however much of it cancels.
+    /// Absolute value of the largest intermediate term in the computation of each output, in the
+    /// output's unit. The rounding error of an output is that of this term, even if most of the
+    /// term cancels.
     ///
     /// # Panics
     /// If the number of `inputs` differs from that of the tape.
@@ -297,7 +297,8 @@ impl Tape {
                 Op::Sum(constant, terms) => {
                     terms.iter().fold(constant.abs(), |most, (slot, k)| most.max((k * of(slot)).abs()))
                 }
-                // A divisor counts with its value, a factor with its largest intermediate term.
+                // A divisor counts with its absolute value, a factor with its largest intermediate
+                // term.
                 Op::Product(factors) => factors.iter().fold(1.0, |product, (slot, n)| {
                     product * if *n > 0 { of(slot).powi(*n) } else { values[*slot as usize].abs().powi(*n) }
                 }),
@@ -336,8 +337,8 @@ impl<S: Numeric> Tape<S> {
         list
     }
 
-    /// Evaluates all outputs into `out`, one entry per output. `scratch` is working space, reused
-    /// between calls.
+    /// Evaluates all outputs into `out`, which has one entry for each output. `scratch` is working
+    /// space that may be reused in later calls.
     ///
     /// # Panics
     /// If the number of `inputs` or the length of `out` differs from that of the tape.

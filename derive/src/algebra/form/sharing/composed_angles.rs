@@ -1,10 +1,9 @@
-//! Composition of angles: sines and cosines of sums of angles, from those of the parts where these
-//! are computed anyway.
+//! Sines and cosines of sums of angles, computed by addition theorems from sines and cosines that
+//! are needed anyway.
 //!
-//! A sine and a cosine cost as much as thirty operations, an addition theorem six. Absent on
-//! purpose: any claim about small angles. The sine of a difference that is nearly zero is then
-//! accurate to the last digit of 1, not of itself. The same holds in every program that multiplies
-//! such products out.
+//! A sine and a cosine together cost as much as thirty operations, an addition theorem costs six.
+//! Small differences of angles lose accuracy: the error of their sine is a rounding error of 1, not
+//! of the sine itself. The same holds in every program that multiplies such products out.
 
 use crate::algebra::term::elementary::angle_atoms;
 use crate::algebra::term::steps::Definition;
@@ -16,8 +15,8 @@ use rustc_hash::{FxHashMap, FxHashSet};
 /// coefficients with as many bits as there are theorems, and then the result is never shorter.
 const MOST_OPENED: usize = 48;
 
-/// Composition of an angle from two others, which gives its sine and cosine: angle = first ±
-/// second, in radians.
+/// Angle that is the sum or difference of two other angles. Its sine and cosine follow from theirs
+/// by the addition theorems.
 struct Addition {
     /// Angle that is the sum or difference of the two others, rad.
     angle: Expr,
@@ -39,8 +38,9 @@ pub(super) enum Composed {
     Open,
 }
 
-/// Rewrites steps and values so that fewer sines and cosines are computed. `None` if no angle can
-/// be composed, or too many for the form `Open`.
+/// Rewrites steps and values so that fewer sines and cosines are computed. Returns the new steps
+/// and values. `None` if no angle can be composed, or if the form is `Open` and more than 48 angles
+/// can be composed.
 pub(super) fn compose_angles(
     arena: &mut Arena,
     how: &Composed,
@@ -78,10 +78,12 @@ pub(super) fn compose_angles(
     Some((new_steps, values.iter().map(|e| value(*e)).collect()))
 }
 
-/// Angles among the terms `parts` that are sums or differences of two others, in order of their
-/// number of parts.
-/// If the remaining angles need more sines and cosines than all their parts would, the sines and
-/// cosines of the parts are computed instead.
+/// Finds the angles among the terms `parts` that are sums or differences of two others. Angles with
+/// fewer parts come first.
+///
+/// Two sets of known angles are compared: the single angles whose sines or cosines occur anyway,
+/// and all single angles that occur in sums. The set that needs fewer sines and cosines in total is
+/// used.
 fn find_composed_angles(arena: &mut Arena, parts: &[Expr]) -> Vec<Addition> {
     let mut angles: Vec<Expr> = Vec::new();
     for part in parts {
@@ -122,8 +124,8 @@ fn is_atom(arena: &Arena, angle: Expr) -> bool {
     matches!(arena.node(angle), Node::Symbol(_))
 }
 
-/// Angles that are sums or differences of two known angles, and the number of angles that are
-/// neither known nor composed. `there` lists the angles that are known at first.
+/// Finds the angles that are sums or differences of two known angles. Returns them with the number
+/// of angles that are neither known nor composed. `there` lists the angles that are known at first.
 fn composed_of(arena: &mut Arena, angles: &[Expr], there: &[Expr]) -> (Vec<Addition>, usize) {
     let mut list: Vec<Expr> = there.to_vec();
     let mut known: FxHashSet<Expr> = there.iter().copied().collect();
@@ -150,9 +152,9 @@ fn composed_of(arena: &mut Arena, angles: &[Expr], there: &[Expr]) -> (Vec<Addit
     (additions, alone)
 }
 
-/// State of rewriting terms with composed angles.
+/// State of the rewriting of terms by addition theorems.
 struct Rewriting {
-    /// Replacement of each term, by the term that it replaces.
+    /// Rewritten term by original term, for each term that changes.
     of: FxHashMap<Expr, Expr>,
 }
 
@@ -170,7 +172,8 @@ impl Rewriting {
         if addition.minus { [arena.sub(sc, cs), arena.add(cc, ss)] } else { [arena.add(sc, cs), arena.sub(cc, ss)] }
     }
 
-    /// Rebuilds a term from its operands, which must be rewritten before it.
+    /// Rewrites a term by the replacements of its operands, and records the result. The operands
+    /// must be rewritten first. A term whose operands do not change is not recorded.
     fn rewrite(&mut self, arena: &mut Arena, e: Expr) {
         if self.of.contains_key(&e) || !arena.operands(e).any(|o| self.of.contains_key(&o)) {
             return;

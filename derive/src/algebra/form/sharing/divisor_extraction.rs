@@ -10,13 +10,15 @@ use std::collections::BinaryHeap;
 /// Number of terms of a sum above which its pairs of terms are not examined, since their number
 /// grows with the square.
 const LONGEST: usize = 300;
-/// Largest number of pairs of terms that are examined. Sums that come later share products only.
+/// Largest number of pairs of terms that are examined in one network. Once it is reached, later
+/// sums share products only.
 const MOST_PLACES: usize = 100_000;
 
-/// Largest amount of work for pairs of factors: each pair is compared with all factors of its term.
-/// Terms that come later share no products.
-/// A product of n factors would take n⁴ steps: n³ at once, and again for each pair that is taken
-/// out.
+/// Largest amount of work for pairs of factors in one network. Once it is exceeded, later terms
+/// share no products.
+///
+/// A pair of factors is compared with all factors of its term. So a product of n factors takes n³
+/// operations at first and after each pair that is taken out, about n⁴ in total.
 const MOST_WEIGHED: usize = 20_000_000;
 
 /// Divisor that several terms of a network may have in common.
@@ -38,7 +40,8 @@ impl std::hash::Hash for NetworkTerm {
     }
 }
 
-/// Position in the network from which a divisor may be taken out.
+/// Position of a divisor in the network: a sum, and the one or two terms in it that the divisor
+/// divides.
 #[derive(Clone, Copy, PartialEq, Eq)]
 struct Place {
     /// Sum of the network that contains the terms, as the number of its atom.
@@ -50,7 +53,8 @@ struct Place {
     j: usize,
 }
 
-/// Divisor that may be taken out, with its positions and its savings.
+/// Divisor that may be taken out of the network, with its positions and the operations that this
+/// saves.
 #[derive(Default)]
 struct Candidate {
     /// Positions at which the divisor was found. Some may no longer exist.
@@ -60,10 +64,10 @@ struct Candidate {
     most: usize,
     /// Number of operations that compute the divisor itself.
     cost: usize,
-    /// Atom whose value is the divisor; `None` until the divisor is taken out.
+    /// Atom whose value is the divisor; `None` until the divisor is taken out of the sums.
     defined: Option<Atom>,
-    /// Savings with which the divisor is in the queue, 0 if it is not there. Queue entries with
-    /// other savings are outdated.
+    /// Upper bound of the savings with which the divisor is in the queue; 0 if it is not in the
+    /// queue. A queue entry with another bound is outdated.
     queued: usize,
 }
 
@@ -79,9 +83,10 @@ pub(super) struct Extraction {
     candidates: Vec<Candidate>,
     /// Number of pairs of terms that the search for divisors has examined so far.
     pairs: usize,
-    /// Amount of work for pairs of factors so far.
+    /// Amount of work for pairs of factors so far, counted as n³/2 for a term with n factors.
     weighed: usize,
-    /// Index, in `divisors`, of the divisor that a sum of the network computes, by the sum's atom.
+    /// Index, in `divisors`, of the divisor whose value a sum of the network is. The key is the
+    /// atom of the sum.
     definition_of: FxHashMap<Atom, usize>,
     /// Queue of divisors as (upper bound of the operations saved, index in `divisors`): the largest
     /// bound first, then the oldest divisor. A bound is computed again when its entry comes up.
@@ -89,7 +94,7 @@ pub(super) struct Extraction {
 }
 
 impl Extraction {
-    /// Finds all common divisors of a network, before any is taken out.
+    /// Reads a network and finds the common divisors of all its sums. None is taken out yet.
     pub fn new(network: Network) -> Self {
         let mut new = Self {
             network,
@@ -128,8 +133,8 @@ impl Extraction {
         self.network
     }
 
-    /// Enters the divisors that a new term has in common with each of the terms `others` of its
-    /// sum. The divisor `own` is left out, because the sum itself defines it.
+    /// Adds to the table the divisors that a new term has in common with each of the terms `others`
+    /// of the same sum. The divisor `own` is left out, because this sum defines it.
     fn register(&mut self, sum: Atom, at: usize, others: &[usize], own: Option<usize>) {
         let term = self.term(sum, at).clone();
         self.register_products(&term, Place { sum, i: at, j: at }, own);
@@ -142,8 +147,8 @@ impl Extraction {
         }
     }
 
-    /// Enters the products of two factors in a term, and of a factor and the coefficient, at a
-    /// position of the network.
+    /// Adds to the table every product of two factors of a term, and every product of a factor and
+    /// the coefficient. `own` is the divisor that the term's sum defines; it is left out.
     fn register_products(&mut self, term: &NetworkTerm, place: Place, own: Option<usize>) {
         let count = term.factors.len();
         self.weighed = self.weighed.saturating_add(count.saturating_pow(3) / 2);
@@ -163,8 +168,8 @@ impl Extraction {
         }
     }
 
-    /// Enters a divisor at a position of the network, and puts it into the queue. The divisor `own`
-    /// is left out.
+    /// Adds a divisor at a position of the network to the table, and puts it into the queue.
+    /// Nothing is added if the divisor is `own`, which the sum at this position defines.
     fn enter(&mut self, divisor: Divisor, place: Place, own: Option<usize>) {
         let id = match self.index.get(&divisor) {
             Some(id) => *id,
@@ -192,8 +197,8 @@ impl Extraction {
         self.enqueue(id, most);
     }
 
-    /// Puts a divisor into the queue with an upper bound of its savings, if that exceeds its
-    /// present entry.
+    /// Puts a divisor into the queue with an upper bound of its savings. Nothing changes if the
+    /// divisor is already in the queue with an equal or larger bound.
     fn enqueue(&mut self, id: usize, most: usize) {
         if most > self.candidates[id].queued {
             self.candidates[id].queued = most;
@@ -201,7 +206,7 @@ impl Extraction {
         }
     }
 
-    /// Term at a position of a sum; it must exist.
+    /// Term at a position of a sum. Panics if the term was taken out.
     fn term(&self, sum: Atom, at: usize) -> &NetworkTerm {
         match &self.network.atoms[sum as usize].value {
             Value::Sum(terms) => terms[at].as_ref().expect("a term that is there"),
@@ -209,7 +214,7 @@ impl Extraction {
         }
     }
 
-    /// True if the terms at a position still exist.
+    /// True if neither term of the position has been taken out of its sum.
     fn is_there(&self, place: Place) -> bool {
         let Place { sum, i, j } = place;
         match &self.network.atoms[sum as usize].value {
@@ -218,7 +223,7 @@ impl Extraction {
         }
     }
 
-    /// Positions of a divisor that still exist and do not overlap.
+    /// Positions of a divisor whose terms all still exist and that share no terms with one another.
     fn places(&self, id: usize) -> Vec<Place> {
         let mut list: Vec<Place> = Vec::new();
         let mut taken: FxHashSet<(Atom, usize)> = FxHashSet::default();
@@ -232,8 +237,8 @@ impl Extraction {
         list
     }
 
-    /// Position where the divisor is a whole sum, which can then serve as its definition; `None` if
-    /// there is no such sum.
+    /// Position at which the divisor is a whole sum of the network, so that this sum can define it.
+    /// `None` if no sum of the network equals the divisor.
     fn whole_sum(&self, id: usize, places: &[Place]) -> Option<Place> {
         places.iter().copied().find(|place| {
             let terms = self.network.terms(place.sum).count();
@@ -265,7 +270,7 @@ impl Extraction {
         }
     }
 
-    /// Number of times that a divisor divides the terms at a position.
+    /// Power with which a divisor divides the terms at a position of the network.
     fn multiplicity_at(&self, id: usize, place: Place) -> u32 {
         match &self.divisors[id] {
             Divisor::Product(a, b) => divisor_multiplicity(&self.term(place.sum, place.i).factors, *a, *b),
@@ -319,8 +324,8 @@ impl Extraction {
         self.candidates[id].places.clear();
     }
 
-    /// Atom whose value is the divisor; it is created if needed. If an existing sum became the
-    /// definition, its position is returned too, else `None`.
+    /// Atom whose value is the divisor; a new atom is created if needed. If an existing sum defines
+    /// the divisor, the position of this sum is returned too, else `None`.
     fn atom_of_divisor(&mut self, id: usize, places: &[Place]) -> (Atom, Option<Place>) {
         if let Some(atom) = self.candidates[id].defined {
             return (atom, None);
@@ -380,8 +385,8 @@ fn multiply_by(factors: &mut Factors, atom: Atom, times: u32) {
     }
 }
 
-/// Splits the sum of two terms into divisor · cofactor; the divisor is a sum of two terms without a
-/// common factor.
+/// Splits the sum of two terms into divisor · cofactor. The divisor is a sum of two terms without a
+/// common factor; the cofactor is a single term.
 fn split(a: &NetworkTerm, b: &NetworkTerm) -> (Divisor, NetworkTerm) {
     let mut common = Factors::new();
     for (atom, n) in &a.factors {

@@ -1,4 +1,4 @@
-//! Test that shared steps and values are the same functions of the inputs as before sharing.
+//! Test that the steps and values after sharing are the same functions of the inputs as before.
 
 use super::SharedComputation;
 use crate::algebra::term::calculus::Substitution;

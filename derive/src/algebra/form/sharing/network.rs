@@ -1,4 +1,4 @@
-//! Network of steps and values, written as sums of monomials over numbered atoms.
+//! Network of a function's steps and values: sums of monomials in numbered atoms.
 //!
 //! These sums are separate from those of `polynomial`. Here terms keep their positions while
 //! divisors are taken out of many sums at once, and atoms may be sums themselves. Sorted terms
@@ -53,7 +53,7 @@ pub(super) enum Value {
 pub(super) struct Member {
     /// Value of the atom: a leaf, an inverse or a sum.
     pub value: Value,
-    /// Symbol of a step; `None` if the atom need not be a step.
+    /// Symbol of the step that the atom defines; `None` if the atom need not be a step.
     pub symbol: Option<Expr>,
 }
 
@@ -70,7 +70,7 @@ pub(super) struct Network {
     pub inside: FxHashMap<Atom, Vec<Atom>>,
     /// Atom of each term that was read, and of each step's symbol.
     known: FxHashMap<Expr, Atom>,
-    /// Inverse of each atom that has one, as an atom.
+    /// Atom of the inverse 1/a, by the atom a, for each inverse that occurs.
     inverses: FxHashMap<Atom, Atom>,
 }
 
@@ -142,8 +142,8 @@ impl Network {
         }
     }
 
-    /// Reads a product of the arena as factors with positive exponents; divisors become inverse
-    /// atoms.
+    /// Reads a product of the arena as a list of factors with positive exponents. Each divisor
+    /// becomes the atom of its inverse.
     fn monomial(&mut self, arena: &Arena, e: Expr) -> Factors {
         let whole = [(e, 1)];
         let factors: &[(Expr, i32)] = match arena.node(e) {
@@ -162,7 +162,7 @@ impl Network {
         list
     }
 
-    /// Atom of a term; a leaf is added if the term is new.
+    /// Atom of a term of the arena. A new term becomes a leaf of the network.
     fn atom(&mut self, arena: &Arena, e: Expr) -> Atom {
         if let Some(known) = self.known.get(&e) {
             return *known;
@@ -176,7 +176,7 @@ impl Network {
         at
     }
 
-    /// Atom of the inverse of an atom; added if it is new.
+    /// Atom of the inverse of another atom. It is added to the network if it is new.
     fn inverse(&mut self, of: Atom) -> Atom {
         if let Some(known) = self.inverses.get(&of) {
             return *known;

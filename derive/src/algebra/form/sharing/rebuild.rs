@@ -1,4 +1,5 @@
-//! Rebuilding of the arena's terms from a network of sums, each step after the steps that it uses.
+//! Conversion of a network of sums into terms of the arena. Each step comes after the steps that it
+//! uses.
 
 use super::network::{Atom, Network, NetworkTerm, Value, is_unit};
 use crate::algebra::term::steps::Definition;
@@ -45,8 +46,8 @@ pub(super) fn rebuild(arena: &mut Arena, network: &Network) -> Option<SharedComp
     (!builder.too_large).then_some(SharedComputation { steps: builder.steps, values })
 }
 
-/// Number of uses of each atom (a leaf, inverse or sum of the network), in other atoms and as an
-/// output. A power counts as often as its exponent.
+/// Number of uses of each atom (a leaf, inverse or sum of the network), as an operand and as an
+/// output. A power counts as many uses as its exponent.
 fn uses(network: &Network) -> Vec<usize> {
     let mut uses = vec![0; network.atoms.len()];
     let mut seen = FxHashSet::default();
@@ -66,7 +67,7 @@ fn uses(network: &Network) -> Vec<usize> {
     uses
 }
 
-/// Atoms that the value of an atom is computed from, each with its number of uses there.
+/// Atoms that occur directly in the value of an atom, each with its number of occurrences.
 fn operands(network: &Network, atom: Atom) -> Vec<(Atom, usize)> {
     match &network.atoms[atom as usize].value {
         Value::Leaf(_) => network.inside.get(&atom).into_iter().flatten().map(|step| (*step, 1)).collect(),
@@ -85,7 +86,7 @@ struct Rebuilder<'a> {
     network: &'a Network,
     /// Number of uses of each atom of the network, by number.
     uses: Vec<usize>,
-    /// Term that stands for each atom (a leaf, inverse or sum of the network) in other terms;
+    /// Term that stands for each atom (a leaf, inverse or sum of the network) wherever it is used.
     /// `None` until it is built.
     built: Vec<Option<Expr>>,
     /// Number of new symbols for shared parts so far.
@@ -165,7 +166,7 @@ impl Rebuilder<'_> {
         symbol
     }
 
-    /// Builds the sum of an atom's terms.
+    /// Builds the term for an atom that is a sum, from its summands.
     fn sum(&mut self, atom: Atom) -> Expr {
         let network = self.network;
         let place = if network.terms(atom).count() > 1 { Place::AmongTerms } else { Place::Alone };
@@ -177,8 +178,9 @@ impl Rebuilder<'_> {
         self.arena.linear_combination(&terms)
     }
 
-    /// Product of the factors of a term. A single factor that is a sum gets a symbol where it would
-    /// otherwise merge into the surrounding sum.
+    /// Builds the product of the factors of a network term, without its coefficient. If the only
+    /// factor is itself a sum, it gets a symbol, so that it does not merge into the surrounding
+    /// sum.
     fn product(&mut self, term: &NetworkTerm, place: Place) -> Expr {
         if let [(only, 1)] = term.factors.as_slice()
             && (place == Place::AmongTerms || !is_unit(&term.k))
@@ -201,7 +203,7 @@ impl Rebuilder<'_> {
         self.note_too_large(product)
     }
 
-    /// Returns the power, or 0 with a note in `too_large` if it could not be built.
+    /// Unwraps a power. If it could not be built, returns 0 and sets `too_large`.
     fn note_too_large(&mut self, power: Result<Expr, PowerError>) -> Expr {
         self.too_large |= power.is_err();
         power.unwrap_or(Expr::ZERO)

@@ -11,55 +11,59 @@ use crate::algebra::{Expr, Function, Node, Rational};
 /// Partly solved system of equations in a search.
 #[derive(Clone, Default)]
 pub(super) struct Case {
-    /// Equations of the case that remain to be solved: terms that must vanish.
+    /// Equations of the case that remain to be solved: numerators that must be 0.
     rows: Vec<Expr>,
     /// Relations found so far in the case, which give unknowns.
     pub(super) relations: Vec<Relation>,
     /// Conditions under which the solutions of the case are real.
     pub(super) needs: Vec<RelationCondition>,
-    /// Terms by which the solutions of the case divide.
+    /// Divisors of the solutions found so far in the case.
     pub(super) divided: Vec<Expr>,
-    /// Factors that are not 0 in this case, because they were split off or divided by.
+    /// Terms that are not 0 in this case, because they were split off as factors or divided by.
     excluded: Vec<Expr>,
 }
 
-/// Equation of a case: a term that must vanish, without factors that cannot be 0.
+/// Equation of a case: a term that must be 0. Its factors that cannot be 0 are left out.
 pub(super) struct Row {
-    /// Whole term of the equation, which must vanish.
+    /// Whole term of the equation, which must be 0.
     pub(super) whole: Expr,
     /// Factors of the term that contain unknowns; empty if the term could not be factored.
     factors: Vec<Expr>,
 }
 
-/// Choice of an equation and of the way in which it is solved for an unknown.
+/// Choice of the next step in a case: an equation, and its solutions for one unknown.
 struct Choice {
     /// Index of the chosen equation among the equations of the case.
     row: usize,
     /// Solutions of the chosen equation for the unknown.
     isolated: FactorSolutions,
-    /// Factors of the solutions' divisor that contain unknowns and may be 0.
+    /// Factors of the solutions' divisor that contain unknowns and are not proved different from 0.
     open: Vec<Expr>,
 }
 
-/// Rank of a way to solve an equation; the least is best. The first entry is false if the caller
-/// prefers the unknown, the second is true if the divisor may be 0. Then follow the degree of the
-/// roots, the position of the unknown, and the size of the equation.
+/// Rank of a way to solve an equation for an unknown; the least rank is chosen. Its entries are:
+///
+/// 1. false if the caller prefers the unknown
+/// 2. true if the divisor may be 0
+/// 3. degree of the roots
+/// 4. position of the unknown
+/// 5. size of the equation
 type Rank = (bool, bool, u8, usize, usize);
 
 /// Search for all solutions of a system of equations.
 pub struct BranchSearch<'w, 'a> {
     /// Workspace: arena, algebraic tools and unknowns.
     pub(super) work: &'w mut Workspace<'a>,
-    /// Equations of the system: numerators, which must vanish.
+    /// Equations of the system: numerators, which must be 0.
     pub(super) rows: Vec<Expr>,
-    /// Divisors of the equations that contain unknowns, and are not 0.
+    /// Divisors of the equations that contain unknowns. They are assumed not to be 0.
     divisors: Vec<Expr>,
     /// Branches of solutions that the search has found so far.
     pub(super) found: Solutions,
 }
 
 impl<'w, 'a> BranchSearch<'w, 'a> {
-    /// Prepares the search: takes the numerators of the equations, and the factors of all divisors.
+    /// Prepares the search: reads the numerators of the equations, and the factors of all divisors.
     pub fn new(work: &'w mut Workspace<'a>, equations: &[Expr], divisors: &[Expr]) -> Self {
         let (mut rows, mut below, mut found) = (Vec::new(), divisors.to_vec(), Solutions::default());
         for equation in equations {
@@ -103,7 +107,7 @@ impl<'w, 'a> BranchSearch<'w, 'a> {
         self.found
     }
 
-    /// Subtracts multiples of equations from other equations where fewer terms remain.
+    /// Shortens equations: a multiple of another equation is subtracted if fewer terms remain.
     fn reduce(&mut self) {
         let mut forms: Vec<Option<RingPolynomial>> =
             self.rows.clone().into_iter().map(|row| self.work.fraction(row).map(|f| f.0)).collect();
@@ -143,7 +147,8 @@ impl<'w, 'a> BranchSearch<'w, 'a> {
         None
     }
 
-    /// Writes an equation as a product of factors in short form, for the reader.
+    /// Writes an equation as a product of factors in short form, for the reader. An equation that
+    /// cannot be factored is returned unchanged.
     pub(super) fn factored_row(&mut self, row: Expr) -> Expr {
         let Some(factors) = self.work.factors(row) else { return row };
         let mut list = Vec::new();
@@ -171,9 +176,10 @@ impl<'w, 'a> BranchSearch<'w, 'a> {
         list
     }
 
-    /// Performs one step of a case, a partly solved system: solves an equation, splits a product,
-    /// or removes a square root. Returns the cases that follow. Empty if the case has no solution,
-    /// or cannot be solved further and was checked.
+    /// Performs one step of a case (a partly solved system): solves an equation, splits a product,
+    /// or removes a square root. Returns the cases that follow. The list is empty if the case has
+    /// no solution. It is also empty if the case cannot be solved further; its branch is then
+    /// checked and recorded.
     fn step(&mut self, mut case: Case) -> Vec<Case> {
         let Some(rows) = self.factored_rows(&mut case) else { return Vec::new() };
         let choice = self.best_choice(&case, &rows);
@@ -205,8 +211,9 @@ impl<'w, 'a> BranchSearch<'w, 'a> {
         }
     }
 
-    /// Splits the equations of a case into factors. Equations that hold, and factors that cannot be
-    /// 0, are left out. `None` if an equation cannot hold or an excluded factor is 0.
+    /// Splits the equations of a case into factors. Equations that already hold are left out, and
+    /// so are factors that cannot be 0. `None` if an equation cannot hold or an excluded factor is
+    /// 0.
     fn factored_rows(&mut self, case: &mut Case) -> Option<Vec<Row>> {
         let mut excluded = Vec::new();
         for e in &case.excluded {
@@ -250,9 +257,9 @@ impl<'w, 'a> BranchSearch<'w, 'a> {
         Some(rows)
     }
 
-    /// Removes a square root from one of the equations; `None` if no equation has a square root
-    /// with unknowns. Extra solutions of the new equation are rejected later, when they are
-    /// inserted into the given equations.
+    /// Removes a square root from one of the equations. Returns all equations, one of them
+    /// replaced. `None` if no equation has a square root with unknowns. Extra solutions of the new
+    /// equation are rejected later, when they are inserted into the given equations.
     fn without_root(&mut self, rows: &[Row]) -> Option<Vec<Expr>> {
         let (at, norm) = rows.iter().enumerate().find_map(|(at, row)| {
             let [factor] = row.factors.as_slice() else { return None };
@@ -261,8 +268,8 @@ impl<'w, 'a> BranchSearch<'w, 'a> {
         Some(rows.iter().enumerate().map(|(k, row)| if k == at { norm } else { row.whole }).collect())
     }
 
-    /// Factor of a product that most equations contain; among equals the shortest. `None` if no
-    /// equation is a product.
+    /// Factor to split off next: the factor of a product that most equations contain. Among equals
+    /// the shortest is taken. `None` if no equation is a product.
     fn most_shared(&mut self, rows: &[Row]) -> Option<Expr> {
         let products = rows.iter().filter(|row| row.factors.len() > 1);
         let factors: Vec<Expr> = products.flat_map(|row| row.factors.iter().copied()).collect();
@@ -271,8 +278,8 @@ impl<'w, 'a> BranchSearch<'w, 'a> {
         factors.into_iter().min_by_key(|e| (std::cmp::Reverse(count(e)), size(e), *e))
     }
 
-    /// Best way to solve an equation with a single factor for an unknown; `None` if no equation can
-    /// be solved.
+    /// Best way to solve an equation that has only one factor, for one unknown. `None` if no
+    /// equation can be solved.
     fn best_choice(&mut self, case: &Case, rows: &[Row]) -> Option<Choice> {
         let mut best: Option<(Rank, Choice)> = None;
         for (at, row) in rows.iter().enumerate() {
@@ -290,14 +297,13 @@ impl<'w, 'a> BranchSearch<'w, 'a> {
                 let open: Vec<Expr> =
                     self.open_factors(&divisor).into_iter().filter(|e| !case.excluded.contains(e)).collect();
                 let open: Vec<Expr> = open.into_iter().filter(|e| !self.work.sign(*e).is_strict()).collect();
-                // A value must not depend on an unknown whose square, sine, cosine or tangent is
-                // already given by a relation.
+                // A value must not depend on an unknown that another relation already gives.
                 let is_told = |e: Expr| case.relations.iter().any(|r| self.work.arena.mentions(e, r.unknown));
                 if isolated.solutions.iter().flat_map(|s| &s.relations).any(|r| is_told(r.value)) {
                     continue;
                 }
-                // An equation whose factors are all factors of the divisor would make the divisor
-                // 0.
+                // The divisor would be 0 if another equation consists of factors of the divisor
+                // alone.
                 let is_zero = |r: &Row| !r.factors.is_empty() && r.factors.iter().all(|e| open.contains(e));
                 if rows.iter().any(is_zero) {
                     continue;
@@ -313,8 +319,9 @@ impl<'w, 'a> BranchSearch<'w, 'a> {
         best.map(|(_, choice)| choice)
     }
 
-    /// True if a relation gives a sine or cosine in terms of sines or cosines of other unknowns.
-    /// Inserting it into other equations does not help to solve them.
+    /// True if a relation gives a sine, cosine or, if tangents are not kept, a tangent in terms of
+    /// sines or cosines of other unknowns. Inserting such a relation does not help to solve other
+    /// equations.
     fn leaves_open(&mut self, relations: &[Relation]) -> bool {
         let keeps_tangents = self.work.keeps_tangents;
         let is_circular = |relation: &&Relation| match relation.kind {

@@ -1,21 +1,22 @@
-//! Factors of numerators, as far as trial division finds them.
+//! Factors of the numerators of terms, as far as trial division finds them.
 
 use super::workspace::Workspace;
 use crate::algebra::form::ring::{GENERATORS, Powers, Ring, RingPolynomial};
 use crate::algebra::meaning::signs::Sign;
 use crate::algebra::{Expr, Function, Node, Rational};
 
-/// Largest number of terms of a numerator that is written in factors.
+/// Largest number of terms of a numerator that is shown in factors; a longer one is only
+/// simplified.
 const NEAT: usize = 60;
 
-/// Largest number of terms of a polynomial that is searched for factors other than single
-/// generators.
+/// Largest number of terms of a polynomial in which factors are searched. In a longer polynomial,
+/// only single generators (symbols, sines and the like) are split off.
 const MOST_FACTORED: usize = 80;
 
 /// Numerator of a term, split into factors.
 #[derive(Clone, Debug, Default)]
 pub struct Factors {
-    /// Numerical factor, and factors without unknowns, as pairs (factor, exponent).
+    /// Factors without unknowns, with the numerical factor among them, as pairs (factor, exponent).
     pub known: Vec<(Expr, i32)>,
     /// Factors that contain an unknown, as pairs (factor, exponent).
     pub unknown: Vec<(Expr, i32)>,
@@ -32,8 +33,8 @@ enum Split {
 }
 
 impl Workspace<'_> {
-    /// Splits the numerator of a term into factors. There are none for 0; `None` if the budget of
-    /// multiplications is used up.
+    /// Splits the numerator of a term into factors. The lists are empty if the term is 0. `None` if
+    /// the budget of multiplications is used up.
     pub fn factors(&mut self, e: Expr) -> Option<Factors> {
         let (above, _) = self.fraction(e)?;
         if above.is_zero() {
@@ -63,8 +64,8 @@ impl Workspace<'_> {
         Some(factors)
     }
 
-    /// Splits a primitive polynomial into a product of two polynomials, if trial division finds a
-    /// factor.
+    /// Splits a primitive polynomial (with coprime integer coefficients) into a product of two
+    /// polynomials, if trial division finds a factor.
     fn split(&mut self, p: &RingPolynomial) -> Split {
         let ring = self.normalizer.ring();
         let common = p.common_powers();
@@ -97,9 +98,11 @@ impl Workspace<'_> {
         if self.normalizer.ring().budget > 0 { Split::Whole } else { Split::Stopped }
     }
 
-    /// Candidates for polynomials that divide `p`: sines, 1 ± cosine of its angles, and a common
-    /// factor of its coefficients by one generator. The last is taken from the shortest of these
-    /// coefficients, which it must divide.
+    /// Candidates for divisors of the polynomial `p`: sines, 1 ± cosine, and common factors of its
+    /// coefficients.
+    ///
+    /// The coefficients are those of the powers of one generator. A common factor divides each of
+    /// them, so the candidate is taken from the shortest.
     fn candidates(&mut self, p: &RingPolynomial) -> Vec<RingPolynomial> {
         let used: Vec<usize> = (0..self.normalizer.ring().size())
             .filter(|at| p.terms.iter().any(|(powers, _)| powers.exponent_of(*at) > 0))
@@ -160,7 +163,8 @@ impl Workspace<'_> {
         if list.is_empty() { Expr::ZERO } else { self.arena.try_product(&list).unwrap_or(short) }
     }
 
-    /// Term with the sign of the term `e`, but without positive factors and even powers.
+    /// Term with the same sign as the term `e`, but without its positive factors and even powers.
+    /// Returns `e` if it is too large.
     pub fn without_positive_factors(&mut self, e: Expr) -> Expr {
         let Some((above, below)) = self.fraction(e) else { return e };
         let above = self.term(&above);

@@ -6,11 +6,11 @@ use crate::algebra::form::ring::RingPolynomial;
 use crate::algebra::meaning::signs::Sign;
 use crate::algebra::{Expr, Function, Rational};
 
-/// Roots y of a y² + b y + d = 0, or of b y + d = 0 if a is 0.
+/// Roots y of a y² + b y + d = 0, or of b y + d = 0 if a is 0; a, b and d are terms.
 struct Roots {
     /// Values of the roots of the equation, one or two.
     values: Vec<Expr>,
-    /// Coefficient of the equation by which the roots divide.
+    /// Coefficient by which the roots divide: a, or b if a is 0.
     divisor: Expr,
     /// Term under the square root, which must not be negative; `None` for a linear equation.
     root: Option<Expr>,
@@ -48,9 +48,9 @@ impl Workspace<'_> {
         }
     }
 
-    /// Coefficients of a polynomial in the generator with the number `at`, the constant first, and
-    /// the step between powers. The step is 2 if only even powers occur, else 1. `None` if the
-    /// degree exceeds two steps.
+    /// Coefficients of a polynomial in one generator, the constant first, and the step between
+    /// powers. `at` is the number of the generator. The step is 2 if only even powers occur, else
+    /// 1. `None` if the degree exceeds two steps.
     fn powers(&mut self, p: &RingPolynomial, at: usize) -> Option<(Vec<Expr>, usize)> {
         let list = Self::coefficients(p, &[at]);
         let powers: Vec<usize> = list.keys().map(|powers| usize::from(powers.exponent_of(at))).collect();
@@ -66,8 +66,8 @@ impl Workspace<'_> {
         Some((coefficients, step))
     }
 
-    /// Roots of a polynomial of degree 2 at most, from its coefficients, the constant first. `None`
-    /// if it does not depend on the variable.
+    /// Roots of a polynomial of degree 2 at most, from its three coefficients, the constant first.
+    /// `None` if the polynomial does not depend on the variable.
     fn quadratic_roots(&mut self, coefficients: &[Expr]) -> Option<Roots> {
         let [d, b, a] = *coefficients else { return None };
         if a == Expr::ZERO {
@@ -98,11 +98,11 @@ impl Workspace<'_> {
         Some(Roots { values, divisor: a, root: Some(under), degree: 1 })
     }
 
-    /// Solves a polynomial in the unknown itself, or in its square, for the unknown. `None` if the
-    /// degree is too high.
+    /// Solves a polynomial in the unknown, or in its square, for the unknown `x`. `None` if the
+    /// degree in it exceeds 2.
     fn isolate_power(&mut self, p: &RingPolynomial, at: usize, x: Expr) -> Option<FactorSolutions> {
         let (coefficients, step) = self.powers(p, at)?;
-        // For a x² + d the relation gives the square, not two roots.
+        // If only even powers of x occur, the relation gives x², not two roots.
         if step == 2 {
             let Roots { values, divisor, root, degree } = self.quadratic_roots(&coefficients)?;
             let solutions = values.into_iter().filter_map(|value| {
@@ -144,8 +144,9 @@ impl Workspace<'_> {
         self.isolate_in_function(&coefficients, x, angle, kind)
     }
 
-    /// Solves a polynomial in a sine or cosine, given by its coefficients, the constant first.
-    /// Values −1, 0 and 1 give angles directly.
+    /// Solves a polynomial in a sine or cosine, given by its coefficients, the constant first. The
+    /// values −1, 0 and 1 of the sine or cosine give the unknown itself. `None` if the polynomial
+    /// does not depend on the sine or cosine.
     fn isolate_in_function(
         &mut self,
         coefficients: &[Expr],
@@ -195,8 +196,8 @@ impl Workspace<'_> {
         }
     }
 
-    /// Solves b sin + a cos + d = 0, or b sin + A₂ cos² + A₀ = 0, for the angle. `None` for other
-    /// polynomials.
+    /// Solves an equation in the sine and cosine of one angle for the unknown. Its form is b sin +
+    /// a cos + d = 0 or b sin + A₂ cos² + A₀ = 0. `None` for other forms.
     fn isolate_sine_and_cosine(
         &mut self,
         p: &RingPolynomial,
@@ -252,14 +253,15 @@ impl Workspace<'_> {
         Some(FactorSolutions { solutions, divisor: Some(length), degree: 2 })
     }
 
-    /// Removes conditions that always hold from a solution; `None` if a condition can never hold.
+    /// Removes the conditions that always hold from a solution. `None` if a condition of the
+    /// solution can never hold.
     fn possible_isolation(&mut self, solution: Solution) -> Option<Solution> {
         let needs = self.open_conditions(&solution.needs)?;
         Some(Solution { needs, ..solution })
     }
 
-    /// Filters conditions: returns those that do not always hold. `None` if a condition can never
-    /// hold.
+    /// Filters conditions: returns those that are not known to hold always. `None` if a condition
+    /// can never hold.
     pub fn open_conditions(&mut self, needs: &[RelationCondition]) -> Option<Vec<RelationCondition>> {
         let mut list: Vec<RelationCondition> = Vec::new();
         for need in needs {

@@ -1,9 +1,10 @@
-//! Solutions of systems of equations in closed form, found by exact algebra: by factors, for one
-//! unknown at a time.
+//! Solutions of systems of equations in closed form, found by exact algebra. Each factor of an
+//! equation is solved for one unknown at a time.
 //!
-//! A factor of an equation can be solved for an unknown if it is linear in the unknown, or linear
-//! or quadratic in its square. It can also be linear or quadratic in its cosine or its sine alone,
-//! or linear in both. Angles are also solved for where two sines or cosines cancel.
+//! A factor can be solved for an unknown if it is linear or quadratic in one of these: the unknown,
+//! its square, its cosine, its sine. It can also be linear in both sine and cosine. Angles are also
+//! solved for if two sines or cosines cancel.
+//!
 //! Each solution is inserted into the given equations. Terms that exact algebra does not reduce to
 //! 0 there are shown as conditions: only proved results are claimed, and nothing is hidden.
 //!
@@ -52,9 +53,11 @@ pub struct Solutions {
     pub is_cut: bool,
 }
 
-/// Solves equations in closed form. Each equation is a term that must vanish. If several unknowns
-/// can be solved for, those that come first in the list are chosen. The first `asked` unknowns are
-/// preferred at any cost. The divisors are assumed not to be 0.
+/// Solves equations in closed form. Each equation is a term that must be 0; the divisors are
+/// assumed not to be 0.
+///
+/// The system is solved for the first `asked` unknowns if possible. Among equally good choices,
+/// unknowns that come first in the list are solved for.
 pub fn solve_in_closed_form(
     arena: &mut Arena,
     equations: &[Expr],

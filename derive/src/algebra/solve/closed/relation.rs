@@ -3,7 +3,7 @@
 
 use crate::algebra::Expr;
 
-/// Kind of relation: the unknown itself is given, its square, or the sine, cosine or tangent of an
+/// Kind of relation: it gives the unknown itself, its square, or the sine, cosine or tangent of an
 /// angle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum RelationKind {
@@ -25,11 +25,13 @@ pub enum RelationKind {
 pub struct Relation {
     /// Unknown of the equations that the relation gives.
     pub unknown: Expr,
-    /// Function of the unknown that the relation gives.
+    /// Kind of function that the relation gives: the unknown itself, its square, or a sine, cosine
+    /// or tangent.
     pub kind: RelationKind,
-    /// Angle whose sine, cosine or tangent is given; the unknown itself for other kinds.
+    /// Angle whose sine, cosine or tangent the relation gives, rad. For other kinds it is the
+    /// unknown.
     pub angle: Expr,
-    /// Value of the function, a term without the unknown.
+    /// Value of the function of the unknown; the value does not contain the unknown.
     pub value: Expr,
 }
 
@@ -76,7 +78,7 @@ pub struct Branch {
     pub needs: Vec<RelationCondition>,
     /// Divisors of the solutions; the branch holds where they are not 0.
     pub divided_by: Vec<Expr>,
-    /// Further terms that must vanish, which could not be solved.
+    /// Further terms that must be 0; these equations could not be solved.
     pub left: Vec<Expr>,
 }
 
@@ -89,12 +91,12 @@ pub struct Solution {
     pub needs: Vec<RelationCondition>,
 }
 
-/// All solutions of a factor of an equation for one unknown.
+/// All solutions of one factor of an equation for one unknown, with their divisor.
 #[derive(Clone, Debug, Default)]
 pub struct FactorSolutions {
     /// Solutions for the unknown; empty if no real number solves the factor.
     pub solutions: Vec<Solution>,
-    /// Divisor of the solutions; `None` if they divide by no term.
+    /// Common divisor of the solutions; `None` if they divide by no term.
     pub divisor: Option<Expr>,
     /// Complexity of the solutions: 0 if the factor is linear, 1 with one square root, 2 with roots in both sine and
     /// cosine.

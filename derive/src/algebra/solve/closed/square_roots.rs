@@ -1,4 +1,5 @@
-//! Square roots in equations: roots of squares, and removal of roots.
+//! Square roots in equations: the root of a square is taken, and other roots are removed by
+//! multiplication.
 
 use super::workspace::Workspace;
 use crate::algebra::form::ring::RingPolynomial;
@@ -7,8 +8,8 @@ use crate::algebra::{Expr, Function, Node};
 
 impl Workspace<'_> {
     /// Removes a square root whose argument contains unknowns from a factor of an equation. The
-    /// result is a norm, which vanishes wherever the factor vanishes. `None` if the factor has no
-    /// such root.
+    /// result is the norm (A + B √x) (A − B √x), which is 0 wherever the factor A + B √x is 0.
+    /// `None` if the factor has no such root.
     pub fn without_root(&mut self, factor: Expr) -> Option<Expr> {
         let (p, _) = self.fraction(factor)?;
         let root = (0..self.normalizer.ring().size()).rev().find(|at| {
@@ -24,7 +25,7 @@ impl Workspace<'_> {
     }
 
     /// Square root of the term `e`. If `e` is the square of a rational term p, the result is p or
-    /// −p, whatever its sign.
+    /// −p, and the sign of the result is not checked.
     pub fn root_of(&mut self, e: Expr) -> Expr {
         match self.rational_root(e) {
             Some(root) => root,
@@ -32,7 +33,7 @@ impl Workspace<'_> {
         }
     }
 
-    /// Rational term p with p² = e, of either sign; `None` if no such term is found.
+    /// Rational term p with p² = e; its sign is arbitrary. `None` if no such term is found.
     fn rational_root(&mut self, e: Expr) -> Option<Expr> {
         let (above, below) = self.fraction(e)?;
         let above = self.normalizer.ring().square_root(&above)?;

@@ -9,9 +9,10 @@ use crate::algebra::{Expr, Function, Node, Rational};
 
 impl Workspace<'_> {
     /// Inserts a relation into the term `e`, as far as the relation determines it. The sign of a
-    /// square root, or of the cosine for a given sine, may stay open. Then the unknown or the
-    /// function remains to the power 1. `None` if a divisor becomes 0 or the budget of
-    /// multiplications is used up.
+    /// square root, or of the cosine for a given sine, may be undetermined. The unknown, sine or
+    /// cosine then remains with the exponent 1.
+    ///
+    /// `None` if a divisor becomes 0 or the budget of multiplications is used up.
     pub fn substitute_relation(&mut self, relation: &Relation, e: Expr) -> Option<Expr> {
         if !self.arena.mentions(e, relation.unknown) {
             return Some(e);
@@ -66,9 +67,9 @@ impl Workspace<'_> {
         Some(self.arena.linear_combination(&terms))
     }
 
-    /// Inserts a relation into the argument of a function, such as the root of a square that the
-    /// relation gives. Sines, cosines and other atoms are returned unchanged. `None` if a divisor
-    /// becomes 0 or the budget of multiplications is used up.
+    /// Inserts a relation into the argument of a function, for example into √x² if the relation
+    /// gives x². Sines, cosines and other atoms are returned unchanged. `None` if a divisor becomes
+    /// 0 or the budget of multiplications is used up.
     fn substitute_in_argument(&mut self, relation: &Relation, atom: Expr) -> Option<Expr> {
         let Node::Apply(f, argument) = *self.arena.node(atom) else { return Some(atom) };
         if !self.arena.mentions(argument, relation.unknown) || matches!(f, Function::Sin | Function::Cos) {

@@ -1,4 +1,4 @@
-//! Ends of the search for closed forms: the solutions found are inserted into the given equations
+//! Verification of solutions in closed form: the solutions are inserted into the given equations
 //! and checked.
 
 use super::branch_search::{BranchSearch, Case, Row};
@@ -41,8 +41,9 @@ impl BranchSearch<'_, '_> {
         }
     }
 
-    /// Condition under which a term with a root √p² vanishes. The root is p or −p, whichever makes
-    /// the term vanish, and that must not be negative. `None` if the term vanishes with neither.
+    /// Condition under which a term with a root √p² is 0. The root is |p|: if the term is 0 with
+    /// the root replaced by p, the condition is p ≥ 0. If it is 0 with −p, the condition is −p ≥ 0.
+    /// `None` if the term is 0 with neither.
     fn verified_sign_condition(&mut self, value: Expr) -> Option<RelationCondition> {
         let (p, [plus, minus]) = self.work.split_root(value)?;
         let mut vanishes = |e: Expr| self.work.comparer.is_zero(self.work.arena, e).is_equal();
@@ -55,7 +56,7 @@ impl BranchSearch<'_, '_> {
     }
 
     /// True if the numerator of the term `value` is a multiple of the numerator of a term in
-    /// `left`, which must vanish.
+    /// `left`. The terms in `left` are 0, so `value` is then 0 too.
     fn is_verified_multiple(&mut self, value: Expr, left: &[Expr]) -> bool {
         let Some((value, _)) = self.work.fraction(value) else { return false };
         left.iter().any(|e| {
@@ -64,8 +65,10 @@ impl BranchSearch<'_, '_> {
         })
     }
 
-    /// Converts a case (a partly solved system) to a branch for the reader. Each value is free of
-    /// the unknowns that were solved for after it, and conditions that always hold are left out.
+    /// Converts a case (a partly solved system) to a branch of solutions for the reader. Each value
+    /// is free of the unknowns that were solved for later, and conditions that always hold are left
+    /// out.
+    ///
     /// `None` if a condition cannot hold, a divisor is 0, or the budget of multiplications is used
     /// up.
     fn verified_branch(&mut self, case: &Case, left: &[Expr]) -> Option<Branch> {
@@ -121,9 +124,9 @@ impl BranchSearch<'_, '_> {
         self.found.branches = kept.collect();
     }
 
-    /// True if `branch` is proved to be a special case of the branch `wider`. With the solutions of
-    /// `branch` inserted, all relations of `wider` hold, its conditions are met, and its divisors
-    /// are never 0.
+    /// True if the branch of solutions `branch` is proved to be a special case of the branch
+    /// `wider`. For the proof, the solutions of `branch` are inserted into `wider`. All relations
+    /// must then hold, all conditions must be met, and no divisor may become 0.
     fn is_verified_special_case(&mut self, branch: &Branch, wider: &Branch) -> bool {
         if wider.solved.len() >= branch.solved.len() {
             return false;

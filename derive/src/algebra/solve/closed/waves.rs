@@ -1,5 +1,6 @@
-//! Waves: equations of sines and cosines that reduce to a single wave, or to two of equal
-//! amplitude. For example, sin A + sin B = 0 where A = −B or A = B + π.
+//! Equations of sines and cosines that reduce to a single wave (a sine or cosine of a linear
+//! angle), or to two waves of equal amplitude. For example, sin A + sin B = 0 where A = −B or A = B
+//! + π.
 
 use super::relation::{FactorSolutions, Relation, Solution};
 use super::workspace::Workspace;
@@ -7,7 +8,8 @@ use crate::algebra::form::ring::RingPolynomial;
 use crate::algebra::{Expr, Function, Node, Rational};
 use std::collections::BTreeMap;
 
-/// Largest number of terms of a polynomial, and of waves, that are examined.
+/// Largest number of terms of a polynomial in sines and cosines that is examined, and of the waves
+/// that it becomes.
 const MOST_TERMS: usize = 12;
 
 /// Function of a wave: sine or cosine.
@@ -17,10 +19,10 @@ enum Kind {
     Sine,
 }
 
-/// Angle Σ n · unknown, as the integer n of each unknown; an empty map is the angle 0.
+/// Angle Σ n · unknown, as a map from each unknown to its integer n. An empty map is the angle 0.
 type Angle = BTreeMap<Expr, i64>;
 
-/// Sine or cosine of an angle whose first coefficient n is positive.
+/// Sine or cosine of an angle. The coefficient of the first unknown in the angle is positive.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord)]
 struct Wave {
     /// Function of the wave: sine or cosine.
@@ -38,9 +40,10 @@ struct Line {
 }
 
 impl Workspace<'_> {
-    /// Solves an equation of sines and cosines only, p = 0, for the unknown `x`. `None` if p is no
-    /// single wave and no sum of two waves of equal amplitude. `None` also if `x` is not the last
-    /// unknown with the coefficient 1 or −1 in each solution.
+    /// Solves the equation p = 0 for the unknown `x`, where p contains only sines and cosines.
+    ///
+    /// `None` if p is neither a single wave nor the sum of two waves of equal amplitude. `None`
+    /// also unless `x` is, in each solution, the last unknown with the coefficient 1 or −1.
     pub fn solve_waves(&mut self, p: &RingPolynomial, x: Expr) -> Option<FactorSolutions> {
         let waves = self.sum_of_waves(p)?;
         let lines = angle_equations(&waves)?;
@@ -60,9 +63,9 @@ impl Workspace<'_> {
         Some(FactorSolutions { solutions, divisor: None, degree: 0 })
     }
 
-    /// Writes a polynomial in sines and cosines, with numbers as coefficients, as a sum of waves
-    /// with their amplitudes. Products become sums. `None` if the polynomial contains other atoms
-    /// or is too long.
+    /// Writes a polynomial in sines and cosines of unknowns as a sum of waves with their
+    /// amplitudes. Products of sines and cosines become sums. `None` if the polynomial contains
+    /// other atoms or is too long.
     fn sum_of_waves(&mut self, p: &RingPolynomial) -> Option<Vec<(Wave, Rational)>> {
         if p.terms.len() > MOST_TERMS {
             return None;
@@ -103,8 +106,8 @@ impl Workspace<'_> {
     }
 }
 
-/// Product of a wave of amplitude 2 k and the sine or cosine of the unknown `x`, as two waves with
-/// their amplitudes.
+/// Product of a wave of amplitude 2 k and the sine or cosine of the unknown `x`: the two waves
+/// whose sum it is, each with its amplitude.
 fn times(wave: &Wave, k: &Rational, by: Kind, x: Expr) -> [(Wave, Rational); 2] {
     let turned = |by: i64| {
         let mut angle = wave.angle.clone();
@@ -127,8 +130,8 @@ fn times(wave: &Wave, k: &Rational, by: Kind, x: Expr) -> [(Wave, Rational); 2] 
     })
 }
 
-/// Linear equations for the angles at which a single wave, or the sum of two waves of equal
-/// amplitude, is 0. `None` for other sums.
+/// Linear equations for the angles at which a sum of waves is 0. It must be a single wave, or two
+/// waves of equal amplitude; `None` for other sums.
 fn angle_equations(waves: &[(Wave, Rational)]) -> Option<Vec<Line>> {
     let [zero, half, one] = [Rational::ZERO, Rational::fraction(1, 2)?, Rational::ONE];
     let line = |angle: Angle, half_turns: Rational| Line { angle, half_turns };
@@ -158,6 +161,7 @@ fn angle_equations(waves: &[(Wave, Rational)]) -> Option<Vec<Line>> {
         }
         _ => return None,
     };
-    // If the angles of a pair are equal, an equation is empty, and the waves are not a pair.
+    // An equation without unknowns would arise if both angles were equal; then there is no solution
+    // of this kind.
     lines.iter().all(|line| !line.angle.is_empty()).then_some(lines)
 }

@@ -10,7 +10,7 @@ use crate::algebra::meaning::signs::Sign;
 use crate::algebra::{Arena, Expr, Function, Node};
 use std::collections::BTreeMap;
 
-/// Dependence of a generator (a variable of the normal form, such as a sine) on an unknown.
+/// Role of a generator (a variable of the normal form, such as a sine) with respect to one unknown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
     /// The generator of the normal form is the unknown itself.
@@ -39,13 +39,13 @@ pub struct Workspace<'a> {
     pub unknowns: Vec<Expr>,
     /// Number of unknowns, from the first, that are preferred at any cost.
     pub asked: usize,
-    /// True if a tangent may be given in terms of other unknown angles while other equations
-    /// mention its unknown.
+    /// True if a tangent may be given in terms of other unknown angles, even if other equations
+    /// contain its unknown.
     pub keeps_tangents: bool,
 }
 
 impl<'a> Workspace<'a> {
-    /// Creates the workspace for a system with the given unknowns, of which the first `asked` are
+    /// Creates the workspace for a system with the given unknowns. The first `asked` unknowns are
     /// preferred.
     pub fn new(arena: &'a mut Arena, unknowns: &[Expr], asked: usize) -> Self {
         let normalizer = Normalizer::new(BUDGET);
@@ -83,12 +83,13 @@ impl<'a> Workspace<'a> {
     }
 
     /// True if the normal form of the term is 0. False also if the budget of multiplications is
-    /// used up.
+    /// used up first.
     pub fn is_zero(&mut self, e: Expr) -> bool {
         self.fraction(e).is_some_and(|(above, _)| above.is_zero())
     }
 
-    /// Dependence of a generator of the normal form on the unknown `x`, which it mentions.
+    /// Role of a generator of the normal form with respect to the unknown `x`. The generator must
+    /// contain `x`.
     pub fn role(&mut self, generator: Expr, x: Expr) -> Role {
         if generator == x {
             return Role::Plain;
@@ -104,15 +105,16 @@ impl<'a> Workspace<'a> {
         }
     }
 
-    /// Numbers of the generators that occur in a polynomial and mention the unknown `x`.
+    /// Numbers of the generators (variables of the normal form) that occur in a polynomial and
+    /// contain the unknown `x`.
     pub fn generators_of(&mut self, p: &RingPolynomial, x: Expr) -> Vec<usize> {
         let size = self.normalizer.ring().size();
         let used = (0..size).filter(|at| p.terms.iter().any(|(powers, _)| powers.exponent_of(*at) > 0));
         used.filter(|at| self.arena.mentions(self.normalizer.expression_of(*at), x)).collect()
     }
 
-    /// Collects a polynomial by powers of the given generators: the coefficient of each power
-    /// product, as a polynomial in the others.
+    /// Coefficients of a polynomial in the given generators: for each product of their powers, a
+    /// polynomial in all other generators.
     pub fn coefficients(p: &RingPolynomial, generators: &[usize]) -> BTreeMap<Powers, RingPolynomial> {
         let mut list: BTreeMap<Powers, RingPolynomial> = BTreeMap::new();
         for (powers, k) in &p.terms {
@@ -125,7 +127,7 @@ impl<'a> Workspace<'a> {
     }
 
     /// Sign of a term, as far as it follows from positive symbols, even powers and roots in its
-    /// normal form.
+    /// normal form. `Unknown` if the budget of multiplications is used up.
     pub fn sign(&mut self, e: Expr) -> Sign {
         let Some((above, below)) = self.fraction(e) else { return Sign::Unknown };
         let mut sign = self.sign_of(&above);
@@ -139,7 +141,7 @@ impl<'a> Workspace<'a> {
         sign
     }
 
-    /// Sign of a polynomial whose terms all have the same sign; unknown for others.
+    /// Sign of a polynomial whose terms all have the same sign; `Unknown` for other polynomials.
     fn sign_of(&mut self, p: &RingPolynomial) -> Sign {
         let Some((_, first)) = p.terms.first() else { return Sign::NotNegative };
         let negative = first.is_negative();

@@ -1,8 +1,8 @@
-//! Entries of the quadratic form that is minimized, and the elimination of a named term or an
+//! Matrix entries of the quadratic form that is minimized, and elimination of a named term or an
 //! unknown from it.
 //!
-//! Invariant: an entry is in the rows of both of its terms. An "end" of the form is an unknown or a
-//! name.
+//! Invariant: the entry that couples two terms is stored in the rows of both. An "end" of the form
+//! is a variable of it: an unknown or a name.
 
 use super::{Depth, QuadraticBlock};
 use crate::algebra::form::simplify::Simplifier;
@@ -13,7 +13,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
-/// Largest number of terms in the sum of an entry that is still simplified.
+/// Largest number of terms in a matrix entry that is still simplified.
 const MOST_SHORTENED: usize = 20;
 
 /// Linear form Σ coefficient · end + rest, where each end is an unknown or a name.
@@ -24,7 +24,7 @@ pub(super) struct LinearPart {
     pub(super) rest: Expr,
 }
 
-/// Unknown that is replaced by a name, which contains it: name = sign · unknown + other terms.
+/// Replacement of an unknown by a name that contains it: name = sign · unknown + other terms.
 pub(super) struct ReplacedUnknown {
     /// Unknown that the name replaces.
     pub(super) unknown: Expr,
@@ -34,8 +34,8 @@ pub(super) struct ReplacedUnknown {
     pub(super) sign: Expr,
 }
 
-/// Rotation that relates two terms to two unknowns or names x and y. It is z₁ = c x + s y + r₁ and
-/// z₂ = c y − s x + r₂.
+/// Rotation that relates two terms z₁ and z₂ to two unknowns or names x and y: z₁ = c x + s y + r₁
+/// and z₂ = c y − s x + r₂.
 pub(super) struct Rotation {
     /// Unknown or name x that the rotation relates.
     x: Expr,
@@ -49,9 +49,9 @@ pub(super) struct Rotation {
     rests: (Expr, Expr),
 }
 
-/// Finds the rotation that relates two linear forms to two common unknowns or names. It needs the
-/// sine and cosine of one angle, so that c² + s² = 1. `None` if the forms are not related by a
-/// rotation.
+/// Finds the rotation that relates two linear forms to two common unknowns or names. Their
+/// coefficients must be the sine and cosine of one angle, so that c² + s² = 1. `None` if the forms
+/// are not related by a rotation.
 pub(super) fn find_rotation(arena: &mut Arena, one: &LinearPart, other: &LinearPart) -> Option<Rotation> {
     let ([(x, c), (y, s)], [(x2, minus_s), (y2, c2)]) = (one.terms.as_slice(), other.terms.as_slice()) else {
         return None;
@@ -85,8 +85,8 @@ fn circular(arena: &Arena, e: Expr) -> Option<(Function, Expr)> {
     }
 }
 
-/// Quadratic form under elimination. An entry is a list of terms, which are added when the entry is
-/// read.
+/// Quadratic form during elimination. A matrix entry is a list of terms, which are added up when
+/// the entry is read.
 pub(super) struct Form<'a> {
     /// Arena of the terms.
     pub(super) arena: &'a mut Arena,
@@ -120,8 +120,9 @@ impl Form<'_> {
         Some(LinearPart { terms, rest: self.at_zero.apply(self.arena, e) })
     }
 
-    /// Unknowns that occur in exactly one name, and not directly in the quadratic part, each with
-    /// that name.
+    /// Finds the unknowns that can be replaced by a name. Each occurs in exactly one name, with the
+    /// coefficient 1 or −1, and not directly in the quadratic part. A name replaces one unknown at
+    /// most.
     pub(super) fn replaceable_unknowns(
         &self,
         named: &[Expr],
@@ -206,23 +207,25 @@ impl Form<'_> {
     }
 
     /// Index in `ready` of the unknown or name that is eliminated next; `None` if `ready` is empty.
-    /// Unknowns go first, then the names farthest from the unknowns; among equals, the term with
-    /// the fewest matrix entries.
+    /// Unknowns go first, then the names with the greatest depth. Among equals, the term with the
+    /// fewest matrix entries goes first.
     pub(super) fn next_to_eliminate(&self, ready: &[Expr], depth: impl Fn(&Expr) -> Option<Depth>) -> Option<usize> {
         let key = |e: &Expr| (depth(e).map(Reverse), self.rows.get(e).map_or(0, BTreeMap::len), Reverse(*e));
         (0..ready.len()).min_by_key(|at| key(&ready[*at]))
     }
 
-    /// Sum of the terms of an entry in short form. If it is still a sum, it gets a name with the
-    /// label `wanted`.
+    /// Sum of the terms of a matrix entry, in short form. A result that is still a sum gets a name
+    /// with the label `wanted`.
     fn read(&mut self, terms: &[Expr], wanted: &str) -> Expr {
         let sum = self.arena.sum(terms);
-        // A sum of so many terms arises only in an order of elimination that will be rejected.
+        // So many terms arise only in an order of elimination that will be rejected, so they are
+        // not simplified.
         let sum = if terms.len() > MOST_SHORTENED { sum } else { self.simplifier.simplify(self.arena, sum) };
         if matches!(self.arena.node(sum), Node::Sum(..)) { self.arena.name(sum, wanted) } else { sum }
     }
 
-    /// Name of an unknown or a named term, with primes replaced by `_dot` and `_ddot`.
+    /// Name of an unknown or a named term for use in labels: primes are replaced by `_dot` and
+    /// `_ddot`.
     fn name_of(&self, e: Expr) -> String {
         let name = self.arena.name_of(e).or_else(|| self.arena.symbol_name(e)).unwrap_or_default();
         name.replace("''", "_ddot").replace('\'', "_dot")
@@ -276,11 +279,12 @@ impl Form<'_> {
         }
     }
 
-    /// Moves the 2 × 2 block K of two terms z = R (x, y) + r to x and y; R is a rotation. Rᵀ K R
-    /// becomes the block of x and y. K r is added to the linear entries of z, which
+    /// Moves the 2 × 2 block K of two terms z = R (x, y) + r to x and y, where R is a rotation. Rᵀ
+    /// K R becomes the block of x and y. K r is added to the linear coefficients of z, which
     /// [`Self::substitute`] later turns into Rᵀ K r.
     ///
-    /// With t = s (K₂₂ − K₁₁) − 2 c K₁₂ the block of x and y is K₁₁ + s t, K₂₂ − s t and −(c t + K₁₂).
+    /// The new block has the entries K₁₁ + s t, K₂₂ − s t and −(c t + K₁₂). Here t = s (K₂₂ − K₁₁)
+    /// − 2 c K₁₂.
     pub(super) fn rotate_block(&mut self, one: Expr, other: Expr, turn: &Rotation) {
         let entry = |form: &mut Self, a: Expr, b: Expr| {
             let terms = form.rows.get(&a).and_then(|row| row.get(&b)).cloned().unwrap_or_default();
@@ -322,8 +326,9 @@ impl Form<'_> {
         self.rows.entry(other).or_default();
     }
 
-    /// Eliminates an unknown from the form. Returns the step that defines it: the value that
-    /// minimizes the form for given other unknowns and names. `None` if the pivot is 0.
+    /// Eliminates an unknown from the form. Returns the step that defines the unknown: its value
+    /// minimizes the form for given values of the other unknowns and names. `None` if the pivot is
+    /// 0.
     pub(super) fn eliminate(&mut self, unknown: Expr) -> Option<Definition> {
         let (own, others, linear) = self.remove_row(unknown);
         let name = self.name_of(unknown);

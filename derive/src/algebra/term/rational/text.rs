@@ -31,7 +31,7 @@ impl Rational {
     /// 1/10 for 0.1. `None` if `x` is infinite or not a number.
     #[must_use]
     pub fn shortest_decimal(x: f64) -> Option<Self> {
-        // The standard library writes the fewest digits.
+        // Rust's standard library prints the fewest digits that read back as the same double.
         let size = Self::parse_decimal(&format!("{:e}", x.abs()))?;
         Some(if x.is_sign_negative() { size.neg() } else { size })
     }

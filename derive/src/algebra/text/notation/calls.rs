@@ -16,7 +16,8 @@ struct Form {
     of: &'static [Notation],
     /// Tokens that replace the name and its opening parenthesis.
     open: &'static [&'static str],
-    /// Tokens that replace the comma; `None` if the function has one argument.
+    /// Tokens that replace the comma between two arguments; `None` if the function has one
+    /// argument.
     comma: Option<&'static [&'static str]>,
     /// Tokens that replace the closing parenthesis of the call.
     close: &'static [&'static str],
@@ -54,7 +55,7 @@ const FORMS: [Form; 8] = [
 #[derive(Default)]
 pub(super) struct Calls(Vec<Call>);
 
-/// An open parenthesis, of a call or of a group.
+/// An open parenthesis in the stack: of a function call or of a group.
 struct Call {
     /// Rule that rewrites the call; `None` for an ordinary parenthesis.
     form: Option<&'static Form>,
@@ -66,7 +67,7 @@ struct Call {
 }
 
 impl Calls {
-    /// True if any parenthesis of the formula is open.
+    /// True if at least one parenthesis of the formula is open.
     pub(super) fn is_open(&self) -> bool {
         !self.0.is_empty()
     }
@@ -121,7 +122,7 @@ impl Calls {
             out.push(")", place.clone());
             return Ok(());
         };
-        // Rational(3) needs no comma: it is the integer 3, like S(3).
+        // Rational(3) is complete without a comma: it is the integer 3, like S(3).
         if call.commas > 0 && form.name != "Rational" {
             let message = format!("`{}` has two arguments", form.name);
             return Err(translation_error(call.place, message, &format!("write {}(x, 2)", form.name)));

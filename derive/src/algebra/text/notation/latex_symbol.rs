@@ -1,4 +1,4 @@
-//! Symbols of LaTeX in a normal form, independent of the way they are written.
+//! LaTeX symbols in a normal form: different ways to write a symbol give the same value.
 
 /// Symbol of LaTeX in a normal form: `\dot{q}_1`, `\dot q_{1}` and `\dot{q_1}` are equal.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]

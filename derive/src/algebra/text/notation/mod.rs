@@ -5,10 +5,10 @@
 //! grammar, one set of limits. Every token keeps its place in the original text, so that every
 //! error points at the place where the text is wrong.
 //!
-//! Invariant: nothing is guessed. A text that can be read in two ways is refused with both ways to
-//! write it, for example `\sin q u` or `a/2 b`. Marks keep the meaning of their language: `1/2` is
-//! 0 in C. A [`SymbolNames`] gives the name of each symbol in the language of model files.
-//! Absent on purpose: statements and vectors.
+//! Invariant: nothing is guessed. A text that can be read in two ways is refused, and the error
+//! shows how to write each: for example `\sin q u` or `a/2 b`. Operators keep the meaning of their
+//! language: `1/2` is 0 in C. A [`SymbolNames`] gives the name of each symbol in the language of
+//! model files. Absent on purpose: statements and vectors.
 
 mod calls;
 mod function_names;
@@ -33,11 +33,11 @@ pub use unicode::ascii_names_of_unicode;
 
 use super::parse::ParseError;
 
-/// Translates a formula from a notation into the language of model files. `spell` names the
-/// symbols; each token keeps its place in the original text.
+/// Translates a formula from a notation into the language of model files. `spell` gives the names
+/// of symbols. Each token keeps its place in the original text.
 ///
 /// # Errors
-/// First [`ParseError`] that belongs to the notation itself; other errors are found when the
+/// First [`ParseError`] that the notation itself causes. Other errors are found later, when the
 /// translation is parsed.
 pub fn translate(text: &str, notation: Notation, spell: &mut dyn SymbolNames) -> Result<Translation, ParseError> {
     match notation {

@@ -11,11 +11,11 @@ use super::unicode;
 use crate::algebra::text::parse::ParseError;
 use std::ops::Range;
 
-/// Largest length of a variable's index, in characters.
+/// Largest number of characters after a variable's name in which the end of its index is searched.
 const LONGEST_INDEX: usize = 40;
 
-/// Translates a formula of a program into the language of model files; `spell` names the variables.
-/// Error if the formula is ambiguous or not understood.
+/// Translates a formula of a program into the language of model files; `spell` gives the names of
+/// variables. Error if the formula is ambiguous or not understood.
 pub(super) fn translate(
     text: &str,
     notation: Notation,
@@ -38,15 +38,16 @@ pub(super) struct Program<'a, 's> {
     pub(super) out: Translation,
     /// Parentheses and calls that are open at the present position.
     pub(super) calls: Calls,
-    /// True at a level of parentheses while an exponent is being read there. The first entry is for
-    /// the text outside of all parentheses.
+    /// Flags of all open levels of parentheses: true while an exponent is being read at that level.
+    /// The first entry is for the text outside of all parentheses.
     power: Vec<bool>,
     /// Source of the model's names for the program's variables.
     pub(super) spell: &'s mut dyn SymbolNames,
 }
 
 impl Program<'_, '_> {
-    /// Translates the whole text. Error if the text has more than one statement.
+    /// Translates the whole text of the formula. Error if it has more than one statement or cannot
+    /// be translated.
     fn whole(mut self) -> Result<Translation, ParseError> {
         loop {
             self.skip();
@@ -72,7 +73,7 @@ impl Program<'_, '_> {
         Ok(self.out)
     }
 
-    /// Text from `from` bytes after the present position on.
+    /// Rest of the text, beginning `from` bytes after the present position; empty at the end.
     pub(super) fn rest(&self, from: usize) -> &str {
         self.text.get(self.at + from..).unwrap_or_default()
     }
@@ -113,7 +114,8 @@ impl Program<'_, '_> {
             self.at = if end > self.at + 1 + sign { end } else { self.at };
         }
         let mut end = self.at;
-        // 2.*x is 2 .* x, and 2... continues on the next line.
+        // In MATLAB, 2.*x is 2 .* x, and the dots of 2... continue the line: they are no part of
+        // the number.
         if self.notation == Notation::Matlab {
             let after = self.rest(0).starts_with(['*', '/', '^']) && self.text[start..end].ends_with('.');
             let dots = self.text[start..end].find("...").map(|dots| start + dots);
@@ -190,8 +192,8 @@ impl Program<'_, '_> {
         }
     }
 
-    /// Translates an operator, a parenthesis or a comma. Error if the language gives the character
-    /// another meaning.
+    /// Translates an operator, a parenthesis or a comma. Error for any other character, and for an
+    /// operator with another meaning in the language.
     fn operator(&mut self, c: char) -> Result<(), ParseError> {
         let rest = self.rest(0);
         let matlab = self.notation == Notation::Matlab;
@@ -232,7 +234,7 @@ impl Program<'_, '_> {
         Ok(())
     }
 
-    /// Skips the opening parenthesis of a call, and begins its level of parentheses.
+    /// Skips the opening parenthesis of a call, and adds a level of parentheses.
     pub(super) fn enter_call(&mut self) {
         self.at += 1;
         self.power.push(false);
@@ -245,14 +247,14 @@ impl Program<'_, '_> {
         }
     }
 
-    /// True if the last translated token ends an operand.
+    /// True if the last translated token ends an operand: it is not an operator, `(` or a comma.
     fn ends_operand(&self) -> bool {
         let last = self.out.tokens().next_back().map(|(token, _)| token);
         last.is_some_and(|token| !matches!(token, "+" | "-" | "*" | "/" | "^" | "(" | ","))
     }
 
-    /// Notes that an exponent begins. Error for a power of a power in MATLAB, which reads it from
-    /// the left while other languages read it from the right.
+    /// Marks the beginning of an exponent. Error in MATLAB for a power of a power: MATLAB reads
+    /// a^b^c as (a^b)^c, other languages as a^(b^c).
     fn begin_power(&mut self, place: &Range<usize>) -> Result<(), ParseError> {
         let Some(power) = self.power.last_mut() else { return Ok(()) };
         if std::mem::replace(power, true) && self.notation == Notation::Matlab {
@@ -286,8 +288,8 @@ impl Program<'_, '_> {
         translation_error(span, format!("unexpected `{shown}`"), help)
     }
 
-    /// Opens the call of a function whose parenthesis comes next. False if `word` is not a
-    /// function. Error for C's `abs`, which rounds to an integer.
+    /// Opens the call of the function `word`, whose parenthesis comes next. False if `word` is not
+    /// a function. Error for C's `abs`, which rounds to an integer.
     fn call(&mut self, word: &str, place: &Range<usize>) -> Result<bool, ParseError> {
         if self.notation == Notation::C && word == "abs" {
             let help = "in C this rounds to a whole number: fabs(x)";

@@ -7,9 +7,9 @@ use super::translation_errors::{translation_error, untranslatable_symbol_error};
 use crate::algebra::text::parse::ParseError;
 
 impl Program<'_, '_> {
-    /// Reads a derivative as `SymPy` prints it, after the word `Derivative` or `diff`: `(q(t), t)`
-    /// as q', `(q(t), (t, 2))` as q''. `None` if `word` is not a derivative. Error if it is not the
-    /// time derivative of a symbol.
+    /// Reads a time derivative as `SymPy` prints it, after the word `Derivative` or `diff`. `(q(t),
+    /// t)` becomes q', and `(q(t), (t, 2))` becomes q''. `None` if `word` is neither of these
+    /// words. Error if it is not the time derivative of a symbol.
     pub(super) fn derivative(&mut self, word: &str) -> Result<Option<String>, ParseError> {
         if self.notation != Notation::Python || !matches!(word, "Derivative" | "diff") {
             return Ok(None);
@@ -24,8 +24,9 @@ impl Program<'_, '_> {
         Ok(Some(name + &"'".repeat(primes)))
     }
 
-    /// Reads the suffixes that `SymPy` appends to a name: the argument `(t)`, and `.diff(t)`.
-    /// Returns the name with a prime per derivative. Error for a derivative by another variable.
+    /// Reads what `SymPy` appends to the name of a function of time: the argument `(t)`, and
+    /// `.diff(t)`. Returns the name with one prime for each derivative. Error for a derivative with
+    /// respect to another variable.
     pub(super) fn read_derivative_suffix(&mut self, name: String) -> Result<String, ParseError> {
         if self.notation != Notation::Python {
             return Ok(name);
@@ -61,7 +62,7 @@ impl Program<'_, '_> {
     /// order, 1 or 2. Error for any other end.
     fn derivative_order(&mut self) -> Result<usize, ParseError> {
         let begin = self.at;
-        // The only parenthesis that may be open inside is that around (t, 2).
+        // The parenthesis of (t, 2) is the only one that may be open inside.
         let mut depth = 1_usize;
         let end = self.rest(0).char_indices().find_map(|(at, c)| {
             match c {

@@ -31,7 +31,7 @@ pub(super) fn refuse_whole_quotients(plain: &Translation) -> Result<(), ParseErr
                 add_quotient_operand(outer, if is_whole { Operand::Whole } else { Operand::Real })?;
             }
             "/" => level.slash = Some(place.clone()),
-            // Powers and functions of several arguments are real numbers.
+            // Powers and functions of several arguments have real values in C.
             "^" => level.term = Some(false),
             "," => *level = Level { is_real: true, ..Level::default() },
             "+" | "-" => {

@@ -3,11 +3,11 @@
 
 use super::latex_symbol::LatexSymbol;
 
-/// Reason why a symbol has no name in the model: (message, help).
+/// Reason why a symbol has no name in the model, as the pair (message, help) for an error.
 pub type Unknown = (String, Option<String>);
 
-/// Source of names for symbols of other notations. A name is in the language of model files, with a
-/// prime per derivative.
+/// Source of names for symbols of other notations. A returned name is in the language of model
+/// files, with one prime for each time derivative.
 pub trait SymbolNames {
     /// True if a LaTeX symbol, apart from its dots, has a name in the model.
     fn knows(&self, symbol: &LatexSymbol) -> bool;
@@ -17,13 +17,11 @@ pub trait SymbolNames {
         false
     }
 
-    /// Name, in the language of model files, of a LaTeX symbol.
-    ///
-    /// `run` is the word that the symbol forms with the letters next to it; it is empty if there
-    /// are none.
+    /// Name, in the language of model files, of a LaTeX symbol. `run` is the word that the symbol
+    /// forms with adjacent letters and digits; it is empty for a single letter.
     ///
     /// # Errors
-    /// Reason why the symbol has no name.
+    /// Reason why the symbol has no name in the model.
     fn name_of_latex_symbol(&mut self, symbol: &LatexSymbol, run: &str) -> Result<String, Unknown>;
 
     /// Name, in the language of model files, of a program's variable, such as `q1`, `p.m`, `z(6)`

@@ -1,5 +1,4 @@
-//! Plain form of a formula: tokens of the language of model files, with their places in the
-//! original text.
+//! Formula in the language of model files, as tokens that keep their places in the original text.
 
 use std::ops::Range;
 
@@ -9,8 +8,8 @@ use std::ops::Range;
 pub struct Translation {
     /// Tokens of the translated formula, separated by spaces.
     text: String,
-    /// Byte range of each token in `text`, and in the original text. Empty if `text` is the
-    /// original text.
+    /// Pairs of byte ranges for each token: in `text`, and in the original text. Empty if `text` is
+    /// the original text.
     places: Vec<(Range<usize>, Range<usize>)>,
     /// True if `text` is the original text, unchanged.
     is_same: bool,
@@ -55,7 +54,7 @@ impl Translation {
         &self.text
     }
 
-    /// Byte range of the original text from which the range `part` of the translated text comes.
+    /// Byte range of the original text that was translated into the byte range `part`.
     #[must_use]
     pub fn source_range(&self, part: Range<usize>) -> Range<usize> {
         if self.is_same {

@@ -1,4 +1,4 @@
-//! Refusals: errors in formulas written in LaTeX or program text, with their places.
+//! Errors in formulas written in LaTeX or program text, with their places.
 
 use super::symbol_names::Unknown;
 use crate::algebra::text::parse::ParseError;
@@ -9,12 +9,12 @@ pub(super) fn translation_error(span: Range<usize>, message: impl Into<String>, 
     ParseError { span, message: message.into(), help: Some(help.to_owned()) }
 }
 
-/// Creates the error for a symbol that has no name in the model, from its (message, help).
+/// Creates the error for a symbol that has no name in the model, from its message and help.
 pub(super) fn untranslatable_symbol_error(span: Range<usize>, (message, help): Unknown) -> ParseError {
     ParseError { span, message, help }
 }
 
-/// Character at byte `at` as error messages show it, with its place as a byte range.
+/// Character at byte `at` in the form in which error messages show it, with its byte range.
 pub(super) fn character_at(text: &str, at: usize) -> (String, Range<usize>) {
     let c = text[at..].chars().next().unwrap_or(' ');
     let shown = if c.is_control() { c.escape_default().to_string() } else { c.to_string() };

@@ -44,8 +44,8 @@ fn dots(c: char) -> usize {
     }
 }
 
-/// Candidates for the name in model files of a name outside ASCII: θ̇₁ is `theta1'` or `theta_1'`.
-/// Empty if a character has no ASCII form.
+/// Possible names in model files of a name outside ASCII. For example, θ̇₁ may be `theta1'` or
+/// `theta_1'`. Empty if a character has no ASCII form.
 #[must_use]
 pub fn ascii_names_of_unicode(name: &str) -> Vec<String> {
     let (mut plain, mut apart, mut primes) = (String::new(), String::new(), 0);

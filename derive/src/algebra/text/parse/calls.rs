@@ -7,8 +7,8 @@ use super::{InteractionName, Parser, VelocityName};
 use crate::algebra::{Expr, Function, Rational};
 
 impl Parser<'_, '_> {
-    /// Parses a component of a velocity or position. Its keyword `v`, `omega` or `p` began at byte
-    /// `start`. Error if the syntax is wrong or a name is unknown.
+    /// Parses a component of a velocity or position, after its keyword `v`, `omega` or `p`. The
+    /// keyword begins at byte `start`. Error if the syntax is wrong or a name is unknown.
     pub(super) fn component_call(&mut self, word: &str, start: usize) -> Result<Expr, ParseError> {
         let (name, end) = VelocityName::read(word, self.text, self.at)?;
         self.at = end;
@@ -16,8 +16,9 @@ impl Parser<'_, '_> {
         resolve(self.arena, &name).map_err(|(message, help)| ParseError { span: start..end, message, help })
     }
 
-    /// Parses a component of a force or torque between bodies. Its keyword `force` or `torque`
-    /// began at byte `start`. Error if the syntax is wrong or a name is unknown.
+    /// Parses a component of a force or torque between bodies, after its keyword `force` or
+    /// `torque`. The keyword begins at byte `start`. Error if the syntax is wrong or a name is
+    /// unknown.
     pub(super) fn interaction_call(&mut self, word: &str, start: usize) -> Result<Expr, ParseError> {
         let (name, end) = InteractionName::read(word, self.text, self.at)?;
         self.at = end;
@@ -25,9 +26,9 @@ impl Parser<'_, '_> {
         resolve(self.arena, &name).map_err(|(message, help)| ParseError { span: start..end, message, help })
     }
 
-    /// Parses the distance of two points, `distance(P, Q)`, whose keyword began at byte `start`.
-    /// The result is the square root of the sum of squares. Error if the syntax is wrong or a point
-    /// is unknown.
+    /// Parses the distance of two points, `distance(P, Q)`, after its keyword, which begins at byte
+    /// `start`. The result is the square root of a sum of squares. Error if the syntax is wrong or
+    /// a point is unknown.
     pub(super) fn distance_call(&mut self, start: usize) -> Result<Expr, ParseError> {
         let (ends, end) = VelocityName::distance_ends(self.text, self.at)?;
         self.at = end;
@@ -49,8 +50,8 @@ impl Parser<'_, '_> {
         Ok(self.arena.apply(Function::Sqrt, square))
     }
 
-    /// Parses a call of `min`, `max` or `atan2`, and builds it from functions of one argument.
-    /// Error if the number of arguments is wrong.
+    /// Parses a call of `min`, `max` or `atan2` after its name. The result is written with
+    /// functions of one argument. Error if the number of arguments is wrong.
     pub(super) fn of_several(&mut self, name: &str, start: usize) -> Result<Expr, ParseError> {
         let open = self.at;
         self.take(b'(');
@@ -89,8 +90,8 @@ impl Parser<'_, '_> {
         Ok(result)
     }
 
-    /// Angle of the direction (x, y) from the first axis, rad: 2 arctan(y/(x + √(x² + y²))). It has
-    /// no value on the negative half of that axis. Error if that is certain.
+    /// Angle of the direction (x, y) from the positive x axis, rad, as the term 2 arctan(y/(x +
+    /// √(x² + y²))). It has no value on the negative x axis. Error if x and y are certainly there.
     fn atan2_call(&mut self, y: Expr, x: Expr, start: usize) -> Result<Expr, ParseError> {
         let squares = [self.arena.square(x), self.arena.square(y)];
         let square = self.arena.sum(&squares);

@@ -3,8 +3,8 @@
 
 use crate::algebra::{Arena, Expr, Node, Rational};
 
-/// Numbers of bits of the numerator and denominator of a term's leading coefficient, at least 1
-/// each.
+/// Sizes of the numerator and of the denominator of a term's leading coefficient, in bits. Each is
+/// at least 1.
 pub(super) fn coefficient_bits(arena: &Arena, e: Expr) -> (u64, u64) {
     let bits = |value: &Rational| match value.small() {
         Some((n, d)) => (u64::from(64 - n.unsigned_abs().leading_zeros()), u64::from(64 - d.leading_zeros())),
@@ -26,7 +26,7 @@ fn leading_coefficient(arena: &Arena, e: Expr) -> &Rational {
     }
 }
 
-/// Denominator of a term's leading coefficient.
+/// Denominator of the leading coefficient of a term.
 pub(super) fn coefficient_denominator(arena: &Arena, e: Expr) -> num_bigint::BigInt {
     leading_coefficient(arena, e).to_big().denom().clone()
 }

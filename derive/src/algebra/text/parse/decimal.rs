@@ -3,7 +3,7 @@
 use super::error::{ParseError, error};
 use crate::algebra::Rational;
 
-/// Largest number of digits that a written number may have.
+/// Largest number of digits, with the decimal point, of a written number.
 const MAX_DIGITS: usize = 4000;
 
 /// Reads the decimal number that begins at byte `start`. Returns its exact value and the byte where

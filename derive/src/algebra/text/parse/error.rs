@@ -16,7 +16,7 @@ pub struct ParseError {
 
 impl ParseError {
     /// Creates the error for an unexpected character at byte `at`, or for an early end of the text.
-    /// Names may end in at most `primes` primes.
+    /// `primes` is the largest number of primes that a name may end in; the advice depends on it.
     pub(super) fn unexpected(text: &str, at: usize, primes: usize) -> Self {
         let Some(found) = text[at..].chars().next() else {
             return error(at..at, "the expression ends too early", Some("an operand is missing here"));

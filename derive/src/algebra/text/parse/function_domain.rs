@@ -22,7 +22,7 @@ pub(super) fn is_outside_domain(arena: &Arena, f: Function, argument: Expr) -> b
             _ => size > Rational::ONE,
         };
     }
-    // An argument with symbols may have any value.
+    // A constant argument is evaluated in doubles; an argument with symbols may have any value.
     let Ok(tape) = Tape::new(arena, &[], &[argument]) else { return false };
     let value = tape.evaluate(&[])[0];
     match f {

@@ -34,8 +34,9 @@ pub(super) fn is_interaction(word: &str) -> bool {
 }
 
 impl<'a> InteractionName<'a> {
-    /// Reads an interaction from its opening parenthesis at byte `at` on; `word` is its keyword.
-    /// Returns the name and the byte where it ends. Error if the syntax is wrong.
+    /// Reads the name of a force or torque, beginning with its opening parenthesis at byte `at`.
+    /// `word` is its keyword. Returns the name and the byte where it ends. Error if the syntax is
+    /// wrong.
     pub(super) fn read(word: &str, text: &'a str, at: usize) -> Result<(Self, usize), ParseError> {
         let mut cursor = QuantityCursor { text, at, form: FORM };
         let is_torque = word == "torque";

@@ -1,4 +1,4 @@
-//! Cursor over the text of a quantity's name, read word by word: `v(P of disk) @ A [1]`.
+//! Cursor that reads the name of a quantity, such as `v(P of disk) @ A [1]`, word by word.
 
 use super::error::{ParseError, error};
 use std::ops::Range;
@@ -27,7 +27,8 @@ impl<'a> QuantityCursor<'a> {
         self.text[self.at..].starts_with(mark)
     }
 
-    /// Skips the word `word` and the space after it, if they come next; true if they did.
+    /// Skips the word `word` and the space after it, if both come next. Returns true if they were
+    /// skipped.
     pub fn takes(&mut self, word: &str) -> bool {
         let is_next = self.text[self.at..].strip_prefix(word).is_some_and(|rest| rest.starts_with(char::is_whitespace));
         if is_next {
@@ -37,7 +38,7 @@ impl<'a> QuantityCursor<'a> {
         is_next
     }
 
-    /// Error at the present position: `what` is missing there.
+    /// Creates the error that `what` is missing at the present position.
     pub fn missing(&self, what: &str) -> ParseError {
         let length = self.text[self.at..].chars().next().map_or(0, char::len_utf8);
         error(self.at..self.at + length, format!("{what} is missing here"), Some(self.form))
@@ -53,8 +54,8 @@ impl<'a> QuantityCursor<'a> {
         Ok(())
     }
 
-    /// Reads a word of ASCII letters, digits and underscores. Error, with `what` as its
-    /// description, if none comes next.
+    /// Reads a word of ASCII letters, digits and underscores. Error if no word comes next; `what`
+    /// says in the message which word is missing.
     pub fn word(&mut self, what: &str) -> Result<Word<'a>, ParseError> {
         let rest = &self.text[self.at..];
         let length = rest.find(|c: char| !(c.is_ascii_alphanumeric() || c == '_')).unwrap_or(rest.len());
@@ -67,7 +68,8 @@ impl<'a> QuantityCursor<'a> {
         Ok((&self.text[place.clone()], place))
     }
 
-    /// Skips the character `mark`, then reads a word. Error if either is missing.
+    /// Skips the character `mark`, then reads a word. Error if either is missing; `what` says in
+    /// the message which word is missing.
     pub fn after(&mut self, mark: char, what: &str) -> Result<Word<'a>, ParseError> {
         self.mark(mark)?;
         self.word(what)

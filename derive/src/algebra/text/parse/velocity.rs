@@ -1,12 +1,11 @@
-//! Velocities and positions in expressions, by components. They are written `v(P) @ A [1]` for a
-//! point, `v(disk, P) @ A [1]` for the material of a body at a point, and `omega(B) @ A [3]` for an
-//! angular velocity. A position is `p(P) @ A [1]`.
+//! Names of components of velocities and positions in expressions. The velocity of a point is
+//! written `v(P) @ A [1]`, that of the material of a body at a point `v(disk, P) @ A [1]`. An
+//! angular velocity is `omega(B) @ A [3]`, a position `p(P) @ A [1]`.
 
 use super::error::ParseError;
 use super::quantity_cursor::{QuantityCursor, Word};
 
-/// Object of which a velocity or position is taken. `N` is the type of the names of bodies, frames
-/// and points.
+/// Object of which a velocity or position is taken. `N` is the type of names, such as `&str`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum VelocityOf<N> {
     /// Velocity of a point, by the point's name.
@@ -42,8 +41,9 @@ pub(super) fn is_velocity(word: &str) -> bool {
 }
 
 impl<'a> VelocityName<'a> {
-    /// Reads a velocity or position from its opening parenthesis at byte `at` on; `word` is its
-    /// keyword. Returns the name and the byte where it ends. Error if the syntax is wrong.
+    /// Reads the name of a velocity or position, beginning with its opening parenthesis at byte
+    /// `at`. `word` is its keyword. Returns the name and the byte where it ends. Error if the
+    /// syntax is wrong.
     pub(super) fn read(word: &str, text: &'a str, at: usize) -> Result<(Self, usize), ParseError> {
         let mut cursor = QuantityCursor { text, at, form: FORM };
         cursor.mark('(')?;
@@ -66,9 +66,10 @@ impl<'a> VelocityName<'a> {
         Ok((Self { of, frame, axis }, cursor.at))
     }
 
-    /// Reads the two points of `distance(P, Q)` from its opening parenthesis on. Returns their
-    /// positions for each of the three axes of the inertial frame, whose name is empty, and the
-    /// byte where the call ends.
+    /// Reads the two points of `distance(P, Q)`, beginning with the opening parenthesis. Returns
+    /// the names of their position components, for each of the three axes of the inertial frame,
+    /// and the byte where the call ends. The inertial frame has an empty name here. Error if the
+    /// syntax is wrong.
     pub(super) fn distance_ends(text: &'a str, at: usize) -> Result<([[Self; 2]; 3], usize), ParseError> {
         let mut cursor = QuantityCursor { text, at, form: FORM };
         cursor.mark('(')?;

@@ -20,8 +20,8 @@ pub fn latex_of(view: &DisplayTree) -> String {
     out
 }
 
-/// Prints a symbol's name in LaTeX: `q1'` as `\dot{q}_{1}`, `u_psi` as `u_{\psi}`, `q_track` as
-/// `q_{\mathrm{track}}`.
+/// Prints a symbol's name in LaTeX. Examples: `q1'` is `\dot{q}_{1}`, `u_psi` is `u_{\psi}`,
+/// `q_track` is `q_{\mathrm{track}}`.
 #[must_use]
 pub fn latex_name(name: &str) -> String {
     let (letters, subscript, primes) = split_name(name);

@@ -1,8 +1,8 @@
 //! Breaking of long formulas into lines that fit a page. Lines break at plus and minus signs, also
 //! within parentheses, at the same places in LaTeX, Typst and `MathML`.
 //!
-//! Invariant: the joined lines are the whole formula. Widths are estimates, in tenths of an em. A
-//! root, and the argument of a function, are never broken.
+//! Invariant: the joined lines are the whole formula. Widths are estimates, in tenths of an em. No
+//! line breaks within a root or within the argument of a function.
 
 use super::latex::write_latex;
 use super::mathml::{mathml_sign_between_factors, write_mathml};
@@ -19,21 +19,22 @@ struct Marks {
     plus: &'static str,
     /// Minus sign between terms; a line may begin with it.
     minus: &'static str,
-    /// Sign between two factors; the function gets the second factor.
+    /// Function that returns the sign before a factor, given that factor.
     times: fn(&DisplayTree) -> &'static str,
-    /// Multiplication sign with which a line begins that breaks between two factors.
+    /// Multiplication sign at the beginning of a line, if the line breaks between two factors.
     cross: &'static str,
-    /// Opening and closing parenthesis around content on one line; they grow with the content.
+    /// Opening and closing parenthesis around content on one line; their height is that of the
+    /// content.
     whole: [&'static str; 2],
     /// Opening and closing parenthesis around content that may break over lines; their height is
     /// fixed.
     broken: [&'static str; 2],
-    /// Function that writes an exponent behind a base in parentheses.
+    /// Function that writes an exponent after a base in parentheses.
     power: fn(i32) -> String,
     /// Division sign of a fraction that is broken over lines.
     slash: &'static str,
-    /// True if a fraction with a wide numerator is written with a slash; false if n a/b is written
-    /// as (n/b) a.
+    /// True if a fraction with a wide numerator is written with a slash. False if such a fraction n
+    /// a/b is written as (n/b) a, with a leading number n.
     slashes_numerators: bool,
 }
 
@@ -52,8 +53,8 @@ const LATEX: Marks = Marks {
     slashes_numerators: false,
 };
 
-/// Signs of Typst at which lines may break. Its parentheses are escaped, since Typst breaks no line
-/// between paired parentheses.
+/// Signs of Typst at which lines may break. Parentheses are escaped, because Typst breaks no line
+/// between a pair of plain parentheses.
 const TYPST: Marks = Marks {
     write: write_typst,
     negative: "-",
@@ -68,8 +69,8 @@ const TYPST: Marks = Marks {
     slashes_numerators: false,
 };
 
-/// Signs of `MathML` at which lines may break. Each piece is its own `math` element, so nothing
-/// stretches to the height of another piece.
+/// Signs of `MathML` at which lines may break. Each piece becomes a separate `math` element, so
+/// parentheses do not stretch to the height of other pieces.
 const MATHML: Marks = Marks {
     write: write_mathml,
     negative: "<mo form=\"prefix\">−</mo>",
@@ -92,8 +93,8 @@ struct Piece {
     width: usize,
     /// True if a new line may begin with this piece.
     breaks: bool,
-    /// True if this piece is the sign between two factors. A line breaks there only if no other
-    /// place is left.
+    /// True if this piece is the sign between two factors. A line breaks at such a sign only if
+    /// there is no other place to break.
     is_between: bool,
 }
 
@@ -134,7 +135,7 @@ struct Breaking {
 }
 
 impl Breaking {
-    /// Breaks a formula into lines that are about as wide as allowed.
+    /// Breaks a formula into lines that are about as wide as `widest`.
     fn lines(&self, view: &DisplayTree) -> Vec<String> {
         let mut pieces = Vec::new();
         self.append_pieces(view, &mut pieces);
@@ -154,7 +155,7 @@ impl Breaking {
                 filled = 0;
             }
             let is_too_wide = width > self.widest;
-            // Width from each piece to the next sign between factors.
+            // Width from each piece to the next sign between factors, the piece included.
             let mut rest = vec![0; list.len() + 1];
             for at in (0..list.len()).rev() {
                 let next = list.get(at + 1).is_some_and(|piece| !piece.is_between);
@@ -175,7 +176,7 @@ impl Breaking {
         lines
     }
 
-    /// Appends a formula to `out`: as a single piece if it fits on a line, else as several pieces.
+    /// Appends a formula to `out`: a single piece if it fits on a line, else several pieces.
     fn append_pieces(&self, view: &DisplayTree, out: &mut Vec<Piece>) {
         let width = formula_width(view);
         if width <= self.widest { self.push(out, view, width) } else { self.append_broken(view, out) }
@@ -252,16 +253,16 @@ impl Breaking {
         }
     }
 
-    /// True if the view is a fraction that must be written with a slash, because a line may break
-    /// in its numerator or denominator. The fraction then needs parentheses before another factor.
+    /// True if the formula is a fraction that is written with a slash, because a line may break in
+    /// its numerator or denominator. It then needs parentheses if another factor follows.
     fn is_slashed(&self, view: &DisplayTree) -> bool {
         let breaks = |part: &DisplayTree| formula_width(part) > self.widest && has_break_signs(part);
         let numerators = self.marks.slashes_numerators;
         matches!(view, DisplayTree::Fraction(above, below) if breaks(below) || numerators && breaks(above))
     }
 
-    /// Appends a factor to `out`. A sum gets parentheses; a wide sum gets parentheses within which
-    /// lines may break.
+    /// Appends a factor to `out`. A sum gets parentheses. In a sum wider than half a line, lines
+    /// may break within the parentheses.
     fn append_factor(&self, view: &DisplayTree, out: &mut Vec<Piece>) {
         let width = factor_width(view);
         if !view.is_loose() {
@@ -343,13 +344,14 @@ fn name_width(name: &str) -> usize {
     letters + 4 * subscript.len()
 }
 
-/// Estimated width of a formula as a factor, with its parentheses if any, in tenths of an em.
+/// Estimated width of a formula as a factor, in tenths of an em, with the parentheses that a sum
+/// needs.
 fn factor_width(view: &DisplayTree) -> usize {
     formula_width(view) + if view.is_loose() { 9 } else { 0 }
 }
 
-/// Estimated width of a formula as the argument of a function, with parentheses unless it is a
-/// name, in tenths of an em.
+/// Estimated width of a formula as the argument of a function, in tenths of an em. Arguments other
+/// than names have parentheses, which are included.
 fn argument_width(view: &DisplayTree) -> usize {
     formula_width(view) + if matches!(view, DisplayTree::Name(_) | DisplayTree::Word(_)) { 0 } else { 9 }
 }
@@ -362,12 +364,13 @@ mod tests {
     use crate::algebra::text::parse::parse_free;
     use crate::algebra::text::print::{mathml_of, print_view};
 
-    /// Visible text of `MathML`, without tags and without the invisible mark of function application.
+    /// Visible text of `MathML`: without tags and without the invisible operator of function
+    /// application.
     fn seen(mathml: &str) -> String {
         mathml.split('<').filter_map(|piece| Some(piece.split_once('>')?.1)).collect::<String>().replace('\u{2061}', "")
     }
 
-    /// The pieces of a formula as they are seen, and the whole.
+    /// Visible text of each piece of a formula, and of the whole formula.
     fn pieces(formula: &str, widest: usize) -> (Vec<String>, String) {
         let mut arena = Arena::new();
         for name in ["m", "l", "q1", "q2", "u1", "u2"] {
@@ -378,8 +381,8 @@ mod tests {
         (break_mathml_pieces(&view, widest).iter().map(|piece| seen(piece)).collect(), seen(&mathml_of(&view)))
     }
 
-    /// Goal: a browser finds places to break a wide formula, and nothing is lost there. Method: the number of pieces by
-    /// hand; joined, they are the formula on one line.
+    /// A wide formula has places where a browser may break it, and the pieces are the whole
+    /// formula. The expected number of pieces was counted by hand.
     #[test]
     fn pieces_of_a_formula_break_at_its_signs_and_are_the_formula() {
         let formula = "m*l*(sin(q1)*u1^2 - cos(q1)*(u1 + m*u2 + l*u2)) - u2";
@@ -391,8 +394,8 @@ mod tests {
         assert_eq!(one, [whole]);
     }
 
-    /// Goal: a fraction on several lines keeps its meaning. Method: by hand; parentheses stand wherever a neighbouring
-    /// factor could seem to belong to a part of the fraction.
+    /// A fraction on several lines keeps its meaning. Expected by hand: parentheses around each
+    /// part to which a neighbouring factor could seem to belong.
     #[test]
     fn a_fraction_that_is_broken_has_a_slash() {
         let (_, sum) = pieces("m*u1 + m*u2 + l*u1", 1000);
@@ -406,8 +409,8 @@ mod tests {
         assert_eq!((list.len(), list.concat()), (3, format!("m({sum})2")));
     }
 
-    /// Goal: a wide denominator breaks in LaTeX and Typst, and stays one. Method: a factor behind it stands outside of
-    /// the parentheses around the fraction.
+    /// A wide denominator breaks in LaTeX and Typst and remains the denominator. A factor after the
+    /// fraction is outside of its parentheses.
     #[test]
     fn a_wide_denominator_has_a_slash_in_every_language() {
         let mut arena = Arena::new();

@@ -1,17 +1,16 @@
-//! Parts of formulas that are too long to be written out: each part gets a name in the formulas
-//! that contain it.
+//! Splitting of long formulas into parts: each part gets a name in the formulas that contain it.
 
 use super::BUDGET;
 use crate::algebra::{Arena, Expr, Node};
 use rustc_hash::FxHashMap;
 
-/// Number of nodes above which a sum or product is split off as a part. Parts within it count as
-/// one node each.
+/// Number of nodes above which a sum or product becomes a part with its own name. Parts inside it
+/// count as one node each.
 const PART: usize = 500;
 
 /// Sums and products that must get names so that formulas of more than [`BUDGET`] nodes become
-/// short. Each comes after the parts that it contains. Empty if all formulas are short.
-/// Without these names, terms that are shared many times would be written out again and again.
+/// short. Each comes after the parts that it contains. The list is empty if all formulas are short.
+/// Without names, a term that is shared many times would be printed each time.
 #[must_use]
 pub fn long_parts(arena: &Arena, formulas: &[Expr]) -> Vec<Expr> {
     let whole = sizes(arena, &arena.shown_subterms(formulas), usize::MAX);
@@ -21,16 +20,16 @@ pub fn long_parts(arena: &Arena, formulas: &[Expr]) -> Vec<Expr> {
     shown.into_iter().filter(|e| sizes[e].1).collect()
 }
 
-/// Number of nodes of a formula as it is printed in full. The text has three to four characters per
-/// node.
+/// Number of nodes of a formula that is printed in full. The text has three to four characters for
+/// each node.
 #[must_use]
 pub fn printed_length(arena: &Arena, formula: Expr) -> usize {
     sizes(arena, &arena.shown_subterms(&[formula]), usize::MAX)[&formula].0
 }
 
-/// Number of printed nodes of each term, and true if the term is a part. Operands come first in
-/// `terms`. A sum or product of more than `part` nodes is a part, and counts as one node in other
-/// terms.
+/// Pairs (number of printed nodes, true if the term is a part) for each term. A sum or product of
+/// more than `part` nodes is a part, and counts as one node in other terms. Operands must come
+/// first in `terms`.
 fn sizes(arena: &Arena, terms: &[Expr], part: usize) -> FxHashMap<Expr, (usize, bool)> {
     let mut known: FxHashMap<Expr, (usize, bool)> = FxHashMap::default();
     for e in terms {

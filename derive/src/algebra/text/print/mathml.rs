@@ -22,13 +22,13 @@ pub fn mathml_of(view: &DisplayTree) -> String {
     out
 }
 
-/// Prints a symbol's name in `MathML`, with subscript, and with dots for time derivatives.
+/// Prints a symbol's name in `MathML`: with a subscript, and with dots for time derivatives.
 #[must_use]
 pub fn mathml_name(name: &str) -> String {
     mathml_symbol(name, None)
 }
 
-/// Prints a symbol in `MathML`, with its exponent if it has one, directly above the subscript.
+/// Prints a symbol in `MathML`. If it has an exponent, this is directly above the subscript.
 fn mathml_symbol(name: &str, power: Option<i32>) -> String {
     let (letters, subscript, primes) = split_name(name);
     let letters = GREEK.iter().find(|(n, _)| *n == letters).map_or(letters, |(_, greek)| greek);
@@ -132,7 +132,8 @@ pub(super) fn write_mathml(view: &DisplayTree, out: &mut String) {
     }
 }
 
-/// Sign between two factors in `MathML`: a dot if the second is a number, else a thin space.
+/// Sign between two factors in `MathML`, given the second factor: a dot before a number, else a
+/// thin space.
 pub(super) fn mathml_sign_between_factors(factor: &DisplayTree) -> &'static str {
     if matches!(factor, DisplayTree::Number(_)) { "<mo>·</mo>" } else { "<mspace width=\"0.17em\"/>" }
 }

@@ -1,16 +1,18 @@
-//! Printed names of symbols: those that documents show in place of the names in files, and names
-//! split for printing into letters, subscript and dots.
+//! Printed names of symbols: the names that documents show, which may differ from the names in
+//! files. Names are also split into letters, subscript and dots for printing.
 
 use crate::algebra::Arena;
 
 impl Arena {
-    /// Shows the symbol `name` as `printed` in documents: LaTeX, Typst, Markdown and `MathML`.
-    /// Primes after the name are kept. Plain text and programs keep the name of the model file.
+    /// Sets the name of a symbol in documents: `printed` is shown in LaTeX, Typst, Markdown and
+    /// `MathML` in place of `name`. Primes after the name are kept. Plain text and programs keep
+    /// the name of the model file.
     pub fn set_printed_name(&mut self, name: &str, printed: &str) {
         self.names.printed.insert(name.to_owned(), printed.to_owned());
     }
 
-    /// Shows all symbols in documents by their own names again, and so undoes [`Arena::set_printed_name`].
+    /// Removes all printed names that were set by [`Arena::set_printed_name`], so that documents
+    /// show symbols by their own names.
     pub fn clear_printed_names(&mut self) {
         self.names.printed.clear();
     }
@@ -30,7 +32,7 @@ pub fn printed_name(arena: &Arena, name: &str) -> String {
 /// Splits a symbol's name into (letters, subscript, number of primes): `q12'` is (q, 12, 1), `m_p`
 /// is (m, p, 0).
 pub(super) fn split_name(name: &str) -> (&str, &str, usize) {
-    // `v(my_disk, P) @ A [1]`: the name of a quantity, which has no subscript.
+    // `v(my_disk, P) @ A [1]` is the name of a quantity, which has no subscript.
     if name.contains('(') {
         return (name, "", 0);
     }
@@ -64,8 +66,8 @@ pub(super) fn split_name(name: &str) -> (&str, &str, usize) {
     (letters, "", primes)
 }
 
-/// Name without an underscore that would be printed like `name`: `l1` for `l_1`; `None` if there is
-/// no such name.
+/// Name without an underscore that would be printed in the same way as `name`: `l1` for `l_1`.
+/// `None` if there is no such name.
 pub(super) fn name_printed_alike(name: &str) -> Option<String> {
     let (letters, subscript, _) = split_name(name);
     let other = format!("{letters}{subscript}");
@@ -118,8 +120,7 @@ pub(super) fn greek_index(word: &str) -> Option<((&'static str, &'static str), &
     Some((*greek, &word[letters.len()..]))
 }
 
-/// Name of the Greek letter that a character is, in any of its forms; `None` for any other
-/// character.
+/// Name of a Greek letter, given its character in any of its forms. `None` for any other character.
 pub(in crate::algebra::text) fn greek_name(letter: char) -> Option<&'static str> {
     /// Alternative forms of Greek letters.
     const VARIANTS: [(char, &str); 3] = [('ϵ', "epsilon"), ('ϑ', "theta"), ('ϕ', "phi")];
@@ -127,8 +128,8 @@ pub(in crate::algebra::text) fn greek_name(letter: char) -> Option<&'static str>
     variant.or_else(|| GREEK.iter().find(|(_, text)| text.chars().eq([letter])).map(|(name, _)| *name))
 }
 
-/// True if a subscript is printed as a word in roman type, such as `track`. False for indices such
-/// as `xy` and `12`.
+/// True if a subscript is printed as a word in roman type: it has letters and at least three
+/// characters, such as `track`. False for indices such as `xy` and `12`.
 pub(super) fn is_word(subscript: &str) -> bool {
     subscript.len() > 2 && subscript.bytes().any(|b| b.is_ascii_alphabetic())
 }

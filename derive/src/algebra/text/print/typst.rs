@@ -46,8 +46,8 @@ fn typst_dots(letters: String, dots: usize) -> String {
     }
 }
 
-/// Prints a letter or a word in Typst: a letter as it is, a word in quotes, since Typst would look
-/// it up.
+/// Prints a letter or a word in Typst. A word is put in quotes, because Typst would read it as the
+/// name of a function or variable.
 fn typst_word_or_letter(word: &str) -> String {
     if word.len() == 1 { word.to_owned() } else { format!("\"{}\"", word.replace('\\', "\\\\").replace('"', "\\\"")) }
 }
@@ -112,7 +112,8 @@ pub(super) fn write_typst(view: &DisplayTree, out: &mut String) {
     }
 }
 
-/// Appends a part of a formula to `out`, in parentheses unless `stands_alone` is true for it.
+/// Appends a part of a formula to `out`. It gets parentheses unless the function `stands_alone`
+/// returns true for it.
 fn typst_part(view: &DisplayTree, stands_alone: fn(&DisplayTree) -> bool, out: &mut String) {
     if stands_alone(view) {
         write_typst(view, out);

@@ -1,9 +1,9 @@
 //! Search for points of a prime field at which all square roots in given terms exist.
 //!
-//! A square root exists at every second point of a prime field, so that k roots all exist at one
-//! point in 2^k. Symbols are therefore drawn group by group: a group is drawn again until all roots
-//! exist that need no later symbol.
-//! The cost is 2^k for the k roots of each group, not for those of all groups together.
+//! Half of all numbers in a prime field have square roots, so k roots all exist at one point in
+//! 2^k. Symbols are therefore drawn group by group: a group is drawn again until all roots exist
+//! that contain no later symbol. The cost is 2^k for the k roots of a single group, not for the
+//! roots of all groups together.
 
 use super::{Hashes, ResiduePoint, Residues, angle_denominators, residue_generator};
 use crate::algebra::term::fold::{FoldOrder, Values};
@@ -14,7 +14,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 /// Largest number of nodes that are evaluated in the search for a point.
 const MOST_WORK: usize = 4_000_000;
 
-/// Quantities that must have residues at a point: terms, or also their derivatives.
+/// Quantities that must have residues at a point: given terms only, or also their derivatives.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Scope {
     /// Only the terms must have residues.
@@ -23,7 +23,7 @@ enum Scope {
     TermsAndSlopes,
 }
 
-/// Square root that must exist at a point.
+/// Square root that must exist at a point of a prime field, for a term to have a residue.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 enum RootAtPoint {
     /// The square root √x of a term x.
@@ -44,14 +44,14 @@ impl RootAtPoint {
         }
     }
 
-    /// Term x in the square root √x or √(1 − x²).
+    /// Term x of the square root, which is √x or √(1 − x²).
     fn argument(self) -> Expr {
         match self {
             Self::Of(x) | Self::Complement(x) => x,
         }
     }
 
-    /// True if the square root exists in the field for the given residue of x.
+    /// True if the square root exists in the field. `argument` is the residue of x.
     fn exists(self, field: Field, argument: u64) -> bool {
         let radicand = match self {
             Self::Of(_) => argument,
@@ -61,8 +61,8 @@ impl RootAtPoint {
     }
 }
 
-/// Symbols that are drawn together, and the square roots that need these symbols and no symbol
-/// drawn later.
+/// Group of symbols that are drawn together, with the square roots that contain these symbols and
+/// no symbol drawn later.
 struct Group {
     /// Symbols whose residues are drawn together.
     symbols: Vec<Expr>,
@@ -96,7 +96,8 @@ impl<'a> PointSearch<'a> {
         Self::for_scope(arena, terms, Scope::TermsAndSlopes)
     }
 
-    /// Creates a search for points at which all quantities of the given scope have residues.
+    /// Creates a search for points at which the given terms, and also their derivatives if `scope`
+    /// says so, have residues.
     fn for_scope(arena: &'a Arena, terms: &[Expr], scope: Scope) -> Self {
         let needed = FoldOrder::new(arena, terms);
         let denominators = angle_denominators(arena, needed.nodes());
@@ -105,7 +106,7 @@ impl<'a> PointSearch<'a> {
         Self { arena, needed, denominators, generator, groups }
     }
 
-    /// Draws the next point at which all square roots exist, each point modulo another prime.
+    /// Draws the next random point at which all square roots exist. Each point has another prime.
     /// `None` if no point was found within the limit of work.
     pub fn point(&mut self) -> Option<ResiduePoint> {
         let (arena, denominators, generator) = (self.arena, &self.denominators, &mut self.generator);
@@ -124,7 +125,7 @@ impl<'a> PointSearch<'a> {
         Residues::new(self.arena, &self.denominators, point)
     }
 
-    /// Given terms of the search, with all their subterms.
+    /// Terms of the search, with all their subterms, in the order of evaluation.
     pub fn needed(&self) -> &FoldOrder {
         &self.needed
     }
@@ -137,9 +138,9 @@ impl<'a> PointSearch<'a> {
 }
 
 impl Group {
-    /// Draws the symbols of the group anew until its square roots exist at the point, and subtracts
-    /// the cost from `work`. False if `work` is used up, or if roots of numbers do not exist in
-    /// this field.
+    /// Draws the symbols of the group until all square roots of the group exist at the point. The
+    /// cost is subtracted from `work`. False if `work` is used up, or if the group has no symbols
+    /// and a root does not exist in this field.
     fn draw(
         &self,
         arena: &Arena,
@@ -181,8 +182,8 @@ fn groups_of_roots(arena: &Arena, needed: &FoldOrder, scope: Scope) -> Vec<Group
             (symbols, root, inside)
         })
         .collect();
-    // Sorted by structure and not by handles, so that builds repeat. A root inside another root has
-    // fewer nodes.
+    // Roots are sorted by structure, not by handles, so that every run draws the same points. A
+    // root inside another root has fewer nodes and comes first.
     left.sort_by_key(|(_, root, inside)| (inside.nodes().len(), hash(root.argument())));
     let mut groups = Vec::new();
     while let Some((next, ..)) = left.iter().min_by_key(|(symbols, ..)| symbols.len()) {
@@ -203,7 +204,8 @@ mod tests {
     use super::*;
     use crate::algebra::text::parse::parse_free;
 
-    /// Goal: thirty roots, of which one point in a thousand million has all, exist at the first point that is drawn.
+    /// A point with thirty square roots is found at the first draw, although only one random point
+    /// in a thousand million has all roots.
     #[test]
     fn many_roots_exist_at_once() {
         let mut arena = Arena::new();
@@ -227,7 +229,8 @@ mod tests {
         }
     }
 
-    /// Goal: a root that exists nowhere ends the search; one of a number waits for a field that has it.
+    /// The search ends if a root exists in no field. A root of a number is found in another prime
+    /// field.
     #[test]
     fn roots_that_exist_nowhere_are_given_up() {
         let mut arena = Arena::new();

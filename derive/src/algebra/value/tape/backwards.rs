@@ -6,9 +6,9 @@
 //! of a few evaluations, whatever the number of inputs.
 //! A. Griewank & A. Walther, *Evaluating Derivatives*, 2nd edition (2008), §3.2.
 //!
-//! Slopes are the same as in [`tripos_traits::Tangent`]: the slope of |x| is the sign of x, whose
-//! own slope is 0. An operation whose derivative is 0 is not followed, so an undefined slope counts
-//! only where the sum depends on it.
+//! Derivatives are the same as in [`tripos_traits::Tangent`]: the derivative of |x| is the sign of
+//! x, and that of the sign is 0. An operation with a zero weight is not followed backwards. So an
+//! undefined derivative matters only if the sum depends on it.
 
 use super::{Op, Tape};
 use crate::algebra::Function;
@@ -18,7 +18,7 @@ use crate::algebra::Function;
 pub struct BackwardWorkspace {
     /// Result of each operation of the tape.
     values: Vec<f64>,
-    /// Derivative of the weighted sum with respect to the result of each operation.
+    /// Derivative of the weighted sum of outputs with respect to the result of each operation.
     shares: Vec<f64>,
     /// Values of the outputs of the tape.
     outputs: Vec<f64>,
@@ -26,7 +26,7 @@ pub struct BackwardWorkspace {
 
 impl Tape {
     /// Adds the derivative Σₖ weightₖ ∂outputₖ/∂inputᵢ to entry i of `slopes`, for every input i.
-    /// `room` is working space, reused between calls.
+    /// `room` is working space that may be reused in later calls.
     ///
     /// # Panics
     /// If the length of `inputs`, `weights` or `slopes` differs from that of the tape.
@@ -53,7 +53,8 @@ impl Tape {
                 Op::Product(factors) => {
                     for (place, (slot, n)) in factors.iter().enumerate() {
                         let others = factors.iter().enumerate().filter(|(other, _)| *other != place);
-                        // No division by the factor itself, because it may be 0.
+                        // The product of the other factors is not a division by this factor,
+                        // because it may be 0.
                         let others = others.fold(share, |x, (_, (slot, n))| x * power(values[*slot as usize], *n));
                         shares[*slot as usize] += others * backward_slope_of_power(values[*slot as usize], *n);
                     }

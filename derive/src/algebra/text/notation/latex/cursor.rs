@@ -17,10 +17,10 @@ pub fn read_symbol(text: &str) -> Option<LatexSymbol> {
     (cursor.at == list.len()).then_some(symbol)
 }
 
-/// Type faces that do not change the meaning of a letter.
+/// LaTeX commands for type faces that do not change the meaning of a letter.
 const UPRIGHT: [&str; 9] =
     ["mathrm", "text", "textrm", "mathit", "textit", "mathnormal", "operatorname", "mathsf", "mbox"];
-/// Accents and type faces that make a letter into another symbol.
+/// LaTeX commands for accents and type faces that make a letter into another symbol.
 const ACCENTS: [&str; 15] = [
     "mathbf",
     "boldsymbol",
@@ -75,14 +75,15 @@ impl<'a> LatexCursor<'a> {
         start..last.max(start)
     }
 
-    /// Skips the character `c` if it comes next; true if it did.
+    /// Skips the next token if it is the character `c`. Returns true if it was skipped.
     pub(super) fn takes(&mut self, c: char) -> bool {
         let found = self.peek() == Some(&Token::Char(c));
         self.at += usize::from(found);
         found
     }
 
-    /// Reads the letter d of a derivative, in roman type or not. False if it does not come next.
+    /// Skips the letter d of a derivative, in roman or italic type. Returns false, and skips
+    /// nothing, if it does not come next.
     pub(super) fn takes_d(&mut self) -> bool {
         let before = self.at;
         let is_face = matches!(self.peek(), Some(Token::Command(name)) if UPRIGHT.contains(&name.as_str()));
@@ -97,8 +98,8 @@ impl<'a> LatexCursor<'a> {
         false
     }
 
-    /// Reads the order of a derivative, as in d^2. It is 1 if no exponent comes next, and 0 if the
-    /// exponent is not a valid order.
+    /// Reads the order of a derivative, the exponent of d^2. It is 1 if no exponent comes next, and
+    /// 0 if the exponent is not an order from 0 to 3.
     pub(super) fn takes_order(&mut self) -> usize {
         if !self.takes('^') {
             return 1;
@@ -125,8 +126,9 @@ impl<'a> LatexCursor<'a> {
         Ok(())
     }
 
-    /// Reads a symbol, and returns it with its byte range. `None` if no symbol begins at the next
-    /// token. A superscript belongs to the symbol if `knows` accepts the symbol with it.
+    /// Reads a LaTeX symbol, and returns it with its byte range. `None` if no symbol begins at the
+    /// next token. A superscript becomes a part of the symbol only if `knows` returns true for the
+    /// symbol with it.
     pub(super) fn symbol(
         &mut self,
         knows: &dyn Fn(&LatexSymbol) -> bool,
@@ -156,7 +158,7 @@ impl<'a> LatexCursor<'a> {
                     let primes = text.matches("\\prime").count();
                     let primes_only = primes > 0 && text.len() == primes * "\\prime".len();
                     let mut marked = LatexSymbol { mark: text, ..symbol.clone() };
-                    // I^B_{11}: the subscript belongs to the symbol that is passed to `knows`.
+                    // In I^B_{11} the subscript is read before `knows` is asked about the symbol.
                     if !primes_only && marked.subscript.is_empty() && self.takes('_') {
                         marked.subscript = self.read_script()?;
                     }
@@ -214,8 +216,8 @@ impl<'a> LatexCursor<'a> {
         }
     }
 
-    /// Reads the symbol under dots: a braced symbol, or a single letter. `None` if neither comes
-    /// next.
+    /// Reads the symbol below dots: a symbol in braces, or a single letter. `None` if no symbol
+    /// comes next.
     fn symbol_without_scripts(
         &mut self,
         knows: &dyn Fn(&LatexSymbol) -> bool,
@@ -236,7 +238,7 @@ impl<'a> LatexCursor<'a> {
                 let place = self.span_since(first.saturating_sub(1));
                 return Err(translation_error(place, "this script never ends", "write it in braces, as in q_{12}"));
             };
-            // Without braces, only one digit belongs to a subscript or superscript.
+            // Without braces, TeX takes only one digit as the subscript or superscript.
             if let (Token::Number(digits), 0) = (mark, open)
                 && digits.len() > 1
             {

@@ -10,7 +10,7 @@ use crate::algebra::text::notation::translation_errors::{translation_error, untr
 use crate::algebra::text::parse::ParseError;
 use std::ops::Range;
 
-/// Largest number of tokens on either side of a letter within which the word around it is searched.
+/// Largest number of tokens before and after a letter that are searched for the word around it.
 const LONGEST_WORD: usize = 60;
 
 /// State of translating a LaTeX formula, from left to right.
@@ -23,7 +23,7 @@ pub(super) struct Formula<'a, 's> {
     pub(super) out: Translation,
 }
 
-/// Kind of token before the next operand.
+/// State before an operand: the product sign that it needs depends on the token before it.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Before {
     /// Nothing yet, or an operator: the next operand needs no product sign.
@@ -34,7 +34,7 @@ enum Before {
     Divisor,
 }
 
-/// Kind of bars around an absolute value.
+/// Kind of vertical bars around an absolute value, which determines where it ends.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Bars {
     /// Bars written with `\left` and `\right`, which may be nested.
@@ -44,7 +44,7 @@ enum Bars {
 }
 
 impl Formula<'_, '_> {
-    /// Translates the whole formula. Error if tokens are left over.
+    /// Translates the whole formula. Error if tokens are left over that belong to no sum.
     pub(super) fn whole(mut self) -> Result<Translation, ParseError> {
         self.sum()?;
         if self.cursor.peek().is_none() {
@@ -61,7 +61,7 @@ impl Formula<'_, '_> {
         Err(translation_error(span, format!("unexpected `{what}`"), help))
     }
 
-    /// Text of the next token as the formula writes it; empty at the end.
+    /// Text of the next token as the LaTeX formula writes it; empty at the end.
     fn name_of_mark(&self) -> String {
         match self.cursor.peek() {
             Some(Token::Number(text)) => text.clone(),
@@ -71,7 +71,7 @@ impl Formula<'_, '_> {
         }
     }
 
-    /// Translates a sum, up to the first token that does not belong to it.
+    /// Translates a sum of products. It ends before the first token that does not belong to it.
     pub(super) fn sum(&mut self) -> Result<(), ParseError> {
         self.cursor.enter()?;
         let (mut before, mut slash) = (Before::Nothing, false);
@@ -95,7 +95,8 @@ impl Formula<'_, '_> {
         Ok(())
     }
 
-    /// Operator that the next token stands for; `None` if the token is not an operator.
+    /// Operator, in the language of model files, that the next token stands for. `None` if the
+    /// token is not an operator.
     fn operator(&self) -> Option<&'static str> {
         match self.cursor.peek()? {
             Token::Char('+') => Some("+"),
@@ -111,8 +112,9 @@ impl Formula<'_, '_> {
         }
     }
 
-    /// Translates an operand with its power, with a product sign before it if needed. False if no
-    /// operand begins at the next token. Error if the product is ambiguous.
+    /// Translates an operand with its exponent, and writes a product sign before it if needed.
+    /// False if no operand begins at the next token. Error if it is unclear which product or
+    /// quotient is meant.
     fn operand(&mut self, before: Before) -> Result<bool, ParseError> {
         let place = self.cursor.here();
         match self.cursor.peek() {
@@ -148,7 +150,7 @@ impl Formula<'_, '_> {
         }
     }
 
-    /// Translates one factor without its power.
+    /// Translates one factor without its exponent.
     pub(super) fn factor(&mut self) -> Result<(), ParseError> {
         self.cursor.enter()?;
         self.one_factor()?;
@@ -246,7 +248,8 @@ impl Formula<'_, '_> {
         Ok(())
     }
 
-    /// Skips the argument (t) of a function of time, as in \theta(t), if it comes next.
+    /// Skips the argument (t) of a function of time, as in \theta(t), if it comes next; does
+    /// nothing otherwise.
     pub(super) fn skip_time_argument(&mut self) {
         let before = self.cursor.at;
         let is_time = self.cursor.takes('(') && self.cursor.peek() == Some(&Token::Letter('t'));
@@ -277,7 +280,7 @@ impl Formula<'_, '_> {
         if run.len() > 1 { run } else { String::new() }
     }
 
-    /// Translates the exponent of the last factor, if there is one. Error for a second exponent.
+    /// Translates the exponent after a factor, if there is one. Error for a second exponent.
     fn power(&mut self) -> Result<(), ParseError> {
         let place = self.cursor.here();
         if !self.cursor.takes('^') {
@@ -310,8 +313,8 @@ impl Formula<'_, '_> {
         }
     }
 
-    /// Translates the rest of a group in braces, up to its closing brace. The opening brace was at
-    /// `open`.
+    /// Translates a group in braces after its opening brace, up to its closing brace. `open` is the
+    /// byte range of the opening brace, for errors.
     fn translate_braces(&mut self, open: &Range<usize>) -> Result<(), ParseError> {
         self.sum()?;
         if self.cursor.takes('}') {
@@ -324,7 +327,8 @@ impl Formula<'_, '_> {
         Err(translation_error(open.clone(), "this `{` is never closed", "add `}`"))
     }
 
-    /// Translates the rest of a group in braces that is a factor, and writes it in parentheses.
+    /// Translates a group in braces that is a factor, after its opening brace, and writes it in
+    /// parentheses. `open` is the byte range of the opening brace.
     fn translate_group(&mut self, open: &Range<usize>) -> Result<(), ParseError> {
         self.out.push("(", open.clone());
         self.translate_braces(open)?;
@@ -332,8 +336,8 @@ impl Formula<'_, '_> {
         Ok(())
     }
 
-    /// Translates a parenthesis with its content. Its opening token comes next, and `end` closes
-    /// it. Commas may separate several sums.
+    /// Translates a parenthesis with its content, beginning with its opening token. `end` is the
+    /// character that closes it. Commas may separate several sums.
     pub(super) fn translate_parentheses(&mut self, end: char) -> Result<(), ParseError> {
         let open = self.cursor.here();
         self.cursor.at += 1;
@@ -364,7 +368,7 @@ impl Formula<'_, '_> {
         Err(translation_error(open, message, &format!("add `{end}`")))
     }
 
-    /// Translates an absolute value |…|, whose first bar comes next.
+    /// Translates an absolute value |…|, beginning with its first bar.
     fn translate_absolute_value(&mut self, bars: Bars) -> Result<(), ParseError> {
         let open = self.cursor.here();
         self.cursor.at += 1;
@@ -393,8 +397,8 @@ impl Formula<'_, '_> {
         Ok(())
     }
 
-    /// Index of the closing bar: for \left and \right the bar of the same depth, for plain bars the
-    /// next bar. `None` if there is no closing bar.
+    /// Index of the token that closes an absolute value. It is the matching bar for \left and
+    /// \right, and the next bar for plain bars. `None` if there is no closing bar.
     fn closing_bar(&self, first: usize, bars: Bars) -> Option<usize> {
         let is_left = bars == Bars::Sized;
         let mut open = 0_usize;

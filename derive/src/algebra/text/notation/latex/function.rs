@@ -1,5 +1,5 @@
-//! Translation of fractions, roots and functions in LaTeX formulas, and the end of an argument
-//! without parentheses.
+//! Translation of fractions, roots and functions in LaTeX formulas. It also finds the end of a
+//! function's argument without parentheses.
 
 use super::formula::Formula;
 use super::tokens::Token;
@@ -9,18 +9,18 @@ use crate::algebra::text::notation::translation_errors::translation_error;
 use crate::algebra::text::parse::ParseError;
 use std::ops::Range;
 
-/// Kind of a function's argument that has no parentheses.
+/// Kind of the last part of a function's argument without parentheses: it decides what may follow.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Argument {
-    /// Numbers only, such as 2π: a symbol may still follow.
+    /// Numbers only, such as 2π, in the argument so far: a symbol may still follow.
     Number,
-    /// Term with a symbol, a root or a fraction: it ends the argument.
+    /// A symbol, a root or a fraction in the argument so far: it ends the argument.
     Term,
 }
 
 impl Formula<'_, '_> {
-    /// Translates a fraction, or a time derivative written as a fraction, whose command \frac comes
-    /// next.
+    /// Translates a fraction, or a time derivative written as a fraction, beginning with the
+    /// command \frac.
     pub(super) fn fraction(&mut self) -> Result<(), ParseError> {
         let place = self.cursor.here();
         let first = self.cursor.at;
@@ -48,8 +48,8 @@ impl Formula<'_, '_> {
         Ok(())
     }
 
-    /// Translates a time derivative such as \frac{d\theta}{dt} or \frac{d}{dt}(…), whose command
-    /// \frac comes next. False if the fraction is not a time derivative.
+    /// Translates a time derivative such as \frac{d\theta}{dt} or \frac{d}{dt}(…), beginning with
+    /// the command \frac. False if the fraction is not a time derivative.
     fn derivative(&mut self) -> Result<bool, ParseError> {
         let (first, place) = (self.cursor.at, self.cursor.here());
         self.cursor.at += 1;
@@ -90,7 +90,8 @@ impl Formula<'_, '_> {
         Ok(true)
     }
 
-    /// Translates a square root, whose command \sqrt comes next. Error for other roots.
+    /// Translates a square root, beginning with the command \sqrt. Error for roots of other
+    /// degrees.
     pub(super) fn root_function(&mut self) -> Result<(), ParseError> {
         let place = self.cursor.here();
         self.cursor.at += 1;
@@ -103,8 +104,8 @@ impl Formula<'_, '_> {
         Ok(())
     }
 
-    /// Translates a function in roman type, such as \operatorname{sgn}, which comes next. `name` is
-    /// its name in model files.
+    /// Translates the call of a function in roman type, such as \operatorname{sgn}(x), beginning
+    /// with its command. `name` is the function's name in model files.
     pub(super) fn roman_function(&mut self, name: &str) -> Result<(), ParseError> {
         let first = self.cursor.at;
         self.cursor.symbol(&|_| false)?;
@@ -112,16 +113,16 @@ impl Formula<'_, '_> {
         self.translate_call(name, &place)
     }
 
-    /// Translates a function that is a command, such as \sin, which comes next. `name` is its name
-    /// in model files.
+    /// Translates the call of a function that is a command, such as \sin x, beginning with the
+    /// command. `name` is the function's name in model files.
     pub(super) fn function(&mut self, name: &str) -> Result<(), ParseError> {
         let place = self.cursor.here();
         self.cursor.at += 1;
         self.translate_call(name, &place)
     }
 
-    /// Translates the power and the argument of a function, which come next. `name` is its name in
-    /// model files, and `place` its byte range.
+    /// Translates the exponent and the argument of a function, after the function itself. `name` is
+    /// the function's name in model files, and `place` its byte range.
     fn translate_call(&mut self, name: &str, place: &Range<usize>) -> Result<(), ParseError> {
         let power = self.power_of_function()?;
         self.out.push(name, place.clone());
@@ -143,8 +144,9 @@ impl Formula<'_, '_> {
         Ok(())
     }
 
-    /// Reads the power between a function and its argument, as in \sin^2 x: its digits and place.
-    /// `None` if there is no power. Error if the power is not a positive integer.
+    /// Reads the exponent between a function and its argument, as in \sin^2 x. Returns its digits
+    /// and byte range; `None` if there is no exponent. Error if the exponent is not an unsigned
+    /// integer.
     fn power_of_function(&mut self) -> Result<Option<(String, Range<usize>)>, ParseError> {
         let first = self.cursor.at;
         if !self.cursor.takes('^') {
@@ -169,8 +171,8 @@ impl Formula<'_, '_> {
         }
     }
 
-    /// Translates an argument without parentheses: numbers, then one symbol, root or fraction, and
-    /// a time t after it. Error if its end is not clear.
+    /// Translates an argument without parentheses: numbers, then one symbol, root or fraction, then
+    /// possibly the time t. Error if it is unclear where the argument ends.
     fn bare_argument(&mut self, name: &str, place: &Range<usize>) -> Result<(), ParseError> {
         let first = self.cursor.at;
         let is_number = |mark: Option<&Token>| matches!(mark, Some(Token::Number(_)));
@@ -189,8 +191,8 @@ impl Formula<'_, '_> {
             is_coordinate = self.begins_coordinate_in_argument();
             self.factor()?;
             only_numbers &= number;
-            // \sin\omega t is sin(ω t), as it is commonly printed: nobody multiplies the sine of a
-            // constant by the time.
+            // \sin\omega t is sin(ω t): the time t directly after a constant belongs to the
+            // argument.
             if !number && !is_coordinate && self.begins_time_in_argument() {
                 self.out.push("*", self.cursor.here());
                 self.factor()?;
@@ -199,7 +201,7 @@ impl Formula<'_, '_> {
             if !number || is_number(self.cursor.peek()) {
                 break;
             }
-            // A symbol may follow a number: \sin 2 q.
+            // A symbol after a number belongs to the argument, as in \sin 2 q.
             let goes_on = matches!(self.cursor.peek(), Some(Token::Letter(_)));
             if !(goes_on || self.begins_symbol_in_argument()) {
                 break;
@@ -209,7 +211,7 @@ impl Formula<'_, '_> {
             let help = format!("write \\{name}(…)");
             return Err(translation_error(place.clone(), format!("`{name}` needs an argument"), &help));
         }
-        // Nobody multiplies a coordinate by a parenthesis inside a function: \sin\theta(…) is (sin
+        // A parenthesis after a coordinate does not belong to the argument: \sin\theta(…) is (sin
         // θ)·(…).
         let ends = is_coordinate && matches!(self.cursor.peek(), Some(Token::Char('(' | '[')));
         let argument = if only_numbers { Argument::Number } else { Argument::Term };
@@ -236,7 +238,7 @@ impl Formula<'_, '_> {
         matches!(found, Ok(Some((symbol, _))) if symbol == LatexSymbol::plain("t"))
     }
 
-    /// True if a symbol comes next. False for the name of a function.
+    /// True if a symbol comes next that is not the name of a function.
     fn begins_symbol_in_argument(&mut self) -> bool {
         let before = self.cursor.clone();
         let found = self.cursor.symbol(&|_| false);
@@ -244,8 +246,8 @@ impl Formula<'_, '_> {
         matches!(found, Ok(Some((symbol, _))) if symbol.base.len() == 1 || function(&symbol.base).is_none())
     }
 
-    /// True if a symbol with a dot or prime comes next: a rate, which nobody writes into a
-    /// function's argument without parentheses.
+    /// True if a symbol with a dot or prime comes next. Such a rate is not part of a function's
+    /// argument without parentheses.
     fn begins_rate_in_argument(&mut self) -> bool {
         let before = self.cursor.clone();
         let spell = &mut *self.spell;
@@ -254,8 +256,8 @@ impl Formula<'_, '_> {
         matches!(found, Ok(Some((symbol, _))) if symbol.dots > 0)
     }
 
-    /// Checks that the argument of a function clearly ends before the next token. Error if the
-    /// token may belong to the argument.
+    /// Checks that the argument of a function without parentheses clearly ends before the next
+    /// token. Error if the token may belong to the argument.
     fn end_of_argument(&mut self, name: &str, argument: Argument) -> Result<(), ParseError> {
         let only_numbers = argument == Argument::Number;
         let apart = self.cursor.list.get(self.cursor.at).is_some_and(|next| next.apart);

@@ -34,7 +34,8 @@ pub(super) struct PlacedToken {
 
 /// LaTeX commands that only print space.
 const SPACES: [&str; 8] = [",", ";", ":", " ", "quad", "qquad", "thinspace", "medspace"];
-/// LaTeX commands that only change the appearance, and commands around whole formulas.
+/// LaTeX commands that only change the appearance, and commands that begin or end a formula; they
+/// are dropped.
 const LOOKS: [&str; 24] = [
     "!",
     "\\",
@@ -128,7 +129,8 @@ pub(super) fn tokens(text: &str) -> Result<Vec<PlacedToken>, ParseError> {
     Ok(remove_empty_groups(list))
 }
 
-/// Name of the command after a backslash at byte `at`: letters, or a single character.
+/// Name of the command whose backslash is just before byte `at`: letters, or a single other
+/// character.
 fn command(text: &str, at: usize) -> &str {
     let rest = &text[at..];
     let letters = rest.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(rest.len());
@@ -146,7 +148,7 @@ fn number(text: &str) -> usize {
     text.find(inside).unwrap_or(text.len())
 }
 
-/// Removes each empty group `{}` before a sign or product, which only adds space.
+/// Removes empty groups `{}` before a sign or product sign. They only change the printed space.
 fn remove_empty_groups(list: Vec<PlacedToken>) -> Vec<PlacedToken> {
     let is = |at: usize, c: char| list.get(at).is_some_and(|placed| placed.mark == Token::Char(c));
     let is_product = |at: usize| match list.get(at).map(|placed| &placed.mark) {
