@@ -1,10 +1,10 @@
-//! Check of loads that can create energy: loads that add energy to a mechanism beyond the energy
+//! Check of loads that can create energy. Such a load adds energy to a mechanism, beyond the energy
 //! stored in a potential.
 //!
-//! The part of a load at rest (q̇ = 0) has a potential, or its work depends on the path. The rest
-//! of the load has the power P(q, u). If P ≤ 0 is proved, the load dissipates. If P > 0 in one
-//! state, computed in intervals rounded outwards, the load can create energy. Otherwise its effect
-//! is undecided.
+//! A load consists of a part at rest (q̇ = 0), which has a potential or not, and a rest with the
+//! power P(q, u). If P ≤ 0 is proved, the load dissipates. If P > 0 in a state, computed in
+//! intervals rounded outwards, the load can create energy. It also can if the work of its part at
+//! rest depends on the path. Otherwise its effect is undecided.
 //!
 //! P ≤ 0 is proved by the ranges of the terms of P. For a quadratic form −uᵀ D u it is proved by
 //! the pivots of D: A. J. van der Schaft, *L2-Gain and Passivity Techniques in Nonlinear Control*,
@@ -24,13 +24,13 @@ use std::fmt::Write;
 /// Effect of a load on the energy of a mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EnergyEffect {
-    /// The load conserves energy: it has a potential, or no power.
+    /// The load conserves energy: it has a potential, or its power is zero.
     Keeps,
     /// The load is proved never to add energy: its power is never positive.
     Dissipates,
     /// The load can add energy to the mechanism.
     Creates,
-    /// Neither that the load adds energy nor that it never does is proved.
+    /// It is neither proved that the load adds energy in a state, nor that it never adds energy.
     Undecided,
 }
 
@@ -49,7 +49,7 @@ pub struct LoadEffect {
 const STATES: usize = 60;
 
 /// Finds the effect of each applied load on the energy, in the order of the model file, forces
-/// before torques.
+/// before torques. Error if the kinematics cannot be derived.
 pub fn energy_effects_of_loads(model: &Model) -> Result<Vec<LoadEffect>, DeriveError> {
     let names: Vec<String> =
         model.forces.iter().map(|f| &f.name).chain(model.torques.iter().map(|t| &t.name)).cloned().collect();
@@ -66,7 +66,7 @@ pub fn energy_effects_of_loads(model: &Model) -> Result<Vec<LoadEffect>, DeriveE
             judge.arena.sum(&parts)
         })
         .collect();
-    // Loads may have a potential, or dissipate, only together.
+    // Even if single loads have no potential or do not dissipate, all loads together may.
     let have_potential = judge.has_potential(&all);
     let dissipate = judge.power(&all).is_some_and(|power| judge.is_power_never_positive(power));
     let motion = if dissipate { PowerOfAllLoads::Dissipate } else { PowerOfAllLoads::Unproved };
@@ -89,8 +89,8 @@ pub fn energy_effects_of_loads(model: &Model) -> Result<Vec<LoadEffect>, DeriveE
     Ok(list)
 }
 
-/// Name of the first input that the load with this index contains; `None` if it contains no input.
-/// Forces are counted before torques.
+/// Name of an input that the load with this index contains; `None` if it contains no input. The
+/// index counts all forces, then all torques.
 fn input_that_creates_energy(model: &Model, at: usize) -> Option<String> {
     let vector = match model.forces.get(at) {
         Some(force) => force.vector,
@@ -100,7 +100,7 @@ fn input_that_creates_energy(model: &Model, at: usize) -> Option<String> {
     model.parameters.iter().find(|p| p.is_input && reached.contains(&p.symbol)).map(|p| p.name.clone())
 }
 
-/// Finding on the part of a load at rest, its generalized force at q̇ = 0.
+/// Finding on the part of a load at rest: its generalized forces at q̇ = 0.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum PartAtRest {
     /// The part at rest has a potential, alone or together with all other loads.
@@ -109,7 +109,7 @@ enum PartAtRest {
     Unproved,
 }
 
-/// Finding on all loads together, without their parts at rest.
+/// Finding on the power of all loads together, without their parts at rest.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum PowerOfAllLoads {
     /// All loads together dissipate: their power is never positive.
@@ -118,7 +118,7 @@ enum PowerOfAllLoads {
     Unproved,
 }
 
-/// Judge of loads: decides the effect of generalized forces on the energy, at the default values of
+/// Judge of the effect of loads on the energy. It uses generalized forces at the default values of
 /// the parameters.
 struct CreatedEnergyJudge<'m> {
     /// Model whose loads are judged.
@@ -138,7 +138,7 @@ impl<'m> CreatedEnergyJudge<'m> {
         Self { model, arena, simplifier: Simplifier::default(), defaults: Substitution::new(&values) }
     }
 
-    /// Puts the default values of the parameters into terms and simplifies them.
+    /// Replaces parameters in terms by their default values, and simplifies the terms.
     fn at_defaults(&mut self, list: &[Expr]) -> Vec<Expr> {
         let put = |e: &Expr| {
             let value = self.defaults.apply(&mut self.arena, *e);
@@ -160,8 +160,8 @@ impl<'m> CreatedEnergyJudge<'m> {
         potential_at_rest(&mut self.arena, &mut self.simplifier, self.model, forces).is_some()
     }
 
-    /// Power of generalized forces less their part at rest, as a term in q and u, W; `None` if the
-    /// forces have no value at rest.
+    /// Power of generalized forces without their part at rest, as a term in q and u, W. `None` if
+    /// the forces have no value at rest.
     fn power(&mut self, forces: &[Expr]) -> Option<Expr> {
         let resting = self.at_rest(forces)?;
         let arena = &mut self.arena;
@@ -172,14 +172,15 @@ impl<'m> CreatedEnergyJudge<'m> {
         }
         let power = arena.sum(&terms);
         let power = rates_to_speeds(self.model).apply(arena, power);
-        // Rates of a model with constraints contain parameters again.
+        // Rates of a model with constraints contain parameters, which are replaced by their default
+        // values.
         let power = self.defaults.apply(arena, power);
         Some(self.simplifier.simplify(arena, power))
     }
 
-    /// True if a spring's generalized forces are proved to be its potential force and a damper: the
-    /// rest has the power −c ḋ² with c > 0. The arguments are the forces, then c and the lengthening
-    /// rate ḋ.
+    /// True if the generalized forces of a spring are proved to be a potential force and a damping
+    /// force. The power of the damping force is −c ḋ² with c > 0. The arguments are the forces, the
+    /// coefficient c, and the rate ḋ of lengthening.
     fn is_damper(&mut self, forces: &[Expr], [coefficient, lengthening]: [Expr; 2]) -> bool {
         let coefficient = self.defaults.apply(&mut self.arena, coefficient);
         let taken = self.arena.neg(coefficient);
@@ -194,8 +195,8 @@ impl<'m> CreatedEnergyJudge<'m> {
         zero_test(&self.arena, rest) == ZeroTest::Zero
     }
 
-    /// Effect of a load on the energy from its generalized forces, and the reason in words. `rest` and
-    /// `together` are findings on its part at rest and on all loads.
+    /// Effect of a load on the energy, with the reason in words. `forces` are its generalized
+    /// forces. `rest` is the finding on its part at rest, `together` the finding on all loads.
     fn effect(&mut self, forces: &[Expr], rest: PartAtRest, together: PowerOfAllLoads) -> (EnergyEffect, String) {
         let Some(power) = self.power(forces) else {
             return (EnergyEffect::Undecided, "it has no value at rest".to_owned());
@@ -211,8 +212,8 @@ impl<'m> CreatedEnergyJudge<'m> {
         }
     }
 
-    /// Effect of a load on the energy from the power of the load less its part at rest, and the reason
-    /// in words.
+    /// Effect of a load on the energy, with the reason in words. `power` is its power without the
+    /// part at rest; `together` is the finding on all loads.
     fn effect_in_motion(&mut self, power: Expr, together: PowerOfAllLoads) -> (EnergyEffect, String) {
         if zero_test(&self.arena, power) == ZeroTest::Zero {
             return (EnergyEffect::Keeps, String::new());
@@ -233,8 +234,9 @@ impl<'m> CreatedEnergyJudge<'m> {
         }
     }
 
-    /// True if the work of generalized forces at rest is proved to depend on the path: ∂F_i/∂q_j ≠
-    /// ∂F_j/∂q_i. False if this is not proved, or if constraints or loops restrict the paths.
+    /// True if the work of the generalized forces at rest is proved to depend on the path, since
+    /// ∂F_i/∂q_j ≠ ∂F_j/∂q_i. False if this is not proved, or if constraints or loops restrict the
+    /// paths.
     fn does_work_depend_on_path(&mut self, forces: &[Expr]) -> bool {
         let is_free = self.model.motion_constraints.iter().all(|c| c.kind == MotionConstraintKind::Clock)
             && self.model.loops.is_empty();
@@ -289,9 +291,9 @@ impl<'m> CreatedEnergyJudge<'m> {
         zero_test(&self.arena, rest) == ZeroTest::Zero
     }
 
-    /// True if a symmetric matrix is proved negative semidefinite by its pivots. Each pivot is never
-    /// above zero, and a pivot that is identically zero has a row of zeros. If a pivot is zero at
-    /// single places, the property holds by continuity.
+    /// True if a symmetric matrix is proved to be negative semidefinite by its pivots. Each pivot
+    /// must never be above zero, and a pivot that is identically zero must have a row of zeros.
+    /// Where a pivot is zero in single states only, the property holds by continuity.
     fn is_negative(&mut self, mut form: Vec<Vec<Expr>>) -> bool {
         let is_zero = |arena: &Arena, e: Expr| zero_test(arena, e) == ZeroTest::Zero;
         while let Some(row) = form.pop() {
@@ -320,8 +322,8 @@ impl<'m> CreatedEnergyJudge<'m> {
         true
     }
 
-    /// Searches for a state with positive power and describes the state in words; `None` if none is
-    /// found. Returns the reason in words as `Err` if no state can be tested.
+    /// Searches for a state with positive power and describes the state in words. `None` if no such
+    /// state is found. The error is the reason in words why no state can be tested.
     fn state_with_positive_power(&mut self, power: Expr) -> Result<Option<String>, String> {
         let model = self.model;
         let without = model.parameters.iter().find(|p| p.value.is_none() && self.arena.mentions(power, p.symbol));
@@ -335,7 +337,7 @@ impl<'m> CreatedEnergyJudge<'m> {
             (true, Some(pose)) => pose,
             (false, _) => vec![0.0; model.coordinates.len()],
         };
-        // Simple states come first, for the reader.
+        // Simple states are tried first, since they are easy to read.
         let mut states: Vec<(Vec<f64>, Vec<f64>)> = Vec::new();
         for at in 0..model.speeds.len() {
             for sign in [1.0, -1.0] {
@@ -346,7 +348,7 @@ impl<'m> CreatedEnergyJudge<'m> {
         }
         let mut chance = 1_u32;
         for _ in 0..STATES {
-            // Multiples of 1/8 between -2 and 2, which print exactly (Lehmer's generator).
+            // Random multiples of 1/8 from −2 to 2, which print exactly (Lehmer's generator).
             let mut draw = || {
                 chance = u32::try_from(u64::from(chance) * 48_271 % 2_147_483_647).unwrap_or(1);
                 (f64::from(chance % 33) - 16.0) / 8.0
@@ -366,8 +368,8 @@ impl<'m> CreatedEnergyJudge<'m> {
     }
 }
 
-/// Sentence that a load adds energy in the state (q, u); it names the coordinates and speeds that
-/// are not zero.
+/// Sentence which says that a load adds energy in the state (q, u). It names the coordinates and
+/// speeds that are not zero.
 fn created_energy_sentence(model: &Model, q: &[f64], u: &[f64]) -> String {
     let coordinates = model.coordinates.iter().map(|c| &c.name).zip(q);
     let named = coordinates.chain(model.speeds.iter().map(|s| &s.name).zip(u)).filter(|(_, value)| **value != 0.0);

@@ -1,13 +1,13 @@
-//! Rank loss: poses in which the constraints of a mechanism lose rank, for every choice of
-//! generalized speeds.
+//! Rank loss: poses in which the constraints of a mechanism lose rank, whatever generalized speeds
+//! are chosen.
 //!
 //! In such a pose the mechanism may have more freedom than elsewhere, no choice of independent
 //! speeds determines the motion, and some reactions are undetermined. All rows of the constraint
-//! matrix count, also redundant rows, since the choice of the redundant row is arbitrary. The poses
-//! are the common zeros of minors, which are exact ([`minors`]).
+//! matrix are used, also redundant rows, since it is arbitrary which row counts as redundant. The
+//! poses are the common zeros of minors, which are exact ([`minors`]).
 //!
 //! Each result has a proof, or an example pose in which the rank was computed ([`singular_pose`]).
-//! The search for the pose q solves Aᵀ λ = 0 with as many orthonormal vectors λ as the loss of rank
+//! The search for a pose q solves Aᵀ λ = 0 with as many orthonormal vectors λ as the loss of rank
 //! requires. Source: J. M. Selig, *Geometric Fundamentals of Robotics*, 2nd edition (2005), § 4.6.
 
 mod minors;
@@ -31,22 +31,22 @@ pub struct RankLoss {
     pub where_all_zero: Option<Vec<String>>,
     /// True if it is proved that the constraints never lose rank.
     pub nowhere: bool,
-    /// Proof that rank is never lost, in words, for each block of constraints that shares no coordinate
-    /// with the other blocks.
+    /// Proof in words that rank is never lost, one for each block of constraints. A block shares no
+    /// coordinate with other blocks.
     pub proof: Vec<String>,
-    /// Formulas of parameters that the results assume nonzero, because they are nonzero at the default
-    /// values.
+    /// Formulas in parameters that the results assume to be nonzero, because they are nonzero at
+    /// the default values.
     pub taken: Vec<String>,
     /// Example of a pose where rank is lost, as (coordinate, value in SI units) at the default values.
     /// A last entry is the instant, s, if the pose depends on time. `None` if none was found.
     pub pose: Option<Vec<(String, f64)>>,
     /// Number of independent constraints in the example pose; `None` if there is no example.
     pub rank_there: Option<usize>,
-    /// Number of random poses from which the search for an example started.
+    /// Number of random poses from which the search for an example pose started.
     pub sought: usize,
 }
 
-/// Finds the poses where the constraints of a model lose rank; `None` if no constraint is left
+/// Finds the poses where the constraints of a model lose rank. `None` if there is no constraint
 /// between the model's coordinates.
 pub fn rank_loss(model: &Model) -> Option<RankLoss> {
     let mut arena = model.arena.clone();
@@ -86,8 +86,7 @@ pub fn rank_loss(model: &Model) -> Option<RankLoss> {
 
 /// Constraint matrix of a model: partial derivatives of all constraints with respect to the rates
 /// of the coordinates `columns`. The rows that are independent in most poses come first, and their
-/// number is returned. The redundant rows follow, without those that depend on others in every
-/// pose.
+/// number is returned. Redundant rows follow, except those that depend on other rows in every pose.
 fn rank_loss_matrix(model: &Model, arena: &mut Arena, columns: &[usize]) -> (Vec<Vec<Expr>>, usize) {
     let rates: Vec<Expr> = columns.iter().map(|at| model.coordinates[*at].rate).collect();
     let places: Vec<Expr> = columns.iter().map(|at| model.coordinates[*at].symbol).collect();

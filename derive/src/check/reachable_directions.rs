@@ -1,4 +1,4 @@
-//! Directions in which a mechanism can move: its permitted motions, and their Lie brackets.
+//! Directions in which a mechanism can move: its permitted motions, and the Lie brackets of these.
 
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::term::calculus::{Gradient, Substitution};
@@ -7,12 +7,13 @@ use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr};
 use crate::model::{Model, MotionConstraint, MotionConstraintKind};
 
-/// Number of Lie brackets that are computed before integrability stays undecided.
+/// Largest number of Lie brackets that are computed. If more are needed, it is undecided if a
+/// constraint is integrable.
 const MOST_BRACKETS: usize = 200;
 
 /// Independent vector fields of permitted motions: the columns of W, the drift w, and their Lie
-/// brackets. A field has a component for each coordinate. With a drift and without a time
-/// coordinate, a last component stands for time.
+/// brackets. A field has a component for each coordinate. If there is a drift and no time
+/// coordinate, it has a last component for time.
 pub(super) struct ReachableDirections {
     /// Vector fields found so far, each with its components.
     pub(super) fields: Vec<Vec<Expr>>,
@@ -20,13 +21,14 @@ pub(super) struct ReachableDirections {
     along: Vec<Expr>,
     /// True if one of the fields is the drift w of q̇ = W u + w, that is, if the motion is driven.
     pub(super) drifts: bool,
-    /// True if no stated or rolling constraint restricts velocities. Then the motions stay on level
-    /// sets of functions, and Lie brackets add no direction.
+    /// True if no stated or rolling constraint restricts velocities. Then Lie brackets add no
+    /// direction.
     is_holonomic: bool,
 }
 
 impl ReachableDirections {
-    /// Takes the columns of W, and the drift w if it is not zero, from q̇ = W u + w of the model.
+    /// Collects the columns of W, and the drift w if it is not zero, from the model's equations q̇
+    /// = W u + w.
     pub(super) fn new(model: &Model, arena: &mut Arena) -> Self {
         let rates = &model.kinematic_equations.rates;
         let mut slopes = Gradient::new(&model.u());
@@ -66,7 +68,8 @@ impl ReachableDirections {
         }
         while later < self.fields.len() {
             for earlier in 0..later {
-                // A field cannot be independent of as many fields as it has components.
+                // There are as many independent fields as components, so no further field can be
+                // independent.
                 if self.fields.len() == self.fields[0].len() {
                     return true;
                 }
@@ -108,8 +111,8 @@ impl ReachableDirections {
             .collect()
     }
 
-    /// True if every field satisfies a motion constraint, so that the constraint is integrable; `None`
-    /// if undecided.
+    /// True if every field satisfies a motion constraint, so that the constraint is integrable.
+    /// `None` if this is undecided.
     pub(super) fn satisfies_constraint(
         &self,
         model: &Model,

@@ -6,12 +6,12 @@ use super::vector::{Part, Vector};
 use crate::algebra::{Arena, Expr};
 use rustc_hash::FxHashMap;
 
-/// Weighted sum Σ weight · (a · b) of dot products, which becomes one term when all products are
+/// Weighted sum Σ weight · (a · b) of dot products. It becomes one term after all products are
 /// collected.
 ///
-/// Products of equal components are collected first. If bodies of a chain move alike, their masses
-/// add up to one factor of one dot product: Σ m_k (a · b) = (Σ m_k) (a · b). So a sum over n bodies
-/// takes n terms rather than n².
+/// Products of equal components are collected first. If several bodies of a chain have equal
+/// velocity parts, their masses add up to one factor of one dot product: Σ m_k (a · b) = (Σ m_k) (a
+/// · b). So a sum over n bodies has n terms, not n².
 #[derive(Default)]
 pub struct Dots {
     /// Index in `list` of each pair of vector parts.

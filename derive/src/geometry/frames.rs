@@ -1,7 +1,8 @@
 //! Frames of a model as a tree, and rotation matrices between them.
 //!
-//! Dot products transform components through one rotation between two frames. Rotations about a
-//! common axis add their angles first, so a planar chain has cosines of sums, not sums of products.
+//! A dot product transforms components by a single rotation between two frames. For rotations about
+//! a common axis, the angles are added first. So a planar chain has cosines of sums, not sums of
+//! products.
 
 use super::Frame;
 use super::components::{Components, cross_components, dot_components, transposed};
@@ -11,8 +12,8 @@ use crate::algebra::term::calculus::Differential;
 use crate::algebra::{Arena, Expr};
 use rustc_hash::FxHashMap;
 
-/// Tree of the model's frames, with the rotation matrices between them, which are remembered once
-/// computed.
+/// Tree of the model's frames, with the rotation matrices between them. Each matrix is computed
+/// once.
 pub struct Frames {
     /// Frames by index, each with its parent.
     tree: Vec<Frame>,
@@ -21,7 +22,7 @@ pub struct Frames {
     /// Dot products computed so far, by the pair of vector parts.
     dots: FxHashMap<(Part, Part), Expr>,
     /// True for large models: vectors are transformed frame by frame, and growing terms get names.
-    /// False if one rotation matrix joins two frames.
+    /// If false, vectors are transformed by a single rotation matrix.
     pub(crate) carries: bool,
 }
 
@@ -32,7 +33,7 @@ impl Frames {
         Self { tree: frames.to_vec(), rotations: FxHashMap::default(), dots: FxHashMap::default(), carries: false }
     }
 
-    /// Frames on the path from `frame` up to the inertial frame, by index, with `frame` first.
+    /// Path from `frame` up to the inertial frame: indices of the frames, `frame` first.
     pub(crate) fn ancestors(&self, frame: usize) -> Vec<usize> {
         let mut path = vec![frame];
         while let Some((parent, _)) = &self.tree[path[path.len() - 1]].rotation {
@@ -56,8 +57,9 @@ impl Frames {
         self.tree[frame].rotation.as_ref().map(|(_, turn)| turn)
     }
 
-    /// Number of rotations on the path between two frames for which `counts` is true. Consecutive
-    /// rotations about one axis count as one, and a rotation given by cosines as three.
+    /// Number of rotations on the path between two frames, among those for which `counts` returns
+    /// true. Consecutive rotations about one axis count as one, and a rotation given by direction
+    /// cosines counts as three.
     pub(crate) fn axes_between(&self, from: usize, to: usize, counts: impl Fn(&Turn) -> bool) -> usize {
         let (up, down) = (self.ancestors(from), self.ancestors(to));
         let apart = |path: &[usize], other: &[usize]| -> Vec<usize> {
@@ -66,7 +68,7 @@ impl Frames {
         let way = apart(&up, &down).into_iter().chain(apart(&down, &up).into_iter().rev());
         let (mut turns, mut last) = (0, None);
         for turn in way.filter_map(|frame| self.turn_from_parent(frame)).filter(|turn| counts(turn)) {
-            // A turn given by cosines stands for turns about three axes.
+            // A rotation given by direction cosines counts as rotations about three axes.
             let axis = if let Turn::About(axis, _) = turn { Some(*axis) } else { None };
             turns += if axis.is_none() { 3 } else { usize::from(axis != last) };
             last = axis;
@@ -110,7 +112,8 @@ impl Frames {
         turns
     }
 
-    /// Rotation matrix R, 3 × 3, with (components in frame `to`) = R · (components in frame `from`).
+    /// Rotation matrix R, 3 × 3. Components in frame `to` are R times the components in frame
+    /// `from`.
     pub fn rotation(&mut self, arena: &mut Arena, from: usize, to: usize) -> [[Expr; 3]; 3] {
         if let Some(done) = self.rotations.get(&(from, to)) {
             return *done;
@@ -125,7 +128,7 @@ impl Frames {
         matrix
     }
 
-    /// Three components of a vector in one frame, summed over all its parts.
+    /// Components of a vector in one frame, from all parts of the vector.
     pub fn express(&mut self, arena: &mut Arena, v: &Vector, frame: usize) -> Components {
         if self.carries {
             return self.express_frame_by_frame(arena, v, frame, "x", &self.tree[frame].name);
@@ -143,7 +146,7 @@ impl Frames {
         sums.map(|terms| arena.sum(&terms))
     }
 
-    /// Component of a vector along the axis 0, 1 or 2 of one frame, summed over all its parts.
+    /// Component of a vector along the axis 0, 1 or 2 of one frame, from all parts of the vector.
     pub fn component(&mut self, arena: &mut Arena, v: &Vector, frame: usize, axis: usize) -> Expr {
         if self.carries {
             return self.express_frame_by_frame(arena, v, frame, "x", &self.tree[frame].name)[axis];
@@ -172,10 +175,11 @@ impl Frames {
         arena.sum(&terms)
     }
 
-    /// Dot product of two vector parts, each in its own frame. Results are remembered, because bodies
-    /// of a chain share parts of their velocities.
+    /// Dot product of two vector parts, each in its own frame. Results are stored, because the
+    /// velocities of bodies of a chain have common parts.
     pub(super) fn dot_of_parts(&mut self, arena: &mut Arena, a: Part, b: Part) -> Expr {
-        // A fixed order needs half the rotations, and makes equal products equal terms.
+        // With a fixed order, half as many rotations are needed, and equal products become the same
+        // term.
         let (a, b) = if b.0 < a.0 { (b, a) } else { (a, b) };
         if let Some(known) = self.dots.get(&(a, b)) {
             return *known;
@@ -200,7 +204,7 @@ impl Frames {
         product
     }
 
-    /// Cross product a × b of two vectors. Each part of b stays in its own frame.
+    /// Cross product a × b of two vectors. Each part of the result is in the frame of a part of b.
     pub fn cross(&mut self, arena: &mut Arena, a: &Vector, b: &Vector) -> Vector {
         let mut result = Vector::default();
         for (frame, y) in &b.parts {
@@ -211,8 +215,9 @@ impl Frames {
         result
     }
 
-    /// Time derivative of a vector in the inertial frame: ᴺdv/dt = Σ_F (ᶠdv/dt + ω_F × v), part by
-    /// part. `angular_velocities` has the ω_F by index of the frame.
+    /// Time derivative of a vector in the inertial frame: ᴺdv/dt = Σ_F (ᶠdv/dt + ω_F × v_F), where
+    /// v_F is the part of v in frame F. `angular_velocities` has the ω_F by index of the frame.
+    /// `rates` differentiates components with respect to time.
     pub fn time_derivative(
         &mut self,
         arena: &mut Arena,

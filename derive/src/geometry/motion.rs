@@ -21,8 +21,8 @@ pub struct Motion {
 }
 
 impl Motion {
-    /// Computes positions and velocities in a motion. `rates` gives the time derivative of each
-    /// coordinate and other quantity.
+    /// Computes positions and velocities. `rates` is the time derivative: it has the rate of each
+    /// coordinate and of each other quantity that varies.
     #[must_use]
     pub fn new(
         arena: &mut Arena,
@@ -36,8 +36,8 @@ impl Motion {
         Self { positions, angular, linear }
     }
 
-    /// Velocity in the inertial frame, m/s, of the body's material that is at `point`: v_C + ω × p_CP.
-    /// The body rotates with `frame`, and the point C, `centre`, is fixed in it.
+    /// Velocity in the inertial frame, m/s, of the body's material at `point`: v_C + ω × p_CP. The
+    /// body rotates with `frame`, and the point C, `centre`, is fixed in the body.
     pub fn of_material(
         &self,
         arena: &mut Arena,
@@ -53,8 +53,8 @@ impl Motion {
     }
 }
 
-/// Angular velocity ω of each frame in the inertial frame, rad/s. `rates` gives the time derivative
-/// of each coordinate and other quantity.
+/// Angular velocity ω of each frame in the inertial frame, rad/s, by index of the frame. `rates` is
+/// the time derivative: it has the rate of each coordinate and of each other quantity that varies.
 #[must_use]
 pub fn angular_velocities(arena: &mut Arena, tree: &[Frame], rates: &mut Differential) -> Vec<Vector> {
     let mut angular: Vec<Vector> = Vec::new();
@@ -63,7 +63,7 @@ pub fn angular_velocities(arena: &mut Arena, tree: &[Frame], rates: &mut Differe
             angular.push(Vector::default());
             continue;
         };
-        // Addition theorem: ω_F = ω_parent + angular velocity of frame F in its parent, with components in
+        // Addition theorem: ω_F = ω_parent + ω of frame F in its parent frame, with components in
         // F.
         let own = turn.spin(arena, rates);
         let total = angular[*parent].add(arena, &Vector::in_frame(at, own));
@@ -73,8 +73,8 @@ pub fn angular_velocities(arena: &mut Arena, tree: &[Frame], rates: &mut Differe
 }
 
 /// Positions of all points from the origin, m, and their velocities in the inertial frame, m/s, as
-/// (positions, velocities). `rates` gives the time derivative of each coordinate and other
-/// quantity.
+/// (positions, velocities). Both lists are by index of the point. `rates` is the time derivative:
+/// it has the rate of each coordinate and of each other quantity that varies.
 #[must_use]
 pub fn linear_velocities(
     arena: &mut Arena,

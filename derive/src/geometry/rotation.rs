@@ -1,4 +1,4 @@
-//! Turns: elementary rotations that lead from a frame to the next frame.
+//! Elementary rotations (turns) that lead from a frame to the next frame.
 
 use super::components::{Components, dot_components, transposed};
 use crate::algebra::form::simplify::Simplifier;
@@ -9,7 +9,7 @@ use crate::algebra::{Arena, Expr, Rational};
 /// Rotation that leads from a frame to the next frame of the chain.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Turn {
-    /// Rotation about a common axis of both frames: the axis (0, 1 or 2) and the angle, rad.
+    /// Rotation about an axis that both frames share: the axis (0, 1 or 2) and the angle, rad.
     About(usize, Expr),
     /// General rotation, given by its direction cosines.
     Oriented(Box<Oriented>),
@@ -18,12 +18,12 @@ pub enum Turn {
 /// A general rotation from an old frame to a new frame, given by its direction cosines.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Oriented {
-    /// Direction cosines, a 3 × 3 matrix: (components in the new frame) = cosines · (components in the
-    /// old frame).
+    /// Direction cosines, a 3 × 3 matrix C. Components in the new frame are C times the components
+    /// in the old frame.
     pub cosines: [Components; 3],
-    /// Angular velocity of the new frame relative to the old one, rad/s, with components in the new
-    /// frame. It is the sum over the pairs (quantity, factor) of the quantity's rate times the factor.
-    /// Empty for a constant rotation.
+    /// Angular velocity of the new frame relative to the old frame, as pairs (quantity, factor).
+    /// The angular velocity, rad/s, is the sum of rate of the quantity times factor, with
+    /// components in the new frame. Empty for a constant rotation.
     pub spins: Vec<(Expr, Components)>,
 }
 
@@ -91,14 +91,14 @@ impl Turn {
         Self::Oriented(Box::new(Oriented { cosines, spins }))
     }
 
-    /// Shortest constant rotation that takes the unit vector a along axis `axis` to a unit vector e,
-    /// and the inverse rotation.
+    /// Shortest constant rotation that takes the unit vector a along axis `axis` to the unit vector
+    /// e, and the inverse of this rotation.
     ///
-    /// `R = 1 + [a × e] + [a × e]²/(1 + a · e)`. If e is −a, it is half a turn about the axis that
-    /// follows a cyclically.
+    /// The rotation is `R = 1 + [a × e] + [a × e]²/(1 + a · e)`. If e is −a, it is half a turn
+    /// about the axis that follows a cyclically.
     ///
     /// # Panics
-    /// Never: the function tests whether 1 + a · e is zero before it divides.
+    /// Never: the function tests if 1 + a · e is zero before it divides.
     #[must_use]
     pub fn shortest_turn_to(arena: &mut Arena, axis: usize, unit: &Components) -> [Self; 2] {
         let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
@@ -124,8 +124,8 @@ impl Turn {
         [rows, back].map(|cosines| Self::Oriented(Box::new(Oriented { cosines, spins: Vec::new() })))
     }
 
-    /// All terms of the rotation: its angle, or its direction cosines, quantities and their factors of
-    /// angular velocity.
+    /// All terms of the rotation. These are its angle, or its direction cosines with the quantities
+    /// and factors of its angular velocity.
     #[must_use]
     pub fn terms(&self) -> Vec<Expr> {
         match self {
@@ -137,7 +137,7 @@ impl Turn {
         }
     }
 
-    /// Replaces every term of the rotation by its value under `map`.
+    /// Replaces every term of the rotation by the term that the function `map` returns for it.
     pub fn rewrite(&mut self, map: &mut impl FnMut(Expr) -> Expr) {
         match self {
             Self::About(_, angle) => *angle = map(*angle),
@@ -175,8 +175,8 @@ impl Turn {
                         arena.add(components[i], share)
                     });
                 }
-                // The rates of Euler parameters may themselves be formulas of these components. Simplification then
-                // leaves only the components.
+                // For Euler parameters, the rates may be formulas in the components of the angular
+                // velocity. Simplification then gives back these components.
                 let mut simplifier = Simplifier::default();
                 components = components.map(|e| simplifier.simplify(arena, e));
             }
@@ -184,8 +184,9 @@ impl Turn {
         components
     }
 
-    /// Components of a vector in the frame that the rotation leads to, from its components `v` in the
-    /// other frame. `sense` selects which of both frames that is.
+    /// Components of a vector in one frame of the rotation, from its components `v` in the other
+    /// frame. With `sense` = `Forward`, `v` has components in the old frame and the result has
+    /// components in the new frame. `Back` is the inverse.
     pub fn apply(&self, arena: &mut Arena, v: &Components, sense: TurnSense) -> Components {
         match self {
             Self::About(axis, angle) => {

@@ -9,11 +9,11 @@ use crate::algebra::term::calculus::{Differential, Gradient, Substitution};
 use crate::algebra::{Arena, Expr};
 use std::collections::BTreeMap;
 
-/// Part of a vector in one frame: (index of the frame, components in that frame).
+/// Part of a vector in one frame, as (index of the frame, components in that frame).
 pub type Part = (usize, Components);
 
-/// A vector as a sum of parts, each with components in its own frame. Frames ascend by index, and
-/// no part is zero.
+/// Vector as a sum of parts, each with components in its own frame. Parts are sorted by the index
+/// of their frame, and no part is zero.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Vector {
     /// Parts of the vector, as (index of the frame, components in that frame). Empty for the zero
@@ -57,7 +57,8 @@ impl Vector {
         Self { parts }
     }
 
-    /// Vector with every component replaced by its value under `f`; parts that become zero are dropped.
+    /// Applies the function `f` to every component of the vector. Parts that become zero are
+    /// dropped.
     #[must_use]
     pub fn map(&self, mut f: impl FnMut(Expr) -> Expr) -> Self {
         let mut parts: Vec<_> = self.parts.iter().map(|(frame, c)| (*frame, c.map(&mut f))).collect();
@@ -83,8 +84,8 @@ impl Vector {
         self.map(|e| substitution.apply(arena, e))
     }
 
-    /// Derivative of every component, with basis vectors held fixed. It is a partial derivative, or the
-    /// time derivative of a vector observed from the frame of its components.
+    /// Derivative of every component, with basis vectors held fixed. For d/dt, each part is
+    /// differentiated as observed from its own frame.
     #[must_use]
     pub fn differentiate(&self, arena: &mut Arena, along: &mut Differential) -> Self {
         self.map(|e| along.apply(arena, e))

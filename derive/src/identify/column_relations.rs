@@ -8,9 +8,9 @@ use crate::algebra::{Arena, Expr};
 use crate::mechanics::Column;
 use rustc_hash::FxHashSet;
 
-/// Number of additional states at which the rank of the columns must stay unchanged.
+/// Number of further states at which the rank of the columns must not increase.
 const STILL: usize = 2;
-/// Number of random draws for each state, in search of values at which all terms are defined.
+/// Largest number of random draws for a state, in search of values at which all terms are defined.
 const TRIES: usize = 20;
 
 /// Linear relations between the columns of a regressor. Their factors can be computed at random

@@ -1,49 +1,50 @@
-//! Linear combinations of rows that lead from the equations of one formulation to those of another,
-//! with the identities that prove them.
+//! Linear combinations that turn the rows of one formulation into those of another, with the
+//! identities that prove them.
 
 use crate::algebra::Expr;
 use crate::algebra::meaning::identity::Identity;
 use crate::mechanics::Formulation;
 
-/// Linear combination of the rows of one formulation that gives the rows of another, with the
-/// proved identities.
+/// Linear combination of the rows of one formulation that gives the rows of another formulation,
+/// with the identities that prove it.
 #[derive(Clone, Debug)]
 pub struct Combination {
-    /// Formulation whose rows are combined.
+    /// Formulation whose rows are multiplied and added.
     pub of: Formulation,
-    /// Formulation whose rows the linear combination gives.
+    /// Formulation whose rows are the result of the linear combination.
     pub gives: Formulation,
-    /// Substitutions in the rows before they are combined, as pairs of symbol and value: q̇ = W u + w
-    /// and q̈ = W u̇ + x, or u = J q̇ + d and u̇ = J q̈ + y. Empty if both formulations have the same
-    /// motion variables.
+    /// Substitutions in the rows before they are combined, as pairs (symbol, value). They are q̇ =
+    /// W u + w and q̈ = W u̇ + x, or u = J q̇ + d and u̇ = J q̈ + y. Empty if both formulations
+    /// have the same motion variables.
     pub relations: Vec<(Expr, Expr)>,
-    /// Multipliers of the rows of `of`, one list for each row of the result. Empty if the rows are
-    /// equal one by one.
+    /// Multipliers of the rows of `of`, with one list for each row of the result. Empty if both
+    /// formulations have equal rows.
     pub multipliers: Vec<Vec<Expr>>,
-    /// Identities that were proved for the combined rows, each with the part of the system to which it
-    /// belongs.
+    /// Identities that were proved for the combined rows, as pairs of the part of the linear system
+    /// and the identity.
     pub identities: Vec<(CombinationPart, Identity)>,
 }
 
 /// Part of a linear system to which an identity belongs. All indices count from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CombinationPart {
-    /// Coefficient of an unknown in a combined row. It equals that of the expected row, or 0 if the
-    /// expected row lacks the unknown.
+    /// Coefficient of an unknown in a combined row. It equals the coefficient in the expected row,
+    /// or 0 if the expected row does not contain the unknown.
     Coefficient {
         /// Index of the combined row.
         row: usize,
         /// Index of the unknown in the system.
         unknown: usize,
     },
-    /// Right-hand side of a combined row, which equals that of the expected row.
+    /// Right-hand side of a combined row. It equals the right-hand side of the expected row.
     Right {
         /// Index of the combined row.
         row: usize,
     },
-    /// Entry of a constraint's row after the substitution; it vanishes.
+    /// Entry of a constraint's row after the substitution of speeds for rates; it is identically
+    /// zero.
     Constraint,
-    /// Sum of the powers of a reaction along a generalized speed; it vanishes.
+    /// Sum of the powers of a reaction along a generalized speed; it is identically zero.
     Power {
         /// Index of the generalized speed.
         speed: usize,
@@ -55,34 +56,35 @@ pub enum CombinationPart {
 /// Description of how the rows of one formulation follow from those of another, as data.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CombinationDescription {
-    /// Formulation on the left of the text: that in speeds, if the second is in rates or has
-    /// reactions.
+    /// Formulation on the left of the text, such as Kane's in `Kane = Wᵀ · Lagrange`.
     pub left: Formulation,
-    /// Second formulation, whose rows are combined in the text.
+    /// Formulation on the right of the text, whose rows are multiplied.
     pub right: Formulation,
     /// Kind of the linear combination, such as Wᵀ times rows.
     pub kind: CombinationKind,
 }
 
-/// Kind of a linear combination of rows. W, w, J, d are those of q' = W u + w and u = J q' + d.
+/// Kind of a linear combination of rows. W, w, J and d are those of the equations q' = W u + w and
+/// u = J q' + d.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum CombinationKind {
     /// Rows of both formulations are equal one by one, without any multipliers.
     RowByRow,
-    /// Rows along speeds are Wᵀ times those along rates, and back by Jᵀ, with q' = W u and u = J q'.
+    /// Rows along speeds are Wᵀ times those along rates, and rows along rates are Jᵀ times those
+    /// along speeds. Here q' = W u and u = J q'.
     LinearSpeeds,
-    /// Rows along speeds are Wᵀ times those along rates, and back by Jᵀ, with q' = W u + w and u = J
-    /// q' + d.
+    /// Rows along speeds are Wᵀ times those along rates, and rows along rates are Jᵀ times those
+    /// along speeds. Here q' = W u + w and u = J q' + d.
     AffineSpeeds,
     /// Rows along speeds are Wᵀ times those along rates; the multipliers of the constraints cancel.
     Multipliers,
-    /// Rows along speeds are the partial velocities times the Newton–Euler balances. The names are
-    /// those of the reactions that the remaining balances give.
+    /// Rows along speeds are the partial velocities times the Newton–Euler balances. The list has
+    /// the names of the reactions; the balances that are not used give their values.
     PartialVelocities(Vec<String>),
     /// Rows along rates are the partial velocities with respect to q' times the Newton–Euler balances.
     PartialVelocitiesOfRates,
-    /// Rows along rates are the partial velocities with respect to q' times the balances, up to
-    /// constraint forces, which W cancels.
+    /// Rows along rates are the partial velocities with respect to q' times the Newton–Euler
+    /// balances, except for constraint forces. Wᵀ cancels these forces.
     ConstraintForces,
 }
 

@@ -1,10 +1,12 @@
-//! Proof of equivalence Kane ⇔ Lagrange ⇔ Newton–Euler: each pair by linear combination of rows.
+//! Proof that the formulations of Kane, Lagrange and Newton–Euler are equivalent. Each pair is
+//! related by linear combinations of rows.
 //!
-//! With q̇ = W u + w and u = J q̇ + d: Kane = Wᵀ · Lagrange and Lagrange = Jᵀ · Kane, so both
-//! vanish together where det J ≠ 0. With the partial velocities P (of mass centres for forces, of
-//! frames for moments): Kane = P · (Newton–Euler), in which the reactions cancel. P and as many
-//! further rows D as there are reactions form a regular matrix. So Kane's equations and the rows D,
-//! which give the reactions, are equivalent to Newton–Euler.
+//! With q̇ = W u + w and u = J q̇ + d: Kane = Wᵀ · Lagrange and Lagrange = Jᵀ · Kane, so both hold
+//! together where det J ≠ 0. P are the partial velocities, of mass centres for forces and of frames
+//! for moments. Then Kane = P · (Newton–Euler), in which the reactions cancel.
+//!
+//! P and as many further rows D as there are reactions form a regular matrix. So Kane's equations
+//! and the rows D, which give the reactions, are equivalent to Newton–Euler.
 
 use super::combination::{Combination, CombinationDescription, CombinationKind, CombinationPart};
 use super::speed_rate_maps::{CombinedSystem, Maps, Matrix, combine_rows, dot, transposed};
@@ -27,8 +29,8 @@ pub struct EquivalentPair {
     pub left: Formulation,
     /// Second formulation, in the order of [`Formulation::ALL`].
     pub right: Formulation,
-    /// Verdict on the claim that the rows of each formulation are the stated combination of the
-    /// other's.
+    /// Verdict on the claim that the rows of each formulation are linear combinations of the
+    /// other's rows, as stated in `map`.
     pub verdict: Verdict,
     /// Description of the combination that leads from one formulation to the other.
     pub map: CombinationDescription,
@@ -37,7 +39,8 @@ pub struct EquivalentPair {
     pub combinations: Vec<Combination>,
 }
 
-/// Reaction as a function of the motion, from a Newton–Euler row that Kane's method does not use.
+/// Reaction as a function of the motion. It comes from a Newton–Euler row that is independent of
+/// Kane's rows.
 #[derive(Clone, Debug)]
 pub struct ReactionEquation {
     /// Name of the reaction in the model file.
@@ -46,8 +49,9 @@ pub struct ReactionEquation {
     pub value: Expr,
 }
 
-/// Proves that all derived formulations are pairwise equivalent, and gives an equation for each
-/// reaction. The equations are empty without Newton–Euler.
+/// Proves that all derived formulations are pairwise equivalent, and solves for the reactions.
+/// Returns the pairs and one equation for each reaction. There are no such equations if
+/// Newton–Euler was not derived.
 pub fn prove_equivalence(
     model: &Model,
     derivations: &mut Derivations,
@@ -74,7 +78,8 @@ pub fn prove_equivalence(
     (pairs, prover.reactions.unwrap_or_default())
 }
 
-/// Verdict on a pair of formulations, with the combinations that were proved and their description.
+/// Result of the proof for a pair of formulations: verdict, proved combinations and their
+/// description.
 struct EquivalenceResult {
     /// Verdict on the claim that both formulations are equivalent.
     verdict: Verdict,
@@ -90,13 +95,14 @@ struct Prover<'a> {
     kinematics: &'a mut Kinematics,
     comparer: &'a mut Comparer,
     maps: Maps,
-    /// Equations for the reactions; `None` until Newton–Euler is compared with a formulation in speeds.
+    /// Equations for the reactions; `None` until Newton–Euler has been compared with a formulation
+    /// in speeds.
     reactions: Option<Vec<ReactionEquation>>,
 }
 
 impl Prover<'_> {
-    /// Proves two systems equivalent by the combination that leads from `left` to `right` or back.
-    /// `None` if only the opposite order of arguments is known.
+    /// Proves two systems equivalent. `None` if the proof is implemented only for the opposite
+    /// order of the arguments.
     fn prove_equivalence_between(&mut self, left: &Equations, right: &Equations) -> Option<EquivalenceResult> {
         let (from, to) = (left.formulation, right.formulation);
         match (from.has_reactions(), to.has_reactions()) {
@@ -122,8 +128,8 @@ impl Prover<'_> {
         EquivalenceResult::new(CombinationKind::RowByRow, left, right, [proved])
     }
 
-    /// Proves the claims of a proposed combination. Returns the verdict, and the combination with the
-    /// identities.
+    /// Proves the claims of a proposed combination. Returns the verdict, and the combination with
+    /// the proved identities.
     fn prove_proposal(&mut self, proposal: Proposal<'_>) -> (Verdict, Combination) {
         let Proposal { of, gives, relations, multipliers, claims } = proposal;
         let pairs: Vec<(Expr, Expr)> = claims.iter().map(|claim| claim.sides).collect();
@@ -133,8 +139,8 @@ impl Prover<'_> {
         (verdict, Combination { of, gives, relations, multipliers, identities })
     }
 
-    /// Proves Speeds = Wᵀ · Rates and Rates = Jᵀ · Speeds, for equations along speeds u and along rates
-    /// q̇.
+    /// Proves that equations along speeds u and equations along rates q̇ are equivalent: Speeds =
+    /// Wᵀ · Rates and Rates = Jᵀ · Speeds.
     fn speeds_and_rates(&mut self, speeds: &Equations, rates: &Equations) -> EquivalenceResult {
         if !self.model.motion_constraints.is_empty() {
             return self.speeds_and_multipliers(speeds, rates);
@@ -153,7 +159,7 @@ impl Prover<'_> {
         let claims_of_rates = equivalence_claims(&combine_rows(arena, &multipliers, &in_rates), rates, 0);
         let relations = maps.speeds_in_rates(model, arena);
         let backward = Proposal { of: speeds, gives: rates, relations, multipliers, claims: claims_of_rates };
-        // A speed that is not homogeneous in q̇ has an offset at q̇ = 0.
+        // If a speed has a value other than 0 at q̇ = 0, the map from rates to speeds is affine.
         let pairs: Vec<_> = model.q_dot().into_iter().map(|rate| (rate, Expr::ZERO)).collect();
         let mut at_rest = Substitution::new(&pairs);
         let homogeneous = model.speeds.iter().all(|s| at_rest.apply(arena, s.definition) == Expr::ZERO);
@@ -162,8 +168,8 @@ impl Prover<'_> {
         EquivalenceResult::new(kind, speeds, rates, proved)
     }
 
-    /// Proves Speeds = Wᵀ · Rates, in which the constraint multipliers cancel. The rows of the
-    /// constraints vanish.
+    /// Proves Speeds = Wᵀ · Rates, in which the constraint multipliers cancel. In terms of speeds,
+    /// the rows of the constraints are 0 = 0.
     fn speeds_and_multipliers(&mut self, speeds: &Equations, rates: &Equations) -> EquivalenceResult {
         let Self { model, kinematics, maps, .. } = self;
         let arena = &mut kinematics.arena;
@@ -178,8 +184,8 @@ impl Prover<'_> {
         EquivalenceResult::new(CombinationKind::Multipliers, speeds, rates, [proved])
     }
 
-    /// Proves Speeds = P · Balances with the partial velocities P. Balances that P does not use give
-    /// the reactions.
+    /// Proves Speeds = P · Balances with the partial velocities P. The reactions follow from
+    /// further combinations of the balances.
     fn speeds_and_balances(&mut self, speeds: &Equations, balances: &Equations) -> EquivalenceResult {
         let Self { model, kinematics, .. } = self;
         let multipliers = balances.projection.clone();
@@ -203,7 +209,7 @@ impl Prover<'_> {
         if !model.motion_constraints.is_empty() {
             return self.multipliers_and_balances(partial, rates, balances);
         }
-        // Jᵀ turns rows along u into rows along q̇.
+        // The rows of powers are along speeds u; Jᵀ converts them to rows along rates q̇.
         let of_powers: Matrix = balances.projection.iter().map(|row| row[rows.len()..].to_vec()).collect();
         for (at, row) in partial.iter_mut().enumerate() {
             let along: Vec<Expr> = maps.j.iter().map(|row| row[at]).collect();
@@ -220,8 +226,8 @@ impl Prover<'_> {
         EquivalenceResult::new(CombinationKind::PartialVelocitiesOfRates, rates, balances, [proved])
     }
 
-    /// Proves Rates = P · Balances up to the constraint forces. Wᵀ cancels these forces on both sides,
-    /// so the reactions along q̇ are Aᵀλ for exactly one λ.
+    /// Proves Rates = P · Balances, except for the constraint forces. Wᵀ cancels these forces on
+    /// both sides, so the reactions along q̇ are Aᵀλ with unique multipliers λ.
     fn multipliers_and_balances(
         &mut self,
         partial: Matrix,
@@ -241,7 +247,8 @@ impl Prover<'_> {
             claims.extend(pairs.enumerate().map(|(unknown, sides)| Claim { part: part(unknown), sides }));
             claims.push(Claim { part: CombinationPart::Right { row: at }, sides: (*value, in_speeds.forcing[at]) });
         }
-        // The power of shared reactions along a speed is cancelled by the rows that set their total power to zero.
+        // Rows that set the total power of shared reactions to zero cancel the power of these
+        // reactions along each speed.
         let is_power = |row: &RowName| matches!(row, RowName::Power(_) | RowName::Law { .. });
         let powers = balances.rows.iter().position(is_power).unwrap_or(balances.rows.len());
         for (speed, (column, multipliers)) in transposed(&maps.w).iter().zip(&balances.projection).enumerate() {
@@ -260,8 +267,8 @@ impl Prover<'_> {
 }
 
 impl EquivalenceResult {
-    /// Combines the verdicts of the proved combinations, and describes how `left` and `right` are
-    /// related.
+    /// Combines the verdicts of the proved combinations, and describes the relation between `left`
+    /// and `right`.
     fn new(
         kind: CombinationKind,
         left: &Equations,
@@ -288,7 +295,7 @@ struct Proposal<'a> {
     of: &'a Equations,
     /// Equations whose rows the combination should give.
     gives: &'a Equations,
-    /// Substitutions before the combination, as pairs of symbol and value.
+    /// Substitutions before the combination, as pairs (symbol, value).
     relations: Vec<(Expr, Expr)>,
     /// Multipliers of the rows, one list for each row of the result.
     multipliers: Matrix,
@@ -296,8 +303,8 @@ struct Proposal<'a> {
     claims: Vec<Claim>,
 }
 
-/// Claims that combined rows equal the rows of `expected`, and that the coefficients of `extra`
-/// further unknowns vanish.
+/// Claims that the combined rows equal the rows of `expected`. The combined rows have `extra`
+/// further unknowns; their coefficients must be zero.
 fn equivalence_claims(combined: &CombinedSystem, expected: &Equations, extra: usize) -> Vec<Claim> {
     let mut claims = Vec::new();
     for (at, (row, value)) in combined.matrix.iter().zip(&combined.right).enumerate() {
@@ -318,8 +325,8 @@ fn balances_for_equivalence(model: &Model, kinematics: &mut Kinematics, newton_e
     rows
 }
 
-/// Proves that Kane's rows and a further row for each reaction are equivalent to Newton–Euler, and
-/// solves the further rows for the reactions. On failure, the verdict is undecided and the list is
+/// Proves that Newton–Euler is equivalent to Kane's rows and one further row for each reaction. The
+/// further rows are solved for the reactions. On failure, the verdict is undecided and the list is
 /// empty.
 fn prove_reaction_equivalence(
     model: &Model,
@@ -331,8 +338,8 @@ fn prove_reaction_equivalence(
     let count = newton_euler.rows.len();
     let unit = |at: usize| (0..count).map(|k| if k == at { Expr::ONE } else { Expr::ZERO }).collect::<Vec<_>>();
     let directions = balance_multipliers_along_reactions(model, kinematics, &newton_euler.rows);
-    // The balance along each reaction is the natural further row. If it depends on earlier rows, a
-    // single Newton–Euler row is tried.
+    // The balance along each reaction is tried first as the further row. If it depends on earlier
+    // rows, single Newton–Euler rows are tried.
     for candidate in directions.into_iter().chain((0..count).map(unit)) {
         if further.len() == model.reactions.len() {
             break;

@@ -35,15 +35,15 @@ pub struct Integral {
     /// Vector field ξ of the symmetry q′ = ξ(q) whose momentum the integral is; `None` for energies.
     pub field: Option<Vec<Expr>>,
     /// Functions of q that are added to the momentum in the integral, one for each kind. Such a
-    /// function balances forces that depend on velocities, such as drag. 0 if the momentum itself is
-    /// constant.
+    /// function compensates for forces that depend on velocities, such as drag. It is 0 if the
+    /// momentum itself is constant.
     pub of_places: Vec<Expr>,
-    /// Verdict on the identity that proves the integral: its rate vanishes along Kane's equations.
+    /// Verdict on the identity that proves the integral: its rate is zero along Kane's equations.
     pub verdict: Verdict,
     /// Multipliers λ of Kane's rows in dI/dt = λᵀ (M u̇ − f), one for each speed.
     pub multipliers: Vec<Expr>,
-    /// Identities of dI/dt = λᵀ (M u̇ − f): one for the coefficient of each u̇, then one for the
-    /// remaining terms.
+    /// Identities that together prove dI/dt = λᵀ (M u̇ − f): one for the coefficient of each u̇,
+    /// then one for the remaining terms.
     pub identities: Vec<Identity>,
 }
 
@@ -77,8 +77,8 @@ impl Integral {
         self.kinds.iter().any(|kind| kind.is_energy())
     }
 
-    /// Formulas that documents show of the integral: its value, its divisors, and the components of a
-    /// symmetry without a name.
+    /// Formulas of the integral that documents show: its value and its divisors. For a symmetry
+    /// without a name, also the components of its field.
     #[must_use]
     pub fn shown_formulas_of_integral(&self, arena: &Arena) -> Vec<Expr> {
         let mut list = vec![self.expression];
@@ -89,8 +89,9 @@ impl Integral {
         list
     }
 
-    /// Divisors of the integral that may vanish; the integral has no value where a divisor is 0. Divisors that are
-    /// proved never to be zero are left out. A parameter that is not stated to be positive may be zero.
+    /// Divisors of the integral that may be zero; the integral has no value where a divisor is 0.
+    /// Divisors that are proved never to be zero are left out. A parameter that is not stated to be
+    /// positive may be zero.
     #[must_use]
     pub fn divisors(&self, arena: &Arena) -> Vec<Expr> {
         let all = divisors(arena, &[self.expression]);
@@ -102,17 +103,17 @@ impl Integral {
 /// conserved.
 #[derive(Clone, Debug)]
 pub struct IntegralSearch {
-    /// Text that says for which symmetries and momenta the search for first integrals is complete, and
-    /// what it did not search.
+    /// Text that describes the coverage of the search: for which symmetries and momenta it is
+    /// complete, and which it leaves out.
     pub covered: String,
-    /// Power d(T + V)/dt as a term in q and u, W; `None` if an energy is conserved. If `Some`, the
-    /// applied loads have no potential that was found, or a potential that jumps in time.
+    /// Power d(T + V)/dt as a term in q and u, W; `None` if an energy is conserved. If `Some`, no
+    /// potential of the applied loads was found, or their potential jumps in time.
     pub power: Option<Expr>,
 }
 
 impl IntegralSearch {
-    /// Text of the coverage, and of the power if no energy is conserved, in a single line. `arena`
-    /// contains the terms.
+    /// Text, in a single line, of the coverage of the search. If no energy is conserved, the power
+    /// is added. `arena` contains the terms.
     #[must_use]
     pub fn text(&self, arena: &Arena) -> String {
         let Some(power) = self.power else { return self.covered.clone() };
@@ -159,7 +160,7 @@ pub fn find_first_integrals(
 pub struct IntegralSearchBasis {
     /// Derivatives of T and V, and the generalized forces Q that V does not contain, in q and q̇.
     pub lagrangian: NoetherTerms,
-    /// Symbols of the rates q̇ with which the generalized forces do work.
+    /// Symbols of the rates q̇. The generalized forces times these rates are the power.
     rates: Vec<Expr>,
     /// Kane's equations of the model.
     kane: Equations,
@@ -179,7 +180,7 @@ impl IntegralSearchBasis {
         Some(Self { lagrangian, rates: lagrange.variables, kane, fields })
     }
 
-    /// Applies `rewrite` to every term of the equations and fields in place.
+    /// Applies the function `rewrite` to every term of the equations and fields, in place.
     pub fn change(&mut self, arena: &mut Arena, rewrite: &mut dyn FnMut(&mut Arena, Expr) -> Expr) {
         self.kane.change_terms(&mut |e, arena| *e = rewrite(arena, *e), arena);
         let of_fields = self.fields.iter_mut().flat_map(|f| &mut f.xi);
@@ -188,8 +189,8 @@ impl IntegralSearchBasis {
         }
     }
 
-    /// Finds and proves first integrals of the model. The model's speeds must be rewritten like the
-    /// terms of the basis.
+    /// Finds and proves first integrals of the model. If the terms of the basis were rewritten, the
+    /// speeds of the model must be rewritten in the same way.
     pub fn search(
         &self,
         model: &Model,
@@ -242,11 +243,11 @@ struct IntegralSearchState<'a> {
     arena: &'a mut Arena,
     simplifier: &'a mut Simplifier,
     comparer: &'a mut Comparer,
-    /// Gradients ∂I/∂(q, u) of the integrals found so far, except the energy.
+    /// Gradients ∂I/∂(q, u) of the integrals found so far, except those of energies.
     gradients: Vec<Vec<Expr>>,
     /// First integrals that were found and proved so far.
     found: Vec<Integral>,
-    /// True if forces do work and no potential of them was found.
+    /// True if forces do work and no potential was found for them.
     no_potential: bool,
 }
 
@@ -275,8 +276,11 @@ impl IntegralSearchState<'_> {
         self.jacobi(energy);
     }
 
-    /// Multipliers J q̇ of Kane's equations: each speed less its value at rest. Time rests if `time` is
-    /// `None`; else its rate t' is 1. Then q̇ᵀ Lagrange = (J q̇)ᵀ Kane.
+    /// Multipliers J q̇ of Kane's equations: each speed minus its value at rest. With these
+    /// multipliers, q̇ᵀ Lagrange = (J q̇)ᵀ Kane.
+    ///
+    /// `time` is the index of the time coordinate, whose rate t' is then 1 at rest. If it is
+    /// `None`, all rates are 0 at rest.
     fn energy_integral_multipliers(&mut self, time: Option<usize>) -> Vec<Expr> {
         let (model, arena) = (self.model, &mut *self.arena);
         let rate_at_rest = |at: usize| if time == Some(at) { Expr::ONE } else { Expr::ZERO };
@@ -290,8 +294,8 @@ impl IntegralSearchState<'_> {
         speeds.collect()
     }
 
-    /// Adds Jacobi's integral T + V − ∂T/∂t' with t' = 1, if it is conserved. It is constant if drives
-    /// work and no term depends on time explicitly.
+    /// Adds Jacobi's integral T + V − ∂T/∂t' with t' = 1, if it is conserved. It can be conserved
+    /// although drives do work, if no term depends on time explicitly.
     fn jacobi(&mut self, energy: Expr) {
         let Some(time) = self.model.time() else { return };
         let momentum = self.basis.lagrangian.momenta[time];
@@ -303,8 +307,8 @@ impl IntegralSearchState<'_> {
         self.keep_integral(IntegralKind::Jacobi, None, Expr::ZERO, value, &multipliers);
     }
 
-    /// Adds the momentum of a vector field if it is conserved, or conserved after a function of q is
-    /// added.
+    /// Adds the momentum of a vector field if it is conserved. If it is conserved only after a
+    /// function of q is added, the sum is added.
     fn momentum(&mut self, field: &VectorField) {
         let (arena, lagrangian) = (&mut *self.arena, &self.basis.lagrangian);
         let rate = lagrangian.rate(arena, &field.xi);
@@ -312,8 +316,9 @@ impl IntegralSearchState<'_> {
         let of_place = if zero_test(arena, rate) == ZeroTest::Zero {
             Expr::ZERO
         } else {
-            // With magnetic forces, gyroscopic forces and drag, the rate of a momentum can be the rate of a function of
-            // q. Then the momentum less this function is constant.
+            // With magnetic forces, gyroscopic forces or drag, the rate of a momentum may be the
+            // rate of a function of q. Then the difference of the momentum and this function is
+            // constant.
             let Some(of_place) = integral_of_rate(arena, self.simplifier, self.model, rate) else { return };
             arena.neg(of_place)
         };
@@ -331,8 +336,9 @@ impl IntegralSearchState<'_> {
         self.keep_integral(field.kind, Some(&field.xi), of_place, momentum, &multipliers);
     }
 
-    /// Proves an integral and adds it to the list. Drops it if it is a function of earlier integrals.
-    /// If it equals a known integral or its negative, only its kind is added there.
+    /// Proves an integral and adds it to the list. If it is a function of earlier integrals, it is
+    /// dropped. If it equals a known integral or its negative, only its kind is added to that
+    /// integral.
     fn keep_integral(
         &mut self,
         kind: IntegralKind,
@@ -363,7 +369,8 @@ impl IntegralSearchState<'_> {
         if !verdict.is_equal() {
             return;
         }
-        // The energy of a free body is a function of its momenta, but it is listed nevertheless.
+        // The energy of a free body is a function of its momenta, but is listed as an integral as
+        // well.
         if !kind.is_energy() {
             self.gradients = gradients;
         }
@@ -403,9 +410,9 @@ impl IntegralSearchState<'_> {
     }
 }
 
-/// Potential energy U(q) of the forces that V does not contain: at rest they are −∂U/∂q, and the
-/// remaining part does no work, like a magnetic force. `None` if there is no such U, or no rule
-/// finds it.
+/// Potential energy U(q) of the forces that V does not contain. At rest these forces are −∂U/∂q,
+/// and the remaining part does no work, as for a magnetic force. `None` if there is no such U, or
+/// if no rule finds it.
 fn potential_of_remaining_forces(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -423,8 +430,8 @@ fn potential_of_remaining_forces(
     (zero_test(arena, power) == ZeroTest::Zero).then_some(energy)
 }
 
-/// Function F(q) with dF/dt = `rate` along every path. `None` if the rate is not linear in q̇, or
-/// no rule finds F.
+/// Function F(q) with dF/dt = `rate` along every path. `None` if the rate is not linear in q̇, has
+/// a part without q̇, or no rule finds F.
 fn integral_of_rate(arena: &mut Arena, simplifier: &mut Simplifier, model: &Model, rate: Expr) -> Option<Expr> {
     let (slopes, rest) = LinearForm::new(&model.q_dot()).coefficients(arena, rate).ok()?;
     if zero_test(arena, rest) != ZeroTest::Zero {
@@ -439,9 +446,9 @@ mod tests {
     use crate::mechanics::derive_all;
     use std::path::Path;
 
-    /// Goal: a symmetry is found from the Lagrangian alone. Method: the heading q1 of the disk is quasi-cyclic: with
-    /// the momenta of the contact point, p1 makes the angular momentum about the vertical through the mass centre,
-    /// which the rigid motions give.
+    /// A symmetry is found from the Lagrangian alone: the heading q1 of the disk is quasi-cyclic.
+    /// With the momenta of the contact point, p1 gives the angular momentum about the vertical
+    /// through the mass centre. The rigid motions give the same integral.
     #[test]
     fn heading_of_the_disk_is_quasi_cyclic() {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/disk/model.toml");

@@ -1,4 +1,4 @@
-//! Kinds of first integrals, as data. Their names in words are made from the kinds.
+//! Kinds of first integrals, as data, and their descriptions in words.
 
 use crate::algebra::text::print::print_text;
 use crate::algebra::{Arena, Expr, Node};
@@ -69,9 +69,9 @@ impl IntegralKind {
         matches!(self, Self::Energy | Self::EnergyOfForces)
     }
 
-    /// Full description of an integral in words: a momentum with its definition, a symmetry with its
-    /// components `xi`. If the function `of_place` of q, which is added to a momentum, is not 0, it
-    /// follows. `arena` contains the terms.
+    /// Full description of an integral in words. A momentum is given with its definition, a
+    /// symmetry with its components `xi`. If the function `of_place` of q is added to the momentum,
+    /// it is given at the end. `arena` contains the terms.
     #[must_use]
     pub fn integral_description(self, model: &Model, arena: &Arena, xi: &[Expr], of_place: Expr) -> String {
         let (title, place) = (self.title(model), integral_addition_text(arena, of_place));
@@ -160,8 +160,8 @@ impl IntegralKind {
         }
     }
 
-    /// Short symbol for the integral's value, such as `p_q3`, `P_n1` or `H_n3`. `None` if there is no
-    /// customary symbol.
+    /// Short symbol for the value of the integral, such as `p_q3`, `P_n1` or `H_n3`. `None` if
+    /// there is no customary symbol.
     pub(crate) fn symbol(self, model: &Model) -> Option<String> {
         match self {
             Self::Coordinate(at) => Some(format!("p_{}", model.coordinates[at].name)),
@@ -187,7 +187,7 @@ pub(super) fn integral_addition_text(arena: &Arena, of_place: Expr) -> String {
     }
 }
 
-/// Name of an axis of a frame, such as `a1` for the first axis of frame A.
+/// Name of an axis of a frame, such as `a1` for axis 0 of frame A.
 fn integral_axis_name(model: &Model, frame: usize, axis: usize) -> String {
     format!("{}{}", model.frames[frame].name.to_lowercase(), axis + 1)
 }

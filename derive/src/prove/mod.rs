@@ -1,7 +1,9 @@
-//! Proofs that the formulations are equivalent, and of the quantities that every motion conserves.
+//! Proofs that the formulations are equivalent, and that certain quantities are constant along
+//! every motion.
 //!
 //! Every statement is an identity between terms, decided by [`crate::algebra::meaning::compare`].
 //! Nothing is integrated, sampled in floating point or solved for accelerations. Each system is
+//! proved to be a linear combination of the other, with stated multipliers.
 //! proved to be a linear combination of the other, with stated multipliers.
 
 mod combination;
@@ -33,29 +35,29 @@ use crate::mechanics::{Derivations, DeriveError, Formulation, LoadDivisor, load_
 use crate::model::Model;
 
 /// Statements that were proved about a model: equivalence of formulations, reactions, first
-/// integrals and singular places.
+/// integrals and singular states.
 #[derive(Clone, Debug)]
 pub struct Proof {
     /// Pairs of the formulations that the model supports, each with the proof that they are equivalent.
     pub pairs: Vec<EquivalentPair>,
     /// Formulations that cannot be derived for the model, each with the reason.
     pub missing: Vec<(Formulation, DeriveError)>,
-    /// Reactions of the model, each with the equation that gives it.
+    /// Equation for each reaction of the model, as a function of the motion.
     pub reactions: Vec<ReactionEquation>,
     /// First integrals: functionally independent quantities that are constant along every motion.
     pub integrals: Vec<Integral>,
-    /// Report on the search for first integrals: what it covered.
+    /// Report on the search for first integrals: the symmetries that it covered.
     pub search: IntegralSearch,
-    /// Divisors at whose zeros the formulations are not equivalent, because the speeds do not determine
-    /// q̇ or a load has no value.
+    /// Divisors at whose zeros the proved equivalence of the formulations does not hold. There, the
+    /// speeds do not determine q̇, or a load has no value.
     pub singular_where: Vec<Expr>,
     /// Divisors of loads that may be zero, each with its load. They are also among `singular_where`.
     pub loads: Vec<LoadDivisor>,
 }
 
 impl Proof {
-    /// Gives the named subterms of all proved formulas the names that every document about the model
-    /// uses.
+    /// Assigns names to the named subterms of all proved formulas. Every document about the model
+    /// uses these names.
     pub fn write_names(&self, derivations: &mut Derivations) {
         derivations.write_names();
         write_integral_names(&self.integrals, derivations);
@@ -81,7 +83,7 @@ pub fn first_integrals(model: &Model, derivations: &mut Derivations) -> Vec<Inte
     integrals
 }
 
-/// Replaces named subterms by their values in those formulas that then remain short enough to read.
+/// Writes out named subterms in those formulas that remain short enough to read.
 fn write_out_proof_formulas<'a>(arena: &mut Arena, formulas: impl Iterator<Item = &'a mut Expr>) {
     let mut simplifier = Simplifier::default();
     for formula in formulas {
@@ -89,8 +91,8 @@ fn write_out_proof_formulas<'a>(arena: &mut Arena, formulas: impl Iterator<Item 
     }
 }
 
-/// Gives the named subterms of first integrals the names that every document about the model uses.
-/// Must follow [`Derivations::write_names`], which names the equations' subterms.
+/// Assigns names to the named subterms of first integrals. Every document about the model uses
+/// these names. Call [`Derivations::write_names`] first, which names the subterms of the equations.
 pub fn write_integral_names(integrals: &[Integral], derivations: &mut Derivations) {
     let values: Vec<Expr> = integrals.iter().map(|integral| integral.expression).collect();
     define_names_in_part(&mut derivations.kinematics.arena, "integral", &values);

@@ -1,9 +1,10 @@
 //! Vector fields on configuration space, and the momenta that belong to them.
 //!
-//! Noether: along the equations of motion, d/dt (ξ · ∂T/∂q̇) = ξ⁽¹⁾T − ξV + ξ·Q with ξ⁽¹⁾T =
-//! ξ·∂T/∂q + ξ̇·∂T/∂q̇. The momentum is conserved if and only if the right-hand side is identically
-//! zero. The right-hand side contains the forces that work along ξ, and the forces Aᵀλ of motion
-//! constraints for any λ. So a momentum that a constraint changes is not conserved.
+//! Noether's theorem: along the equations of motion, d/dt (ξ · ∂T/∂q̇) = ξ⁽¹⁾T − ξV + ξ·Q with
+//! ξ⁽¹⁾T = ξ·∂T/∂q + ξ̇·∂T/∂q̇. The momentum is conserved if and only if the right-hand side is
+//! identically zero. The right-hand side contains the forces that do work along ξ, and the forces
+//! Aᵀλ of motion constraints for any λ. So a momentum that a constraint force changes is not
+//! conserved.
 
 use super::integral_kind::IntegralKind;
 use crate::algebra::form::normal_form::Normalizer;
@@ -55,7 +56,7 @@ pub struct NoetherTerms {
     pub forces: Vec<Expr>,
     /// Generalized forces Aᵀλ of motion constraints with the multipliers λ, one for each coordinate.
     of_constraints: Vec<Expr>,
-    /// True if V contains a potential of applied loads in addition to gravity's.
+    /// True if V contains a potential of applied loads in addition to that of gravity.
     pub loads_have_potential: bool,
 }
 
@@ -75,7 +76,7 @@ impl NoetherTerms {
         Self { q, q_dot, t_by_q, momenta, v_by_q, forces, of_constraints, loads_have_potential }
     }
 
-    /// True if a generalized force that V does not contain acts along a coordinate.
+    /// True if at least one generalized force is not contained in V and not zero.
     pub fn has_forces(&self) -> bool {
         self.forces.iter().any(|force| *force != Expr::ZERO)
     }
@@ -115,9 +116,9 @@ impl NoetherTerms {
         (0..n).map(|i| VectorField { kind: IntegralKind::Coordinate(i), xi: unit(i) }).collect()
     }
 
-    /// All fields ξ = A q + b with constant A and b whose momenta are conserved, as a basis. They solve
-    /// conditions linear in A and b over the field of the parameters. `None` if the conditions are too
-    /// large to solve.
+    /// Basis of all fields ξ = A q + b, with constant A and b, whose momenta are conserved. A and b
+    /// follow from linear equations whose coefficients depend on the parameters. `None` if these
+    /// equations are too large to solve.
     pub fn affine_fields(
         &self,
         model: &Model,
@@ -133,8 +134,8 @@ impl NoetherTerms {
         self.conserved_fields(model, arena, simplifier, &unknowns)
     }
 
-    /// Fields with conserved momenta among the linear combinations of the given terms with constant
-    /// coefficients, as a basis. `None` if the conditions are too large to solve.
+    /// Basis of the fields with conserved momenta among all linear combinations of the given
+    /// summands with constant coefficients. `None` if the conditions are too large to solve.
     fn conserved_fields(
         &self,
         model: &Model,
@@ -161,12 +162,12 @@ impl NoetherTerms {
         }
         Some(fields)
     }
-    /// Fields e_k + Σ m(q) e_s with conserved momenta, for quasi-cyclic coordinates q_k. The e_s are
-    /// along cyclic coordinates s. The m are sums of the products of sines and cosines that couple them
-    /// with other coordinates.
+    /// Fields e_k + Σ m(q) e_s with conserved momenta, for quasi-cyclic coordinates q_k. The e_s
+    /// are along cyclic coordinates s. Each m(q) is a sum of products of sines and cosines from the
+    /// mass matrix rows of the cyclic coordinates.
     ///
-    /// With the p_s constant, ∂L/∂q_k is the rate of f = −Σ m(q) p_s, so p_k − f is constant. Empty if
-    /// there is no such field, or if the conditions are too large to solve.
+    /// Since the p_s are constant, ∂L/∂q_k is the rate of f = −Σ m(q) p_s, so p_k − f is constant.
+    /// Empty if there is no such field, or if the conditions are too large to solve.
     pub fn quasi_cyclic_fields(
         &self,
         model: &Model,
@@ -178,7 +179,8 @@ impl NoetherTerms {
         if products.is_empty() || cyclic.len() == self.q.len() {
             return Vec::new();
         }
-        // The last components normalize the basis.
+        // The components along single coordinates come last; the basis of the relations is
+        // normalized by its last unknowns.
         let coupled = cyclic.iter().flat_map(|s| products.iter().map(|m| FieldTerm { along: *s, factor: *m }));
         let units = (0..self.q.len()).map(|along| FieldTerm { along, factor: Expr::ONE });
         let unknowns: Vec<FieldTerm> = coupled.chain(units).collect();
@@ -193,7 +195,8 @@ impl NoetherTerms {
         zero_test(arena, gain) == ZeroTest::Zero
     }
 
-    /// Rate ∂(T − V)/∂q_i + Q_i + (Aᵀλ)_i of the generalized momentum of coordinate i.
+    /// Rate of the generalized momentum of coordinate i, without the part Σ ∂T/∂q̇ ξ̇: ∂(T −
+    /// V)/∂q_i + Q_i + (Aᵀλ)_i.
     fn momentum_rate_of_coordinate(&self, arena: &mut Arena, i: usize) -> Expr {
         let pull = arena.neg(self.v_by_q[i]);
         arena.sum(&[self.t_by_q[i], self.forces[i], self.of_constraints[i], pull])
@@ -233,7 +236,8 @@ fn noether_constraint_forces(model: &Model, arena: &mut Arena) -> Vec<Expr> {
     sums.iter().map(|terms| arena.sum(terms)).collect()
 }
 
-/// Adds to `products` the products of one or two sines and cosines that occur in a polynomial `e`.
+/// Collects into `products` the products of one or two sines and cosines that occur in the term
+/// `e`.
 fn collect_noether_factors(arena: &mut Arena, normalizer: &mut Normalizer, e: Expr, products: &mut BTreeSet<Expr>) {
     let Some(form) = normalizer.normal_form(arena, e) else { return };
     for monomial in normalizer.polynomial(&form.numerator).terms.keys() {

@@ -1,8 +1,8 @@
 //! Rigid motions of the whole system, or of a single body, that the constraints permit.
 //!
-//! A field ξ(q) rotates a set of bodies about an axis e through a point S under these conditions.
-//! With q̇ = ξ, every moved frame has ω = e, every moved mass centre has v = e × (r − r_S), and all
-//! other bodies rest. This is a linear system for ξ with more rows than unknowns. The motion is
+//! A field ξ(q) is the rotation of a set of bodies about an axis e through a point S if, with q̇ =
+//! ξ: every moved frame has ω = e, every moved mass centre has v = e × (r − r_S), and all other
+//! bodies are at rest. This is a linear system for ξ with more rows than unknowns. The motion is
 //! permitted if and only if the system is consistent.
 
 use super::integral_kind::{IntegralKind, Pivot};
@@ -28,8 +28,9 @@ struct Motion {
 const MOST_BODIES: usize = 8;
 
 /// Vector fields of all permitted rigid motions. The whole system translates along the inertial
-/// axes, or rotates about them through the mass centre or the origin. Each body does the same about
-/// its mass centre, and rotates about its own axes.
+/// axes, or rotates about them through the mass centre or the origin. Each single body translates
+/// along the inertial axes, rotates about them through its mass centre, or rotates about its own
+/// axes.
 pub fn rigid_motion_fields(model: &Model, kinematics: &mut Kinematics) -> Vec<VectorField> {
     let mut candidates = rigid_motions_of_system(model, kinematics);
     if (2..=MOST_BODIES).contains(&model.bodies.len()) {
@@ -46,8 +47,8 @@ fn rigid_motion_axis(i: usize) -> Vector {
     Vector::in_frame(0, components)
 }
 
-/// Candidate rigid motions of the whole system: three translations, and rotations through the mass
-/// centre and the origin.
+/// Candidate rigid motions of the whole system: three translations, three rotations about axes
+/// through the mass centre, and three about axes through the origin.
 fn rigid_motions_of_system(model: &Model, kinematics: &mut Kinematics) -> Vec<Motion> {
     let mut list = Vec::new();
     for i in 0..3 {
@@ -70,7 +71,7 @@ fn rigid_motions_of_system(model: &Model, kinematics: &mut Kinematics) -> Vec<Mo
     list
 }
 
-/// Candidate rigid motions of a single body, while all other bodies rest.
+/// Candidate rigid motions of a single body, while all other bodies are at rest.
 fn rigid_motions_of_body(model: &Model, body: usize) -> Vec<Motion> {
     let only = |moved: (Vector, Vector)| {
         (0..model.bodies.len()).map(|b| (b == body).then(|| moved.clone())).collect::<Vec<_>>()
@@ -109,7 +110,7 @@ fn mass_centre(model: &Model, kinematics: &mut Kinematics) -> Vector {
     sum
 }
 
-/// Name of a velocity component of a body: body, kind of velocity, frame and axis.
+/// Label of a row: the velocity component of a body that it computes.
 #[derive(Clone, Copy)]
 struct RowLabel {
     /// Index of the body in the model.
@@ -122,20 +123,21 @@ struct RowLabel {
     axis: usize,
 }
 
-/// Linear forms in the rates q̇: components of ω and v of all bodies, and the rates of the loops.
+/// Rows of linear forms in the rates q̇: components of ω and v of all bodies, and the rates of the
+/// loop equations.
 struct Rows {
     /// Velocity component of each row; `None` for the row of a loop.
     labels: Vec<Option<RowLabel>>,
     /// Coefficients of q̇, a row for each velocity component or loop.
     matrix: Vec<Vec<Expr>>,
-    /// Indices of independent rows, one for each coordinate; fewer if the velocities of the bodies do
-    /// not determine q̇.
+    /// Indices of independent rows, as many as there are coordinates. There are fewer if the rows
+    /// do not determine q̇.
     chosen: Vec<usize>,
 }
 
 impl Rows {
-    /// Differentiates the velocities of all bodies, and the loops, by the rates, and selects
-    /// independent rows.
+    /// Computes the rows as derivatives of the bodies' velocities and of the loop equations, and
+    /// selects independent rows.
     fn new(model: &Model, kinematics: &mut Kinematics) -> Self {
         let velocities = kinematics.in_rates.clone();
         let mut partials: Vec<Differential> = model.q_dot().into_iter().map(Differential::partial).collect();
@@ -159,7 +161,8 @@ impl Rows {
                 }
             }
         }
-        // Coordinates tied by loops, such as Euler parameters, outnumber the motions of the bodies.
+        // There are more coordinates than motions of the bodies if loops tie coordinates, as for
+        // Euler parameters.
         for of_loop in &model.loops {
             let Kinematics { arena, simplifier, .. } = &mut *kinematics;
             let row = model.q().into_iter().map(|q| {
@@ -169,7 +172,7 @@ impl Rows {
             labels.push(None);
             matrix.push(row.collect());
         }
-        // Short rows first, so that the solution stays short.
+        // Short rows are preferred, so that the solution is short.
         let arena = &kinematics.arena;
         let mut order: Vec<usize> = (0..matrix.len()).collect();
         order.sort_by_key(|at| arena.reachable(&matrix[*at]).len());
@@ -178,8 +181,8 @@ impl Rows {
         Self { labels, matrix, chosen: chosen.into_iter().map(|at| order[at]).collect() }
     }
 
-    /// Vector field ξ of a rigid motion. `None` if the constraints do not permit the motion, or if ξ is
-    /// zero.
+    /// Vector field ξ of a rigid motion. `None` if the constraints do not permit the motion, if ξ
+    /// is zero, or if the rows do not determine q̇.
     fn rigid_motion_field(&self, model: &Model, kinematics: &mut Kinematics, motion: &Motion) -> Option<VectorField> {
         let n = model.coordinates.len();
         if self.chosen.len() != n {

@@ -1,9 +1,9 @@
-//! Singularity of a mass matrix: zeros of its determinant, above all at the zeros of the kinematic
-//! equations' divisors.
+//! Singularity of a mass matrix: zeros of its determinant, above all at the zeros of the divisors
+//! of the kinematic equations.
 //!
 //! A statement is made only if it is proved for every real state with positive parameters. The
-//! proof uses the range of the determinant's values, or the determinant with the divisor set to
-//! zero. All other cases are left open.
+//! proof uses the range of the determinant, or its value with the divisor set to zero. All other
+//! cases are left open.
 
 use crate::algebra::solve::linear::determinant;
 use crate::algebra::term::calculus::Substitution;
@@ -45,12 +45,12 @@ pub enum DeterminantAtZero {
     Zero,
     /// Determinant is proved not to be zero wherever the divisor is zero.
     NotZero,
-    /// Undecided: the determinant is proved neither zero nor nonzero there.
+    /// Undecided: the determinant is neither proved to be zero nor proved to be nonzero there.
     Open,
 }
 
-/// Determinant of a matrix, and what is proved about its zeros. `None` if the matrix has more than
-/// 8 rows.
+/// Determinant of a matrix, with statements that are proved about its zeros. `None` if the matrix
+/// has more than 8 rows.
 pub fn singularity(model: &Model, kinematics: &mut Kinematics, matrix: &[Vec<Expr>]) -> Option<Singularity> {
     if matrix.len() > MOST_ROWS {
         return None;
@@ -59,7 +59,7 @@ pub fn singularity(model: &Model, kinematics: &mut Kinematics, matrix: &[Vec<Exp
     Some(singularity_of_determinant(model, kinematics, matrix, determinant))
 }
 
-/// Proves statements about the zeros of a matrix's determinant, which is given.
+/// Proves statements about the zeros of the given determinant of a matrix.
 pub fn singularity_of_determinant(
     model: &Model,
     kinematics: &mut Kinematics,
@@ -97,8 +97,8 @@ fn singularity_place(kinematics: &mut Kinematics, matrix: &[Vec<Expr>], determin
     place
 }
 
-/// All zeros of a divisor, each as a list of substitutions. `None` unless every factor that can be
-/// zero is a sine, a cosine or a symbol.
+/// All zeros of a divisor, each as a list of substitutions (term, value). `None` unless every
+/// factor that may be zero is a sine, a cosine or a symbol.
 fn divisor_zeros(arena: &mut Arena, divisor: Expr) -> Option<Vec<Vec<(Expr, Expr)>>> {
     let (_, divisor) = arena.split_content(divisor);
     let factors: Vec<Expr> = match arena.node(divisor) {
@@ -130,7 +130,8 @@ mod tests {
     use crate::diagnostic::Source;
     use crate::mechanics::{Formulation, derive_all};
 
-    /// A ball on an arm, turned by heading q1 and elevation q2, with body speeds that lose q1' where cos q2 = 0.
+    /// A ball on an arm with the heading q1 and the elevation q2. Its speeds are body components,
+    /// which do not determine q1' where cos q2 = 0.
     const GIMBAL: &str = r#"
 name = "Gimbal"
 [parameters]

@@ -31,7 +31,7 @@ impl Maps {
         };
         let rates = &model.kinematic_equations.rates;
         let definitions: Vec<Expr> = model.speeds.iter().map(|s| s.definition).collect();
-        // Time derivatives along the motion, without the terms in accelerations.
+        // Time derivatives along the motion at zero accelerations.
         let along_speeds: Vec<_> = model.q().into_iter().zip(rates.iter().copied()).collect();
         let along_rates: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
         let mut by_speeds = Differential::along(&along_speeds);
@@ -44,7 +44,7 @@ impl Maps {
         }
     }
 
-    /// Substitutions q̇ = W u + w and q̈ = W u̇ + x, as pairs of symbol and value.
+    /// Substitutions of rates by speeds, q̇ = W u + w and q̈ = W u̇ + x, as pairs (symbol, value).
     pub fn rates_in_speeds(&self, model: &Model, arena: &mut Arena) -> Vec<(Expr, Expr)> {
         let rates = model.q_dot().into_iter().zip(model.kinematic_equations.rates.iter().copied());
         let mut relations: Vec<(Expr, Expr)> = rates.collect();
@@ -56,7 +56,7 @@ impl Maps {
         relations
     }
 
-    /// Substitutions u = J q̇ + d and u̇ = J q̈ + y, as pairs of symbol and value.
+    /// Substitutions of speeds by rates, u = J q̇ + d and u̇ = J q̈ + y, as pairs (symbol, value).
     pub fn speeds_in_rates(&self, model: &Model, arena: &mut Arena) -> Vec<(Expr, Expr)> {
         let mut relations: Vec<(Expr, Expr)> = model.speeds.iter().map(|s| (s.symbol, s.definition)).collect();
         let second_rates: Vec<Expr> = model.coordinates.iter().map(|c| c.second_rate).collect();
@@ -67,8 +67,8 @@ impl Maps {
         relations
     }
 
-    /// Rewrites equations in u̇ and further unknowns as equations in q̈ and the further unknowns: A u̇
-    /// = A J q̈ + A y. The fields `unknowns` and `variables` keep the symbols of the speeds.
+    /// Rewrites equations in u̇ as equations in q̈, by A u̇ = A J q̈ + A y. Further unknowns, such
+    /// as reactions, stay. The fields `unknowns` and `variables` keep the symbols of the speeds.
     pub fn to_rates(&self, model: &Model, arena: &mut Arena, equations: &Equations) -> Equations {
         let mut to_rates = speeds_to_rates(model);
         let n = model.speeds.len();
@@ -86,8 +86,8 @@ impl Maps {
         result
     }
 
-    /// Rewrites equations in q̈ and further unknowns as equations in u̇ and the further unknowns: E q̈
-    /// = E W u̇ + E x.
+    /// Rewrites equations in q̈ as equations in u̇, by E q̈ = E W u̇ + E x. Further unknowns, such
+    /// as multipliers, stay.
     pub fn to_speeds(&self, model: &Model, arena: &mut Arena, equations: &Equations) -> Equations {
         let mut to_speeds = rates_to_speeds(model);
         let mut result = equations.clone();
@@ -107,7 +107,7 @@ impl Maps {
     }
 }
 
-/// Transposes a matrix: exchanges its rows and columns.
+/// Transpose of a matrix: its rows become columns.
 pub fn transposed(matrix: &Matrix) -> Matrix {
     (0..matrix.first().map_or(0, Vec::len)).map(|at| column(matrix, at)).collect()
 }

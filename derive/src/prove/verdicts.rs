@@ -6,8 +6,8 @@ use crate::algebra::term::steps::fresh_symbol;
 use crate::algebra::value::zero_test::{ZeroTest, bounded_zero_test};
 use crate::algebra::{Arena, Expr};
 
-/// Product of the numbers of terms and comparisons above which all pairs are compared in a single
-/// sum.
+/// Limit on the product of the number of pairs and the number of their terms. Above it, all pairs
+/// are compared in a single sum.
 const MOST_SINGLE: usize = 2_000_000;
 
 /// Result of the comparison of many pairs of terms: a verdict, and identities.
@@ -21,9 +21,9 @@ pub struct Compared {
 
 /// Compares the two terms of every pair, and gives a single verdict.
 ///
-/// In large systems, whose entries share most subterms, all pairs are compared at once. The sum Σ
-/// w_i d_i of the differences d_i, with a new symbol w_i for each, is zero if and only if all
-/// differences are.
+/// In large systems, whose entries share most subterms, all pairs are compared at once. With the
+/// differences d_i and a new symbol w_i for each, the sum Σ w_i d_i is zero if and only if all d_i
+/// are zero.
 pub fn verdict_on_pairs(arena: &mut Arena, comparer: &mut Comparer, pairs: &[(Expr, Expr)]) -> Compared {
     let differences: Vec<Expr> = pairs.iter().map(|(left, right)| arena.sub(*left, *right)).collect();
     let differences: Vec<Expr> = differences.into_iter().filter(|e| *e != Expr::ZERO).collect();
@@ -59,7 +59,8 @@ pub fn verdict_on_pairs(arena: &mut Arena, comparer: &mut Comparer, pairs: &[(Ex
     Compared { verdict, identities }
 }
 
-/// Combines verdicts: the first that is not "equal", or else "equal" with the weakest proof method.
+/// Combines verdicts: the first verdict other than "equal", else "equal" by the engine with the
+/// largest error bound.
 pub fn combined_verdict(verdicts: impl IntoIterator<Item = Verdict>) -> Verdict {
     let mut engine = Engine::NormalForm;
     for verdict in verdicts {

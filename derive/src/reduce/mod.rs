@@ -1,15 +1,15 @@
 //! Reduction of a scene's equations to the smallest system that gives its outputs. The equations
 //! hold on the level set of the scene's momenta. Variables on which no output depends are left out.
 //!
-//! Every step is exact. Momenta of commuting symmetries remove speeds (`level`). A variable on
-//! which no needed term depends by meaning is left out, and a constant replaces it in formulas
-//! (`slice`). Variables that a symmetry moves together become differences (`relative`). Quantities
-//! that can be computed from the states are computed on request.
+//! Every step is exact. Momenta of commuting symmetries remove speeds (`momentum_level`). A
+//! variable on which no needed term depends by meaning is left out, and a constant replaces it in
+//! formulas (`slice`). Variables that a symmetry moves together become differences (`differences`).
+//! Quantities that can be computed from the states are computed on request.
 //!
-//! The result is an ordinary model with equations, with the momenta among the parameters. So every
-//! program that runs, charts and emits equations accepts it. A reduction contains no start values:
-//! it holds for every start on every level set. The exception is the distance from a singular
-//! surface, because the start decides its side.
+//! The result is an ordinary model with equations, and the momenta are among its parameters. So
+//! every program that runs, plots and emits equations accepts it. A reduction contains no start
+//! values: it holds for every start on every level set. The exception is the distance from a
+//! singular surface, because the start decides its side.
 
 mod basis;
 mod frames;
@@ -36,10 +36,11 @@ use std::cmp::Reverse;
 /// Derives the reduced equations of a scene of a model.
 ///
 /// # Errors
-/// [`DeriveError`] if the model's own equations cannot be derived, if the model has loops or no
-/// speeds, or if an output needs a reaction that they do not determine.
-/// [`DeriveError::ReductionNotProved`] if not even the equations without constant momenta are
-/// proved to give the scene's outputs.
+/// [`DeriveError`] in three cases. The model's own equations cannot be derived. The model has loops
+/// or no speeds. An output needs a reaction that the equations do not determine.
+///
+/// [`DeriveError::ReductionNotProved`] if no choice of momenta is proved to give the scene's
+/// outputs, not even the equations without constant momenta.
 pub fn reduce(model: &Model, scene: &Scene) -> Result<Reduction, DeriveError> {
     ReductionBasis::new(model)?.reduce(scene)
 }
@@ -71,8 +72,8 @@ impl ReductionBasis {
         self.reduce_with(scene, FrameChoice::Inertial)
     }
 
-    /// Derives the reduced equations with the best choice of constant momenta and of a frame, and
-    /// proves them.
+    /// Derives the reduced equations with the best choice of constant momenta and, if allowed, of a
+    /// moving frame. Returns them only if they are proved.
     fn reduce_with(&self, scene: &Scene, frame: FrameChoice) -> Result<Reduction, DeriveError> {
         self.check_is_reducible()?;
         let mut basis = self.clone();
@@ -81,8 +82,8 @@ impl ReductionBasis {
         let wanted = basis.wanted(scene)?;
         let mut best: Option<(ReductionCost, Vec<usize>)> = None;
         let choices = basis.commuting_momenta_of_basis();
-        // A single choice needs no comparison. Choices with most constant momenta come first: they are most
-        // often the best, and the work is limited.
+        // A single choice needs no comparison. Choices with more constant momenta are tried first:
+        // they are best in most cases, and the work is limited.
         let mut compared = if choices.len() > 1 { choices.clone() } else { Vec::new() };
         compared.sort_by_key(|momenta| Reverse(momenta.len()));
         let mut work = SearchWork::default();
@@ -105,14 +106,16 @@ impl ReductionBasis {
             FrameChoice::MayMove => framed.find_frame(&wanted, &choices, &momenta, &mut work),
             FrameChoice::Inertial => None,
         };
-        // Without a frame, the terms of the search are dropped, so that the equations are written as before the search.
+        // Without a frame, the terms that the search created are dropped. So the equations are
+        // written as if there had been no search.
         match framing {
             Some(_) => basis = framed,
             None => basis.kept_by_domain = framed.kept_by_domain,
         }
         let whole = WholeModel { kane: basis.kane.clone(), wanted };
         let plain = |momenta| FrameAndMomenta { momenta, ..FrameAndMomenta::default() };
-        // A choice that is not proved is not used. Without a frame, and without momenta, there is less to prove.
+        // If a choice is not proved, the next one is tried. Without a frame, and then without
+        // momenta, there is less to prove.
         let tried = framing.into_iter().chain([plain(momenta), plain(Vec::new())]);
         let mut found = Err(String::new());
         for choice in tried {
@@ -124,14 +127,14 @@ impl ReductionBasis {
         found.map_err(|what| DeriveError::ReductionNotProved { what })
     }
 
-    /// Cost of the equations on the level set of the given momenta; `None` if the equations are not
-    /// determined.
+    /// Cost of the reduced equations with the given momenta constant; `None` if the equations are
+    /// not determined.
     fn reduction_cost(&mut self, momenta: &[usize], wanted: &WantedOutputs) -> Option<ReductionCost> {
         let wanted = self.replace_by_differences(momenta, wanted.clone());
         let level = self.equations_on_momentum_level(momenta, None)?;
         let (core, integrated, operations) = Slice::new(self, &level, &wanted)?.slice_cost(self);
-        // Among equal costs the choice with most momenta wins: then the energy is more often a function of the kept
-        // variables.
+        // Among equal costs the choice with more constant momenta is better: then the energy is
+        // more often a function of the remaining variables.
         Some((core, integrated, operations, Reverse(momenta.len())))
     }
 
@@ -160,8 +163,7 @@ impl ReductionBasis {
         }
     }
 
-    /// Derives and proves the reduced equations on the level set of a choice's momenta, in the choice's
-    /// frame.
+    /// Derives and proves the reduced equations for a choice of momenta and a frame.
     ///
     /// # Errors
     /// Text of the statement that could not be proved.
@@ -174,8 +176,8 @@ impl ReductionBasis {
         let momenta = &choice.momenta;
         let wanted = self.differences(choice, &whole.wanted);
         let wanted = self.write_in_frame_choice(choice, wanted).ok_or("that the frame is determined")?;
-        // The equations are rewritten in the distance from the singular surface of this choice, unless they are in a
-        // frame.
+        // The equations are rewritten in the distance from the singular surface of this choice,
+        // unless they are in a moving frame.
         let mut trial = self.clone();
         let place = if self.frame.is_some() { None } else { Some(()) };
         let place = place
@@ -195,6 +197,7 @@ impl ReductionBasis {
     }
 }
 
-/// Criteria by which choices of momenta are compared, in this order: numbers of states, of
-/// integrated variables, of operations and of constant momenta (most first).
+/// Cost of a choice of momenta: numbers of states, of integrated variables and of operations, then
+/// the number of constant momenta. Choices are compared in this order; more constant momenta are
+/// better.
 type ReductionCost = (usize, usize, usize, Reverse<usize>);

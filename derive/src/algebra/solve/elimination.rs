@@ -1,7 +1,7 @@
 //! Elimination for generated code: linear systems with symmetric or general matrices are solved in
 //! the arena. The module is separate from `block_systems`, which divides by determinants of blocks.
-//! It is also separate from `linear`, which solves systems without named entries, and from
-//! `reduce::pivots`, which solves rows for a part of the columns.
+//! It is also separate from `linear`, which solves systems without named entries. The module
+//! `solved_rows` of reductions solves rows for a part of the columns.
 //!
 //! The method is Gaussian elimination in an order that keeps the fill-in low, with every entry in
 //! its short form. Short entries are written out, so that terms that are identically zero

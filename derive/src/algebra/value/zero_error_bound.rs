@@ -1,11 +1,12 @@
-//! Probability that a zero test wrongly reports zero, bounded by degrees and sizes of polynomials.
+//! Probability that a zero test wrongly reports zero. It is bounded by degrees and sizes of
+//! polynomials.
 //!
 //! Every term is N / (d ΠB). N is a polynomial with integer coefficients, in the symbols and in the
 //! parameter t of each base angle. d is an integer, and B are the divisors.
+//!
 //! A polynomial N that is not zero vanishes at a random point modulo p with a probability of at
-//! most degree(N)/p (Schwartz 1980, Zippel 1979). It vanishes modulo a random prime altogether only
-//! if the prime divides all coefficients. Each coefficient has at most log₂|N|/60 prime factors of
-//! 60 bits.
+//! most degree(N)/p (Schwartz 1980, Zippel 1979). All its coefficients vanish only modulo a prime
+//! that divides them all. A coefficient has at most log₂|N|/60 prime factors of 60 bits.
 
 use super::residues::POINTS;
 use crate::algebra::term::elementary::{angle_atoms, is_exponential};
@@ -24,26 +25,26 @@ struct PolynomialBound {
     bits: f64,
     /// Upper bound of the base-2 logarithm of the integer d.
     denominator_bits: f64,
-    /// Integer d itself, so that common denominators are not counted twice; `None` if it does not
-    /// fit a word.
+    /// Integer d, for finding common denominators; `None` if it does not fit a 64-bit integer.
     denominator: Option<u64>,
     /// Divisors B, as pairs (term, exponent).
     divisors: Vec<(Expr, f64)>,
 }
 
-/// Lower bound of log₂ of the number of primes between 2^60 and 2^61 that are 23 modulo 24. π(2^61)
-/// − π(2^60) > 2^60/43 (Rosser and Schoenfeld 1962). One in φ(24) = 8 of these primes qualifies,
-/// and a factor of 4 is left to spare.
+/// Lower bound of log₂ of the number of primes between 2^60 and 2^61 that are 23 modulo 24. There
+/// are π(2^61) − π(2^60) > 2^60/43 primes in this interval (Rosser and Schoenfeld 1962). One in
+/// φ(24) = 8 of these primes qualifies, and a factor of 4 is a margin.
 const LOG_PRIMES: f64 = 60.0 - 5.43 - 3.0 - 2.0;
 
-/// Exponent k for which a false zero of the term `e` has a probability below 2^−k. It is 0 if there
-/// is no bound.
-/// The test uses two primes and two points for each. `finest` has the least common denominator of
-/// the coefficients of each atom inside angles.
+/// Exponent k of a bound on errors: the term `e` is wrongly found zero with a probability below
+/// 2^−k. It is 0 if there is no bound.
+///
+/// The bound is that of a zero test with two primes and two points for each. `finest` has the least
+/// common denominator of the coefficients of each atom inside angles.
 pub fn false_zero_exponent(arena: &Arena, needed: &FoldOrder, finest: &FxHashMap<Expr, i64>, e: Expr) -> f64 {
     let Some(sizes) = needed.fold(arena, &mut PolynomialBoundRules { arena, finest }) else { return 0.0 };
     let size = &sizes[e];
-    // Sine and cosine have degree 2 in t, and twice the size.
+    // Sines and cosines have degree 2 in t, and their coefficients are twice as large.
     let degree = (2.0 * size.degree).max(1.0);
     let bits = (size.bits + 2.0 * size.degree).max(1.0);
     let points = f64::from(u32::try_from(POINTS / 2).unwrap_or(1));
@@ -77,12 +78,11 @@ fn bound_of_number(value: &Rational) -> PolynomialBound {
     PolynomialBound { bits, denominator_bits, denominator, ..PolynomialBound::default() }
 }
 
-/// Rules that bound the polynomials of each term. `finest` has the least common denominator of the
-/// coefficients of each atom inside angles.
+/// Rules that bound the polynomials of each term.
 struct PolynomialBoundRules<'a> {
     /// Arena of the terms.
     arena: &'a Arena,
-    /// Least common denominator of the coefficients of each atom inside angles; an angle is a sum Σ
+    /// Least common denominator of the coefficients of each atom inside angles. An angle is a sum Σ
     /// k · atom.
     finest: &'a FxHashMap<Expr, i64>,
 }
@@ -112,15 +112,16 @@ impl Fold for PolynomialBoundRules<'_> {
     fn apply(&mut self, f: Function, argument: Expr, of: &Values<'_, PolynomialBound>) -> Option<PolynomialBound> {
         let inner = &of[argument];
         if !matches!(f, Function::Sin | Function::Cos) && !is_exponential(f) {
-            // The polynomial of a square root has twice the degree; other functions are atoms.
+            // The square of a square root has twice its degree. Other functions are independent
+            // atoms.
             return Some(PolynomialBound {
                 degree: 2.0 * inner.degree + 1.0,
                 bits: 2.0 * inner.bits + 1.0,
                 ..inner.clone()
             });
         }
-        // k · atom is k · d base angles, where d is the common denominator of all k of this atom. A
-        // d of 0 means that the denominator is too large.
+        // k · atom is k · d base angles, where d is the common denominator of all coefficients of
+        // this atom. The denominator 0 stands for one that is too large.
         let multiples = angle_atoms(self.arena, argument).into_iter().map(|(atom, k)| match self.finest.get(&atom) {
             Some(0) | None => f64::INFINITY,
             Some(d) => k.to_f64().abs() * *d as f64,

@@ -1,20 +1,22 @@
 //! Zero test of terms, in whatever form they are written: exact evaluation modulo random primes.
 //!
-//! Symbols get random residues (squares where the symbol is known to be positive). Each angle gets
-//! a random point of the unit circle (s = 2t/(1+t²), c = (1−t²)/(1+t²)), and multiples of π/12
-//! their exact values. A square root gets the residue that is itself a square, so that √a·√b =
-//! √(ab). The power of e to each base exponent gets a random residue, from which exp, sinh, cosh
-//! and tanh are computed.
-//! All arithmetic is modulo a 61-bit prime, so nothing is rounded. Primes and points come from a
-//! generator seeded with the compared terms, names included. So builds repeat, and a formula cannot
-//! be aimed at a fixed prime.
+//! Symbols get random residues; positive symbols get squares. Each base angle gets a random point
+//! of the unit circle (s = 2t/(1+t²), c = (1−t²)/(1+t²)), and multiples of π/12 get their exact
+//! values. A square root gets the residue that is itself a square, so that √a·√b = √(ab). The power
+//! of e to each base exponent gets a random residue, from which exp, sinh, cosh and tanh are
+//! computed.
 //!
-//! A non-zero residue proves that an expression of these atoms is not zero. Zero residues at every
-//! point leave an error bound ([`bounded_zero_test`]). With m square roots a wrong pattern of signs
-//! shows at one point in 2^m at worst. So the number of points is multiplied, and beyond four roots
-//! no bound is claimed.
-//! Other functions are taken as independent atoms. With them a non-zero residue proves nothing, and
-//! the answer is [`ZeroTest::Undecided`].
+//! All arithmetic is modulo a 61-bit prime, so nothing is rounded. Primes and points come from a
+//! generator seeded with the compared terms, names included. So every run gives the same result,
+//! and no formula can be made to pass by the choice of a fixed prime.
+//!
+//! A non-zero residue proves that an expression of these atoms is not zero. If the residues are
+//! zero at every point, there is an error bound ([`bounded_zero_test`]). With m square roots, a
+//! wrong pattern of signs may show at only one point in 2^m. So the number of points is multiplied,
+//! and beyond four roots no bound is claimed.
+//!
+//! Other functions are taken as independent atoms. If they occur, a non-zero residue proves
+//! nothing, and the answer is [`ZeroTest::Undecided`].
 
 use super::field::Field;
 use super::residues::{POINTS, ResiduePoint, angle_denominators, residue_generator, residues_at_point};
@@ -23,10 +25,11 @@ use crate::algebra::term::elementary::{angle_atoms, is_exponential};
 use crate::algebra::term::fold::FoldOrder;
 use crate::algebra::{Arena, Expr, Function, Node};
 
-/// Number of points for terms with square roots, doubled for each root. A wrong pattern of m signs
-/// may show at only one point in 2^m: (1 − 2^−m)^(44·2^m) < 2^−63.
+/// Number of points for terms with square roots, to be doubled for each root. A wrong pattern of
+/// the signs of m roots may show at only one point in 2^m. It is overlooked with a probability of
+/// (1 − 2^−m)^(44·2^m) < 2^−63.
 const POINTS_WITH_ROOTS: usize = 44;
-/// Largest number of square roots in a term for which a zero has an error bound.
+/// Largest number of square roots in a term for which the result "zero" has an error bound.
 const MOST_ROOTS: u32 = 4;
 /// Largest number of term evaluations in one zero test.
 const WORK: usize = 4_000_000;
@@ -34,7 +37,8 @@ const WORK: usize = 4_000_000;
 /// Result of testing if a term is zero for all values of its symbols.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ZeroTest {
-    /// The term is zero at every random point; see `bounded_zero_test` for the error bound.
+    /// The term is zero at every random point. The function [`bounded_zero_test`] also gives the
+    /// error bound.
     Zero,
     /// The term is proved not to be zero everywhere.
     NonZero,
@@ -52,8 +56,8 @@ pub struct Trial {
     pub seed: u64,
 }
 
-/// Points at which [`zero_test`] evaluates the term `e` and finds zero, in order. Empty for a
-/// number or a symbol.
+/// Points at which [`zero_test`] evaluates the term `e` and finds zero, in the order of the test.
+/// Empty for a number or a symbol.
 #[must_use]
 pub fn zero_test_points(arena: &Arena, e: Expr) -> Vec<Trial> {
     let mut list = Vec::new();
@@ -67,7 +71,8 @@ pub fn zero_test(arena: &Arena, e: Expr) -> ZeroTest {
     zero_test_at(arena, e, &mut |_| {})
 }
 
-/// Tests a term like [`zero_test`], and passes each point at which the term is zero to `found`.
+/// Tests a term in the same way as [`zero_test`]. Each point at which the term is zero is passed to
+/// the function `found`.
 fn zero_test_at(arena: &Arena, e: Expr, found: &mut dyn FnMut(Trial)) -> ZeroTest {
     match arena.node(e) {
         Node::Number(value) => return if value.is_zero() { ZeroTest::Zero } else { ZeroTest::NonZero },
@@ -81,19 +86,19 @@ fn zero_test_at(arena: &Arena, e: Expr, found: &mut dyn FnMut(Trial)) -> ZeroTes
     let denominators = angle_denominators(arena, parts);
     let mut generator = residue_generator(arena, &needed);
     let mut evaluated = 0;
-    // √x² is x or −x with equal probability, so each point detects a wrong sign with probability
-    // 1/2 only.
+    // The residue of √x² is x or −x with equal probability, so a point detects a wrong sign with
+    // probability 1/2 only.
     let all_roots = count_roots_for_zero_test(arena, parts);
     let roots = all_roots.min(MOST_ROOTS);
     let wanted = if roots == 0 { POINTS } else { POINTS_WITH_ROOTS << roots };
-    // The sign of the root of a number depends on the prime alone; then each point has a prime of
-    // its own.
+    // The sign of the root of a number depends on the prime alone. If there are such roots, each
+    // point has its own prime.
     let primes = if roots > 0 && has_roots_of_numbers(arena, parts) { 1 } else { 8 };
-    // The second field is drawn only when needed: most differences show at the first point.
+    // The second field is drawn only when needed, since most differences show at the first point.
     let mut field = Field::random(&mut generator);
     let mut is_second = false;
-    // A point where a root or an inverse does not exist is drawn again. Each root rejects half of
-    // all points, so that many roots leave none.
+    // If a root or an inverse does not exist at a point, another point is drawn. Each root rejects
+    // half of all points, so for many roots no point may be left.
     let attempts = (WORK / parts.len()).clamp(8, 400 * wanted);
     if 1_usize.checked_shl(all_roots).is_none_or(|needed| needed > attempts) {
         return ZeroTest::Undecided;
@@ -121,8 +126,8 @@ fn zero_test_at(arena: &Arena, e: Expr, found: &mut dyn FnMut(Trial)) -> ZeroTes
     ZeroTest::Undecided
 }
 
-/// Tests a term like [`zero_test`]. The second value is an exponent k: a reported zero is wrong
-/// with a probability below 2^−k.
+/// Tests a term in the same way as [`zero_test`]. Returns the result and an exponent k: the result
+/// "zero" is wrong with a probability below 2^−k.
 #[must_use]
 pub fn bounded_zero_test(arena: &Arena, e: Expr) -> (ZeroTest, f64) {
     let needed = FoldOrder::new(arena, &[e]);
@@ -140,8 +145,8 @@ pub fn bounded_zero_test(arena: &Arena, e: Expr) -> (ZeroTest, f64) {
     }
 }
 
-/// Number of different square roots, absolute values and signs among the given terms. An absolute
-/// value and a sign of the same argument count once.
+/// Number of different square roots, absolute values and signs among the given terms. The absolute
+/// value and the sign of one argument count as one.
 pub(in crate::algebra) fn count_roots_for_zero_test(arena: &Arena, parts: &[Expr]) -> u32 {
     let mut arguments: Vec<(bool, Expr)> = parts
         .iter()
@@ -156,8 +161,8 @@ pub(in crate::algebra) fn count_roots_for_zero_test(arena: &Arena, parts: &[Expr
     u32::try_from(arguments.len()).unwrap_or(u32::MAX)
 }
 
-/// True if a square root, absolute value or sign of a constant (a term without symbols) occurs
-/// among the given terms.
+/// True if the given terms contain a square root, absolute value or sign of a constant, which is a
+/// term without symbols.
 fn has_roots_of_numbers(arena: &Arena, parts: &[Expr]) -> bool {
     parts.iter().any(|p| match arena.node(*p) {
         Node::Apply(Function::Sqrt | Function::Abs | Function::Sign, argument) => {
@@ -197,14 +202,15 @@ pub fn has_roots(arena: &Arena, parts: &[Expr]) -> bool {
     parts.iter().any(root)
 }
 
-/// True if all algebraic relations between the atoms of the given terms are known, so that a
-/// non-zero residue is a proof.
+/// True if all algebraic relations between the atoms of the given terms are known. Then a non-zero
+/// residue proves that a term is not zero.
 ///
 /// Symbols are independent of one another, of π and of any single transcendental number. So are
 /// sines of base angles and powers of e to base exponents, as long as angles and exponents are
 /// polynomials (Ax 1971). Square roots are evaluated and are not atoms.
-/// False for all other functions, for sines of numbers together with π elsewhere, and for multiples
-/// of π whose sines are not roots.
+///
+/// False if other functions occur. False also for sines of numbers if π occurs outside of angles,
+/// and for multiples of π whose sines are not roots.
 #[must_use]
 pub fn zero_test_is_proof(arena: &Arena, parts: &[Expr]) -> bool {
     let (mut pi_outside, mut numbers_inside) = (false, false);
@@ -241,7 +247,7 @@ pub fn zero_test_is_proof(arena: &Arena, parts: &[Expr]) -> bool {
     !(pi_outside && numbers_inside)
 }
 
-/// True if the term `e` is the argument of a sine or cosine among the terms `parts`.
+/// True if the term `e` is the argument of a sine or cosine in the list `parts`.
 fn is_angle(arena: &Arena, parts: &[Expr], e: Expr) -> bool {
     parts.iter().any(|p| matches!(arena.node(*p), Node::Apply(Function::Sin | Function::Cos, inner) if *inner == e))
 }

@@ -1,8 +1,8 @@
 //! Minors of a constraint matrix and their common zeros: the poses in which constraints lose rank.
 //!
 //! A matrix has fewer than r independent rows exactly where all its r × r minors are zero (J. M.
-//! Selig, *Geometric Fundamentals of Robotics*, 2nd edition (2005), § 4.6). The minors are expanded
-//! without a division. Blocks of rows that share no column are treated apart: the whole matrix
+//! Selig, *Geometric Fundamentals of Robotics*, 2nd edition (2005), § 4.6). The minors are computed
+//! without divisions. Blocks of rows that share no column are treated separately: the whole matrix
 //! loses rank where one of its blocks does.
 
 use crate::algebra::form::simplify::Simplifier;
@@ -14,7 +14,7 @@ use crate::algebra::{Arena, Expr, Node};
 use crate::mechanics::divisor_without_number;
 use rustc_hash::FxHashSet;
 
-/// Largest number of rows of a minor that is expanded.
+/// Largest number of rows of a minor that is computed as a formula.
 const MOST_ROWS: usize = 4;
 /// Largest number of minors of one block of rows.
 const MOST_MINORS: usize = 200;
@@ -23,19 +23,19 @@ const MOST_FORMULAS: usize = 20;
 /// Largest number of characters of a formula that a proof shows.
 const LONGEST: usize = 120;
 
-/// Matrix of constraints, with known properties of its entries: default values and terms that are
-/// zero.
+/// Matrix of constraints, with data that proofs use: default values, loop equations and
+/// coordinates.
 pub struct Matrix<'a> {
     /// Rows of the matrix: the coefficients of the rates in each constraint.
     pub rows: &'a [Vec<Expr>],
-    /// Number of rows at the beginning that are independent in most poses. The later rows follow from
-    /// these, except in single poses.
+    /// Number of rows at the beginning that are independent in most poses. The later rows depend on
+    /// these rows, except in single poses.
     pub rank: usize,
     /// Symbols of the parameters with their default values, in SI units.
     pub known: &'a [(Expr, f64)],
     /// Left sides of the loop equations: terms that are zero in every closed pose.
     pub loops: &'a [Expr],
-    /// Symbols of the coordinates; other symbols are constant.
+    /// Symbols of the coordinates. All other symbols are constant.
     pub places: &'a [Expr],
 }
 
@@ -44,8 +44,8 @@ pub struct RankLossSurfaces {
     /// Formulas that are all zero exactly in the poses where rank is lost. Empty if it is proved that
     /// no such pose exists.
     pub all_zero: Vec<Expr>,
-    /// Sentences that name a term that is never zero. Each proves that one block of the matrix never
-    /// loses rank.
+    /// Sentences, one for each block of the matrix that never loses rank. Each names a term that is
+    /// never zero.
     pub never: Vec<String>,
     /// Factors without coordinates that a proof assumes nonzero because they are nonzero at the default
     /// values.
@@ -82,8 +82,8 @@ pub fn common_zeros_of_minors(arena: &mut Arena, matrix: &Matrix<'_>) -> Option<
     Some(found)
 }
 
-/// Formulas that are all zero exactly where all formulas of at least one of the sets are zero:
-/// their products. `None` if there are too many products.
+/// Combines sets of formulas into one set. Its formulas are all zero exactly where all formulas of
+/// at least one given set are zero: they are products. `None` if there are too many products.
 fn products_of_minor_sets(arena: &mut Arena, sets: Vec<Vec<Expr>>) -> Option<Vec<Expr>> {
     let mut all: Vec<Expr> = Vec::new();
     for set in sets {
@@ -103,11 +103,12 @@ fn products_of_minor_sets(arena: &mut Arena, sets: Vec<Vec<Expr>>) -> Option<Vec
     Some(all)
 }
 
-/// Block of a constraint matrix: rows that share columns and no column with other rows.
+/// Block of a constraint matrix: rows that are connected by common columns and share no column with
+/// other rows.
 struct Part {
     /// Indices of the rows of the block.
     rows: Vec<usize>,
-    /// Indices of the columns in which the rows have entries.
+    /// Indices of the columns in which rows of the block have entries.
     columns: Vec<usize>,
     /// Number of rows of the block that are independent in most poses.
     rank: usize,
@@ -181,8 +182,8 @@ fn minor(arena: &mut Arena, rows: &[Vec<Expr>], chosen: &[usize], columns: &[usi
     arena.sum(&terms)
 }
 
-/// Factors of a minor that may be zero in a pose, each with the power 1. Factors without
-/// coordinates that are nonzero at the default values are left out and added to `taken`.
+/// Factors of a minor that may be zero in a pose, each with the power 1. A factor without
+/// coordinates is left out if it is nonzero at the default values; it is then added to `taken`.
 fn moving_factors(arena: &mut Arena, matrix: &Matrix<'_>, minor: Expr, taken: &mut Vec<Expr>) -> Vec<(Expr, i32)> {
     let minor = contract_products(arena, minor);
     let minor = divisor_without_number(arena, minor);
@@ -226,9 +227,9 @@ fn product(arena: &mut Arena, factors: &[(Expr, i32)]) -> Expr {
     arena.try_product(factors).expect("positive powers")
 }
 
-/// Proves that terms are never zero at once, and returns the proof in words; `None` if no proof is
-/// found. Either one term is never zero, or the sum of all squares is never zero. A multiple of a
-/// term that is zero in closed poses may be subtracted from the sum.
+/// Proves that the given terms are never all zero, and returns the proof in words. Either one term
+/// is never zero, or the sum of all squares is never zero. A multiple of a loop equation, which is
+/// zero in closed poses, may be subtracted from the sum. `None` if no proof is found.
 fn prove_minors_not_all_zero(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -256,14 +257,16 @@ fn prove_minors_not_all_zero(
     })
 }
 
-/// Sentence that a term is never 0; `what` names the term. A long formula is left out.
+/// Sentence which says that a term is never 0; `what` describes the term. A long formula is not
+/// shown.
 fn nonzero_minor_sentence(arena: &Arena, what: &str, e: Expr) -> String {
     let formula = print_text(arena, e);
     if formula.len() > LONGEST { format!("{what} is never 0") } else { format!("{what}, {formula}, is never 0") }
 }
 
-/// True if a term is proved nonzero in every pose by its range, or if it has no coordinates and is
-/// nonzero at the default values. In the second case the term is added to `taken`.
+/// True if a term is nonzero in every pose. This is proved by its range, or the term has no
+/// coordinates and is nonzero at the default values. In the second case the term is added to
+/// `taken`.
 fn is_nonzero(arena: &Arena, matrix: &Matrix<'_>, e: Expr, taken: &mut Vec<Expr>) -> bool {
     if range_excludes_zero(arena, e) {
         return true;
@@ -274,8 +277,8 @@ fn is_nonzero(arena: &Arena, matrix: &Matrix<'_>, e: Expr, taken: &mut Vec<Expr>
     is_taken
 }
 
-/// Sum less the multiple of another sum that cancels one of their common terms. `None` if they have
-/// no common term.
+/// Difference of the sum `sum` and a multiple of the sum `other`, in which a common term of both
+/// cancels. `None` if they have no common term.
 fn minor_sum_less_multiple(arena: &mut Arena, simplifier: &mut Simplifier, sum: Expr, other: Expr) -> Option<Expr> {
     let terms = |arena: &Arena, e: Expr| match arena.node(e) {
         Node::Sum(_, terms) => terms.to_vec(),

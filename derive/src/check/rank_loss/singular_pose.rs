@@ -8,26 +8,27 @@ use nalgebra::DMatrix;
 
 /// Largest number of unknowns (coordinates and components of λ) for which poses are searched.
 const MOST_UNKNOWNS: usize = 120;
-/// Singular value below which a rank is lost, for rows scaled to length 1. It allows for the
-/// rounding of a double root.
+/// Singular value below which the constraint matrix loses rank, with rows scaled to length 1. It
+/// allows for the rounding error of a double root.
 const LOST: f64 = 1e-5;
 
 /// Largest absolute value of the random instants of driven mechanisms, s.
 const SECONDS: f64 = 10.0;
-/// Residual up to which an equation whose derivatives vanish in the pose counts as satisfied; it
+/// Residual up to which an equation counts as satisfied if its derivatives are zero in the pose. It
 /// allows for rounding.
 const FLAT: f64 = 1e-14;
 
 /// Result of the search for a pose in which constraints lose rank.
 pub struct PoseSearch {
-    /// Pose with rank loss, as (coordinate, value) with the instant last if it matters, and the rank in
-    /// that pose. `None` if none was found.
+    /// Pose with rank loss, as (list of (coordinate, value), rank in that pose). The instant is the
+    /// last entry if the pose depends on time. `None` if no such pose was found.
     pub pose: Option<(Vec<(String, f64)>, usize)>,
     /// Number of random poses from which the search started.
     pub tries: usize,
 }
 
-/// Constraint matrix of a model whose first `rank` rows are independent, except in single poses.
+/// Search for poses in which the constraint matrix of a model loses rank. The first `rank` rows are
+/// independent, except in single poses.
 pub struct SingularPoseSearch<'a> {
     /// Model that the constraints belong to.
     pub model: &'a Model,
@@ -35,7 +36,7 @@ pub struct SingularPoseSearch<'a> {
     pub rows: &'a [Vec<Expr>],
     /// Number of leading rows that are independent in most poses.
     pub rank: usize,
-    /// Indices of the coordinates that the columns of the matrix belong to.
+    /// Indices of the coordinates to which the columns of the matrix belong.
     pub columns: &'a [usize],
     /// Symbols of the parameters with their default values, in SI units.
     pub known: &'a [(Expr, f64)],
@@ -44,8 +45,8 @@ pub struct SingularPoseSearch<'a> {
 }
 
 impl SingularPoseSearch<'_> {
-    /// Searches for a closed pose in which the rows lose rank. The result has no pose if none was found
-    /// or if there are too many unknowns.
+    /// Searches for a closed pose in which the rows lose rank. The result contains no pose if none
+    /// was found or if there are too many unknowns.
     pub fn search_singular_pose(&self, arena: &mut Arena) -> PoseSearch {
         let nothing = PoseSearch { pose: None, tries: 0 };
         let Self { model, columns, .. } = *self;
@@ -80,15 +81,16 @@ impl SingularPoseSearch<'_> {
             Some((q, rank))
         });
         let singular: Vec<(&Vec<f64>, usize)> = ranks.collect();
-        // Instants from 0 on are preferred: most motions start at 0.
+        // Instants t ≥ 0 are preferred, because most motions start at 0.
         let later = singular.iter().find(|(q, _)| time.is_none() || q[columns.len()] >= 0.0);
         let named = |q: &[f64]| places.iter().zip(q).map(|(at, x)| (model.coordinates[*at].name.clone(), *x)).collect();
         let pose = later.or(singular.first()).map(|(q, rank)| (named(q), *rank));
         PoseSearch { pose, tries: poses.tries() }
     }
 
-    /// Equations of the search, as terms to be made zero: the closed loops, and Aᵀ λ = 0 for as many
-    /// orthonormal λ as the loss of rank requires. Also returns the symbols of all components of λ.
+    /// Equations of the search, as terms that must be zero. They are the loop equations, and Aᵀ λ =
+    /// 0 for as many orthonormal λ as the loss of rank requires. Returns the equations and the
+    /// symbols of all components of λ.
     fn equations(&self, arena: &mut Arena) -> (Vec<Expr>, Vec<Expr>) {
         let mut equations = self.closed.to_vec();
         let vectors = self.rows.len() - self.rank + 1;
@@ -122,7 +124,8 @@ impl SingularPoseSearch<'_> {
         }
         for mut row in matrix.row_iter_mut() {
             let size = row.norm();
-            // A row that is zero within rounding is not scaled: it counts as lost.
+            // A row that is zero within rounding is not scaled, so that it does not count as
+            // independent.
             if size > LOST {
                 row /= size;
             }

@@ -1,8 +1,8 @@
-//! Constants in place of products of parameters and numbers.
+//! Constants that replace products of parameters and numbers in reduced equations.
 //!
-//! The start of a motion determines these constants, so they are computed once and not in every
-//! call of the equations. For example, with a constant u₃, 2 u₃ sin q₂ becomes c sin q₂ with c = 2
-//! u₃.
+//! The start of a motion determines these constants. So they are computed once, not at every
+//! evaluation of the equations. For example, if u₃ is constant, 2 u₃ sin q₂ becomes c sin q₂ with c
+//! = 2 u₃.
 
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::term::steps::fresh_symbol;
@@ -19,7 +19,8 @@ pub struct Hoist {
 
 impl Hoist {
     /// Replaces every factor of parameters and numbers in a term by a constant, if that saves a
-    /// multiplication. The result is proved equal; else the term is returned unchanged.
+    /// multiplication. Returns the new term, which is proved equal to `e`. If the proof fails, `e`
+    /// is returned and no constant is added.
     pub fn apply(&mut self, arena: &mut Arena, parameters: &[Expr], e: Expr) -> Expr {
         let before = self.constants.len();
         let mut map: FxHashMap<Expr, Expr> = FxHashMap::default();
@@ -42,8 +43,8 @@ impl Hoist {
             };
             map.insert(part, new);
         }
-        // With the products put back, the term must be equal to the given one. If not proved equal, no constant is
-        // used.
+        // If each constant is replaced by its product, the term must equal the given term.
+        // Otherwise no constant is used.
         let written = Substitution::new(&self.constants).apply(arena, map[&e]);
         let difference = arena.sub(written, e);
         if zero_test(arena, difference) == ZeroTest::Zero {
@@ -53,8 +54,8 @@ impl Hoist {
         e
     }
 
-    /// Writes k · term as another term times a factor, with a constant in it if that saves a
-    /// multiplication. `map` gives rewritten subterms.
+    /// Writes k · term as a pair (new term, factor). The new term contains a constant if that saves
+    /// a multiplication. `map` has the rewritten subterms.
     fn term(
         &mut self,
         arena: &mut Arena,
@@ -92,7 +93,7 @@ impl Hoist {
     }
 }
 
-/// Name of a constant after its product: `u3_times_2` for 2 u₃, `k_per_m` for k/m,
+/// Name of a constant, made from its product: `u3_times_2` for 2 u₃, `k_per_m` for k/m,
 /// `l_squared_m_times_4_by_3` for 4/3 l² m.
 fn hoisted_constant_name(arena: &Arena, factors: &[(Expr, i32)], k: &Rational) -> String {
     let word = |(base, n): &(Expr, i32)| {

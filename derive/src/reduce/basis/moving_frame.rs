@@ -1,8 +1,8 @@
-//! Moving frame of equations, in which symmetries keep chosen states at zero.
+//! Moving frame of equations: with it, symmetries keep chosen states at zero.
 //!
-//! A symmetry ζ(x) maps solutions of x' = f(x) to solutions. So with numbers ε(y), the motion y' =
-//! f(y) + Σ ε ζ(y) is at every instant a solution x, transformed by symmetries. Every quantity that
-//! no ζ changes is equal in x and y.
+//! A symmetry ζ(x) maps solutions of x' = f(x) to solutions. So with numbers ε(y), a solution of y'
+//! = f(y) + Σ ε ζ(y) is at every instant a solution x, transformed by symmetries. Every quantity
+//! that no ζ changes is equal in x and y.
 //!
 //! As many states are pinned (kept at zero) as there are symmetries. This is possible if the matrix
 //! of the ζ's components at the pinned states has full rank. Then the pinned states leave the
@@ -17,9 +17,9 @@ use crate::mechanics::{Equations, SolvedAccelerations};
 pub struct FrameSymmetry {
     /// Description of the motion along the symmetry, in words, such as a translation along an axis.
     pub words: String,
-    /// Components of ζ for each state of the equations, q then u, as terms in these states.
+    /// Components of ζ for the states of the equations, q then u, as terms in these states.
     pub along: Vec<Expr>,
-    /// Components of ζ for each of the model's own states, q then u, as terms in them.
+    /// Components of ζ for the states of the model, q then u, as terms in the states of the model.
     pub of_model: Vec<Expr>,
 }
 
@@ -34,12 +34,13 @@ pub struct PinnedFrame {
     pub rates: Vec<Expr>,
     /// Summand Σ ε ζ that the frame adds to the rate of each state.
     pub added: Vec<Expr>,
-    /// Divisors of the frame's velocities ε. The frame is singular where a divisor is zero.
+    /// Divisors of the frame's velocities ε. The frame is singular at states where a divisor is
+    /// zero.
     pub divisors: Vec<Expr>,
 }
 
-/// Solved rates q̇, then u̇, of equations as terms in q and u that share subterms. `None` if the
-/// accelerations are not determined.
+/// Rates q̇, then u̇, of the given equations, as terms in q and u. `None` if the equations do not
+/// determine the accelerations.
 pub fn solved_rates(arena: &mut Arena, kane: &Equations) -> Option<Vec<Expr>> {
     let mut solved = Substitution::default();
     for step in SolvedAccelerations::steps(arena, kane).ok()? {

@@ -1,4 +1,5 @@
-//! Text with formulas, as data: plain output prints the formulas, and a page typesets them.
+//! Text with formulas, as data. Plain output prints the formulas in plain characters; a web page
+//! typesets them.
 
 use crate::algebra::text::print::print_text;
 use crate::algebra::{Arena, Expr};
@@ -25,14 +26,15 @@ impl Prose {
         Self(vec![Piece::Term(e)])
     }
 
-    /// Appends words, a term, an equation or another text, and returns the longer text.
+    /// Appends words, a term, an equation or another text to the text. Returns the longer text.
     #[must_use]
     pub fn append_prose(mut self, more: impl Into<Self>) -> Self {
         self.0.extend(more.into().0);
         self
     }
 
-    /// Text in plain characters, formulas included. `arena` contains its terms.
+    /// Text in plain characters, with its formulas printed. `arena` must contain the terms of the
+    /// text.
     #[must_use]
     pub fn text(&self, arena: &Arena) -> String {
         let piece = |piece: &Piece| match piece {

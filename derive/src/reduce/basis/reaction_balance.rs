@@ -1,7 +1,8 @@
-//! Reactions as terms in q, u and u̇, from the balances of the bodies.
+//! Reactions as terms in q, u and u̇, from the balances of forces and torques on the bodies.
 //!
-//! Balances along the reactions come before those along axes of frames. In them a reaction has the
-//! factor 1, so no cosine that may become zero in the motion becomes a divisor.
+//! The first equations are the balances along the reactions, then follow those along axes of
+//! frames. In the first ones a reaction has the coefficient 1. So no cosine that may become zero
+//! during the motion becomes a divisor.
 
 use super::solved_rows::solve_rows;
 use crate::algebra::form::simplify::Simplifier;
@@ -22,8 +23,8 @@ pub struct ReactionBalance {
 }
 
 impl ReactionBalance {
-    /// Builds the system from Newton–Euler equations, whose unknowns are the accelerations and then the
-    /// reactions.
+    /// Builds the system from Newton–Euler equations, whose unknowns are first the accelerations,
+    /// then the reactions.
     pub fn new(model: &Model, kinematics: &mut Kinematics, equations: &Equations) -> Self {
         let n = equations.variables.len();
         let along = balance_multipliers_along_reactions(model, kinematics, &equations.rows);
@@ -54,8 +55,9 @@ impl ReactionBalance {
         self.matrix.iter_mut().flatten().chain(&mut self.right).for_each(change);
     }
 
-    /// Solves for the reactions, as pairs of a reaction's symbol and its value. `states` are the
-    /// variables that change along a motion; pivots without them are preferred.
+    /// Solves for the reactions. Returns pairs (symbol of a reaction, value); a reaction that is
+    /// not determined has its own symbol as value. `states` are the variables that change along a
+    /// motion; pivots without them are preferred.
     pub fn solved_reactions(
         self,
         arena: &mut Arena,

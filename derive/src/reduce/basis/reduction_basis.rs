@@ -1,5 +1,5 @@
-//! Basis from which reductions start: a model's equations, momenta and energy, with parameters of a
-//! scene as numbers.
+//! Basis from which reductions start: a model's equations, momenta and energy. Parameters may be
+//! replaced by the numbers of a scene.
 
 use super::moving_frame::{FrameSymmetry, PinnedFrame};
 use super::reaction_balance::ReactionBalance;
@@ -20,7 +20,7 @@ use crate::scene::Scene;
 
 /// Largest number of coordinates of a model whose first integrals are searched.
 const MOST_COORDINATES: usize = 12;
-/// Largest number of momenta of a model for which every subset is tried.
+/// Largest number of momenta for which every subset is tried as the set of constant momenta.
 const MOST_TRIED: usize = 5;
 
 /// Conserved momentum of a symmetry, linear in the speeds: row · u + rest.
@@ -28,9 +28,9 @@ const MOST_TRIED: usize = 5;
 pub struct Momentum {
     /// Kinds of the first integral to which the momentum belongs.
     pub kinds: Vec<IntegralKind>,
-    /// True if a function of q is added to the momentum to make it constant.
+    /// True if a function of q is added to the momentum of the symmetry to make it constant.
     pub has_place: bool,
-    /// Description of the integral by its first kind, in words.
+    /// Description of the integral in words, by the first of its kinds.
     pub about: String,
     /// Value of the momentum as a term in q and u.
     pub value: Expr,
@@ -40,9 +40,10 @@ pub struct Momentum {
     pub rest: Expr,
     /// Components of the symmetry q′ = ξ(q), one for each coordinate, as terms in q.
     pub field: Vec<Expr>,
-    /// Components J ξ of the symmetry along the speeds, one for each speed.
+    /// Components J ξ of the symmetry along the speeds, one for each speed. J is the matrix of
+    /// ∂u/∂q̇.
     pub direction: Vec<Expr>,
-    /// Unit of the momentum's value.
+    /// Unit of the value of the momentum.
     pub unit: Unit,
     /// Function of q whose rate is the momentum: a mass times a coordinate of a mass centre. `None` if
     /// there is no such function.
@@ -51,7 +52,8 @@ pub struct Momentum {
     pub position_unit: Unit,
 }
 
-/// Variable that is replaced by its difference from a multiple of another variable, the pivot.
+/// Variable that is replaced by the difference of the variable and a multiple of another variable,
+/// the pivot.
 #[derive(Clone, Copy, Debug)]
 pub struct VariableDifference {
     /// Symbol of the variable that is replaced.
@@ -68,13 +70,14 @@ pub struct VariableDifference {
 pub struct ReductionBasis {
     /// Model of the equations; its terms are in `arena`.
     pub model: Model,
-    /// Arena that holds the terms of all fields.
+    /// Arena that contains the terms of all fields.
     pub arena: Arena,
     /// Simplifier of terms; it keeps the terms that were already simplified.
     pub simplifier: Simplifier,
     /// Symbols of the equations' coordinates. One of them may be the distance from a singular surface.
     pub q: Vec<Expr>,
-    /// Values of the coordinates `q`, as terms in the coordinates of the model.
+    /// Values of the coordinates `q`, as terms in the coordinates of the model. There is one for
+    /// each coordinate.
     pub q_start: Vec<Expr>,
     /// Values of the equations' speeds, as terms in the speeds of the model.
     pub u_start: Vec<Expr>,
@@ -82,33 +85,34 @@ pub struct ReductionBasis {
     pub relatives: Vec<VariableDifference>,
     /// Equations by Kane's method, in the current variables.
     pub kane: Equations,
-    /// Linear system that determines the reactions, or the reason why there is none.
+    /// Linear system that determines the reactions. The error is the reason why it could not be
+    /// derived.
     pub balance: Result<ReactionBalance, DeriveError>,
     /// First integrals of the motion, as proved for the model.
     pub integrals: Vec<Integral>,
-    /// Momenta of symmetries among the first integrals, if linear in the speeds.
+    /// Momenta of symmetries: those first integrals that are linear in the speeds.
     pub momenta: Vec<Momentum>,
     /// Energy T + V as a term in q and u, J; `None` if it is not conserved.
     pub energy: Option<Expr>,
     /// Parameters that were replaced by numbers, as pairs of name and value.
     pub folded: Vec<(String, Rational)>,
-    /// Vector fields on the coordinates that may be symmetries, such as translations of the whole
+    /// Vector fields on the coordinates that may be symmetries, such as a translation of the whole
     /// system.
     pub(in crate::reduce) fields: Vec<VectorField>,
     /// Symmetries of the equations that leave a scene's wanted quantities unchanged. Empty until a
     /// moving frame is searched.
     pub turns: Vec<FrameSymmetry>,
-    /// Descriptions of symmetries that leave every shown quantity unchanged but change a condition of
-    /// the model's domain.
+    /// Descriptions of symmetries that leave every shown quantity unchanged but change a condition
+    /// of the model's domain. They are not used for moving frames.
     pub kept_by_domain: Vec<String>,
     /// Moving frame in which the equations are written; `None` for the inertial frame.
     pub frame: Option<PinnedFrame>,
-    /// Data for the search for first integrals; `None` after parameters became numbers, or if there is
-    /// no search.
+    /// Data for the search for first integrals. `None` after numbers have replaced parameters, or
+    /// if the model has more than 12 coordinates.
     search: Option<ReductionBasisIntegrals>,
 }
 
-/// Data for the search for first integrals, with units that are lost when numbers replace
+/// Data for the search for first integrals. It includes units, which are lost when numbers replace
 /// parameters.
 #[derive(Clone)]
 struct ReductionBasisIntegrals {
@@ -168,8 +172,8 @@ impl ReductionBasis {
         Ok(basis)
     }
 
-    /// Finds the first integrals of the model, and selects the momenta and the energy. Does nothing
-    /// without search data.
+    /// Finds the first integrals of the model, and sets the momenta and the energy. Nothing changes
+    /// if there is no search data.
     fn find_integrals(&mut self) {
         let Some(search) = &self.search else { return };
         let (arena, simplifier) = (&mut self.arena, &mut self.simplifier);
@@ -179,8 +183,9 @@ impl ReductionBasis {
         self.integrals = integrals;
     }
 
-    /// Replaces parameters by the numbers of a scene. Parameters that the scene leaves free, and
-    /// numbers that are not short and exact, remain symbols.
+    /// Replaces parameters by the numbers of a scene. A parameter remains a symbol if the scene
+    /// leaves it free, if its number is not short and exact, or if its number would make a divisor
+    /// zero.
     pub(in crate::reduce) fn fix_parameters_of_basis(&mut self, scene: &Scene) {
         let parameters = self.model.parameters.iter().enumerate();
         let fixed = parameters.filter(|(at, _)| !scene.free.contains(at)).filter_map(|(at, p)| {
@@ -188,7 +193,7 @@ impl ReductionBasis {
             is_short_number(&value).then(|| (p.name.clone(), p.symbol, value))
         });
         let mut values: Vec<(String, Expr, Rational)> = fixed.collect();
-        // A parameter stays a symbol if its number would make a divisor zero.
+        // If a number makes a divisor zero, its parameter remains a symbol.
         loop {
             let mut trial = self.clone();
             let pairs: Vec<_> = values.iter().map(|(_, p, x)| (*p, trial.arena.number(x.clone()))).collect();
@@ -206,8 +211,8 @@ impl ReductionBasis {
         }
     }
 
-    /// Searches first integrals again after numbers replaced parameters, with the same substitution.
-    /// Equal inertias or zero damping may give more integrals.
+    /// Searches first integrals again after numbers have replaced parameters. `put` is the
+    /// substitution of these numbers. Equal inertias or zero damping may give more integrals.
     fn search_integrals_with_numbers(&mut self, put: &mut Substitution) {
         let Some(mut search) = self.search.take().filter(|_| !self.folded.is_empty()) else { return };
         search.basis.change(&mut self.arena, &mut |arena, e| put.apply(arena, e));
@@ -221,7 +226,7 @@ impl ReductionBasis {
         self.search = None;
     }
 
-    /// Applies `rewrite` to every term of the reduction basis in place.
+    /// Applies the function `rewrite` to every term of the reduction basis, in place.
     pub(in crate::reduce) fn rewrite_basis_terms(
         &mut self,
         rewrite: &mut dyn FnMut(&mut Arena, &mut Simplifier, Expr) -> Expr,
@@ -249,15 +254,17 @@ impl ReductionBasis {
         }
     }
 
-    /// Substitution that replaces the equations' variables by their values in the model's variables.
+    /// Substitution that replaces the variables of the equations by terms in the variables of the
+    /// model.
     pub(in crate::reduce) fn basis_to_model_substitution(&self) -> Substitution {
         let coordinates = self.q.iter().copied().zip(self.q_start.iter().copied());
         let speeds = self.kane.variables.iter().copied().zip(self.u_start.iter().copied());
         Substitution::new(&coordinates.chain(speeds).collect::<Vec<_>>())
     }
 
-    /// Sets of momenta that may be kept constant together, because their symmetries commute, as lists
-    /// of indices. Up to `MOST_TRIED` momenta give all such sets, more momenta only the largest sets.
+    /// Sets of momenta that can be kept constant together, because their symmetries commute. Each
+    /// set is a list of indices into `momenta`. Up to `MOST_TRIED` momenta give all such sets, more
+    /// momenta only sets that cannot be enlarged, and the empty set.
     pub(in crate::reduce) fn commuting_momenta_of_basis(&mut self) -> Vec<Vec<usize>> {
         let count = self.momenta.len();
         let pairs = (0..count).flat_map(|a| (0..a).map(move |b| (a, b)));
@@ -284,8 +291,8 @@ impl ReductionBasis {
         list
     }
 
-    /// True if the symmetries ξ and η of the momenta `a` and `b` commute: their bracket, with the
-    /// components ξ·∂η_i − η·∂ξ_i, vanishes.
+    /// True if the symmetries ξ and η of the momenta with the indices `a` and `b` commute. Then all
+    /// components ξ·∂η_i − η·∂ξ_i of their bracket are zero.
     fn basis_momenta_commute(&mut self, a: usize, b: usize) -> bool {
         let arena = &mut self.arena;
         let along = |field: &[Expr]| {
@@ -326,8 +333,8 @@ impl ReductionBasisIntegrals {
         Some(Self { basis, centre, centre_units, units: of_momenta })
     }
 
-    /// Builds the momentum of a first integral that is linear in the speeds; `None` for other
-    /// integrals.
+    /// Builds the momentum of a first integral. `None` unless the integral belongs to a symmetry
+    /// and is linear in the speeds.
     fn momentum(
         &self,
         model: &Model,
@@ -349,7 +356,8 @@ impl ReductionBasisIntegrals {
         }
         let (kinds, value) = (integral.kinds.clone(), integral.expression);
         let about = integral.names(model, arena).swap_remove(0);
-        // If a component of the symmetry is a number, the momentum has the unit of ∂L/∂q̇ for this coordinate.
+        // If the component of the symmetry along a coordinate is a number, the momentum has the
+        // unit of ∂L/∂q̇ of this coordinate.
         let plain = field.iter().position(|x| arena.as_number(*x).is_some_and(|k| !k.is_zero()));
         let unit = plain.map_or_else(|| model.unit_of(arena, value).unwrap_or_default(), |at| self.units[at].clone());
         let axis = (0..3).find(|axis| {
@@ -364,8 +372,8 @@ impl ReductionBasisIntegrals {
     }
 }
 
-/// True for a number that shortens formulas: n, n/2 or n/4 with |n| ≤ 12. Other numbers are as long
-/// as the symbol of the parameter, which reads better.
+/// True for a short number, which makes formulas shorter: n, n/2 or n/4 with |n| ≤ 12. For other
+/// numbers, the symbol of the parameter reads better.
 fn is_short_number(value: &Rational) -> bool {
     value.small().is_some_and(|(n, d)| n.abs() <= 12 && [1, 2, 4].contains(&d))
 }

@@ -2,13 +2,15 @@
 
 use super::reduction_basis::ReductionBasis;
 
-/// Largest number of symbolic terms that trial reductions of a scene may create before no further
-/// reduction is tried. The scenes of the library create at most 23 109 terms. For a floating chain
-/// of four links, all trials create 65 968 terms and take three times as long as a single trial.
+/// Largest number of terms that trial reductions of a scene may create. When it is exceeded, no
+/// further reduction is tried.
+///
+/// The scenes of the library create at most 23 109 terms. For a floating chain of four links, all
+/// trials create 65 968 terms and take three times as long as a single trial.
 const MOST_WORK: usize = 24_000;
 
-/// Number of symbolic terms created so far while reductions of a scene were tried. Counted in place
-/// of time, so that the limit on the search is the same on every machine.
+/// Number of symbolic terms that trial reductions of a scene have created so far. Terms are counted
+/// instead of time, so that the search ends at the same place on every machine.
 #[derive(Default)]
 pub struct SearchWork(usize);
 

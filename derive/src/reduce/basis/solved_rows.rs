@@ -1,13 +1,14 @@
-//! Elimination of rows in chosen columns, with simple pivots first. Unlike in `elimination`, there
-//! are fewer rows than columns, and the divisors are part of the result.
+//! Elimination of rows in chosen columns, with the simplest pivots first. Unlike in the module
+//! `elimination`, rows may be fewer than columns or dependent, and the divisors are part of the
+//! result.
 
 use crate::algebra::form::simplify::{Simplifier, operation_count};
 use crate::algebra::value::range::range_excludes_zero;
 use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr};
 
-/// Independent rows in echelon form. The row of pivot (r, c) reads x_c + Σ entry x_j = right, where
-/// no column j belongs to an earlier pivot.
+/// Independent rows of a linear system in echelon form. The row with the pivot (r, c) reads x_c + Σ
+/// entry · x_j = right. No column j belongs to an earlier pivot.
 pub struct SolvedRows {
     /// Positions (row, column) of the pivots, in the order of elimination.
     pub pivots: Vec<(usize, usize)>,
@@ -16,13 +17,14 @@ pub struct SolvedRows {
     /// Right-hand sides of the rows: an inner list for each row, with an entry for each right-hand
     /// side.
     pub right: Vec<Vec<Expr>>,
-    /// Pivots by which the rows were divided, as terms; no solution exists where a pivot is zero.
+    /// Pivots by which the rows were divided, as terms. The system is not solved where a pivot is
+    /// zero.
     pub divisors: Vec<Expr>,
 }
 
 /// Eliminates in the given columns by Gauss's method with the simplest pivots first. Simplest are
-/// numbers, then terms without states, then terms that are never zero, then the shortest terms.
-/// Ends when each row has a pivot or is zero in the columns.
+/// numbers, then terms without states, then terms that are never zero, then the shortest terms. The
+/// elimination ends when each row has a pivot or is zero in the given columns.
 pub fn solve_rows(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -58,8 +60,8 @@ pub fn solve_rows(
 }
 
 impl SolvedRows {
-    /// Value of the unknown of pivot number `k`: right − Σ entry x, with values `x` for the other
-    /// columns. `side` is the index of the right-hand side.
+    /// Value of the unknown x_c of pivot number `k`: right − Σ entry · x_j, with the values `x` of
+    /// the other unknowns. `side` is the index of the right-hand side.
     pub fn value_of_pivot_unknown(&self, arena: &mut Arena, k: usize, side: usize, x: &[Expr]) -> Expr {
         let (row, column) = self.pivots[k];
         let others = (0..x.len()).filter(|at| *at != column && self.rows[row][*at] != Expr::ZERO);
@@ -69,8 +71,8 @@ impl SolvedRows {
     }
 }
 
-/// Row and column of the simplest pivot that remains in the given columns; `None` if all remaining
-/// entries are zero.
+/// Row and column of the next pivot: the simplest entry in the given columns, without rows and
+/// columns of earlier pivots. `None` if all remaining entries are zero.
 fn simplest_pivot_of_rows(
     arena: &Arena,
     rows: &[Vec<Expr>],

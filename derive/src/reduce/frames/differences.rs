@@ -1,9 +1,9 @@
-//! Differences in place of variables that a symmetry moves together.
+//! Differences that replace variables which a symmetry moves together.
 //!
 //! If a floating chain is turned as a whole, all of its angles change at equal rates. With ψ_i =
 //! q_i − r_i q_g, and similarly for speeds, only q_g and u_g move along the symmetry. The momentum
-//! determines u_g. Its divisor is the inertia of the whole as a rigid body, which is never zero.
-//! Only outputs that depend on q_g need q_g.
+//! determines u_g. Its divisor is the inertia of the whole chain as a rigid body, which is never
+//! zero. The coordinate q_g is needed only for outputs that depend on it.
 
 use crate::algebra::Expr;
 use crate::algebra::term::calculus::Substitution;
@@ -21,9 +21,9 @@ struct DirectionComponent {
 }
 
 impl ReductionBasis {
-    /// Replaces coordinates and speeds by differences, if a symmetry of the given momenta moves them at
-    /// constant ratios and no other symmetry moves them. Returns the wanted quantities in the new
-    /// variables.
+    /// Replaces coordinates and speeds by differences, for each of the given momenta. Those
+    /// variables are replaced that its symmetry moves at constant ratios and that no other symmetry
+    /// moves. Returns the wanted quantities in the new variables.
     pub(in crate::reduce) fn replace_by_differences(
         &mut self,
         momenta: &[usize],
@@ -45,8 +45,8 @@ impl ReductionBasis {
         wanted
     }
 
-    /// Components at which a symmetry is not zero and all others are zero. `None` unless there are at
-    /// least two such components and all are numbers.
+    /// Components of a symmetry that are not zero while those of all other symmetries are zero.
+    /// `None` unless there are at least two such components and all are numbers.
     fn jointly_moved_components(&self, direction: &[Expr], others: &[Vec<Expr>]) -> Option<Vec<DirectionComponent>> {
         let alone = |at: usize| others.iter().all(|other| other[at] == Expr::ZERO);
         let components = direction.iter().enumerate().filter(|(at, e)| **e != Expr::ZERO && alone(*at));
@@ -56,8 +56,8 @@ impl ReductionBasis {
         (numbers && moved.len() > 1).then_some(moved)
     }
 
-    /// Replaces coordinates by their differences from a multiple of the first. Returns the wanted
-    /// quantities in the new variables.
+    /// Replaces coordinates by their differences from a multiple of the first coordinate in
+    /// `moved`. Returns the wanted quantities in the new variables.
     fn replace_coordinates_by_differences(
         &mut self,
         moved: &[DirectionComponent],
@@ -84,8 +84,8 @@ impl ReductionBasis {
         self.rewrite_in_differences(&pairs, wanted)
     }
 
-    /// Replaces speeds by their differences from a multiple of the first. Returns the wanted
-    /// quantities in the new variables.
+    /// Replaces speeds by their differences from a multiple of the first speed in `moved`. Returns
+    /// the wanted quantities in the new variables.
     fn replace_speeds_by_differences(&mut self, moved: &[DirectionComponent], wanted: &WantedOutputs) -> WantedOutputs {
         let DirectionComponent { at: pivot, number: of_pivot } = moved[0];
         let mut pairs = Vec::new();
@@ -126,8 +126,8 @@ impl ReductionBasis {
         self.rewrite_in_differences(&pairs, wanted)
     }
 
-    /// Ratio at which a variable moves with the pivot variable, and a new symbol for their difference.
-    /// Records the replacement.
+    /// Ratio at which a variable moves with the pivot variable, and a new symbol for the difference
+    /// of the two. The replacement is recorded in `relatives`.
     fn difference(&mut self, variable: Expr, pivot: Expr, number: Expr, of_pivot: Expr) -> (Expr, Expr) {
         let ratio = self.arena.div(number, of_pivot).expect("a component that is not zero");
         let name = |e: Expr| self.arena.symbol_name(e).unwrap_or_default();
@@ -143,7 +143,8 @@ impl ReductionBasis {
         self.arena.add(e, along)
     }
 
-    /// Applies a substitution to every term of the basis, and returns the wanted quantities after it.
+    /// Applies the substitution `pairs` to every term of the basis. Returns the wanted quantities
+    /// after it.
     fn rewrite_in_differences(&mut self, pairs: &[(Expr, Expr)], wanted: &WantedOutputs) -> WantedOutputs {
         let mut put = Substitution::new(pairs);
         let kept = self.q.clone();
@@ -151,7 +152,8 @@ impl ReductionBasis {
             let moved = put.apply(arena, e);
             simplifier.simplify(arena, moved)
         });
-        // The symbols of the variables are restored, because they are no terms to be rewritten.
+        // The symbols of the coordinates are restored, because the rewriting has replaced them as
+        // well.
         self.kane.coordinates.clone_from(&kept);
         wanted.map(|e| put.apply(&mut self.arena, e))
     }

@@ -1,8 +1,8 @@
-//! Search for the moving frame in which a scene's reduced equations cost least.
+//! Search for the moving frame in which the reduced equations of a scene cost least.
 //!
-//! Symmetries that leave all wanted quantities unchanged are tried singly and in sets that close
-//! under brackets. The frame keeps states at zero (pins them) that the scene would otherwise
-//! integrate.
+//! Symmetries that leave all wanted quantities unchanged are tried: single symmetries, and sets
+//! whose brackets belong to the set. The frame pins states (keeps them at zero) that would
+//! otherwise be integrated.
 
 use crate::algebra::term::calculus::{Differential, Substitution};
 use crate::algebra::value::rank::rank;
@@ -16,15 +16,15 @@ use crate::reduce::basis::search_work::SearchWork;
 use crate::reduce::slices::slice::Slice;
 use crate::reduce::slices::wanted_outputs::WantedOutputs;
 
-/// Largest number of symmetries for which sets of two and three are formed.
+/// Largest number of symmetries for which sets of two and three symmetries are tried.
 const MOST_TURNS: usize = 9;
 /// Largest number of sets of pinned states that are tried for each set of symmetries and momenta.
 const MOST_SECTIONS: usize = 4;
-/// Operations that an integrated state costs in addition to its rate: sums of stages, error
+/// Cost of an integrated state in operations, without that of its rate: sums of stages, error
 /// estimate and dense output.
 const STATE: usize = 12;
 
-/// Choice of the momenta that are kept constant, and of a moving frame, for reduced equations.
+/// Choice for reduced equations: the momenta that are kept constant, and a moving frame.
 #[derive(Clone, Debug, Default)]
 pub struct FrameAndMomenta {
     /// Momenta that are kept constant, as indices into `ReductionBasis::momenta`.
@@ -36,15 +36,16 @@ pub struct FrameAndMomenta {
     pub pins: Vec<usize>,
 }
 
-/// Cost of reduced equations, in operations, from the number of integrated variables and the
-/// operations of their rates.
+/// Cost of reduced equations, in operations. It follows from the number of integrated variables and
+/// the number of operations of their rates.
 fn frame_choice_cost(integrated: usize, operations: usize) -> usize {
     STATE * integrated + operations
 }
 
 impl ReductionBasis {
-    /// Finds the moving frame with the least cost that leaves fewer variables to integrate than the
-    /// given momenta alone. `None` if no frame is better, or if the limit on work is reached first.
+    /// Finds the moving frame whose equations cost least. It must leave fewer variables to
+    /// integrate than the given momenta without a frame. `None` if there is no such frame, or if
+    /// the limit on work is reached first.
     pub(in crate::reduce) fn find_frame(
         &mut self,
         wanted: &WantedOutputs,
@@ -87,11 +88,11 @@ impl ReductionBasis {
         best
     }
 
-    /// Replaces variables that the symmetries of a choice's momenta move together by differences.
+    /// Replaces variables that the symmetries of the chosen momenta move together by differences.
     /// Returns the wanted quantities in the new variables.
     ///
-    /// With a frame, only momenta whose symmetries move all speeds at constant ratios are used, because
-    /// on the frame's section other symmetries move fewer variables.
+    /// With a frame, only momenta whose symmetries move all speeds at constant ratios are used. In
+    /// the frame, other symmetries move fewer variables.
     pub(in crate::reduce) fn differences(&mut self, choice: &FrameAndMomenta, wanted: &WantedOutputs) -> WantedOutputs {
         let momenta = if choice.turns.is_empty() {
             choice.momenta.clone()
@@ -101,14 +102,15 @@ impl ReductionBasis {
         self.replace_by_differences(&momenta, wanted.clone())
     }
 
-    /// Selects the momenta whose symmetries move all speeds at constant ratios.
+    /// Selects the momenta whose symmetries move all speeds at constant ratios: all components
+    /// along speeds are numbers.
     fn momenta_with_constant_directions(&self, momenta: &[usize]) -> Vec<usize> {
         let is_plain = |at: &&usize| self.momenta[**at].direction.iter().all(|e| self.arena.as_number(*e).is_some());
         momenta.iter().filter(is_plain).copied().collect()
     }
 
-    /// Smallest system that a scene integrates with a choice; `None` if its equations are not
-    /// determined.
+    /// Smallest set of variables that a scene integrates if the momenta and the frame are chosen as
+    /// `choice`. `None` if the equations are not determined.
     fn flow_of_frame_choice(&mut self, choice: &FrameAndMomenta, wanted: &WantedOutputs) -> Option<Slice> {
         let wanted = self.differences(choice, wanted);
         let wanted = self.write_in_frame_choice(choice, wanted)?;
@@ -116,8 +118,8 @@ impl ReductionBasis {
         Slice::new(self, &level, &wanted)
     }
 
-    /// Writes the equations in the frame of a choice, if it has a frame, and returns the wanted
-    /// quantities in it. `None` if the frame is singular.
+    /// Writes the equations in the frame of `choice`, and returns the wanted quantities in it.
+    /// Nothing changes if the choice has no frame. `None` if the frame is singular.
     pub(in crate::reduce) fn write_in_frame_choice(
         &mut self,
         choice: &FrameAndMomenta,
@@ -129,8 +131,8 @@ impl ReductionBasis {
         }
     }
 
-    /// Finds symmetries that move at least one of the states `needed` and leave the wanted quantities
-    /// unchanged. Stores them in `turns`.
+    /// Finds symmetries that move at least one of the states `needed` and leave the wanted
+    /// quantities unchanged. They are stored in the field `turns`.
     fn find_frame_symmetries(&mut self, needed: &[usize], wanted: &WantedOutputs) {
         let Some(mut whole) = self.flow_for_frame_search() else { return };
         let rates = whole.rates.clone();
@@ -194,15 +196,15 @@ impl ReductionBasis {
         })
     }
 
-    /// Sets of symmetries (single, pairs and triples) whose brackets are zero or symmetries of the
-    /// set, up to sign.
+    /// Sets of one, two or three symmetries that are closed: the bracket of any two is zero, a
+    /// symmetry of the set, or its negative.
     fn closed_symmetry_sets(&mut self) -> Vec<Vec<usize>> {
         let count = self.turns.len();
         let mut sets: Vec<Vec<usize>> = (0..count).map(|at| vec![at]).collect();
         if count > MOST_TURNS {
             return sets;
         }
-        // Brackets of each symmetry with the symmetries before it.
+        // Kind of the bracket of each symmetry with every symmetry before it.
         let mut bracket: Vec<Vec<Bracket>> = Vec::new();
         for a in 0..count {
             bracket.push((0..a).map(|b| self.frame_symmetry_bracket(a, b)).collect());
@@ -228,7 +230,7 @@ impl ReductionBasis {
         sets
     }
 
-    /// Classifies the bracket of the symmetries with the indices `a` and `b`: zero, a known symmetry,
+    /// Kind of the bracket of the symmetries with the indices `a` and `b`: zero, a known symmetry,
     /// or another field.
     fn frame_symmetry_bracket(&mut self, a: usize, b: usize) -> Bracket {
         let states = [self.q.clone(), self.kane.variables.clone()].concat();
@@ -261,8 +263,8 @@ impl ReductionBasis {
         Bracket::Other
     }
 
-    /// Lists choices of momenta and pinned states for a frame along the given symmetries, with the
-    /// largest possible sets of momenta.
+    /// Lists the possible choices of momenta and pinned states for a frame along the symmetries
+    /// `turns`. Only the largest possible sets of momenta are listed.
     fn frame_choices(&self, turns: &[usize], wanted: &WantedOutputs, choices: &[Vec<usize>]) -> Vec<FrameAndMomenta> {
         let mut list: Vec<FrameAndMomenta> = Vec::new();
         let mut sorted: Vec<&Vec<usize>> = choices.iter().collect();
@@ -285,9 +287,11 @@ impl ReductionBasis {
         list
     }
 
-    /// Candidate sets of states that a frame may keep at zero: the frame's symmetries move them, and
-    /// the scene would integrate them. Coordinates come first, then speeds, each from the last to the
-    /// first, so that a distance lies along the first axis.
+    /// Sets of states that a frame may pin (keep at zero). Each pinned state is moved by a symmetry
+    /// of the frame, and would be integrated without the frame.
+    ///
+    /// Coordinates come first, then speeds, each from the last to the first. So a distance in the
+    /// frame lies along the first axis.
     fn search_frame_sections(&self, turns: &[usize], momenta: &[usize], wanted: &WantedOutputs) -> Vec<Vec<usize>> {
         let needed = self.variables_integrated_without_frame(momenta, wanted);
         let states = [self.q.clone(), self.kane.variables.clone()].concat();
@@ -317,8 +321,8 @@ impl ReductionBasis {
         sections
     }
 
-    /// True if the symmetries' components at the pinned states are linearly independent where these
-    /// states are zero.
+    /// True if the frame is regular where the pinned states are zero: the components of the
+    /// symmetries at the pinned states are linearly independent.
     fn is_section(&self, turns: &[usize], pins: &[usize]) -> bool {
         let states = [self.q.clone(), self.kane.variables.clone()].concat();
         let mut arena = self.arena.clone();
@@ -330,9 +334,9 @@ impl ReductionBasis {
         put.undefined.is_none() && rank(&arena, &rows).is_some_and(|found| found.rank == pins.len())
     }
 
-    /// Symbols of the variables that a scene integrates without a frame. Of the momenta, only those are
-    /// kept constant whose symmetries move all speeds at constant ratios. Empty if the equations are
-    /// not determined.
+    /// Symbols of the variables that a scene integrates without a frame. Momenta are kept constant
+    /// only if their symmetries move all speeds at constant ratios. Empty if the equations are not
+    /// determined.
     fn variables_integrated_without_frame(&self, momenta: &[usize], wanted: &WantedOutputs) -> Vec<Expr> {
         let mut trial = self.clone();
         let level = trial
@@ -348,7 +352,7 @@ impl ReductionBasis {
 enum Bracket {
     /// Bracket is zero: the symmetries commute.
     Zero,
-    /// Bracket is the symmetry with this index, or its negative.
+    /// Bracket is a listed symmetry, given by its index, or the negative of it.
     Turn(usize),
     /// Bracket is a field that is not a symmetry in the list.
     Other,

@@ -1,5 +1,5 @@
-//! Equations on the section of a moving frame. On the section, the states that the frame keeps at
-//! zero are zero.
+//! Equations on the section of a moving frame. The section is the set of states at which all pinned
+//! states are zero.
 
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::solve::elimination::{LinearSystem, eliminate};
@@ -13,11 +13,11 @@ use crate::reduce::result::reduction::MovingFrame;
 use crate::reduce::slices::wanted_outputs::WantedOutputs;
 
 impl ReductionBasis {
-    /// Writes the equations in the frame that moves along the symmetries `turns` and keeps the states
-    /// `pins` at zero. Returns the wanted quantities on the section.
+    /// Writes the equations in the frame that moves along the symmetries `turns` and keeps the
+    /// states `pins` at zero. Returns the wanted quantities in this frame.
     ///
-    /// `None` if the section is singular, or if a momentum to be kept constant changes along the
-    /// frame's motion.
+    /// `None` if the frame is singular, or if its motion changes a momentum that is to be kept
+    /// constant.
     pub(in crate::reduce) fn equations_on_section(
         &mut self,
         turns: &[usize],
@@ -82,7 +82,8 @@ impl ReductionBasis {
         Some(wanted)
     }
 
-    /// Data to move a start of the whole model to a start in the frame; `None` without a frame.
+    /// Data by which a start of the whole model is moved to a start in the frame; `None` without a
+    /// frame.
     pub(in crate::reduce) fn start_on_section(&mut self) -> Option<MovingFrame> {
         let frame = self.frame.clone()?;
         let starts = [self.q_start.as_slice(), &self.u_start].concat();
@@ -113,15 +114,16 @@ impl ReductionBasis {
         self.frame.as_ref().is_some_and(|frame| frame.pins.contains(&(self.q.len() + at)))
     }
 
-    /// Derivatives of momenta along a symmetry; zero if the symmetry leaves the momentum unchanged.
+    /// Derivatives of the given momenta along the symmetry with the index `turn`. A derivative is
+    /// zero if the symmetry leaves the momentum unchanged.
     fn momentum_changes_on_section(&mut self, turn: usize, momenta: &[usize], states: &[Expr]) -> Vec<Expr> {
         let along = states.iter().copied().zip(self.turns[turn].along.iter().copied()).collect::<Vec<_>>();
         let mut change = Differential::along(&along);
         momenta.iter().map(|at| change.apply(&mut self.arena, self.momenta[*at].value)).collect()
     }
 
-    /// Rates of the pinned states on the section, without the frame's motion. `None` if the
-    /// accelerations are not determined.
+    /// Rates of the pinned states where these are zero, without the motion of the frame. `None` if
+    /// the accelerations are not determined.
     fn rates_on_section(&mut self, pins: &[usize]) -> Option<Vec<Expr>> {
         let count = self.q.len();
         let (arena, simplifier) = (&mut self.arena, &mut self.simplifier);
@@ -153,7 +155,7 @@ impl ReductionBasis {
     }
 }
 
-/// Values of the unknowns of eliminated rows, by back substitution.
+/// Values of the unknowns of a linear system after elimination, by back substitution.
 fn values_of_solved_rows(arena: &mut Arena, simplifier: &mut Simplifier, solved: &SolvedRows) -> Vec<Expr> {
     let mut rates = vec![Expr::ZERO; solved.pivots.len()];
     for k in (0..solved.pivots.len()).rev() {

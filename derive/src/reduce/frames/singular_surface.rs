@@ -1,9 +1,9 @@
 //! Singular surface of a reduction, and equations in the distance from it.
 //!
-//! On a singular surface a momentum does not determine its speed; an example is the spin about a
-//! vertical axis. There, the reduced equations contain a quotient N(q; c)/D(q) of two terms that
-//! vanish together. In d = q − q_s, the divisor is computed without cancellation; the module
-//! `separate` treats the numerator.
+//! On a singular surface, a momentum does not determine its speed. An example is the spin about a
+//! vertical axis. The reduced equations then contain a quotient N(q; c)/D(q) of two terms that are
+//! both zero on the surface. In the distance d = q − q_s, the divisor is computed without
+//! cancellation. The module `surface_quotients` rewrites the numerator.
 
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::term::calculus::Substitution;
@@ -18,14 +18,14 @@ use crate::reduce::slices::wanted_outputs::WantedOutputs;
 use crate::scene::Scene;
 use std::f64::consts::FRAC_PI_2;
 
-/// Number of whole turns on either side of a coordinate's origin within which singular surfaces are
+/// Number of whole turns to either side of zero within which singular values of a coordinate are
 /// searched.
 const MOST_TURNS: i32 = 100;
 
 impl ReductionBasis {
-    /// Finds the singular surface of reduced equations, if it is a multiple of a quarter turn of an
-    /// integrated coordinate. A surface that the scene names takes precedence over the surface nearest
-    /// to the start. `None` if there is no such surface, or if the scene forbids distances.
+    /// Finds the singular surface of reduced equations. It must be a state's value that is a
+    /// multiple of a quarter turn. A surface that the scene names takes precedence over the surface
+    /// nearest to the start. `None` if there is no such surface, or if the scene forbids distances.
     pub(in crate::reduce) fn find_singular_surface(
         &mut self,
         level: &Level,
@@ -42,7 +42,8 @@ impl ReductionBasis {
         for at in candidates {
             let away = |turns: i32| (scene.q[at] - f64::from(turns) * FRAC_PI_2).abs();
             for quarter_turns in -2..2 {
-                // The surface repeats after each whole turn; the repetition nearest to the start counts.
+                // The surface repeats after each whole turn; the repetition nearest to the start is
+                // used.
                 let again = (-MOST_TURNS..=MOST_TURNS).map(|turn| quarter_turns + 4 * turn);
                 let nearest = again.min_by(|a, b| away(*a).total_cmp(&away(*b))).unwrap_or(quarter_turns);
                 let place = SingularDistance { coordinate: at, quarter_turns: nearest };
@@ -59,7 +60,7 @@ impl ReductionBasis {
         stated.filter(|d| flow.is_slice_state(self.q[d.coordinate])).or(nearest)
     }
 
-    /// True if a term is zero where a coordinate has the value of `place`.
+    /// True if the term `e` is zero where the coordinate has the value of the surface `place`.
     fn vanishes_on_surface(&mut self, e: Expr, place: SingularDistance) -> bool {
         let origin = quarter_turn_angle(&mut self.arena, place.quarter_turns);
         let mut there = Substitution::new(&[(self.q[place.coordinate], origin)]);
@@ -67,8 +68,8 @@ impl ReductionBasis {
         there.undefined.is_none() && self.simplifier.simplify(&mut self.arena, value) == Expr::ZERO
     }
 
-    /// Writes all equations in the distance from a surface. Returns the surface, and the wanted
-    /// quantities in the distance.
+    /// Writes all equations in the distance from the surface `place`. Returns the surface, and the
+    /// wanted quantities in terms of the distance.
     pub(in crate::reduce) fn write_in_distance_from_surface(
         &mut self,
         place: SingularDistance,
@@ -94,7 +95,8 @@ impl ReductionBasis {
         (surface, wanted)
     }
 
-    /// Symbol of the distance from a surface; the coordinate itself if the surface is at 0.
+    /// Symbol of the distance of a coordinate from a surface. It is the coordinate itself if the
+    /// surface is at 0.
     fn distance_symbol(&mut self, place: SingularDistance) -> Expr {
         let name = &self.model.coordinates[place.coordinate].name;
         let degrees = 90 * place.quarter_turns;
@@ -106,7 +108,7 @@ impl ReductionBasis {
     }
 }
 
-/// Angle k π/2 of k = `turns` quarter turns, rad, as a term.
+/// Angle k π/2, rad, as a term, where k is the number `turns` of quarter turns.
 pub fn quarter_turn_angle(arena: &mut Arena, turns: i32) -> Expr {
     let pi = arena.pi();
     let half_turns = arena.ratio(i64::from(turns), 2);

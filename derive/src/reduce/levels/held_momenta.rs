@@ -15,12 +15,12 @@ pub struct HeldMomentum {
     pub momentum: usize,
     /// Symbol of the constant value of the momentum.
     pub symbol: Expr,
-    /// Value of the symbol as a term in q and u: the momentum, or its remaining part on a singular
-    /// surface.
+    /// Value of the constant as a term in q and u: the momentum itself, or the part of it that
+    /// remains on a singular surface.
     pub of_state: Expr,
     /// Description of the constant for people, in words and terms.
     pub about: Prose,
-    /// Unit of the constant.
+    /// Unit of the constant momentum.
     pub unit: Unit,
 }
 
@@ -34,8 +34,8 @@ impl ReductionBasis {
         HeldMomentum { momentum: at, symbol: fresh_symbol(&mut self.arena, &wanted), of_state, about, unit }
     }
 
-    /// Right-hand sides of a momentum's row · u + b = c: first c − b, for row · u. Second, for row ·
-    /// u̇, minus the rate of row times u and of b along the motion.
+    /// Two right-hand sides that follow from the momentum row · u + b = c. The first is c − b, for
+    /// row · u. The second is −(d row/dt · u + db/dt), for row · u̇.
     pub(in crate::reduce) fn momentum_right_sides(&mut self, held: &HeldMomentum) -> Vec<Expr> {
         let momentum = &self.momenta[held.momentum];
         let arena = &mut self.arena;
@@ -53,8 +53,9 @@ impl ReductionBasis {
     }
 }
 
-/// Name for the symbol of a momentum: `p_q3` for the momentum of a coordinate, else its customary
-/// symbol, else `momentum2`. If a function of q is added to the momentum, the name is `p_q3_total`.
+/// Name for the symbol of a constant momentum. It is `p_q3` for the momentum of a coordinate, else
+/// its customary symbol, else for example `momentum2`. If a function of q is added to the momentum,
+/// the name ends in `_total`.
 fn held_momentum_name(model: &Model, momentum: &Momentum, at: usize) -> String {
     let kinds = &momentum.kinds;
     let of_coordinate = kinds.iter().find(|kind| matches!(kind, IntegralKind::Coordinate(_)));

@@ -1,7 +1,7 @@
-//! Constants of a motion in the form that costs least.
+//! Constants of a motion, chosen so that the equations cost least.
 //!
-//! Any multiple of a conserved momentum may serve as the constant. If a momentum alone determines a
-//! speed, the speed is constant and replaces the momentum. A numeric factor of a momentum is
+//! Any multiple of a conserved momentum may be used as the constant. If a momentum alone determines
+//! a speed, the speed is constant and replaces the momentum. A numeric factor of a momentum is
 //! included in its constant.
 
 use super::held_momenta::HeldMomentum;
@@ -14,8 +14,8 @@ use crate::reduce::basis::reduction_basis::ReductionBasis;
 use crate::reduce::basis::solved_rows::SolvedRows;
 
 impl ReductionBasis {
-    /// Replaces constant momenta by multiples of them, where that saves operations. Momenta that move a
-    /// mass centre stay.
+    /// Replaces constant momenta by multiples of them, if that saves operations. A momentum that is
+    /// the rate of a mass centre's position is kept.
     pub(in crate::reduce) fn choose_momentum_constants(&mut self, solved: &mut SolvedRows, held: &mut [HeldMomentum]) {
         for k in 0..solved.pivots.len() {
             let (row, column) = solved.pivots[k];

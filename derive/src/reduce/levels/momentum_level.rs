@@ -1,10 +1,10 @@
 //! Motion on a level set of momenta: the constant momenta determine speeds, and equations remain
 //! for the other speeds.
 //!
-//! With A u + b = c solved as u = P(q; c) + Z(q) u_R, Kane's equations multiplied by Zᵀ are (Zᵀ M
-//! Z) u̇_R = Zᵀ(f − M (Ṗ + Ż u_R)). The rows of A are momenta of symmetries ξ, so Kane's equations
-//! multiplied by ξᵀ state that c is constant. Together these are all equations wherever A has full
-//! rank.
+//! The momenta A u + b = c are solved as u = P(q; c) + Z(q) u_R, where u_R are the remaining
+//! speeds. Kane's equations multiplied by Zᵀ are (Zᵀ M Z) u̇_R = Zᵀ(f − M (Ṗ + Ż u_R)). The rows of
+//! A are momenta of symmetries ξ, so Kane's equations multiplied by ξᵀ state that c is constant.
+//! These two sets are together equivalent to Kane's equations wherever A has full rank.
 
 use super::held_momenta::HeldMomentum;
 use super::surface_quotients::SingularSurface;
@@ -14,8 +14,8 @@ use crate::algebra::{Arena, Expr};
 use crate::reduce::basis::reduction_basis::ReductionBasis;
 use crate::reduce::basis::solved_rows::{SolvedRows, solve_rows};
 
-/// Equations of motion on a level set of momenta: speeds u_R remain, and the momenta determine all
-/// others.
+/// Equations of motion on a level set of momenta. The constant momenta determine some speeds;
+/// equations remain for the other speeds u_R.
 #[derive(Clone)]
 pub struct Level {
     /// Momenta that are kept constant, each with a symbol for its value.
@@ -23,8 +23,8 @@ pub struct Level {
     /// Indices of the speeds u_R that the momenta do not determine, so that they remain in the
     /// equations.
     pub kept: Vec<usize>,
-    /// Definitions of the determined speeds, in q, the constant momenta, u_R and the speeds defined
-    /// before.
+    /// Definitions of the determined speeds, as terms in q, the constant momenta, u_R and speeds
+    /// defined before.
     pub definitions: Vec<Definition>,
     /// Rates u̇ of all speeds, as terms in q, u and the rates u̇_R of the remaining speeds.
     pub accelerations: Vec<Expr>,
@@ -37,11 +37,11 @@ pub struct Level {
 }
 
 impl ReductionBasis {
-    /// Derives the equations on the level set of the given momenta. If `surface` is given, quotients
-    /// are rewritten so that they do not cancel near it.
+    /// Derives the equations on the level set of the given momenta. If `surface` is given,
+    /// quotients are rewritten so that they do not cancel near it.
     ///
-    /// `None` if the symmetries do not move exactly as many speeds as there are momenta, or if the
-    /// momenta do not determine these speeds.
+    /// `None` if the symmetries of the momenta move more or fewer speeds than there are momenta.
+    /// `None` also if the momenta do not determine these speeds.
     pub(in crate::reduce) fn equations_on_momentum_level(
         &mut self,
         momenta: &[usize],
@@ -52,9 +52,10 @@ impl ReductionBasis {
             return None;
         }
         let mut held: Vec<HeldMomentum> = momenta.iter().map(|at| self.hold_momentum(*at)).collect();
-        // If the symmetries move as many speeds as there are momenta, M on these speeds is positive
-        // definite. Then the momenta determine the speeds wherever the symmetries are independent. A larger
-        // set of speeds would add singularities.
+        // If the symmetries move as many speeds as there are momenta, the mass matrix of these
+        // speeds is positive definite. Then the momenta determine the speeds wherever the
+        // symmetries are independent. With more speeds to choose from, there would be further
+        // singularities.
         let moved = |at: usize| momenta.iter().any(|m| self.momenta[*m].direction[at] != Expr::ZERO);
         let free = (0..n).filter(|at| !self.section_pins_speed(*at));
         let (solved_for, kept): (Vec<usize>, Vec<usize>) = free.partition(|at| moved(*at));
@@ -77,7 +78,8 @@ impl ReductionBasis {
         Some(self.momentum_level_of_kept_speeds(held, kept, &solved, &z))
     }
 
-    /// Derives the equations of the remaining speeds `kept` from the solved momenta and the matrix Z.
+    /// Derives the equations of the remaining speeds, whose indices are `kept`, from the solved
+    /// momenta and the matrix Z.
     fn momentum_level_of_kept_speeds(
         &mut self,
         held: Vec<HeldMomentum>,
@@ -109,7 +111,8 @@ impl ReductionBasis {
             let acceleration = solved.value_of_pivot_unknown(arena, k, 1, &accelerations);
             accelerations[column] = short(arena, acceleration);
         }
-        // Kane's equations hold for the whole motion, without the frame's additions to the rates.
+        // Kane's equations hold for the motion of the model, so the rates that the frame adds are
+        // subtracted.
         if let Some(frame) = &self.frame {
             let added = &frame.added[self.q.len()..];
             for ((drift, acceleration), added) in drifts.iter_mut().zip(&mut accelerations).zip(added) {
@@ -150,7 +153,8 @@ impl ReductionBasis {
     }
 }
 
-/// Matrix Z: for each speed, its coefficients of the remaining speeds u_R.
+/// Matrix Z = ∂u/∂u_R at constant momenta, with a row for each speed and a column for each
+/// remaining speed u_R.
 fn momentum_level_directions(
     arena: &mut Arena,
     simplifier: &mut Simplifier,

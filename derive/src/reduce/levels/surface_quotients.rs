@@ -1,8 +1,8 @@
 //! Quotients near a singular surface, rewritten so that no terms cancel.
 //!
-//! In a reduced equation, both terms of a quotient N(q; c)/D(q) may vanish on the surface. The
-//! numerator is split into its value on the surface and a rest. The value is a constant of the
-//! motion, which is computed once. In the rest, 2 sin²(d/2) replaces every 1 − cos d.
+//! In a reduced equation, both terms of a quotient N(q; c)/D(q) may be zero on the surface. The
+//! numerator is split into its value on the surface and a rest. This value is a constant of the
+//! motion, which is computed once. In the rest, 1 − cos d is replaced by 2 sin²(d/2).
 
 use super::held_momenta::HeldMomentum;
 use crate::algebra::form::simplify::Simplifier;
@@ -12,26 +12,27 @@ use crate::algebra::term::steps::fresh_symbol;
 use crate::algebra::{Arena, Expr, Rational};
 use crate::reduce::basis::solved_rows::SolvedRows;
 
-/// Singular surface of a reduction, on which a coordinate q equals k π/2.
+/// Singular surface of a reduction: all states at which a certain coordinate q equals k π/2, with
+/// an integer k.
 #[derive(Clone, Copy, Debug)]
 pub struct SingularSurface {
     /// Symbol of the distance from the surface; the coordinate itself if k = 0.
     pub symbol: Expr,
 }
 
-/// Quotient N/D on the right-hand side of a row, to be split so that nothing cancels.
+/// Quotient N/D on the right-hand side of a solved row, which is split so that nothing cancels.
 struct Quotient<'q> {
     /// Index of the row of the quotient.
     row: usize,
-    /// Value N/D, which the split form will replace.
+    /// Value N/D, which is replaced by its split form.
     value: &'q mut Expr,
     /// Divisor D of the quotient, which is zero on the surface.
     divisor: Expr,
 }
 
 impl SingularSurface {
-    /// Splits all right-hand sides whose divisors vanish on the surface, and changes constants where
-    /// needed.
+    /// Splits all right-hand sides whose divisors are zero on the surface. Constant momenta are
+    /// replaced by other constants where needed.
     pub(in crate::reduce) fn split_surface_quotients(
         self,
         arena: &mut Arena,
@@ -62,9 +63,9 @@ impl SingularSurface {
         }
     }
 
-    /// Splits a quotient N/D with D = 0 on the surface and N linear in the constant momenta. A new
-    /// symbol for N on the surface replaces one of the momenta. Returns the replaced symbol and its
-    /// value in the new symbol. `None` if no split is possible.
+    /// Splits a quotient N/D with D = 0 on the surface. N must be linear in the constant momenta. A
+    /// new symbol for the value of N on the surface replaces one of the momenta. Returns the
+    /// replaced symbol and its value in terms of the new symbol. `None` if no split is possible.
     fn split_surface_quotient(
         self,
         arena: &mut Arena,
@@ -82,13 +83,14 @@ impl SingularSurface {
             return None;
         }
         let symbols: Vec<Expr> = held.iter().map(|h| h.symbol).collect();
-        // Only a combination of momenta with constant coefficients is a constant of the motion.
+        // Only a combination of momenta with constant coefficients is constant along a motion.
         let constant = arena
             .reachable(&[left])
             .iter()
             .all(|e| arena.symbol_name(*e).is_none() || symbols.contains(e) || arena.is_positive(*e));
         let (coefficients, rest) = LinearForm::new(&symbols).coefficients(arena, left).ok()?;
-        // The row's own momentum comes first, if its coefficient in the numerator is a number.
+        // The momentum of this row is replaced if possible, else another one. Its coefficient in
+        // the numerator must be a number.
         let alone = |at: &usize| arena.as_number(coefficients[*at]).is_some_and(|k| !k.is_zero());
         let at = std::iter::once(row).chain(0..symbols.len()).find(alone)?;
         if !constant || rest != Expr::ZERO {

@@ -1,4 +1,4 @@
-//! List of what reduced equations omit, each with its reason and its proof.
+//! List of the quantities that reduced equations omit, each with its reason and its proof.
 
 use super::reduction::Omission;
 use super::reduction_proof::ReductionProof;
@@ -65,7 +65,8 @@ pub fn omissions(
     list
 }
 
-/// Omission of the states that a moving frame keeps at zero; empty without a frame.
+/// Omission of the states that a moving frame keeps at zero, as a list of one entry. The list is
+/// empty without a frame.
 fn omitted_pinned_states(basis: &ReductionBasis, proof: &ReductionProof) -> Vec<Omission> {
     let Some(frame) = &basis.frame else { return Vec::new() };
     let states = [basis.q.as_slice(), &basis.kane.variables].concat();

@@ -1,4 +1,4 @@
-//! Packs reduced equations as an ordinary model with equations, together with the list of
+//! Packing of reduced equations as an ordinary model with equations, together with the list of
 //! omissions.
 
 use super::omissions::omissions;
@@ -22,8 +22,8 @@ use crate::reduce::slices::wanted_outputs::WantedOutputs;
 use crate::scene::Scene;
 use rustc_hash::FxHashSet;
 
-/// Packs the reduced equations of a scene as a model, equations, constants and the list of
-/// omissions, and proves them.
+/// Packs the reduced equations of a scene as a model with equations, constants and the list of
+/// omissions. The reduced equations are proved on the way.
 ///
 /// # Errors
 /// Text of the statement that could not be proved; the reduction must then not be used.
@@ -40,7 +40,8 @@ pub fn pack_reduction(
     let states = packed_quantities(&basis, &flow.core);
     let quadratures = packed_quantities(&basis, &flow.quadratures);
     let omitted = omissions(&mut basis, level, &flow, scene, &proof);
-    // Events and conditions are evaluated apart from the equations, without their definitions.
+    // Events and conditions are evaluated without the definitions of the equations, so these are
+    // written out.
     let mut dependence = flow.dependence.clone();
     for e in flow.wanted.events.iter_mut().chain(&mut flow.wanted.conditions) {
         *e = dependence.without_definitions(&mut basis.arena, *e);
@@ -89,8 +90,8 @@ pub fn pack_reduction(
     Ok(reduction)
 }
 
-/// Checks that every symbol in a formula has a value: it is a parameter, a variable, the time, or
-/// defined before.
+/// Checks that every symbol in a formula has a value. The symbol must be a parameter, a variable,
+/// the time, or defined by an earlier step.
 ///
 /// # Errors
 /// Text that names the first symbol without a value.
@@ -127,8 +128,8 @@ fn check_symbols_have_values(reduction: &Reduction) -> Result<(), String> {
     reduction.outputs.iter().try_for_each(|o| has_value(&known, &[o.value], &format!("the output {}", o.name)))
 }
 
-/// Lists variables of the reduced equations, each with its value at the start in the model's own
-/// variables.
+/// Quantities for the given variables of the reduced equations. Their start values are terms in the
+/// model's own variables.
 fn packed_quantities(basis: &ReductionBasis, list: &[Variable]) -> Vec<ReducedQuantity> {
     let quantity = |v: &Variable| {
         let name = basis.arena.symbol_name(v.symbol).unwrap_or_default().to_owned();
@@ -146,8 +147,8 @@ fn packed_quantities(basis: &ReductionBasis, list: &[Variable]) -> Vec<ReducedQu
     list.iter().map(quantity).collect()
 }
 
-/// Lists the constants of the reduced equations: conserved momenta, the mass centre at the start,
-/// and products of parameters.
+/// Lists the constants of the reduced equations: conserved momenta, positions of the mass centre at
+/// the start, and products of parameters.
 fn packed_constants(
     basis: &mut ReductionBasis,
     level: &Level,
@@ -181,9 +182,10 @@ fn packed_constants(
         .collect()
 }
 
-/// Symbols in all terms that the reduced equations compute, definitions included.
+/// Set of all terms that the reduced equations compute, with their symbols and the definitions that
+/// they use.
 ///
-/// Only equations have constants in place of products of momenta and parameters. Other terms may
+/// Constants replace products of momenta and parameters only in the equations. So other terms may
 /// contain a momentum that the equations do not contain.
 fn packed_symbols(arena: &Arena, flow: &Slice, e: &Equations, slope: Option<&PotentialDifference>) -> FxHashSet<Expr> {
     let wanted = flow.wanted.outputs_with_descriptions().into_iter().map(|(_, value)| value);
@@ -201,7 +203,7 @@ fn packed_symbols(arena: &Arena, flow: &Slice, e: &Equations, slope: Option<&Pot
 }
 
 /// Replaces products of parameters in the equations by constants, because the equations are
-/// evaluated in every step. Returns the constants.
+/// evaluated at every step. Returns these constants.
 fn hoist_packed_equations(basis: &mut ReductionBasis, level: &Level, e: &mut Equations) -> Hoist {
     let folded = &basis.folded;
     let free = basis.model.parameters.iter().filter(|p| folded.iter().all(|(name, _)| *name != p.name));
@@ -215,8 +217,8 @@ fn hoist_packed_equations(basis: &mut ReductionBasis, level: &Level, e: &mut Equ
 }
 
 impl Slice {
-    /// Removes a constant part of the energy that the reduced equations do not contain, such as the
-    /// energy of a mass centre that no output shows.
+    /// Removes a constant part of the energy if the reduced equations do not contain its momenta.
+    /// An example is the kinetic energy of a mass centre that no output shows.
     fn pack_without_constant_energy(&mut self, basis: &mut ReductionBasis, level: &Level) {
         let Some(energy) = self.energy.take() else { return };
         let terms = self.packed_terms();
@@ -232,7 +234,8 @@ impl Slice {
             zero_test(&basis.arena, slope) == ZeroTest::Zero
         });
         let short = without.apply(&mut basis.arena, energy);
-        // A constant in a definition that only the energy uses is written out first.
+        // If a definition that only the energy uses contains such a constant, the definition is
+        // written out.
         let mentioned = self.dependence.mentioned_symbols(&basis.arena, &[short]);
         let clean = pairs.iter().all(|(symbol, _)| !mentioned.contains(symbol));
         self.energy = match (constant && without.undefined.is_none(), clean) {
@@ -242,9 +245,9 @@ impl Slice {
         };
     }
 
-    /// Keeps the linear system matrix · u̇ = right of the level set in place of the solved rates. Does
-    /// so if all of its speeds are integrated, and if it contains only variables on which their rates
-    /// depend.
+    /// Keeps the linear system matrix · u̇ = right of the level set instead of the solved rates.
+    /// This requires that all of its speeds are integrated, and that it contains only variables on
+    /// which the solved rates depend.
     fn pack_linear_system(&mut self, basis: &mut ReductionBasis, level: &Level) {
         let all: Vec<Variable> = self.core.iter().chain(&self.quadratures).copied().collect();
         let speeds = all.iter().filter(|v| v.is_speed).map(|v| v.place);
@@ -270,7 +273,8 @@ impl Slice {
         rates.chain(self.packed_shown_values()).collect()
     }
 
-    /// Values that are shown or watched: outputs, conditions, events and the energy if it is known.
+    /// Values that are shown or monitored: outputs, conditions, events, and the energy if it is
+    /// known.
     fn packed_shown_values(&self) -> impl Iterator<Item = Expr> {
         let WantedOutputs { outputs, conditions, events } = &self.wanted;
         let outputs = outputs.iter().map(|(_, e)| *e);
@@ -278,8 +282,8 @@ impl Slice {
     }
 }
 
-/// Builds the reduced equations: v̇ = rates as solved, or the linear system of the level set if it
-/// is kept.
+/// Builds the reduced equations: the solved rates v̇, or the linear system of the level set if it
+/// was kept.
 fn packed_equations(basis: &mut ReductionBasis, level: &Level, flow: &Slice) -> Equations {
     let all = || flow.core.iter().chain(&flow.quadratures);
     let speeds: Vec<&Variable> = all().filter(|v| v.is_speed).collect();
@@ -288,14 +292,14 @@ fn packed_equations(basis: &mut ReductionBasis, level: &Level, flow: &Slice) -> 
     let unknowns: Vec<Expr> = speeds.iter().map(|v| basis.kane.unknowns[v.place]).collect();
     let n = speeds.len();
     let identity = |i: usize| (0..n).map(|j| if i == j { Expr::ONE } else { Expr::ZERO }).collect();
-    // The matrix is the identity, with the solved accelerations on the right. If the linear system is kept, code
-    // generation eliminates it in its own way.
+    // The matrix is the identity, with the solved accelerations on the right. If the linear system
+    // was kept, it is used instead, and code generation eliminates it.
     let (mut matrix, mut forcing): (Vec<Vec<Expr>>, Vec<Expr>) =
         ((0..n).map(identity).collect(), speeds.iter().map(|v| v.rate).collect());
     if let Some((whole_matrix, whole_forcing)) = flow.system.as_ref().filter(|_| n > 1) {
         (matrix, forcing) = (whole_matrix.clone(), whole_forcing.clone());
     }
-    // An output may be a solved acceleration, even if the equations are kept as a linear system.
+    // Solved accelerations may be needed for outputs, even if the equations are a linear system.
     let rates = coordinates.iter().map(|v| v.rate);
     let terms: Vec<Expr> =
         flow.packed_shown_values().chain(rates).chain(matrix.concat()).chain(forcing.iter().copied()).collect();
@@ -304,7 +308,8 @@ fn packed_equations(basis: &mut ReductionBasis, level: &Level, flow: &Slice) -> 
         let at_rest: Vec<(Expr, Expr)> = variables.iter().map(|u| (*u, Expr::ZERO)).collect();
         let through = flow.dependence.mentioned_symbols(arena, &[energy]);
         let definitions = flow.dependence.definitions.iter().filter(|d| through.contains(&d.symbol));
-        // If a momentum determines a speed together with other speeds, its definition is also evaluated at rest.
+        // A momentum may determine a speed only together with other speeds. Its definition is then
+        // written out, to be evaluated at rest.
         let moving = definitions.into_iter().any(|d| variables.iter().any(|u| arena.mentions(d.value, *u)));
         let form = if moving { flow.dependence.clone().without_definitions(arena, energy) } else { energy };
         let potential = Substitution::new(&at_rest).apply(arena, form);
@@ -348,8 +353,8 @@ fn packed_equations(basis: &mut ReductionBasis, level: &Level, flow: &Slice) -> 
     }
 }
 
-/// Product of those factors of a divisor that can be zero. Numbers and factors that are proved
-/// never to be zero, such as an inertia, are left out. `None` if no factor remains.
+/// Product of the factors of a divisor that may be zero. Numbers and factors that are proved never
+/// to be zero, such as an inertia, are left out. `None` if no factor remains.
 fn packed_divisor(arena: &mut Arena, divisor: Expr) -> Option<Expr> {
     let (_, divisor) = arena.split_content(divisor);
     let factors = match arena.node(divisor) {
@@ -361,8 +366,8 @@ fn packed_divisor(arena: &mut Arena, divisor: Expr) -> Option<Expr> {
     (!open.is_empty()).then(|| arena.product(&open))
 }
 
-/// Builds the model of the reduced equations: free parameters and constants, the remaining
-/// variables and the domain's conditions.
+/// Builds the model of the reduced equations from the free parameters, the constants, the remaining
+/// variables and the conditions of the domain.
 fn packed_model(
     basis: ReductionBasis,
     flow: &Slice,

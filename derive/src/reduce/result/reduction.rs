@@ -47,24 +47,23 @@ pub struct Omission {
     pub proof: String,
 }
 
-/// Moving frame of reduced equations. Its symmetries move a start of the whole model to a state in
-/// which the pinned terms are zero. The variables of the reduced equations are the model's
-/// variables in this state.
+/// Moving frame of reduced equations. Its symmetries move a start of the whole model to a state at
+/// which the pinned terms are zero. The start of the reduced equations is this moved state.
 #[derive(Clone, Debug)]
 pub struct MovingFrame {
     /// Descriptions of the frame's motions in words, one for each symmetry.
     pub about: Vec<String>,
-    /// Components of each symmetry, as terms in the whole model's states. An inner list has an entry
-    /// for each coordinate, then for each speed.
+    /// Components of each symmetry, as terms in the whole model's states. The inner list has an
+    /// entry for each coordinate, then for each speed.
     pub fields: Vec<Vec<Expr>>,
     /// Terms that are zero in the frame (pins), in coordinates and speeds of the whole model.
     pub pins: Vec<Expr>,
-    /// Derivatives of each pin along each symmetry, with a row for each pin and a column for each
-    /// symmetry.
+    /// Derivatives of the pinned terms along the symmetries, with a row for each pinned term and a
+    /// column for each symmetry.
     pub slopes: Vec<Vec<Expr>>,
 }
 
-/// Reduced equations of a scene, with everything that is needed to run and to explain them.
+/// Reduced equations of a scene, with all data that is needed to run and to explain them.
 #[derive(Clone)]
 pub struct Reduction {
     /// Variables and parameters of the reduced equations, as an ordinary model. The constant momenta
@@ -72,7 +71,7 @@ pub struct Reduction {
     pub model: Model,
     /// Reduced equations, with their terms in an arena equal to that of `model`.
     pub derivation: Derivation,
-    /// Integrated variables whose rates depend only on these variables.
+    /// Integrated variables whose rates depend only on variables in this list.
     pub states: Vec<ReducedQuantity>,
     /// Variables that are integrated only because outputs need them. The rate of no state depends on
     /// them.
@@ -95,10 +94,11 @@ pub struct Reduction {
     pub folded: Vec<(String, Rational)>,
     /// Quantities of the model that the equations omit, each with its reason and its proof.
     pub omitted: Vec<Omission>,
-    /// Divisors of the reduced equations, which have no value where a divisor is zero.
+    /// Divisors of the reduced equations. The equations have no value at states where a divisor is
+    /// zero.
     pub divisors: Vec<Expr>,
-    /// True if the energy is a function of the remaining variables. If false, T and V of the equations
-    /// are 0.
+    /// True if the energy is a function of the remaining variables. If false, the kinetic and the
+    /// potential energy of the equations are set to 0.
     pub has_energy: bool,
     /// Divided difference of the potential energy, for solution by quadrature. `None` unless there is
     /// one degree of freedom.
@@ -111,8 +111,9 @@ pub struct Reduction {
 }
 
 impl Reduction {
-    /// Hash of everything on which the reduced equations depend: model text, scene outputs, numbers of
-    /// the scene, constant momenta, pins of the frame, and origins of distances.
+    /// Hash of everything on which the reduced equations depend. This is the model text, the
+    /// scene's outputs and numbers, the constant momenta, the pins of the frame, and the origins of
+    /// distances.
     #[must_use]
     pub fn reduction_hash(&self) -> String {
         let arena = self.arena();

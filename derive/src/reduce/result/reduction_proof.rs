@@ -5,9 +5,9 @@
 //! kinematic equations and every row of Kane's M u̇ = f of the whole model, for all values of the
 //! constants.
 //!
-//! The wanted outputs, the terms left out of formulas, the constants and the energy are each
-//! compared with their values in the whole model. Every identity is a zero test at random points of
-//! random prime fields, with a stated bound.
+//! The wanted outputs, the shortened formulas, the constants and the energy are each compared with
+//! their values in the whole model. Every identity is proved by its form, or tested at random
+//! points of random prime fields with a stated error bound.
 
 use crate::algebra::Expr;
 use crate::algebra::meaning::compare::Engine;
@@ -31,8 +31,8 @@ pub struct ReductionProof {
 }
 
 impl ReductionProof {
-    /// Exponent of the bound on doubt: the probability that an identity is wrong is below 2^−exponent.
-    /// Infinite if all identities hold by form.
+    /// Exponent of the error bound of the proof: the probability that an identity is wrong is below
+    /// 2^−exponent. Infinite if all identities hold by form.
     #[must_use]
     pub fn exponent(&self) -> f64 {
         self.identities.iter().fold(f64::INFINITY, |least, identity| match identity.engine {
@@ -41,8 +41,8 @@ impl ReductionProof {
         })
     }
 
-    /// Text of the bound on doubt, such as ` (in doubt by less than 2^-95)`; empty if all identities
-    /// hold by form.
+    /// Text of the error bound of the proof, such as ` (in doubt by less than 2^-95)`. Empty if all
+    /// identities hold by form.
     pub(in crate::reduce) fn proof_bound_text(&self) -> String {
         match self.exponent() {
             e if e.is_finite() => format!(" (in doubt by less than 2^-{})", e.floor().min(9999.0)),
@@ -93,18 +93,20 @@ struct ReductionCheck {
     /// Substitution of the model's q, u and u̇ by terms in the reduced variables, the constant momenta
     /// and parameters.
     written: Substitution,
-    /// Time derivative d/dt along the reduced motion, with full rates.
+    /// Time derivative d/dt along the motion of the reduced equations, with rates that are not
+    /// shortened.
     change: Differential,
-    /// Rates q̇, then u̇, of the whole model's motion, in the reduced variables, the constant momenta
-    /// and parameters.
+    /// Rates q̇, then u̇, of the whole model along the reduced motion, as terms in the reduced
+    /// variables, the constant momenta and parameters.
     rates: Vec<Expr>,
     /// Proof so far: the identities that were proved.
     proof: ReductionProof,
 }
 
 impl ReductionCheck {
-    /// Writes the model's variables and their rates in the reduced variables. `None` if they are no
-    /// linear functions of these, or if a speed has no value.
+    /// Writes the model's variables and their rates in the reduced variables. `None` if the
+    /// relation between the two sets of variables is not linear and invertible, or if a speed has
+    /// no value.
     fn new(basis: &mut ReductionBasis, whole: &WholeModel, level: &Level, flow: &mut Slice) -> Option<Self> {
         let change = Differential::along(&flow.raw);
         let (of_q, of_u) = (whole.kane.coordinates.clone(), whole.kane.variables.clone());
@@ -112,7 +114,7 @@ impl ReductionCheck {
         let q = invert_variables_for_proof(basis, &of_q, &basis.q_start.clone(), &there)?;
         let mut put = basis.section_substitution();
         let q: Vec<Expr> = q.into_iter().map(|e| put.apply(&mut basis.arena, e)).collect();
-        // Every speed must be kept, defined, constant or pinned.
+        // Each speed must be a remaining variable, defined, constant or pinned.
         let held = level.definitions.iter().map(|d| d.symbol).chain(level.held.iter().map(|h| h.symbol));
         let known: Vec<Expr> = held.chain(level.kept.iter().map(|k| basis.kane.variables[*k])).collect();
         let speeds: Vec<Expr> = basis.kane.variables.clone();
@@ -132,7 +134,8 @@ impl ReductionCheck {
         let rates: Vec<Expr> = states.iter().map(|e| check.change.apply(&mut basis.arena, *e)).collect();
         let names = of_q.iter().chain(&of_u).copied();
         check.written = Substitution::new(&names.zip(states).collect::<Vec<_>>());
-        // The rates of the whole motion are those of the reduced state less the frame's additions.
+        // The rates of the whole model are the rates of the reduced state minus the rates that the
+        // frame adds.
         check.rates = rates;
         if let Some(frame) = &basis.frame {
             for (turn, rate) in frame.turns.iter().zip(&frame.rates) {
@@ -184,14 +187,14 @@ impl ReductionCheck {
         Ok(())
     }
 
-    /// Proves the identity e = 0 and records it. The error is `what` with the reason, if the identity
-    /// does not hold or is not decided.
+    /// Proves the identity e = 0 and records it. `what` describes the identity; the error is this
+    /// text with "does not hold" or "cannot be decided".
     fn prove_zero(&mut self, basis: &mut ReductionBasis, e: Expr, what: impl FnOnce() -> String) -> Result<(), String> {
         self.prove_equal(basis, e, Expr::ZERO, what)
     }
 
-    /// Proves the identity left = right and records it. The error is `what` with the reason, if the
-    /// identity does not hold or is not decided.
+    /// Proves the identity left = right and records it. `what` describes the identity; the error is
+    /// this text with "does not hold" or "cannot be decided".
     fn prove_equal(
         &mut self,
         basis: &mut ReductionBasis,
@@ -215,8 +218,8 @@ impl ReductionCheck {
         }
     }
 
-    /// Checks the kinematic equations: the model's q̇ along the reduced motion equals W u + w. The
-    /// error names the first equation that fails.
+    /// Checks the kinematic equations: along the reduced motion, the model's q̇ must equal W u + w.
+    /// The error names the first equation that fails.
     fn check_kinematics(&mut self, basis: &mut ReductionBasis, whole: &WholeModel) -> Result<(), String> {
         let rates = whole.kane.coordinates.iter().zip(&whole.kane.coordinate_rates);
         for (at, (q, rate)) in rates.enumerate() {
@@ -242,8 +245,8 @@ impl ReductionCheck {
         Ok(())
     }
 
-    /// Checks that each constant equals its stated function of the state, and that mass centres move
-    /// with their momenta. The error names the first constant that fails.
+    /// Checks that each constant equals the function of the state that it stands for, and that mass
+    /// centres move with their momenta. The error names the first constant that fails.
     fn check_constants(&mut self, basis: &mut ReductionBasis, level: &Level, flow: &mut Slice) -> Result<(), String> {
         let mut back = basis.basis_to_model_substitution();
         for held in &level.held {
@@ -262,8 +265,8 @@ impl ReductionCheck {
         Ok(())
     }
 
-    /// Checks that the shortened and the solved rates agree with the equations of the level set, and
-    /// that the energy is constant. The error names the first identity that fails.
+    /// Checks that shortened rates equal full rates, that the full rates solve the equations of the
+    /// level set, and that the energy is constant. The error names the first identity that fails.
     fn check_rates(&mut self, basis: &mut ReductionBasis, flow: &mut Slice) -> Result<(), String> {
         for variable in flow.core.iter().chain(&flow.quadratures) {
             let (_, raw) =
@@ -288,12 +291,13 @@ impl ReductionCheck {
         Ok(())
     }
 
-    /// Checks the wanted values against those of the whole model. A coordinate that is computed from
-    /// the time is compared with itself. The error names the first value that fails.
+    /// Checks the wanted values against those of the whole model. A coordinate that is computed
+    /// from the time is traced back to the position at the start. The error names the first value
+    /// that fails.
     fn check_wanted(&mut self, basis: &mut ReductionBasis, whole: &WholeModel, flow: &mut Slice) -> Result<(), String> {
         let mut started = Vec::new();
         for carried in &flow.carried {
-            // The symbol for the position at the start equals the position less its motion since the start.
+            // Position at the start: the present position minus its displacement since the start.
             let momentum = self.change.apply(&mut basis.arena, carried.position);
             let moved = basis.arena.mul(momentum, flow.time);
             started.push((carried.symbol, basis.arena.sub(carried.position, moved)));
@@ -310,9 +314,9 @@ impl ReductionCheck {
     }
 }
 
-/// Solves `stated` = `symbols` for the model's variables, where `stated` are linear functions of
-/// them with numbers as coefficients. Returns their values in `symbols`. `None` if the functions
-/// cannot be inverted.
+/// Solves the equations `stated` = `symbols` for the variables `model`. The terms `stated` must be
+/// linear in these variables. Returns the values of the variables as terms in `symbols`. `None` if
+/// the equations cannot be solved.
 fn invert_variables_for_proof(
     basis: &mut ReductionBasis,
     model: &[Expr],
@@ -346,7 +350,8 @@ mod tests {
     use crate::model::Model;
     use std::path::Path;
 
-    /// The proof of the spherical pendulum's reduction with something spoilt on the way.
+    /// Proof of the reduction of a spherical pendulum, after the function `spoil` has changed its
+    /// data.
     fn spoilt(spoil: impl FnOnce(&mut ReductionBasis, &mut Level, &mut Slice)) -> Result<ReductionProof, String> {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/spherical_pendulum");
         let mut model = Model::read(&folder.join("model.toml")).unwrap();
@@ -361,7 +366,7 @@ mod tests {
         prove_reduction(&mut basis, &whole, &level, &mut flow)
     }
 
-    /// A small part of a term, so that nothing is grossly wrong.
+    /// Changes a term by a small part of it, so that the error is not obvious.
     fn slightly(basis: &mut ReductionBasis, e: &mut Expr) {
         let part = basis.arena.ratio(1, 1_000_000);
         let part = basis.arena.mul(part, basis.q[0]);

@@ -1,6 +1,6 @@
 //! Dependence of terms on variables, decided by meaning and not by form.
 //!
-//! A term may mention a variable without depending on it. Then the derivative is identically zero,
+//! A term may contain a variable without depending on it. Then the derivative is identically zero,
 //! and any value may replace the variable. Invariant: a definition contains only variables and
 //! symbols that are defined before it.
 
@@ -11,18 +11,19 @@ use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr};
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// Fractions (numerator, denominator) that are tried in turn in place of a variable on which a term
-/// does not depend. A term may have no value at some of them.
+/// Fractions (numerator, denominator) that are tried in turn as the value of a variable on which a
+/// term does not depend. At some of these values the term may not be defined.
 const STANDINS: [(i64, i64); 4] = [(0, 1), (1, 1), (1, 2), (2, 1)];
 
-/// Test on which variables terms depend by meaning. It looks through definitions.
+/// Test if terms depend on variables by meaning. It takes the definitions of symbols into account.
 #[derive(Clone)]
 pub struct Dependence {
-    /// Definitions of symbols, each after those that it uses.
+    /// Definitions of symbols, each after the definitions that it uses.
     pub definitions: Vec<Definition>,
-    /// Substitution that replaces every defined symbol by its full value.
+    /// Substitution that replaces every defined symbol by its value, with all definitions written
+    /// out.
     inline: Substitution,
-    /// Earlier answers: for a term and a symbol, true if the term depends on the symbol.
+    /// Results so far: true if the term depends on the symbol, by (term, symbol).
     known: FxHashMap<(Expr, Expr), bool>,
 }
 
@@ -37,13 +38,13 @@ impl Dependence {
         Self { definitions, inline, known: FxHashMap::default() }
     }
 
-    /// Replaces all defined symbols in a term by their full values.
+    /// Replaces all defined symbols in a term by their values, with all definitions written out.
     pub fn without_definitions(&mut self, arena: &mut Arena, e: Expr) -> Expr {
         self.inline.apply(arena, e)
     }
 
-    /// True if the term `whole`, whose definitions are written out, depends on a symbol by meaning, or
-    /// if the test cannot decide.
+    /// True if the term `whole` depends on a symbol by meaning, or if the test cannot decide. All
+    /// definitions in the term must be written out.
     fn depends_on(&mut self, arena: &mut Arena, whole: Expr, symbol: Expr) -> bool {
         if !arena.mentions(whole, symbol) {
             return false;
@@ -57,7 +58,7 @@ impl Dependence {
         answer
     }
 
-    /// Symbols that terms mention, directly or through the definitions that they use.
+    /// Symbols that occur in the given terms, directly or in the definitions that these terms use.
     pub fn mentioned_symbols(&self, arena: &Arena, list: &[Expr]) -> FxHashSet<Expr> {
         let mut found: FxHashSet<Expr> = FxHashSet::default();
         found.extend(arena.reachable(list));
@@ -69,8 +70,8 @@ impl Dependence {
         found
     }
 
-    /// Rewrites a term so that it mentions no variable on which it does not depend. Definitions that
-    /// mention such variables are written out.
+    /// Rewrites a term so that it contains no variable on which it does not depend. Definitions
+    /// that contain such variables are written out.
     pub fn without_independent_variables(
         &mut self,
         arena: &mut Arena,
@@ -103,7 +104,7 @@ impl Dependence {
                 None => idle.iter().fold(e, |e, v| replace_independent_symbol(arena, simplifier, e, *v)),
             };
             if next == e && found.is_none() {
-                // The rest cancels only across definitions, so all definitions are written out.
+                // Terms cancel only across definitions, so all definitions are written out.
                 let all = simplifier.simplify(arena, whole);
                 let all = idle.iter().fold(all, |e, v| replace_independent_symbol(arena, simplifier, e, *v));
                 return all;
@@ -113,8 +114,8 @@ impl Dependence {
     }
 }
 
-/// Puts a number in place of a symbol on which a term does not depend. Returns the term unchanged
-/// if no number can be used.
+/// Replaces a symbol on which a term does not depend by a number. Returns the term unchanged if it
+/// has no value at any of the numbers tried, or if equality is not proved.
 fn replace_independent_symbol(arena: &mut Arena, simplifier: &mut Simplifier, e: Expr, symbol: Expr) -> Expr {
     if !arena.mentions(e, symbol) {
         return e;

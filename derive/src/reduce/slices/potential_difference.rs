@@ -1,5 +1,5 @@
-//! Potential energy of a system with one degree of freedom, in a form without cancellation, for
-//! solution by quadrature.
+//! Divided difference of the potential energy of a system with one degree of freedom, for solution
+//! by quadrature. It does not subtract nearly equal values.
 
 use super::slice::Slice;
 use crate::algebra::term::calculus::{Differential, Substitution};
@@ -18,15 +18,16 @@ pub struct PotentialDifference {
     pub ends: [Expr; 2],
     /// Divided difference as a term in parameters, a, b and the symbols of `sincs`.
     pub value: Expr,
-    /// Symbols in `value` that represent sin z/z, as pairs of symbol and z.
+    /// Symbols in `value` that stand for sin z/z, as pairs (symbol, z).
     pub sincs: Vec<(Expr, Expr)>,
-    /// Number of turns (2 π) of the coordinate after which rates, T and V repeat. `None` if they do not
-    /// repeat, or if no number is found.
+    /// Period of the coordinate in turns of 2 π rad: number of turns after which rates, T and V
+    /// repeat. `None` if they do not repeat, or if no period is found.
     pub turns: Option<Rational>,
 }
 
 impl PotentialDifference {
-    /// Change of the coordinate, rad, after which rates, T and V repeat; `None` if `turns` is `None`.
+    /// Period of the coordinate, rad, after which rates, T and V repeat; `None` if `turns` is
+    /// `None`.
     #[must_use]
     pub fn period(&self) -> Option<f64> {
         self.turns.as_ref().map(|turns| std::f64::consts::TAU * turns.to_f64())
@@ -34,9 +35,11 @@ impl PotentialDifference {
 }
 
 impl Slice {
-    /// Divided difference of the potential energy, for solution by quadrature. `None` unless the system
-    /// has one degree of freedom with q′ = k(q) v and T = ½ m(q) v², and the rates of its quadratures
-    /// depend only on q and v.
+    /// Divided difference of the potential energy, for solution by quadrature.
+    ///
+    /// `None` unless the system has one degree of freedom with q′ = k(q) v and T = ½ m(q) v².
+    /// `None` also if a quadrature variable has a rate that depends on other variables than q and
+    /// v.
     pub(in crate::reduce) fn potential_difference_for_quadrature(
         &self,
         basis: &mut ReductionBasis,
@@ -78,7 +81,7 @@ impl Slice {
     }
 }
 
-/// True if e is homogeneous in x of degree n by meaning: e = xⁿ e(x = 1).
+/// True if the term e is homogeneous in x of degree n by meaning: e = xⁿ · e(x = 1).
 fn is_homogeneous(arena: &mut Arena, e: Expr, x: Expr, n: i64) -> bool {
     let slope = Differential::partial(x).apply(arena, e);
     let times = arena.mul(x, slope);

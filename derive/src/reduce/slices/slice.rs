@@ -1,8 +1,8 @@
 //! Slice of reduced equations: the smallest set of variables on which the outputs depend by
 //! meaning.
 //!
-//! "Does u̇₁ depend on q₁?" is a zero test of the derivative. If u̇₁ does not depend on q₁, any
-//! value may replace q₁, and terms that contain q₁ only in form vanish.
+//! A zero test of the derivative decides if, for example, u̇₁ depends on q₁. If it does not, any
+//! value may replace q₁, and terms that contain q₁ only by form disappear.
 
 use super::dependence::Dependence;
 use super::wanted_outputs::WantedOutputs;
@@ -29,8 +29,8 @@ pub struct Variable {
     pub place: usize,
 }
 
-/// Coordinate that follows from the uniform motion of a mass centre: a constant momentum moves its
-/// position at a constant rate.
+/// Coordinate that follows from the uniform motion of a mass centre. A constant momentum is the
+/// rate of a position of this centre.
 #[derive(Clone, Copy, Debug)]
 pub struct UniformMassCentre {
     /// Symbol of the coordinate that need not be integrated.
@@ -40,24 +40,26 @@ pub struct UniformMassCentre {
     pub value: Expr,
     /// Symbol of the position at the start of the motion.
     pub symbol: Expr,
-    /// Position as a function of q: a mass times a coordinate of the mass centre, kg m.
+    /// Position of the mass centre as a function of q: a mass times a coordinate of the mass
+    /// centre, kg m.
     pub position: Expr,
-    /// Index in `Level::held` of the momentum that moves the position.
+    /// Index, in `Level::held`, of the constant momentum that is the rate of the position.
     pub held: usize,
 }
 
-/// Smallest set of variables on which the wanted values depend and whose rates contain no other
-/// variable.
+/// Slice: the smallest set of variables on which the wanted values depend and whose rates contain
+/// no other variable.
 #[derive(Clone)]
 pub struct Slice {
-    /// States: variables on which rates of others depend, coordinates first.
+    /// States: variables on which the rates of other variables depend. Coordinates come first, then
+    /// speeds.
     pub core: Vec<Variable>,
-    /// Variables found by quadrature: outputs depend on them, and no state does. Each comes after the
-    /// quadratures that it needs.
+    /// Variables found by quadrature: outputs depend on them, but the rates of states do not. Each
+    /// comes after the quadrature variables that its rate needs.
     pub quadratures: Vec<Variable>,
     /// Variables of the model that the reduced equations leave out.
     pub dropped: Vec<Variable>,
-    /// Definitions of longer terms, and the test on which variables terms depend.
+    /// Definitions of longer terms, with the test on which variables terms depend.
     pub dependence: Dependence,
     /// Wanted outputs, conditions and events, as terms in the remaining variables.
     pub wanted: WantedOutputs,
@@ -70,14 +72,14 @@ pub struct Slice {
     /// Matrix and right-hand side of the linear system for the rates of the remaining speeds; `None` if
     /// the solved rates are used.
     pub system: Option<(Vec<Vec<Expr>>, Vec<Expr>)>,
-    /// Pairs of symbol and full rate for each variable, before terms on which the rate does not depend
-    /// were removed.
+    /// Pairs (symbol, full rate) for all variables. Full rates have all definitions written out and
+    /// are not shortened.
     pub raw: Vec<(Expr, Expr)>,
 }
 
 impl Slice {
-    /// Finds the variables of a level set that the wanted values need. `None` if the level set does not
-    /// determine its accelerations.
+    /// Finds the variables of a level set that the wanted values need. `None` if the equations of
+    /// the level set do not determine the accelerations.
     pub(in crate::reduce) fn new(basis: &mut ReductionBasis, level: &Level, wanted: &WantedOutputs) -> Option<Self> {
         let (mut variables, definitions) = basis.slice_variables(level)?;
         let symbols: Vec<Expr> = variables.iter().map(|v| v.symbol).collect();
@@ -99,7 +101,8 @@ impl Slice {
             let moved = solved.apply(arena, moved);
             let short = simplifier.simplify(arena, moved);
             let short = dependence.without_independent_variables(arena, simplifier, short, &symbols);
-            // If roots or functions without rules make the result uncertain, the term is not rewritten.
+            // If the equality is not proved, for example because of roots or functions without
+            // rules, the term is not rewritten.
             let (before, after) =
                 (dependence.without_definitions(arena, moved), dependence.without_definitions(arena, short));
             let difference = arena.sub(before, after);
@@ -141,8 +144,8 @@ impl Slice {
         self.core.iter().any(|v| v.symbol == symbol)
     }
 
-    /// Numbers of states, of integrated variables and of operations in their rates, for comparison of
-    /// reductions.
+    /// Cost for comparisons of reductions, as (number of states, number of integrated variables,
+    /// number of operations in their rates).
     pub(in crate::reduce) fn slice_cost(&self, basis: &ReductionBasis) -> (usize, usize, usize) {
         let rates = self.core.iter().chain(&self.quadratures).map(|v| v.rate).collect::<Vec<_>>();
         let used = self.definitions_used_in_slice(&basis.arena, &rates);
@@ -151,8 +154,8 @@ impl Slice {
         (self.core.len(), integrated, operation_count_of_all(&basis.arena, &rates))
     }
 
-    /// Sorts all variables into states, quadratures and dropped variables, from what the wanted values
-    /// need now.
+    /// Sorts all variables into states, quadrature variables and dropped variables, by what the
+    /// wanted values need at present.
     pub(in crate::reduce) fn sort_slice_variables(&mut self, arena: &Arena) {
         let mut all: Vec<Variable> =
             self.core.drain(..).chain(self.quadratures.drain(..)).chain(self.dropped.drain(..)).collect();
@@ -192,18 +195,19 @@ impl Slice {
         self.dependence.definitions.iter().copied().filter(|d| mentioned.contains(&d.symbol)).collect()
     }
 
-    /// Removes coordinates on which no other rate depends and that the uniform motion of a mass centre
-    /// determines.
+    /// Removes coordinates that the uniform motion of a mass centre determines. No rate of another
+    /// variable, no event and no condition may depend on them.
     fn remove_uniform_coordinates(&mut self, basis: &mut ReductionBasis, level: &Level) {
-        // A frame may move the mass centre.
+        // With a moving frame, the mass centre need not move uniformly in the frame.
         if basis.frame.is_some() {
             return;
         }
         for (held, h) in level.held.iter().enumerate() {
             let momentum = &basis.momenta[h.momentum];
-            // On a singular surface the remaining part of a momentum is no rate of a position.
+            // On a singular surface, the remaining part of a momentum is not the rate of a
+            // position.
             let Some(position) = momentum.position.filter(|_| h.of_state == momentum.value) else { continue };
-            // Events and conditions are functions of the state alone, without the time.
+            // Events and conditions must not contain the time.
             let watched: Vec<Expr> = self.wanted.conditions.iter().chain(&self.wanted.events).copied().collect();
             let watched = self.dependence.mentioned_symbols(&basis.arena, &watched);
             let found = self.quadratures.iter().find_map(|v| {
@@ -229,8 +233,8 @@ impl Slice {
 }
 
 impl ReductionBasis {
-    /// Lists all coordinates and the remaining speeds with their rates, and the definitions that the
-    /// rates use. `None` if the matrix of the level set is singular.
+    /// All coordinates and the remaining speeds, with their rates, and the definitions that the
+    /// rates use. `None` if the mass matrix of the level set is singular.
     fn slice_variables(&mut self, level: &Level) -> Option<(Vec<Variable>, Vec<Definition>)> {
         let mut list: Vec<Variable> = Vec::new();
         for (place, (symbol, rate)) in self.q.iter().zip(&self.kane.coordinate_rates).enumerate() {
@@ -278,9 +282,9 @@ impl ReductionBasis {
         }
     }
 
-    /// Solves position = start + momentum · t for a coordinate. Returns the value, and the new symbol
-    /// of the position at the start. `None` unless the coordinate enters the position with a constant
-    /// factor.
+    /// Solves position = start + momentum · t for a coordinate. Returns the value of the
+    /// coordinate, and the new symbol for the position at the start. `None` unless the position is
+    /// linear in the coordinate, with a constant factor.
     fn slice_coordinate_of_mass_centre(
         &mut self,
         coordinate: Expr,

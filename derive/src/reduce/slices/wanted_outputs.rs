@@ -6,7 +6,7 @@ use crate::mechanics::{DeriveError, rates_to_speeds};
 use crate::reduce::basis::reduction_basis::ReductionBasis;
 use crate::scene::Scene;
 
-/// Values that a scene shows or watches, and which its reduced equations must give: outputs,
+/// Values that a scene shows or monitors, and which reduced equations must give: outputs,
 /// conditions and events.
 #[derive(Clone, Debug)]
 pub struct WantedOutputs {
@@ -19,7 +19,7 @@ pub struct WantedOutputs {
 }
 
 impl WantedOutputs {
-    /// Applies `rewrite` to each wanted value, and returns the results.
+    /// Applies the function `rewrite` to each wanted value. Returns the rewritten values.
     pub fn map(&self, mut rewrite: impl FnMut(Expr) -> Expr) -> Self {
         Self {
             outputs: self.outputs.iter().map(|(name, e)| (name.clone(), rewrite(*e))).collect(),
@@ -44,8 +44,8 @@ impl WantedOutputs {
 }
 
 impl ReductionBasis {
-    /// Collects the values that a scene shows or watches, as terms in q and u. Reactions among them are
-    /// replaced by their values.
+    /// Collects the values that a scene shows or monitors, as terms in q and u. Reactions in them
+    /// are replaced by their values.
     ///
     /// # Errors
     /// `DeriveError` if a reaction is wanted and the model's equations do not determine it.
@@ -64,8 +64,8 @@ impl ReductionBasis {
         Ok(WantedOutputs { outputs, conditions, events })
     }
 
-    /// Substitution for the names that scenes may use in addition to the state: parameters with
-    /// numbers, energies, reactions.
+    /// Substitution for the names that scenes may use besides q and u: parameters with numbers,
+    /// energies, reactions.
     ///
     /// # Errors
     /// `DeriveError` if a reaction is wanted and the model's equations do not determine it.
@@ -89,7 +89,7 @@ impl ReductionBasis {
         Ok(Substitution::new(&pairs))
     }
 
-    /// Values of the reactions as terms in q, u and u̇, as pairs of symbol and value.
+    /// Values of the reactions, as pairs (symbol, term in q, u and u̇).
     ///
     /// # Errors
     /// `DeriveError` if the model's equations do not determine the reactions.

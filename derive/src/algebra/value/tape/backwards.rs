@@ -128,9 +128,10 @@ mod tests {
         Function::Sign,
     ];
 
-    /// Goal: the backward pass gives the same slopes as the forward one, for every operation. Method: each function of
-    /// a product of powers, weighted, against the tape in numbers with slopes; 8 ε of the largest term, since functions
-    /// of the two are rounded separately.
+    /// The backward pass gives the same derivatives as the forward pass, for every operation.
+    /// Weighted products of powers with each function are compared with a tape in numbers with
+    /// derivatives. The tolerance is 8 ε of the largest term, since the two passes round their
+    /// functions separately.
     #[test]
     fn backwards_are_the_slopes_that_forwards_are() {
         let mut arena = Arena::new();
@@ -159,7 +160,7 @@ mod tests {
         }
     }
 
-    /// A factor of zero, and a root at zero on which nothing depends.
+    /// A factor of zero is allowed, and so is a root at zero on which the sum does not depend.
     #[test]
     fn a_factor_of_zero_and_what_nothing_depends_on_are_no_hindrance() {
         let mut arena = Arena::new();
