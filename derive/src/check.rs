@@ -1,11 +1,11 @@
 //! Check of a model before its equations are used: degrees of freedom, kinds of constraints, loads
 //! that create energy, unused names.
 //!
-//! Whether constraints are integrable is decided for all motion constraints together. The permitted
+//! Whether a constraint is integrable is decided for all motion constraints together. The permitted
 //! motions span the columns of W and, with drives, the drift w of q̇ = W u + w. These vector
 //! fields, their Lie brackets and the brackets of the brackets span all directions in which the
-//! mechanism can move. A constraint that all these fields satisfy keeps a function of the
-//! coordinates constant.
+//! mechanism can move. If all these fields satisfy a constraint, the constraint keeps a function of
+//! the coordinates constant.
 //!
 //! Sources: G. Frobenius 1877; V. Jurdjevic, *Geometric Control Theory* (1997), chapter 2; R. L.
 //! Bryant et al., *Exterior Differential Systems* (1991), chapter II §4 (derived flag).
@@ -43,15 +43,16 @@ pub enum ConstraintKind {
 pub struct CheckedConstraint {
     /// Name of the constraint in the model file.
     pub name: String,
-    /// Kind of the constraint.
+    /// Kind of the constraint: between coordinates or between velocities.
     pub kind: ConstraintKind,
-    /// True if the constraint keeps a function of the coordinates constant, given all other constraints
-    /// of the model. False if it restricts velocities only; `None` if undecided.
+    /// True if the constraint, together with all other constraints of the model, keeps a function
+    /// of the coordinates constant. False if it restricts velocities only; `None` if undecided.
     pub integrable: Option<bool>,
     /// Function of the coordinates that the constraint keeps constant, as the text of a formula; `None`
     /// if none was found.
     pub integral: Option<String>,
-    /// True if the constraint follows from the other constraints, so that it restricts nothing more.
+    /// True if the constraint follows from the other constraints: it restricts the motion no
+    /// further.
     pub redundant: bool,
 }
 
@@ -67,13 +68,13 @@ pub struct ModelCheck {
     pub constraints: Vec<CheckedConstraint>,
     /// Number of degrees of freedom: independent generalized speeds under all constraints.
     pub degrees_of_freedom: usize,
-    /// Mobility by counting: number of coordinates less number of constraints, redundant constraints
-    /// included. It may be negative.
+    /// Mobility by counting: number of coordinates minus number of constraints, redundant
+    /// constraints included. It may be negative.
     pub mobility_count: i64,
     /// Dimension of the set of poses that can be reached from one pose; `None` if undecided.
     pub configuration_freedom: Option<usize>,
-    /// Assembly branch in which all results about loops were found, with the rank of the constraints
-    /// there. `None` if the model has none.
+    /// Assembly branch (way to close the loops) for which all results about loops were found, with
+    /// the rank of the constraints there. `None` if the model has no such branch.
     pub branch: Option<AssemblyBranch>,
     /// Formulas whose zeros are the poses in which the chosen generalized speeds do not determine the
     /// motion.
@@ -81,16 +82,16 @@ pub struct ModelCheck {
     /// Poses in which the constraints lose rank for every choice of speeds; `None` if the model has no
     /// constraints.
     pub rank_loss: Option<RankLoss>,
-    /// Names of generalized speeds whose rates the equations of motion do not determine, since the
-    /// bodies that they move have no inertia.
+    /// Names of generalized speeds whose rates the equations of motion do not determine: the bodies
+    /// that these speeds move have no inertia.
     pub indeterminate: Vec<String>,
     /// Effect of each applied load on the energy, in the order of the model file. Empty for large
     /// models, which are not checked.
     pub loads: Vec<LoadEffect>,
     /// Further facts about the model, one sentence each.
     pub notes: Vec<String>,
-    /// Named terms that occur in the notes, as (name, formula). Each stands after the names that its
-    /// formula contains.
+    /// Named terms that occur in the notes, as (name, formula). A name comes after the names that
+    /// its formula contains.
     pub names: Vec<(String, String)>,
 }
 
@@ -211,8 +212,8 @@ pub fn check(model: &Model) -> Result<ModelCheck, DeriveError> {
     })
 }
 
-/// Mobility by counting: number of coordinates less number of constraints, redundant constraints
-/// included. Time counts as neither coordinate nor constraint.
+/// Mobility by counting: number of coordinates minus number of constraints, redundant constraints
+/// included. The coordinate for time and its constraint are not counted.
 fn mobility_count(model: &Model) -> i64 {
     let clock = usize::from(model.time().is_some());
     let rolling = model.dependent.iter().filter(|d| model.closed.iter().all(|c| c.name != d.name)).count();
@@ -221,8 +222,8 @@ fn mobility_count(model: &Model) -> i64 {
     count(model.coordinates.len() - clock) - count(constraints)
 }
 
-/// Writes the note that a component of rolling follows from the other constraints, except in single
-/// poses.
+/// Writes a note about a rolling constraint: one of its components follows from the other
+/// constraints, except in single poses.
 fn check_note_on_dependent_rolling(name: &str) -> String {
     format!(
         "`{name}` follows from the other constraints except in single poses: in these the equations of Lagrange and of Newton and Euler \
@@ -230,8 +231,7 @@ fn check_note_on_dependent_rolling(name: &str) -> String {
     )
 }
 
-/// Writes the note on a constraint that follows from other constraints wherever the loops are
-/// closed.
+/// Writes a note about a constraint that follows from other constraints in all closed poses.
 fn check_note_on_redundant_constraint(d: &RedundantConstraint) -> String {
     let poses = if d.poses == 1 { "the closed pose" } else { "each of the closed poses" };
     format!(
@@ -244,8 +244,8 @@ fn check_note_on_redundant_constraint(d: &RedundantConstraint) -> String {
     )
 }
 
-/// Writes the note on speeds that joints name but that the constraints determine from other speeds;
-/// `None` if there are none.
+/// Writes a note about speeds that joints name, although the constraints determine them from other
+/// speeds. `None` if there are no such speeds.
 fn check_note_on_speeds(model: &Model) -> Option<String> {
     let names =
         |list: &mut dyn Iterator<Item = &String>| list.map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
@@ -257,8 +257,8 @@ fn check_note_on_speeds(model: &Model) -> Option<String> {
     })
 }
 
-/// Writes the notes on bodies that have no inertia about the axis about which the speed `speed`
-/// turns them.
+/// Writes a note for each body that has no inertia about the axis about which the speed `speed`
+/// turns it. Error if the kinematics cannot be derived.
 fn check_notes_on_missing_inertia(model: &Model, speed: &str) -> Result<Vec<String>, DeriveError> {
     let Some(at) = model.speeds.iter().position(|s| s.name == speed) else { return Ok(Vec::new()) };
     let mut kinematics = Kinematics::new(model)?;
@@ -280,7 +280,7 @@ fn check_notes_on_missing_inertia(model: &Model, speed: &str) -> Result<Vec<Stri
     Ok(notes)
 }
 
-/// Writes the note on the power that changes the total energy T + V; `None` if T + V is constant.
+/// Writes a note on the power that changes the total energy T + V. `None` if T + V is constant.
 fn check_note_on_power(model: &Model, arena: &Arena, power: Expr) -> Option<String> {
     if model.is_driven() {
         return Some("constraints drive the mechanism: T + V changes by the work of their forces".to_owned());
@@ -295,7 +295,8 @@ fn integral_of(model: &Model, arena: &mut Arena, constraint: &MotionConstraint) 
     for &(at, slope) in Gradient::new(&model.q_dot()).apply(arena, constraint.equation).iter() {
         slopes[at] = slope;
     }
-    // The drive (the part of a constraint without rates) is the coefficient of the rate of time.
+    // The drive is the part of a constraint without rates. It is the coefficient of the rate of
+    // time.
     match model.time() {
         Some(time) => slopes[time] = arena.add(slopes[time], constraint.drive),
         None if constraint.drive != Expr::ZERO => return None,

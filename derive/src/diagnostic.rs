@@ -26,9 +26,9 @@ impl Source {
 
     /// Reads a regular file of UTF-8 text.
     ///
-    /// # Errors
-    /// [`Diagnostics`] that name the file and what is wrong: absent, a directory, a device or pipe,
-    /// too large, not UTF-8 (with the line of the first bad byte), or with a NUL byte.
+    /// [`Diagnostics`] that name the file and the reason. The file is absent, a directory, a device
+    /// or pipe, too large, not UTF-8 (with the line of the first wrong byte), or contains a NUL
+    /// byte.
     #[cfg(feature = "files")]
     pub fn read(path: &Path) -> Result<Self, Diagnostics> {
         let fail = |message: String, help: &str| Err(Diagnostics::without_place(path, &message, help));
@@ -51,7 +51,8 @@ impl Source {
                 "give a text file of this format",
             );
         }
-        // Error at a byte of a file that is not plain text: the source then holds only the text before that byte.
+        // For an error at a byte of a file that is not plain text, the source contains only the
+        // text before that byte.
         let fail_at = |at: usize, length: usize, message: &str, help: &str| {
             let mut text = String::from_utf8_lossy(&bytes[..at]).into_owned();
             let start = text.len();
@@ -67,7 +68,7 @@ impl Source {
             return fail_at(at, 1, "the file has a NUL byte here", "the file must be plain text");
         }
         match std::str::from_utf8(&bytes) {
-            // A byte order mark is no part of the text, and would shift its columns.
+            // A byte order mark is not a part of the text; it would shift the columns of errors.
             Ok(text) => Ok(Self { path: path.to_owned(), text: text.trim_start_matches('\u{feff}').to_owned() }),
             Err(error) => {
                 fail_at(error.valid_up_to(), 1, "the file is not UTF-8 from here on", "save the file as UTF-8")
@@ -95,8 +96,8 @@ pub struct Diagnostic {
     pub other: Option<(Range<usize>, String)>,
     /// Advice for correcting the error; `None` if there is none.
     pub help: Option<String>,
-    /// File of the error, if the file that was read names further files; `None` for the file that was
-    /// read.
+    /// File that contains the error, if it is a further file that the file being read names. `None`
+    /// for the file being read.
     pub file: Option<Arc<Source>>,
 }
 
@@ -148,7 +149,8 @@ impl Diagnostics {
         Some((excerpt.line, excerpt.column))
     }
 
-    /// File of an error: a file that the error names, otherwise the file that was read.
+    /// File that contains an error: the file that the error names, otherwise the file that was
+    /// read.
     #[must_use]
     pub fn file<'a>(&'a self, diagnostic: &'a Diagnostic) -> &'a Source {
         diagnostic.file.as_deref().unwrap_or(&self.source)
@@ -166,8 +168,8 @@ impl std::error::Error for Diagnostics {}
 
 /// Largest number of errors of one file that are shown.
 const MAX_SHOWN: usize = 50;
-/// Number of bytes of a very long line that are shown from an error on. A line of at most twice
-/// this length is shown whole.
+/// Number of bytes of a very long line that are shown, beginning at the error. A line of at most
+/// twice this length is shown whole.
 const MARGIN: usize = 160;
 
 impl fmt::Display for Diagnostics {
@@ -190,7 +192,7 @@ impl fmt::Display for Diagnostics {
     }
 }
 
-/// Writes one error as compilers do: message, place with the lines of the file, and advice.
+/// Writes one error in the way of compilers: message, place with the lines of the file, and advice.
 fn render_diagnostic(path: &str, text: &str, diagnostic: &Diagnostic) -> String {
     let title = Level::ERROR.primary_title(diagnostic.message.as_str());
     let excerpt = diagnostic.span.as_ref().map(|span| Excerpt::new(text, span));
@@ -214,7 +216,8 @@ fn render_diagnostic(path: &str, text: &str, diagnostic: &Diagnostic) -> String 
                 (None, None) => title.element(snippet),
             }
         }
-        // Part of a very long line: its place is stated in words, since columns of the part would mislead.
+        // The place of an error in a very long line is stated in words, since columns of a part of
+        // the line would mislead.
         Some(excerpt) => {
             let origin = Origin::path(path).line(excerpt.line).char_column(excerpt.column);
             let note = match &*excerpt.text {
@@ -252,7 +255,7 @@ impl<'a> Excerpt<'a> {
         let from = floor_char_boundary(text, span.start);
         let to = floor_char_boundary(text, span.end).max(from);
         let first = text[..from].rfind('\n').map_or(0, |n| n + 1);
-        // For an error over many lines, the first line is enough.
+        // If an error extends over several lines, only the first line is shown.
         let end = text[from..].find('\n').map_or(text.len(), |n| from + n);
         let end = if text[..end].ends_with('\r') { end - 1 } else { end }.max(from);
         let to = to.min(end).max(from);
@@ -279,7 +282,7 @@ fn floor_char_boundary(text: &str, at: usize) -> usize {
     at
 }
 
-/// Error for a name that is not declared, or that is declared but is not of the wanted kind.
+/// Error for a name that is not declared, or that is declared as something of another kind.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnknownName {
     /// Message of the error, in one line.

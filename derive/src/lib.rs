@@ -36,9 +36,9 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! The flow is one way: [`diagnostic::Source`] → [`model::Model`] → [`mechanics::Kinematics`] →
-//! [`mechanics::Equations`] by Kane, Lagrange or Newton–Euler. No stage changes the result of an
-//! earlier stage. The formulations share the kinematics and nothing else.
+//! Data flow in one direction: [`diagnostic::Source`] → [`model::Model`] →
+//! [`mechanics::Kinematics`] → [`mechanics::Equations`] by Kane, Lagrange or Newton–Euler. No stage
+//! changes the result of an earlier stage. The formulations share the kinematics and nothing else.
 
 // The examples of the README are tested too.
 #![cfg_attr(doctest, doc = include_str!("../README.md"))]

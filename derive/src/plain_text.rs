@@ -1,12 +1,12 @@
-//! Plain text of input files in messages and outputs: refuses forbidden characters, and shows texts
-//! and numbers for people.
+//! Plain text of input files in messages and outputs. Functions find forbidden characters, and
+//! print texts and numbers for people.
 //!
-//! The reader of files refuses control characters and characters that change the direction of
-//! writing. So no output has to handle them. Text that does not pass the reader, such as a syntax
-//! error's line or the name of a folder, is made [`with_visible_characters`].
+//! The readers of files refuse control characters and characters that change the direction of
+//! writing. So no output has to handle them. Text that does not pass a reader, such as a line with
+//! a syntax error or the name of a folder, is converted by [`with_visible_characters`].
 //!
-//! This module does no quoting for Rust, HTML, LaTeX, CSV or JSON. Each writer of such a format
-//! escapes for it, in one place.
+//! This module does not quote text for Rust, HTML, LaTeX, CSV or JSON. Each writer of such a format
+//! has its own escapes.
 
 use std::borrow::Cow;
 use std::cmp::Ordering;
@@ -22,7 +22,7 @@ pub fn is_forbidden(c: char) -> bool {
             '\u{00ad}' | '\u{200b}' | '\u{2060}'..='\u{2064}' | '\u{e0000}'..='\u{e007f}' | '\u{061c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{feff}' | '\u{fff9}'..='\u{fffb}')
 }
 
-/// True if a character only separates words. These are line feed, carriage return, tab and space.
+/// True if a character is white space in a text: line feed, carriage return, tab or space.
 #[must_use]
 pub fn is_blank(c: char) -> bool {
     matches!(c, '\n' | '\r' | '\t' | ' ')
@@ -41,7 +41,8 @@ pub fn one_line(text: &str) -> String {
     text.split(is_blank).filter(|word| !word.is_empty()).collect::<Vec<_>>().join(" ")
 }
 
-/// Replaces every forbidden character of a text by its escape, such as `\u{1b}`. Line feeds stay.
+/// Replaces every forbidden character of a text by its escape, such as `\u{1b}`. Line feeds are
+/// kept.
 #[must_use]
 pub fn with_visible_characters(text: &str) -> Cow<'_, str> {
     if text.chars().all(|c| c == '\n' || !is_forbidden(c)) {
@@ -51,8 +52,8 @@ pub fn with_visible_characters(text: &str) -> Cow<'_, str> {
     Cow::Owned(text.chars().map(written).collect())
 }
 
-/// Writes a number for people with `digits` significant digits. From 0.001 up to 100 000 in size it
-/// is a decimal fraction, otherwise it has a power of ten.
+/// Writes a number for people with `digits` significant digits. It is a decimal fraction if its
+/// absolute value is from 0.001 up to 100 000; otherwise it has a power of ten.
 ///
 /// ```
 /// use tripos_derive::plain_text::with_significant_digits;
@@ -71,8 +72,8 @@ pub fn with_significant_digits(x: f64, digits: usize) -> String {
     }
 }
 
-/// Writes a number for people with only the digits that its absolute `error` leaves reliable, at
-/// most ten. Six digits if the error is `None`, zero or negative.
+/// Writes a number for people with the digits that are reliable at the absolute error `error`, at
+/// most ten. If `error` is `None`, zero or negative, it has six digits.
 ///
 /// ```
 /// use tripos_derive::plain_text::with_reliable_digits;

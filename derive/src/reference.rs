@@ -5,8 +5,8 @@
 //! `tests/sympy/README.md` describes the keys. Formulas are compared by algebra, never by text: see
 //! [`compare_reference()`].
 //!
-//! Invariant: a reference agrees only if it is complete. A missing entry is reported, never passed
-//! over. This module does not run Python.
+//! Invariant: a reference agrees only if it is complete. A missing entry is reported. This module
+//! does not run Python.
 
 mod compare_reference;
 
@@ -28,17 +28,18 @@ pub struct Reference {
     pub file: PathBuf,
     /// Short name of the model, as stated in the reference.
     pub model: String,
-    /// Hash of the model text from which the reference was derived, without shapes and notation; see
-    /// [`crate::model::text_hash`].
+    /// Hash of the model text from which the reference was derived. Shapes and notation are not
+    /// part of this text; see [`crate::model::text_hash`].
     pub text_hash: String,
     /// Version of SymPy that derived the reference.
     pub sympy: String,
     /// Quantities as pairs of name and formula, in the order of the reference file.
     pub quantities: Vec<(String, String)>,
-    /// Equations of motion, one system for each formulation in the file. Kane's and Lagrange's are
-    /// always present, unless `not_derived` is set.
+    /// Equations of motion, one system for each formulation in the file. Kane's and Lagrange's
+    /// equations are always present, unless `not_derived` is set.
     pub systems: Vec<ReferenceSystem>,
-    /// Reason why SymPy does not derive this model, so that the reference is empty; `None` if it does.
+    /// Reason why SymPy does not derive this model, so that the reference is empty. `None` if SymPy
+    /// derives it.
     pub not_derived: Option<String>,
 }
 
@@ -196,8 +197,8 @@ impl Reference {
     }
 }
 
-/// Name of the Python environment's folder among cargo's test folders. It contains the hash of the
-/// text of `tests/sympy/requirements.txt`, which lists the packages.
+/// Name of the folder of the Python environment, which is inside cargo's test folder. It contains a
+/// hash of `requirements`: the text of `tests/sympy/requirements.txt`, which lists the packages.
 #[must_use]
 pub fn reference_environment_name(requirements: &str) -> String {
     format!("sympy-{}", text_hash(requirements))
@@ -219,14 +220,15 @@ fn form_error(file: &Path, key: &str, expected: &str) -> ReferenceError {
 struct ReferenceTable<'a> {
     /// Path of the reference file.
     file: &'a Path,
-    /// Key of the object; empty for the whole file.
+    /// Key of the object in the file; empty for the whole file.
     path: &'a str,
     /// Entries of the JSON object, by key.
     entries: &'a Map<String, Value>,
 }
 
 impl<'a> ReferenceTable<'a> {
-    /// Creates the error for an entry of this object whose content differs from the expected.
+    /// Creates the error for an entry of this object whose content differs from the text
+    /// `expected`.
     fn wrong_entry_error(&self, key: &str, expected: &str) -> ReferenceError {
         let dot = if self.path.is_empty() { "" } else { "." };
         form_error(self.file, &format!("{}{dot}{key}", self.path), expected)
@@ -257,7 +259,8 @@ impl<'a> ReferenceTable<'a> {
         entries.collect()
     }
 
-    /// Reads an entry that must be a list of strings, with `count` strings if given.
+    /// Reads an entry that must be a list of strings. If `count` is given, the list must have
+    /// `count` strings.
     fn list(&self, key: &str, count: Option<usize>) -> Result<Vec<String>, ReferenceError> {
         let found =
             self.entries.get(key).and_then(reference_string_list).filter(|list| count.is_none_or(|n| n == list.len()));
@@ -278,7 +281,7 @@ impl<'a> ReferenceTable<'a> {
     }
 }
 
-/// Reads a JSON value as a list of strings; `None` if it is not.
+/// Reads a JSON value as a list of strings; `None` if it is anything else.
 fn reference_string_list(value: &Value) -> Option<Vec<String>> {
     value.as_array()?.iter().map(|entry| entry.as_str().map(str::to_owned)).collect()
 }

@@ -1,5 +1,5 @@
-//! Readers of scene files and state files. A scene states the parameters, start, span, accuracy and
-//! outputs of a run. A state is a single instant: parameters, coordinates and speeds.
+//! Readers of scene files and state files. A scene states the parameters, start, time span,
+//! accuracy and outputs of a run. A state is a single instant: parameters, coordinates and speeds.
 
 mod families;
 mod motions;
@@ -129,7 +129,7 @@ pub struct Scene {
     pub q: Vec<f64>,
     /// Values of the generalized speeds at the start, in SI units and in the order of the model.
     pub u: Vec<f64>,
-    /// Coordinates whose start values were solved for, so that the loops of the mechanism are closed.
+    /// Coordinates whose start values were computed so that the loops of the mechanism are closed.
     pub closed: Vec<SolvedVariable>,
     /// First and last instant of the run, s. The last may be earlier than the first.
     pub span: (f64, f64),
@@ -137,11 +137,13 @@ pub struct Scene {
     pub exact: ExactStart,
     /// Settings of the integration: method, tolerances, steps, samples.
     pub integration: Integration,
-    /// Further values of one coordinate or speed at the start, for stability tests; `None` if the file states none.
+    /// Further start values of one coordinate or speed, for stability tests; `None` if the file
+    /// states none.
     pub ladder: Option<Ladder>,
     /// Outputs to show. If the file states none, they are all coordinates and speeds.
     pub outputs: Vec<SceneOutput>,
-    /// True if the scene file states outputs; false if `outputs` holds the default outputs.
+    /// True if the scene file states outputs. False if `outputs` contains the default: all
+    /// coordinates and speeds.
     pub states_outputs: bool,
     /// Indices of the parameters that stay symbols in the scene's reduced equations, because runs vary them.
     pub free: Vec<usize>,
@@ -173,7 +175,7 @@ const KEYS: [&str; 16] = [
     "figures",
 ];
 
-/// True if a text is a scene file by its keys: it has a key that no other file format has.
+/// True if a text is a scene file: it has a top-level key that no other file format has.
 #[must_use]
 pub fn is_scene(source: &Source) -> bool {
     const OWN: [&str; 8] = ["start", "span", "integration", "outputs", "events", "impacts", "figures", "ladder"];
@@ -194,7 +196,8 @@ pub fn model_path_of_scene(source: &Source) -> Result<PathBuf, Diagnostics> {
     Ok(if stated.is_absolute() { stated } else { folder.join(stated) })
 }
 
-/// Reads a scene file for its model. Terms of events and outputs are added to the model's arena.
+/// Reads a scene file for its model. The terms of events and outputs are added to the model's
+/// arena.
 ///
 /// # Errors
 /// [`Diagnostics`] with every error of the scene file.
@@ -244,8 +247,8 @@ pub fn load(source: &Source, model: &mut Model) -> Result<Scene, Diagnostics> {
 }
 
 /// Reads a scene for its model and replaces inputs of the model by the scene's formulas. Equations
-/// are then derived with these formulas. The model must not have been used to read another scene
-/// before.
+/// derived from the model afterwards contain these formulas. The model must not have been used to
+/// read another scene before.
 ///
 /// # Errors
 /// [`Diagnostics`] with every error of the scene file.
@@ -255,8 +258,8 @@ pub fn load_scene_with_inputs(source: &Source, model: &mut Model) -> Result<Scen
 }
 
 impl Scene {
-    /// Scenes of the ladder (the varied start value), one for each value, with the text "name = value".
-    /// Without a ladder, the scene itself is the only entry.
+    /// Scenes with each start value of the ladder, as pairs of the text "name = value" and the
+    /// scene. Without a ladder, the scene itself is the only entry, with the text "as it is".
     #[must_use]
     pub fn ladder_scenes(&self) -> Vec<(String, Self)> {
         let Some(ladder) = &self.ladder else { return vec![("as it is".to_owned(), self.clone())] };
@@ -277,7 +280,7 @@ impl Scene {
         ladder.values.iter().map(rung).collect()
     }
 
-    /// Warnings about start angles that were probably meant in degrees, one line each.
+    /// Warnings about start angles that look like degrees instead of radians, one line each.
     #[must_use]
     pub fn degree_warnings(&self, model: &Model) -> Vec<String> {
         let starts = model.coordinates.iter().zip(&self.q).filter(|(c, q)| c.looks_like_degrees(**q));
@@ -288,7 +291,7 @@ impl Scene {
     }
 }
 
-/// Numeric values of a scene file: parameters, and the values that may depend on them.
+/// Numeric values of a scene file: parameters, and the values that may be formulas in parameters.
 struct SceneNumbers {
     /// Values of the parameters, in the order of the model.
     p: Vec<Number>,
@@ -303,8 +306,8 @@ struct SceneNumbers {
 }
 
 impl<'a> ValueReader<'a, '_> {
-    /// Reads the parameters, start, span, integration settings and contact coefficients of a scene
-    /// file. Errors are recorded in the reader.
+    /// Reads the parameters, start, time span, integration settings and contact coefficients of a
+    /// scene file. Errors are recorded in the reader.
     fn scene_numbers(&mut self, table: &'a DeTable<'a>) -> SceneNumbers {
         let parameters = self.parameters(table);
         let span = self.scene_span(table, parameters.as_deref().unwrap_or_default());
@@ -330,7 +333,8 @@ impl<'a> ValueReader<'a, '_> {
         SceneNumbers { coefficients, p, start: start.unwrap_or_default(), span, integration }
     }
 
-    /// Reads `span`: first and last instant, s. `None` after an error is reported.
+    /// Reads `span`: first and last instant, s. If it is absent or wrong, an error is recorded and
+    /// `None` is returned.
     fn scene_span(&mut self, table: &'a DeTable<'a>, p: &[Number]) -> Option<(Number, Number)> {
         let Some(value) = self.reader.get(table, "span") else {
             let help = "add span = [0, 1], in seconds";
@@ -361,8 +365,8 @@ impl<'a> ValueReader<'a, '_> {
         Some((from, to))
     }
 
-    /// Tables of an array of tables such as `[[events]]`, each with its TOML value, which has its
-    /// place. Empty if the key is absent.
+    /// Reads an array of tables such as `[[events]]`. Returns pairs of the table and its TOML
+    /// value, which contains its place in the file. Empty if the key is absent.
     fn scene_entries(&mut self, table: &'a DeTable<'a>, key: &str) -> Vec<(&'a DeTable<'a>, &'a Spanned<DeValue<'a>>)> {
         let Some(value) = self.reader.get(table, key) else { return Vec::new() };
         let DeValue::Array(array) = value.get_ref() else {
@@ -376,7 +380,7 @@ impl<'a> ValueReader<'a, '_> {
             .collect()
     }
 
-    /// Reads the events of a scene file; reports wrong ones.
+    /// Reads the events of a scene file. Wrong events are left out and recorded as errors.
     fn scene_events(&mut self, table: &'a DeTable<'a>) -> Vec<SceneEvent> {
         let mut events: Vec<SceneEvent> = Vec::new();
         for (entry, value) in self.scene_entries(table, "events") {
@@ -407,7 +411,7 @@ impl<'a> ValueReader<'a, '_> {
         events
     }
 
-    /// Reads the figures of a scene file; reports wrong ones.
+    /// Reads the figures of a scene file. Wrong figures are left out and recorded as errors.
     fn figures(&mut self, table: &'a DeTable<'a>) -> Vec<Figure> {
         let mut figures = Vec::new();
         for (entry, value) in self.scene_entries(table, "figures") {
@@ -422,7 +426,7 @@ impl<'a> ValueReader<'a, '_> {
         figures
     }
 
-    /// Text of an optional key on one line; `None` if the key is absent.
+    /// Text of an optional key, on one line. `None` if the key is absent or is not a string.
     fn scene_text(&mut self, table: &'a DeTable<'a>, key: &str) -> Option<String> {
         self.reader.prose(table, key)
     }

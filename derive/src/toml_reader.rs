@@ -1,5 +1,5 @@
-//! Typed access to a TOML file (a model, scene or publication). All errors are collected, each with
-//! its place in the file.
+//! Reader of a TOML file: a model, scene or publication. All errors are collected, each with its
+//! place in the file.
 
 use crate::algebra::text::print::print_text;
 use crate::algebra::value::interval::{constant_with_wide_interval, number_beyond_doubles};
@@ -12,7 +12,8 @@ use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// Version of the file formats and of the JSON that commands print. It grows when an existing key changes its meaning.
+/// Version of the file formats and of the JSON that commands print. It is increased when an
+/// existing key changes its meaning.
 pub const SCHEMA: u32 = 1;
 
 /// Text of a key or value, with its place in the file.
@@ -23,14 +24,14 @@ pub struct Located {
     pub text: String,
     /// Byte range of the text in the file. It excludes the quotes if the text has no escapes.
     pub span: Range<usize>,
-    /// True if byte k of `text` is byte `span.start + k` of the file, so that parts of the text have
-    /// places.
+    /// True if byte k of `text` is byte `span.start + k` of the file. Then a part of the text has a
+    /// place of its own.
     pub exact: bool,
 }
 
 impl Located {
-    /// Byte range in the file of the bytes `range` of the text. It is the whole `span` if the text is
-    /// not `exact`.
+    /// Place in the file, as a byte range, of the bytes `range` of the text. It is the whole `span`
+    /// if the text is not `exact`.
     #[must_use]
     pub fn part(&self, range: Range<usize>) -> Range<usize> {
         if self.exact { self.span.start + range.start..self.span.start + range.end } else { self.span.clone() }
@@ -46,21 +47,22 @@ pub struct TomlReader<'a> {
     pub source: &'a Source,
     /// Errors found in the file so far.
     pub errors: Vec<Diagnostic>,
-    /// Messages recorded by `error_once`: index of the message in `errors`, and number of places
-    /// reported so far.
+    /// Messages recorded by `error_once`. The values are the index of the message in `errors`, and
+    /// the number of places reported so far.
     repeated: FxHashMap<String, (usize, usize)>,
-    /// Texts that were assembled from parts of this file, or from parts of files that it names.
+    /// Texts that were assembled from parts of this file, or from parts of further files that it
+    /// names.
     made: Vec<AssembledText>,
 }
 
-/// Map from the bytes of a text that was assembled from parts of a file to their places in the
-/// file. The bytes of the text get numbers after that of the last byte of the file that is read, so
-/// that a byte number tells to which text it belongs.
+/// Map from the bytes of an assembled text to their places in the file from which its parts come.
+/// The bytes of an assembled text are numbered after the last byte of the file being read. So the
+/// number of a byte shows to which text it belongs.
 struct AssembledText {
-    /// Number of the first byte of the assembled text. The count continues after the last byte of the
-    /// file that is read and of earlier assembled texts.
+    /// Number of the first byte of the assembled text. Numbers continue after the last byte of the
+    /// file being read and of earlier assembled texts.
     start: usize,
-    /// File from which the parts come; `None` for the file that is read.
+    /// File from which the parts come; `None` for the file being read.
     file: Option<Arc<Source>>,
     /// Place in the file of each byte of the assembled text, as (start, end) in bytes.
     places: Vec<(u32, u32)>,
@@ -91,14 +93,14 @@ impl<'a> TomlReader<'a> {
         let mut doubled_section: Option<usize> = None;
         for error in errors.iter().filter(|e| duplicate(e)) {
             let span = error.span().unwrap_or(0..0);
-            // The keys of a section stated twice are not errors of their own.
+            // If a section is stated twice, its keys are not reported as duplicates as well.
             if doubled_section.is_some_and(|start| !source.text[start..span.start].contains("\n[")) {
                 continue;
             }
             doubled_section = source.text[..span.start].ends_with('[').then_some(span.end);
             list.push(duplicate_key_error(source, table.get_ref(), span));
         }
-        // After a syntax error the rest is guesswork: only the first one is shown.
+        // Only the first syntax error is shown, since later ones may be caused by it.
         let first = errors.iter().filter(|e| !duplicate(e)).min_by_key(|e| e.span().map_or(0, |s| s.start));
         if let Some(error) = first {
             let span = error.span().unwrap_or(0..0);
@@ -110,7 +112,7 @@ impl<'a> TomlReader<'a> {
     }
 
     /// Reports every key and every text of a TOML table that contains a forbidden character. Line
-    /// breaks and tabs are allowed in texts, where they separate the words of formulas and prose.
+    /// breaks and tabs are allowed in texts: they separate words.
     fn refuse_forbidden_characters(&mut self, table: &DeTable<'_>) {
         let mut tables = vec![table];
         let mut values: Vec<&Spanned<DeValue<'_>>> = Vec::new();
@@ -132,8 +134,8 @@ impl<'a> TomlReader<'a> {
         }
     }
 
-    /// Reports the first character of a text for which `fits` is false. `span` is the place of the text
-    /// in the file.
+    /// Reports the first character of a text for which the function `fits` returns false. `span` is
+    /// the place of the text in the file.
     fn refuse_forbidden_character_in(&mut self, span: Range<usize>, text: &str, fits: impl Fn(char) -> bool) {
         if let Some(c) = text.chars().find(|c| !fits(*c)) {
             let kind = if c.is_control() { "the control character" } else { "the invisible character" };
@@ -152,8 +154,9 @@ impl<'a> TomlReader<'a> {
         Some(one_line(&self.string(value, &format!("`{key}`"))?.text))
     }
 
-    /// Reads a name for people, such as a title, without white space at its ends. `None` after an error
-    /// is reported: not a string, or a line break or another forbidden character.
+    /// Reads a name for people, such as a title, without white space at its ends. `None`, with an
+    /// error recorded, if the value is not a string, or contains a line break or another forbidden
+    /// character.
     pub fn name(&mut self, value: &'a Spanned<DeValue<'a>>, what: &str) -> Option<Located> {
         let text = self.string(value, what)?;
         if let Some(c) = text.text.chars().find(|c| is_forbidden(*c)) {
@@ -164,8 +167,7 @@ impl<'a> TomlReader<'a> {
         Some(Located { text: text.text.trim().to_owned(), ..text })
     }
 
-    /// Ends the reading of the file: returns the collected errors, if there are any, and clears the
-    /// list.
+    /// Ends the reading of the file: returns all recorded errors and clears the list.
     ///
     /// # Errors
     /// [`Diagnostics`] if any error was recorded.
@@ -177,9 +179,9 @@ impl<'a> TomlReader<'a> {
         Err(Diagnostics::new(self.source.clone(), errors))
     }
 
-    /// Registers a text that was assembled from parts of a file, so that an error in the text points at
-    /// the part. `places` gives, for each byte of the text, its (start, end) in `file`; `None` is the
-    /// file that is read.
+    /// Registers a text that was assembled from parts of a file, so that an error in the text
+    /// points at the right part. `places` has, for each byte of the text, its (start, end) in
+    /// `file`. `None` for `file` is the file being read.
     pub fn register_assembled_text(
         &mut self,
         file: Option<Arc<Source>>,
@@ -192,15 +194,15 @@ impl<'a> TomlReader<'a> {
         Located { text, span, exact: true }
     }
 
-    /// True if `text` was assembled from parts of a file and registered with `made`. False if it stands
-    /// in the file that is read.
+    /// True if `text` was registered as an assembled text. False if it is a part of the file being
+    /// read.
     #[must_use]
     pub fn is_assembled_text(&self, text: &Located) -> bool {
         text.span.start > self.source.text.len()
     }
 
-    /// Translates the places of an error in an assembled text to places in the file from which the text
-    /// came. Other errors stay unchanged.
+    /// Translates the places of an error in an assembled text into places in the file from which
+    /// the text came. Errors at other places stay unchanged.
     fn error_in_its_file(&self, mut error: Diagnostic) -> Diagnostic {
         if error.file.is_some() {
             return error;
@@ -213,7 +215,7 @@ impl<'a> TomlReader<'a> {
         {
             match self.place_of(span) {
                 Some((place, file)) if file == error.file => *span = place,
-                // The second place is in another file than the first.
+                // The second place is left out if it is in another file than the first.
                 _ => error.other = None,
             }
         } else if error.file.is_some() {
@@ -222,8 +224,8 @@ impl<'a> TomlReader<'a> {
         error
     }
 
-    /// Place in a file of a byte range of an assembled text, with the file (`None`: the file that is
-    /// read). `None` if the range is in the file that is read.
+    /// Place in a file of a byte range of an assembled text, as (byte range, file). `None` for the
+    /// file is the file being read. The result is `None` if `span` is not in an assembled text.
     fn place_of(&self, span: &Range<usize>) -> Option<(Range<usize>, Option<Arc<Source>>)> {
         let at = self.made.partition_point(|made| made.start <= span.start).checked_sub(1)?;
         let made = &self.made[at];
@@ -241,7 +243,8 @@ impl<'a> TomlReader<'a> {
         self.errors.push(Diagnostic::new(span, message, help));
     }
 
-    /// Records an error for a constant in a formula whose value double precision loses by cancellation.
+    /// Records an error for a constant in a formula whose digits are lost in double precision by
+    /// cancellation.
     pub fn report_lost_constant(&mut self, arena: &Arena, formula: &Located, constant: Expr) {
         let message = format!(
             "double precision does not know the constant `{}`",
@@ -251,9 +254,9 @@ impl<'a> TomlReader<'a> {
         self.error(formula.span.clone(), message, help);
     }
 
-    /// True if double precision can compute the formula `e`; otherwise reports an error at `formula`.
-    /// Formulas are refused if they have a number beyond the range of doubles, or a constant whose
-    /// digits doubles lose.
+    /// True if double precision can compute the formula `e`; otherwise an error is recorded at
+    /// `formula`. A formula is refused if it has a number beyond the range of doubles, or a
+    /// constant whose digits are lost in doubles.
     pub fn is_computable(&mut self, arena: &Arena, formula: &Located, e: Expr) -> bool {
         if let Some(power) = number_beyond_doubles(arena, e) {
             let message = format!("a number of about 10^{power} is beyond double precision");
@@ -268,8 +271,8 @@ impl<'a> TomlReader<'a> {
         false
     }
 
-    /// Records an error that one cause may raise at many places. The message is shown once, with its
-    /// first two places and the number of further places.
+    /// Records an error that one cause may produce at many places. The message is shown once, with
+    /// its first two places and the number of further places.
     pub fn error_once(&mut self, span: Range<usize>, message: String, help: impl Into<String>) {
         let Some((at, places)) = self.repeated.get_mut(&message) else {
             self.repeated.insert(message.clone(), (self.errors.len(), 1));
@@ -285,19 +288,20 @@ impl<'a> TomlReader<'a> {
         first.other = spans[1].take().map(|s| (s, others));
     }
 
-    /// Entries of a TOML table in the order of the file; entries at one place are ordered by their
-    /// names.
+    /// Entries of a TOML table in the order of the file. Entries with the same place are ordered by
+    /// name.
     #[allow(clippy::unused_self, reason = "a question to the reader")]
     pub fn entries(&self, table: &'a DeTable<'a>) -> Vec<Entry<'a>> {
         let mut entries: Vec<Entry<'a>> = table.iter().map(|(key, value)| (located_key(key), value)).collect();
-        // Entries that a repetition made share one place: their names order them.
+        // Entries that were created by a repetition have the same place, so their names order them.
         entries.sort_by(|(a, _), (b, _)| {
             a.span.start.cmp(&b.span.start).then_with(|| compare_with_numbers(&a.text, &b.text))
         });
         entries
     }
 
-    /// Reports every key of `table` that is not among `allowed`; `what` names the table in messages.
+    /// Reports every key of `table` that is not in `allowed`. `what` is the name of the table in
+    /// messages.
     pub fn report_unknown_keys(&mut self, table: &'a DeTable<'a>, what: &str, allowed: &[&str]) {
         for (key, _) in self.entries(table) {
             if !allowed.contains(&key.text.as_str()) {
@@ -313,8 +317,8 @@ impl<'a> TomlReader<'a> {
         table.iter().find(|(k, _)| k.get_ref() == key).map(|(_, value)| value)
     }
 
-    /// Checks the format version that a file states under the key `schema`. Reports a version that is
-    /// newer than `SCHEMA` or no number. An absent key is accepted.
+    /// Checks the format version that a file states under the key `schema`. An error is recorded if
+    /// the version is newer than `SCHEMA` or not a number. An absent key is accepted.
     pub fn schema(&mut self, table: &'a DeTable<'a>) {
         let Some(value) = self.get(table, "schema") else { return };
         let version = match value.get_ref() {
@@ -336,8 +340,8 @@ impl<'a> TomlReader<'a> {
         }
     }
 
-    /// Value of a required key of a table. If the key is absent, reports an error at `owner`, with
-    /// `what` as the name of the table, and returns `None`.
+    /// Value of a required key of a table. If the key is absent, an error is recorded at the place
+    /// `owner`, with `what` as the name of the table, and `None` is returned.
     pub fn required(
         &mut self,
         table: &'a DeTable<'a>,
@@ -352,8 +356,8 @@ impl<'a> TomlReader<'a> {
         value
     }
 
-    /// Reads a value as a table. For another kind of value, reports an error with `example` as advice
-    /// and returns `None`.
+    /// Reads a value as a table. For another kind of value, records an error with `example` as
+    /// advice and returns `None`.
     pub fn table(&mut self, value: &'a Spanned<DeValue<'a>>, what: &str, example: &str) -> Option<&'a DeTable<'a>> {
         match value.get_ref() {
             DeValue::Table(table) => Some(table),
@@ -428,8 +432,8 @@ impl<'a> TomlReader<'a> {
         }
     }
 
-    /// Locates the content of a string in the file, without its quotes. TOML has one or three quotes,
-    /// and drops a line break after three. If escapes changed the content, the place is that of the
+    /// Text and place of a TOML string, without its quotes. TOML has one or three quotes, and drops
+    /// a line break after three opening quotes. If the string has escapes, the place is that of the
     /// whole value.
     fn located(&self, span: Range<usize>, text: &str) -> Located {
         for (before, after) in [(1, 1), (3, 3), (4, 3), (5, 3)] {
@@ -442,13 +446,14 @@ impl<'a> TomlReader<'a> {
     }
 }
 
-/// Error for a TOML key that is stated twice. It also shows the first place of the key, if that is
-/// found.
+/// Creates the error for a TOML key that is stated twice. It also shows the first place of the key,
+/// if this place is found.
 fn duplicate_key_error(source: &Source, table: &DeTable<'_>, span: Range<usize>) -> Diagnostic {
     let key = source.text[span.clone()].trim_matches(['"', '\'']);
     let message = format!("`{}` is stated twice", shortened_for_message(key));
     let diagnostic = Diagnostic::new(span.clone(), message, "remove or rename one of the two");
-    // The section with the key: the last header above it, or the whole file.
+    // The section that contains the key is that of the last header above it, or else the top level
+    // of the file.
     let above = &source.text[..span.start];
     let line = &above[above.rfind('\n').map_or(0, |n| n + 1)..];
     let header = if line.starts_with('[') { line } else { above.rfind("\n[").map_or("", |n| &above[n + 1..]) };

@@ -28,29 +28,30 @@ pub struct ColumnRelations<'a> {
     columns: usize,
     /// Indices of the regressor's columns that do not depend linearly on earlier columns.
     pub pivots: Vec<usize>,
-    /// Dependent nonzero columns, each with the pivot columns of which it is a sum, as numbers among
-    /// the pivots.
+    /// Dependent nonzero columns, as pairs of the column's index and the pivot columns of which it
+    /// is a linear combination. The latter are indices into `pivots`.
     pub dependent: Vec<(usize, Vec<usize>)>,
-    /// Number of random states at which the rank of the columns was found.
+    /// Number of random states at which the columns were evaluated to find their rank.
     pub states: usize,
 }
 
-/// Residues of factors and atoms at a point. A point is a choice of random values for the known
+/// Residues of factors and atoms at a point. A point is one choice of random values for the known
 /// parameters.
 pub struct RelationResidues {
-    /// Factors of each dependent column, as residues, in the order of the pivots of its sum.
+    /// Factors of each dependent column, as residues, in the order of the pivot columns in its
+    /// linear combination.
     pub factors: Vec<Vec<u64>>,
     /// Values of the atoms, as residues, in the order of [`KnownParameters::atoms`].
     pub atoms: Vec<u64>,
 }
 
-/// Parameters that differ from the values of a point's seed, with the seed of their own values;
-/// `None` if none differ.
+/// Parameters whose values at a point come from another seed than that of the point, with this
+/// seed. `None` if there are none.
 pub type ChangedParameters<'s> = Option<(&'s FxHashSet<Expr>, u64)>;
 
 impl<'a> ColumnRelations<'a> {
-    /// Finds the dependent columns for general values of the known parameters. `None` if the columns
-    /// have no values.
+    /// Finds the dependent columns for general values of the known parameters. `None` if no values
+    /// of the columns are found.
     pub fn new(arena: &'a Arena, columns: &[Column], letters: &'a KnownParameters) -> Option<Self> {
         let terms = columns.iter().flat_map(|column| &column.forces).chain(letters.atoms()).copied().collect();
         let mut sampler = ResidueSampler::new(arena, terms);
@@ -71,7 +72,7 @@ impl<'a> ColumnRelations<'a> {
             return Some(table);
         }
         table.find_state_count(seed)?;
-        // Two points are used: a factor may be 0 by chance at one of them.
+        // Two points are used, since a factor may be 0 by chance at one of them.
         let again = table.seed();
         for seed in [seed, again] {
             table.add_supports(seed)?;
@@ -81,8 +82,8 @@ impl<'a> ColumnRelations<'a> {
         Some(table)
     }
 
-    /// Raises the number of states until the rank of the columns stays constant. `None` if terms have
-    /// no values.
+    /// Increases the number of states until the rank of the columns no longer increases. `None` if
+    /// no values of the terms are found.
     fn find_state_count(&mut self, seed: u64) -> Option<()> {
         self.states = self.columns.div_ceil(self.speeds.max(1)).max(1);
         let rank = |table: &Self, states: usize| {
@@ -99,8 +100,8 @@ impl<'a> ColumnRelations<'a> {
         }
     }
 
-    /// Adds the pivots on which each dependent column depends at a point. `None` if terms have no
-    /// values there.
+    /// Adds the pivot columns on which each dependent column depends at a point. `None` if no
+    /// values of the terms are found there.
     fn add_supports(&mut self, seed: u64) -> Option<()> {
         let mut rows = self.rows(seed, None, self.states)?.0;
         let pivots = reduced_echelon_form(self.field, &mut rows);
@@ -118,18 +119,19 @@ impl<'a> ColumnRelations<'a> {
         Some(())
     }
 
-    /// Draws a seed for another point, which has other random values of the known parameters.
+    /// Draws a seed for a further point, which has other random values of the known parameters.
     pub fn seed(&mut self) -> u64 {
         self.sampler.seed()
     }
 
-    /// Finite field (integers modulo a prime) of all residues of the table.
+    /// Finite field (integers modulo a prime) of all residues.
     pub fn field(&self) -> Field {
         self.field
     }
 
-    /// Evaluates the columns at a number of random states, with a row for each speed of each state, and
-    /// the atoms. All values are residues. `None` if terms have no values.
+    /// Evaluates the columns and the atoms at random states, as residues. Returns a matrix with a
+    /// row for each speed of each state, and the values of the atoms. `None` if no values of the
+    /// terms are found.
     fn rows(&self, seed: u64, moved: ChangedParameters<'_>, states: usize) -> Option<(Vec<Vec<u64>>, Vec<u64>)> {
         let mut rows = Vec::new();
         let mut left = states;
@@ -148,13 +150,14 @@ impl<'a> ColumnRelations<'a> {
         None
     }
 
-    /// Factors of the dependent columns at the point of a seed. `None` if they have no values there.
+    /// Factors of the dependent columns at the point of a seed, as residues. `None` if the columns
+    /// have no values there, or if the factors are not unique.
     pub fn relation_factors_at(&self, seed: u64, moved: ChangedParameters<'_>) -> Option<RelationResidues> {
         let (rows, atoms) = self.rows(seed, moved, self.states)?;
         let factors = self.dependent.iter().map(|(column, support)| {
             let places: Vec<usize> = support.iter().map(|pivot| self.pivots[*pivot]).chain([*column]).collect();
             let part = rows.iter().map(|row| places.iter().map(|at| row[*at]).collect());
-            // Rows in which all entries are zero give no condition.
+            // Rows with only zeros state nothing about the factors.
             unique_solution(self.field, part.filter(|row: &Vec<u64>| row.iter().any(|x| *x != 0)).collect())
         });
         Some(RelationResidues { factors: factors.collect::<Option<_>>()?, atoms })

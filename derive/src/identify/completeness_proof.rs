@@ -1,4 +1,5 @@
-//! Proof that the base parameters are complete: M u̇ − f less the sum over their columns is zero.
+//! Proof that the base parameters are complete: M u̇ − f minus the sum over the columns of the base
+//! parameters is zero.
 
 use super::{BaseParameter, BaseParameterFactor, Completeness};
 use crate::algebra::Expr;
@@ -6,11 +7,12 @@ use crate::algebra::term::steps::fresh_symbol;
 use crate::algebra::value::zero_test::{ZeroTest, bounded_zero_test};
 use crate::mechanics::Regressor;
 
-/// Proves two statements at once. First, each column is the stated sum of base columns, so Σ π_k
-/// Y_k = Σ π_b Y_b for all π. Second, M u̇ − f by Kane's method is Σ π_b Y_b + rest, with the π of
-/// the model.
+/// Proves two statements at once. First, each dependent column is the stated sum of base columns,
+/// so Σ π_k Y_k = Σ π_b Y_b for all values of the parameters π. Second, M u̇ − f by Kane's method
+/// is Σ π_b Y_b + rest, with the parameters π of the model.
 ///
-/// Each entry is multiplied by a separate symbol, so that the sum is zero only if all entries are.
+/// Each entry is multiplied by a new symbol of its own, so that the sum of all is zero only if each
+/// entry is zero.
 pub fn prove_base_parameters(regressor: &mut Regressor, base: &[BaseParameter]) -> Completeness {
     let Regressor { arena, columns, rest, required, .. } = regressor;
     let values: Vec<Expr> = (0..columns.len()).map(|at| fresh_symbol(arena, &format!("pi_{at}"))).collect();

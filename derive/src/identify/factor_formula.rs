@@ -3,7 +3,7 @@
 //! rational or, if square roots occur, a + b √n with rational a and b.
 //!
 //! The unit of a factor excludes most products. A formula must agree with the residues at more
-//! points than it has unknowns, and is proved afterwards.
+//! points than it has unknown coefficients. It is proved afterwards.
 
 use super::BaseParameterFactor;
 use super::column_relations::{ColumnRelations, RelationResidues};
@@ -16,22 +16,23 @@ use crate::mechanics::Column;
 use crate::model::Unit;
 use rustc_hash::FxHashSet;
 
-/// Number of random points at which factors are computed first.
+/// Number of random points at which factors are evaluated before the search for formulas.
 const FIRST: usize = 6;
-/// Number of points, beyond the number of unknown coefficients, at which a formula must agree.
+/// Number of points, in addition to the number of unknown coefficients, at which a formula must
+/// agree with the residues.
 const BEYOND: usize = 4;
-/// Value of a product of powers of atoms modulo a prime, from the residues of the atoms; `None` if
+/// Value of a product of powers of atoms modulo a prime, from the residues of the atoms. `None` if
 /// it divides by zero.
 fn product_residue(f: Field, atoms: &[u64], powers: &PowerProduct) -> Option<u64> {
     powers.iter().try_fold(1, |product, (at, n)| Some(f.mul(product, f.signed_power(atoms[*at], *n)?)))
 }
 
-/// Dependent column of a regressor as a sum of pivot columns: its index, and pairs of a pivot's
-/// number and its factor.
+/// Dependent column of a regressor as a sum of pivot columns: the index of the column, and pairs
+/// (index of a pivot, factor).
 pub type DependentColumn = (usize, Vec<(usize, BaseParameterFactor)>);
 
-/// Finds the factors by which all dependent columns of a regressor depend on the pivot columns, as
-/// formulas if possible.
+/// Finds the factors in the sums of pivot columns that give the dependent columns of a regressor. A
+/// factor is a formula if one is found, else unknown.
 pub fn factor_formulas(
     table: &mut ColumnRelations<'_>,
     arena: &mut Arena,
@@ -57,7 +58,7 @@ pub fn factor_formulas(
     made
 }
 
-/// Position of a factor in a row of factors of all dependent columns.
+/// Position of a factor in the factors of all dependent columns.
 #[derive(Clone, Copy)]
 struct Entry {
     /// Index of the column in the list of dependent columns.
@@ -66,16 +67,18 @@ struct Entry {
     i: usize,
 }
 
-/// Residues of the factors at random points, which are random values of the known parameters.
+/// Residues of the factors at random points. A point is one choice of random values for the known
+/// parameters.
 struct FactorResidues {
     /// Residues at points where all parameters have random values, one row for each point.
     rows: Vec<RelationResidues>,
-    /// Residues at the first point with a single parameter changed, one row for each parameter.
+    /// Residues at the first point with the value of one parameter changed, with one row for each
+    /// parameter.
     beside: Vec<RelationResidues>,
 }
 
 impl FactorResidues {
-    /// Computes the factors at the first points; `None` if a point gives no values.
+    /// Evaluates the factors at the first points; `None` if the factors have no values at a point.
     fn new(table: &mut ColumnRelations<'_>, letters: &KnownParameters) -> Option<Self> {
         let first = table.seed();
         let mut rows = vec![table.relation_factors_at(first, None)?];
@@ -92,7 +95,8 @@ impl FactorResidues {
         Some(Self { rows, beside })
     }
 
-    /// Searches a formula for a factor, stage by stage. `Factor::Unknown` if no stage finds one.
+    /// Searches a formula for a factor, stage by stage. Returns `BaseParameterFactor::Unknown` if
+    /// no stage finds a formula.
     fn formula(
         &mut self,
         table: &mut ColumnRelations<'_>,
@@ -124,8 +128,8 @@ impl FactorResidues {
         BaseParameterFactor::Unknown
     }
 
-    /// Solves for the coefficients with which the products add up to a factor at all points. Returns
-    /// their residues; `None` if there are no such coefficients.
+    /// Coefficients, as residues, with which the sum of the given products equals a factor at all
+    /// points. `None` if there are no such coefficients, or if they are not unique.
     fn formula_coefficients(&self, f: Field, products: &[PowerProduct], entry: Entry) -> Option<Vec<u64>> {
         let Entry { k, i } = entry;
         let rows: Option<Vec<Vec<u64>>> = self
@@ -141,8 +145,8 @@ impl FactorResidues {
     }
 }
 
-/// Builds a formula from products and the residues of their coefficients; `None` if a residue
-/// belongs to no simple number.
+/// Builds a formula from products and the residues of their coefficients. `None` if a residue is
+/// not that of a simple number.
 fn formula_of<'p>(
     arena: &mut Arena,
     letters: &KnownParameters,

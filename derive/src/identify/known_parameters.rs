@@ -1,4 +1,4 @@
-//! Known parameters in the columns of a regressor (letters), and the products of them that a factor
+//! Known parameters in the columns of a regressor, and the products of their powers that a factor
 //! may contain.
 
 use crate::algebra::{Arena, Expr, Function, Node};
@@ -6,10 +6,10 @@ use crate::mechanics::Column;
 use crate::model::{Model, Unit};
 use rustc_hash::FxHashSet;
 
-/// Largest number of products in the sums that are tried for a factor.
+/// Largest number of products that a stage of the search may try for a factor.
 const MOST: usize = 240;
-/// Stages of the search for a factor, in this order. A model file may state lengths as plain
-/// numbers, so the last stages ignore units.
+/// Stages of the search for a factor, in the order of the search. A model file may state lengths as
+/// plain numbers, so the last stages ignore units.
 pub const STAGES: [FactorSearchStage; 6] = [
     FactorSearchStage { degree: 1, divides: false, by_unit: true },
     FactorSearchStage { degree: 2, divides: false, by_unit: true },
@@ -18,14 +18,15 @@ pub const STAGES: [FactorSearchStage; 6] = [
     FactorSearchStage { degree: 2, divides: false, by_unit: false },
     FactorSearchStage { degree: 2, divides: true, by_unit: false },
 ];
-/// Largest number of constant angles, given as numbers, whose sines and cosines are tried.
+/// Largest number of constant angles, given as numbers, whose sines and cosines formulas may
+/// contain.
 const MOST_FIXED: usize = 2;
-/// Largest powers of the sine and of the cosine of a single angle in a product.
+/// Largest power of the sine, then of the cosine, of a single angle in a product.
 const TURNS: [i32; 2] = [1, 2];
-/// Largest total power of sines and cosines of all angles in a product.
+/// Largest total power of the sines and cosines of all angles in a product.
 const MOST_TURNS: i32 = 4;
 
-/// Products of known parameters that a stage of the search tries as the factor of a base parameter.
+/// Stage of the search for a factor: the kind of products of known parameters that it tries.
 #[derive(Clone, Copy)]
 pub struct FactorSearchStage {
     /// Largest total degree of a tried product in the known parameters.
@@ -45,7 +46,8 @@ pub struct KnownParameter {
     unit: Unit,
     /// Index of the parameter in the list of atoms.
     plain: usize,
-    /// Indices of its sine and its cosine among the atoms; `None` if it occurs in no function.
+    /// Indices in the list of atoms of the sine and the cosine of the parameter; `None` if it
+    /// occurs in no function.
     turned: Option<[usize; 2]>,
 }
 
@@ -56,9 +58,10 @@ pub struct KnownParameters {
     pub list: Vec<KnownParameter>,
     /// Atoms of formulas: parameters, and sines and cosines of angles.
     atoms: Vec<Expr>,
-    /// Indices among the atoms of the sine and the cosine of each constant angle that is a number.
+    /// Indices, in the list of atoms, of the sine and the cosine of each constant angle that is
+    /// given as a number.
     fixed: Vec<[usize; 2]>,
-    /// True if square roots occur in the columns, so that coefficients may contain roots.
+    /// True if square roots occur in the columns. Then coefficients of formulas may be a + b √n.
     pub has_roots: bool,
     /// Symbols that change during a motion: coordinates, speeds, accelerations and inputs.
     pub moving: FxHashSet<Expr>,
@@ -121,8 +124,8 @@ impl KnownParameters {
         &self.atoms
     }
 
-    /// Lists the products of the given parameters that a stage tries for a factor of this unit. Empty
-    /// if there would be more than `MOST`.
+    /// Lists the products of powers of the given parameters that a stage tries for a factor with
+    /// the unit `unit`. Empty if there would be more than 240 products.
     pub fn products(&self, letters: &[usize], unit: &Unit, stage: FactorSearchStage) -> Vec<PowerProduct> {
         let plain = self.plain_products(letters, unit, stage);
         let circles = self.sine_cosine_products(letters);
@@ -155,8 +158,8 @@ impl KnownParameters {
         list.into_iter().filter(|(.., u)| !stage.by_unit || u == unit).map(|(powers, ..)| powers).collect()
     }
 
-    /// Lists the products of sines and cosines of angles. A sine has at most power 1, because its
-    /// square is 1 less that of the cosine.
+    /// Lists the products of powers of sines and cosines of angles. A sine has the power 1 at most,
+    /// because sin² = 1 − cos².
     fn sine_cosine_products(&self, letters: &[usize]) -> Vec<PowerProduct> {
         let mut circles: Vec<(PowerProduct, i32)> = vec![(Vec::new(), MOST_TURNS)];
         let turned = letters.iter().filter_map(|at| self.list[*at].turned).chain(self.fixed.iter().copied());
@@ -175,7 +178,7 @@ impl KnownParameters {
         circles.into_iter().map(|(powers, _)| powers).collect()
     }
 
-    /// Builds the term of a product of powers of atoms; `None` if a power does not exist.
+    /// Builds the term of a product of powers of atoms; `None` if a power cannot be built.
     pub fn term(&self, arena: &mut Arena, powers: &PowerProduct) -> Option<Expr> {
         let mut factors = Vec::new();
         for (at, n) in powers {

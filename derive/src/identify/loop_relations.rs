@@ -1,6 +1,6 @@
-//! Relations between columns of a regressor that hold only where the loops of a mechanism are
-//! closed. They are found in double precision, at the parameter values of the model file, because
-//! closed poses are known only as numbers.
+//! Relations between columns of a regressor that hold only if the loops of a mechanism are closed.
+//! They are found in double precision, at the parameter values of the model file, because closed
+//! poses are known only as numbers.
 
 use super::{BaseParameter, BaseParameterFactor, Identification};
 use crate::algebra::term::calculus::Gradient;
@@ -10,61 +10,63 @@ use crate::model::Model;
 use crate::model::constraints::closed_poses::{ClosedPoseSearch, RandomNumbers, random_coordinate_ranges};
 use nalgebra::{DMatrix, DVector};
 
-/// Numbers of random poses with closed loops in a sample. They are tried in turn until dependent
-/// and independent columns of the regressor differ clearly.
+/// Numbers of random closed poses in a sample. They are tried in turn until dependent and
+/// independent columns of the regressor differ clearly.
 const POSES: [usize; 3] = [12, 24, 48];
-/// Smallest number of regular poses that decides relations.
+/// Smallest number of regular poses for which relations are accepted.
 const FEWEST: usize = 8;
-/// Number of states (speeds and accelerations) in each pose.
+/// Number of random states (speeds and accelerations) in each pose of the sample.
 const STATES: usize = 16;
-/// Smallest singular value of the constraints and speeds, with rows of length up to 1, below which a
-/// pose is singular: there the speeds do not determine q̇, and the columns of the regressor are quotients
-/// of rounding errors. It allows for the rounding of a pose that is a double root.
+/// Limit on the smallest singular value of the matrix of constraints and speeds, whose rows have at
+/// most length 1. Below the limit, a pose is singular: the speeds do not determine q̇ there, and
+/// the columns of the regressor are quotients of rounding errors. The limit allows for the rounding
+/// error of a double root.
 const SINGULAR: f64 = 1e-5;
-/// Fraction of the usual (median) smallest singular value below which a pose counts as near a
+/// Fraction of the median of the smallest singular values, below which a pose counts as near a
 /// singular pose.
 const NEAR_SINGULAR: f64 = 0.01;
-/// Size of a force relative to its largest intermediate term, below which it is the rounding error
-/// of a zero.
+/// Size of a force relative to its largest intermediate term, below which the force counts as zero:
+/// it is a rounding error.
 const CANCELLED: f64 = 1e-12;
-/// Largest factor between columns of length 1. Larger factors come from columns that are zero but
-/// for rounding errors.
+/// Largest factor between columns of length 1. Larger factors come from columns that consist of
+/// rounding errors.
 const LARGEST: f64 = 1e6;
 /// Largest denominator of the fractions to which factors are rounded.
 const DENOMINATORS: u32 = 360;
-/// Relative distance to a fraction below which a factor is rounded to it.
+/// Relative distance from a fraction below which a factor is replaced by the fraction.
 const CLOSE: f64 = 1e-10;
-/// Multiple of the usual (median) forces above which a pose counts as near a dead point, where the
+/// Multiple of the median forces above which a pose counts as near a dead point, at which the
 /// generalized speeds do not determine q̇. Such a pose is left out, because its rounding errors
-/// would hide the other poses.
+/// would be larger than the values in other poses.
 const NEAR_DEAD: f64 = 10.0;
 /// Largest absolute value of the speeds (1/s for angles) and accelerations (1/s²) of the sampled
 /// states.
 const FAST: f64 = 3.0;
-/// Remainder of a column of length 1, after earlier columns are projected out, above which the
-/// column is independent.
+/// Length of the remainder of a unit column above which the column counts as independent. The
+/// remainder is the column minus its projection on earlier columns.
 const INDEPENDENT: f64 = 1e-6;
-/// Remainder of a column of length 1, after earlier columns are projected out, below which the
-/// column is dependent.
+/// Length of the remainder of a unit column below which the column counts as dependent. The
+/// remainder is the column minus its projection on earlier columns.
 const DEPENDENT: f64 = 1e-9;
-/// Smallest ratio between the remainders of independent and of dependent columns that counts as a
-/// clear gap.
+/// Smallest ratio between the remainders of independent and dependent columns for which the two are
+/// clearly different.
 const GAP: f64 = 1e6;
-/// Remainder of a column of length 1 that rounding always leaves.
+/// Length of the remainder of a unit column that rounding errors may always cause.
 const ROUNDING: f64 = 1e-15;
 /// Fraction of the largest factor of a column below which a factor counts as zero.
 const NONE: f64 = 1e-8;
 
-/// Sample of closed states from which relations between parameters on loops were found.
+/// Sample of closed states, from which relations between base parameters of a mechanism with loops
+/// were found.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LoopSample {
     /// Number of closed poses in the sample, at the parameter values of the model file.
     pub poses: usize,
-    /// Smallest remainder of an independent column, scaled to length 1, after earlier columns are
-    /// projected out.
+    /// Smallest remainder of an independent column of length 1. The remainder is the column minus
+    /// its projection on earlier independent columns.
     pub independent: f64,
-    /// Largest remainder of a dependent column, scaled to length 1, after independent columns are
-    /// projected out.
+    /// Largest remainder of a dependent column of length 1. The remainder is the column minus its
+    /// projection on earlier independent columns.
     pub dependent: f64,
     /// True if the remainders of dependent and independent columns differ clearly. If false, base
     /// parameters are not grouped, and their number may be too large.
@@ -72,24 +74,27 @@ pub struct LoopSample {
 }
 
 /// Linear relations between base parameters in closed poses: the independent parameters, and the
-/// others as their combinations.
+/// dependent parameters with their factors.
 struct Relations {
     /// Indices of the independent base parameters, which are kept.
     kept: Vec<usize>,
-    /// Dependent base parameters: the index of each, and its factors of the kept parameters.
+    /// Dependent base parameters, as pairs (index, factors). There is a factor for each kept
+    /// parameter.
     shares: Vec<(usize, DVector<f64>)>,
 }
 
-/// Groups base parameters that act only together in closed poses, and returns the sample of closed
-/// states. They stay unchanged if the sample shows no clear gap.
+/// Groups base parameters that act only together in closed poses. Returns the sample of closed
+/// states. The base parameters stay unchanged if the sample shows no clear difference between
+/// dependent and independent columns.
 ///
-/// `None`, with unchanged base parameters, if no closed pose is found or a parameter has no value.
+/// `None`, with unchanged base parameters, if too few closed poses are found or a parameter has no
+/// value.
 pub fn group_by_loop_relations(model: &Model, found: &mut Identification) -> Option<LoopSample> {
     let mut seen = None;
     for most in POSES {
         let Some((samples, poses)) = sample_rows_on_loops(model, found, most) else { continue };
         let (mut relations, mut sample) = loop_relations_of_sample(&samples, poses);
-        // A few poses satisfy relations that others refute.
+        // Relations that hold in few poses may not hold in others.
         if poses < FEWEST {
             (relations, sample.is_clear) = (None, false);
         }
@@ -98,7 +103,7 @@ pub fn group_by_loop_relations(model: &Model, found: &mut Identification) -> Opt
             group_parameters_on_loops(found, &relations);
             break;
         }
-        // There are no more poses.
+        // More poses were requested, but no more were found.
         if before.is_some_and(|before: LoopSample| before.poses == poses) {
             break;
         }
@@ -106,11 +111,12 @@ pub fn group_by_loop_relations(model: &Model, found: &mut Identification) -> Opt
     seen
 }
 
-/// Number of independent rows that a pose of one degree of freedom gives.
+/// Number of independent rows of the regressor that a pose gives for each degree of freedom.
 const ROWS_OF_POSE: usize = 3;
 
-/// Finds the columns that depend on earlier columns in the first matrix, and confirms them in the
-/// second. The relations are `None` if there is no clear gap, or if the second matrix refutes them.
+/// Finds the columns of the first matrix that depend on earlier columns, and checks these relations
+/// in the second matrix. The relations are `None` if dependent and independent columns do not
+/// differ clearly, or if the second matrix refutes them.
 fn loop_relations_of_sample([rows, elsewhere]: &[DMatrix<f64>; 2], poses: usize) -> (Option<Relations>, LoopSample) {
     let mut basis: Vec<DVector<f64>> = Vec::new();
     let mut kept: Vec<usize> = Vec::new();
@@ -119,15 +125,16 @@ fn loop_relations_of_sample([rows, elsewhere]: &[DMatrix<f64>; 2], poses: usize)
     for at in 0..rows.ncols() {
         let column: DVector<f64> = rows.column(at).into_owned();
         let mut left = column.clone();
-        // The second pass removes the rounding errors of the first.
+        // The second pass removes the rounding errors of the first pass.
         for _ in 0..2 {
             for other in &basis {
                 left -= other * other.dot(&left);
             }
         }
-        // A column without forces is dependent; a quotient of its norms has no value.
+        // A column of zeros is dependent; its norm must not divide.
         let size = if column.norm() > 0.0 { left.norm() / column.norm() } else { 0.0 };
-        // The remainder of an unclear column counts on both sides of the gap.
+        // If it is unclear that a column is dependent, its remainder counts on both sides of the
+        // gap.
         if size < INDEPENDENT {
             seen.dependent = seen.dependent.max(size);
         }
@@ -155,7 +162,7 @@ fn loop_relations_of_sample([rows, elsewhere]: &[DMatrix<f64>; 2], poses: usize)
         }
         let factors = factors.map(nearest_fraction);
         let there = elsewhere.column(at);
-        // A dependence that holds only in the poses where it was found is accidental.
+        // A relation that holds only in the poses in which it was found is accidental.
         if (&beside * &factors - there).norm() > INDEPENDENT * there.norm().max(length) {
             return (None, seen);
         }
@@ -165,14 +172,15 @@ fn loop_relations_of_sample([rows, elsewhere]: &[DMatrix<f64>; 2], poses: usize)
     (Some(Relations { kept, shares }), seen)
 }
 
-/// Fraction with a small denominator that a number equals within rounding, else the number.
+/// Nearest fraction with a small denominator, if the number `x` equals it within rounding; else `x`
+/// itself.
 fn nearest_fraction(x: f64) -> f64 {
     let mut fractions = (1..=DENOMINATORS).map(f64::from).map(|below| (x * below).round() / below);
     fractions.find(|near| (near - x).abs() <= CLOSE * x.abs()).unwrap_or(x)
 }
 
-/// Adds each dependent base parameter, with its factors, to those that are kept. One that no kept
-/// parameter takes up has no effect in closed poses.
+/// Adds each dependent base parameter, with its factors, to the kept parameters. A dependent
+/// parameter whose factors are all zero has no effect in closed poses.
 fn group_parameters_on_loops(found: &mut Identification, Relations { kept, shares }: &Relations) {
     let mut base: Vec<BaseParameter> = kept.iter().map(|at| found.base[*at].clone()).collect();
     let mut used: Vec<usize> = Vec::new();
@@ -189,22 +197,25 @@ fn group_parameters_on_loops(found: &mut Identification, Relations { kept, share
         }
     }
     found.without_effect.sort_unstable();
-    // A dependent base parameter keeps its own combination: its name stands for the whole combination.
+    // A dependent base parameter keeps its own combination, since its name stands for this whole
+    // combination.
     let given: Vec<BaseParameter> = used.iter().map(|at| found.base[*at].clone()).collect();
     found.grouped = given.into_iter().filter(|base| !base.with.is_empty()).collect();
     found.base = base;
 }
 
-/// Evaluates the columns of the base parameters in about `most` closed poses, as two matrices of
-/// different poses, or of different states if these are few, with a row for each speed of each state.
-/// Rows are scaled to equal size, so that every state counts alike. Also returns the number of poses,
-/// without singular ones and those near a dead point of the speeds.
+/// Evaluates the columns of the base parameters in about `most` closed poses. Returns two matrices
+/// and the number of regular poses.
 ///
-/// Loops may close in several assemblies, such as a parallelogram and a folded one. Relations have
-/// to hold in all of them, because a base parameter belongs to the model, not to one assembly. An
-/// assembly in which every pose is singular is left out: no motion is computed there.
+/// The matrices are of different poses, or of different states if there are few poses. They have a
+/// row for each speed of each state. Rows are scaled to equal size, so that every state counts
+/// equally. Singular poses and poses near a dead point of the speeds are left out.
 ///
-/// `None` if a parameter has no value or the regular closed poses found are too few.
+/// Loops may close in several assemblies; a parallelogram, for example, may also be folded.
+/// Relations must hold in all assemblies, because a base parameter belongs to the model, not to one
+/// assembly. An assembly in which every pose is singular is left out: no motion is computed there.
+///
+/// `None` if a parameter has no value or too few regular closed poses are found.
 fn sample_rows_on_loops(model: &Model, found: &mut Identification, most: usize) -> Option<([DMatrix<f64>; 2], usize)> {
     let regressor = &mut found.regressor;
     let time = model.time();
@@ -223,7 +234,7 @@ fn sample_rows_on_loops(model: &Model, found: &mut Identification, most: usize) 
     let loops: Vec<Expr> = model.loops.iter().chain(&model.closed).map(|c| c.equation).collect();
     let poses =
         ClosedPoseSearch { known: &of_poses, coordinates: &coordinates, reach: &reach, loops: &loops, flat: 0.0 };
-    // Half of the poses find the relations, half confirm them, if they are enough.
+    // If there are enough poses, relations are found in half of them and checked in the other half.
     let tries = 2 * poses.tries() * most / POSES[0];
     let mut poses = poses.seek_closed_poses_from(&mut regressor.arena, tries, 2 * most)?;
     keep_regular_poses(model, &mut regressor.arena, &of_poses, &coordinates, &mut poses)?;
@@ -238,8 +249,8 @@ fn sample_rows_on_loops(model: &Model, found: &mut Identification, most: usize) 
     for q in &poses {
         let mut samples = [Vec::new(), Vec::new()];
         for state in 0..STATES {
-            // Speeds and accelerations are independent random numbers, because a pattern among them would look
-            // like a relation.
+            // Speeds and accelerations are independent random numbers, because regular values could
+            // look like a relation.
             let moving: Vec<f64> = (0..2 * speeds).map(|_| FAST * chance.draw()).collect();
             let known = of_poses.iter().map(|(_, x)| *x).chain(q.iter().copied());
             let inputs = known.chain(moving).collect::<Vec<f64>>();
@@ -265,8 +276,9 @@ fn sample_rows_on_loops(model: &Model, found: &mut Identification, most: usize) 
         (0..columns).map(size).fold(0.0, f64::max)
     };
     of_pose.retain(|pose| forces(pose) <= NEAR_DEAD);
-    // A pose of one degree of freedom gives three independent rows: of the acceleration, the square of the speed, and
-    // the loads. If half of the poses are too few for all columns, the halves have other states of all poses.
+    // A pose gives three independent rows for each degree of freedom: of the acceleration, the
+    // square of the speed, and the loads. If half of the poses are too few for all columns, each
+    // matrix has half of the states of all poses.
     let independent = ROWS_OF_POSE * speeds * of_pose.len();
     let is_by_poses = independent / 2 >= 2 * columns;
     let samples = [0, 1].map(|half| {
@@ -285,13 +297,13 @@ fn sample_rows_on_loops(model: &Model, found: &mut Identification, most: usize) 
         }
         rows
     });
-    // Too few rows satisfy relations by accident.
+    // With too few rows, relations may hold by accident.
     let is_some = samples.iter().all(|rows| !rows.is_empty()) && 2 * independent >= 3 * columns;
     is_some.then(|| (samples.map(|rows| DMatrix::from_rows(&rows)), of_pose.len()))
 }
 
-/// Removes singular poses and those near them, in which the speeds do not determine q̇ (or only with
-/// large rounding errors). `None` if a derivative of the constraints or speeds has no value.
+/// Removes singular poses and poses near them. There, the speeds do not determine q̇, or only with
+/// large rounding errors. `None` if a derivative of the constraints or speeds has no value.
 fn keep_regular_poses(
     model: &Model,
     arena: &mut Arena,
@@ -319,7 +331,8 @@ fn keep_regular_poses(
     };
     let all: Vec<(DMatrix<f64>, Vec<f64>)> = poses.drain(..).map(|q| (matrix(&q), q)).collect();
     let all: Vec<_> = all.into_iter().filter(|(matrix, _)| matrix.iter().all(|x| x.is_finite())).collect();
-    // Rows are scaled alike in all poses: a row that vanishes in a pose makes the pose singular.
+    // Each row is scaled by the same factor in all poses, so that a row of zeros in a pose makes
+    // the pose singular.
     let longest = |row: usize| all.iter().map(|(matrix, _)| matrix.row(row).norm()).fold(0.0, f64::max);
     let longest: Vec<f64> = (0..equations.len()).map(longest).collect();
     let least = |mut matrix: DMatrix<f64>| {
@@ -339,8 +352,8 @@ fn keep_regular_poses(
     Some(())
 }
 
-/// Median length of each column over the poses in which it is not zero; 1 for a column that is zero
-/// in all poses. Another assembly may show a column that is zero in most poses.
+/// Median length of each column over the poses in which it is not zero. It is 1 for a column that
+/// is zero in all poses. A column that is zero in most poses may be nonzero in another assembly.
 fn median_column_sizes_on_loops(of_pose: &[[DMatrix<f64>; 2]]) -> Vec<f64> {
     let columns = of_pose.first().map_or(0, |pose| pose[0].ncols());
     let usual = (0..columns).map(|column| {

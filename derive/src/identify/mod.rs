@@ -1,12 +1,13 @@
 //! Identification of inertial parameters from motion. The generalized force M u̇ − f is linear in
-//! the inertial parameters. Some parameters have no effect. The base parameters are the fewest
-//! combinations of the others that determine all motions and all forces.
+//! the inertial parameters. Some parameters have no effect. The base parameters are the smallest
+//! set of combinations of the other parameters that determines all motions and all forces.
 //!
 //! The dependent columns of the regressor Y are found at random states modulo a prime, with all
-//! other parameters as symbols. The zero test ([`crate::algebra::value::zero_test`]) then proves the
-//! relations, and that no force remains. The rank proves that no smaller set suffices: a minor that
-//! is not 0 modulo a prime is not 0. Where loops are closed, a smaller set may suffice. It is found
-//! in double precision ([`LoopSample`]), and only if the sample decides clearly.
+//! other parameters as symbols. The zero test ([`crate::algebra::value::zero_test`]) then proves
+//! the relations, and that no force is left out. The rank proves that no smaller set suffices: a
+//! minor that is not 0 modulo a prime is not 0. In closed poses of a mechanism with loops, a
+//! smaller set may suffice. It is found in double precision ([`LoopSample`]), and is used only if
+//! the sample decides clearly.
 //!
 //! H. Mayeda, K. Yoshida & K. Osuka, "Base parameters of manipulator dynamic models", IEEE Trans.
 //! Robotics and Automation 6 (1990) 312–321; M. Gautier & W. Khalil, "Direct calculation of minimum
@@ -27,20 +28,21 @@ use crate::model::Model;
 use column_relations::ColumnRelations;
 use known_parameters::KnownParameters;
 
-/// Base parameter: a combination of inertial parameters that motion can determine, where single
-/// parameters cannot be told apart.
+/// Base parameter: a linear combination of inertial parameters that is determined by motions,
+/// although the single parameters may not be.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BaseParameter {
-    /// Index of the regressor's column whose parameter has the factor 1 and names the base parameter.
+    /// Index of the regressor's column whose parameter has the factor 1 in the combination. This
+    /// parameter names the base parameter.
     pub column: usize,
-    /// Parameters that are added to the first, each as the index of its column and its factor.
+    /// Further parameters in the combination, as pairs (index of the column, factor).
     pub with: Vec<(usize, BaseParameterFactor)>,
 }
 
 /// Factor with which an inertial parameter is added to another in a base parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum BaseParameterFactor {
-    /// Proved formula in the parameters that have no columns in the regressor.
+    /// Proved formula in parameters other than those that are identified.
     Exact(Expr),
     /// Number that holds only in closed poses, at the parameter values of the model file.
     Number(f64),
@@ -48,18 +50,18 @@ pub enum BaseParameterFactor {
     Unknown,
 }
 
-/// Certainty that the base parameters determine all forces: Σ Y_b π_b equals M u̇ − f.
+/// Certainty that the base parameters π_b determine all forces: Σ Y_b π_b equals M u̇ − f.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Completeness {
-    /// Proved: M u̇ − f − Σ Y_b π_b is identically zero. The probability that this is wrong is below 2
-    /// to the power of minus this number.
+    /// Proved: M u̇ − f − Σ Y_b π_b is identically zero. The value k is the exponent of the error
+    /// bound: the statement is wrong with a probability below 2^−k.
     Proved(f64),
-    /// Tested only: M u̇ − f − Σ Y_b π_b is zero at every tested random state modulo a prime, but a
-    /// factor has no formula, so there is no proof.
+    /// Tested only: M u̇ − f − Σ Y_b π_b is zero at every tested random state modulo a prime. There
+    /// is no proof, because a factor has no formula.
     AtPoints,
     /// Undecided: M u̇ − f − Σ Y_b π_b contains functions that the zero test does not know.
     Undecided,
-    /// Refuted: M u̇ − f − Σ Y_b π_b is not zero, so that two derivations disagree. This is a fault of
+    /// Refuted: M u̇ − f − Σ Y_b π_b is not zero, so two derivations disagree. This is a defect of
     /// the program.
     No,
 }
@@ -74,17 +76,18 @@ pub struct Identification {
     pub without_effect: Vec<usize>,
     /// Number of random states at which the columns of the regressor were evaluated.
     pub states: usize,
-    /// Certainty that the base parameters are complete, before closed poses grouped them
-    /// ([`Self::before_grouping`]).
+    /// Certainty that the base parameters are complete. It is about the base parameters before they
+    /// were grouped in closed poses ([`Self::before_grouping`]).
     pub complete: Completeness,
-    /// Base parameters that in closed poses act only as parts of others, each with its own combination.
+    /// Base parameters that act in closed poses only as parts of other base parameters, each with
+    /// its own combination.
     pub grouped: Vec<BaseParameter>,
-    /// Sample of closed states from which relations on loops were found; `None` without loops, or if
-    /// there is no sample.
+    /// Sample of closed states from which relations in closed poses were found. `None` without
+    /// loops, or if no sample was found.
     pub on_loops: Option<LoopSample>,
     /// True if the mechanism of the model has loops.
     has_loops: bool,
-    /// Base parameters before closed poses grouped them.
+    /// Base parameters before they were grouped in closed poses.
     before_loops: Vec<BaseParameter>,
 }
 
@@ -126,7 +129,8 @@ impl Identification {
         Ok(found)
     }
 
-    /// Makes a base parameter of each pivot column, and adds the dependent columns with their factors.
+    /// Creates a base parameter for each pivot column, and adds the dependent columns with their
+    /// factors. Columns that are neither have no effect.
     fn set_base_parameters(&mut self, pivots: &[usize], made: Vec<factor_formula::DependentColumn>) {
         self.base = pivots.iter().map(|column| BaseParameter { column: *column, with: Vec::new() }).collect();
         let mut is_left: Vec<bool> = (0..self.regressor.columns.len()).map(|at| !pivots.contains(&at)).collect();
@@ -139,24 +143,25 @@ impl Identification {
         self.without_effect = (0..is_left.len()).filter(|at| is_left[*at]).collect();
     }
 
-    /// True if no smaller set of base parameters suffices. With loops, this needs a clear gap between
-    /// dependent and independent parameters in closed poses.
+    /// True if no smaller set of base parameters suffices. For a mechanism with loops, the sample
+    /// of closed poses must show a clear difference between dependent and independent parameters.
     #[must_use]
     pub fn is_minimal(&self) -> bool {
         !self.has_loops || self.on_loops.is_some_and(|seen| seen.is_clear)
     }
 
-    /// Number of base parameters before closed poses grouped them, for which [`Self::complete`] holds.
-    /// `None` if closed poses grouped none.
+    /// Number of base parameters before they were grouped in closed poses; [`Self::complete`] is
+    /// about these. `None` if none were grouped.
     #[must_use]
     pub fn before_grouping(&self) -> Option<usize> {
         let count = self.before_loops.len();
         (count > self.base.len()).then_some(count)
     }
 
-    /// Returns to the base parameters before closed poses grouped them. They hold in all poses and at
-    /// all values of the parameters; groups of closed poses hold in closed poses, at the values of the
-    /// model file. In closed poses, columns of the ungrouped parameters depend on one another.
+    /// Restores the base parameters before they were grouped in closed poses. They hold in all
+    /// poses and at all values of the parameters. Groups hold only in closed poses, at the
+    /// parameter values of the model file. In closed poses, the columns of the restored parameters
+    /// may depend on one another.
     pub fn ungroup(&mut self) {
         if self.before_grouping().is_none() {
             return;
@@ -167,13 +172,13 @@ impl Identification {
         self.on_loops = None;
     }
 
-    /// True if every factor in the base parameters is known.
+    /// True if every factor in the base parameters is known, as a formula or a number.
     fn has_closed_forms(&self) -> bool {
         self.base.iter().flat_map(|base| &base.with).all(|(_, factor)| *factor != BaseParameterFactor::Unknown)
     }
 
-    /// Indices of the columns whose parameter is a base parameter by itself, with no other parameter
-    /// added.
+    /// Indices of the columns whose parameter is a base parameter by itself, without other
+    /// parameters in its combination.
     pub fn single_base_parameters(&self) -> impl Iterator<Item = usize> + '_ {
         self.base.iter().filter(|base| base.with.is_empty()).map(|base| base.column)
     }

@@ -13,9 +13,9 @@ pub struct Combination {
     pub of: Formulation,
     /// Formulation whose rows are the result of the linear combination.
     pub gives: Formulation,
-    /// Substitutions in the rows before they are combined, as pairs (symbol, value). They are q̇ =
-    /// W u + w and q̈ = W u̇ + x, or u = J q̇ + d and u̇ = J q̈ + y. Empty if both formulations
-    /// have the same motion variables.
+    /// Substitutions in the rows before they are combined, as pairs (symbol, value). For speeds
+    /// they are q̇ = W u + w and q̈ = W u̇ + x. For rates they are u = J q̇ + d and u̇ = J q̈ + y.
+    /// Empty if both formulations have the same motion variables.
     pub relations: Vec<(Expr, Expr)>,
     /// Multipliers of the rows of `of`, with one list for each row of the result. Empty if both
     /// formulations have equal rows.

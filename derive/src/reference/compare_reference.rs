@@ -17,26 +17,28 @@ use rustc_hash::{FxHashMap, FxHashSet};
 /// Entry of a reference, with the derived value and the verdict.
 #[derive(Clone, Debug)]
 pub struct ComparedEntry {
-    /// Name of the quantity, or position of the entry in a system, such as `kane matrix[1,2]`.
+    /// Name of the quantity, or position of the entry in a system of equations, such as `kane
+    /// matrix[1,2]`.
     pub name: String,
-    /// Value in the reference as a term; `None` if the reference lacks the entry.
+    /// Value in the reference, as a term; `None` if the reference does not contain the entry.
     pub reference: Option<Expr>,
-    /// Value that Tripos derived; `None` if it cannot be derived.
+    /// Value that Tripos derived, as a term; `None` if it cannot be derived.
     pub derived: Option<Expr>,
     /// Verdict on the claim that both values are equal; undecided if a value is missing.
     pub verdict: Verdict,
 }
 
-/// Judges every entry of a reference: its quantities, then its systems of equations in the order of
-/// the formulations. Entries that the reference lacks are judged too.
+/// Compares every entry of a reference with the derived value. The result has the quantities first,
+/// then the systems of equations in the order of the formulations. It also has entries that the
+/// reference should contain but does not.
 ///
 /// Kane's and Lagrange's equations must agree entry by entry, including signs and factors. A row of
 /// Newton–Euler may have another position or a factor. The terms of the result are in the arena of
 /// the derivations.
 ///
 /// # Errors
-/// [`ReferenceError`] if the reference belongs to another model text, was not derived, or uses
-/// names that the model lacks.
+/// [`ReferenceError`] if the reference was derived from another model text, is empty because SymPy
+/// did not derive it, or uses names that the model does not have.
 pub fn compare_reference(
     model: &Model,
     derivations: &mut Derivations,
@@ -70,7 +72,7 @@ pub fn compare_reference(
 
 /// State of a comparison of a reference with derived equations.
 struct ReferenceComparison<'a, 'b> {
-    /// Reference (equations by another program) that is judged.
+    /// Reference (equations by another program) that is compared.
     reference: &'a Reference,
     /// Symbols of all names that formulas of the reference may contain.
     names: FxHashMap<String, Expr>,
@@ -78,12 +80,13 @@ struct ReferenceComparison<'a, 'b> {
     quantities: Quantities<'b>,
     /// Comparer of terms; it decides each verdict.
     comparer: Comparer,
-    /// Entries of the reference that were judged so far.
+    /// Entries of the reference that were compared so far.
     found: Vec<ComparedEntry>,
 }
 
 impl ReferenceComparison<'_, '_> {
-    /// Parses a formula of the reference. `name` is the entry to which it belongs, for errors.
+    /// Parses a formula of the reference. `name` is the entry that contains the formula, for error
+    /// messages.
     fn read(&mut self, name: &str, formula: &str) -> Result<Expr, ReferenceError> {
         let arena = &mut self.quantities.derivations.kinematics.arena;
         let names = &self.names;
@@ -97,7 +100,7 @@ impl ReferenceComparison<'_, '_> {
         result.map_err(wrong)
     }
 
-    /// Judges a quantity against its formula in the reference.
+    /// Compares a quantity with its formula in the reference, and records the verdict.
     fn judge_quantity(&mut self, quantity: &Quantity, formula: &str) -> Result<(), ReferenceError> {
         let stated = self.read(quantity.name(), formula)?;
         match self.quantities.value(quantity) {
@@ -111,7 +114,7 @@ impl ReferenceComparison<'_, '_> {
         Ok(())
     }
 
-    /// Compares two terms after rewriting them in the given variables, and records the verdict.
+    /// Rewrites two terms in the given motion variables, compares them, and records the verdict.
     fn compare(&mut self, name: String, stated: Expr, derived: Expr, variables: MotionVariables) {
         let stated = self.rewrite(stated, variables);
         let derived = self.rewrite(derived, variables);
@@ -119,7 +122,8 @@ impl ReferenceComparison<'_, '_> {
         self.found.push(ComparedEntry { name, reference: Some(stated), derived: Some(derived), verdict });
     }
 
-    /// Rewrites a term in q and the given variables, u or q̇, and their rates.
+    /// Rewrites a term in q and the motion variables `variables`: speeds u or rates q̇, with their
+    /// time derivatives.
     fn rewrite(&mut self, e: Expr, variables: MotionVariables) -> Expr {
         match variables {
             MotionVariables::Rates => self.quantities.in_rates(e),
@@ -133,7 +137,8 @@ impl ReferenceComparison<'_, '_> {
         self.found.push(ComparedEntry { name: name.to_owned(), reference: None, derived: None, verdict });
     }
 
-    /// Judges the equations by a formulation, or records that the reference lacks them.
+    /// Compares the equations by a formulation, or records that the reference does not contain
+    /// them.
     fn judge_formulation(&mut self, formulation: Formulation) -> Result<(), ReferenceError> {
         let reference = self.reference;
         let stated = reference.systems.iter().find(|system| system.formulation == formulation);
@@ -147,7 +152,7 @@ impl ReferenceComparison<'_, '_> {
             (Some(_), Some(Err(why))) => {
                 self.record_missing_entry(formulation.name(), &format!("not derived here: {why}"));
             }
-            // Another program does not know reactions that Tripos found itself.
+            // Another program cannot know reactions that Tripos introduced itself.
             (None, Some(Ok(_))) if self.quantities.model.reactions.iter().all(|r| r.is_stated) => {
                 self.record_missing_entry(formulation.name(), "the reference leaves it out");
             }
@@ -156,11 +161,12 @@ impl ReferenceComparison<'_, '_> {
         Ok(())
     }
 
-    /// Judges a system of equations entry by entry. Each row of `derived` has the right-hand side at
-    /// its end.
+    /// Compares a system of equations entry by entry. Each row of `derived` has the right-hand side
+    /// as its last entry.
     ///
     /// # Errors
-    /// `ReferenceError` if the unknowns differ from those of Tripos, or if a formula cannot be read.
+    /// `ReferenceError` if the unknowns differ from those of Tripos, or if a formula cannot be
+    /// read.
     fn judge_system(&mut self, system: &ReferenceSystem, derived: &[Entries]) -> Result<(), ReferenceError> {
         let (name, variables) = (system.formulation.name(), system.formulation.method().variables);
         let unknowns = system.formulation.unknowns(self.quantities.model);
@@ -185,16 +191,16 @@ impl ReferenceComparison<'_, '_> {
             }
             stated.push(row);
         }
-        // The order of balances is free, so the rows of such a system may be in another order.
+        // Newton–Euler balances have no fixed order, so their rows may be in another order.
         if system.formulation.has_reactions() {
             self.match_rows(first, &stated, derived);
         }
         Ok(())
     }
 
-    /// Matches rows that differ from the derived row with the same number with other derived rows, up
-    /// to a factor. A derived row matches at most one row. `first` is the index of the system's first
-    /// entry in `found`.
+    /// Matches stated rows that differ from the derived row of the same index with other derived
+    /// rows, up to a factor. A derived row matches at most one stated row. `first` is the index in
+    /// `found` of the system's first entry.
     fn match_rows(&mut self, first: usize, stated: &[Entries], derived: &[Entries]) {
         let width = stated.len() + 1;
         let place = |i: usize| first + i * width..first + (i + 1) * width;
@@ -222,7 +228,7 @@ impl ReferenceComparison<'_, '_> {
     }
 }
 
-/// Maps all names that a formula of a reference may use to their symbols.
+/// Symbols of all names that a formula of a reference may contain, by name.
 fn compared_reference_names(model: &Model) -> FxHashMap<String, Expr> {
     let mut names = FxHashMap::default();
     names.extend(model.parameters.iter().map(|p| (p.name.clone(), p.symbol)));
@@ -238,7 +244,8 @@ fn compared_reference_names(model: &Model) -> FxHashMap<String, Expr> {
     names
 }
 
-/// Lists the quantities that every reference of a model must state: see `tests/sympy/README.md`.
+/// Lists the quantities that every reference of a model must contain; `tests/sympy/README.md`
+/// describes them.
 fn expected_reference_quantities(model: &Model) -> Vec<Quantity> {
     let mut kinds = Vec::new();
     for (to, frame) in model.frames.iter().enumerate() {
