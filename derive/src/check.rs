@@ -1,11 +1,11 @@
 //! Check of a model before its equations are used: degrees of freedom, kinds of constraints, loads
 //! that create energy, unused names.
 //!
-//! Whether a constraint is integrable is decided for all motion constraints together. The permitted
-//! motions span the columns of W and, with drives, the drift w of q̇ = W u + w. These vector
-//! fields, their Lie brackets and the brackets of the brackets span all directions in which the
-//! mechanism can move. If all these fields satisfy a constraint, the constraint keeps a function of
-//! the coordinates constant.
+//! It is decided for all motion constraints together if they are integrable. The permitted motions
+//! span the columns of W and, with drives, the drift w of q̇ = W u + w. These vector fields, their
+//! Lie brackets and the brackets of the brackets span all directions in which the mechanism can
+//! move. If all these fields satisfy a constraint, the constraint keeps a function of the
+//! coordinates constant.
 //!
 //! Sources: G. Frobenius 1877; V. Jurdjevic, *Geometric Control Theory* (1997), chapter 2; R. L.
 //! Bryant et al., *Exterior Differential Systems* (1991), chapter II §4 (derived flag).
@@ -38,7 +38,8 @@ pub enum ConstraintKind {
     Motion,
 }
 
-/// A constraint of a model with the results of its check: integrable or not, redundant or not.
+/// Constraint of a model with the results of its check: if it is integrable, and if it is
+/// redundant.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CheckedConstraint {
     /// Name of the constraint in the model file.

@@ -26,6 +26,7 @@ impl Source {
 
     /// Reads a regular file of UTF-8 text.
     ///
+    /// # Errors
     /// [`Diagnostics`] that name the file and the reason. The file is absent, a directory, a device
     /// or pipe, too large, not UTF-8 (with the line of the first wrong byte), or contains a NUL
     /// byte.
@@ -307,7 +308,7 @@ impl fmt::Display for UnknownName {
 impl std::error::Error for UnknownName {}
 
 /// Advice for an unknown name: "did you mean …?" with the nearest known name. If no known name is
-/// near, lists at most 40 of them.
+/// near, the advice lists at most 40 known names.
 #[must_use]
 pub fn nearest_name_advice<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> String {
     let known: Vec<&str> = known.into_iter().collect();

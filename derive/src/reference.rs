@@ -184,10 +184,11 @@ impl Reference {
         })
     }
 
-    /// Checks that the reference was derived from this model text, apart from shapes and notation.
+    /// Checks that the reference was derived from the model text `text`. Shapes and notation in the
+    /// text may differ.
     ///
     /// # Errors
-    /// [`ReferenceError::OtherText`] if it was derived from a different text.
+    /// [`ReferenceError::OtherText`] if the reference was derived from a different text.
     pub fn check_text(&self, text: &str) -> Result<(), ReferenceError> {
         let current = text_hash(crate::model::equations_text(text));
         if self.text_hash == current {

@@ -145,7 +145,8 @@ pub struct Scene {
     /// True if the scene file states outputs. False if `outputs` contains the default: all
     /// coordinates and speeds.
     pub states_outputs: bool,
-    /// Indices of the parameters that stay symbols in the scene's reduced equations, because runs vary them.
+    /// Indices of the parameters that stay symbols in the scene's reduced equations, because runs
+    /// vary these parameters.
     pub free: Vec<usize>,
     /// Events to detect during the run.
     pub events: Vec<SceneEvent>,
@@ -182,8 +183,8 @@ pub fn is_scene(source: &Source) -> bool {
     TomlReader::parse(source).is_ok_and(|(_, table)| OWN.iter().any(|key| table.get_ref().contains_key(*key)))
 }
 
-/// Path of the model file that a scene file belongs to: its key `model`, relative to the scene's
-/// folder, or `../model.toml` if the key is absent.
+/// Path of the model file to which a scene file belongs. It is the scene's key `model`, relative to
+/// the scene's folder, or `../model.toml` if the key is absent.
 ///
 /// # Errors
 /// [`Diagnostics`] if the scene file is not TOML, or if its key `model` is not a string.

@@ -148,7 +148,8 @@ impl<'a> TomlReader<'a> {
     }
 
     /// Reads the text of an optional key as one line of prose: line breaks and tabs become spaces.
-    /// `None` if the key is absent, or if its value is not a string, which is reported.
+    /// `None` if the key is absent. If the value is not a string, an error is recorded and `None`
+    /// is returned.
     pub fn prose(&mut self, table: &'a DeTable<'a>, key: &str) -> Option<String> {
         let value = self.get(table, key)?;
         Some(one_line(&self.string(value, &format!("`{key}`"))?.text))

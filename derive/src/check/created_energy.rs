@@ -114,7 +114,7 @@ enum PartAtRest {
 enum PowerOfAllLoads {
     /// All loads together dissipate: their power is never positive.
     Dissipate,
-    /// It is not proved that all loads together dissipate.
+    /// All loads together are not proved to dissipate.
     Unproved,
 }
 

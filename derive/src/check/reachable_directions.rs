@@ -27,8 +27,8 @@ pub(super) struct ReachableDirections {
 }
 
 impl ReachableDirections {
-    /// Collects the columns of W, and the drift w if it is not zero, from the model's equations q̇
-    /// = W u + w.
+    /// Collects the columns of W, and the drift w if it is not zero, from the model's equations q̇ =
+    /// W u + w.
     pub(super) fn new(model: &Model, arena: &mut Arena) -> Self {
         let rates = &model.kinematic_equations.rates;
         let mut slopes = Gradient::new(&model.u());

@@ -82,8 +82,8 @@ impl Frames {
         self.tree.iter().all(|frame| frame.rotation.as_ref().is_none_or(|(parent, _)| *parent == 0))
     }
 
-    /// Rotations that lead from the axes of frame `from` to those of frame `to`, each with the
-    /// direction in which it is applied. Adjacent rotations about one axis are merged.
+    /// Rotations that lead from frame `from` to frame `to`, each with the direction in which it is
+    /// applied. Adjacent rotations about one axis are merged.
     fn turns(&self, arena: &mut Arena, from: usize, to: usize) -> Vec<(Turn, TurnSense)> {
         let (up, down) = (self.ancestors(from), self.ancestors(to));
         let mut shared = 0;

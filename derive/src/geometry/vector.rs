@@ -91,9 +91,9 @@ impl Vector {
         self.map(|e| along.apply(arena, e))
     }
 
-    /// Derivatives of the vector with respect to each variable that occurs in it, as ascending (index
-    /// of the variable, derivative). Basis vectors are held fixed. For a velocity and generalized
-    /// speeds, these are the partial velocities.
+    /// Derivatives of the vector with respect to each variable that occurs in it, as pairs (index
+    /// of the variable, derivative) in ascending order. Basis vectors are held fixed. For a
+    /// velocity and generalized speeds, these are the partial velocities.
     #[must_use]
     pub fn partial_derivatives(&self, arena: &mut Arena, gradient: &mut Gradient) -> Vec<(usize, Self)> {
         let mut by_variable: BTreeMap<usize, Self> = BTreeMap::new();

@@ -20,7 +20,7 @@ pub struct ColumnRelations<'a> {
     sampler: ResidueSampler<'a>,
     /// Finite field (integers modulo a prime) of all residues.
     field: Field,
-    /// Symbols that change during a motion; they get new values for each state.
+    /// Symbols that change during a motion. They get new random values for each state.
     moving: &'a FxHashSet<Expr>,
     /// Number of generalized speeds, which is the number of rows of the regressor.
     speeds: usize,

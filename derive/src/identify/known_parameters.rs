@@ -135,8 +135,8 @@ impl KnownParameters {
         plain.iter().flat_map(|p| circles.iter().map(move |c| [p.clone(), c.clone()].concat())).collect()
     }
 
-    /// Lists the products of powers of the given parameters, without sines and cosines. Empty if there
-    /// would be too many.
+    /// Lists the products of powers of the given parameters, without sines and cosines. Empty if
+    /// there are too many.
     fn plain_products(&self, letters: &[usize], unit: &Unit, stage: FactorSearchStage) -> Vec<PowerProduct> {
         let mut list: Vec<(PowerProduct, i32, Unit)> = vec![(Vec::new(), stage.degree, Unit::default())];
         for letter in letters.iter().map(|at| &self.list[*at]) {

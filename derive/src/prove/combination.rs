@@ -53,7 +53,8 @@ pub enum CombinationPart {
     },
 }
 
-/// Description of how the rows of one formulation follow from those of another, as data.
+/// Description, as data, of the way in which the rows of one formulation follow from those of
+/// another.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CombinationDescription {
     /// Formulation on the left of the text, such as Kane's in `Kane = Wᵀ · Lagrange`.

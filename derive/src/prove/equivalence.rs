@@ -32,7 +32,7 @@ pub struct EquivalentPair {
     /// Verdict on the claim that the rows of each formulation are linear combinations of the
     /// other's rows, as stated in `map`.
     pub verdict: Verdict,
-    /// Description of the combination that leads from one formulation to the other.
+    /// Description of the linear combinations that lead from one formulation to the other.
     pub map: CombinationDescription,
     /// Combinations of rows that were proved, with their multipliers and identities. A combination
     /// whose proof failed has no identities.
@@ -317,7 +317,8 @@ fn equivalence_claims(combined: &CombinedSystem, expected: &Equations, extra: us
     claims
 }
 
-/// Balances of the bodies that are rows of the Newton–Euler equations, because they are not 0 = 0.
+/// Balances of the bodies that are rows of the Newton–Euler equations. Balances that read 0 = 0 are
+/// no rows.
 fn balances_for_equivalence(model: &Model, kinematics: &mut Kinematics, newton_euler: &Equations) -> Vec<Balance> {
     let velocities = kinematics.in_speeds(model);
     let mut rows = newton_euler_balances(model, kinematics, &velocities, None);

@@ -1,7 +1,8 @@
 //! First integrals of a model: the energy, and the momenta of symmetries.
 //!
-//! Candidates come from a stated search (see [`find_first_integrals`]). Each integral I is proved by
-//! the identity dI/dt − λᵀ (M u̇ − f) = 0 in q, u and free u̇, with the known multipliers λ = J ξ.
+//! Candidates come from a stated search (see [`find_first_integrals`]). Each integral I is proved
+//! by the identity dI/dt − λᵀ (M u̇ − f) = 0. It holds for all q, u and free u̇, with the known
+//! multipliers λ = J ξ.
 
 use super::integral_kind::IntegralKind;
 use super::noether::{NoetherTerms, VectorField};
@@ -252,8 +253,8 @@ struct IntegralSearchState<'a> {
 }
 
 impl IntegralSearchState<'_> {
-    /// Adds the energy T + V if it is conserved, then Jacobi's integral if it is. Sets `no_potential`
-    /// if forces without a potential do work.
+    /// Adds the energy T + V if it is conserved, then Jacobi's integral if that is conserved. Sets
+    /// `no_potential` if forces without a potential do work.
     fn energy(&mut self) {
         let (model, IntegralSearchBasis { lagrangian, rates, kane, .. }) = (self.model, self.basis);
         let arena = &mut *self.arena;

@@ -12,8 +12,8 @@ pub enum IntegralKind {
     Energy,
     /// Energy T + V, where V includes the potential of the applied forces.
     EnergyOfForces,
-    /// Jacobi's integral T + V − ∂T/∂t' of a mechanism that drives move. It is Σ q̇ ∂L/∂q̇ − L over the
-    /// coordinates except time.
+    /// Jacobi's integral T + V − ∂T/∂t' of a mechanism that drives move, where t' is the rate of
+    /// the time coordinate. It is Σ q̇ ∂L/∂q̇ − L over the coordinates except time.
     Jacobi,
     /// Generalized momentum ∂L/∂q̇ of the coordinate with this index.
     Coordinate(usize),

@@ -4,7 +4,6 @@
 //! Every statement is an identity between terms, decided by [`crate::algebra::meaning::compare`].
 //! Nothing is integrated, sampled in floating point or solved for accelerations. Each system is
 //! proved to be a linear combination of the other, with stated multipliers.
-//! proved to be a linear combination of the other, with stated multipliers.
 
 mod combination;
 mod equivalence;
@@ -72,8 +71,8 @@ impl Proof {
     }
 }
 
-/// Finds the first integrals of a model without the proof of equivalence. That proof takes nearly
-/// all of the time in models with loops. [`prove`] finds the integrals too.
+/// Finds the first integrals of a model without the proof of equivalence, which takes nearly all of
+/// the time in models with loops. [`prove`] finds the integrals too.
 pub fn first_integrals(model: &Model, derivations: &mut Derivations) -> Vec<Integral> {
     let mut integrals = first_integrals::find_first_integrals(model, derivations, &mut Comparer::default()).0;
     write_out_proof_formulas(

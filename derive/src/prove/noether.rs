@@ -195,8 +195,8 @@ impl NoetherTerms {
         zero_test(arena, gain) == ZeroTest::Zero
     }
 
-    /// Rate of the generalized momentum of coordinate i, without the part Σ ∂T/∂q̇ ξ̇: ∂(T −
-    /// V)/∂q_i + Q_i + (Aᵀλ)_i.
+    /// Rate of the generalized momentum ∂T/∂q̇_i of coordinate i along the equations of motion: ∂(T
+    /// − V)/∂q_i + Q_i + (Aᵀλ)_i.
     fn momentum_rate_of_coordinate(&self, arena: &mut Arena, i: usize) -> Expr {
         let pull = arena.neg(self.v_by_q[i]);
         arena.sum(&[self.t_by_q[i], self.forces[i], self.of_constraints[i], pull])

@@ -15,7 +15,7 @@ use crate::model::Model;
 /// Largest number of rows of a matrix whose determinant is expanded.
 const MOST_ROWS: usize = 8;
 
-/// Determinant of a matrix, with what is proved about its zeros.
+/// Determinant of a matrix, with statements that are proved about its zeros.
 #[derive(Clone, Debug)]
 pub struct Singularity {
     /// Determinant of the examined matrix, simplified.

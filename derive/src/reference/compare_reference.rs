@@ -37,8 +37,8 @@ pub struct ComparedEntry {
 /// the derivations.
 ///
 /// # Errors
-/// [`ReferenceError`] if the reference was derived from another model text, is empty because SymPy
-/// did not derive it, or uses names that the model does not have.
+/// [`ReferenceError`] if the reference was derived from another model text, is empty, or uses names
+/// that the model does not have.
 pub fn compare_reference(
     model: &Model,
     derivations: &mut Derivations,

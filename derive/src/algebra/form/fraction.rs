@@ -25,7 +25,7 @@ impl Fraction {
         Self { numerator, denominator: Vec::new() }
     }
 
-    /// True if the fraction is 0: its numerator has no terms.
+    /// True if the fraction is 0, so that its numerator has no terms.
     pub fn is_zero(&self) -> bool {
         self.numerator.is_zero()
     }

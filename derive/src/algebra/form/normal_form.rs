@@ -33,7 +33,8 @@ pub enum Zero {
     TooLarge,
 }
 
-/// Converter of terms to their normal forms, which it remembers.
+/// Converter of terms to normal forms. It stores the normal form of every term that it has
+/// converted.
 pub struct Normalizer {
     /// Polynomial ring in which all normal forms are written.
     ring: Ring,
@@ -55,8 +56,8 @@ impl Normalizer {
     /// second.
     pub const BUDGET: u64 = 2_000_000;
 
-    /// Creates a normalizer. The budget is the number of multiplications of terms that are allowed
-    /// in all its work.
+    /// Creates a normalizer. The budget is the number of multiplications of terms that all its
+    /// conversions together may use.
     #[must_use]
     pub fn new(budget: u64) -> Self {
         Self { ring: Ring::new(budget), forms: FxHashMap::default(), parts_of_turn: FxHashMap::default() }
@@ -121,7 +122,8 @@ impl Normalizer {
         &mut self.ring
     }
 
-    /// Term that a generator (a variable of the ring, given by its number) stands for.
+    /// Term for which a generator stands. The generator is a variable of the ring, given by its
+    /// number.
     #[must_use]
     pub fn expression_of(&self, generator: usize) -> Expr {
         self.ring.expression(generator)
@@ -144,8 +146,8 @@ impl Normalizer {
                 for (atom, k) in angle_atoms(arena, *argument) {
                     let d = k.small().map_or(1, |(_, d)| d);
                     let known = self.parts_of_turn.get(&atom).copied().unwrap_or(1);
-                    // An angle whose divisor exceeds a machine word stays coarse; a term with it
-                    // has no normal form.
+                    // The divisor of an angle stays unchanged if it would not fit a 64-bit integer;
+                    // a term with this angle has no normal form.
                     let common = (known / known.gcd(&d)).checked_mul(d).unwrap_or(known);
                     finer |= common != known;
                     self.parts_of_turn.insert(atom, common);

@@ -123,8 +123,7 @@ impl LaurentPolynomial {
     /// cosine of an angle, in either order. `None` if the result has more than `limit` terms.
     #[must_use]
     pub fn replace_squares(&self, f: Expr, g: Expr, limit: usize) -> Option<Self> {
-        // A power becomes as many terms as half its exponent, so high powers in many terms are left
-        // alone.
+        // A power becomes as many terms as half its exponent, so many high powers are not expanded.
         let halves = self.terms.keys().flatten().filter(|(e, _)| *e == f).map(|(_, n)| n.unsigned_abs() as usize / 2);
         if halves.sum::<usize>() > 10 * limit {
             return None;

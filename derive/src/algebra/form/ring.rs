@@ -75,8 +75,8 @@ impl Powers {
         Some(result)
     }
 
-    /// Splits the monomial into a factor in the given generators (variables of the ring) and a
-    /// factor in all others.
+    /// Splits the monomial into two factors: one in the given generators (variables of the ring),
+    /// one in all other generators.
     pub fn split(&self, generators: &[usize]) -> (Self, Self) {
         let (mut inside, mut outside) = (Self::ONE, *self);
         for at in generators {
@@ -128,8 +128,9 @@ impl RingPolynomial {
         Self { terms: self.terms.iter().map(|(m, c)| (*m, c.mul(k))).collect() }
     }
 
-    /// Splits the polynomial into its content, a number, and its primitive part. The primitive part
-    /// has integer coefficients without a common factor, the first of them positive.
+    /// Splits the polynomial into its content, which is a number, and its primitive part. The
+    /// primitive part has integer coefficients without a common factor, and its first coefficient
+    /// is positive.
     pub fn split_content(&self) -> (Rational, Self) {
         let Some((_, first)) = self.terms.first() else { return (Rational::ONE, Self::default()) };
         let size = self.terms.iter().fold(Rational::ZERO, |g, (_, k)| g.greatest_common_divisor(k));
@@ -172,8 +173,8 @@ pub struct Ring {
     generators: Vec<(Expr, Square)>,
     /// Number of each generator (a variable of the ring), by the expression that it stands for.
     numbers: FxHashMap<Expr, usize>,
-    /// Number of multiplications of terms that are still allowed. Results are `None` once it is
-    /// used up.
+    /// Number of multiplications of terms that are still allowed. When it is used up, operations of
+    /// the ring return `None`.
     pub budget: u64,
 }
 
@@ -184,7 +185,8 @@ impl Ring {
         Self { generators: Vec::new(), numbers: FxHashMap::default(), budget }
     }
 
-    /// Expression that a generator (a variable of the ring, given by its number) stands for.
+    /// Expression for which a generator stands. The generator is a variable of the ring, given by
+    /// its number.
     pub fn expression(&self, generator: usize) -> Expr {
         self.generators[generator].0
     }

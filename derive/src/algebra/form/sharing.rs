@@ -48,8 +48,8 @@ pub struct SharingOptions {
 pub enum Angles {
     /// Sines and cosines of sums of angles are computed directly, without addition theorems.
     Kept,
-    /// Sines and cosines of sums are computed from those of the parts by the addition theorems, if
-    /// that saves sines and cosines. Each gets a step of its own.
+    /// Sines and cosines of sums of angles are computed by addition theorems from those of the
+    /// parts, if that saves sines and cosines. Each sine or cosine gets a step of its own.
     Composed,
     /// Sines and cosines of sums are replaced by the addition theorems, which are multiplied out
     /// with the rest of the values.

@@ -107,8 +107,8 @@ impl Simplifier {
     }
 
     /// Expands the last term of `parts` to a Laurent polynomial in symbols, function values,
-    /// inverse sums and the atoms `sums`. `parts` must hold all its subterms, operands first.
-    /// `None` beyond [`Self::LIMIT`] terms.
+    /// inverse sums and the atoms `sums`. `parts` must contain all subterms of this term, operands
+    /// first. `None` beyond [`Self::LIMIT`] terms.
     fn polynomial_over(&mut self, arena: &mut Arena, parts: &[Expr], sums: &SumAtoms) -> Option<LaurentPolynomial> {
         let mut forms: FxHashMap<Expr, LaurentPolynomial> = FxHashMap::default();
         for &part in parts {
@@ -167,8 +167,8 @@ impl Simplifier {
     /// which becomes an atom of the result. `None` if this sum is the number 0.
     fn inverse_power(&mut self, arena: &mut Arena, base: &LaurentPolynomial, n: i32) -> Option<LaurentPolynomial> {
         let base = self.short_form(arena, base);
-        // The divisor is identically zero: nothing can be simplified, and the zero test of the
-        // caller will find it.
+        // The power fails if the divisor is identically zero. Then nothing can be simplified, and
+        // the zero test of the caller will find the divisor.
         let power = arena.pow(base, n).ok()?;
         Some(LaurentPolynomial::read_sum(arena, power))
     }

@@ -12,8 +12,8 @@ const MOST_READ: usize = 250;
 /// Largest number of nodes of a written-out formula for which simplification is tried.
 const MOST_SIMPLIFIED: usize = 5_000;
 
-/// Writes out the named terms of the formula `e` and simplifies it. Returns `e` itself if the
-/// result exceeds some ten lines. The result is proved equal to `e` modulo random primes.
+/// Writes out the named terms of the formula `e` and simplifies it. The result is proved equal to
+/// `e` modulo random primes. Returns `e` itself if the result would exceed some ten lines.
 pub fn written_out_formula(arena: &mut Arena, simplifier: &mut Simplifier, e: Expr) -> Expr {
     let whole = expand_names(arena, e);
     if whole == e || printed_length(arena, whole) > MOST_SIMPLIFIED {

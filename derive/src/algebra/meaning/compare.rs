@@ -67,7 +67,7 @@ pub enum Verdict {
     /// The two terms are equal wherever both have a value. The engine says by which method this is
     /// proved.
     Equal(Engine),
-    /// The two terms differ; the witness is a state that shows it.
+    /// The two terms differ. The witness is a state at which their values differ.
     Different(Witness),
     /// The question is not decided; the text is the reason.
     Undecided(String),
@@ -185,8 +185,8 @@ impl Comparer {
         }
         let defined = arena.restrictions().to_vec();
         let defined = defined.into_iter().map(|e| self.permitted.write_in_free_symbols(arena, e)).collect();
-        // A state also shows the free symbols on which its dependent symbols depend, so that a
-        // reader can check it.
+        // Free symbols that determine dependent symbols are shown too, so that a reader can check
+        // the state.
         let mentioned = symbols_compared(arena, &[left, right]);
         let values: Vec<Expr> = mentioned.iter().map(|s| self.permitted.write_in_free_symbols(arena, *s)).collect();
         let free = if self.permitted.shows_free_symbols() { symbols_compared(arena, &values) } else { Vec::new() };
@@ -261,7 +261,7 @@ fn symbols_compared(arena: &Arena, terms: &[Expr]) -> Vec<Expr> {
     arena.reachable(terms).into_iter().filter(|e| arena.symbol_name(*e).is_some()).collect()
 }
 
-/// Reason, in words, why it is undecided if a difference is zero.
+/// Reason, in words, for an undecided comparison with the given difference of the terms.
 fn reason_of_undecided_comparison(arena: &Arena, difference: Expr) -> String {
     let parts = arena.reachable(&[difference]);
     let divisors = parts.iter().flat_map(|p| match arena.node(*p) {

@@ -1,7 +1,7 @@
-//! Identities: pairs of terms that a proof finds equal, with the evidence for it.
+//! Identities: pairs of terms that are proved equal, with the engine that proved it.
 //!
-//! A proof returns its identities as data, and the code that shows or checks them makes text of
-//! them. The terms belong to the arena in which they were compared.
+//! Proofs return identities as data. The code that shows or checks identities converts them to
+//! text. The terms of an identity belong to the arena in which they were compared.
 
 use super::compare::Engine;
 use crate::algebra::value::zero_test::{Trial, zero_test_points};

@@ -68,7 +68,8 @@ pub struct PermittedStates {
     /// True if results mention the constraints, and witnesses show the values of free symbols.
     /// False for symbols that readers need not know.
     is_told: bool,
-    /// Substitution of shorter terms for sums that the equations make equal to them.
+    /// Substitution of shorter terms for sums to which the equations of the mechanism make them
+    /// equal.
     shorter: Substitution,
     /// Message about an equation that is not solved for any symbol; `None` if all equations are
     /// solved.

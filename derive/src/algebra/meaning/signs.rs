@@ -1,9 +1,9 @@
-//! Signs of terms, derived from terms that are known to be positive. They resolve square roots and
-//! absolute values.
+//! Signs of terms, derived from terms that are known to be positive. Known signs resolve square
+//! roots and absolute values.
 //!
 //! The method is exact. A sign is claimed only if it follows from the form of a term, from positive
 //! symbols and from terms known to be positive. Any other sign is [`Sign::Unknown`], and the term
-//! stays as it was written.
+//! is not changed.
 
 use crate::algebra::form::normal_form::Normalizer;
 use crate::algebra::term::calculus::Substitution;
@@ -376,8 +376,8 @@ fn is_at_least(arena: &Arena, a: Expr, b: Expr) -> bool {
     PointInterval::is_above(a, b)
 }
 
-/// Square root of a sum as a polynomial p with p² = e, of either sign; `None` if no such polynomial
-/// is found.
+/// Polynomial p with p² = e, for a sum `e`; the sign of p is arbitrary. `None` if no such
+/// polynomial is found.
 fn square_root(arena: &mut Arena, e: Expr) -> Option<Expr> {
     if !matches!(arena.node(e), Node::Sum(..)) {
         return None;

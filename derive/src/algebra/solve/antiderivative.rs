@@ -109,7 +109,8 @@ impl Integration<'_> {
         self.arena.mentions(e, self.x)
     }
 
-    /// Short form of a term; `None` if simplification takes more work than is left.
+    /// Short form of a term; `None` if the simplification may need more operations than are
+    /// allowed.
     fn short(&mut self, e: Expr) -> Option<Expr> {
         let parts = self.arena.reachable(&[e]);
         let powers: usize =

@@ -205,7 +205,7 @@ fn block_triangular_parts(a: &[Vec<Expr>], rows: Vec<usize>, columns: Vec<usize>
             needs.add_edge(nodes[row], nodes[other], ());
         }
     }
-    // A component comes after all components that it depends on.
+    // The algorithm lists a component after all components that it depends on.
     let parts = tarjan_scc(&needs).into_iter().map(|part| {
         let mut part_rows: Vec<usize> = part.iter().map(|node| rows[node.index()]).collect();
         let mut part_columns: Vec<usize> = part.iter().map(|node| columns[own[node.index()]]).collect();

@@ -50,7 +50,8 @@ pub struct Elimination {
     pub divisors: Vec<Expr>,
 }
 
-/// Solves a linear system by the cheapest of up to three eliminations, counted in operations.
+/// Solves a linear system by up to three eliminations, and returns the one with the fewest
+/// operations.
 ///
 /// # Errors
 /// [`Singular`] if the matrix is singular for all values of its symbols.
@@ -66,7 +67,8 @@ pub fn eliminate(
     }
     let mut best: Option<(usize, Arena, Simplifier, Vec<Definition>)> = None;
     for longest in LONGEST {
-        // Each trial has its own arena, so that the names of rejected trials stay free.
+        // Each trial has its own copy of the arena, so that names from rejected trials are not used
+        // up.
         let (mut arena, mut simplifier) = (arena.clone(), simplifier.clone());
         let steps = eliminate_once(&mut arena, &mut simplifier, system, longest)?;
         let total = elimination_cost(&arena, &steps, system.unknowns);
@@ -74,8 +76,8 @@ pub fn eliminate(
         if best.as_ref().is_none_or(|(least, ..)| total < *least) {
             best = Some((total, arena, simplifier, steps));
         }
-        // If no entry was long enough for a name, lower limits are not tried: they are meant for
-        // larger systems.
+        // If no entry was long enough for a name, the next trials with lower limits are left out:
+        // they are meant for larger systems.
         if !has_names {
             break;
         }
@@ -251,7 +253,7 @@ impl<'a> EliminationState<'a> {
     /// Adds the steps that define the unknowns, from the last pivot to the first. Each step uses
     /// the unknowns already defined.
     fn substitute_back(&mut self, unknowns: &[Expr]) {
-        // Term that stands for an unknown in other steps: its symbol, or 0 if its value is 0.
+        // Value of each unknown in other steps: its symbol, or 0 if the unknown is 0.
         let mut known: Vec<Option<Expr>> = vec![None; unknowns.len()];
         for (row, column) in self.order.clone().into_iter().rev() {
             let mut terms = vec![self.right[row]];

@@ -94,7 +94,7 @@ impl LinearForm {
                     return Err(NotLinear { symbol: self.symbols[at], coefficient: slope });
                 }
             }
-            // |u| has no second derivative and still is not linear: its slope sign(u) differs from its slope at 0.
+            // u| has the second derivative 0 but is not linear: its derivative sign(u) differs from that at 0.
             let at_zero = self.at_zero.apply(arena, slope);
             let change = arena.sub(slope, at_zero);
             if zero_test(arena, change) != ZeroTest::Zero {

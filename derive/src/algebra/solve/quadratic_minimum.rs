@@ -92,7 +92,6 @@ type Depth = (usize, usize);
 ///
 /// Several orders of elimination are tried; the cheapest result is returned. `None` if a component
 /// is not linear in the unknowns, or if the unknowns are not determined.
-/// in the unknowns, or if the unknowns are not determined.
 pub fn minimize_quadratic_form(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -173,8 +172,8 @@ fn minimize_once(
         let part = parts.remove(&by)?;
         following.push(form.replace_unknown(unknown, by, sign, &part));
     }
-    // Number of remaining names that contain each unknown or name. Those contained in none can be
-    // eliminated.
+    // Number of remaining names whose definitions contain each unknown or name. A term with the
+    // number 0 can be eliminated.
     let mut left: FxHashMap<Expr, usize> = FxHashMap::default();
     for (of, _) in parts.values().flat_map(|part| &part.terms) {
         *left.entry(*of).or_default() += 1;

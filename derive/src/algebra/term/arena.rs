@@ -68,7 +68,7 @@ pub enum Function {
 }
 
 impl Function {
-    /// Pairs of every function and its name in model files, in the order of the variants.
+    /// Every function with its name in model files, in the order of the variants.
     pub const ALL: [(Self, &'static str); 13] = [
         (Self::Sin, "sin"),
         (Self::Cos, "cos"),
@@ -298,8 +298,8 @@ impl Arena {
         self.positive.insert(symbol);
     }
 
-    /// Records a term that cancelled in a written formula. The formula has a value only where this
-    /// term has a value.
+    /// Records a term that was cancelled while a written formula was built. The formula has a value
+    /// only where this term has a value.
     pub fn restrict(&mut self, e: Expr) {
         if !self.restrictions.contains(&e) {
             self.restrictions.push(e);
@@ -393,8 +393,8 @@ impl Arena {
         all
     }
 
-    /// True if `symbol` occurs in the term `e`. The test is one of form: the symbol may occur and
-    /// yet cancel.
+    /// True if `symbol` occurs in the term `e`. The test is by form: the term may contain the
+    /// symbol without depending on it.
     #[must_use]
     pub fn mentions(&self, e: Expr, symbol: Expr) -> bool {
         self.reachable(&[e]).binary_search(&symbol).is_ok()

@@ -50,8 +50,8 @@ fn substitute_operands(arena: &mut Arena, e: Expr, map: &FxHashMap<Expr, Expr>) 
 pub struct Substitution {
     /// Replacement of each term: the given pairs, and the result for every term rewritten so far.
     map: FxHashMap<Expr, Expr>,
-    /// First term whose divisor became 0 by the substitution; it was left unchanged. `None` if
-    /// every term has a value.
+    /// First term in which a divisor became 0 by the substitution; this term was left unchanged.
+    /// `None` if there is no such term.
     pub undefined: Option<Expr>,
 }
 

@@ -113,8 +113,7 @@ impl Arena {
     pub fn split_content(&mut self, e: Expr) -> (Rational, Expr) {
         let content = match self.node(e) {
             Node::Number(value) => return (value.clone(), Expr::ONE),
-            // Most sums have integer coefficients, and the first coefficient is 1: their content is
-            // 1.
+            // Most sums have integer coefficients, and the first coefficient is 1: their content is 1.
             Node::Sum(constant, terms)
                 if terms[0].1.is_one() && constant.is_integer() && terms.iter().all(|(_, k)| k.is_integer()) =>
             {
@@ -271,7 +270,7 @@ impl Arena {
         self.apply(Function::Cos, e)
     }
 
-    /// Builds the function value f(argument) as it stands, without any simplification.
+    /// Builds the function value f(argument) without any simplification.
     pub(super) fn intern_apply(&mut self, f: Function, argument: Expr) -> Expr {
         self.intern(Node::Apply(f, argument))
     }

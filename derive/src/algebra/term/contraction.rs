@@ -1,8 +1,8 @@
-//! Contraction of products of sines and cosines by the addition theorems: sin a cos b − cos a sin b
-//! = sin (a − b).
+//! Contraction of products of sines and cosines by the addition theorems: sin a cos b − cos a sin b =
+//! sin (a − b).
 //!
-//! The divisor of a linear system over angles from one frame comes out as a sum of such products.
-//! Written as a single sine, it shows where it vanishes, and no digits are lost there.
+//! Such sums of products occur in the divisors of linear systems if angles are measured from one
+//! frame. As a single sine, a divisor shows where it is zero, and no digits are lost near there.
 
 use super::calculus::Substitution;
 use crate::algebra::{Arena, Expr, Function, Node, Rational};

@@ -197,8 +197,7 @@ impl DividedRules {
 }
 
 /// Product of two functions f and g, each given by its values at both ends and its divided
-/// difference. The rule is (f g)\[a, b\] = f\[a, b\] g(b) + f(a) g\[a, b\]. `None` if a divisor is
-/// 0.
+/// difference. The rule is (f g)\[a, b\] = f\[a, b\] g(b) + f(a) g\[a, b\]. `None` if a divisor is 0.
 fn multiply_pairs(arena: &mut Arena, f: DividedPair, g: DividedPair) -> Option<DividedPair> {
     let mut product = |factors: &[(Expr, i32)]| arena.try_product(factors).ok();
     let first = product(&[(f.difference, 1), (g.at_b, 1)])?;
@@ -238,7 +237,6 @@ fn power_of_pair(arena: &mut Arena, f: DividedPair, n: i32) -> Option<DividedPai
 /// Writes each product √g gⁿ among the factors as (√g)²ⁿ⁺¹. Returns the numerical factor that
 /// remains, and the new factors. Otherwise the divided difference of √g · 1/g would subtract nearly
 /// equal values if g(b) is much larger than g(a).
-/// g(b) far exceeds g(a).
 fn join_divided_roots(arena: &mut Arena, factors: &[(Expr, i32)]) -> (Rational, Vec<(Expr, i32)>) {
     let mut powers = factors.to_vec();
     let mut content = Rational::ONE;

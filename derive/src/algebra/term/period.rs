@@ -1,4 +1,4 @@
-//! Period of a term in one of its variables, read from its form.
+//! Period of a term in one of its variables, derived from the form of the term.
 
 use super::calculus::Differential;
 use crate::algebra::{Arena, Expr, Function, Node, Rational};

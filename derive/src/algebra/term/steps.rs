@@ -11,7 +11,7 @@ use rustc_hash::FxHashSet;
 pub struct Definition {
     /// Symbol that the step of the computation defines.
     pub symbol: Expr,
-    /// Value that the symbol stands for, a term in earlier symbols.
+    /// Value of the step: a term in the symbols of earlier steps and inputs.
     pub value: Expr,
 }
 

@@ -1,4 +1,5 @@
-//! Structure of terms as a hash: the same number in every arena, whatever else the arena contains.
+//! Hashes of the structure of terms. A term has the same hash in every arena, whatever else the
+//! arena contains.
 
 use crate::algebra::{Arena, Expr, Node};
 use rustc_hash::FxHashMap;

@@ -7,7 +7,7 @@ use rustc_hash::FxHashMap;
 pub struct Transfer<'a> {
     /// Arena from which terms are copied.
     from: &'a Arena,
-    /// Copy of each term transferred so far, by its handle in the source arena.
+    /// Copy of each term that was transferred so far, by the handle of the original.
     done: FxHashMap<Expr, Expr>,
     /// Suffix for the labels of named terms that get a new name in the target arena; empty within
     /// one model.

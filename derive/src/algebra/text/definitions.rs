@@ -48,8 +48,8 @@ pub fn define_names_in_part(arena: &mut Arena, part: &str, values: &[Expr]) {
     named.retain(|e| arena.named_term_value(*e).is_some() && !arena.names.symbols.get(e).is_some_and(|s| s.everywhere));
     named.sort_by_key(|e| structure[e]);
     for e in named {
-        // A term that already has a name from another part is counted too. So the numbers of this
-        // part do not depend on other parts being written.
+        // A term that already has a name from another part is counted too. So the numbers in this
+        // part do not depend on which other parts are written.
         next_definition_symbol(arena, e);
     }
 }

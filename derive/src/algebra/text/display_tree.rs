@@ -47,8 +47,8 @@ impl DisplayTree {
 /// Names of the terms that are shown by a name in place of their formulas.
 pub type SharedNames = FxHashMap<Expr, String>;
 
-/// Builds the display tree of the term `e`. Terms in `shared`, other than `e` itself, are shown by
-/// their names. After `budget` nodes the rest of the tree is cut.
+/// Builds the display tree of the term `e`. Other terms that are in `shared` are shown by their
+/// names. After `budget` nodes the rest of the tree is cut.
 #[must_use]
 pub fn display_tree(arena: &Arena, e: Expr, shared: &SharedNames, budget: usize) -> DisplayTree {
     DisplayTreeBuilder { arena, ranks: display_sort_keys(arena, e), shared, left: budget }.expand(e)
@@ -146,8 +146,8 @@ impl DisplayTreeBuilder<'_> {
         }
     }
 
-    /// Sort key of a term in a sum: the sort keys of its factors, the latest declared first. So a
-    /// linear form is printed in the order of its variables.
+    /// Sort key of a term in a sum: the sort keys of its factors, those of symbols declared later
+    /// first. So a linear form is printed in the order of its variables.
     fn monomial_sort_key(&self, term: Expr) -> Vec<(SortKey, i32)> {
         let mut ranks: Vec<_> = match self.arena.node(term) {
             Node::Product(factors) => factors.iter().map(|(base, n)| (self.ranks[base], -n)).collect(),

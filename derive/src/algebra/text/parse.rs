@@ -27,7 +27,8 @@ use rustc_hash::FxHashSet;
 /// Deepest nesting of parentheses and functions that the parser accepts.
 pub const MAX_DEPTH: usize = 200;
 
-/// Largest cost of exact arithmetic in one expression, in squared bits; it takes about a second.
+/// Largest cost of exact arithmetic in one expression, in squared bits. Arithmetic of this cost
+/// takes about a second.
 const MAX_WORK: u64 = 50_000_000_000;
 
 /// Function that resolves a name: it returns the term that the name stands for. Its error is the
@@ -277,8 +278,8 @@ impl Parser<'_, '_> {
         product.map_err(|e| ParseError::power(start..self.at, e))
     }
 
-    /// Returns the term `e`, or an error if it is a product with an exponent beyond the limit for
-    /// written formulas.
+    /// Returns the term `e`. Error if it is a product with an exponent beyond the limit for written
+    /// formulas.
     fn within_limits(&self, e: Expr) -> Result<Expr, PowerError> {
         let product = match self.arena.node(e) {
             Node::Sum(_, terms) if terms.len() == 1 => terms[0].0,

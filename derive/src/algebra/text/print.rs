@@ -52,8 +52,8 @@ pub fn print_whole_text(arena: &Arena, e: Expr) -> String {
     out
 }
 
-/// Builds the display tree of the term `e`, cut only after two million nodes. Terms in `shared`,
-/// other than `e` itself, are shown by their names.
+/// Builds the display tree of the term `e`, cut only after two million nodes. Other terms that are
+/// in `shared` are shown by their names.
 #[must_use]
 pub fn print_whole_view(arena: &Arena, e: Expr, shared: &SharedNames) -> DisplayTree {
     display_tree(arena, e, shared, 100 * BUDGET)

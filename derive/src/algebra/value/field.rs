@@ -5,8 +5,8 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::ToPrimitive;
 
-/// Deterministic generator of random numbers, with its state (`SplitMix64`, Steele, Lea and Flood
-/// 2014).
+/// Deterministic generator of random numbers. The field is its state (`SplitMix64`, Steele, Lea and
+/// Flood 2014).
 pub struct Generator(pub u64);
 
 impl Generator {

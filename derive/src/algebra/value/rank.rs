@@ -22,8 +22,8 @@ pub struct Rank {
 /// Rank of a matrix of terms, given by rows, for general values of the symbols.
 ///
 /// The matrix is evaluated at up to four random points, and the largest rank is returned. It is
-/// never above the true rank, and below it only if a non-zero residue happens to vanish. `None` if
-/// no point could be evaluated.
+/// never above the true rank. It is below the true rank only if a non-zero minor is 0 at all points
+/// by chance. `None` if no point could be evaluated.
 #[must_use]
 pub fn rank(arena: &Arena, matrix: &[Vec<Expr>]) -> Option<Rank> {
     let mut best: Option<Rank> = None;

@@ -6,8 +6,8 @@ use super::field::Field;
 use crate::algebra::Rational;
 
 /// Largest numerator and denominator of a reconstructed fraction. Two different fractions within
-/// this limit have different residues modulo a prime of 61 bits, since 2 · 2^48 is far below the
-/// prime.
+/// this limit have different residues modulo a prime of 61 bits, since the prime is far above 2 ·
+/// 2^48.
 const LARGEST: u64 = 1 << 24;
 
 /// Reconstructs a rational number from its residue in the field `f`. Its numerator and denominator

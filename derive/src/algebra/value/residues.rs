@@ -1,7 +1,7 @@
 //! Values of terms at random points of random prime fields.
 //!
-//! Residues depend on the point and on the names of symbols, never on handles, so that they repeat
-//! in every build.
+//! Residues depend on the point and on the names of symbols, never on handles. So every run gives
+//! the same residues.
 
 mod point_search;
 

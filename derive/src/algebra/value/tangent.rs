@@ -122,7 +122,8 @@ impl Fold for Slopes<'_> {
     }
     fn product(&mut self, factors: &[(Expr, i32)], of: &Values<'_, u64>) -> Option<u64> {
         let f = self.field;
-        // d Π b^n = Σ n b^(n−1) db · Π of the other factors.
+        // The derivative of Π b^n is the sum of n b^(n−1) db times the product of the other
+        // factors.
         let mut sum = 0;
         for (at, (base, n)) in factors.iter().enumerate().filter(|(_, (base, _))| of[*base] != 0) {
             let times = f.residue_of_rational(&Rational::integer(i64::from(*n)))?;

@@ -183,7 +183,7 @@ pub struct UnknownSymbol(pub String);
 struct Assembly<'a> {
     /// Arena of the compiled terms.
     arena: &'a Arena,
-    /// Number of each input, by its symbol.
+    /// Number of each input, by the symbol of the input.
     inputs: FxHashMap<Expr, usize>,
     /// Operations so far, with exact constants.
     ops: Vec<Op<Rational>>,

@@ -1,8 +1,8 @@
 //! Constants that replace products of parameters and numbers in reduced equations.
 //!
 //! The start of a motion determines these constants. So they are computed once, not at every
-//! evaluation of the equations. For example, if u₃ is constant, 2 u₃ sin q₂ becomes c sin q₂ with c
-//! = 2 u₃.
+//! evaluation of the equations. For example, if u₃ is constant, 2 u₃ sin q₂ becomes c sin q₂ with c =
+//! 2 u₃.
 
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::term::steps::fresh_symbol;

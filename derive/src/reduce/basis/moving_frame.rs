@@ -1,12 +1,12 @@
 //! Moving frame of equations: with it, symmetries keep chosen states at zero.
 //!
-//! A symmetry ζ(x) maps solutions of x' = f(x) to solutions. So with numbers ε(y), a solution of y'
-//! = f(y) + Σ ε ζ(y) is at every instant a solution x, transformed by symmetries. Every quantity
-//! that no ζ changes is equal in x and y.
+//! A symmetry ζ(x) maps solutions of x' = f(x) to solutions. So with numbers ε(y), a solution of y' =
+//! f(y) + Σ ε ζ(y) is at every instant a solution x, transformed by symmetries. Every quantity that
+//! no ζ changes is equal in x and y.
 //!
-//! As many states are pinned (kept at zero) as there are symmetries. This is possible if the matrix
-//! of the ζ's components at the pinned states has full rank. Then the pinned states leave the
-//! equations (a cross-section and its moving frame: M. Fels & P. J. Olver 1999).
+//! The number of pinned states (states kept at zero) is the number of symmetries. This is possible
+//! if the matrix of the ζ's components at the pinned states has full rank. Then the pinned states
+//! leave the equations (a cross-section and its moving frame: M. Fels & P. J. Olver 1999).
 
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::{Arena, Expr};
@@ -15,7 +15,7 @@ use crate::mechanics::{Equations, SolvedAccelerations};
 /// Symmetry of the equations: a vector field ζ on the states that maps solutions to solutions.
 #[derive(Clone)]
 pub struct FrameSymmetry {
-    /// Description of the motion along the symmetry, in words, such as a translation along an axis.
+    /// Description in words of the motion along the symmetry, such as a translation along an axis.
     pub words: String,
     /// Components of ζ for the states of the equations, q then u, as terms in these states.
     pub along: Vec<Expr>,
@@ -23,7 +23,7 @@ pub struct FrameSymmetry {
     pub of_model: Vec<Expr>,
 }
 
-/// Moving frame: symmetries along which it moves, and the states that it keeps at zero.
+/// Moving frame: the symmetries along which the frame moves, and the states that it keeps at zero.
 #[derive(Clone)]
 pub struct PinnedFrame {
     /// Symmetries along which the frame moves, as indices into `ReductionBasis::turns`.

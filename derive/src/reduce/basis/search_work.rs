@@ -15,7 +15,8 @@ const MOST_WORK: usize = 24_000;
 pub struct SearchWork(usize);
 
 impl SearchWork {
-    /// Adds the number of symbolic terms that a trial reduction created beyond those of `basis`.
+    /// Adds the number of symbolic terms that the trial reduction `trial` created in addition to
+    /// those of `basis`.
     pub fn add(&mut self, trial: &ReductionBasis, basis: &ReductionBasis) {
         self.0 += trial.arena.len().saturating_sub(basis.arena.len());
     }

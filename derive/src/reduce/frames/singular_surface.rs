@@ -23,9 +23,9 @@ use std::f64::consts::FRAC_PI_2;
 const MOST_TURNS: i32 = 100;
 
 impl ReductionBasis {
-    /// Finds the singular surface of reduced equations. It must be a state's value that is a
-    /// multiple of a quarter turn. A surface that the scene names takes precedence over the surface
-    /// nearest to the start. `None` if there is no such surface, or if the scene forbids distances.
+    /// Finds the singular surface of reduced equations, on which one of the states is a multiple of
+    /// a quarter turn. A surface that the scene names takes precedence over the surface nearest to
+    /// the start. `None` if there is no such surface, or if the scene forbids distances.
     pub(in crate::reduce) fn find_singular_surface(
         &mut self,
         level: &Level,

@@ -73,8 +73,8 @@ pub struct Reduction {
     pub derivation: Derivation,
     /// Integrated variables whose rates depend only on variables in this list.
     pub states: Vec<ReducedQuantity>,
-    /// Variables that are integrated only because outputs need them. The rate of no state depends on
-    /// them.
+    /// Variables that are integrated only because outputs need them. No rate of a state depends on
+    /// these variables.
     pub quadratures: Vec<ReducedQuantity>,
     /// Quantities that keep their start value during a motion, such as momenta.
     pub constants: Vec<ReducedQuantity>,
@@ -87,8 +87,8 @@ pub struct Reduction {
     pub events: Vec<Expr>,
     /// Moving frame in which the equations are written; `None` without a frame.
     pub frame: Option<MovingFrame>,
-    /// Descriptions of symmetries that leave every shown quantity unchanged. They give no frame because
-    /// they change a condition of the model's domain.
+    /// Descriptions of symmetries that leave every shown quantity unchanged but change a condition
+    /// of the model's domain. So they are not used for a moving frame.
     pub kept_by_domain: Vec<String>,
     /// Parameters that were replaced by numbers, as pairs of name and value.
     pub folded: Vec<(String, Rational)>,

@@ -28,7 +28,7 @@ pub struct Dependence {
 }
 
 impl Dependence {
-    /// Creates the test for terms that use the symbols of these definitions.
+    /// Creates the test for terms that contain symbols with the given definitions.
     pub fn new(arena: &mut Arena, definitions: Vec<Definition>) -> Self {
         let mut inline = Substitution::default();
         for definition in &definitions {

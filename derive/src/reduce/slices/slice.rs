@@ -139,7 +139,8 @@ impl Slice {
         Some(flow)
     }
 
-    /// True if the variable with this symbol is among the states, on which rates of others depend.
+    /// True if the variable with this symbol is a state: the rate of another variable depends on
+    /// it.
     pub fn is_slice_state(&self, symbol: Expr) -> bool {
         self.core.iter().any(|v| v.symbol == symbol)
     }

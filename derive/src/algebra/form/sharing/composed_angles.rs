@@ -11,14 +11,15 @@ use crate::algebra::text::print::print_text;
 use crate::algebra::{Arena, Expr, Function, Node};
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// Largest number of addition theorems that are multiplied out together. Nested theorems give
-/// coefficients with as many bits as there are theorems, and then the result is never shorter.
+/// Largest number of addition theorems that are multiplied out together. The coefficients of nested
+/// theorems have as many bits as there are theorems, so with more theorems the result is never
+/// shorter.
 const MOST_OPENED: usize = 48;
 
 /// Angle that is the sum or difference of two other angles. Its sine and cosine follow from theirs
 /// by the addition theorems.
 struct Addition {
-    /// Angle that is the sum or difference of the two others, rad.
+    /// Angle that is the sum or difference of `first` and `second`, rad.
     angle: Expr,
     /// First angle of the sum or difference, rad.
     first: Expr,
@@ -93,7 +94,7 @@ fn find_composed_angles(arena: &mut Arena, parts: &[Expr]) -> Vec<Addition> {
             angles.push(*angle);
         }
     }
-    // A divisor such as the sine of a difference must be accurate near zero too, so it is computed
+    // The sine of a difference must be accurate near zero if it is a divisor. So it is computed
     // directly.
     let divides = |angle: &Expr| {
         parts.iter().any(|part| match arena.node(*part) {
@@ -159,8 +160,8 @@ struct Rewriting {
 }
 
 impl Rewriting {
-    /// Sine and cosine of a composed angle a ± b by the addition theorems.
-    /// sin (a ± b) = sin a cos b ± cos a sin b, and cos (a ± b) = cos a cos b ∓ sin a sin b.
+    /// Sine and cosine of a composed angle a ± b, as the pair (sin, cos). The addition theorems are
+    /// sin (a ± b) = sin a cos b ± cos a sin b; cos (a ± b) = cos a cos b ∓ sin a sin b.
     fn addition_theorem(&self, arena: &mut Arena, addition: &Addition) -> [Expr; 2] {
         let value = |arena: &mut Arena, f: Function, angle: Expr| {
             let e = arena.apply(f, angle);

@@ -7,8 +7,8 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// Number of terms of a sum above which its pairs of terms are not examined, since their number
-/// grows with the square.
+/// Number of terms of a sum above which its pairs of terms are not examined. The number of pairs
+/// grows with the square of the number of terms.
 const LONGEST: usize = 300;
 /// Largest number of pairs of terms that are examined in one network. Once it is reached, later
 /// sums share products only.
@@ -71,7 +71,8 @@ struct Candidate {
     queued: usize,
 }
 
-/// Table of the common divisors of a network, kept up to date while they are taken out.
+/// Table of the common divisors of a network. It is updated whenever a divisor is taken out of the
+/// sums.
 pub(super) struct Extraction {
     /// Network from which divisors are taken out.
     network: Network,
@@ -88,8 +89,9 @@ pub(super) struct Extraction {
     /// Index, in `divisors`, of the divisor whose value a sum of the network is. The key is the
     /// atom of the sum.
     definition_of: FxHashMap<Atom, usize>,
-    /// Queue of divisors as (upper bound of the operations saved, index in `divisors`): the largest
-    /// bound first, then the oldest divisor. A bound is computed again when its entry comes up.
+    /// Queue of divisors as (upper bound of the operations saved, index in `divisors`). The largest
+    /// bound comes first; among equal bounds, the divisor found first. When an entry comes up, its
+    /// savings are computed again.
     queue: BinaryHeap<(usize, Reverse<usize>)>,
 }
 
@@ -248,7 +250,8 @@ impl Extraction {
         })
     }
 
-    /// Cofactor that remains at a position when the divisor is taken out there.
+    /// Cofactor that remains at a position if the divisor is taken out there: the terms divided by
+    /// the divisor.
     fn cofactor(&self, id: usize, place: Place) -> NetworkTerm {
         let Place { sum, i, j } = place;
         let first = self.term(sum, i);
@@ -278,8 +281,8 @@ impl Extraction {
         }
     }
 
-    /// Number of operations saved at a position when the divisor is taken out there, without the
-    /// cost of the divisor itself.
+    /// Number of operations that taking a divisor out at one position saves, without the cost of
+    /// the divisor itself.
     fn gain(&self, id: usize, place: Place) -> usize {
         let Place { sum, i, j } = place;
         let mut before = self.term(sum, i).multiplications();
@@ -292,7 +295,7 @@ impl Extraction {
         before.saturating_sub(after)
     }
 
-    /// Number of operations saved by taking a divisor out at all its positions, less the cost of
+    /// Number of operations that taking a divisor out at all its positions saves, minus the cost of
     /// the divisor itself.
     fn saving(&self, id: usize) -> usize {
         let total: usize = self.places(id).iter().map(|place| self.gain(id, *place)).sum();
@@ -300,7 +303,8 @@ impl Extraction {
         total.saturating_sub(if candidate.defined.is_some() { 0 } else { candidate.cost })
     }
 
-    /// Takes a divisor out at all its positions, and enters the divisors of the new terms.
+    /// Takes a divisor out at all its positions, and adds the divisors of the new terms to the
+    /// table.
     fn take_out(&mut self, id: usize) {
         let places = self.places(id);
         let (atom, kept) = self.atom_of_divisor(id, &places);

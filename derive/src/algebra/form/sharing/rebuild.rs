@@ -102,7 +102,7 @@ struct Rebuilder<'a> {
 enum Place {
     /// The term is the only term of its sum.
     Alone,
-    /// The term is one of several terms of its sum.
+    /// The term is one of at least two terms of its sum.
     AmongTerms,
 }
 

@@ -58,7 +58,7 @@ pub struct BranchSearch<'w, 'a> {
     pub(super) rows: Vec<Expr>,
     /// Divisors of the equations that contain unknowns. They are assumed not to be 0.
     divisors: Vec<Expr>,
-    /// Branches of solutions that the search has found so far.
+    /// Branches of solutions found so far, with further results of the search.
     pub(super) found: Solutions,
 }
 
@@ -212,8 +212,7 @@ impl<'w, 'a> BranchSearch<'w, 'a> {
     }
 
     /// Splits the equations of a case into factors. Equations that already hold are left out, and
-    /// so are factors that cannot be 0. `None` if an equation cannot hold or an excluded factor is
-    /// 0.
+    /// so are factors that cannot be 0. `None` if an equation cannot hold or an excluded factor is 0.
     fn factored_rows(&mut self, case: &mut Case) -> Option<Vec<Row>> {
         let mut excluded = Vec::new();
         for e in &case.excluded {
@@ -243,7 +242,7 @@ impl<'w, 'a> BranchSearch<'w, 'a> {
             }
             let left: Vec<Expr> =
                 factors.unknown.iter().map(|(e, _)| *e).filter(|e| !case.excluded.contains(e)).collect();
-            // A factor of known strict sign cannot vanish.
+            // A factor whose sign is known to be positive or negative is never 0.
             let left: Vec<Expr> = left.into_iter().filter(|e| !self.work.sign(*e).is_strict()).collect();
             if left.is_empty() {
                 return None;

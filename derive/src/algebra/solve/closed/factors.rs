@@ -128,7 +128,8 @@ impl Workspace<'_> {
             let shortest = coefficients.values().min_by_key(|c| c.terms.len()).filter(|_| coefficients.len() > 1);
             let Some(shortest) = shortest else { continue };
             let mut part = shortest.split_content().1;
-            // Generators that divide only this coefficient are removed.
+            // Generators that divide this coefficient need not divide the others, so they are
+            // removed.
             let common = part.common_powers();
             for other in 0..self.normalizer.ring().size() {
                 for _ in 0..common.exponent_of(other) {

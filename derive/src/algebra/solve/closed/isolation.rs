@@ -49,8 +49,8 @@ impl Workspace<'_> {
     }
 
     /// Coefficients of a polynomial in one generator, the constant first, and the step between
-    /// powers. `at` is the number of the generator. The step is 2 if only even powers occur, else
-    /// 1. `None` if the degree exceeds two steps.
+    /// powers. `at` is the number of the generator. The step is 2 if only even powers occur, else 1.
+    /// `None` if the degree exceeds two steps.
     fn powers(&mut self, p: &RingPolynomial, at: usize) -> Option<(Vec<Expr>, usize)> {
         let list = Self::coefficients(p, &[at]);
         let powers: Vec<usize> = list.keys().map(|powers| usize::from(powers.exponent_of(at))).collect();
@@ -126,8 +126,8 @@ impl Workspace<'_> {
         Some(FactorSolutions { solutions: solutions.collect(), divisor: Some(divisor), degree })
     }
 
-    /// Solves a polynomial in the sine alone, or in the cosine alone, for the angle. `None` if the
-    /// degree exceeds 2.
+    /// Solves a polynomial that contains only the sine, or only the cosine, of an angle for the
+    /// unknown. `None` if the degree exceeds 2.
     fn isolate_sine_or_cosine(
         &mut self,
         p: &RingPolynomial,

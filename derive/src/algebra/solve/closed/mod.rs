@@ -40,14 +40,15 @@ pub const BUDGET: u64 = 2 * Normalizer::BUDGET;
 /// Solutions of a system of equations in closed form, with the equations as factored terms.
 #[derive(Clone, Debug, Default)]
 pub struct Solutions {
-    /// Left-hand sides of the equations, which must vanish, in factors and without divisors.
+    /// Left-hand sides of the equations, which must be 0, in factors and without divisors.
     pub equations: Vec<Expr>,
-    /// Divisors of the given equations. Where a divisor is 0, the solutions claim nothing.
+    /// Divisors of the given equations. The solutions are not valid where a divisor is 0.
     pub divided_by: Vec<Expr>,
-    /// Number of equations that have no normal form within the budget. If it is not 0, nothing is
-    /// solved.
+    /// Number of equations that have no normal form within the budget. If it is not 0, no equation
+    /// is solved.
     pub too_large: usize,
-    /// Branches of solutions where no divisor of the equations is 0, as far as they were found.
+    /// Branches of solutions where no divisor of the equations is 0. If `is_cut` is true, there may
+    /// be more.
     pub branches: Vec<Branch>,
     /// True if the search ended before it had found all branches.
     pub is_cut: bool,

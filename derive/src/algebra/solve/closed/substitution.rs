@@ -1,5 +1,5 @@
-//! Substitution of solved relations, which give an unknown, its square, sine, cosine or tangent,
-//! into terms.
+//! Substitution of solved relations into terms. A relation gives an unknown, its square, or its
+//! sine, cosine or tangent.
 
 use super::relation::{Relation, RelationKind};
 use super::workspace::Workspace;

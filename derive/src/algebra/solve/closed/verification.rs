@@ -7,9 +7,9 @@ use super::workspace::Workspace;
 use crate::algebra::Expr;
 
 impl BranchSearch<'_, '_> {
-    /// Checks a case (a partly solved system) that cannot be solved further: inserts it into the
-    /// given equations, and adds its branch to the solutions. `rows` are equations that stay
-    /// unsolved.
+    /// Checks a case (a partly solved system) that cannot be solved further. Its solutions are
+    /// inserted into the given equations, and its branch is added to the solutions. `rows` are
+    /// equations that stay unsolved.
     pub(super) fn verify_case(&mut self, case: &Case, rows: &[Row]) {
         if self.work.normalizer.ring().budget == 0 {
             self.found.is_cut = true;

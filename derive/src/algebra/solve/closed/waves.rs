@@ -1,6 +1,6 @@
 //! Equations of sines and cosines that reduce to a single wave (a sine or cosine of a linear
-//! angle), or to two waves of equal amplitude. For example, sin A + sin B = 0 where A = −B or A = B
-//! + π.
+//! angle), or to two waves of equal amplitude. For example, sin A + sin B = 0 where A = −B or A = B +
+//! π.
 
 use super::relation::{FactorSolutions, Relation, Solution};
 use super::workspace::Workspace;

@@ -21,7 +21,7 @@ pub enum Role {
     /// The generator of the normal form is the cosine of an angle, which is the unknown times a
     /// term without unknowns.
     Cosine(Expr),
-    /// The generator of the normal form depends on the unknown in any other way.
+    /// The generator of the normal form depends on the unknown, but in none of the other ways.
     Mixed,
 }
 
@@ -53,7 +53,7 @@ impl<'a> Workspace<'a> {
         Self { arena, normalizer, simplifier, comparer, unknowns: unknowns.to_vec(), asked, keeps_tangents: true }
     }
 
-    /// Unknowns of the system that the term `e` mentions.
+    /// Unknowns of the system that occur in the term `e`.
     pub fn unknowns_in(&self, e: Expr) -> Vec<Expr> {
         let parts = self.arena.reachable(&[e]);
         self.unknowns.iter().copied().filter(|x| parts.binary_search(x).is_ok()).collect()
@@ -121,8 +121,8 @@ impl<'a> Workspace<'a> {
             let (inside, outside) = powers.split(generators);
             list.entry(inside).or_default().terms.push((outside, k.clone()));
         }
-        // The terms of a coefficient stay in descending order, since the same powers were taken
-        // from all of them.
+        // The terms of a coefficient remain in descending order, because the same powers were
+        // removed from each of them.
         list
     }
 

@@ -191,8 +191,8 @@ impl Form<'_> {
                     let to_rest = self.arena.product(&[k, *by_a, other.rest]);
                     self.add_linear(*a, to_rest);
                     for (b, by_b) in other.terms.iter().filter(|(b, _)| a <= b) {
-                        // Each pair of unknowns or names occurs in both orders, of which one is
-                        // kept.
+                        // Each pair of unknowns or names occurs in both orders; one order is
+                        // enough.
                         let entry = self.arena.product(&[k, *by_a, *by_b]);
                         self.add(*a, *b, entry);
                     }
@@ -231,8 +231,8 @@ impl Form<'_> {
         name.replace("''", "_ddot").replace('\'', "_dot")
     }
 
-    /// Removes the row of the unknown or name `z` from the form. Returns the diagonal entry, the
-    /// entries that couple it to others, and the linear coefficient.
+    /// Removes the row of the unknown or name `z` from the form. Returns its diagonal entry, its
+    /// entries with other terms, and its linear coefficient.
     fn remove_row(&mut self, z: Expr) -> (Expr, Vec<(Expr, Expr)>, Expr) {
         let row = self.rows.remove(&z).unwrap_or_default();
         let linear = self.linear.remove(&z).unwrap_or_default();
@@ -320,15 +320,13 @@ impl Form<'_> {
         let across = self.arena.add(ct, k12);
         let across = self.arena.neg(across);
         self.add(x, y, across);
-        // Both terms keep a row, so that their entries with other unknowns or names are substituted
-        // later.
+        // Both terms keep a row, so that their other entries are substituted later.
         self.rows.entry(one).or_default();
         self.rows.entry(other).or_default();
     }
 
     /// Eliminates an unknown from the form. Returns the step that defines the unknown: its value
-    /// minimizes the form for given values of the other unknowns and names. `None` if the pivot is
-    /// 0.
+    /// minimizes the form for given values of the other unknowns and names. `None` if the pivot is 0.
     pub(super) fn eliminate(&mut self, unknown: Expr) -> Option<Definition> {
         let (own, others, linear) = self.remove_row(unknown);
         let name = self.name_of(unknown);

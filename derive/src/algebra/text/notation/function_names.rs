@@ -1,4 +1,5 @@
-//! Lexicon of other notations: names of functions and constants in LaTeX and in programs.
+//! Tables of names of functions and constants in LaTeX and in programs, with their names in model
+//! files.
 
 use super::kind::Notation;
 use crate::algebra::text::parse::is_reserved_by_parser;
@@ -124,8 +125,8 @@ pub(super) fn name_without_module(word: &str) -> &str {
     split.filter(|(module, _)| MODULES.contains(module)).map_or(word, |(_, name)| name)
 }
 
-/// Tokens, in the language of model files, of a program's constant such as `M_PI_2`; `None` if the
-/// word is not a constant.
+/// Tokens, in the language of model files, for a constant of a program such as `M_PI_2`. `None` if
+/// the word is not a constant.
 pub(super) fn constant(word: &str, notation: Notation) -> Option<&'static [&'static str]> {
     match (word, notation) {
         ("pi", Notation::Python | Notation::Matlab) | ("M_PI", Notation::C) => Some(&["pi"]),

@@ -1,4 +1,4 @@
-//! Quotients of integers in C, which C rounds towards zero; they are refused.
+//! Quotients of integers in C. C rounds them towards zero, so they are refused.
 
 use super::translation::Translation;
 use super::translation_errors::translation_error;
@@ -17,7 +17,7 @@ struct Level {
 }
 
 /// Checks a translated C formula for quotients of two integers, which C rounds: `1/2` is 0. Error
-/// at the first of them.
+/// at the first such quotient.
 pub(super) fn refuse_whole_quotients(plain: &Translation) -> Result<(), ParseError> {
     let mut levels = vec![Level::default()];
     for (token, place) in plain.tokens() {

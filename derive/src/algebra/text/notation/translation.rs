@@ -62,8 +62,8 @@ impl Translation {
         }
         let last = self.places.last().map_or(0, |(_, from)| from.end);
         let inside = |at: &Range<usize>| at.end > part.start && at.start < part.end.max(part.start + 1);
-        // Parentheses that come from a token such as \frac have the place of that token; the place
-        // of their content is more exact.
+        // Parentheses that come from a token such as \frac have the place of that token; their
+        // content has a more exact place.
         let is_parenthesis = |at: &Range<usize>| matches!(&self.text[at.clone()], "(" | ")");
         let union = |skip: bool| {
             let touched = self.places.iter().filter(|(at, _)| inside(at) && !(skip && is_parenthesis(at)));

@@ -94,7 +94,7 @@ pub(super) fn translate_unicode(text: &str, spell: &mut dyn SymbolNames) -> Resu
             };
             out.push(&format!("{name}{}", "'".repeat(primes)), start..at);
         } else if c.is_ascii_digit() || c == '.' {
-            // A number with its exponent, such as 1.5e-3.
+            // A number may have an exponent, such as 1.5e-3.
             let bytes = text.as_bytes();
             while bytes.get(at).is_some_and(|b| {
                 b.is_ascii_digit() || *b == b'.' || matches!(b, b'e' | b'E') || {

@@ -108,8 +108,8 @@ impl Parser<'_, '_> {
         Ok(self.arena.scale(half, &Rational::integer(2)))
     }
 
-    /// Applies a function of one argument by its name; `tan`, `cot`, `sec` and `csc` become
-    /// quotients. Error if the function has no value at a constant argument.
+    /// Applies the function with the name `name` to an argument; `tan`, `cot`, `sec` and `csc`
+    /// become quotients. Error if the argument is a constant at which the function has no value.
     pub(super) fn function(&mut self, name: &str, argument: Expr, start: usize) -> Result<Expr, ParseError> {
         let quotient = |parser: &mut Self, above: Expr, below: Expr| {
             parser.arena.div(above, below).ok_or_else(|| {

@@ -1,5 +1,5 @@
-//! Size of the numerical coefficients of terms, which determines the cost of exact arithmetic with
-//! them.
+//! Size of the numerical coefficients of terms. It determines the cost of exact arithmetic with the
+//! terms.
 
 use crate::algebra::{Arena, Expr, Node, Rational};
 

@@ -55,8 +55,8 @@ pub(super) fn split_name(name: &str) -> (&str, &str, usize) {
     if letters.len() == 1 || letters.len() < stem.len() {
         return (letters, &stem[letters.len()..], primes);
     }
-    // Ixx is I with the subscript xx: a capital and the letters after it, unless it is the name of
-    // a Greek letter.
+    // Ixx is I with the subscript xx: a capital letter and the letters after it, unless the word is
+    // the name of a Greek letter.
     if !GREEK.iter().any(|(greek, _)| *greek == letters)
         && letters.len() <= 4
         && letters.starts_with(|c: char| c.is_ascii_uppercase())

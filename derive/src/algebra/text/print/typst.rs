@@ -134,7 +134,8 @@ fn is_atom(view: &DisplayTree) -> bool {
     is_name(view) || matches!(view, DisplayTree::Number(_) | DisplayTree::Pi)
 }
 
-/// Appends the call of a Typst function that draws bars or a root sign around its argument.
+/// Appends the call of a Typst function to `out`, such as `sqrt(x)`. The function draws a root sign
+/// or bars around its argument.
 fn typst_call(name: &str, argument: &DisplayTree, out: &mut String) {
     let _ = write!(out, "{name}(");
     write_typst(argument, out);

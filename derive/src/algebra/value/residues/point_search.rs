@@ -33,7 +33,8 @@ enum RootAtPoint {
 }
 
 impl RootAtPoint {
-    /// Square root that a term needs in order to have a residue; `None` if it needs none.
+    /// Square root that must exist in the field if the term `term` is to have a residue. `None` if
+    /// the term contains no root at its top level.
     fn new(arena: &Arena, term: Expr, scope: Scope) -> Option<Self> {
         match arena.node(term) {
             Node::Apply(Function::Sqrt, x) => Some(Self::Of(*x)),
@@ -66,7 +67,7 @@ impl RootAtPoint {
 struct Group {
     /// Symbols whose residues are drawn together.
     symbols: Vec<Expr>,
-    /// Square roots of the group, each with the terms that its argument is built from.
+    /// Square roots of the group, each with its argument and all subterms of the argument.
     roots: Vec<(RootAtPoint, FoldOrder)>,
 }
 

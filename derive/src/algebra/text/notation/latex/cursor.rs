@@ -229,7 +229,7 @@ impl<'a> LatexCursor<'a> {
     }
 
     /// Reads a subscript or superscript as text, without braces, spaces and upright type faces.
-    /// Error if it is missing or ambiguous.
+    /// Error if the script is missing or ambiguous.
     fn read_script(&mut self) -> Result<String, ParseError> {
         let (mut text, mut open) = (String::new(), 0_usize);
         let first = self.at;

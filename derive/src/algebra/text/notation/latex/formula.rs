@@ -26,7 +26,7 @@ pub(super) struct Formula<'a, 's> {
 /// State before an operand: the product sign that it needs depends on the token before it.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Before {
-    /// Nothing yet, or an operator: the next operand needs no product sign.
+    /// No token, or an operator: the next operand needs no product sign.
     Nothing,
     /// An operand: the next operand multiplies it, and a product sign is added.
     Operand,
@@ -259,8 +259,8 @@ impl Formula<'_, '_> {
         }
     }
 
-    /// Word of adjacent letters and digits around the token with the index `first`, such as `den`
-    /// for d e n. Empty if there is only one letter.
+    /// Word of adjacent letters and digits around the token with the index `first`. The word is
+    /// `den` for the three tokens d, e, n. Empty if there is only one letter.
     fn adjacent_word(&self, first: usize) -> String {
         let part = |at: usize| match &self.cursor.list[at].mark {
             Token::Letter(c) => Some(c.to_string()),
@@ -297,7 +297,7 @@ impl Formula<'_, '_> {
     }
 
     /// Translates the argument of a command: a group in braces, or one factor without braces.
-    /// `what` describes it in errors.
+    /// `what` names the argument in error messages.
     pub(super) fn argument(&mut self, what: &str) -> Result<(), ParseError> {
         let place = self.cursor.here();
         if self.cursor.takes('{') {

@@ -227,7 +227,7 @@ impl Formula<'_, '_> {
         matches!(found, Ok(Some((symbol, _))) if self.spell.is_coordinate(&symbol))
     }
 
-    /// True if the time t comes next, without printed space before it.
+    /// True if the time t comes next and no space is printed before it.
     fn begins_time_in_argument(&mut self) -> bool {
         if self.cursor.list.get(self.cursor.at).is_some_and(|next| next.apart) {
             return false;
