@@ -8,23 +8,23 @@ use rustc_hash::FxHashMap;
 /// Names of derived units of mechanics, by their exponents of m, kg and s.
 const NAMED: [([i64; 3], &str); 3] = [([1, 1, -2], "N"), ([2, 1, -2], "N*m"), ([2, 1, -3], "W")];
 
-/// Measure of an angle or of its rate: radians, or radians divided by π.
+/// Measure in which an angle or its rate is expressed: radians, or radians divided by π.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Measure {
     /// Angle in radians.
     Radians,
-    /// Angle in radians divided by π; times 180 it is in degrees.
+    /// Angle in radians divided by π. Multiplied by 180, it is in degrees.
     HalfTurns,
 }
 
-/// Role of a term: a multiple of an angle in a measure, a constant, or neither.
+/// Role of a term in a unit label: a multiple of an angle, a constant, or neither.
 #[derive(Clone, Debug)]
 enum Kind {
-    /// Angle in the given measure, times the given factor.
+    /// Multiple of an angle: the measure of the angle, and the constant factor of the multiple.
     Angle(Measure, Rational),
-    /// Term without coordinates, speeds and their rates.
+    /// Constant term: it contains no coordinate, no speed and no rate of one.
     Constant,
-    /// Any other term, which is no angle.
+    /// Any other term: neither a multiple of an angle nor a constant.
     Other,
 }
 
@@ -46,12 +46,12 @@ impl Model {
             Kind::Angle(Measure::HalfTurns, factor) if factor == Rational::integer(180) => "°",
             _ => return Some(unit.to_string()),
         };
-        // The label replaces the 1 of the plain number.
+        // `word` (an angle's unit) replaces the 1 that a plain number has as its unit.
         Some(unit.to_string().replacen('1', word, 1))
     }
 
-    /// Role of a term (a multiple of an angle, a constant, or neither), found from its operands
-    /// upwards.
+    /// Role of a term in its unit label: a multiple of an angle, a constant, or neither. The role follows from the
+    /// roles of the term's operands.
     fn angle_role(&self, arena: &Arena, e: Expr) -> Kind {
         let coordinates = self.coordinates.iter().map(|c| (vec![c.symbol, c.rate, c.second_rate], c.unit.is_plain()));
         let speeds = self.speeds.iter().map(|s| (vec![s.symbol, s.rate], s.unit.is_of_time()));
@@ -88,8 +88,8 @@ impl Model {
     }
 }
 
-/// Role of a sum: an angle if all its varying terms are angles in one measure. For degrees, all
-/// terms must have the same factor.
+/// Role of a sum: an angle if all terms that are not constant are angles in the same measure. For degrees, these
+/// terms must also have the same factor.
 fn angle_role_of_sum(terms: impl Iterator<Item = (Kind, Rational)>) -> Kind {
     let mut found = Kind::Constant;
     for (kind, factor) in terms {
@@ -116,7 +116,7 @@ struct Factor<'a> {
     exponent: i32,
 }
 
-/// Role of a product: an angle if exactly one factor is an angle and the others are constant.
+/// Role of a product: an angle if exactly one factor is an angle and all other factors are constant.
 fn angle_role_of_product<'a>(factors: impl Iterator<Item = Factor<'a>>) -> Kind {
     let (mut angle, mut per_pi) = (None, false);
     for Factor { base, kind, exponent } in factors {
@@ -139,7 +139,7 @@ mod tests {
 
     const MODEL: &str = include_str!("pendulum.toml");
 
-    /// Goal: an axis says rad for angles alone. Method: formulas of the pendulum, in the model's names.
+    /// Goal: the unit label is an angle unit only for angles. Method: formulas of the pendulum, in the model's names.
     #[test]
     fn angles_are_told_from_numbers() {
         let mut model = load(&Source::from_text("model.toml", MODEL)).unwrap_or_else(|e| panic!("{e}"));

@@ -3,12 +3,12 @@
 use super::Unit;
 use crate::algebra::Expr;
 
-/// A holonomic constraint that is solved for one configuration variable.
+/// Holonomic constraint that is solved for one configuration variable.
 #[derive(Clone, Debug)]
 pub struct Constraint {
     /// Name of the constraint in the model file.
     pub name: String,
-    /// Left side less right side of the constraint: the term that is zero.
+    /// Left side less right side of the constraint's equation: the term that the constraint makes zero.
     pub equation: Expr,
     /// Name of the configuration variable that the constraint determines.
     pub fixes: String,
@@ -18,11 +18,12 @@ pub struct Constraint {
     pub enforced_by: Option<usize>,
 }
 
-/// Velocity that a motion adds to a frame or point: its index and three components, rad/s or m/s.
+/// Velocity that a motion adds to a frame or a point: (index, three components). The components are in rad/s for a
+/// frame and in m/s for a point.
 pub type AddedVelocity = (usize, [Expr; 3]);
 
-/// Motion that a closed joint would permit if it alone were open. The coordinate that the joint's
-/// equation determines moves at rate 1.
+/// Motion that a closed joint would permit if only this joint were open. The coordinate that the joint's equation
+/// determines moves at rate 1.
 #[derive(Clone, Debug, Default)]
 pub struct JointOpeningMotion {
     /// Frames that turn relative to their parents: (index, angular velocity along the axes of the
@@ -35,8 +36,8 @@ pub struct JointOpeningMotion {
     pub breaks: Vec<(String, Expr)>,
 }
 
-/// Loop equation φ(q) = 0 between coordinates, such as the closure of a loop, that cannot be solved
-/// for a coordinate.
+/// Loop equation φ(q) = 0 between coordinates that cannot be solved for a coordinate, such as the closure of a
+/// linkage.
 #[derive(Clone, Debug)]
 pub struct LoopEquation {
     /// Name of the loop equation in the model file.
@@ -45,13 +46,12 @@ pub struct LoopEquation {
     pub equation: Expr,
     /// SI unit of the left side φ(q) of the loop equation.
     pub unit: Unit,
-    /// True if the equation, as the model file states it, prescribes a coordinate as a function of
-    /// time. It then closes no loop.
+    /// True if the equation, as the model file states it, prescribes a coordinate as a function of time. Such an
+    /// equation closes no loop.
     pub prescribes: bool,
 }
 
-/// Component of the velocity at which a rolling body would slip at its contact; rolling makes it
-/// zero.
+/// Component of the velocity at which a rolling body would slip at its contact. Rolling makes this component zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SlipComponent {
     /// Index of the contact in [`super::Contacts::rolling`].
@@ -66,8 +66,8 @@ pub struct SlipComponent {
     pub frame: usize,
     /// Axis of the component: 0, 1 or 2.
     pub axis: usize,
-    /// True if the model file states the frame. False if the component may be taken along the axes of
-    /// another frame.
+    /// True if the model file states the frame. If false, the component may also be taken along the axes of another
+    /// frame.
     pub is_stated: bool,
 }
 
@@ -84,18 +84,18 @@ pub enum MotionConstraintKind {
     Clock,
 }
 
-/// A motion constraint A(q) q̇ + a(q) = 0. It restricts velocities. Coordinates alone cannot
-/// express it unless it is integrable.
+/// Motion constraint A(q) q̇ + a(q) = 0: it restricts velocities. Unless it is integrable, no equation between
+/// coordinates alone can express it.
 #[derive(Clone, Debug)]
 pub struct MotionConstraint {
     /// Name of the motion constraint.
     pub name: String,
-    /// Term A(q) q̇ + a(q), which is zero.
+    /// Left side A(q) q̇ + a(q) of the constraint, which is zero.
     pub equation: Expr,
-    /// Term a(q) of the constraint. If it is not zero, the constraint drives the mechanism and its
-    /// force does work.
+    /// Part a(q) of the constraint that does not depend on rates. If it is not zero, the constraint drives the
+    /// mechanism and its force does work.
     pub drive: Expr,
-    /// Unit of the equation, in SI, such as m/s.
+    /// SI unit of the constraint's equation, such as m/s.
     pub unit: Unit,
     /// Symbol of the Lagrange multiplier λ: the constraint adds Aᵀλ to the generalized forces.
     pub multiplier: Expr,
@@ -105,42 +105,41 @@ pub struct MotionConstraint {
     pub enforced_by: Option<usize>,
 }
 
-/// A redundant constraint: it follows from other constraints wherever the loops are closed, but not
-/// elsewhere.
+/// Redundant constraint: in every pose in which the loops are closed, it follows from other constraints. In other
+/// poses it does not.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RedundantConstraint {
     /// Name of the redundant constraint in the model file.
     pub name: String,
-    /// Term in q and q̇ that is zero, for a redundant constraint between velocities. `None` for a
-    /// constraint between coordinates, which still has to hold as a loop.
+    /// Left side of a redundant constraint between velocities: the term in q and q̇ that is zero. `None` for a
+    /// constraint between coordinates, whose loop equation remains in the model.
     pub equation: Option<Expr>,
     /// Names of the constraints from which the redundant constraint follows.
     pub of: Vec<String>,
-    /// Number of poses with closed loops in which the dependence was found, at the default values of
-    /// the parameters.
+    /// Number of closed poses in which the redundancy was found, at the default values of the parameters.
     pub poses: usize,
 }
 
-/// Assembly branch: closed poses in which the constraints have one rank, found in doubles at the
-/// default values of the parameters.
+/// Assembly branch: a set of closed poses in which the constraints have the same rank. The poses are found in
+/// doubles, at the default values of the parameters.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AssemblyBranch {
     /// Pose with closed loops that identifies the branch: a value in SI units for each generalized
     /// coordinate.
     pub pose: Vec<f64>,
-    /// Number of poses of the branch in which the rank was found.
+    /// Number of closed poses of the branch in which the rank was found.
     pub poses: usize,
-    /// Number of constraints in the poses of the branch, redundant constraints included.
+    /// Number of constraints whose rank was found, redundant constraints included.
     pub constraints: usize,
     /// Rank of the constraints: the number of independent constraints.
     pub rank: usize,
-    /// Smallest norm that an independent row, scaled to length 1, keeps after the rows before it are
-    /// projected out.
+    /// Smallest norm that an independent row keeps after the rows before it are projected out. Each row holds a
+    /// constraint's derivatives, scaled to length 1.
     pub independent: f64,
-    /// Largest norm that a redundant row, scaled to length 1, keeps after the independent rows are
-    /// projected out. `None` if no row is redundant.
+    /// Largest norm that a redundant row keeps after the independent rows are projected out. Each row holds a
+    /// constraint's derivatives, scaled to length 1. `None` if no row is redundant.
     pub dependent: Option<f64>,
-    /// Another branch with more degrees of freedom: their number, and a pose on that branch. `None` if
+    /// Another branch with more degrees of freedom: (number of degrees of freedom, pose on that branch). `None` if
     /// random poses reached no such branch.
     pub larger: Option<(usize, Vec<f64>)>,
 }

@@ -8,10 +8,11 @@ use rustc_hash::FxHashSet;
 use tripos_traits::Real;
 
 impl Model {
-    /// Instants at which an absolute value of a function of time has a kink or a sign jumps, as
-    /// (instant in s, true for a jump). Only arguments linear in t are found, at the given parameter
-    /// values. An integrator that steps across such an instant loses its order. Derivatives of the
-    /// parameters pass on to the instants.
+    /// Instants at which the model's drives have a kink (of an absolute value) or a jump (of a sign). Each is
+    /// (instant in s, true for a jump). Only arguments linear in t are found, at the given parameter values.
+    ///
+    /// An integrator that steps across such an instant loses its order. Derivatives with respect to parameters,
+    /// carried by the type S, pass on to the instants.
     #[must_use]
     pub fn corner_instants<S: Numeric + Real>(&self, parameters: &[S]) -> Vec<(S, bool)> {
         let Some(time) = self.time().map(|at| self.coordinates[at].symbol) else { return Vec::new() };
@@ -25,7 +26,7 @@ impl Model {
         let mut corners = Vec::new();
         for (argument, jumps) in cornered {
             let line = [at_rest.apply(arena, argument), along.apply(arena, argument)];
-            // An argument that contains more than parameters is not linear in time.
+            // An argument that is not linear in time leaves more than parameters in `line`, so no program is made.
             let Ok(tape) = Tape::new(arena, &symbols, &line) else { continue };
             if let [value, slope] = tape.to::<S>().evaluate(parameters)[..] {
                 corners.push((-value / slope, jumps));
@@ -35,7 +36,8 @@ impl Model {
         corners
     }
 
-    /// Arguments of signs in the model that depend on the state and not only on time, as text.
+    /// Arguments of sign functions in the model that contain coordinates, rates or speeds, as text. Arguments in time
+    /// alone are left out.
     #[must_use]
     pub fn sign_arguments_of_states(&self) -> Vec<String> {
         let time = self.time();
@@ -48,8 +50,8 @@ impl Model {
     }
 }
 
-/// Argument of an absolute value or a sign, with true for a sign, which jumps, and false for a
-/// kink. `None` for other terms.
+/// Argument of an absolute value (false, for a kink) or of a sign (true, for a jump), with this flag. `None` for
+/// other terms.
 fn drive_corner_argument(node: &Node) -> Option<(Expr, bool)> {
     match node {
         Node::Apply(Function::Abs, argument) => Some((*argument, false)),

@@ -1,16 +1,17 @@
-//! Physical checks: masses, inertias and added masses that no body can have, at the default values
-//! of a model or those of a scene.
+//! Physical checks: finds masses, inertias and added masses that no body can have. The parameters have the default
+//! values of a model or the values of a scene.
 
 use super::{AddedMass, Body, Model, Parameter};
 use crate::algebra::value::tape::Tape;
 use crate::algebra::{Arena, Expr};
 
-/// Symbols of the parameters that have a default value, as (symbol, value in SI).
+/// Parameters that have a default value, as (symbol, value in SI units).
 pub fn default_parameter_values(parameters: &[Parameter]) -> Vec<(Expr, f64)> {
     parameters.iter().filter_map(|p| Some((p.symbol, p.value.as_ref()?.to_f64()))).collect()
 }
 
-/// Values of terms at known symbols, as doubles; `None` if a term contains another symbol.
+/// Values of the terms `outputs` at the given values of symbols, as doubles. `None` if a term contains another
+/// symbol.
 pub fn values_of_terms_at(arena: &Arena, known: &[(Expr, f64)], outputs: &[Expr]) -> Option<Vec<f64>> {
     let (symbols, values): (Vec<Expr>, Vec<f64>) = known.iter().copied().unzip();
     Some(Tape::new(arena, &symbols, outputs).ok()?.evaluate(&values))
@@ -23,13 +24,13 @@ pub struct ImpossibleBody {
     pub message: String,
     /// Advice for correcting the values.
     pub help: String,
-    /// Indices of the parameters that occur in the mass or inertia.
+    /// Indices of the parameters that occur in the body's mass or inertia.
     pub parameters: Vec<usize>,
 }
 
 impl Model {
-    /// Finds bodies with a physically impossible mass, inertia or added mass, at these parameter values
-    /// (SI, in the order of the model). Empty if all are possible.
+    /// Finds bodies whose mass, inertia or added mass is physically impossible at the given parameter values. The
+    /// values are in SI units, in the order of [`Self::parameters`]. Empty if all bodies are possible.
     #[must_use]
     pub fn impossible_bodies(&self, parameters: &[f64]) -> Vec<ImpossibleBody> {
         let known: Vec<(Expr, f64)> = self.p().into_iter().zip(parameters.iter().copied()).collect();
@@ -52,16 +53,16 @@ impl Model {
     }
 }
 
-/// Relative rounding error allowed in the checks of an inertia. A thin disk has moments with 1 + 1
-/// = 2, exactly at the limit.
+/// Relative rounding error allowed in the checks of an inertia. A thin disk lies exactly at the limit: its moments
+/// are as 1, 1 and 2.
 pub const TOLERANCE: f64 = 1e-12;
 
-/// Size of a negative eigenvalue of an added mass, scaled to a unit diagonal, that counts as
-/// rounding.
+/// Rounding allowed in the eigenvalues of an added mass matrix that is scaled to a unit diagonal. A negative
+/// eigenvalue of at most this size counts as zero.
 const ROUNDING: f64 = 1e-9;
 
-/// Message and advice for a body with an impossible mass or inertia at the `known` values; `None`
-/// if it is possible. `which` describes these values in the message, such as "the default".
+/// Message and advice for a body whose mass or inertia is impossible at the `known` values; `None` if both are
+/// possible. `which` describes the values in the message, such as "the default".
 pub fn impossible_body_message(
     arena: &Arena,
     known: &[(Expr, f64)],
@@ -79,7 +80,8 @@ pub fn impossible_body_message(
     let flat: Vec<Expr> = inertia.tensor.iter().flatten().copied().collect();
     let values = values_of_terms_at(arena, known, &flat)?;
     let trace = values[0] + values[4] + values[8];
-    // ∫ x xᵀ dm = tr(I)/2 · 1 − I is positive semidefinite for every body: all principal minors ≥ 0.
+    // The matrix ∫ x xᵀ dm = tr(I)/2 · 1 − I is positive semidefinite for every body. So all its principal minors are
+    // ≥ 0.
     let p = |i: usize, j: usize| if i == j { trace / 2.0 - values[3 * i + j] } else { -values[3 * i + j] };
     let scale = values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
     let minors = [
@@ -100,8 +102,8 @@ pub fn impossible_body_message(
             "a moment of inertia cannot be negative; about a point at distance d from the mass centre it is at least m d^2".to_owned(),
         ));
     }
-    // A rotor without mass and with a single moment of inertia is allowed: its other inertia is counted
-    // with another body.
+    // A rotor without mass and with a single moment of inertia is allowed. Its other moments are counted with another
+    // body.
     let is_rotor = body.mass == Expr::ZERO && only_axis_of_body_inertia(&values).is_some();
     let broken = broken && !is_rotor;
     let moments = format!("moments {}, {}, {}", at(0), at(4), at(8));
@@ -115,8 +117,8 @@ pub fn impossible_body_message(
     })
 }
 
-/// Message and advice for an added mass whose kinetic energy can be negative at the `known` values;
-/// `None` if it never is. `name` is the body, and `which` describes the values.
+/// Message and advice for an added mass whose kinetic energy can be negative at the `known` values; `None` if it
+/// cannot. In the message, `name` is the body, and `which` describes the values, such as "the default".
 pub fn impossible_added_mass_message(
     arena: &Arena,
     known: &[(Expr, f64)],
@@ -125,8 +127,8 @@ pub fn impossible_added_mass_message(
     which: &str,
 ) -> Option<(String, String)> {
     let values = values_of_terms_at(arena, known, added.tensor.as_flattened())?;
-    // Scaling to a unit diagonal gives entries of translation and rotation one size. This congruence
-    // keeps the signs of the eigenvalues.
+    // Scaling to a unit diagonal gives entries of translation and of rotation the same size. As a congruence it keeps
+    // the signs of the eigenvalues.
     let size = |at: usize| values[7 * at].abs().sqrt().max(f64::MIN_POSITIVE);
     let scaled = nalgebra::Matrix6::from_fn(|i, j| values[6 * i + j] / size(i) / size(j));
     let is_number = scaled.iter().all(|x| x.is_finite());
@@ -137,15 +139,15 @@ pub fn impossible_added_mass_message(
     })
 }
 
-/// Axis, 0 to 2, of the only nonzero moment of a 3 × 3 inertia; `None` if it has other moments, or
-/// products.
+/// Axis, 0 to 2, of an inertia with a single nonzero moment. `values` are its nine entries, row by row. `None` if it
+/// has other moments, or products of inertia.
 fn only_axis_of_body_inertia(values: &[f64]) -> Option<usize> {
     let moments = [values[0], values[4], values[8]];
     let only = (0..3).find(|i| (0..3).all(|j| (i == &j) == (moments[j] != 0.0)));
     only.filter(|_| [1, 5, 6].iter().all(|i| values[*i] == 0.0))
 }
 
-/// Advice on how to state an inertia that a body can have.
+/// Advice for an error message: an inertia that a body can have.
 fn impossible_inertia_advice(values: &[f64]) -> String {
     let rule = "each principal moment is at most the sum of the other two (equal for a thin plate)";
     match only_axis_of_body_inertia(values) {
@@ -160,7 +162,7 @@ fn impossible_inertia_advice(values: &[f64]) -> String {
     }
 }
 
-/// Value rounded to 12 significant digits, for messages.
+/// Value rounded to 12 significant digits, for error messages.
 fn rounded_impossible_value(value: f64) -> f64 {
     format!("{value:.11e}").parse().unwrap_or(value)
 }

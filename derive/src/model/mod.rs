@@ -1,4 +1,4 @@
-//! Model of a mechanism as its model file states it, read and checked.
+//! Model of a mechanism as its model file states it, after it is read and checked.
 
 mod angle_units;
 mod bodies;
@@ -80,8 +80,8 @@ pub struct Coordinate {
 }
 
 impl Coordinate {
-    /// True if an angle q, in rad, was probably meant in degrees: it exceeds one turn and has at most
-    /// two decimals. Multiples of π have more decimals.
+    /// True if a value q of this coordinate, in rad, was probably meant in degrees. The coordinate must be an angle,
+    /// and q must exceed one turn and have at most two decimals. Multiples of π have more decimals.
     #[must_use]
     pub fn looks_like_degrees(&self, q: f64) -> bool {
         let is_short = (q - (100.0 * q).round() / 100.0).abs() <= f64::EPSILON * q.abs();
@@ -104,8 +104,7 @@ pub struct Speed {
     pub unit: Unit,
 }
 
-/// A speed of a joint that is not independent: constraints determine it from the generalized
-/// speeds.
+/// Speed of a joint that constraints determine from the generalized speeds, so that it is not one of them.
 #[derive(Clone, Debug)]
 pub struct DependentSpeed {
     /// Name of the dependent speed.
@@ -119,8 +118,7 @@ pub struct DependentSpeed {
 /// Inertia of a rigid body about its mass centre.
 #[derive(Clone, Debug)]
 pub struct Inertia {
-    /// Index of the frame in which the tensor's components are given. The tensor is constant in the
-    /// body.
+    /// Index of the frame in which the tensor's components are given. In this frame the tensor is constant.
     pub frame: usize,
     /// Symmetric 3 × 3 inertia tensor about the mass centre, kg m².
     pub tensor: [[Expr; 3]; 3],
@@ -139,38 +137,38 @@ pub struct Body {
     pub rigid: Option<(usize, Inertia)>,
 }
 
-/// Added mass of a rigid body: the surrounding fluid has the kinetic energy ½ νᵀ M_A ν, with ν =
-/// (v, ω) of the body.
+/// Added mass of a rigid body: the fluid around the body has the kinetic energy ½ νᵀ M_A ν. Here ν = (v, ω) is the
+/// velocity of the body's mass centre and its angular velocity.
 ///
-/// The fluid has the impulse p and the moment of impulse h with (p, h) = M_A ν. The added mass acts
-/// on the body with the force −dp/dt and, about the mass centre, with the moment −(dh/dt + v × p).
-/// Time derivatives are taken in the inertial frame.
+/// The fluid has the impulse p and the moment of impulse h with (p, h) = M_A ν. The added mass acts on the body with
+/// the force −dp/dt and, about the mass centre, with the moment −(dh/dt + v × p). Time derivatives are taken in the
+/// inertial frame.
 ///
-/// Sources: T. I. Fossen, *Handbook of Marine Craft Hydrodynamics and Motion Control* (2011), §6.3;
-/// H. Lamb, *Hydrodynamics* (1932), §124.
+/// Sources: T. I. Fossen, *Handbook of Marine Craft Hydrodynamics and Motion Control* (2011), §6.3; H. Lamb,
+/// *Hydrodynamics* (1932), §124.
 #[derive(Clone, Debug)]
 pub struct AddedMass {
     /// Index of the body that the fluid surrounds.
     pub body: usize,
-    /// Symmetric 6 × 6 matrix M_A for ν = (v, ω) with components in the body's frame, v of the mass
-    /// centre; blocks in kg, kg m and kg m².
+    /// Symmetric 6 × 6 matrix M_A for ν = (v, ω), where v is the velocity of the mass centre. Components are in the
+    /// body's frame. The blocks are in kg, kg m and kg m².
     pub tensor: [[Expr; 6]; 6],
 }
 
 /// Uniform gravity, which acts on every body.
 #[derive(Clone, Debug)]
 pub struct Gravity {
-    /// Index of the frame in which the acceleration's components are given: the inertial frame.
+    /// Index of the frame in which the components of the acceleration are given: the inertial frame.
     pub frame: usize,
     /// Components of the acceleration of free fall, m/s².
     pub acceleration: [Expr; 3],
-    /// Coordinates, as (symbol, value), at which the potential energy is zero. Coordinates that are not
-    /// listed are 0 there.
+    /// Configuration at which the potential energy of gravity is zero, as (symbol of a coordinate, value).
+    /// Coordinates that are not listed are 0 there.
     pub zero_at: Vec<(Expr, Expr)>,
 }
 
-/// A body that a joint places by its coordinates (a tree joint), with the body or ground to which
-/// the joint attaches it.
+/// Body that a joint places by its coordinates (a tree joint), with the body or ground to which the joint attaches
+/// it.
 #[derive(Clone, Copy, Debug)]
 pub struct JointedBody {
     /// Index of the body that the joint places.
@@ -198,42 +196,44 @@ pub struct KinematicEquations {
     /// Rates q̇ of the n coordinates as terms in q and u: q̇ = W(q) u + w(q), where W is n × p for p
     /// generalized speeds.
     pub rates: Vec<Expr>,
-    /// Divisors of the solution: where a divisor is zero, the generalized speeds do not determine q̇.
+    /// Divisors of the solution for q̇. In a pose in which a divisor is zero, the generalized speeds do not determine
+    /// q̇.
     pub divisors: Vec<Expr>,
 }
 
-/// Redundant equation of rolling or of a joint: it follows from other constraints and restricts no
+/// Redundant equation of rolling or of a joint: it follows from other constraints, so it restricts no further
 /// velocity.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RedundantEquation {
     /// Name of the redundant equation.
     pub name: String,
-    /// True if the redundant equation is one of a joint between coordinates; false if it is one between
+    /// True if the redundant equation is a joint's equation between coordinates; false if it is an equation between
     /// velocities.
     pub is_of_loop: bool,
     /// Slip component that the equation sets to zero, if it is an equation of rolling; otherwise
     /// `None`.
     pub rolled: Option<SlipComponent>,
-    /// Left side of the redundant equation, a term in q and q̇, if it follows only in poses where the
-    /// other constraints are independent. `None` if it follows in every pose.
+    /// Left side of an equation that is redundant only in poses in which the other constraints are independent: a
+    /// term in q and q̇. `None` if the equation is redundant in every pose.
     pub elsewhere: Option<Expr>,
 }
 
 impl RedundantEquation {
-    /// Creates a redundant equation of a joint between coordinates, which follows in every pose.
+    /// Creates the record of a joint's equation between coordinates that is redundant in every pose.
     fn of_loop(name: String) -> Self {
         Self { name, is_of_loop: true, rolled: None, elsewhere: None }
     }
 
-    /// Creates a redundant equation of the given kind. With `elsewhere`, a term in q and q̇, it follows
-    /// only in poses where the other constraints are independent; otherwise in every pose.
+    /// Creates the record of a redundant equation of the given kind. `None` for `elsewhere` means that it is
+    /// redundant in every pose. Otherwise `elsewhere` is its left side, a term in q and q̇, and it is redundant only
+    /// in poses in which the other constraints are independent.
     fn of(name: String, kind: MotionConstraintKind, elsewhere: Option<Expr>) -> Self {
         let rolled = if let MotionConstraintKind::Rolling(rolled) = kind { Some(rolled) } else { None };
         Self { name, is_of_loop: matches!(kind, MotionConstraintKind::Loop(_)), rolled, elsewhere }
     }
 }
 
-/// Model of a mechanism, checked: every name is resolved, and frames and points are listed after
+/// Model of a mechanism, after it is read and checked. Every name is resolved, and frames and points are listed after
 /// their parents.
 #[derive(Clone)]
 pub struct Model {
@@ -247,16 +247,15 @@ pub struct Model {
     pub arena: Arena,
     /// Parameters, in the order of the model file.
     pub parameters: Vec<Parameter>,
-    /// Generalized coordinates in the order of the model file, with [`TIME`] last if formulas contain
-    /// it. Variables that constraints determine are left out.
+    /// Generalized coordinates in the order of the model file, with [`TIME`] last if formulas contain time. Variables
+    /// that constraints determine are left out.
     pub coordinates: Vec<Coordinate>,
-    /// Number of configuration variables: generalized coordinates and variables that constraints
-    /// determine, without time.
+    /// Number of configuration variables, time excluded: generalized coordinates, and variables that constraints
+    /// determine.
     pub configuration_variables: usize,
-    /// Generalized speeds u in the order of the model file. Their number is that of the coordinates
-    /// less that of the motion constraints.
+    /// Generalized speeds u in the order of the model file. There are as many as coordinates less motion constraints.
     pub speeds: Vec<Speed>,
-    /// Motion constraints; the rates of [`Self::loops`] come first.
+    /// Motion constraints. The time derivatives of [`Self::loops`] come first.
     pub motion_constraints: Vec<MotionConstraint>,
     /// Reference frames, parents first; the inertial frame has index 0.
     pub frames: Vec<Frame>,
@@ -270,7 +269,8 @@ pub struct Model {
     pub inputs: Vec<Input>,
     /// Formulas that a scene gives to inputs, in the order of the scene file; empty without a scene.
     pub bindings: Vec<InputBinding>,
-    /// Names of inputs to whose formula a parameter of the same name is added ([`Self::reread_with_varied_inputs`]).
+    /// Names of inputs to whose formula a parameter with the input's name is added
+    /// ([`Self::reread_with_varied_inputs`]).
     pub varied: Vec<String>,
     /// Applied forces, including those of springs and friction.
     pub forces: Vec<Force>,
@@ -280,27 +280,26 @@ pub struct Model {
     pub added_masses: Vec<AddedMass>,
     /// Potential energies that the model file states.
     pub potentials: Vec<Potential>,
-    /// All potentials as forces and torques between bodies. Empty without potentials, or if no such
-    /// forces are found.
+    /// Forces and torques between bodies that replace all potentials in the Newton–Euler equations. Empty without
+    /// potentials, or if no such forces are found.
     pub efforts: Vec<PotentialForce>,
     /// Velocities and positions that occur by name in forces, torques and other formulas.
     pub velocities: Vec<NamedVelocity>,
     /// Reactions: first those that the model file states, then those found automatically.
     pub reactions: Vec<Reaction>,
-    /// Reactions of joints along directions in which other connections hold as well. They are taken as
+    /// Reactions of joints along directions in which other connections hold the bodies as well. They are taken as
     /// zero.
     pub redundant: Vec<JointReaction>,
     /// Contacts of bodies that the model file states, other than reactions.
     pub contacts: Contacts,
     /// Holonomic constraints that are solved for a configuration variable.
     pub constraints: Vec<Constraint>,
-    /// Motions that closed joints would permit if each alone were open; reactions are computed from
-    /// them.
+    /// Motions that closed joints would permit if each alone were open. Reactions are computed from these motions.
     pub openings: Vec<JointOpeningMotion>,
-    /// Holonomic constraints that are not solved for a configuration variable, and are independent.
+    /// Independent holonomic constraints that are not solved for a configuration variable.
     pub loops: Vec<LoopEquation>,
-    /// Redundant loops: their rates follow from those of [`Self::loops`] wherever all loops are closed.
-    /// They restrict no further velocity.
+    /// Redundant loop equations: their rates follow from those of [`Self::loops`] in all poses in which the loops are
+    /// closed. They restrict no further velocity.
     pub closed: Vec<LoopEquation>,
     /// Constraints that follow from other constraints in all poses in which the loops are closed.
     pub dependent: Vec<RedundantConstraint>,
@@ -317,7 +316,7 @@ pub struct Model {
     pub shapes: Vec<Shape>,
     /// Kinematic equations: rates q̇ as terms in the generalized speeds u.
     pub kinematic_equations: KinematicEquations,
-    /// Redundant equations of rolling and of joints, which do not count as constraints.
+    /// Redundant equations of rolling and of joints, which are left out of the constraints.
     pub repeated: Vec<RedundantEquation>,
     /// Parameters, expressions, inputs, frames and points that the model file declares and never uses,
     /// as (kind in words, name).
@@ -329,26 +328,25 @@ pub struct Model {
 }
 
 impl Model {
-    /// Named expressions of the model that contain no symbols other than `symbols`.
+    /// Named expressions of `[expressions]` that contain no symbols other than `symbols`, as (name, term).
     pub(crate) fn expressions_in(&self, symbols: &[Expr]) -> Vec<(String, Expr)> {
         let is_known = |e: &Expr| self.arena.symbol_name(*e).is_none() || symbols.contains(e);
         let list = self.expressions.iter().filter(|(_, e)| self.arena.reachable(&[*e]).iter().all(is_known));
         list.cloned().collect()
     }
 
-    /// Unit of a term of `arena` in parameters, coordinates, speeds and reactions. `None` if the units
-    /// of its parts do not fit, or if it has no definite unit.
+    /// Unit of a term of `arena` in parameters, coordinates, speeds and reactions. `None` if the units of its parts
+    /// do not fit, or if the term has no definite unit, such as 0.
     #[must_use]
     pub fn unit_of(&self, arena: &Arena, e: Expr) -> Option<Unit> {
         self.checked_unit_of(arena, e).ok().flatten()
     }
 
-    /// Unit of a term of `arena` in parameters, coordinates, speeds and reactions; `None` if it has no
-    /// definite unit, such as 0.
+    /// Unit of a term of `arena` in parameters, coordinates, speeds and reactions. `None` if the term has no definite
+    /// unit, such as 0.
     ///
     /// # Errors
-    /// Returns a message if the units of the term's parts do not fit, as in a sum of a mass and a
-    /// length.
+    /// Returns a message if the units of the term's parts do not fit, as in a sum of a mass and a length.
     pub fn checked_unit_of(&self, arena: &Arena, e: Expr) -> Result<Option<Unit>, String> {
         let per_second = |unit: &Unit| unit.times(&Unit::new(0, 0, -1));
         let parameters = self.parameters.iter().map(|p| (p.symbol, p.unit.clone()));
@@ -377,21 +375,21 @@ impl Model {
         self.coordinates.iter().map(|c| c.rate).collect()
     }
 
-    /// Symbols of the generalized speeds u, in the order of the model.
+    /// Symbols of the generalized speeds u, in the order of [`Self::speeds`].
     #[must_use]
     pub fn u(&self) -> Vec<Expr> {
         self.speeds.iter().map(|s| s.symbol).collect()
     }
 
-    /// Symbols of the parameters, in the order of the model.
+    /// Symbols of the parameters, in the order of [`Self::parameters`].
     #[must_use]
     pub fn p(&self) -> Vec<Expr> {
         self.parameters.iter().map(|p| p.symbol).collect()
     }
 
-    /// Hash of the model's text, without shapes and notation at its end, and of the formulas of inputs.
-    /// Equations with this hash were derived from exactly this text and these formulas. It has 16
-    /// hexadecimal digits.
+    /// Hash of the model's text and of the formulas that a scene gives to inputs, 16 hexadecimal digits. Shapes and
+    /// notation at the end of the text are left out. Equations with this hash were derived from exactly this text and
+    /// these formulas.
     #[must_use]
     pub fn text_hash(&self) -> String {
         let text = equations_text(&self.source.text);
@@ -399,8 +397,8 @@ impl Model {
         text_hash(&bound.fold(text.to_owned(), |text, bound| text + &bound))
     }
 
-    /// Numbers of configuration variables, constraints, generalized coordinates and generalized speeds,
-    /// as a phrase for people.
+    /// Phrase for people with the numbers of configuration variables, constraints, generalized coordinates and
+    /// generalized speeds.
     #[must_use]
     pub fn counts_in_words(&self) -> String {
         let plural = |n: usize, one: &str| if n == 1 { format!("1 {one}") } else { format!("{n} {one}s") };

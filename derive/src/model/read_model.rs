@@ -1,7 +1,7 @@
 //! Reads the text of a model file into a checked [`Model`].
 //!
-//! Invariant: every error is reported once, at its cause. An item that depends on a reported item
-//! fails silently. So `None` always means that an error is recorded in the reader.
+//! Invariant: every error is reported once, at its cause. An item that depends on an item with a reported error fails
+//! silently. So `None` always means that an error is recorded in the reader.
 
 use super::bodies::elements::Elements;
 use super::bodies::input_signals::InputSignals;
@@ -62,15 +62,15 @@ impl Model {
     /// Reads and checks the model file at a path.
     ///
     /// # Errors
-    /// [`Diagnostics`] with every error of the model file.
+    /// Returns [`Diagnostics`] with every error of the model file.
     #[cfg(feature = "files")]
     pub fn read(path: &std::path::Path) -> Result<Self, Diagnostics> {
         load(&Source::read(path)?)
     }
 }
 
-/// True if a text is a model file by its sections: it has a section that no other file format has.
-/// A publication may have `[coordinates]` as well, together with entries.
+/// True if a text is a model file. It then has a section that only model files have, such as `[bodies]`, or the
+/// section `[coordinates]` without the entries of a publication, such as `[equation]`.
 #[must_use]
 pub fn is_model(source: &Source) -> bool {
     const OWN: [&str; 6] = ["inertial", "joints", "bodies", "particles", "frames", "points"];
@@ -84,7 +84,7 @@ pub fn is_model(source: &Source) -> bool {
 /// Reads and checks the text of a model file.
 ///
 /// # Errors
-/// [`Diagnostics`] with every error of the model text.
+/// Returns [`Diagnostics`] with every error of the model text.
 ///
 /// # Panics
 /// Never: a model text without errors gives a complete model.
@@ -92,8 +92,8 @@ pub fn load(source: &Source) -> Result<Model, Diagnostics> {
     load_with_inputs(source, Vec::new(), &[])
 }
 
-/// Reads and checks the text of a model file. `bindings` replace inputs by formulas. A parameter is
-/// added to the formula of each input in `varied`. Returns `Diagnostics` with every error.
+/// Reads and checks the text of a model file. `bindings` are formulas that replace inputs. A parameter is added to
+/// the formula of each input in `varied`. Returns `Diagnostics` with every error of the text.
 pub fn load_with_inputs(source: &Source, bindings: Vec<InputBinding>, varied: &[String]) -> Result<Model, Diagnostics> {
     let (mut reader, table) = TomlReader::parse(source)?;
     let table = table.get_ref();
@@ -128,11 +128,11 @@ pub fn load_with_inputs(source: &Source, bindings: Vec<InputBinding>, varied: &[
 }
 
 impl Model {
-    /// Copy of the model in which formulas replace inputs.
+    /// Copy of the model in which the formulas `bindings` replace inputs.
     ///
     /// # Errors
-    /// [`Diagnostics`] for the file `scene`, at the byte range `place` of its inputs, if the model has
-    /// errors with these formulas.
+    /// Returns [`Diagnostics`] for the file `scene`, at the byte range `place` of its inputs, if the model has errors
+    /// with these formulas.
     pub fn reread_with_inputs(
         &self,
         bindings: Vec<InputBinding>,
@@ -147,12 +147,12 @@ impl Model {
         })
     }
 
-    /// Copy of the model with a parameter added to the formula of each input in `inputs`, so that
-    /// derivatives with respect to the input exist. The parameter has the name of the input, and is 0
-    /// by default. Inputs that are parameters, and unknown names, change nothing.
+    /// Copy of the model with a parameter added to the formula of each input in `inputs`, so that derivatives with
+    /// respect to the input exist. The parameter has the name of the input, and is 0 by default. Inputs that are
+    /// parameters, and unknown names, change nothing.
     ///
     /// # Errors
-    /// [`Diagnostics`] of the model file. A loaded model's file has no errors.
+    /// Returns the [`Diagnostics`] of the model file. The file of a model that was loaded has no errors.
     pub fn reread_with_varied_inputs(&self, inputs: &[String]) -> Result<Self, Diagnostics> {
         let is_formula = |name: &String| self.inputs.iter().any(|input| input.name == *name && !input.is_parameter);
         if inputs.iter().any(is_formula) {
@@ -163,22 +163,20 @@ impl Model {
     }
 }
 
-/// Connections of a mechanism as read: constraints, slips of rolling, and reactions of closing
+/// Connections of a mechanism as the model file states them: constraints, rolling contacts, and reactions of closing
 /// joints.
 struct Connections {
     /// Velocities and positions that occur by name in formulas.
     velocities: Vec<NamedVelocity>,
-    /// Symbols of the velocities and positions in formulas, each with its value as a term. Empty if no
-    /// formula needs them.
+    /// Values of the velocities and positions that formulas name, as (symbol, term). Empty if no formula needs them.
     values: Vec<(Expr, Expr)>,
     /// Constraints that contain coordinates only, no rates.
     configuration: Vec<StatedConstraint>,
     /// Constraints that contain rates or speeds.
     motion: Vec<StatedConstraint>,
-    /// Components of the velocities at which rolling bodies would slip, each as an equation that makes
-    /// it zero.
+    /// Equations of rolling, each with the component of the slip velocity that it makes zero.
     slips: Vec<(StatedConstraint, SlipComponent)>,
-    /// Possible reactions of joints that close loops.
+    /// Reactions of joints that close loops, each for one equation of a joint.
     holding: Vec<JointReaction>,
     /// True if all connections were read without errors.
     is_known: bool,
@@ -188,9 +186,9 @@ struct Connections {
 struct DeclaredVariables {
     /// Coordinates, with time last if formulas contain it.
     coordinates: Vec<Coordinate>,
-    /// Number of coordinates without time.
+    /// Number of coordinates, time excluded.
     configuration_variables: usize,
-    /// Names and definitions of the speeds, as the model file states them.
+    /// Speeds of the model, each as (name, definition as text).
     texts: Vec<(Located, Located)>,
 }
 
@@ -307,7 +305,8 @@ impl<'a> Loading<'a> {
         Some(model)
     }
 
-    /// Named expressions of the model file, with constrained variables replaced.
+    /// Named expressions of the model file, as (name, term). The variables that constraints determine are replaced by
+    /// their values.
     fn named_expressions_with(&mut self, fixed: &mut Substitution) -> Vec<(String, Expr)> {
         let put = |(name, e)| (name, fixed.apply(&mut self.arena, e));
         self.names.expressions().into_iter().map(put).collect()
@@ -319,8 +318,7 @@ impl<'a> Loading<'a> {
         parameters.splice(inputs_at..inputs_at, std::mem::take(&mut self.stated_numbers));
     }
 
-    /// Reads the coordinates, those of joints and time included, and the definitions of the speeds as
-    /// text.
+    /// Reads the coordinates, including those of joints and time. Also reads the definitions of the speeds as text.
     fn variables(&mut self, table: &'a DeTable<'a>, joints: &Joints<'a>) -> DeclaredVariables {
         let mut coordinates = self.coordinates(table, joints);
         let configuration_variables = coordinates.len();
@@ -332,8 +330,8 @@ impl<'a> Loading<'a> {
         DeclaredVariables { coordinates, configuration_variables, texts }
     }
 
-    /// Replaces constrained variables and dependent speeds in the conditions of the domain and in the
-    /// inputs.
+    /// Replaces the variables that constraints determine in the conditions of the domain and in the inputs. Reports a
+    /// replacement that divides by zero.
     fn replace_in_conditions(
         &mut self,
         fixed: &mut Substitution,
@@ -346,8 +344,7 @@ impl<'a> Loading<'a> {
         self.report_undefined(fixed.undefined);
     }
 
-    /// Completes a model: finds its reactions, and replaces the reactions that conditions of the domain
-    /// contain by name.
+    /// Completes a model: finds its reactions, and replaces the names of reactions in conditions of the domain.
     fn complete_model(
         &mut self,
         model: &mut Model,
@@ -381,7 +378,7 @@ impl<'a> Loading<'a> {
         title.map(|title| title.text)
     }
 
-    /// Reports a term that divides by zero wherever the constraints hold; `None` reports nothing.
+    /// Reports a term that divides by zero in every pose in which the constraints hold. `None` reports nothing.
     fn report_undefined(&mut self, term: Option<Expr>) {
         if let Some(term) = term {
             let term = crate::algebra::text::print::print_text(&self.arena, term);
@@ -390,7 +387,7 @@ impl<'a> Loading<'a> {
         }
     }
 
-    /// Reads constraints, rolling, springs, friction and potentials. Named velocities and positions are
+    /// Reads constraints, rolling contacts, springs, friction and potentials. Named velocities and positions are
     /// replaced by terms, and springs become forces.
     fn connections(
         &mut self,
@@ -444,8 +441,8 @@ impl<'a> Loading<'a> {
             elements.forces.extend(forces);
             self.friction_loads(&mut moving, elements, friction);
         }
-        // Equations of joints are no contacts; they come after the constraints of the model file, so `zip`
-        // leaves them out.
+        // Equations of joints are no contacts. They come after the constraints of the model file, so `zip` leaves
+        // them out.
         for (compared, constraint) in compared.iter_mut().zip(&stated) {
             compared.moved = self.compared_bodies_in_equation(elements, coordinates, constraint.equation);
         }
@@ -454,7 +451,8 @@ impl<'a> Loading<'a> {
         Connections { velocities, values, configuration, motion, slips, holding, is_known }
     }
 
-    /// True if an equation contains no rates and no speeds, so that it restricts the configuration.
+    /// True if an equation contains no rates and no speeds, so that it restricts the configuration and not
+    /// velocities.
     fn is_of_configuration(&self, equation: Expr) -> bool {
         let moves = self.names.symbols_of(&[NameKind::Rate, NameKind::Speed]);
         !self.arena.reachable(&[equation]).iter().any(|part| moves.contains(part))

@@ -1,7 +1,7 @@
 //! Units of measurement in SI, and a check that all terms of a sum have the same unit.
 //!
-//! Quantities are declared in coherent SI units, so that no conversion can be forgotten; a radian
-//! counts as 1. A plain number may be stated in other units, and is converted at reading.
+//! Quantities are declared in coherent SI units, so that no conversion can be forgotten. A radian counts as 1. A
+//! plain number may be stated in other units, and is converted when it is read.
 
 use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use crate::diagnostic::{nearest_name_advice, shortened_for_message};
@@ -33,8 +33,8 @@ const NAMED: [(&str, [i64; 3]); 11] = [
     ("sr", [0, 0, 0]),
 ];
 
-/// Further units in which a plain number may be stated: exponents of m, kg and s, and the factor to
-/// SI as a fraction. The factors of the last three also contain π.
+/// Further units in which a plain number may be stated: name, exponents of m, kg and s, and factor to SI as a
+/// fraction. The factors of the last three also contain π.
 const NON_SI_UNITS: [(&str, [i64; 3], (i64, i64)); 16] = [
     ("mm", [1, 0, 0], (1, 1000)),
     ("cm", [1, 0, 0], (1, 100)),
@@ -53,14 +53,14 @@ const NON_SI_UNITS: [(&str, [i64; 3], (i64, i64)); 16] = [
     ("rev", [0, 0, 0], (2, 1)),
     ("rpm", [0, 0, -1], (1, 30)),
 ];
-/// Units of [`NON_SI_UNITS`] whose factor to SI contains π.
+/// Names of the units in [`NON_SI_UNITS`] whose factor to SI contains π.
 const OF_TURNS: [&str; 3] = ["deg", "rev", "rpm"];
 
-/// Unit that follows a number in a text: `0.1 m`, `90 deg`, `3 rev/min`.
+/// Unit that follows a number in a text, such as in `0.1 m`, `90 deg` and `3 rev/min`.
 pub struct StatedUnit {
-    /// Unit in SI exponents.
+    /// The unit without its factor to SI, as exponents of metre, kilogram and second.
     pub unit: Unit,
-    /// Factor to SI: the SI value is the number times this factor, times π to the power `turns`.
+    /// Factor to SI. The SI value is the number times this factor, times π to the power `turns`.
     pub factor: Rational,
     /// Exponent of π in the conversion to SI.
     pub turns: i32,
@@ -69,8 +69,8 @@ pub struct StatedUnit {
 }
 
 impl StatedUnit {
-    /// Reads the unit after a number and a space at the end of a text; `None` if the text does not end
-    /// with a number and a unit.
+    /// Reads the unit at the end of a text, after a number and a space. `None` if the text does not end with a number
+    /// and a unit.
     pub fn of(text: &str) -> Option<Self> {
         let (number, name) = text.trim_end().rsplit_once(char::is_whitespace)?;
         let end = number.trim_end().len();
@@ -105,7 +105,7 @@ impl StatedUnit {
         Some(Self { unit, factor, turns, end })
     }
 
-    /// Number in front of the unit, as text with its place.
+    /// Number in front of the unit in the text `formula`, with its place in the file.
     pub fn number_before_unit(&self, formula: &Located) -> Located {
         let range = 0..self.end;
         Located { text: formula.text[range.clone()].to_owned(), span: formula.part(range), exact: formula.exact }
@@ -121,7 +121,7 @@ impl StatedUnit {
 }
 
 impl Unit {
-    /// Creates a unit with these exponents of metre, kilogram and second.
+    /// Creates a unit with the given exponents of metre, kilogram and second.
     #[must_use]
     pub fn new(metre: i64, kilogram: i64, second: i64) -> Self {
         Self { exponents: [metre, kilogram, second].map(Rational::integer) }
@@ -130,7 +130,7 @@ impl Unit {
     /// Reads a unit such as `kg*m^2/s`, `N*m`, `rad` or `1`.
     ///
     /// # Errors
-    /// Returns a message of one line for a text that is no product or quotient of known units.
+    /// Returns a message of one line if the text is no product or quotient of known units.
     pub fn parse(text: &str) -> Result<Self, String> {
         if text.trim().is_empty() {
             return Err("the unit is empty".to_owned());
@@ -171,7 +171,7 @@ impl Unit {
         Some([whole(metre)?, whole(kilogram)?, whole(second)?])
     }
 
-    /// Advice for a text that is not a unit; it suggests the nearest known unit.
+    /// Advice for a text that is not a unit. It suggests the nearest known unit.
     #[must_use]
     pub fn help(text: &str) -> String {
         let angle = ["deg", "degree", "degrees", "°"].contains(&text.trim());
@@ -183,7 +183,7 @@ impl Unit {
         if near.starts_with("did") && text.trim().len() > 1 { format!("{near} {known}") } else { known.to_owned() }
     }
 
-    /// Name of the unit for messages, such as `N*m` or `1 or rad`.
+    /// Name of the unit for error messages, such as `N*m` or `1 or rad`.
     #[must_use]
     pub fn unit_words(&self) -> String {
         match self {
@@ -194,12 +194,12 @@ impl Unit {
         }
     }
 
-    /// Unit with all exponents multiplied by k.
+    /// Unit with all exponents multiplied by k: that of the kth power of a quantity.
     fn unit_power(&self, k: &Rational) -> Self {
         Self { exponents: self.exponents.clone().map(|e| e.mul(k)) }
     }
 
-    /// Unit of the product of two quantities with these units.
+    /// Unit of the product of two quantities that have the two units.
     #[must_use]
     pub fn times(&self, other: &Self) -> Self {
         let mut result = self.clone();
@@ -209,8 +209,8 @@ impl Unit {
         result
     }
 
-    /// Unit of the quotient of two quantities with these units, or of a derivative of the first with
-    /// respect to the second.
+    /// Unit of the quotient of two quantities that have the two units. It is also that of a derivative of the first
+    /// quantity with respect to the second.
     #[must_use]
     pub fn divided_by(&self, other: &Self) -> Self {
         self.times(&other.unit_power(&Rational::integer(-1)))
@@ -240,8 +240,8 @@ impl Unit {
         *self == Self::default()
     }
 
-    /// True if the unit is 1 or a power of a second, so that a term with it may be an angle or its
-    /// rate.
+    /// True if the unit is 1 or a power of a second. A term with such a unit may be an angle or a time derivative of
+    /// one.
     #[must_use]
     pub(in crate::model) fn is_of_time(&self) -> bool {
         self.exponents[..2].iter().all(Rational::is_zero)
@@ -272,11 +272,12 @@ impl fmt::Display for Unit {
     }
 }
 
-/// Unit of a term, from the units of its symbols. `Ok(None)` if it is indefinite: for the number 0,
-/// which fits every unit, and for terms with a symbol without a unit, which is already reported.
+/// Unit of a term, from the units of its symbols. `Ok(None)` if the unit is indefinite. It is so for the number 0,
+/// which fits every unit, and for terms with a symbol whose declaration was reported as wrong, so that it has no
+/// unit.
 ///
 /// # Errors
-/// Returns a message of one line, and advice, if the units of parts do not fit.
+/// Returns a message of one line, and advice, if the units of the term's parts do not fit.
 pub fn unit_of(arena: &Arena, e: Expr, symbols: &FxHashMap<Expr, Unit>) -> Result<Option<Unit>, (String, String)> {
     let check = "check the units of the parameters and coordinates".to_owned();
     let show = |e: Expr| shortened_for_message(&crate::algebra::text::print::print_text(arena, e));
@@ -342,7 +343,7 @@ fn has_no_symbol(arena: &Arena, e: Expr) -> bool {
     arena.reachable(&[e]).iter().all(|part| arena.symbol_name(*part).is_none())
 }
 
-/// Advice for a bare number that stands for a quantity with the unit `unit`.
+/// Advice for a bare number in place of a quantity with the unit `unit`.
 pub fn bare_number_advice(unit: &str) -> String {
     format!(
         "a bare number has no unit: declare a parameter such as `x0 = {{ unit = \"{unit}\", value = 0.1 }}` and use its name"

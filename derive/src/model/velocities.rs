@@ -1,5 +1,5 @@
-//! Velocities and positions that occur by name in formulas: of a point, of the material of a body
-//! at a point, or of a rotating frame.
+//! Velocities and positions that occur by name in formulas. They belong to a point, to the material of a body at a
+//! point, or to a rotating frame.
 
 use super::units::Unit;
 use crate::algebra::text::parse::{VelocityName, VelocityOf};
@@ -7,13 +7,14 @@ use crate::algebra::{Arena, Expr};
 use crate::toml_reader::Located;
 use std::ops::Range;
 
-/// Component of a velocity in the inertial frame, m/s or rad/s, or of a position, m, that occurs by
-/// name in formulas.
+/// Component of a velocity or position that occurs by name in formulas. A velocity is relative to the inertial frame,
+/// m/s or rad/s; a position is in m.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NamedVelocity {
-    /// Symbol of the component. Its name is that of the quantity, such as `v(disk, P) @ A [1]`.
+    /// Symbol of the component. Its name is the text of the component in formulas, such as `v(disk, P) @ A [1]`.
     pub symbol: Expr,
-    /// Moving object, by index: a point, the material of a body at a point, or a rotating frame.
+    /// Object whose velocity or position is taken, by index: a point, the material of a body at a point, or a
+    /// rotating frame.
     pub of: VelocityOf<usize>,
     /// Index of the frame along whose axis the component is taken.
     pub frame: usize,
@@ -21,11 +22,11 @@ pub struct NamedVelocity {
     pub axis: usize,
 }
 
-/// Velocity or position as a formula states it: names with their places in the file.
+/// Velocity or position component as a formula states it: names with their places in the file.
 pub struct StatedVelocity {
     /// Symbol of the component in formulas.
     pub symbol: Expr,
-    /// Moving object, by name.
+    /// Object whose velocity or position is taken, by name.
     pub of: VelocityOf<Located>,
     /// Name of the frame along whose axis the component is taken.
     pub frame: Located,

@@ -1,9 +1,10 @@
 //! Added mass of a body, as a model file states it under the key `added_mass`.
 //!
-//! The fluid around a body moves with it and adds the kinetic energy T = ½ νᵀ M_A ν. Here ν = (v,
-//! ω) has components in the body's frame, and v is the velocity of a point fixed in the body. The
-//! matrix M_A is stored about the mass centre C. With r from C to the point, v = v_C + ω × r. So ν
-//! = S ν_C with `S = [1, −r×; 0, 1]`, and the matrix about C is Sᵀ M_A S.
+//! The fluid around a body moves with it and adds the kinetic energy T = ½ νᵀ M_A ν. Here ν = (v, ω) has components
+//! in the body's frame, and v is the velocity of a point fixed in the body.
+//!
+//! The matrix M_A is stored about the mass centre C. Let r be the vector from C to the point, so that v = v_C + ω ×
+//! r. Then ν = S ν_C with `S = [1, −r×; 0, 1]`, and the matrix about C is Sᵀ M_A S.
 
 use super::elements::Elements;
 use crate::algebra::value::zero_test::{ZeroTest, zero_test};
@@ -26,8 +27,8 @@ const FORM: &str =
 type Matrix = [[Expr; SIZE]; SIZE];
 
 impl Elements {
-    /// Reads the added mass of a body, if the entry states it, and transforms it to the mass centre.
-    /// `frame` is the index of the body's frame. Errors are recorded in the reader.
+    /// Reads the added mass of a body, if its entry has the key `added_mass`, and transforms the matrix to the mass
+    /// centre. `frame` is the index of the body's frame. Errors are recorded in the reader.
     pub(super) fn read_added_mass<'a>(
         &mut self,
         loading: &mut Loading<'a>,
@@ -89,26 +90,27 @@ impl Elements {
     }
 }
 
-/// True if components contain no symbols other than parameters, so that they are constant.
+/// True if three components contain no symbols other than parameters. A vector with such components is constant in
+/// its frame.
 fn is_added_mass_arm_constant(loading: &Loading<'_>, components: &[Expr; 3]) -> bool {
     let (arena, names) = (&loading.arena, &loading.names);
     let parts = arena.reachable(components);
     parts.iter().filter_map(|e| arena.symbol_name(*e)).all(|name| names.kind(name) == Some(NameKind::Parameter))
 }
 
-/// Unit of entry (i, j) of an added mass matrix: kg, kg m or kg m².
+/// Unit of the entry in row i and column j of an added mass matrix: kg, kg m or kg m².
 fn added_mass_unit(i: usize, j: usize) -> Unit {
     Unit::new(i64::from(i >= 3) + i64::from(j >= 3), 1, 0)
 }
 
-/// Reads entry (i, j) of an added mass matrix as a term; `None` after an error is reported.
+/// Reads the entry in row i and column j of an added mass matrix as a term. `None` after an error is reported.
 fn added_mass_entry(loading: &mut Loading<'_>, formula: &Located, i: usize, j: usize) -> Option<Expr> {
     let what = format!("entry {}, {} of an added mass", i + 1, j + 1);
     loading.quantity(formula, PARAMETERS, &added_mass_unit(i, j), &what)
 }
 
-/// Reads a list of six values. `None` after reporting another value; `what` names the list in the
-/// message.
+/// Reads a list of six values, which the error message calls `what`. `None` after reporting a value that is no list
+/// of six.
 fn six_values<'a>(
     loading: &mut Loading<'a>,
     value: &'a Spanned<DeValue<'a>>,
@@ -167,8 +169,8 @@ fn full_added_mass<'a>(loading: &mut Loading<'a>, value: &'a Spanned<DeValue<'a>
     Some(matrix)
 }
 
-/// Added mass matrix Sᵀ M S about the mass centre C, from M about a point; `arm` is the vector from
-/// C to that point, m.
+/// Added mass matrix Sᵀ M S about the mass centre C, computed from the matrix M about a point. `arm` is the vector
+/// from C to that point, m.
 fn added_mass_about_centre(arena: &mut Arena, matrix: &Matrix, arm: [Expr; 3]) -> Matrix {
     if arm == [Expr::ZERO; 3] {
         return *matrix;

@@ -1,4 +1,4 @@
-//! Elements of a mechanism, frames, points and bodies, as a model file states them.
+//! Elements of a mechanism (frames, points and bodies) as a model file states them.
 
 use super::joints::Joints;
 use crate::algebra::term::calculus::Gradient;
@@ -17,7 +17,7 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// Motion of a body along an axis of a frame, caused by a single variable of an equation.
+/// Motion of a body along an axis of a frame, caused by a single variable of a constraint's equation.
 #[derive(Clone, Copy)]
 pub struct AxisMotion {
     /// Index of the frame whose axis the motion follows.
@@ -55,8 +55,8 @@ pub struct Elements {
 }
 
 impl Elements {
-    /// Reads the sections of frames, points, bodies, loads and reactions of a model file. Errors are
-    /// recorded in the reader.
+    /// Reads the sections of frames, points, bodies, loads and reactions of a model file. Errors are recorded in the
+    /// reader.
     pub fn read<'a>(
         loading: &mut Loading<'a>,
         table: &'a DeTable<'a>,
@@ -77,8 +77,8 @@ impl Elements {
         all
     }
 
-    /// Index of the only body that a coordinate moves relative to the body or origin from which that
-    /// body is placed. `None` if the coordinate moves no body in this way, or several bodies.
+    /// Index of the body that a coordinate moves relative to its parent in the placement, which is another body or
+    /// the origin. `None` if the coordinate moves no body in this way, or several bodies.
     pub fn body_moved_by_coordinate(&self, arena: &Arena, coordinate: Expr) -> Option<usize> {
         let depends = |terms: &[Expr]| arena.reachable(terms).contains(&coordinate);
         let is_bodily =
@@ -104,8 +104,8 @@ impl Elements {
         found.next().filter(|_| found.next().is_none())
     }
 
-    /// Axis along which a coordinate moves a body relative to its parent in the placement. `None`
-    /// unless the coordinate occurs in exactly one component of one position.
+    /// Axis along which a coordinate moves a body relative to its parent in the placement. `None` unless the
+    /// coordinate occurs in exactly one component of one position vector between them.
     pub fn axis_of_coordinate_motion(&self, arena: &mut Arena, body: usize, coordinate: Expr) -> Option<AxisMotion> {
         let steps = self.placement_steps(&self.bodies[body]);
         let components = steps.iter().flat_map(|(frame, position)| {
@@ -157,8 +157,8 @@ impl Elements {
         }
     }
 
-    /// Reads `[frames]` and the frames of joints, and orders them after their parents. Errors are
-    /// recorded.
+    /// Reads `[frames]` and the frames of joints, and orders them so that parents come first. Errors are recorded in
+    /// the reader.
     fn read_frames<'a>(&mut self, loading: &mut Loading<'a>, table: &'a DeTable<'a>, joints: &Joints<'a>) {
         let mut nodes = Vec::new();
         let root = self.frames.first().map(|f| f.name.clone());
@@ -202,8 +202,8 @@ impl Elements {
         }
     }
 
-    /// Reads `[points]` and the points of joints, and orders them after their parents. Errors are
-    /// recorded.
+    /// Reads `[points]` and the points of joints, and orders them so that parents come first. Errors are recorded in
+    /// the reader.
     fn read_points<'a>(&mut self, loading: &mut Loading<'a>, table: &'a DeTable<'a>, joints: &Joints<'a>) {
         let mut nodes = Vec::new();
         for (name, value) in loading.section(table, "points", &[NameKind::Point]) {
@@ -368,8 +368,8 @@ impl Elements {
         Some(Inertia { frame, tensor })
     }
 
-    /// Components in `frame` of the vector from one point to another, m. `None` unless one point is
-    /// placed directly from the other with components in this frame.
+    /// Components in `frame` of the vector from one point to another, m. `None` unless one of the two points is
+    /// placed directly from the other, with components in `frame`.
     pub(super) fn vector_between_points(
         &self,
         arena: &mut Arena,
@@ -400,13 +400,13 @@ impl Elements {
         self.frame_named(loading, &name)
     }
 
-    /// Index of the frame with this name; `None` after reporting an unknown name.
+    /// Index of the frame with the given name; `None` after reporting an unknown name.
     fn frame_named(&self, loading: &mut Loading<'_>, name: &Located) -> Option<usize> {
         let known = loading.names.expect(&mut loading.reader, name, NameKind::Frame);
         self.frames.iter().position(|f| known && f.name == name.text)
     }
 
-    /// Index of the point with this name; `None` after reporting an unknown name.
+    /// Index of the point with the given name; `None` after reporting an unknown name.
     fn point_named(&self, loading: &mut Loading<'_>, name: &Located) -> Option<usize> {
         let known = loading.names.expect(&mut loading.reader, name, NameKind::Point);
         self.points.iter().position(|p| known && p.name == name.text)

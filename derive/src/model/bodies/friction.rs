@@ -1,12 +1,10 @@
 //! Dry friction that is smooth at rest: at a point of contact, and about an axis.
 //!
-//! Coulomb's law jumps where the slip changes sign. Here the resistance against the slip s is R(s)
-//! s/√(|s|² + s₀²). It is within s₀²/(2|s|²) of Coulomb's law if |s| is well above s₀, and linear
-//! in s if |s| is well below s₀.
+//! Coulomb's law jumps where the slip changes sign. Here the resistance against the slip s is R(s) s/√(|s|² + s₀²).
+//! It is within s₀²/(2|s|²) of Coulomb's law if |s| is well above s₀, and linear in s if |s| is well below s₀.
 //!
-//! R may be higher at rest and fall with the slip by A. Stribeck's curve: R(s) = R + (R_s − R)
-//! exp(−|s|²/s_S²). Source: B. Armstrong-Hélouvry, P. Dupont & C. Canudas de Wit, Automatica 30
-//! (1994) 1083–1138.
+//! The resistance R may be higher at rest (R_s) and fall with the slip by A. Stribeck's curve: R(s) = R + (R_s − R)
+//! exp(−|s|²/s_S²). Source: B. Armstrong-Hélouvry, P. Dupont & C. Canudas de Wit, Automatica 30 (1994) 1083–1138.
 
 use super::elements::Elements;
 use super::mechanism_motion::MechanismMotion;
@@ -24,19 +22,19 @@ use toml::de::DeTable;
 
 /// Contact with friction between two bodies, or between a body and the ground.
 enum FrictionContact {
-    /// Contact at a point, between the material of a body and that of another body or the ground. If an
-    /// axis of `frame` is normal to the contact, friction acts only across this axis.
+    /// Contact at a point, between the material of the body in `on` and that of the body `against` or the ground. If
+    /// `normal` is an axis of `frame`, friction acts only across this axis.
     Point { on: ForcePlace, against: Option<usize>, frame: usize, normal: Option<usize> },
-    /// Contact of a body that rotates about an axis of a frame, against another body or the ground.
+    /// Contact of the body `on`, which rotates about `axis` of `frame`, with the body `against` or the ground.
     Axis { on: usize, against: Option<usize>, frame: usize, axis: usize },
 }
 
-/// Entry of the model file that is read, for error messages.
+/// Friction entry that is being read from the model file, as error messages name and locate it.
 #[derive(Clone, Copy)]
 struct FrictionEntry<'o> {
-    /// Name of the entry in messages, such as "friction `f`".
+    /// Name of the friction entry in error messages, such as "friction `f`".
     what: &'o str,
-    /// Place of the entry in the file.
+    /// Byte range of the friction's name in the model file.
     span: &'o Range<usize>,
 }
 
@@ -45,10 +43,10 @@ struct FrictionEntry<'o> {
 struct FrictionLaw {
     /// Resistance during sliding, N or N m.
     resistance: Expr,
-    /// Resistance at rest, N or N m, and the slip s_S over which its excess decays; `None` if it is not
-    /// higher at rest.
+    /// Resistance at rest, N or N m, and the slip s_S over which its excess decays, m/s or rad/s. `None` if the
+    /// resistance at rest is not higher than during sliding.
     at_rest: Option<(Expr, Expr)>,
-    /// Slip s₀ below which the law is linear, m/s or rad/s.
+    /// Slip s₀, m/s or rad/s; well below it the resistance is linear in the slip.
     smoothing: Expr,
 }
 
@@ -151,8 +149,8 @@ impl<'a> Loading<'a> {
         ))
     }
 
-    /// Index of the rigid body under the key `against`. `Some(None)` is the ground, if the key is
-    /// absent; `None` means a reported error.
+    /// Index of the rigid body that the key `against` of a friction entry names. `Some(None)` is the ground, if the
+    /// key is absent. `None` after an error is reported.
     #[allow(clippy::option_option, reason = "no body is the ground, no answer an error")]
     fn friction_against(&mut self, entry: &'a DeTable<'a>, elements: &Elements) -> Option<Option<usize>> {
         let Some(value) = self.reader.get(entry, "against") else { return Some(None) };
@@ -160,7 +158,7 @@ impl<'a> Loading<'a> {
         self.rigid_body_named(elements, &name).map(Some)
     }
 
-    /// Index of the rigid body with this name; `None` after reporting a particle or an unknown name.
+    /// Index of the rigid body with the given name; `None` after reporting a particle or an unknown name.
     fn rigid_body_named(&mut self, elements: &Elements, name: &Located) -> Option<usize> {
         let body = elements.body_named(self, name)?;
         if elements.bodies[body].rigid.is_some() {
@@ -171,7 +169,8 @@ impl<'a> Loading<'a> {
         None
     }
 
-    /// Reads the formula of a required key in the unit `unit`; `None` after an error is reported.
+    /// Reads the formula under a required key of a friction entry, and checks that its unit is `unit`. `None` after
+    /// an error is reported.
     fn required_quantity(
         &mut self,
         entry: &'a DeTable<'a>,
@@ -186,8 +185,9 @@ impl<'a> Loading<'a> {
         self.quantity(&formula, allowed, unit, &format!("`{key}` of {what}"))
     }
 
-    /// Reads `static` and `stribeck`, which must be stated together: resistance at rest and slip of its
-    /// decay. `Some(None)` if both are absent; `None` after an error is reported.
+    /// Reads the keys `static` and `stribeck` of a friction entry: the resistance at rest, and the slip over which
+    /// its excess decays. Both must be stated or neither. `Some(None)` if both are absent; `None` after an error is
+    /// reported.
     #[allow(clippy::option_option, reason = "nothing stated is no error")]
     fn friction_at_rest(
         &mut self,
@@ -204,7 +204,8 @@ impl<'a> Loading<'a> {
         Some(Some((more?, until?)))
     }
 
-    /// Reads the slip `smoothing`, which must not be zero; `None` after an error is reported.
+    /// Reads the slip s₀ under the key `smoothing` of a friction entry, which must not be zero. `None` after an error
+    /// is reported.
     fn smoothing(&mut self, entry: &'a DeTable<'a>, speed: &Unit, owner: FrictionEntry<'_>) -> Option<Expr> {
         let FrictionEntry { what, span } = owner;
         let smoothing = self.required_quantity(entry, "smoothing", PARAMETERS, speed, owner)?;
@@ -216,7 +217,7 @@ impl<'a> Loading<'a> {
         None
     }
 
-    /// Adds the forces and torques of friction to the elements, and the rubbing bodies to the contacts.
+    /// Adds the forces and torques of friction to the elements, and the bodies that rub to the contacts.
     pub fn friction_loads(
         &mut self,
         moving: &mut MechanismMotion,
@@ -295,8 +296,8 @@ impl<'a> Loading<'a> {
     }
 }
 
-/// Difference of two vectors. Without a second vector, as against the ground, it is the first
-/// vector.
+/// Difference of two vectors: the first less the second. `None` as the second vector means zero, such as the velocity
+/// of the ground.
 fn difference(arena: &mut Arena, one: Vector, other: Option<Vector>) -> Vector {
     match other {
         Some(other) => {

@@ -1,8 +1,7 @@
-//! Inputs that drive loads: parameters that a program may change during a run, or formulas that
-//! scenes give instead.
+//! Inputs that drive loads: parameters that a program may change during a run, or formulas that scenes give instead.
 //!
-//! A formula replaces its input before anything is derived, so that derivatives and series include
-//! it. Only the reading of files knows which loads an input affects.
+//! A formula replaces its input before equations are derived, so derivatives and series of the equations include the
+//! formula. Only the code that reads files knows the loads that an input affects.
 
 use super::elements::Elements;
 use crate::algebra::term::calculus::Substitution;
@@ -14,7 +13,7 @@ use crate::model::{DomainCondition, Parameter, StatedUnit, Unit};
 use crate::toml_reader::Located;
 use toml::de::{DeTable, DeValue};
 
-/// Kinds of quantities that a formula of an input may contain.
+/// Kinds of quantities that the formula of an input may contain.
 const PARTS: AllowedQuantities =
     AllowedQuantities(&[NameKind::Parameter, NameKind::Coordinate, NameKind::Rate, NameKind::Speed]);
 
@@ -27,7 +26,7 @@ pub struct InputSignals {
 }
 
 impl InputSignals {
-    /// Replaces inputs by their formulas in the elements and in the conditions of the domain.
+    /// Replaces inputs by their formulas in the elements of the mechanism and in the conditions of the domain.
     pub fn put_in(&self, arena: &mut Arena, elements: &mut Elements, domain: &mut [DomainCondition]) {
         if self.replacements.is_empty() {
             return;
@@ -57,7 +56,7 @@ impl<'a> Loading<'a> {
             let about = self.about(entry);
             let bound = self.bindings.iter().find(|binding| binding.input == name.text);
             let formula = match (bound, self.reader.get(entry, "value")) {
-                // Errors in the formula of a scene were reported with the scene's file.
+                // Errors in the formula that a scene gives were already reported with the scene's file.
                 (Some(binding), _) => {
                     Some(Located { text: binding.formula.clone(), span: name.span.clone(), exact: false })
                 }
@@ -109,8 +108,8 @@ impl<'a> Loading<'a> {
         InputSignals { list, replacements }
     }
 
-    /// Splits the formula of an input into the number and the unit that may follow it. `None` after
-    /// reporting a unit of another dimension than that of the input.
+    /// Splits the value of an input into its number and the unit that may follow it. `None` after reporting a unit
+    /// whose dimension is not that of the input.
     fn number_of_input(&mut self, formula: &Located, unit: &Unit, what: &str) -> Option<(Located, Option<StatedUnit>)> {
         let Some(stated) = StatedUnit::of(&formula.text) else { return Some((formula.clone(), None)) };
         if stated.unit != *unit {
@@ -123,8 +122,8 @@ impl<'a> Loading<'a> {
     }
 }
 
-/// Texts of the input formulas that apply: those of the scene, and those of the model file for all
-/// other inputs.
+/// Texts of the input formulas that apply. A formula that the scene gives takes the place of the model file's
+/// formula.
 pub fn input_signal_formulas<'t>(table: &'t DeTable<'_>, bindings: &'t [InputBinding]) -> Vec<&'t str> {
     let inputs = table.get("inputs").and_then(|value| value.get_ref().as_table());
     let stated = inputs.into_iter().flat_map(|inputs| inputs.iter()).filter_map(|(name, value)| {

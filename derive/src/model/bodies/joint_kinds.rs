@@ -51,19 +51,20 @@ pub const JOINT_KINDS: [&str; KINDS.len()] = {
 /// Degree of freedom of a joint: a displacement along, or a rotation about, an axis 0, 1 or 2.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum JointFreedom {
-    /// Displacement along an axis of the joint's frame on the body to which the joint is attached.
+    /// Displacement along an axis of the joint's frame. This frame is fixed on the body to which the joint is
+    /// attached.
     Along(usize),
-    /// Rotation about an axis of the frame to which the joint's earlier rotations lead.
+    /// Rotation about an axis of the frame that the joint's earlier rotations produce.
     About(usize),
-    /// Rotation about an axis together with a displacement along it: one lead for each full turn.
+    /// Rotation about an axis together with a displacement along it. A full turn displaces by the lead of the screw.
     Screwed(usize),
-    /// Euler parameter, one of four coordinates of a rotation. The first of the four is the scalar.
+    /// Euler parameter: one of four coordinates that describe a rotation. The first of the four is the scalar.
     Parameter,
 }
 
 impl JointKind {
-    /// Degree of freedom of each coordinate of a joint of this kind, in the order of the coordinates.
-    /// `axes` are the axes of its rotations; empty means Euler parameters.
+    /// Degree of freedom of each coordinate of a joint of the given kind, in the order of the coordinates. `axes` are
+    /// the axes of the joint's rotations; an empty list means Euler parameters.
     pub fn freedoms(self, axes: &[usize]) -> Vec<JointFreedom> {
         let turns = axes.iter().map(|axis| JointFreedom::About(*axis));
         let parameters = if axes.is_empty() { 4 } else { 0 };
@@ -87,7 +88,7 @@ impl JointKind {
         }
     }
 
-    /// Keys that a joint of this kind may have in a model file, in addition to the keys of every joint.
+    /// Keys that a joint of the given kind may have in a model file, in addition to the keys that every joint has.
     pub fn keys(self) -> &'static [&'static str] {
         match self {
             Self::Pin | Self::Slider | Self::Cylinder | Self::Planar => &["axis"],
@@ -99,8 +100,9 @@ impl JointKind {
     }
 }
 
-/// Formulas, as text, of the three components of ω for Euler parameters, in the rotated frame: 2
-/// (ε₀ ε' − ε₀' ε − ε × ε')/|ε|². `names` are the four coordinates, the scalar ε₀ first.
+/// Formulas, as text, of the angular velocity ω of a rotation that Euler parameters ε₀, ε describe. The three
+/// components are in the rotated frame: 2 (ε₀ ε' − ε₀' ε − ε × ε')/|ε|². `names` are the four coordinates, the scalar
+/// ε₀ first.
 pub fn angular_velocity_by_euler_parameters(names: [&str; 4]) -> [String; 3] {
     let [w, x, y, z] = names;
     let length = names.map(|name| format!("{name}^2")).join(" + ");
@@ -108,15 +110,15 @@ pub fn angular_velocity_by_euler_parameters(names: [&str; 4]) -> [String; 3] {
         .map(|(i, j, k)| format!("2*({w}*{i}' - {w}'*{i} - {j}*{k}' + {k}*{j}')/({length})"))
 }
 
-/// Formulas, as text, of the components of ω after rotations about body-fixed axes, in the last
-/// frame.
+/// Formulas, as text, of the angular velocity ω after successive rotations about body-fixed axes. The three
+/// components are in the last frame.
 ///
-/// The axis of each rotation is expressed in the last frame by the later rotations. A frame rotated
-/// by q about axis b sees the unit vector e_a as e_a cos q ∓ (third axis) sin q.
+/// The later rotations express the axis of each rotation in the last frame. A frame rotated by q about axis b sees
+/// the unit vector e_a as e_a cos q ∓ (third axis) sin q.
 pub fn angular_velocity_formulas(axes: &[usize], angles: &[&str]) -> Vec<String> {
     let mut sums: [Vec<String>; 3] = Default::default();
     for (first, (axis, angle)) in axes.iter().zip(angles).enumerate() {
-        // Parts of the rotation's axis as (axis, sign, factors).
+        // Terms of the rotation's axis in the last frame, each as (axis, sign, factors).
         let mut parts = vec![(*axis, 1, String::new())];
         for (about, by) in axes.iter().zip(angles).skip(first + 1) {
             let turned = |(axis, sign, factors): &(usize, i32, String)| {

@@ -1,9 +1,9 @@
-//! Joints of a model file. Each connects two bodies; a joint that places a body adds its frame,
-//! points, coordinates and speeds.
+//! Joints of a model file. Each connects two bodies. A joint that places a body adds its frame, points, coordinates
+//! and speeds.
 //!
-//! A joint adds entries to the sections of a model file, under names that formulas may use. Only
-//! the reading of files knows of joints. The first joint of a body places it, unless the body's
-//! frame is declared. A further joint of a body closes a loop.
+//! A joint adds entries to the sections of a model file, under names that formulas may use. Only the code that reads
+//! files knows of joints. The first joint of a body places it, unless the body's frame is declared. A further joint
+//! of a body closes a loop.
 
 use super::joint_kinds::{
     JointFreedom, JointKind, KINDS, angular_velocity_by_euler_parameters, angular_velocity_formulas,
@@ -22,27 +22,27 @@ use toml::de::{DeTable, DeValue};
 /// Value of the key `sequence` that selects Euler parameters instead of successive rotations.
 const EULER: &str = "euler";
 
-/// A joint as the model file states it: its kind, its axes and the two bodies.
+/// Joint as the model file states it: its kind, its axes and the two bodies.
 pub struct Joint<'a> {
     /// Name of the joint in the model file.
     pub name: Located,
     /// Table of the joint in the model file.
     pub entry: &'a DeTable<'a>,
-    /// Name of the joint in messages, such as "joint `pivot`".
+    /// Name of the joint in error messages, such as "joint `pivot`".
     pub what: String,
     /// Kind of the joint, which determines its degrees of freedom.
     pub kind: JointKind,
-    /// Axes, 0 to 2, in the order of the joint's rotations; a single entry for a kind with one axis.
-    /// Empty for Euler parameters.
+    /// Axes of the joint's rotations, 0 to 2, in their order. A kind with one axis has a single entry; Euler
+    /// parameters have none.
     pub axes: Vec<usize>,
-    /// Vector along which axis 3 of the joint points; `None` if the model file states an axis by
-    /// number, or none.
+    /// Formulas of the vector along which axis 3 of the joint points. `None` if the model file states an axis by
+    /// number, or no axis.
     pub along: Option<&'a Spanned<DeValue<'a>>>,
     /// Name of the body that the joint places, or that it ties to another body by closing a loop.
     pub body: Located,
     /// Name of the body to which the joint attaches the body `body`; `None` for the ground.
     pub to: Option<Located>,
-    /// True if the joint's coordinates place its body (a tree joint); false if the joint closes a loop.
+    /// True if the joint places its body by coordinates (a tree joint); false if the joint closes a loop.
     pub carries: bool,
     /// Names of the joint's coordinates, in the order of its degrees of freedom.
     pub coordinates: Vec<Located>,
@@ -55,8 +55,8 @@ pub struct PlacedBody {
     pub frame: Located,
     /// Name of the body's mass centre.
     pub centre: Located,
-    /// Name of the joint that places the body, and of its point on the body; `None` if no joint places
-    /// it.
+    /// Name of the joint that places the body, which is also the name of the joint's point on the body. `None` if no
+    /// joint places the body.
     pub joint: Option<Located>,
 }
 
@@ -65,29 +65,29 @@ pub struct PlacedBody {
 pub struct Joints<'a> {
     /// Joints, in the order of the model file.
     pub list: Vec<Joint<'a>>,
-    /// Frames and mass centres by name of the body, with stated or default names.
+    /// Names of each rigid body's frame and mass centre, stated or default, by the name of the body.
     pub bodies: FxHashMap<String, PlacedBody>,
-    /// Name and definition, as text, of each generalized speed that joints add.
+    /// Generalized speeds that joints add, each as (name, definition as text).
     pub speeds: Vec<(Located, Located)>,
-    /// Names of those speeds of joints that the model file states.
+    /// Names of those joint speeds that the model file itself names, under the key `speeds`.
     pub stated_speeds: FxHashSet<String>,
-    /// True if a joint could not be read. Names that it would add are then not reported as missing.
+    /// True if a joint could not be read. Names that this joint would have added are then not reported as missing.
     pub is_short: bool,
 }
 
 impl Joints<'_> {
-    /// True if a joint adds this generalized speed to the model.
+    /// True if one of the joints adds the given generalized speed to the model.
     pub fn adds_joint_speed(&self, speed: &Speed) -> bool {
         self.speeds.iter().any(|(name, _)| name.text == speed.name)
     }
 
-    /// Converts a joint's speed that constraints determine into a dependent speed.
+    /// Converts a speed of a joint into a dependent speed, for a speed that constraints determine.
     pub fn dependent_joint_speed(&self, speed: Speed) -> DependentSpeed {
         let is_stated = self.stated_speeds.contains(&speed.name);
         DependentSpeed { name: speed.name, definition: speed.definition, is_stated }
     }
 
-    /// Coordinates that joints add to the model, each with its unit and a description.
+    /// Coordinates that joints add to the model, each as (name, unit, description).
     pub fn coordinates(&self) -> Vec<(Located, Unit, String)> {
         let mut list = Vec::new();
         for joint in self.list.iter().filter(|joint| joint.carries) {
@@ -108,8 +108,8 @@ impl Joints<'_> {
 }
 
 impl<'a> Loading<'a> {
-    /// Reads `[joints]` without its formulas, since these may contain coordinates of joints. Errors are
-    /// recorded.
+    /// Reads `[joints]` without the formulas of its entries, since these may contain coordinates of joints. Errors
+    /// are recorded in the reader.
     pub fn joints(&mut self, table: &'a DeTable<'a>) -> Joints<'a> {
         let mut joints = Joints::default();
         let entries =
@@ -152,7 +152,7 @@ impl<'a> Loading<'a> {
                 self.names.mark_wrong_name(&placed.centre.text);
             }
             if self.reader.errors.len() == before {
-                // The cause of this failure is reported elsewhere.
+                // The error that made this joint fail is reported elsewhere.
                 self.names.mark_wrong_name(&name.text);
             } else {
                 self.names.mark_unread_kinds(&[
@@ -167,7 +167,7 @@ impl<'a> Loading<'a> {
         joints
     }
 
-    /// Reads one joint. `None` if it could not be read; the error is reported here or elsewhere.
+    /// Reads one joint. `None` if it could not be read; the error has then been reported.
     fn joint(
         &mut self,
         joints: &mut Joints<'a>,
@@ -232,8 +232,8 @@ impl<'a> Loading<'a> {
         Some(joint)
     }
 
-    /// Name of the rigid body under a key of a joint; `None` after reporting a name that is no rigid
-    /// body.
+    /// Name of the rigid body under a key of a joint. `None` after an error is reported, such as a name that is no
+    /// rigid body.
     fn jointed_body(
         &mut self,
         joints: &Joints<'a>,
@@ -254,8 +254,8 @@ impl<'a> Loading<'a> {
         None
     }
 
-    /// Reads the axes, 0 to 2, of the rotations of a joint of this kind; empty for Euler parameters.
-    /// `None` after an error is reported.
+    /// Reads the axes, 0 to 2, of the rotations of a joint; an empty list for Euler parameters. `None` after an error
+    /// is reported.
     fn joint_axes(&mut self, kind: JointKind, entry: &'a DeTable<'a>, what: &str) -> Option<Vec<usize>> {
         match kind {
             JointKind::Weld => Some(Vec::new()),
@@ -286,7 +286,7 @@ impl<'a> Loading<'a> {
         }
     }
 
-    /// Reads the number of an axis, 1, 2 or 3, as 0, 1 or 2. `None` after reporting another value.
+    /// Reads the number of an axis, 1, 2 or 3, as 0, 1 or 2. `None` after reporting any other value.
     pub fn axis_number(&mut self, value: &'a toml::Spanned<DeValue<'a>>) -> Option<usize> {
         let axis = match value.get_ref() {
             DeValue::Integer(n) => ["1", "2", "3"].iter().position(|a| *a == n.as_str()),
@@ -298,8 +298,8 @@ impl<'a> Loading<'a> {
         axis
     }
 
-    /// Reads the axes of successive rotations, such as `"313"`, each as 0, 1 or 2. `count` is the
-    /// required number, if any. `None` after reporting another value.
+    /// Reads the axes of successive rotations, such as `"313"`, each as 0, 1 or 2. `count` is the required number of
+    /// axes; `None` allows any. Returns `None` after an error is reported.
     pub fn turn_sequence(&mut self, value: &'a toml::Spanned<DeValue<'a>>, count: Option<usize>) -> Option<Vec<usize>> {
         let text = self.reader.string(value, "`sequence`")?;
         let axes: Option<Vec<usize>> =
@@ -316,7 +316,7 @@ impl<'a> Loading<'a> {
         good
     }
 
-    /// Reads `count` names under a key of a joint; default names if the key is absent. `None` after an
+    /// Reads `count` names under a key of a joint. If the key is absent, `default` makes the names. `None` after an
     /// error is reported.
     fn joint_names(
         &mut self,
@@ -358,8 +358,8 @@ impl<'a> Loading<'a> {
         let first_turn = if turns_in_space { count - 3 } else { count };
         let names = self.joint_names(joint, "speeds", count, |at, _| {
             let coordinate = &joint.coordinates[at].text;
-            // A component of ω along an axis of the body is not the rate of a coordinate. So it is named by the
-            // number of its axis, not by an angle.
+            // A component of ω along an axis of the body is not the rate of a coordinate. So the speed is named by
+            // the number of its axis, not by an angle.
             let is_number = |rest: &str| !rest.is_empty() && rest.bytes().all(|byte| byte.is_ascii_digit());
             if at >= first_turn && (has_parameters || !coordinate.strip_prefix('q').is_some_and(is_number)) {
                 return format!("u_{}_{}", joint.name.text, at + 1);

@@ -1,4 +1,4 @@
-//! Loads as a model file states them: gravity, forces and torques; also reactions.
+//! Loads as a model file states them (gravity, forces and torques), and reactions.
 
 use super::elements::{Elements, vector};
 use crate::algebra::Expr;
@@ -83,8 +83,8 @@ impl Elements {
         }
     }
 
-    /// Reads the target of a torque, a rigid body or a massless frame, as (frame, body of that frame if
-    /// it has one). `None` after an error is reported.
+    /// Reads the target of a torque: a rigid body or a massless frame. Returns (frame, body); the body is `None` if
+    /// the frame has no body. `None` after an error is reported.
     fn torque_target<'a>(
         &self,
         loading: &mut Loading<'a>,
@@ -122,7 +122,7 @@ impl Elements {
         body
     }
 
-    /// Reads the entries of `[reactions]`, whose names are already declared. Errors are recorded in the reader.
+    /// Reads the entries of `[reactions]`, whose names have already been declared. Errors are recorded in the reader.
     pub fn read_reactions<'a>(&mut self, loading: &mut Loading<'a>, entries: &[Entry<'a>]) {
         for (name, value) in entries {
             let what = format!("reaction `{}`", name.text);
@@ -173,8 +173,8 @@ impl Elements {
         }
     }
 
-    /// Velocities and positions that occur by name in formulas, with indices of points, frames and
-    /// bodies. Wrong names are left out and reported.
+    /// Velocities and positions that occur by name in formulas, such as the velocity of a point. Their points, frames
+    /// and bodies are given by index. Unknown names are left out and reported.
     pub fn velocities(&self, loading: &mut Loading<'_>) -> Vec<NamedVelocity> {
         let stated = std::mem::take(&mut loading.names.velocities);
         stated.iter().filter_map(|velocity| self.velocity(loading, velocity)).collect()
@@ -219,14 +219,14 @@ impl Elements {
         frame
     }
 
-    /// Index of the body with this name; `None` after reporting an unknown name.
+    /// Index of the body with the given name; `None` after reporting an unknown name.
     pub fn body_named(&self, loading: &mut Loading<'_>, name: &Located) -> Option<usize> {
         let known = loading.names.expect(&mut loading.reader, name, NameKind::Body);
         self.bodies.iter().position(|b| known && b.name == name.text)
     }
 
-    /// Reads a body and a point under two keys of an entry; without the point key it is the body's mass
-    /// centre. `None` after an error is reported.
+    /// Reads a body and a point under two keys of an entry. If the point's key is absent, the point is the body's
+    /// mass centre. `None` after an error is reported.
     pub fn load_place<'a>(
         &self,
         loading: &mut Loading<'a>,
@@ -253,8 +253,8 @@ impl Elements {
         Some(ForcePlace { body, point })
     }
 
-    /// Reads the place of the opposite of a force: on the body `against`, at the point `against_at` or
-    /// else at the force's own point. `None` without `against`, or after an error is reported.
+    /// Reads the place of the force's opposite: on the body `against`, at the point `against_at` or else at the
+    /// force's own point. `None` if the key `against` is absent, or after an error is reported.
     fn opposite_force_place<'a>(
         &self,
         loading: &mut Loading<'a>,
@@ -279,8 +279,8 @@ impl Elements {
     }
 }
 
-/// Reads the kind of a reaction: true for a torque, false for a force. `None` after reporting
-/// another kind.
+/// Reads the key `kind` of a reaction: true for a torque, false for a force or if the key is absent. `None` after
+/// reporting any other value.
 fn is_torque<'a>(loading: &mut Loading<'a>, entry: &'a DeTable<'a>) -> Option<bool> {
     let Some(value) = loading.reader.get(entry, "kind") else { return Some(false) };
     let kind = loading.reader.string(value, "`kind`")?;
@@ -295,8 +295,7 @@ fn is_torque<'a>(loading: &mut Loading<'a>, entry: &'a DeTable<'a>) -> Option<bo
     }
 }
 
-/// Reads the configuration at which the potential energy of gravity is zero, as (coordinate,
-/// value).
+/// Reads the configuration at which the potential energy of gravity is zero, as pairs (coordinate, value).
 fn gravity_zero_configuration<'a>(loading: &mut Loading<'a>, value: &'a Spanned<DeValue<'a>>) -> Vec<(Expr, Expr)> {
     let mut pairs = Vec::new();
     let Some(entry) = loading.reader.table(value, "`zero_at`", "{ q2 = 0 }") else { return pairs };
@@ -308,7 +307,7 @@ fn gravity_zero_configuration<'a>(loading: &mut Loading<'a>, value: &'a Spanned<
         let symbol = loading.arena.symbol(&name.text);
         let Some(unit) = loading.units.get(&symbol).cloned() else { continue };
         let what = "a coordinate's value";
-        // A plain number is in the coordinate's own unit, so it needs no check.
+        // A plain number counts as being in the coordinate's own unit, so its unit needs no check.
         let plain = loading.names.formula(&mut loading.reader, &mut loading.arena, &formula, PARAMETERS, what);
         let Some(e) = plain else { continue };
         if loading.arena.as_number(e).is_none() {

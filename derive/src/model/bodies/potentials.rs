@@ -1,5 +1,4 @@
-//! Potentials that a model file states: energies that depend only on coordinates, positions and
-//! time.
+//! Potential energies that a model file states. They depend only on coordinates, positions and time.
 
 use crate::algebra::Expr;
 use crate::algebra::term::calculus::{Gradient, Substitution};
@@ -11,7 +10,7 @@ use crate::toml_reader::Located;
 use std::ops::Range;
 use toml::de::{DeTable, DeValue};
 
-/// Potential entry as the model file states it, with the byte range of its formula.
+/// Potential energy as an entry of the model file states it, with the byte range of its formula.
 pub struct StatedPotential {
     /// Name of the potential in the model file.
     name: Located,
@@ -43,8 +42,8 @@ impl<'a> Loading<'a> {
         list
     }
 
-    /// Replaces named positions in the stated potentials by terms. Reports and leaves out a potential
-    /// that exerts no force.
+    /// Replaces named positions in the stated potentials by terms in coordinates. A potential that exerts no force is
+    /// reported and left out.
     pub fn potentials_with_positions(
         &mut self,
         put: &mut Substitution,

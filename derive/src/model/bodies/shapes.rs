@@ -1,8 +1,7 @@
-//! Shapes of the bodies of a mechanism, from `[shapes]` of a model file. Views draw them; no
-//! equation uses them.
+//! Shapes of bodies, from the section `[shapes]` of a model file. Views draw them; no equation uses them.
 //!
-//! Invariant: no derived result depends on a shape. The hash of a model's text does not depend on
-//! shapes at the end of the file ([`equations_text`]).
+//! Invariant: no derived result depends on a shape. The hash of a model's text does not depend on shapes at the end
+//! of the file ([`equations_text`]).
 
 use super::elements::Elements;
 use crate::algebra::Expr;
@@ -82,7 +81,7 @@ pub enum ShapeForm {
 }
 
 impl ShapeForm {
-    /// All lengths of the shape, each as (key that states it, term in m).
+    /// Lengths of the shape, each as (key that states it in the model file, term in m).
     #[must_use]
     pub fn lengths(&self) -> Vec<(&'static str, Expr)> {
         match self {
@@ -98,7 +97,7 @@ impl ShapeForm {
     }
 }
 
-/// Kinds of shapes by name, each with its own keys and an example of an entry.
+/// Kinds of shapes: the name of each kind, its own keys, and an example of an entry.
 const KINDS: [(&str, &[&str], &str); 6] = [
     ("sphere", &["radius"], "{ kind = \"sphere\", body = \"bob\", radius = \"r\" }"),
     ("disk", &["radius", "thickness", "axis"], "{ kind = \"disk\", body = \"wheel\", axis = 3, radius = \"R\" }"),
@@ -126,19 +125,19 @@ pub(crate) const SHAPE_KINDS: [&str; KINDS.len()] = {
 /// Keys that place a shape; a line has none of them.
 const PLACE: [&str; 4] = ["body", "frame", "at", "position"];
 
-/// Entry of `[shapes]` that is read, for error messages.
+/// Entry of `[shapes]` that is being read, with its name and place for error messages.
 struct Entry<'a, 'b> {
     /// Table of the entry in the model file.
     table: &'a DeTable<'a>,
-    /// Name of the shape in messages, such as "shape `wheel`".
+    /// Name of the shape in error messages, such as "shape `wheel`".
     what: &'b str,
     /// Byte range of the shape's name in the model file.
     owner: &'b Range<usize>,
 }
 
 impl<'a> Loading<'a> {
-    /// Reads `[shapes]` of a model file. A shape may have the name of a body, such as a disk of a body
-    /// `disk`. Wrong shapes are reported and left out.
+    /// Reads the section `[shapes]` of a model file. A shape may have the same name as a body. Wrong shapes are
+    /// reported and left out.
     pub fn shapes(&mut self, table: &'a DeTable<'a>, elements: &Elements, parameters: &[Parameter]) -> Vec<Shape> {
         let mut list = Vec::new();
         for (name, value) in self.section(table, "shapes", &[]) {
@@ -184,7 +183,7 @@ impl<'a> Loading<'a> {
         Some(Shape { name: name.text.clone(), about, form: form?, body, frame, point, position })
     }
 
-    /// Reads the form of a shape of this kind, with its lengths; `None` after an error is reported.
+    /// Reads the form of a shape of the given kind, with its lengths. `None` after an error is reported.
     fn shape_form(&mut self, elements: &Elements, kind: &str, entry: &Entry<'a, '_>) -> Option<ShapeForm> {
         let axis = match self.reader.get(entry.table, "axis") {
             Some(value) => self.shape_axis(value)?,
@@ -212,8 +211,7 @@ impl<'a> Loading<'a> {
         })
     }
 
-    /// Reads the number of a shape's axis, 1, 2 or 3, as 0, 1 or 2. `None` after reporting another
-    /// value.
+    /// Reads the number of a shape's axis, 1, 2 or 3, as 0, 1 or 2. `None` after reporting any other value.
     fn shape_axis(&mut self, value: &'a Spanned<DeValue<'a>>) -> Option<usize> {
         let axis = match value.get_ref() {
             DeValue::Integer(n) => ["1", "2", "3"].iter().position(|axis| *axis == n.as_str()),
@@ -231,15 +229,15 @@ impl<'a> Loading<'a> {
         self.optional_shape_length(entry, key)
     }
 
-    /// Reads an optional length of a shape, m. `None` if absent, or after an error is reported, for
-    /// which the shape is left out.
+    /// Reads an optional length of a shape, m. `None` if the key is absent, or after an error is reported; such an
+    /// error makes the reader leave the shape out.
     fn optional_shape_length(&mut self, entry: &Entry<'a, '_>, key: &str) -> Option<Expr> {
         let value = self.reader.get(entry.table, key)?;
         let formula = self.reader.formula(value, &format!("`{key}`"))?;
         self.shape_length(&formula, &format!("the {key} of {}", entry.what))
     }
 
-    /// Reads three lengths of a shape, m; `None` after an error is reported.
+    /// Reads three lengths of a shape under one key, m; `None` after an error is reported.
     fn lengths(&mut self, entry: &Entry<'a, '_>, key: &str) -> Option<[Expr; 3]> {
         let value = self.reader.required(entry.table, key, entry.what, entry.owner)?;
         let triple = self.reader.triple(value, &format!("`{key}`"))?;
@@ -248,9 +246,8 @@ impl<'a> Loading<'a> {
         Some([a?, b?, c?])
     }
 
-    /// Reads a length of a shape, m: a formula of parameters, or a number with a unit of length. No
-    /// equation contains the number, so it does not become a parameter. `None` after an error is
-    /// reported.
+    /// Reads a length of a shape, m: a formula of parameters, or a number with a unit of length. A number does not
+    /// become a parameter, since no equation contains it. `None` after an error is reported.
     fn shape_length(&mut self, formula: &Located, what: &str) -> Option<Expr> {
         let metre = Unit::new(1, 0, 0);
         let Some(stated) = StatedUnit::of(&formula.text) else {
@@ -296,8 +293,8 @@ impl<'a> Loading<'a> {
         points.into_iter().collect()
     }
 
-    /// Reads the body, frame and point of a shape, as indices. Frame and point are those of the body
-    /// unless the shape states others. `None` after reporting a shape without a place.
+    /// Reads the body, frame and point of a shape, as indices. Unless the shape states a frame or point, those of its
+    /// body are used. `None` after reporting a shape without a place.
     fn shape_place(
         &mut self,
         elements: &Elements,
@@ -356,11 +353,11 @@ impl<'a> Loading<'a> {
     }
 }
 
-/// Part of a model's text from which equations are derived. It leaves out the sections `[shapes]`
-/// and `[notation]` at the end of the file, and blank lines before them.
+/// Part of a model's text from which equations are derived. The sections `[shapes]` and `[notation]` at the end of
+/// the file are left out, and blank lines before them.
 ///
-/// These sections stay if another section follows them. Text that only resembles a section header
-/// stays too, such as a line in a longer string.
+/// A section `[shapes]` or `[notation]` stays if another section follows it. A line that only resembles a section
+/// header stays too, such as a line in a longer string.
 #[must_use]
 pub fn equations_text(text: &str) -> &str {
     let is_look = |line: &str| ["[shapes]", "[shapes.", "[notation]"].iter().any(|look| line.starts_with(look));
@@ -387,8 +384,8 @@ pub fn equations_text(text: &str) -> &str {
 mod tests {
     use super::equations_text;
 
-    /// Goal: only shapes and notation at the end are left out. Method: texts with them there, elsewhere, and in what is
-    /// no section.
+    /// Goal: only shapes and notation at the end of a text are left out. Method: texts with shapes at the end, before
+    /// other sections, and inside strings and arrays.
     #[test]
     fn shapes_at_the_end_of_a_file_are_no_part_of_its_equations() {
         let model = "name = \"a\"\n[points]\nP = 1\n";

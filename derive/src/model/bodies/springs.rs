@@ -1,8 +1,8 @@
 //! Springs and dampers between two points, as a model file states them.
 //!
-//! A spring of stiffness k, N/m, and free length l₀, m, and a damper c, N s/m, pull their ends
-//! together with the force k (d − l₀) + c ḋ. Here d is the distance of the ends. The potential of
-//! the spring is k (d − l₀)²/2.
+//! A spring has the stiffness k, N/m, and the free length l₀, m; a damper has the coefficient c, N s/m. Together they
+//! pull their ends towards each other with the force k (d − l₀) + c ḋ. Here d is the distance of the ends. The
+//! potential of the spring is k (d − l₀)²/2.
 
 use super::elements::Elements;
 use super::mechanism_motion::MechanismMotion;
@@ -70,8 +70,8 @@ impl<'a> Loading<'a> {
         list
     }
 
-    /// Reads a coefficient of a spring under a key, in the unit `unit`, as a term in parameters; 0 if
-    /// the key is absent. `None` after an error is reported.
+    /// Reads a coefficient of a spring under a key, such as its stiffness, in the unit `unit`. The result is a term
+    /// in parameters, or 0 if the key is absent. `None` after an error is reported.
     fn spring_number(&mut self, entry: &'a DeTable<'a>, key: &str, owner: &str, unit: &Unit) -> Option<Expr> {
         let Some(value) = self.reader.get(entry, key) else { return Some(Expr::ZERO) };
         let what = format!("`{key}` of {owner}");
@@ -79,8 +79,8 @@ impl<'a> Loading<'a> {
         self.quantity(&formula, PARAMETERS, unit, &what)
     }
 
-    /// Converts springs and dampers into forces, with components in the inertial frame. Reports and
-    /// leaves out a spring whose ends always coincide, or whose end moves relative to its body.
+    /// Converts springs and dampers into forces, with components in the inertial frame. A spring is reported and left
+    /// out if its ends always coincide, or if an end moves relative to its body.
     pub fn spring_forces(
         &mut self,
         moving: &mut MechanismMotion,

@@ -1,14 +1,13 @@
-//! Closed poses of a mechanism, in which all its loops are closed, at the default values of its
-//! parameters. Finds the constraints that are independent in these poses.
+//! Closed poses of a mechanism, in which all its loops are closed, at the default values of its parameters. Finds the
+//! constraints that are independent in closed poses.
 //!
-//! Loops may restrict more at random poses than in closed poses. Six pins in space prevent all
-//! motion of six bars, except for special lengths. In the closed poses of these special bars, one
-//! equation follows from the others (R. Bricard 1897). So independence is decided in closed poses,
-//! in doubles. Values that count as zero are far below the smallest value that does not.
+//! Loops may restrict more at random poses than in closed poses. Six pins in space prevent all motion of six bars,
+//! except for special lengths. In the closed poses of these special bars, one equation follows from the other
+//! equations (R. Bricard 1897). So independence is decided in closed poses, in doubles. Values that count as zero are
+//! far below the smallest value that does not.
 //!
-//! The poses are found by the method of Levenberg and Marquardt. With the square of the residual as
-//! damping, it converges quadratically to solutions that are not isolated (N. Yamashita & M.
-//! Fukushima 2001).
+//! The poses are found by the method of Levenberg and Marquardt. With the square of the residual as damping, it
+//! converges quadratically to solutions that are not isolated (N. Yamashita & M. Fukushima 2001).
 
 use crate::algebra::Arena;
 use crate::algebra::Expr;
@@ -19,16 +18,15 @@ use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
-/// Largest number of random starts of a search for closed poses. Large mechanisms have fewer
-/// starts.
+/// Largest number of random starts of a search for closed poses. Mechanisms with many loops have fewer starts.
 const TRIES: usize = 40;
 /// Number of found closed poses at which a search ends.
 const POSES_ENOUGH: usize = 6;
 /// Largest number of steps of Levenberg and Marquardt's method from one start.
 const STEPS: usize = 200;
-/// Number of poses on a walk through connected closed poses.
+/// Number of steps of a walk from one closed pose to the next.
 const WALK: usize = 60;
-/// Distance of two poses on a walk through closed poses, relative to the ranges of the coordinates.
+/// Distance of successive poses on a walk through closed poses, relative to the ranges of the coordinates.
 const STRIDE: f64 = 0.05;
 /// Largest number of loops of a mechanism for which the search walks through closed poses.
 const MOST_LOOPS_WALKED: usize = 24;
@@ -36,86 +34,85 @@ const MOST_LOOPS_WALKED: usize = 24;
 const MOST_LOOPS_ONE_BY_ONE: usize = 60;
 /// Number of random starts of the search that closes one loop after another.
 const STARTS_ONE_BY_ONE: usize = 16;
-/// Number of poses, found by closing one loop after another, from which the search walks on.
+/// Number of poses, found by closing one loop after another, from which a walk through closed poses starts.
 const WALKS_ONE_BY_ONE: usize = 2;
-/// Residual up to which a loop counts as closed, relative to the length of the loop's row of
-/// derivatives.
+/// Residual up to which a loop counts as closed, relative to the norm of the loop's derivatives.
 const CLOSED: f64 = 1e-13;
-/// Norm of a row of length 1, after other rows are projected out, above which the row is
-/// independent of them.
+/// Norm above which a row is independent of other rows. It is the norm that the row, of length 1, keeps after the
+/// other rows are projected out.
 const INDEPENDENT: f64 = 1e-6;
-/// Norm of a row of length 1, after other rows are projected out, below which the row depends on
-/// them. A norm between this value and `INDEPENDENT` is undecided.
+/// Norm below which a row depends on other rows. It is the norm that the row, of length 1, keeps after the other rows
+/// are projected out. A norm between this value and `INDEPENDENT` is undecided.
 const DEPENDENT: f64 = 1e-8;
 
-/// Search for closed poses: loop equations, parameter values, and the ranges of random coordinates.
+/// Search for closed poses: the loop equations, the parameter values, and the ranges of random coordinates.
 pub struct ClosedPoseSearch<'m> {
     /// Symbols of the parameters with their values, in SI units.
     pub known: &'m [(Expr, f64)],
     /// Symbols of the coordinates, which the search changes.
     pub coordinates: &'m [Expr],
-    /// Largest absolute value of each random coordinate: π rad for angles, a length of the mechanism
-    /// for distances, m.
+    /// Range of each random coordinate, from −reach to reach: π rad for angles; for distances, a length of the
+    /// mechanism, m.
     pub reach: &'m [f64],
     /// Left sides of the loop equations, which are zero in closed poses.
     pub loops: &'m [Expr],
-    /// Additional residual allowed for each equation, relative to the norm of all derivatives. It
-    /// serves equations without derivatives in the pose; otherwise it is 0.
+    /// Additional residual allowed for each loop equation, relative to the norm of all derivatives. It is 0 except
+    /// for searches in which an equation may have no derivatives in a pose.
     pub flat: f64,
 }
 
-/// Redundant constraint: it follows from others in every closed pose that was found.
+/// Redundant constraint: it follows from other constraints in every closed pose that was found.
 pub struct RedundantRow {
     /// Index of the redundant constraint.
     pub at: usize,
-    /// Indices of the constraints from which it follows.
+    /// Indices of the constraints from which the redundant constraint follows.
     pub of: Vec<usize>,
 }
 
-/// Derivatives of constraints and speeds in closed poses, scaled to rows of length 1, with the
-/// independent rows among them.
+/// Closed poses with the derivatives of constraints and speeds in them, and with the rows that are independent. Each
+/// row of derivatives is scaled to length 1.
 pub struct ClosedPoses {
-    /// Matrix of derivatives in each closed pose: a row for each constraint, then for each speed.
+    /// Matrix of derivatives in each closed pose. It has a row for each constraint, then for each speed.
     poses: Vec<DMatrix<f64>>,
     /// Indices of the constraint rows that are independent of one another, ascending.
     independent: Vec<usize>,
     /// Redundant rows, each with the rows from which it follows.
     dependent: Vec<RedundantRow>,
-    /// Branch of closed poses with its rank.
+    /// Branch to which the closed poses belong, with its rank.
     branch: AssemblyBranch,
 }
 
-/// A closed pose, with the rows of derivatives in it and their dependence.
+/// A closed pose, with the rows of derivatives in this pose and their dependence.
 struct ClosedPose {
     /// Coordinates of the pose, in SI units.
     q: Vec<f64>,
     /// Rows of derivatives in the pose, scaled to length 1.
     matrix: DMatrix<f64>,
-    /// Independent and dependent rows among those of constraints.
+    /// Split of the constraint rows into independent and dependent rows.
     rows: Rows,
 }
 
-/// Split of rows into those independent of earlier rows, and those that depend on earlier rows.
+/// Split of rows into independent and dependent rows. A row is dependent if it follows from earlier rows.
 struct Rows {
     /// Indices of the independent rows.
     independent: Vec<usize>,
     /// Dependent rows, each with the rows from which it follows.
     dependent: Vec<RedundantRow>,
-    /// Smallest norm that an independent row keeps after projection, and largest norm that a dependent
-    /// row keeps.
+    /// Smallest norm that an independent row keeps after the rows before it are projected out. Then the largest norm
+    /// that a dependent row keeps.
     left: (f64, f64),
 }
 
-/// Generator of random numbers that are equal on every machine (G. Marsaglia 2003, xorshift64*).
+/// Generator of pseudorandom numbers that are equal on every machine (G. Marsaglia 2003, xorshift64*).
 pub struct RandomNumbers(u64);
 
 impl RandomNumbers {
-    /// Creates a generator with a fixed seed, which gives the same numbers in every run.
+    /// Creates a generator with the fixed seed `SEED`, which gives the same numbers in every run.
     pub fn new() -> Self {
         Self(SEED)
     }
 
-    /// Next random number, from −1 to 1.
+    /// Next pseudorandom number, uniform between −1 and 1.
     pub fn draw(&mut self) -> f64 {
         self.0 ^= self.0 >> 12;
         self.0 ^= self.0 << 25;
@@ -130,15 +127,15 @@ impl RandomNumbers {
 /// Seed of the random numbers in searches for closed poses.
 const SEED: u64 = 0x9E37_79B9_7F4A_7C15;
 
-/// Factor by which the smallest singular value of a later choice of rows must exceed that of an
-/// earlier choice.
+/// Factor by which another choice of rows must raise the smallest singular value to replace the choice before it.
 const BETTER: f64 = 1.5;
 
 impl ClosedPoses {
-    /// Finds closed poses and determines the independent rows in them. `rows` are the derivatives of
-    /// `constraints` constraints, then of speeds, as terms in q. The poses are on a branch whose number
-    /// of degrees of freedom is in `declared`, if there is such a branch. `None` if no pose was found,
-    /// or if a value is not known.
+    /// Finds closed poses and determines the independent rows in them. `rows` are the derivatives of `constraints`
+    /// constraints, then of speeds, as terms in q.
+    ///
+    /// The poses are on a branch whose number of degrees of freedom is in `declared`, if the search reaches such a
+    /// branch. `None` if no pose was found, or if a value is not known.
     pub fn new(
         arena: &mut Arena,
         poses: &ClosedPoseSearch<'_>,
@@ -177,7 +174,7 @@ impl ClosedPoses {
         if all.iter().any(is_declared) {
             all.retain(is_declared);
         }
-        // A mechanism may be unable to move in another assembly. Such a pose tells nothing about the poses
+        // A mechanism may be unable to move in another assembly. Poses of that assembly tell nothing about the poses
         // in which it moves.
         let moves = |found: &ClosedPose| found.rows.independent.len() < poses.coordinates.len();
         if all.iter().filter(|found| moves(found)).count() > POSES_ENOUGH {
@@ -216,15 +213,15 @@ impl ClosedPoses {
         &self.branch
     }
 
-    /// Redundant constraints: they follow from others in every closed pose that was found.
+    /// Redundant constraints: they follow from other constraints in every closed pose that was found.
     pub fn dependent(&self) -> &[RedundantRow] {
         &self.dependent
     }
 
-    /// Smallest singular value of these rows over all closed poses, a measure of their independence; 0
-    /// if a value is missing.
+    /// Smallest singular value of the given rows over all closed poses, a measure of their independence. It is 0 if a
+    /// derivative in one of the poses is not finite.
     fn smallest_singular_value(&self, rows: &[usize]) -> f64 {
-        // A pose in which a derivative has no value distinguishes no rows.
+        // With a derivative that is not finite, every choice of rows gets 0, so that no choice is preferred.
         let value = |pose: &DMatrix<f64>| {
             let part = pose.select_rows(rows);
             if part.iter().all(|x| x.is_finite()) { part.singular_values().min() } else { 0.0 }
@@ -232,8 +229,8 @@ impl ClosedPoses {
         self.poses.iter().map(value).fold(f64::INFINITY, f64::min)
     }
 
-    /// Chooses the redundant row of each group of dependent rows: the row without which the other rows
-    /// have the largest smallest singular value.
+    /// Chooses the redundant row of each group of dependent rows. It is the row without which the remaining rows have
+    /// the largest smallest singular value.
     fn choose_dependent(&mut self) {
         for at in 0..self.dependent.len() {
             let RedundantRow { at: last, of } = &self.dependent[at];
@@ -257,9 +254,9 @@ impl ClosedPoses {
         self.dependent.sort_by_key(|dependent| dependent.at);
     }
 
-    /// Chooses up to `wanted` rows of `among` that stay independent of each other and of the rows
-    /// `kept` in all closed poses. The row that leaves the largest smallest singular value is chosen
-    /// first. Returns ascending indices.
+    /// Chooses up to `wanted` rows of `among` that are independent of one another and of the rows `kept` in all
+    /// closed poses. Rows are chosen one by one: always the row that leaves the largest smallest singular value.
+    /// Returns ascending indices.
     pub fn choose_independent_rows(&self, mut kept: Vec<usize>, mut among: Vec<usize>, wanted: usize) -> Vec<usize> {
         let mut chosen = Vec::new();
         while chosen.len() < wanted {
@@ -280,7 +277,7 @@ impl ClosedPoses {
         chosen
     }
 
-    /// Indices of the constraints that do not follow from others.
+    /// Indices of the constraints that are independent of one another in the closed poses, ascending.
     pub fn independent(&self) -> &[usize] {
         &self.independent
     }
@@ -294,7 +291,7 @@ fn split_closed_pose_rows(matrix: &DMatrix<f64>, count: usize) -> Option<Rows> {
     for at in 0..count {
         let row: DVector<f64> = matrix.row(at).transpose();
         let mut left = row.clone();
-        // Projected twice, to remove the rounding error of the first projection.
+        // Each row is projected twice, to remove the rounding error of the first projection.
         for _ in 0..2 {
             for other in &basis {
                 left -= other * other.dot(&left);
@@ -316,8 +313,7 @@ fn split_closed_pose_rows(matrix: &DMatrix<f64>, count: usize) -> Option<Rows> {
     Some(rows)
 }
 
-/// Indices of those rows, among `kept`, of which `row` is a linear combination. `None` if the
-/// combination cannot be computed.
+/// Indices of the rows among `kept` whose linear combination is `row`. `None` if the combination cannot be computed.
 fn closed_pose_rows_in_combination(matrix: &DMatrix<f64>, kept: &[usize], row: &DVector<f64>) -> Option<Vec<usize>> {
     let rows = matrix.select_rows(kept).transpose();
     if !rows.iter().all(|x| x.is_finite()) {
@@ -338,7 +334,7 @@ impl ClosedPoseSearch<'_> {
         self.known.iter().map(|(_, value)| *value).chain(q.iter().copied()).collect()
     }
 
-    /// Closed poses found from random poses and on walks from these; each has a value for every
+    /// Finds closed poses from random poses, and further ones on walks from those. Each has a value for every
     /// coordinate.
     fn find_closed_poses_with_walks(&self, tape: &Tape) -> Vec<Vec<f64>> {
         let mut chance = RandomNumbers(SEED);
@@ -351,8 +347,8 @@ impl ClosedPoseSearch<'_> {
         found
     }
 
-    /// Closed poses on the branches with the fewest degrees of freedom, found by closing one loop after
-    /// another. A search that closes all loops at once ends on branches with most degrees of freedom.
+    /// Finds closed poses on the branches with the fewest degrees of freedom, by closing one loop after another. A
+    /// search that closes all loops at once ends on branches with most degrees of freedom.
     fn close_loops_one_by_one(&self, tape: &Tape) -> Vec<Vec<f64>> {
         let mut chance = RandomNumbers(SEED ^ 1);
         let (rows, columns) = (self.loops.len(), self.coordinates.len());
@@ -404,8 +400,8 @@ impl ClosedPoseSearch<'_> {
         (TRIES * 1000 / (self.loops.len().pow(2) + 1)).clamp(3, TRIES)
     }
 
-    /// Program for the values of all loop equations, then their derivatives with respect to the
-    /// coordinates. `None` if a symbol is not known.
+    /// Program that computes the values of all loop equations, then their derivatives with respect to the
+    /// coordinates. `None` if a symbol in the equations is not an input.
     fn tape(&self, arena: &mut Arena) -> Option<Tape> {
         let mut gradient = Gradient::new(self.coordinates);
         let mut all = self.loops.to_vec();
@@ -434,8 +430,8 @@ impl ClosedPoseSearch<'_> {
         found
     }
 
-    /// Adds closed poses on a walk from the pose `q`. Each step continues the last direction as far as
-    /// the loops permit.
+    /// Walks through closed poses from the pose `q`, and adds them to `found`. Each step continues the last direction
+    /// as far as the loops permit.
     fn walk_closed_poses(&self, tape: &Tape, mut q: Vec<f64>, chance: &mut RandomNumbers, found: &mut Vec<Vec<f64>>) {
         let (rows, columns) = (self.loops.len(), self.coordinates.len());
         let start: Vec<f64> = self.reach.iter().map(|reach| reach * chance.draw()).collect();
@@ -470,8 +466,7 @@ impl ClosedPoseSearch<'_> {
         }
     }
 
-    /// Moves `q` to a pose in which the first `rows` loops are closed. Returns false if no such pose is
-    /// reached.
+    /// Moves the pose `q` until the first `rows` loops are closed. Returns false if no such pose is reached.
     fn close_first_loops(&self, tape: &Tape, rows: usize, q: &mut Vec<f64>) -> bool {
         let (columns, all) = (q.len(), self.loops.len());
         let at = |q: &[f64]| {

@@ -1,9 +1,9 @@
-//! Comparison of bodies by constraints: finds the bodies that a constraint relates, and tests
-//! whether it compares their motions.
+//! Comparison of bodies by constraints: finds the bodies that a constraint relates, and tests if it compares their
+//! motions.
 //!
-//! An equation compares two bodies if it stays satisfied while both move together. Then, for each
-//! direction, the derivatives with respect to its variables sum to zero, as in `y2 = y1 + h`. A
-//! rope over a pulley, `a + b = l`, relates two bodies and compares none: the pulley supports both.
+//! An equation compares two bodies if it stays satisfied while both move together. Then, for each direction, the
+//! derivatives with respect to its variables sum to zero, as in `y2 = y1 + h`. A rope over a pulley, `a + b = l`,
+//! relates two bodies without comparing them: the pulley supports both.
 
 use crate::algebra::term::calculus::Gradient;
 use crate::algebra::text::parse::VelocityOf;
@@ -19,13 +19,13 @@ use crate::model::{Coordinate, NamedVelocity};
 struct ComparedVariable {
     /// Symbol of the variable.
     symbol: Expr,
-    /// Motion of a body along an axis with the variable; `None` for any other motion.
+    /// Motion of a body along an axis that the variable alone causes; `None` if it causes any other motion.
     motion: Option<AxisMotion>,
 }
 
 impl Loading<'_> {
-    /// Finds the bodies that a constraint's equation relates. Named velocities must still be symbols in
-    /// the equation.
+    /// Finds the bodies that a constraint's equation relates. Named velocities in the equation must not have been
+    /// replaced by terms yet.
     pub fn compare_bodies(
         &mut self,
         elements: &Elements,
@@ -72,8 +72,8 @@ impl Loading<'_> {
         ComparedBodies { name: name.to_owned(), alone, named, own, moved, is_difference }
     }
 
-    /// Indices of bodies whose own coordinates an equation contains, in the order of the model file. If
-    /// the equation contains rates, these count instead of coordinates.
+    /// Indices of bodies whose own coordinates an equation contains, in the order of the model file. If the equation
+    /// contains rates of coordinates, only these rates count.
     pub fn compared_bodies_in_equation(
         &self,
         elements: &Elements,
@@ -88,8 +88,8 @@ impl Loading<'_> {
     }
 }
 
-/// Coordinates in an equation that each move a single body, as (body, symbol in the equation,
-/// coordinate). If the equation contains rates, the symbols are rates.
+/// Coordinates in an equation that each move a single body, as (body, symbol in the equation, coordinate). If the
+/// equation contains rates of coordinates, only these rates count, and the symbols are rates.
 fn body_variables(
     arena: &Arena,
     elements: &Elements,
@@ -106,7 +106,7 @@ fn body_variables(
     .collect()
 }
 
-/// True if an equation stays satisfied while everything that it relates moves together along each
+/// True if an equation compares bodies: it stays satisfied while all bodies that it relates move together, along each
 /// direction. False if it does not, or if a direction is unknown.
 fn is_difference(arena: &mut Arena, tied: &[ComparedVariable], equation: Expr) -> bool {
     let Some(motions) = tied.iter().map(|one| one.motion).collect::<Option<Vec<_>>>() else { return false };

@@ -1,12 +1,12 @@
-//! Configuration constraints: equations between coordinates, solved for a coordinate if possible.
-//! Reads all entries of `[constraints]`.
+//! Configuration constraints: equations between coordinates, solved for a coordinate if possible. Reads all entries
+//! of `[constraints]`.
 //!
-//! A coordinate for which a constraint is solved leaves the model. Each new solution is substituted
-//! into the earlier solutions, so no solution contains these coordinates.
+//! A coordinate for which a constraint is solved leaves the model. Each new solution is substituted into the earlier
+//! solutions, so no solution contains a coordinate that left the model.
 //!
-//! A prescribed coordinate stays, with its constraint, if a potential depends on it. If a value
-//! replaced the coordinate, the potential would depend on time alone there and exert no force. The
-//! power of the drive would then lack the potential's part.
+//! A prescribed coordinate stays, with its constraint, if a potential depends on it. If a value replaced the
+//! coordinate, the potential would depend on time alone there and exert no force. The power of the drive would then
+//! lack the potential's part.
 
 use crate::algebra::solve::linear::LinearForm;
 use crate::algebra::term::calculus::{Differential, Substitution};
@@ -20,23 +20,23 @@ use crate::toml_reader::TomlReader;
 use std::ops::Range;
 use toml::de::DeTable;
 
-/// Constraint of a model file as read, before it is solved.
+/// Constraint of a model file as it was read, before it is solved for a coordinate.
 pub struct StatedConstraint {
     /// Name of the constraint in the model file.
     pub name: String,
-    /// Left side less right side of the constraint: the term that is zero.
+    /// Left side less right side of the constraint's equation: the term that the constraint makes zero.
     pub equation: Expr,
     /// Index of the reaction that enforces the constraint; `None` if the model file states none.
     pub enforced_by: Option<usize>,
     /// Byte range of the equation in the model file.
     pub span: Range<usize>,
-    /// True if the equation may be redundant without an error; it is then no constraint. False for an
+    /// True if the equation may be redundant without an error; a redundant equation is then left out. False for an
     /// entry of `[constraints]`, whose redundancy is an error.
     pub may_repeat: bool,
 }
 
 impl StatedConstraint {
-    /// Copy of the constraint with a substitution applied to its equation.
+    /// The constraint with a substitution applied to its equation.
     pub fn substitute(self, arena: &mut Arena, put: &mut Substitution) -> Self {
         Self { equation: put.apply(arena, self.equation), ..self }
     }
@@ -48,7 +48,7 @@ impl<'a> Loading<'a> {
         let mut stated = Vec::new();
         for (name, value) in self.section(table, "constraints", &[]) {
             let (value, enforced_by) = if value.get_ref().is_str() {
-                // `NAME = "z = 0"` is the short form of a constraint with only an equation.
+                // `NAME = "z = 0"` is the short form of an entry whose only key is the equation.
                 self.names.declare(&mut self.reader, &name, NameKind::Constraint, None);
                 (value, None)
             } else {
@@ -97,19 +97,20 @@ impl<'a> Loading<'a> {
 pub struct SolvedConfiguration {
     /// Constraints that were solved for a coordinate.
     pub constraints: Vec<Constraint>,
-    /// Coordinates that constraints determine, and their rates, each with the term that replaces it.
+    /// Replacements of the coordinates that constraints determine, and of their rates: (symbol, term that replaces
+    /// it).
     pub replacements: Vec<(Expr, Expr)>,
     /// Constraints that could not be solved for a coordinate: loops and prescribed coordinates.
     pub kept: Vec<StatedConstraint>,
-    /// Names of redundant constraints whose redundancy is no error.
+    /// Names of redundant equations that were left out without an error.
     pub repeated: Vec<String>,
     /// Names of unsolved constraints of the model file that contain a single coordinate other than
     /// time.
     pub prescribing: Vec<String>,
     /// Coordinates that equations of closing joints determine.
     pub opened: OpenedCoordinates,
-    /// Term that divides by zero after the solutions are substituted into one another; `None` if there
-    /// is none.
+    /// Term of a solution that divides by zero once the solutions are substituted into one another. `None` if there
+    /// is no such term.
     pub undefined: Option<Expr>,
 }
 
@@ -119,15 +120,15 @@ pub struct SolvedConfiguration {
 pub struct OpenedCoordinates {
     /// Symbols of the coordinates that equations of closing joints determine.
     pub symbols: Vec<Expr>,
-    /// Symbols of the rates of the coordinates in `symbols`, in the same order.
+    /// Symbols of the rates of the coordinates in [`Self::symbols`], in the same order.
     pub rates: Vec<Expr>,
-    /// Coordinates and rates that the model file's own constraints determine, each with its value in
-    /// the remaining coordinates.
+    /// Coordinates and rates that the model file's own constraints determine, as (symbol, value). The values are
+    /// terms in the remaining coordinates.
     pub before: Vec<(Expr, Expr)>,
 }
 
-/// Solves constraints one after the other for a coordinate and removes these coordinates from the
-/// list. Reports constraints that are always or never satisfied.
+/// Solves each constraint in turn for a coordinate, and removes this coordinate from the list. Reports constraints
+/// that are always or never satisfied.
 pub fn solve_configuration_constraints(
     reader: &mut TomlReader<'_>,
     arena: &mut Arena,
@@ -213,14 +214,14 @@ pub fn solve_configuration_constraints(
     SolvedConfiguration { constraints: solved, replacements, kept, repeated, prescribing, opened, undefined }
 }
 
-/// Symbols of the coordinates without time.
+/// Symbols of the coordinates, time excepted.
 fn configuration_symbols(coordinates: &[Coordinate]) -> Vec<Expr> {
     coordinates.iter().filter(|c| c.name != TIME).map(|c| c.symbol).collect()
 }
 
-/// Solves an equation for the last coordinate in which it is linear with a constant, nonzero
-/// factor. Returns the coordinate's index and value; `None` if there is none. If the equation
-/// contains time, coordinates that occur in `energies` are excluded.
+/// Solves an equation for the last coordinate that occurs in it linearly with a constant, nonzero factor. If the
+/// equation contains time, coordinates that occur in `energies` are excluded. Returns (index of the coordinate, its
+/// value); `None` if no coordinate fits.
 fn solve_configuration_constraint(
     arena: &mut Arena,
     coordinates: &[Coordinate],

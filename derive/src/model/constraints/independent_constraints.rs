@@ -1,14 +1,14 @@
-//! Independent motion constraints: chooses them among all constraints and leaves out redundant
-//! ones.
+//! Independent motion constraints: chooses them among all constraints and leaves out redundant constraints.
 //!
-//! Components of rolling that follow from other constraints are left out. Often the coordinates
-//! already keep a body from penetrating the ground. Along some axes a component follows in most
-//! poses only. An example is two wheels on an axle: the second wheel's slip along a fixed axis of
-//! the ground determines its rotation, except where the wheel heads across that axis.
+//! Components of rolling that follow from other constraints are left out. Often the coordinates already keep a body
+//! from penetrating the ground.
 //!
-//! So a contact whose frame the model file does not state may be taken along the axes of another
-//! frame. In that frame every redundant component is redundant in every pose, if the mechanism has
-//! such a frame.
+//! Along some axes a component follows in most poses, but not in all. An example is two wheels on an axle. The second
+//! wheel's slip along a fixed axis of the ground determines its rotation, except where the wheel heads across that
+//! axis.
+//!
+//! So a contact whose frame the model file does not state may be taken along the axes of another frame. In that frame
+//! every redundant component is redundant in every pose, if the mechanism has such a frame.
 
 use super::closed_poses::{ClosedPoseSearch, random_coordinate_ranges};
 use crate::algebra::form::simplify::Simplifier;
@@ -30,41 +30,41 @@ use crate::toml_reader::Located;
 use rustc_hash::FxHashSet;
 use std::ops::Range;
 
-/// Candidate for a motion constraint: an equation A q̇ + a = 0 before its independence is known.
+/// Candidate for a motion constraint: an equation A q̇ + a = 0, before its independence is tested.
 pub struct ConstraintCandidate {
     /// Name of the constraint.
     pub name: String,
-    /// Left side of the equation, linear in the rates.
+    /// Left side of the candidate's equation, linear in the rates of the coordinates.
     pub equation: Expr,
-    /// Kind of the constraint.
+    /// Kind of the motion constraint: stated, rolling, rate of a loop, or time.
     pub kind: MotionConstraintKind,
     /// Index of the reaction that enforces the constraint; `None` if the model file states none.
     pub enforced_by: Option<usize>,
-    /// Byte range of the constraint in the model file.
+    /// Byte range of the candidate in the model file.
     pub span: Range<usize>,
-    /// True if the equation may be redundant without an error.
+    /// True if the candidate may be redundant without an error.
     pub may_repeat: bool,
 }
 
-/// Independent motion constraints, and redundant equations.
+/// Motion constraints that are independent of one another, and the equations that are redundant.
 #[derive(Default)]
 pub struct IndependentConstraints {
     /// Independent constraints, each with its byte range in the model file.
     pub motion: Vec<(MotionConstraint, Range<usize>)>,
-    /// Redundant equations of rolling and of joints.
+    /// Equations of rolling contacts and of joints that follow from other constraints.
     pub repeated: Vec<RedundantEquation>,
-    /// Loops of joints whose rates follow from other constraints. Where the other loops are closed,
-    /// these loops may be closed or open.
+    /// Loops of joints whose rates follow from the constraints in `motion`, so that these loops may still be open in
+    /// poses in which all other loops are closed.
     pub also: Vec<(MotionConstraint, Range<usize>)>,
 }
 
-/// Coordinates, elements, loops and parameter values to which the constraints refer.
+/// Parts of the model to which constraints refer: coordinates, elements, loops and parameter values.
 pub struct ConstrainedSystem<'m> {
     /// Coordinates that no constraint has eliminated.
     pub coordinates: &'m [Coordinate],
     /// Frames, points and bodies.
     pub elements: &'m Elements,
-    /// Equations between coordinates, indexed by [`MotionConstraintKind::Loop`].
+    /// Loop equations between coordinates, indexed by [`MotionConstraintKind::Loop`].
     pub loops: &'m [LoopEquation],
     /// Symbols of the parameters with their default values, in SI units.
     pub defaults: &'m [(Expr, f64)],
@@ -72,15 +72,15 @@ pub struct ConstrainedSystem<'m> {
 
 /// Number of closed poses in which a redundant equation between coordinates is tested.
 const POSES: usize = 6;
-/// Residual up to which a redundant equation holds in a closed pose, relative to the sum of its
-/// derivatives times the ranges of the coordinates.
+/// Residual up to which a redundant equation holds in a closed pose. It is relative to the sum of the equation's
+/// derivatives, each times the range of its coordinate.
 const CLOSED: f64 = 1e-8;
 
-/// Constraints accepted so far, with the rows against which further candidates are tested.
+/// Constraints accepted so far, with the rows of coefficients against which further candidates are tested.
 struct AcceptedConstraints {
     /// Form that extracts the coefficients of the rates from a linear term.
     form: LinearForm,
-    /// Rows of the accepted constraints: coefficients of the rates, then the term without rates.
+    /// Rows of the accepted constraints: the coefficients of the rates, followed by the term without rates.
     rows: Vec<Vec<Expr>>,
     /// Coefficients of the rates in the accepted constraints that are not rolling contacts.
     others: Vec<Vec<Expr>>,
@@ -90,7 +90,7 @@ struct AcceptedConstraints {
     frames: Frames,
     /// Simplifier of slip components.
     simplifier: Simplifier,
-    /// Symbols of the coordinates, time included.
+    /// Symbols of all coordinates, time included.
     places: FxHashSet<Expr>,
     /// Independent constraints and redundant equations found so far.
     found: IndependentConstraints,
@@ -108,10 +108,9 @@ impl AcceptedConstraints {
         components.map(|e| self.simplifier.simplify(arena, e))
     }
 
-    /// True if every redundant component of a contact, taken along the axes of a frame, is redundant in
-    /// every pose. A component may also follow from other components of the contact. Earlier contacts
-    /// are taken along the same axes, which does not change what their three components together
-    /// restrict.
+    /// True if every redundant component of a contact is redundant in every pose, once its components are taken along
+    /// the axes of `frame`. A component may also follow from other components of the same contact. Earlier contacts
+    /// are taken along the same axes, which does not change the motions that their three components together permit.
     fn are_redundant_everywhere(&mut self, arena: &mut Arena, slip: &Vector, frame: usize) -> bool {
         let mut kept = self.others.clone();
         for before in self.slips.clone() {
@@ -125,8 +124,8 @@ impl AcceptedConstraints {
         left.iter().all(|row| keeps_rank_everywhere(arena, &kept, row, &self.places))
     }
 
-    /// Adds to `kept` the rows of equations that are independent of it, and returns the dependent rows.
-    /// `None` if independence is undecided.
+    /// Adds to `kept` the rows of those equations that are independent of the rows in `kept`. Returns the dependent
+    /// rows. `None` if independence is undecided.
     fn keep_independent(
         &mut self,
         arena: &mut Arena,
@@ -156,8 +155,8 @@ enum RedundantPoses {
 }
 
 impl Loading<'_> {
-    /// Chooses the candidates that are independent of earlier candidates. Reports constraints that
-    /// contradict or repeat others.
+    /// Chooses the candidates that are independent of earlier candidates. Reports redundant candidates that may not
+    /// be redundant, and candidates that contradict earlier ones.
     pub fn choose_independent_constraints(
         &mut self,
         given: &ConstrainedSystem<'_>,
@@ -194,8 +193,8 @@ impl Loading<'_> {
         taken.found
     }
 
-    /// Takes a rolling contact along the axes of another frame if a component along its own axes is
-    /// redundant in most poses only. Returns the poses in which its redundant components follow.
+    /// Takes a rolling contact along the axes of another frame, if one of its components along its own axes is
+    /// redundant in most poses only. Returns the poses in which the contact's redundant components are redundant.
     fn choose_independent_contact_frame(
         &mut self,
         taken: &mut AcceptedConstraints,
@@ -228,8 +227,8 @@ impl Loading<'_> {
         if everywhere { RedundantPoses::EveryPose } else { RedundantPoses::MostPoses }
     }
 
-    /// Accepts a candidate if it is independent of the accepted constraints. Otherwise records it as
-    /// redundant, in the poses `reach`, or reports an error.
+    /// Accepts a candidate if it is independent of the accepted constraints. Otherwise records it as redundant in the
+    /// poses `reach`, or reports an error.
     fn accept_constraint(
         &mut self,
         taken: &mut AcceptedConstraints,
@@ -252,7 +251,7 @@ impl Loading<'_> {
         let is_zero = |arena: &Arena, e: &Expr| zero_test(arena, *e) == ZeroTest::Zero;
         if row.iter().all(|e| is_zero(&self.arena, e)) {
             match (may_repeat, is_zero(&self.arena, &rest)) {
-                // An equation between coordinates that is identically zero was left out earlier.
+                // An equation between coordinates whose left side is identically zero was left out earlier.
                 (true, true) if matches!(kind, MotionConstraintKind::Loop(_)) => {
                     self.report_unclosable_constraint(given, &name, span, kind);
                 }
@@ -307,8 +306,8 @@ impl Loading<'_> {
         }
     }
 
-    /// Words for an equation between coordinates whose rate is redundant. In the poses where the
-    /// earlier equations hold, it follows from them or contradicts them.
+    /// Words for an error message about an equation between coordinates whose rate is redundant. They say that, in
+    /// the poses where the earlier equations hold, it follows from them or contradicts them.
     fn dependence_in_words(
         &mut self,
         taken: &AcceptedConstraints,
@@ -330,8 +329,8 @@ impl Loading<'_> {
         }
     }
 
-    /// Counts the closed poses of the equations `others` in which `equation` holds, at the default
-    /// values: (number in which it holds, number tested). `None` if no pose was found.
+    /// Counts the closed poses of the equations `others` in which `equation` holds, at the default parameter values.
+    /// Returns (poses in which it holds, poses tested). `None` if no pose was found.
     fn count_poses_with_constraint(
         &mut self,
         given: &ConstrainedSystem<'_>,
@@ -362,8 +361,8 @@ impl Loading<'_> {
         (!found.is_empty()).then(|| (found.iter().filter(is_closed).count(), found.len()))
     }
 
-    /// Reports an equation of a joint that no coordinate changes and that is not exactly zero. The
-    /// other joints then keep its points or axes apart in every pose.
+    /// Reports an equation of a joint that no coordinate changes and that is not satisfied exactly. The other joints
+    /// then keep this joint's points or axes apart in every pose.
     fn report_unclosable_constraint(
         &mut self,
         given: &ConstrainedSystem<'_>,
@@ -398,15 +397,15 @@ impl Loading<'_> {
         );
     }
 
-    /// Reports a constraint that restricts nothing, or contradicts others; `how` completes the
-    /// sentence.
+    /// Reports a constraint that restricts nothing or contradicts other constraints. The message is "the constraint
+    /// NAME" followed by `how`.
     fn report_dependent_constraint(&mut self, name: &str, span: Range<usize>, how: &str) {
         self.reader.error(span, format!("the constraint `{name}` {how}"), "remove it, or correct one of the others");
     }
 }
 
-/// Frames along whose axes a rolling contact may be taken: on the paths from the ground to its
-/// bodies and its point.
+/// Frames along whose axes a rolling contact may be taken: the frames on the paths from the ground to its bodies and
+/// to its point.
 fn frames_for_independent_contact(elements: &Elements, rolled: SlipComponent) -> Vec<usize> {
     let of_body = |body: usize| elements.bodies[body].rigid.as_ref().map(|(frame, _)| *frame);
     let of_point = elements.points[rolled.point].position.map(|placement| placement.frame);

@@ -1,5 +1,4 @@
-//! Joint frames and points: those that joints add to a model, and the equations of joints that
-//! close loops.
+//! Frames and points that joints add to a model, and the equations of joints that close loops.
 
 use super::configuration_constraints::StatedConstraint;
 use crate::algebra::term::calculus::Substitution;
@@ -17,13 +16,12 @@ use crate::model::{ForcePlace, JointReaction, JointedBody, Model, Reaction, Reac
 use crate::toml_reader::Located;
 use toml::de::{DeTable, DeValue};
 
-/// Frame with its parent and its rotation, before frames are sorted.
+/// Frame as (parent, rotation), before frames are sorted.
 type FrameNode = Node<Turn>;
-/// Point with its parent, the frame of its components, and its components, m, before points are
-/// sorted.
+/// Point as (parent, frame of its components, components in m), before points are sorted.
 type PointNode = Node<(Located, [Expr; 3])>;
 
-/// A joint that closes a loop, with its frames, points and bodies.
+/// Joint that closes a loop, with its frames, points and bodies by index.
 pub struct ClosingJoint {
     /// Name of the closing joint in the model file.
     name: Located,
@@ -39,18 +37,18 @@ pub struct ClosingJoint {
     /// Indices of the joint's point on the body to which it is attached, and of its point on the
     /// closing body.
     points: [usize; 2],
-    /// Index of the closing body, and of the body to which the joint attaches it (`None`: the ground).
+    /// Index of the closing body, and of the body to which the joint attaches it; `None` for the ground.
     bodies: (usize, Option<usize>),
 }
 
 impl Joint<'_> {
-    /// Name `JOINT_part` of a frame or point that the joint adds.
+    /// Name `JOINT_part` of a frame or point that the joint `JOINT` adds.
     fn joint_part_name(&self, part: &str) -> Located {
         Located { text: format!("{}_{part}", self.name.text), span: self.name.span.clone(), exact: false }
     }
 
-    /// Name of the joint's base frame, on the body to which the joint is attached. The joint's
-    /// coordinates are zero in this frame.
+    /// Name of the joint's base frame, which is fixed on the body to which the joint is attached. The joint's
+    /// rotations and displacements are measured from this frame.
     fn base_frame_name(&self, joints: &Joints<'_>, root: &str) -> Located {
         let has_own = self.entry.contains_key("turned") || self.along.is_some();
         if has_own { self.joint_part_name("base") } else { self.frame_below(joints, root) }
@@ -64,8 +62,8 @@ impl Joint<'_> {
         }
     }
 
-    /// Name of the point from which positions on a body are measured: the joint that places the body,
-    /// else its mass centre. The origin for the ground.
+    /// Name of the point from which positions on a body are measured. It is the point of the joint that places the
+    /// body, or else the body's mass centre. For the ground it is the origin.
     fn body_reference_point(&self, body: Option<&Located>, joints: &Joints<'_>, origin: &str) -> Located {
         let text = match body.and_then(|body| joints.bodies.get(&body.text)) {
             Some(PlacedBody { joint: Some(joint), .. }) => joint.text.clone(),
@@ -77,7 +75,7 @@ impl Joint<'_> {
 }
 
 impl<'a> Joints<'a> {
-    /// Joints that close loops, with indices of sorted frames, points and bodies.
+    /// Joints that close loops, with indices into the sorted frames, points and bodies.
     pub fn closing_joints(&self, elements: &Elements) -> Vec<ClosingJoint> {
         let frame = |name: &str| elements.frames.iter().position(|f| f.name == name);
         let point = |name: &str| elements.points.iter().position(|p| p.name == name);
@@ -110,8 +108,7 @@ impl<'a> Joints<'a> {
 }
 
 impl Joints<'_> {
-    /// Bodies that joints place, each with the body to which the joint attaches it and with its point
-    /// at the joint.
+    /// Bodies that joints place, each with its point at the joint and with the body to which the joint attaches it.
     pub fn jointed_bodies(&self, elements: &Elements) -> Vec<JointedBody> {
         let body = |name: &str| elements.bodies.iter().position(|body| body.name == name);
         let carries = |joint: &Joint<'_>| {
@@ -169,8 +166,8 @@ impl<'a> Loading<'a> {
         nodes
     }
 
-    /// Rotations by which a joint orients the body that it places, as terms in its coordinates. A joint
-    /// without rotations has a rotation by 0.
+    /// Rotations by which a joint orients the body that it places, as terms in the joint's coordinates. A joint
+    /// without rotations gives one rotation by the angle 0.
     fn joint_frame_turns(&mut self, joint: &Joint<'a>) -> Vec<Turn> {
         let mut turns = Vec::new();
         let mut parameters = Vec::new();
@@ -191,8 +188,8 @@ impl<'a> Loading<'a> {
         turns
     }
 
-    /// Adds the frames that lead from a parent to the frame `last` by successive rotations.
-    /// Intermediate frames are declared as `LAST_turnK`. Returns the name of the last frame.
+    /// Adds a chain of frames that leads from `parent` to the frame `last` by successive rotations. Intermediate
+    /// frames are declared as `LAST_turnK`. Returns the name of the last frame in the chain.
     pub fn add_frame_chain(
         &mut self,
         nodes: &mut Vec<FrameNode>,
@@ -205,7 +202,7 @@ impl<'a> Loading<'a> {
             let is_last = at + 1 == count;
             let turned = || Located { text: format!("{}_turn{}", last.text, at + 1), ..last.clone() };
             let name = if is_last { last.clone() } else { turned() };
-            // A frame of the model file is already declared.
+            // The frame `last` is already declared if the model file states it.
             if !is_last || self.names.kind(&name.text).is_none() {
                 self.names.declare_joint_name(&mut self.reader, &name, NameKind::Frame);
             }
@@ -215,8 +212,8 @@ impl<'a> Loading<'a> {
         parent
     }
 
-    /// Declares and returns the points that joints add: the point of each joint, with the joint's name,
-    /// and the mass centre of its body. Errors are recorded in the reader.
+    /// Declares the points that joints add, and returns them. Each joint adds a point with the joint's name, and the
+    /// mass centre of the body that it places. Errors are recorded in the reader.
     pub fn joint_points(&mut self, joints: &Joints<'a>, table: &'a DeTable<'a>, root: (&str, &str)) -> Vec<PointNode> {
         let stated = table.get("points").and_then(|v| v.get_ref().as_table());
         let mut nodes = Vec::new();
@@ -267,7 +264,7 @@ impl<'a> Loading<'a> {
         nodes
     }
 
-    /// Marks the points of a joint as wrongly declared; the error is already reported.
+    /// Marks the points of a joint as wrongly declared, after their error was reported.
     fn mark_wrong_joint_points(&mut self, joint: &Joint<'a>, joints: &Joints<'a>) {
         self.names.mark_wrong_name(&joint.name.text);
         if let Some(placed) = joints.bodies.get(&joint.body.text).filter(|_| joint.carries) {
@@ -275,8 +272,8 @@ impl<'a> Loading<'a> {
         }
     }
 
-    /// Reads the position of a joint on a body under a key: a point, or three components from `home`,
-    /// m. Without the key it is `home`. `None` after an error is reported.
+    /// Reads the position of a joint on a body under a key, which is a point or three components from `home`, m. If
+    /// the key is absent, the position is `home`. `None` after an error is reported.
     fn joint_point_place(&mut self, joint: &Joint<'a>, key: &str, home: Located) -> Option<(Located, [Expr; 3])> {
         match self.reader.get(joint.entry, key) {
             None => Some((home, [Expr::ZERO; 3])),
@@ -291,8 +288,8 @@ impl<'a> Loading<'a> {
         }
     }
 
-    /// Displacement of a joint's point by the joint's coordinates, with components in its base frame,
-    /// m. `None` after an error is reported.
+    /// Displacement of a joint's point that the joint's coordinates cause, m, with components in the joint's base
+    /// frame. `None` after an error is reported.
     fn joint_point_displacement(&mut self, joint: &Joint<'a>) -> Option<[Expr; 3]> {
         let mut way = [Expr::ZERO; 3];
         for (name, freedom) in joint.coordinates.iter().zip(joint.kind.freedoms(&joint.axes)) {
@@ -314,10 +311,11 @@ impl<'a> Loading<'a> {
         Some(way)
     }
 
-    /// Equations of joints that close loops, each with its reaction. They are components of the vector
-    /// between the joint's two points, m, and cosines of axes that stay perpendicular. The force on the
-    /// closing body acts at the joint's point. Its opposite acts on the other body, at that body's
-    /// joint point or at its material at the first point. So the pair does no work in open loops
+    /// Equations of joints that close loops, each with the reaction that enforces it. They are components of the
+    /// vector between the joint's two points, m, and cosines between axes that stay perpendicular.
+    ///
+    /// The reaction force on the closing body acts at that body's joint point. Its opposite acts on the other body,
+    /// at its joint point or at its material that is at the first point. So the pair does no work in open loops
     /// either.
     pub fn closing_joint_equations(
         &mut self,
@@ -330,7 +328,8 @@ impl<'a> Loading<'a> {
         {
             let axis = axes.first().copied().unwrap_or(2);
             let across = [(axis + 1) % 3, (axis + 2) % 3];
-            // Pairs (axis of the closing body, axis of the base frame) that stay perpendicular.
+            // `ways` are the axes along which the two points coincide. `right` are pairs (axis of the closing body,
+            // axis of the base frame) that stay perpendicular.
             let (ways, right): (Vec<usize>, Vec<(usize, usize)>) = match kind {
                 JointKind::Pin => (vec![0, 1, 2], across.map(|i| (axis, i)).to_vec()),
                 JointKind::Ball => (vec![0, 1, 2], Vec::new()),
@@ -400,7 +399,7 @@ impl<'a> Loading<'a> {
     }
 }
 
-/// Index of the last common ancestor of two frames.
+/// Index of the last common ancestor of two frames in the tree of frames.
 fn last_common_frame(frames: &[Frame], [mut a, mut b]: [usize; 2]) -> usize {
     // A frame comes after its parent in the list.
     while a != b {
@@ -411,9 +410,9 @@ fn last_common_frame(frames: &[Frame], [mut a, mut b]: [usize; 2]) -> usize {
 }
 
 impl Model {
-    /// Adds to the model the reactions of joint equations that are constraints; those of redundant
-    /// equations go to `redundant`. In the directions, terms replace the coordinates that constraints
-    /// determine.
+    /// Adds to the model the reactions of those joint equations that are constraints. Reactions of redundant
+    /// equations go to `redundant`. In the directions of reactions, the coordinates that constraints determine are
+    /// replaced by their values.
     pub(in crate::model) fn add_joint_reactions(&mut self, holding: Vec<JointReaction>, fixed: &mut Substitution) {
         for mut held in holding {
             let reaction = &mut held.reaction;

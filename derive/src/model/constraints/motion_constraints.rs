@@ -1,22 +1,22 @@
 //! Motion constraints of a model file: equations between velocities, rolling, and rates of loops.
 //!
-//! Let there be p generalized speeds u = J q̇ + d and m motion constraints A q̇ + a = 0, with p + m
-//! = n. The rates of the n coordinates follow from
+//! Let there be p generalized speeds u = J q̇ + d and m motion constraints A q̇ + a = 0, with p + m = n. The rates q̇
+//! of the n coordinates follow from
 //!
 //! ```text
 //! [ A ]        [  −a   ]
 //! [ J ] q̇  =  [ u − d ]
 //! ```
 //!
-//! as q̇ = W u + w. An equation between coordinates that cannot be solved for a coordinate
-//! restricts their rates by its time derivative.
+//! as q̇ = W u + w. An equation between coordinates that cannot be solved for a coordinate restricts their rates by
+//! its time derivative.
 
 /// Definitions of all speeds as terms in q and q̇.
 #[derive(Clone, Copy)]
 pub struct SpeedDefinitions<'s> {
     /// Terms that define the speeds.
     pub definitions: &'s [Expr],
-    /// True for each speed that a joint adds.
+    /// For each speed, true if a joint adds it, false if the section `[speeds]` states it.
     pub brought: &'s [bool],
 }
 
@@ -50,13 +50,13 @@ pub struct StatedRolling {
     point: usize,
     /// Index of the body on which the rolling body rolls; `None` for the ground.
     against: Option<usize>,
-    /// Index of the frame along whose axes the slip components are taken.
+    /// Index of the frame along whose axes the components of the slip velocity are taken.
     frame: usize,
     /// True if the model file states the frame; false if it is the inertial frame by default.
     is_stated: bool,
 }
 
-/// Parts from which motion constraints are formed, as terms in the remaining coordinates.
+/// Parts from which motion constraints are formed. Their terms contain only the coordinates that remain in the model.
 pub struct ConstraintParts<'m> {
     /// Coordinates that no constraint has eliminated.
     pub coordinates: &'m [Coordinate],
@@ -64,36 +64,37 @@ pub struct ConstraintParts<'m> {
     pub elements: &'m Elements,
     /// Speeds, each with the byte range of its definition.
     pub speeds: &'m [(Speed, Range<usize>)],
-    /// Joints of the model file.
+    /// Joints of the model file, which add speeds.
     pub joints: &'m Joints<'m>,
     /// Parameters of the model, whose default values are used in closed poses.
     pub parameters: &'m [Parameter],
-    /// Equations between coordinates that were not solved for a coordinate.
+    /// Equations between coordinates that cannot be solved for a coordinate.
     pub kept: Vec<StatedConstraint>,
     /// Equations between velocities that the model file states.
     pub stated: Vec<StatedConstraint>,
-    /// Components of the velocities at which rolling bodies would slip, each as an equation that makes
-    /// it zero.
+    /// Equations of rolling, each with the component of the slip velocity that it makes zero.
     pub rolling: Vec<(StatedConstraint, SlipComponent)>,
 }
 
-/// Motion constraints of a model and its loops, with the constraints that turned out redundant.
+/// Motion constraints and loops of a model, and the constraints that are redundant.
 #[derive(Default)]
 pub struct MotionConstraints {
     /// Motion constraints, each with its byte range in the model file.
     pub motion: Vec<(MotionConstraint, Range<usize>)>,
-    /// Loop equations, whose time derivatives are motion constraints.
+    /// Loop equations, whose time derivatives are among the motion constraints.
     pub loops: Vec<LoopEquation>,
     /// Redundant equations of rolling and of joints.
     pub repeated: Vec<RedundantEquation>,
-    /// Loops whose rates follow from other constraints wherever all loops are closed.
+    /// Loop equations whose time derivatives follow from other constraints in all poses in which the loops are
+    /// closed.
     pub closed: Vec<LoopEquation>,
     /// Constraints that follow from others in all poses in which the loops are closed.
     pub dependent: Vec<RedundantConstraint>,
-    /// Branch of closed poses in which redundancy was decided; `None` without loops.
+    /// Branch of closed poses in which redundancy was decided. `None` if there are no loops or no closed pose was
+    /// found.
     pub branch: Option<AssemblyBranch>,
-    /// Indices of the speeds to keep; `None` if closed poses did not decide which speeds of joints to
-    /// keep.
+    /// Indices of the speeds that remain generalized speeds. `None` if closed poses did not decide which speeds of
+    /// joints remain.
     pub speeds: Option<Vec<usize>>,
 }
 
@@ -164,8 +165,8 @@ impl<'a> Loading<'a> {
         list
     }
 
-    /// Forms the independent motion constraints of a mechanism. Reports constraints that contradict or
-    /// repeat others. `None` after errors.
+    /// Forms the independent motion constraints of a mechanism. Reports constraints that contradict earlier ones, and
+    /// redundant ones if their redundancy is an error. `None` after errors.
     pub fn motion_constraints(&mut self, tied: ConstraintParts<'_>) -> Option<MotionConstraints> {
         let ConstraintParts { coordinates, elements, speeds, joints, parameters, kept, stated, rolling } = tied;
         let clock = coordinates.iter().any(|c| c.name == TIME);
@@ -223,7 +224,7 @@ impl<'a> Loading<'a> {
         if self.reader.errors.len() > before {
             return None;
         }
-        // Rates of loops come first in the list.
+        // The rates of loops come first in the list of motion constraints.
         let place = motion.iter().take_while(|(c, _)| matches!(c.kind, MotionConstraintKind::Loop(_))).count();
         let also_at = place..place + also.len();
         motion.splice(place..place, also);
@@ -240,8 +241,8 @@ impl<'a> Loading<'a> {
         Some(ties)
     }
 
-    /// Unit of an equation's left side less its right side; its sums were checked at reading. The unit
-    /// is 1 if it is indefinite.
+    /// Unit of a constraint's term, which is left side less right side of its equation. The unit is 1 if the term has
+    /// no definite unit. The units in its sums were checked when it was read.
     pub fn motion_constraint_unit(&self, e: Expr) -> crate::model::Unit {
         crate::model::units::unit_of(&self.arena, e, &self.units).ok().flatten().unwrap_or_default()
     }

@@ -1,9 +1,8 @@
 //! Openings: the motions that a mechanism would have if the joints that close its loops were open.
 //!
-//! An equation of a closing joint may be solved for a coordinate, which then leaves the model.
-//! Reactions still need the motion along that coordinate. For example, a slider transmits no force
-//! along its own axis, even if a loop prevents it from sliding. So each of these coordinates keeps
-//! the velocities that it gives to frames and points.
+//! An equation of a closing joint may be solved for a coordinate, which then leaves the model. Reactions still need
+//! the motion along that coordinate. For example, a slider transmits no force along its own axis, even if a loop
+//! prevents it from sliding. So the velocities that each such coordinate gives to frames and points are kept.
 
 use super::configuration_constraints::{OpenedCoordinates, StatedConstraint};
 use crate::algebra::term::calculus::{Gradient, Substitution};
@@ -12,8 +11,8 @@ use crate::geometry::Turn;
 use crate::model::bodies::elements::Elements;
 use crate::model::{AddedVelocity, JointOpeningMotion, Placement};
 
-/// Computes the motions along the coordinates that equations of joints determine. `elements` and
-/// the unsolved `constraints` still contain these coordinates. `replacements` are the values of all
+/// Computes the motions along the coordinates that equations of closing joints determine. The terms of `elements` and
+/// of the unsolved `constraints` must still contain these coordinates. `replacements` are the values of all
 /// coordinates that constraints determine.
 pub(in crate::model) fn joint_opening_motions(
     arena: &mut Arena,
@@ -70,8 +69,8 @@ pub(in crate::model) fn joint_opening_motions(
     list
 }
 
-/// Three components of the velocity that belongs to the frame or point `at`; added as zeros if
-/// absent.
+/// Three components of the velocity that the list holds for the frame or point `at`. If the list holds none, zeros
+/// are added.
 fn opening_velocity(list: &mut Vec<AddedVelocity>, at: usize) -> &mut [Expr; 3] {
     if list.last().is_none_or(|(last, _)| *last != at) {
         list.push((at, [Expr::ZERO; 3]));
@@ -80,8 +79,8 @@ fn opening_velocity(list: &mut Vec<AddedVelocity>, at: usize) -> &mut [Expr; 3] 
     &mut list[last].1
 }
 
-/// Derivatives with respect to the opened coordinates, which equations of closing joints determine,
-/// and to their rates. They are evaluated where all joints are closed.
+/// Derivatives with respect to the opened coordinates and to their rates, evaluated in poses in which all joints are
+/// closed. An opened coordinate is one that the equation of a closing joint determines.
 struct OpeningSlopes {
     /// Values of the coordinates that the model file's own constraints determine.
     before: Substitution,
@@ -89,26 +88,25 @@ struct OpeningSlopes {
     along: Gradient,
     /// Derivatives with respect to the rates of the opened coordinates.
     along_rates: Gradient,
-    /// Values of all coordinates that constraints determine.
+    /// Values of all coordinates that constraints determine, as in poses in which all joints are closed.
     fixed: Substitution,
 }
 
 impl OpeningSlopes {
-    /// Value of a term where all joints are closed.
+    /// Value of a term in poses in which all joints are closed.
     fn value(&mut self, arena: &mut Arena, e: Expr) -> Expr {
         self.fixed.apply(arena, e)
     }
 
-    /// Derivatives of a term with respect to the opened coordinates, as (index of the coordinate,
-    /// derivative).
+    /// Derivatives of a term with respect to the opened coordinates, as (index of the opened coordinate, derivative).
     fn by_coordinates(&mut self, arena: &mut Arena, e: Expr) -> Vec<(usize, Expr)> {
         let e = self.before.apply(arena, e);
         let slopes = self.along.apply(arena, e);
         slopes.iter().map(|(at, slope)| (*at, self.fixed.apply(arena, *slope))).collect()
     }
 
-    /// Derivatives of a term with respect to the rates of the opened coordinates, as (index of the
-    /// coordinate, derivative).
+    /// Derivatives of a term with respect to the rates of the opened coordinates, as (index of the opened coordinate,
+    /// derivative).
     fn by_rates(&mut self, arena: &mut Arena, e: Expr) -> Vec<(usize, Expr)> {
         let e = self.before.apply(arena, e);
         let slopes = self.along_rates.apply(arena, e);

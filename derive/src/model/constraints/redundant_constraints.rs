@@ -1,5 +1,5 @@
-//! Choices made in the closed poses of a mechanism: which constraints are redundant there, and
-//! which joint speeds become generalized speeds.
+//! Choices made in the closed poses of a mechanism: redundant constraints, and the joint speeds that become
+//! generalized speeds.
 
 use super::closed_poses::{ClosedPoseSearch, ClosedPoses, RedundantRow, random_coordinate_ranges};
 use super::motion_constraints::{MotionConstraints, SpeedDefinitions};
@@ -10,9 +10,11 @@ use crate::model::{Coordinate, MotionConstraintKind, RedundantConstraint, Unit};
 use std::ops::{Range, RangeInclusive};
 
 impl Loading<'_> {
-    /// Removes constraints from `ties` that follow from others wherever the loops are closed. If there
-    /// are too many speeds, it chooses among those of joints. If no closed pose is found, it removes
-    /// the constraints at the indices `also`, whose rates follow from the other constraints everywhere.
+    /// Removes from `ties` the constraints that follow from others in all poses in which the loops are closed. If
+    /// there are too many speeds, chooses among those of joints.
+    ///
+    /// If no closed pose is found, removes the constraints at the indices `also`. Their rates follow from the other
+    /// constraints in every pose.
     pub fn remove_redundant_constraints(
         &mut self,
         coordinates: &[Coordinate],
@@ -50,8 +52,8 @@ impl Loading<'_> {
         }
     }
 
-    /// Derivatives of constraints and speeds in closed poses, on a branch whose number of degrees of
-    /// freedom is in `declared`. `None` if no closed pose is found.
+    /// Finds closed poses with the derivatives of constraints and speeds in them. The poses are on a branch whose
+    /// number of degrees of freedom is in `declared`, if the search reaches one. `None` if no closed pose is found.
     fn redundancy_in_closed_poses(
         &mut self,
         coordinates: &[Coordinate],
@@ -79,8 +81,9 @@ impl Loading<'_> {
     }
 }
 
-/// Removes the constraint at an index from the independent constraints; a loop still has to be
-/// closed. Returns its name, and for a constraint between velocities the term that is zero.
+/// Removes the constraint at the index `at` from the independent constraints. Its loop equation, if it has one, moves
+/// to the loops that must still be closed. Returns its name and, for a constraint between velocities, the term that
+/// it makes zero.
 fn remove_redundant_constraint_at(ties: &mut MotionConstraints, at: usize) -> (String, Option<Expr>) {
     let (constraint, _) = ties.motion.remove(at);
     let MotionConstraintKind::Loop(place) = constraint.kind else {

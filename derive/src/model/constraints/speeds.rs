@@ -18,13 +18,12 @@ use crate::toml_reader::{Located, TomlReader};
 use std::ops::Range;
 use toml::de::DeTable;
 
-/// Generalized speeds of a model with the byte ranges of their definitions, and the dependent
-/// speeds that were left out.
+/// Generalized speeds, each with the byte range of its definition; then the dependent speeds that were left out.
 type ChosenSpeeds = (Vec<(Speed, Range<usize>)>, Vec<Speed>);
 
 impl<'a> Loading<'a> {
-    /// Declares the speeds and reads the expressions and the units of the speeds. Returns the names and
-    /// definitions as text, since definitions are read once all coordinates are known.
+    /// Declares the speeds, and reads the section of expressions. Records the units of the speeds. Returns (name,
+    /// definition as text) of each speed, since definitions are read once all coordinates are known.
     pub fn speed_symbols(&mut self, table: &'a DeTable<'a>, joints: &Joints<'a>) -> Vec<(Located, Located)> {
         let mut texts = Vec::new();
         for (name, value) in self.section(table, "speeds", &[NameKind::Speed]) {
@@ -44,22 +43,23 @@ impl<'a> Loading<'a> {
         let expressions = self.expressions(table);
         for (name, formula) in &texts {
             let what = "the definition of a speed";
-            // A speed has the unit of its definition. It is read here, since forces may contain speeds.
+            // A speed has the unit of its definition. The definition is read here for its unit, since forces may
+            // contain speeds.
             let e = self.names.formula(&mut self.reader, &mut self.arena, formula, VELOCITY, what);
             self.record_units_of_velocities();
             let unit = e.and_then(|e| self.unit_of(e, &formula.span));
             let symbol = self.arena.symbol(&name.text);
             self.units.extend(unit.map(|unit| (symbol, unit)));
         }
-        // Units of expressions that contain speeds are only now known.
+        // Units of expressions that contain speeds are known only here.
         for (e, span) in expressions {
             self.unit_of(e, &span);
         }
         texts
     }
 
-    /// Reads the definitions of the speeds. Terms replace the named velocities in them, and then the
-    /// variables that constraints determine.
+    /// Reads the definitions of the speeds as terms. In them, terms replace named velocities, then variables that
+    /// constraints determine.
     pub fn speeds(
         &mut self,
         texts: Vec<(Located, Located)>,
@@ -70,7 +70,7 @@ impl<'a> Loading<'a> {
         let mut fixed = Substitution::new(replacements);
         let mut speeds = Vec::new();
         for (name, formula) in texts {
-            // Errors of a definition were reported when the speed was declared.
+            // Errors in a definition were already reported when the speed was declared.
             let mut scratch = TomlReader::new(self.reader.source);
             let Some(e) = self.names.formula(&mut scratch, &mut self.arena, &formula, VELOCITY, "a speed") else {
                 continue;
@@ -85,10 +85,11 @@ impl<'a> Loading<'a> {
         speeds
     }
 
-    /// Splits speeds into independent and dependent ones. A speed of a joint is dependent if it follows
-    /// from the constraints and earlier speeds. Speeds along coordinates that constraints determine,
-    /// with values `fixed`, come last, since such a coordinate may stand still while the mechanism
-    /// moves. All speeds that the model file states stay.
+    /// Splits speeds into independent and dependent speeds. A speed of a joint is dependent if it follows from the
+    /// constraints and earlier speeds. A speed of the section `[speeds]` is never dependent.
+    ///
+    /// Speeds along the coordinates in `fixed`, which constraints determine, are considered last. Such a coordinate
+    /// may stand still while the mechanism moves.
     pub fn independent_speeds(
         &mut self,
         coordinates: &[Coordinate],
@@ -148,7 +149,7 @@ impl<'a> Loading<'a> {
         (stay, left_out)
     }
 
-    /// Solves u = J q̇ + d and A q̇ + a = 0 for q̇. `None` after reporting speeds that are too few, too
+    /// Solves u = J q̇ + d and A q̇ + a = 0 for the rates q̇. `None` after reporting speeds that are too few, too
     /// many, not linear in q̇ or not independent.
     pub fn kinematic_equations(
         &mut self,
@@ -166,7 +167,7 @@ impl<'a> Loading<'a> {
         let mut form = LinearForm::new(&rates);
         let (mut matrix, mut right) = (Vec::new(), Vec::new());
         for (constraint, _) in constraints {
-            // The constraints were found linear when they were read.
+            // The constraints were already found to be linear when they were read.
             let (row, rest) = form.coefficients(&mut self.arena, constraint.equation).ok()?;
             matrix.push(row);
             right.push(self.arena.neg(rest));
@@ -229,9 +230,9 @@ impl<'a> Loading<'a> {
         }
     }
 
-    /// Gives names to the terms of W and w in q̇ = W u + w that divide by sums. `ratio_q2_u1` is the
-    /// factor of u1 in q2', up to a number. Without names, the equations of loops would grow with every
-    /// product of these terms.
+    /// Gives names to the coefficients of W and w in q̇ = W u + w that divide by sums. For example, `ratio_q2_u1` is
+    /// the factor of u1 in q2', up to a constant factor. Without names, loop equations would grow with every product
+    /// of these coefficients.
     fn name_speed_coefficients(
         &mut self,
         coordinates: &[Coordinate],
@@ -262,8 +263,8 @@ impl<'a> Loading<'a> {
         result
     }
 
-    /// Factors of divisors that contain coordinates, each once. Other factors, such as a length, do not
-    /// vanish during a motion.
+    /// Factors of divisors that contain coordinates, without repetition. A factor without coordinates, such as a
+    /// length, does not vanish during a motion.
     fn speed_divisor_factors(&self, divisors: &[Expr], coordinates: &[Coordinate]) -> Vec<Expr> {
         let mut factors = Vec::new();
         for divisor in divisors {
@@ -342,7 +343,7 @@ impl<'a> Loading<'a> {
     }
 }
 
-/// True if a divisor of the term is a sum.
+/// True if a term has a divisor that is a sum.
 fn divides_by_sum(arena: &Arena, e: Expr) -> bool {
     let is_sum =
         |e: &Expr| matches!(arena.node(*e), Node::Sum(constant, terms) if !constant.is_zero() || terms.len() > 1);

@@ -1,9 +1,8 @@
 //! Explicit time: a coordinate `t` whose rate is 1 by a constraint.
 //!
-//! Only the reading of files knows that this coordinate is time. Terms that depend on t have a rate
-//! proportional to t'. The multiplier of the constraint is the power of the drive, so energy proves
-//! constant only if that power is 0. Source: C. Lanczos, *The Variational Principles of Mechanics*,
-//! 4th edition (1970), chapter V, §6.
+//! Only the code that reads files knows that this coordinate is time. Terms that depend on t have a rate proportional
+//! to t'. The multiplier of the constraint t' = 1 is the power of the drive, so energy is proved constant only if
+//! that power is 0. Source: C. Lanczos, *The Variational Principles of Mechanics*, 4th edition (1970), chapter V, §6.
 
 use crate::algebra::Expr;
 use crate::model::bodies::input_signals::input_signal_formulas;
@@ -30,12 +29,11 @@ const TIMED: [&str; 13] = [
     "domain",
 ];
 
-/// Key of an entry whose text is prose, not a formula.
+/// Key of an entry under which prose stands, not a formula.
 const PROSE: &str = "about";
 
 impl<'a> Loading<'a> {
-    /// Adds time as the last coordinate, if a formula of the model file or of a scene's inputs contains
-    /// it.
+    /// Adds time as the last coordinate, if a formula of the model file or an input formula of a scene contains time.
     pub fn time(&mut self, table: &'a DeTable<'a>, coordinates: &mut Vec<Coordinate>) {
         let sections = TIMED.iter().filter_map(|key| table.get(*key));
         let in_inputs = input_signal_formulas(table, &self.bindings).into_iter().any(formula_names_time);
@@ -59,13 +57,13 @@ impl<'a> Loading<'a> {
     }
 }
 
-/// True if a formula contains the word `t`, the name of time.
+/// True if a formula contains the word `t`, which is the name of time.
 fn formula_names_time(formula: &str) -> bool {
     let is_part = |c: char| c.is_ascii_alphanumeric() || c == '_';
     formula.split(|c| !is_part(c)).any(|word| word == TIME)
 }
 
-/// True if any formula of an entry, at any depth, contains time.
+/// True if a formula at any depth of an entry contains time.
 fn entry_names_time(value: &Spanned<DeValue<'_>>) -> bool {
     let mut open = vec![value];
     while let Some(value) = open.pop() {
@@ -82,21 +80,21 @@ fn entry_names_time(value: &Spanned<DeValue<'_>>) -> bool {
 }
 
 impl Model {
-    /// Index of time in the coordinates; `None` if no formula of the model contains time.
+    /// Index of time among the coordinates; `None` if time is not a coordinate, since no formula contains it.
     #[must_use]
     pub fn time(&self) -> Option<usize> {
         self.coordinates.iter().position(|c| c.name == TIME)
     }
 
-    /// True if constraints restrict the rates of coordinates; the constraint t' = 1 does not count.
+    /// True if any constraint restricts the rates of coordinates. The constraint t' = 1 on time does not count.
     #[must_use]
     pub fn ties_rates(&self) -> bool {
         self.motion_constraints.iter().any(|constraint| constraint.kind != MotionConstraintKind::Clock)
     }
 
-    /// True if constraints move the mechanism even if all generalized speeds are zero: a constraint
-    /// states a velocity, or frames, points or constraints depend on time. The forces of these
-    /// constraints do work, so T + V changes by more than the work of loads.
+    /// True if constraints move the mechanism even if all generalized speeds are zero. This is so if a constraint
+    /// prescribes a velocity, or if frames, points or constraints depend on time. The forces of these constraints do
+    /// work, so T + V changes by more than the work of loads.
     #[must_use]
     pub fn is_driven(&self) -> bool {
         let states_velocity =

@@ -1,4 +1,4 @@
-//! Turns of frames: rotations as model files state them, by axes and angles or by Euler parameters.
+//! Rotations of frames as model files state them: by axes and angles, or by Euler parameters.
 
 use super::configuration_constraints::StatedConstraint;
 use crate::algebra::form::simplify::Simplifier;
@@ -39,8 +39,8 @@ impl<'a> Loading<'a> {
         Some(turns)
     }
 
-    /// Reads the rotations that lead to a frame, in their order; those about space-fixed axes are
-    /// reversed. `None` after an error is reported.
+    /// Reads the successive rotations that lead to a frame. Rotations about space-fixed axes are returned in reverse
+    /// order. `None` after an error is reported.
     pub fn frame_turns(&mut self, entry: &'a DeTable<'a>, what: &str, span: &Range<usize>) -> Option<Vec<Turn>> {
         let mut turns = self.turns(entry, what, span)?;
         match self.reader.get(entry, "fixed") {
@@ -75,7 +75,7 @@ impl<'a> Loading<'a> {
         self.turns(table, &what, &value.span())
     }
 
-    /// Reads a vector. Returns the rotation that takes axis 3 to its direction, and the inverse
+    /// Reads a vector. Returns the rotation that takes axis 3 to the vector's direction, and the inverse of this
     /// rotation. `None` after an error is reported.
     pub fn turn_towards_vector(&mut self, value: &'a Spanned<DeValue<'a>>, what: &str) -> Option<[Turn; 2]> {
         let components = self.turn_numbers(value, what, PARAMETERS)?;
@@ -91,8 +91,7 @@ impl<'a> Loading<'a> {
         Some(Turn::shortest_turn_to(&mut self.arena, 2, &unit))
     }
 
-    /// Reads the rotations that lead to a frame which is rotated by an angle about a vector; `None`
-    /// after an error is reported.
+    /// Reads a rotation by an angle about a vector, as three successive rotations. `None` after an error is reported.
     pub fn turns_about(
         &mut self,
         axis: &'a Spanned<DeValue<'a>>,
@@ -106,7 +105,7 @@ impl<'a> Loading<'a> {
         Some(vec![there, Turn::About(2, angle), back])
     }
 
-    /// Reads the angle of a frame under the key `angle`, rad; `None` after an error is reported.
+    /// Reads the rotation angle of a frame under the key `angle`, rad; `None` after an error is reported.
     pub fn turn_angle(&mut self, entry: &'a DeTable<'a>, what: &str, span: &Range<usize>) -> Option<Expr> {
         let angle = self.reader.required(entry, "angle", what, span)?;
         let angle = self.reader.formula(angle, "an angle")?;
@@ -146,8 +145,8 @@ impl<'a> Loading<'a> {
         Some(Turn::by_euler_parameters(&mut self.arena, parameters))
     }
 
-    /// Constraints `FRAME_norm`, one for each frame that is rotated by Euler parameters: the sum of the
-    /// four squares is 1.
+    /// Constraints `FRAME_norm`, one for each frame that is rotated by Euler parameters. Each states that the sum of
+    /// the four squares is 1.
     pub fn euler_parameter_norms(&mut self, frames: &[Frame]) -> Vec<StatedConstraint> {
         let mut list = Vec::new();
         for frame in frames {

@@ -1,9 +1,9 @@
-//! Actions of forces and torques in the Newton–Euler equations of bodies, in a random pose and
+//! Actions of forces and torques in the Newton–Euler equations of bodies. They are evaluated in a random pose and
 //! motion, as residues modulo a prime.
 //!
-//! Each body has six equations (balances): m a − ΣF, then dH/dt − ΣM about the mass centre, with
-//! components in the frame of its inertia. The equations of a particle are in the inertial frame,
-//! and its last three are 0.
+//! Each body has six equations (balances). The first three are m a − ΣF, the last three dH/dt − ΣM about the mass
+//! centre. Components are in the frame in which the body's inertia is given. The equations of a particle are in the
+//! inertial frame, and its last three are 0.
 
 use super::random_pose::{RandomModel, VectorResidues};
 use crate::algebra::term::calculus::Substitution;
@@ -11,8 +11,8 @@ use crate::algebra::{Arena, Expr, Function, Node};
 use crate::model::{Model, ReactionKind};
 
 impl RandomModel {
-    /// Residues of m a − ΣF and dH/dt − ΣM of each body without reactions: six for each body, with
-    /// components in the frame of its inertia. `None` if a term has no value.
+    /// Residues of m a − ΣF and dH/dt − ΣM of all bodies, without the reactions. Each body has six, with components
+    /// in the frame of its inertia. `None` if a term has no value in the random pose.
     pub fn newton_euler_balances(&self, model: &Model, arena: &mut Arena) -> Option<Vec<u64>> {
         let mut terms: Vec<Expr> = model.gravity.as_ref().map_or([Expr::ZERO; 3], |g| g.acceleration).to_vec();
         for body in &model.bodies {
@@ -44,7 +44,7 @@ impl RandomModel {
             let into = |v: VectorResidues| [0, 1, 2].map(|i: usize| space.dot(frame.axes[i], v));
             let times =
                 |v: VectorResidues| space.along(&frame.axes, [0, 1, 2].map(|i: usize| space.dot(tensor[i], into(v))));
-            // dH/dt = I (α − ω_F × ω) + ω_F × I ω, for a frame F in which I is constant.
+            // dH/dt = I (α − ω_F × ω) + ω_F × I ω, where F is a frame in which I is constant.
             let seen = space.sub(turned.acceleration, space.cross(frame.velocity, turned.velocity));
             let moment = space.add(times(seen), space.cross(frame.velocity, times(turned.velocity)));
             loads.push((at, body.centre, [0; 3], moment));
@@ -81,8 +81,8 @@ impl RandomModel {
         Some(all)
     }
 
-    /// Rates dp/dt and dh/dt + v × p of the impulse (p, h) = M_A (v, ω) of the fluid that moves with a
-    /// body. `blocks` are the twelve half rows of M_A.
+    /// Rates dp/dt and dh/dt + v × p for the impulse (p, h) = M_A (v, ω) of the fluid that moves with a body.
+    /// `blocks` are the rows of M_A, each as two halves of three.
     fn added_mass_action(
         &self,
         model: &Model,
@@ -100,7 +100,7 @@ impl RandomModel {
             };
             space.along(&frame.axes, [0, 1, 2].map(row))
         };
-        // M_A is constant in the frame of the body, and the components of v change there with a − ω × v.
+        // M_A is constant in the body's frame. Seen from that frame, the rate of v is a − ω × v.
         let (v, omega) = (centre.velocity, frame.velocity);
         let within = space.sub(centre.acceleration, space.cross(omega, v));
         let rate = |first: usize| {
@@ -110,8 +110,8 @@ impl RandomModel {
         (rate(0), space.add(rate(3), space.cross(v, times(0, v, omega))))
     }
 
-    /// Contribution to the Newton–Euler equations of all bodies, six each, of a force through a point
-    /// of one body and of a moment on that body.
+    /// Contribution to the Newton–Euler equations of a force through a point of one body and of a moment on that
+    /// body. The result has six residues for each body of the model.
     fn action_on_body(
         &self,
         model: &Model,
@@ -135,8 +135,8 @@ impl RandomModel {
         all
     }
 
-    /// Contribution of a reaction of size 1 along `direction` to the Newton–Euler equations of all
-    /// bodies, six each.
+    /// Contribution to the Newton–Euler equations of a reaction of size 1 along `direction`. The result has six
+    /// residues for each body of the model.
     pub fn reaction_action(&self, model: &Model, kind: ReactionKind, direction: VectorResidues) -> Vec<u64> {
         let back = self.space.sub([0; 3], direction);
         let centre = |body: usize| model.bodies[body].centre;
@@ -155,8 +155,8 @@ impl RandomModel {
     }
 }
 
-/// Replaces each square root in the terms by a new symbol, since a root need not exist in the
-/// random pose. The roots are independent of all other parts of the equations.
+/// Replaces each square root in the terms by a new symbol, since a residue need not have a square root modulo the
+/// prime. The roots are then independent of all other parts of the equations.
 fn replace_roots_in_actions(arena: &mut Arena, terms: &[Expr]) -> Vec<Expr> {
     let is_root = |part: &Expr| matches!(arena.node(*part), Node::Apply(Function::Sqrt, _));
     let roots: Vec<Expr> = arena.reachable(terms).into_iter().filter(is_root).collect();

@@ -1,14 +1,13 @@
-//! Closures of loops by equations: further forces and torques that may act where equations of the
-//! model file keep points of two bodies together.
+//! Closures: pairs of points of two bodies that equations of the model file keep together. Finds further forces and
+//! torques that may act at such a pair.
 //!
-//! A pin that is stated as two equations in the plane of a linkage holds in that plane. It may also
-//! hold across the plane, about which equations between coordinates tell nothing. So a force or
-//! torque may act along each direction in which no permitted motion moves the points, in
-//! equilibrium with other reactions.
+//! A pin that is stated as two equations in the plane of a linkage holds in that plane. It may also hold across the
+//! plane, but equations between coordinates do not tell. So a force or torque may act along each direction in which
+//! no permitted motion moves the points relative to one another, in equilibrium with other reactions.
 //!
-//! Closures are searched where at least two forces were found between two bodies at a pair of
-//! points. The bodies must neither rest on one another nor be connected by a joint of the model
-//! file. A single force, as that of a tooth or a slot, holds nothing else.
+//! Closures are searched where at least two forces were found between two bodies at a pair of points. The bodies must
+//! neither rest on one another nor be connected by a joint of the model file. A single force, as that of a tooth or a
+//! slot, holds nothing else.
 
 use super::relative_motion::{BodyPair, RelativeMotion};
 use crate::algebra::Expr;
@@ -17,17 +16,17 @@ use crate::model::{ForcePlace, MotionConstraintKind, Reaction, ReactionKind};
 /// Pair of bodies, or a body and the ground, that equations keep together at a point of each.
 #[derive(Clone, Copy, PartialEq, Eq)]
 struct PointClosure {
-    /// First body, with its point that equations keep together with the second.
+    /// Body, and point of this body that equations keep together with the second body's point.
     on: ForcePlace,
-    /// Second body, with its point; `None` for the ground.
+    /// Second body, and its point that is kept together with the first; `None` for the ground.
     against: Option<ForcePlace>,
     /// Index of the frame along whose axes the bodies are kept together.
     frame: usize,
 }
 
 impl RelativeMotion<'_> {
-    /// Forces and torques of size 1 that may act where equations keep points together. `resting` are
-    /// the bodies with the bodies on which they rest.
+    /// Reactions of size 1 that may act where equations of the model file keep two points together. `resting` are
+    /// pairs of a body and the body on which it rests.
     pub fn closure_reactions(&self, resting: &[BodyPair]) -> Vec<Reaction> {
         let found: Vec<PointClosure> =
             self.model.reactions.iter().filter_map(|r| self.closure_of_reaction(r, resting)).collect();
@@ -41,8 +40,8 @@ impl RelativeMotion<'_> {
         list
     }
 
-    /// Pair of points that a reaction keeps together. `None` unless the reaction was found
-    /// automatically and belongs to a loop closed by equations.
+    /// Closure of the two points at which a reaction acts. `None` unless the reaction was found automatically and
+    /// belongs to a loop that equations close.
     fn closure_of_reaction(&self, reaction: &Reaction, resting: &[BodyPair]) -> Option<PointClosure> {
         let ReactionKind::Force { on, against } = reaction.kind else { return None };
         let by = against.map(|place| place.body);
@@ -62,7 +61,7 @@ impl RelativeMotion<'_> {
         })
     }
 
-    /// Reactions of size 1 at the pair of points `closing` that do no work in any permitted motion.
+    /// Reactions of size 1 at the pair of points `closing` that do no work in any motion that the constraints permit.
     fn reactions_at_closure(&self, closing: &PointClosure) -> Vec<Reaction> {
         let &PointClosure { on, against, frame } = closing;
         let (body, holder, space) = (on.body, against.map(|place| place.body), self.drawn.space);

@@ -1,29 +1,28 @@
-//! Connections of bodies: finds the reactions that the model file does not state, for the
-//! Newton–Euler equations.
+//! Connections of bodies: finds the reactions that the model file does not state, for the Newton–Euler equations.
 //!
-//! The connections of the model file are visited in the order in which the file states them most
-//! plainly ([`stated_connections`]). First come stated reactions, contacts without slip, joints and
-//! placement on other bodies. Then come other contacts, and last the ground. Each connection
-//! transmits forces along axes of frames and torques about them, if these do no work in the motions
-//! that the connection itself permits. It gets only directions that earlier connections leave open,
-//! whether or not these reactions are needed.
+//! The connections of the model file are visited in a fixed order, the most plainly stated first
+//! ([`stated_connections`]). First come stated reactions, contacts without slip, joints and placement on other
+//! bodies. Then come other contacts, and last the ground.
 //!
-//! If reactions are still missing, as when equations relate coordinates, forces and torques are
-//! searched wherever they do no work ([`unstated_connections`]). In closed loops, the joints of
-//! the tree hold the directions that they would hold in open loops. A pin transmits no torque about
-//! its axis, even if a loop prevents it from rotating.
+//! Each connection transmits forces along axes of frames and torques about them, if these do no work in the motions
+//! that the connection itself permits. It gets only directions that earlier connections leave open, even if its
+//! reactions are not needed.
 //!
-//! A contact, or the ground, that transmits none of these reactions is left out
-//! ([`crate::model::Contacts::idle`]): no load goes through it.
+//! If reactions are still missing, forces and torques are searched wherever they do no work
+//! ([`unstated_connections`]). An example is a model whose equations relate coordinates. In closed loops, the joints
+//! of the tree hold the directions that they would hold in open loops. A pin transmits no torque about its axis, even
+//! if a loop prevents it from rotating.
 //!
-//! Some directions are along no axis of a frame, as with gears, or with a direction that a formula
-//! states. All axes hold these together, by forces and torques at the body's support. Each of them
-//! does work, but for each speed their powers sum to zero ([`Reaction::is_shared`]). The force and
-//! torque of a screw obey the law of that screw alone ([`Reaction::law`]), since a loop has fewer
-//! speeds than screws.
+//! A contact, or the ground, that transmits no reaction is left out ([`crate::model::Contacts::idle`]): no load goes
+//! through it.
 //!
-//! All of this is decided in one random pose ([`super::random_pose`]). The derivation of the
-//! equations proves that reactions do no work.
+//! Some directions are along no axis of a frame, as with gears, or with a direction that a formula states. All axes
+//! together hold such a direction, by forces and torques at the body's support. Each of these reactions does work,
+//! but for each speed their powers sum to zero ([`Reaction::is_shared`]). The force and torque of a screw obey the
+//! law of that screw alone ([`Reaction::law`]), since a loop has fewer speeds than screws.
+//!
+//! Reactions are found in one random pose ([`super::random_pose`]). The derivation of the equations proves that they
+//! do no work.
 
 mod reaction_search;
 mod stated_connections;
@@ -35,35 +34,34 @@ use crate::geometry::Frames;
 use crate::model::{Model, Reaction, ReactionKind};
 use reaction_search::{FoundReaction, ReactionDirection, Search};
 
-/// Largest number of Newton–Euler equations for which reactions are found. In larger systems the
-/// model file must state them.
+/// Largest number of Newton–Euler equations for which reactions are found automatically. In larger systems the model
+/// file must state the reactions.
 pub(in crate::model) const MOST_EQUATIONS: usize = 72;
-/// Largest number of characters of the name of a found reaction, without the number that makes it
-/// unique.
+/// Largest number of characters in the name of a found reaction. The number that makes the name unique is not
+/// counted.
 const MAX_LENGTH: usize = 56;
 
-/// Prefix of the names of found reactions on a body; `what` is `force` or `torque`.
+/// Prefix `BODY_force_` or `BODY_torque_` of the names of found reactions on a body. `what` is `force` or `torque`.
 pub fn found_reaction_prefix(body: &str, what: &str) -> String {
     format!("{body}_{what}_")
 }
 
 impl Model {
-    /// Reactions that the model file states. They come first in [`Self::reactions`].
+    /// Reactions that the model file states. They come before the found reactions in [`Self::reactions`].
     #[must_use]
     pub fn stated_reactions(&self) -> &[Reaction] {
         let found = self.reactions.iter().position(|r| !r.is_stated);
         &self.reactions[..found.unwrap_or(self.reactions.len())]
     }
 
-    /// Number of Newton–Euler equations of all bodies if it is too large for finding reactions;
-    /// otherwise `None`.
+    /// Number of Newton–Euler equations of all bodies, if it is too large for finding reactions; otherwise `None`.
     pub(in crate::model) fn too_many_to_find_reactions(&self) -> Option<usize> {
         let equations = |body: &crate::model::Body| if body.rigid.is_some() { 6 } else { 3 };
         Some(self.bodies.iter().map(equations).sum()).filter(|all| *all > MOST_EQUATIONS)
     }
 
-    /// Adds reactions until there are as many as the Newton–Euler equations of all bodies need. Adds
-    /// none if that is impossible.
+    /// Finds and adds reactions until the Newton–Euler equations of all bodies have as many unknowns as they need.
+    /// Adds none if that is impossible.
     pub(in crate::model) fn add_found_reactions(&mut self) {
         let on_nothing =
             |t: &crate::model::Torque| t.on.1.is_none() || t.against.is_some_and(|(_, body)| body.is_none());

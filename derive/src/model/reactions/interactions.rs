@@ -1,9 +1,9 @@
-//! Interactions: the force or torque that one body exerts on another through their connections, the
-//! sum of all reactions between them.
+//! Interactions: the force or torque that one body exerts on another through their connections. It is the sum of all
+//! reactions between them.
 //!
-//! A formula states a component of the force or torque as `force(base on arm) @ N [1]`. While the
-//! model file is read, a symbol stands for the component, since reactions are found last. Then the
-//! sum replaces the symbol, so that only the reading of files knows of this name.
+//! A formula states a component of the force or torque as `force(base on arm) @ N [1]`. While the model file is read,
+//! a symbol stands for the component, since reactions are found last. Then the sum replaces the symbol, so that only
+//! the code that reads files knows of the name.
 
 use super::found_reactions::{MOST_EQUATIONS, found_reaction_prefix};
 use super::relative_motion::{BodyPair, Holder, reaction_pair};
@@ -18,14 +18,14 @@ use crate::model::{ForcePlace, JointedBody, Model, Placement, Reaction, Reaction
 use crate::toml_reader::Located;
 use std::ops::Range;
 
-/// Name of the ground in place of a body's name. A body with this name takes precedence.
+/// Name of the ground in place of a body's name. A body that has this name takes precedence.
 pub const GROUND: &str = "ground";
 
-/// Component of the force or torque that a body exerts on another, by names with their places in
+/// Component of the force or torque that a body exerts on another, as a formula states it: names with their places in
 /// the file.
 #[derive(Clone, Debug)]
 pub struct StatedInteraction {
-    /// Symbol that stands for the component until reactions are known.
+    /// Symbol that stands for the component until the reactions are known.
     pub symbol: Expr,
     /// Name of the component in canonical form, such as `force(base on arm) @ N [1]`.
     pub text: String,
@@ -35,7 +35,7 @@ pub struct StatedInteraction {
     pub by: Located,
     /// Name of the body on which the force or torque acts.
     pub on: Located,
-    /// Name of the point about which a torque is taken; `None` if the formula names none.
+    /// Name of the point about which a torque is taken; `None` if the formula names no point.
     pub about: Option<Located>,
     /// Name of the frame along whose axis the component is taken.
     pub frame: Located,
@@ -45,7 +45,7 @@ pub struct StatedInteraction {
     pub span: Range<usize>,
 }
 
-/// Component of the force or torque that a body exerts on another, by indices.
+/// Component of the force or torque that a body exerts on another. Bodies, point and frame are given by index.
 #[derive(Clone, Copy, Debug)]
 pub struct Interaction {
     /// True for a torque, false for a force.
@@ -54,7 +54,7 @@ pub struct Interaction {
     pub by: Holder,
     /// Body on which the force or torque acts; `None` is the ground.
     pub on: Holder,
-    /// Index of the point about which a torque is taken; `None` if it is not known or not needed.
+    /// Index of the point about which a torque is taken; `None` if the point is not known or not needed.
     pub about: Option<usize>,
     /// Index of the frame along whose axis the component is taken.
     pub frame: usize,
@@ -110,8 +110,8 @@ struct ActingReaction {
 }
 
 impl Interaction {
-    /// A reaction with its sense, if it acts between the two bodies of the wanted force or torque;
-    /// otherwise `None`.
+    /// The reaction with its sense, if it acts between the two bodies of the wanted force or torque; otherwise
+    /// `None`.
     fn part_of_interaction(&self, reaction: &Reaction) -> Option<ActingReaction> {
         let BodyPair { body, against } = reaction_pair(reaction.kind);
         let sense = match (Some(body), against) {
@@ -124,17 +124,15 @@ impl Interaction {
 }
 
 impl Model {
-    /// Force or torque component that a formula names, as a term in the reactions of the model and in
-    /// q.
+    /// Force or torque component that a formula names, as a term in the model's reactions and in q.
     ///
     /// # Errors
-    /// Returns a [`Diagnostic`] at the name's place in these cases: a name is unknown, nothing acts
-    /// between the bodies, the point of a torque is ambiguous, or equilibrium does not determine the
-    /// component.
+    /// Returns a [`Diagnostic`] at the component's place in the file in these cases: a name is unknown, nothing acts
+    /// between the bodies, the point of a torque is ambiguous, or equilibrium does not determine the component.
     pub fn interaction(&mut self, stated: &StatedInteraction) -> Result<Expr, Diagnostic> {
         let mut sought = self.found_interaction(stated)?;
         let acting: Vec<ActingReaction> = self.reactions.iter().filter_map(|r| sought.part_of_interaction(r)).collect();
-        // A redundant joint connects the bodies as well.
+        // A redundant joint also connects the two bodies.
         let again = self.redundant.iter().filter_map(|r| sought.part_of_interaction(&r.reaction));
         let joined: Vec<ActingReaction> = acting.iter().cloned().chain(again).collect();
         if joined.is_empty() {
@@ -152,8 +150,8 @@ impl Model {
         Ok(value)
     }
 
-    /// Component of the sum of the reactions `acting`, with the moments of forces about the point
-    /// `sought.about`, as a term.
+    /// Component of the sum of the reactions `acting`, as a term. For a torque, the moments of forces about the point
+    /// `sought.about` are included.
     fn sum_of(&self, arena: &mut Arena, sought: Interaction, acting: &[ActingReaction]) -> Expr {
         let mut frames = Frames::new(&self.frames);
         let mut sum = Vector::default();
@@ -179,7 +177,7 @@ impl Model {
         Simplifier::default().simplify(arena, component)
     }
 
-    /// Position of a point relative to the origin, m.
+    /// Position vector of a point from the origin, m.
     pub(in crate::model) fn position(&self, arena: &mut Arena, point: usize) -> Vector {
         let (mut at, mut sum) = (point, Vector::default());
         while let Some(Placement { parent, frame, components }) = self.points[at].position {
@@ -189,8 +187,8 @@ impl Model {
         sum
     }
 
-    /// Index of the point about which a torque is taken: the stated point, the point of the joint, or
-    /// the only point at which forces act. `Ok(None)` if no force acts; an error if there are several
+    /// Index of the point about which a torque is taken. It is the stated point, else the point of the joint, else
+    /// the only point at which forces act. `Ok(None)` if no force acts. Returns an error if forces act at several
     /// points.
     fn point_of(
         &self,
@@ -233,8 +231,8 @@ impl Model {
         Err(Diagnostic::new(stated.span.clone(), message, help))
     }
 
-    /// Resolves the bodies, the point and the frame that a formula names to indices; an error for an
-    /// unknown name.
+    /// Resolves the bodies, the point and the frame that a formula names to indices. Returns an error for an unknown
+    /// name, or if both bodies are the same.
     fn found_interaction(&self, stated: &StatedInteraction) -> Result<Interaction, Diagnostic> {
         let (by, on) = (self.body_or_ground(&stated.by)?, self.body_or_ground(&stated.on)?);
         if by == on {
@@ -253,8 +251,8 @@ impl Model {
         Ok(Interaction { is_torque: stated.is_torque, by, on, about, frame, axis: stated.axis })
     }
 
-    /// Index of a body by name; `None` for the ground, named as `ground` or by the inertial frame. An
-    /// error for an unknown name.
+    /// Index of the body with the given name; `None` for the ground, named as `ground` or by the inertial frame.
+    /// Returns an error for an unknown name.
     fn body_or_ground(&self, name: &Located) -> Result<Holder, Diagnostic> {
         if let Some(at) = self.bodies.iter().position(|b| b.name == name.text) {
             return Ok(Some(at));
@@ -297,16 +295,16 @@ impl Model {
     }
 }
 
-/// Index of the point at which a force acts on the body of interest; with the opposite sense, at
-/// which its opposite acts.
+/// Index of the point at which the wanted force acts through a reaction. It is the reaction's own point or, with the
+/// opposite sense, the point of its opposite.
 fn interaction_point(on: ForcePlace, against: Option<ForcePlace>, sense: ReactionSense) -> usize {
     against.filter(|_| sense == ReactionSense::Against).unwrap_or(on).point
 }
 
-/// A reaction that a condition of the domain contains, by the reaction's own name or by two bodies.
+/// Reaction in a condition of the domain, named by its own name or by two bodies.
 #[derive(Clone, Debug)]
 pub enum NamedReaction {
-    /// Reaction that may be found later: (symbol that stands for it, its name, its unit).
+    /// Reaction that may be found later, as (symbol that stands for it, its name, its unit).
     Found(Expr, Located, Unit),
     /// Component of the force or torque that a body exerts on another.
     Between(StatedInteraction),
@@ -323,7 +321,7 @@ impl NamedReaction {
 }
 
 impl Model {
-    /// Replaces the names of reactions in conditions of the domain, after all reactions are known.
+    /// Replaces the symbols that stand for reactions in conditions of the domain, once all reactions are known.
     /// Returns a diagnostic for each reaction that cannot be determined.
     pub(in crate::model) fn name_reactions(&mut self, asked: Vec<NamedReaction>) -> Vec<Diagnostic> {
         let (mut pairs, mut errors) = (Vec::new(), Vec::new());
@@ -362,8 +360,7 @@ impl Model {
         errors
     }
 
-    /// Symbol of a reaction by the name under which it was found; an error if no reaction has this
-    /// name.
+    /// Symbol of the reaction with the given name. Returns an error if no reaction has this name.
     fn named_reaction(&self, name: &Located) -> Result<Expr, Diagnostic> {
         self.reactions.iter().find(|r| r.name == name.text).map(|r| r.symbol).ok_or_else(|| {
             let names = self.reactions.iter().map(|r| r.name.as_str());
@@ -383,8 +380,8 @@ pub fn redundant_reaction_message(name: &str) -> (String, &'static str) {
     )
 }
 
-/// Unit of a reaction that may be found under a name such as `BODY_force_…` or `BODY_torque_…`, for
-/// one of the `bodies`. `None` for other names.
+/// Unit of the reaction that a name such as `BODY_force_…` or `BODY_torque_…` may denote, for one of the `bodies`.
+/// `None` for other names.
 pub fn named_reaction_unit<'n>(name: &str, mut bodies: impl Iterator<Item = &'n str>) -> Option<Unit> {
     let is_of = |body: &str| {
         let kinds = [("force", Unit::new(1, 1, -2)), ("torque", Unit::new(2, 1, -2))];

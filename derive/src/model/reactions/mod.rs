@@ -1,5 +1,5 @@
-//! Reactions: forces and torques that bodies exert on each other through connections, stated in the
-//! model file or found.
+//! Reactions: forces and torques that bodies exert on each other through connections. They are stated in the model
+//! file or found automatically.
 
 pub(super) mod actions;
 pub(super) mod closures;

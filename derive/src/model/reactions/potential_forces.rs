@@ -1,16 +1,13 @@
-//! Efforts of potentials: forces and torques between bodies that do the work of potentials, for the
-//! Newton–Euler equations.
+//! Forces and torques between bodies that do the work of potentials, for the Newton–Euler equations.
 //!
-//! A potential in coordinates states its work, but not the bodies on which it acts, which the
-//! Newton–Euler equations need. It is exerted as motors and springs in joints would exert it: along
-//! and about axes of frames, between each body and its support ([`super::relative_motion`]). The
-//! relative velocities along these axes, r = R q̇, determine q̇. Axes whose velocities depend on
-//! the fewest coordinates come first.
+//! A potential in coordinates states its work, but not the bodies on which it acts, which the Newton–Euler equations
+//! need. It is exerted as motors and springs in joints would exert it. They act along and about axes of frames,
+//! between each body and its support ([`super::relative_motion`]). The relative velocities along these axes, r = R
+//! q̇, determine q̇. Axes whose velocities depend on the fewest coordinates come first.
 //!
-//! The forces and torques w do the work of the potential in every motion: Rᵀ w = −∂V/∂q. If the
-//! motions of the bodies do not determine q̇, as with Euler parameters, they determine u, and the
-//! work is equal in every permitted motion. Accelerations do not depend on the choice of axes;
-//! reactions do.
+//! The forces and torques w do the work of the potential in every motion: Rᵀ w = −∂V/∂q. If the motions of the bodies
+//! do not determine q̇, as with Euler parameters, they determine the speeds u, and the work is equal in every
+//! permitted motion. Accelerations do not depend on the choice of axes; reactions do.
 
 use super::random_pose::{RandomModel, VectorResidues};
 use super::relative_motion::{BodyPair, Holder, RelativeMotion};
@@ -26,18 +23,17 @@ use crate::model::{ForcePlace, Model, PotentialForce, ReactionKind};
 /// Largest number of bodies for which forces and torques of potentials are searched.
 const MOST_BODIES: usize = 24;
 
-/// Axis along or about which a force or torque of a potential acts: (kind, frame, axis 0, 1 or 2).
+/// Axis along or about which a force or torque of a potential acts, as (kind, frame, axis 0, 1 or 2).
 type Axis = (ReactionKind, usize, usize);
 
 impl Model {
-    /// Finds the loads that the model file leaves open: potentials as forces and torques, then
-    /// reactions.
+    /// Finds the loads that the model file does not state: forces and torques of potentials, then reactions.
     pub(in crate::model) fn add_potential_forces_and_reactions(&mut self) {
         self.find_potential_forces();
         self.add_found_reactions();
     }
 
-    /// Finds forces and torques that do the work of the potentials. Sets none if none do.
+    /// Finds forces and torques that do the work of the potentials. Sets none if the search finds none.
     fn find_potential_forces(&mut self) {
         if self.potentials.is_empty() || self.bodies.len() > MOST_BODIES {
             return;
@@ -45,7 +41,7 @@ impl Model {
         let mut arena = self.arena.clone();
         let Some(drawn) = RandomModel::new(self, &mut arena) else { return };
         let relative = RelativeMotion { model: self, drawn, ways_if_open: None };
-        // V no longer contains coordinates that closing joints determine.
+        // The potential V no longer contains coordinates that closing joints determine.
         let own: Vec<usize> = relative.own_motions().filter(|at| *at < self.coordinates.len()).collect();
         let along_rates =
             relative.potential_force_axes(own.len(), |velocity| own.iter().map(|at| velocity(*at)).collect());
@@ -68,8 +64,8 @@ impl Model {
         }
     }
 
-    /// Solves Rᵀ w = −∂V/∂q for the forces and torques w along these axes. `put` replaces q̇ by terms
-    /// in u if the `variables` are speeds. `None` if there is no solution.
+    /// Solves Rᵀ w = −∂V/∂q for the forces and torques w along the given axes. `put` replaces q̇ by terms in u if the
+    /// `variables` are speeds. `None` if there is no solution.
     fn efforts_along(
         &self,
         axes: &[Axis],
@@ -113,8 +109,8 @@ impl Model {
         Some((arena, efforts))
     }
 
-    /// Power −∂V/∂q · q̇ of all potentials, W, as a term. A potential exerts no force on the time
-    /// coordinate.
+    /// Power −∂V/∂q · q̇ of all potentials, W, as a term. The time coordinate is left out, since a potential exerts
+    /// no force on it.
     fn potential_power(&self, arena: &mut Arena) -> Expr {
         let energies: Vec<Expr> = self.potentials.iter().map(|potential| potential.energy).collect();
         let energy = arena.sum(&energies);
@@ -125,8 +121,8 @@ impl Model {
         arena.neg(growth)
     }
 
-    /// Velocity at which a reaction does work: of the body on which it acts, relative to the body on
-    /// which its opposite acts. It is an angular velocity for a torque.
+    /// Velocity at which a reaction does work: velocity of the body on which the reaction acts, relative to the body
+    /// on which its opposite acts. For a torque it is the relative angular velocity.
     pub(in crate::model) fn relative_velocity(
         &self,
         arena: &mut Arena,
@@ -155,9 +151,9 @@ impl Model {
 }
 
 impl RelativeMotion<'_> {
-    /// Finds `count` axes along which relative velocities are independent, preferring those that depend
-    /// on the fewest variables. `listed` maps velocities per q̇ to velocities per variable. `None` if
-    /// there are not enough axes.
+    /// Finds `count` axes along which the relative velocities of bodies are independent. Axes whose velocities depend
+    /// on the fewest variables are preferred. `listed` converts velocities per q̇ into velocities per variable.
+    /// `None` if there are not enough axes.
     fn potential_force_axes(
         &self,
         count: usize,

@@ -1,8 +1,8 @@
-//! Random pose and motion of a mechanism, in residues modulo a prime. A term whose residue is zero
-//! is identically zero, except with a probability below 2⁻⁵⁰.
+//! Random pose and motion of a mechanism, in residues modulo a prime. A term whose residue is zero is identically
+//! zero, except with a probability below 2⁻⁵⁰.
 //!
-//! Frames and points are visited once, parents first. Each frame costs few multiplications, whereas
-//! a symbolic derivation would expand the products of all rotations.
+//! Frames and points are visited once, parents first. Each frame costs few multiplications. A symbolic derivation, in
+//! contrast, would expand the products of all rotations.
 
 use crate::algebra::term::calculus::{Differential, Gradient, Substitution};
 use crate::algebra::text::parse::VelocityOf;
@@ -13,8 +13,7 @@ use crate::geometry::Turn;
 use crate::model::{AddedVelocity, Model, Placement};
 use std::collections::BTreeMap;
 
-/// Vector as three residues modulo a prime, with components along inertial axes unless stated
-/// otherwise.
+/// Vector as three residues modulo a prime. Components are along inertial axes unless stated otherwise.
 pub type VectorResidues = [u64; 3];
 
 /// Arithmetic of vectors whose components are residues modulo a prime.
@@ -46,17 +45,17 @@ impl ResidueVectors {
         })
     }
 
-    /// Vector Σ components_i axes_i with these components along these axes.
+    /// Vector Σ components_i axes_i with the given components along the given axes.
     pub fn along(self, axes: &[VectorResidues; 3], components: VectorResidues) -> VectorResidues {
         (0..3).fold([0; 3], |sum, i| self.add(sum, self.scale(components[i], axes[i])))
     }
 }
 
-/// Residues of a list of terms, which are read in the order of the terms.
+/// Reader of the residues of a list of terms, in the order of the terms.
 pub struct PoseResidues(std::vec::IntoIter<u64>);
 
 impl PoseResidues {
-    /// Creates the reader of a list of residues.
+    /// Creates the reader of a list of residues, one for each term.
     pub fn new(list: Vec<u64>) -> Self {
         Self(list.into_iter())
     }
@@ -72,13 +71,13 @@ impl PoseResidues {
     }
 }
 
-/// A frame in a random pose and motion, in residues along inertial axes.
+/// Frame in a random pose and motion. All vectors are residues with components along inertial axes.
 #[derive(Clone)]
 pub struct RandomFrame {
-    /// Unit vectors of the three axes of the frame.
+    /// Unit vectors of the frame's three axes, with components along inertial axes.
     pub axes: [VectorResidues; 3],
-    /// Angular velocity per unit rate of each coordinate, then of each motion of an opened joint
-    /// (`Model::openings`).
+    /// Angular velocity of the frame per unit rate of each coordinate, then per unit rate of each motion of an opened
+    /// joint (`Model::openings`).
     pub along: Vec<VectorResidues>,
     /// Angular velocity ω of the frame in the random motion.
     pub velocity: VectorResidues,
@@ -86,31 +85,31 @@ pub struct RandomFrame {
     pub acceleration: VectorResidues,
 }
 
-/// A point in a random pose and motion, in residues along inertial axes.
+/// Point in a random pose and motion. All vectors are residues with components along inertial axes.
 #[derive(Clone)]
 pub struct RandomPoint {
-    /// Position relative to the origin.
+    /// Position of the point relative to the origin.
     pub place: VectorResidues,
-    /// Velocity per unit rate of each coordinate, then of each motion of an opened joint
+    /// Velocity of the point per unit rate of each coordinate, then per unit rate of each motion of an opened joint
     /// (`Model::openings`).
     pub along: Vec<VectorResidues>,
-    /// Velocity in the random motion.
+    /// Velocity of the point in the random motion.
     pub velocity: VectorResidues,
-    /// Acceleration in the random motion.
+    /// Acceleration of the point in the random motion.
     pub acceleration: VectorResidues,
 }
 
-/// A model in a random pose and motion, in residues modulo a prime.
+/// Model in a random pose and motion, in residues modulo a prime.
 pub struct RandomModel {
     /// Vector arithmetic modulo the prime.
     pub space: ResidueVectors,
-    /// Frames by index.
+    /// Frames in the random pose, in the order of the model.
     pub frames: Vec<RandomFrame>,
-    /// Points by index.
+    /// Points in the random pose, in the order of the model.
     pub points: Vec<RandomPoint>,
-    /// Partial derivatives ∂q̇/∂u: a row for each coordinate, a column for each speed.
+    /// Partial derivatives ∂q̇/∂u in the random pose: a row for each coordinate, a column for each speed.
     pub partial_rates: Vec<Vec<u64>>,
-    /// Random values of the symbols.
+    /// Random values of the model's symbols.
     drawn: PointWithResidues,
 }
 
@@ -119,34 +118,34 @@ pub struct RandomModel {
 struct PoseQuantityTerms {
     /// Value of the quantity.
     value: Expr,
-    /// Partial derivatives, as (index of the coordinate or opening, derivative).
+    /// Partial derivatives of the quantity, as (index of the coordinate or of the opened joint's motion, derivative).
     slopes: Vec<(usize, Expr)>,
-    /// First time derivative.
+    /// First time derivative of the quantity.
     rate: Expr,
-    /// Second time derivative.
+    /// Second time derivative of the quantity.
     second: Expr,
 }
 
-/// Residues of the terms of a `DifferentiatedTerm` quantity.
+/// Residues of the terms of a quantity (`PoseQuantityTerms`).
 #[derive(Clone, Default)]
 struct DerivativeResidues {
     /// Residue of the quantity's value.
     value: u64,
-    /// Residues of the partial derivatives, as (index of the coordinate or opening, residue).
+    /// Residues of the partial derivatives, as (index of the coordinate or of the opened joint's motion, residue).
     slopes: Vec<(usize, u64)>,
-    /// Residue of the first time derivative.
+    /// Residue of the quantity's first time derivative.
     rate: u64,
-    /// Residue of the second time derivative.
+    /// Residue of the quantity's second time derivative.
     second: u64,
 }
 
 impl PoseQuantityTerms {
-    /// All terms of the quantity, in the order in which `read` takes their residues.
+    /// All terms of the quantity, in the order in which [`Self::read`] takes their residues.
     fn terms(&self) -> impl Iterator<Item = Expr> {
         [self.value, self.rate, self.second].into_iter().chain(self.slopes.iter().map(|(_, slope)| *slope))
     }
 
-    /// Reads the residues of the quantity's value, derivatives and rates.
+    /// Reads the residues of the quantity's value, of its partial derivatives and of its first two time derivatives.
     fn read(&self, residues: &mut PoseResidues) -> DerivativeResidues {
         let [value, rate, second] = residues.triple();
         DerivativeResidues {
@@ -158,13 +157,12 @@ impl PoseQuantityTerms {
     }
 }
 
-/// Velocity that a motion adds to the frame or point `at`; `None` if it adds none.
+/// Velocity that a motion adds to the frame or point with the index `at`; `None` if it adds none.
 fn added_velocity_in_pose(list: &[AddedVelocity], at: usize) -> Option<[Expr; 3]> {
     list.iter().find(|(moved, _)| *moved == at).map(|(_, velocity)| *velocity)
 }
 
-/// Differentiates quantities with respect to the coordinates, and in time along the motion of a
-/// model.
+/// Operator that differentiates quantities with respect to the coordinates, and in time along the motion of a model.
 struct PoseDifferentiator {
     /// Partial derivatives with respect to the coordinates.
     slopes: Gradient,
@@ -173,8 +171,8 @@ struct PoseDifferentiator {
 }
 
 impl PoseDifferentiator {
-    /// Adds derivatives along openings, motions of opened joints, to each component, at indices from
-    /// `first` on. `openings` has the velocity that each motion adds.
+    /// Adds derivatives along the motions of opened joints (openings) to each component, at indices from `first` on.
+    /// `openings` holds the velocity that each motion adds, or `None`.
     fn open(components: &mut [(usize, PoseQuantityTerms)], first: usize, openings: &[Option<[Expr; 3]>]) {
         for (axis, followed) in components {
             let along =
@@ -183,7 +181,7 @@ impl PoseDifferentiator {
         }
     }
 
-    /// Creates the differentiation along the motion q̇ = W u + w of a model.
+    /// Creates the operator for the motion q̇ = W u + w of a model.
     fn new(model: &Model) -> Self {
         let rates = model.kinematic_equations.rates.iter();
         let flow = model.coordinates.iter().zip(rates).map(|(c, rate)| (c.symbol, *rate));
@@ -191,14 +189,14 @@ impl PoseDifferentiator {
         Self { slopes: Gradient::new(&model.q()), d_dt: Differential::along(&flow) }
     }
 
-    /// Partial derivatives and the first two time derivatives of a term.
+    /// Differentiates a term: returns its partial derivatives and its first two time derivatives.
     fn follow(&mut self, arena: &mut Arena, value: Expr) -> PoseQuantityTerms {
         let rate = self.d_dt.apply(arena, value);
         let second = self.d_dt.apply(arena, rate);
         PoseQuantityTerms { value, slopes: self.slopes.apply(arena, value).iter().copied().collect(), rate, second }
     }
 
-    /// Angular velocity that a rotation adds, as (axis 0, 1 or 2, component along it).
+    /// Angular velocity that a rotation adds, as (axis 0, 1 or 2, component along this axis).
     fn spins(&mut self, arena: &mut Arena, turn: &Turn) -> Vec<(usize, PoseQuantityTerms)> {
         let oriented = match turn {
             Turn::About(axis, angle) => return vec![(*axis, self.follow(arena, *angle))],
@@ -226,12 +224,11 @@ impl PoseDifferentiator {
     }
 }
 
-/// Terms of a rotated frame: its direction cosines (cosine and sine for a rotation about one axis),
-/// and the angular velocity that its rotation adds.
+/// Terms of a rotated frame: its direction cosines, and the angular velocity that its rotation adds.
 struct RotatedFrameTerms {
-    /// Direction cosines; cosine and sine of the angle for a rotation about one axis.
+    /// Direction cosines of the frame. For a rotation about one axis, only the cosine and the sine of the angle.
     cosines: Vec<Expr>,
-    /// Angular velocity that the rotation adds, as (axis 0, 1 or 2, component).
+    /// Angular velocity that the rotation adds, as (axis 0, 1 or 2, component along this axis).
     spins: Vec<(usize, PoseQuantityTerms)>,
 }
 
@@ -321,8 +318,8 @@ impl RandomModel {
         Some(Self { space, frames, points, partial_rates, drawn })
     }
 
-    /// Residues of further terms in the same pose, with residues for the velocities that occur in the
-    /// terms. `None` if a term has no value.
+    /// Residues of further terms in the same pose, in which named velocities have their residues of the random
+    /// motion. `None` if a term has no value.
     pub fn values(&self, model: &Model, arena: &mut Arena, terms: &[Expr]) -> Option<PoseResidues> {
         let symbols = model.q_dot().into_iter().zip(model.kinematic_equations.rates.iter().copied());
         let mut known: Vec<(Expr, Expr)> = symbols.collect();
@@ -342,8 +339,8 @@ impl RandomModel {
         self.drawn.values(arena, &terms).map(PoseResidues::new)
     }
 
-    /// Velocity of the material of a body at a point: per unit rate of the motion `along`, or the total
-    /// velocity for `None`.
+    /// Velocity of the material of a body at a point. It is per unit rate of the motion `along`, or in the random
+    /// motion if `along` is `None`.
     pub fn material(&self, model: &Model, body: usize, point: usize, along: Option<usize>) -> VectorResidues {
         let body = &model.bodies[body];
         let centre = &self.points[body.centre];
@@ -356,14 +353,14 @@ impl RandomModel {
 }
 
 impl RandomFrame {
-    /// Inertial frame, with n motions along which it does not move.
+    /// Creates the inertial frame. It does not move along any of the n motions.
     fn fixed_frame(n: usize) -> Self {
         let axes = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
         Self { axes, along: vec![[0; 3]; n], velocity: [0; 3], acceleration: [0; 3] }
     }
 
-    /// Axes of a frame that is rotated from this frame about one of its axes, from the cosine and sine
-    /// of the angle.
+    /// Axes of a frame that is rotated from this frame about one of its axes. `[cos, sin]` are the cosine and sine of
+    /// the angle.
     fn about(&self, space: ResidueVectors, axis: usize, [cos, sin]: [u64; 2]) -> [VectorResidues; 3] {
         let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
         let mut axes = self.axes;
@@ -372,8 +369,8 @@ impl RandomFrame {
         axes
     }
 
-    /// Frame that is rotated from this frame to these axes, from the components of the angular velocity
-    /// that the rotation adds.
+    /// Frame that is rotated from this frame so that it has the given axes. `spins` are the components of the angular
+    /// velocity that the rotation adds.
     fn rotated_frame(
         &self,
         space: ResidueVectors,
@@ -397,12 +394,12 @@ impl RandomFrame {
 }
 
 impl RandomPoint {
-    /// Origin, with n motions along which it does not move.
+    /// Creates the origin. It does not move along any of the n motions.
     fn origin_in_pose(n: usize) -> Self {
         Self { place: [0; 3], along: vec![[0; 3]; n], velocity: [0; 3], acceleration: [0; 3] }
     }
 
-    /// Point placed from this point in a frame, from the components of its position.
+    /// Point that is placed from this point, with the components `place` of its position vector in `frame`.
     fn placed_point(&self, space: ResidueVectors, frame: &RandomFrame, place: &[DerivativeResidues; 3]) -> Self {
         let of =
             |part: fn(&DerivativeResidues) -> u64| space.along(&frame.axes, [0, 1, 2].map(|i: usize| part(&place[i])));

@@ -1,5 +1,4 @@
-//! Relative motion of bodies, to one another and to the ground, in one random pose
-//! ([`super::random_pose`]).
+//! Motion of bodies relative to one another and to the ground, in one random pose ([`super::random_pose`]).
 
 use super::random_pose::{RandomModel, VectorResidues};
 use crate::algebra::term::calculus::Gradient;
@@ -10,8 +9,8 @@ use crate::model::{Model, MotionConstraint, MotionConstraintKind, ReactionKind};
 /// Index of the body on which another body rests; `None` is the ground.
 pub type Holder = Option<usize>;
 
-/// A body with the body or ground to which it is related, for example by resting on it or by a
-/// reaction.
+/// Pair of a body and another body or the ground, for example its support, or the body on which a reaction's opposite
+/// acts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct BodyPair {
     /// Index of the first body.
@@ -40,20 +39,20 @@ pub fn reaction_pair(kind: ReactionKind) -> BodyPair {
     }
 }
 
-/// A model in a random pose, with the relative motion of its bodies in that pose.
+/// Model in a random pose, with the relative motion of its bodies in that pose.
 pub struct RelativeMotion<'m> {
-    /// Model whose bodies move.
+    /// Model whose bodies move relative to one another.
     pub model: &'m Model,
     /// Model in the random pose, as residues.
     pub drawn: RandomModel,
-    /// Motions that replace those along the generalized speeds, or `None`. Each has a rate for every
-    /// coordinate, then for each motion of an opened joint (`Model::openings`).
+    /// Basis of motions that replaces the motions along the generalized speeds; `None` keeps those. Each motion has a
+    /// rate for every coordinate, then for each motion of an opened joint (`Model::openings`).
     pub ways_if_open: Option<Vec<Vec<u64>>>,
 }
 
 impl Model {
-    /// Indices of the coordinates that are neither time nor prescribed, so that their rates are free if
-    /// all loops are open.
+    /// Indices of the coordinates whose rates are free if all loops are open: those that are neither time nor
+    /// prescribed.
     pub(crate) fn undriven_coordinates(&self) -> Vec<usize> {
         let drives = |constraint: &&MotionConstraint| match constraint.kind {
             MotionConstraintKind::Loop(at) => self.loops[at].prescribes,
@@ -67,13 +66,13 @@ impl Model {
 }
 
 impl RelativeMotion<'_> {
-    /// Velocity of the material of a body, or of the ground, at a point, per unit rate of the motion
+    /// Velocity of the material of a body, or of the ground, at a point, per unit rate of the motion with the index
     /// `along`.
     pub fn material_velocity(&self, body: Holder, point: usize, along: usize) -> VectorResidues {
         body.map_or([0; 3], |body| self.drawn.material(self.model, body, point, Some(along)))
     }
 
-    /// Angular velocity of a rigid body, or of the ground, per unit rate of the motion `along`. It is
+    /// Angular velocity of a rigid body, or of the ground, per unit rate of the motion with the index `along`. It is
     /// zero for a particle.
     pub fn angular_velocity(&self, body: Holder, along: usize) -> VectorResidues {
         let frame = body.and_then(|body| Some(self.model.bodies[body].rigid.as_ref()?.0));
@@ -85,20 +84,20 @@ impl RelativeMotion<'_> {
         body.is_none_or(|body| self.model.bodies[body].rigid.is_some())
     }
 
-    /// Number of motions if all closing joints are open: one along each coordinate, then one for each
-    /// opened joint (`Model::openings`).
+    /// Number of motions of the mechanism if all closing joints are open. There is one along each coordinate, then
+    /// one for each opened joint (`Model::openings`).
     fn motions(&self) -> usize {
         self.model.coordinates.len() + self.model.openings.len()
     }
 
-    /// Indices of the motions without time, if all closing joints are open.
+    /// Indices of the motions of the mechanism if all closing joints are open, without that along time.
     pub fn own_motions(&self) -> impl Iterator<Item = usize> + use<'_> {
         let time = self.model.time();
         (0..self.motions()).filter(move |at| Some(*at) != time)
     }
 
-    /// Rank of vectors `of` a motion over all motions and time. Time counts, since a body that hangs on
-    /// a driven crank does not hang on the ground.
+    /// Rank of the vectors `of(motion)` over all motions, the one along time included. Time counts, since a body that
+    /// hangs on a driven crank does not hang on the ground.
     pub fn rank_of_motions(&self, of: impl Fn(usize) -> Vec<VectorResidues>) -> usize {
         let mut basis = Basis::new(self.drawn.space.0);
         for along in 0..self.motions() {
@@ -110,9 +109,9 @@ impl RelativeMotion<'_> {
     /// Number of degrees of freedom of a body relative to another, or to the ground.
     pub fn freedom(&self, body: usize, against: Holder) -> usize {
         let space = self.drawn.space;
-        // A particle does not rotate relative to anything.
+        // A particle has no rotation relative to another body.
         let turns = self.is_rigid(Some(body));
-        // The material of a particle is at its own point only.
+        // The material of a particle is only at the particle's own point.
         let particle = against.filter(|_| !self.is_rigid(against));
         let point = self.model.bodies[particle.unwrap_or(body)].centre;
         self.rank_of_motions(|along| {
@@ -123,8 +122,8 @@ impl RelativeMotion<'_> {
         })
     }
 
-    /// Index of the point at which the material of two bodies moves least relative to one another. The
-    /// mass centre of `body` is preferred.
+    /// Index of the point at which the material of two bodies moves least relative to one another. Among equal
+    /// points, the mass centre of `body` is preferred.
     pub fn least_moving_point(&self, body: usize, holder: Holder) -> usize {
         let centre = self.model.bodies[body].centre;
         let own: Vec<usize> = [Some(body), holder]
@@ -149,8 +148,8 @@ impl RelativeMotion<'_> {
         points.into_iter().min_by_key(|point| slip(*point)).unwrap_or(centre)
     }
 
-    /// Frames along whose axes reactions are searched: that of the supporting body, that of the body,
-    /// then all others.
+    /// Frames along whose axes reactions are searched: the frame of the supporting body, then that of the body, then
+    /// all other frames.
     pub fn frames(&self, body: usize, holder: Holder) -> Vec<usize> {
         let of = |body: usize| self.model.bodies[body].rigid.as_ref().map(|(frame, _)| *frame);
         let mut list = vec![holder.and_then(of).unwrap_or(0)];
@@ -163,8 +162,8 @@ impl RelativeMotion<'_> {
         list
     }
 
-    /// Basis of the motions of the mechanism if only the motion constraints that `holds` accepts held.
-    /// `None` if a term has no value.
+    /// Basis of the motions that the mechanism would have if no motion constraint held except those that `holds`
+    /// accepts. `None` if a term has no value.
     pub fn open_motions(&self, arena: &mut Arena, holds: &dyn Fn(&MotionConstraint) -> bool) -> Option<Vec<Vec<u64>>> {
         let model = self.model;
         let held: Vec<&MotionConstraint> = model.motion_constraints.iter().filter(|c| holds(c)).collect();
@@ -188,8 +187,8 @@ impl RelativeMotion<'_> {
         Some(basis.null_space(n))
     }
 
-    /// Converts velocities `along` each q̇ to velocities for each speed, or for each motion of
-    /// [`Self::ways_if_open`].
+    /// Converts velocities `along` each rate q̇ into velocities for each generalized speed. If [`Self::ways_if_open`]
+    /// is set, into velocities for each motion of that basis.
     pub fn permitted_velocities(&self, along: impl Fn(usize) -> VectorResidues) -> Vec<VectorResidues> {
         let space = self.drawn.space;
         if let Some(ways) = &self.ways_if_open {
@@ -209,8 +208,8 @@ impl RelativeMotion<'_> {
         list
     }
 
-    /// Velocities of a body's material at `point` relative to the supporting body's material at
-    /// `opposite`, one for each speed.
+    /// Velocities of a body's material at `point` relative to the supporting body's material at `opposite`, one for
+    /// each speed or motion of [`Self::permitted_velocities`].
     pub fn slip_velocities(&self, body: usize, holder: Holder, point: usize, opposite: usize) -> Vec<VectorResidues> {
         let space = self.drawn.space;
         self.permitted_velocities(|along| {
@@ -218,8 +217,7 @@ impl RelativeMotion<'_> {
         })
     }
 
-    /// Pairs of each body with the ground, then of each body with each later body, between which
-    /// reactions are searched.
+    /// Pairs between which reactions are searched: each body with the ground, then each body with each later body.
     pub fn pairs(&self) -> Vec<BodyPair> {
         let count = self.model.bodies.len();
         let on_ground = (0..count).map(|body| BodyPair { body, against: None });
@@ -227,7 +225,7 @@ impl RelativeMotion<'_> {
         on_ground.chain(on_bodies).collect()
     }
 
-    /// True if a body has the same material at a point at all times.
+    /// True if the same material of a body is at a point at all times.
     pub fn has_material_point(&self, body: usize, point: usize) -> bool {
         if !self.is_rigid(Some(body)) {
             return self.model.bodies[body].centre == point;
@@ -237,12 +235,13 @@ impl RelativeMotion<'_> {
         !self.own_motions().any(moves)
     }
 
-    /// True if a point is fixed to the ground, that is, if no motion except time moves it.
+    /// True if a point is fixed to the ground: no motion moves it, except perhaps that along time.
     pub fn is_ground_point(&self, point: usize) -> bool {
         self.own_motions().all(|along| self.drawn.points[point].along[along] == [0; 3])
     }
 
-    /// Angular velocities of a body relative to the supporting body, one for each speed.
+    /// Angular velocities of a body relative to the supporting body, one for each speed or motion of
+    /// [`Self::permitted_velocities`].
     pub fn relative_angular_velocities(&self, body: usize, holder: Holder) -> Vec<VectorResidues> {
         let space = self.drawn.space;
         self.permitted_velocities(|along| {

@@ -1,15 +1,14 @@
-//! Self-stress: reactions that equilibrium does not determine. They occur in a loop that joints or
-//! rolling contacts hold more often than necessary. They also occur where equations keep two points
-//! together and do not state which further directions are held.
+//! Self-stress: reactions that equilibrium does not determine. They occur in a loop that joints or rolling contacts
+//! hold more often than necessary. They also occur where equations keep two points together and do not state which
+//! further directions are held.
 //!
-//! For each redundant equation of a joint or contact, there are forces and torques in equilibrium
-//! with one another. They do no work along any q', and may have any size. They satisfy A λ = 0,
-//! where A has a column for the work of each of them along q'. They are computed in one closed
-//! pose, in doubles, at the default values. Forces and torques of loops go down the tree of bodies
-//! to the ground.
+//! For each redundant equation of a joint or contact, there are forces and torques in equilibrium with one another.
+//! They do no work along any rate q̇, and may have any size. They satisfy A λ = 0, where A has a column for each of
+//! them: its work along the rates q̇. They are computed in one closed pose, in doubles, at the default values. Forces
+//! and torques of loops go down the tree of bodies to the ground.
 //!
-//! Source: S. Pellegrino & C. R. Calladine, Matrix analysis of statically and kinematically
-//! indeterminate frameworks, *International Journal of Solids and Structures* 22 (1986) 409–428.
+//! Source: S. Pellegrino & C. R. Calladine, Matrix analysis of statically and kinematically indeterminate frameworks,
+//! *International Journal of Solids and Structures* 22 (1986) 409–428.
 
 use super::interactions::Interaction;
 use super::random_pose::RandomModel;
@@ -21,13 +20,13 @@ use crate::model::impossible_bodies::{default_parameter_values, values_of_terms_
 use crate::model::{ForcePlace, JointReaction, Model, Reaction, ReactionKind, SlipComponent};
 use nalgebra::{DMatrix, DVector, Vector3};
 
-/// Norm up to which a column depends on other columns after these are projected out, relative to
-/// the column's norm.
+/// Norm up to which a column counts as dependent on other columns. It is the norm that the column keeps after these
+/// are projected out, relative to its own norm.
 const DEPENDENT: f64 = 1e-6;
 /// Fraction of the largest component below which another component counts as zero.
 const NOTHING: f64 = 1e-7;
 
-/// Largest number of poses that are tried until all required values exist.
+/// Largest number of poses that are tried until one is found in which all required values exist.
 const MOST_POSES: usize = 20;
 
 /// Wrench: sum of forces and torques on a body, with components in the inertial frame.
@@ -50,8 +49,8 @@ struct StressPose {
     axes: Vec<[Vector3<f64>; 3]>,
     /// Positions of the points in the inertial frame, m.
     points: Vec<Vector3<f64>>,
-    /// Reactions as (direction in the inertial frame, work along each q'): those of the model first,
-    /// then redundant ones.
+    /// Reactions as (direction in the inertial frame, work along each rate q̇). The reactions of the model come
+    /// first, then redundant ones.
     acting: Vec<(Vector3<f64>, DVector<f64>)>,
 }
 
@@ -61,11 +60,11 @@ struct SelfStress {
     between: Vec<(BodyPair, Wrench)>,
     /// Largest force, N, and largest moment, N m, of the self-stress.
     size: (f64, f64),
-    /// Largest distance of a point from the origin, m; 1 if it is zero.
+    /// Largest distance of a point from the origin, m; 1 m if all points are at the origin.
     reach: f64,
 }
 
-/// Connection that holds a redundant direction.
+/// Kind of the connection that holds a redundant direction.
 enum RedundantConnection {
     /// Joint of the model file, by name.
     Joint(String),
@@ -75,19 +74,19 @@ enum RedundantConnection {
     Connection,
 }
 
-/// Redundant reaction, along a direction that another connection holds as well.
+/// Redundant reaction: its direction is held by another connection as well.
 struct RedundantReaction {
-    /// Name of the equation of the joint or contact, or of the stated reaction.
+    /// Name of the joint's or contact's equation, or of the stated reaction.
     name: String,
-    /// Connection that holds the direction.
+    /// Connection that holds the redundant direction.
     by: RedundantConnection,
-    /// Reaction of size 1 along the direction.
+    /// Reaction of size 1 along the redundant direction.
     reaction: Reaction,
 }
 
 impl Model {
-    /// Message and advice if equilibrium does not determine the wanted component; `None` if it does.
-    /// `text` names the component.
+    /// Message and advice for a wanted component of a force or torque that equilibrium does not determine; `None` if
+    /// it is determined. `text` names the component in the message.
     pub(in crate::model) fn undetermined_component_message(
         &self,
         sought: &Interaction,
@@ -131,8 +130,8 @@ impl Model {
         twice.or_else(|| self.closure_self_stress_message(&relative?, &resting, sought, text))
     }
 
-    /// Message and advice if equations that keep two points together leave the wanted component
-    /// undetermined; otherwise `None`.
+    /// Message and advice for a wanted component that is undetermined because equations keep two points together;
+    /// otherwise `None`. `text` names the component in the message.
     fn closure_self_stress_message(
         &self,
         relative: &RelativeMotion<'_>,
@@ -168,10 +167,9 @@ impl Model {
         })
     }
 
-    /// Redundant reactions of size 1: those of joints, forces at rolling contacts, and stated
-    /// reactions. Examples are the ground that presses on one of two wheels, and a gear that presses on
-    /// another along the line of their pinned centres. A direction that a body's own support holds
-    /// twice counts once.
+    /// Redundant reactions of size 1: those of joints, forces at rolling contacts, and stated reactions. Examples are
+    /// the ground that presses on one of two wheels, and a gear that presses on another gear along the line of their
+    /// pinned centres. A direction that a body's own support holds twice counts once.
     fn redundant_reactions(&self, resting: &[BodyPair]) -> Vec<RedundantReaction> {
         let contacts = self.repeated.iter().filter_map(|r| Some((r.name.clone(), r.rolled?)));
         let contacts =
@@ -207,8 +205,8 @@ impl Model {
         joints.chain(contacts).chain(named).collect()
     }
 
-    /// Message and advice for the wanted component, to which each unit of a redundant reaction adds
-    /// `share`.
+    /// Message and advice for a wanted component that a redundant reaction leaves undetermined. Each unit of the
+    /// redundant reaction `held` adds `share` to the component, which `text` names.
     fn self_stress_message(
         &self,
         text: &str,
@@ -252,8 +250,8 @@ impl Model {
         (message, format!("{free}, or ask for a component that is determined"))
     }
 
-    /// Pose in which independence of constraints was decided, with the reactions that act in it. `None`
-    /// if no closed pose is known.
+    /// Pose of the assembly branch in which independence of constraints was decided, with the reactions that act in
+    /// it. `None` if no closed pose is known.
     fn closed_stress_pose(&self, repeated: &[Reaction]) -> Option<StressPose> {
         match &self.branch {
             Some(branch) => self.stress_pose(repeated, branch.pose.clone(), 0),
@@ -327,7 +325,7 @@ impl Model {
         Some(StressPose { axes, points, acting })
     }
 
-    /// Partial derivatives of a power with respect to each q̇; 0 for the rate of time.
+    /// Partial derivatives of a power with respect to each rate q̇, with 0 for the rate of time.
     fn slopes(&self, arena: &mut Arena, along: &mut Gradient, power: Expr) -> Vec<Expr> {
         let mut list = vec![Expr::ZERO; self.coordinates.len()];
         for (at, slope) in along.apply(arena, power).iter().filter(|(at, _)| Some(*at) != self.time()) {
@@ -336,8 +334,8 @@ impl Model {
         list
     }
 
-    /// Work of a reaction of size 1 along each q̇. Then follow the forces and moments that it transmits
-    /// to contacts without own reactions (`Contacts::idle`), which must be zero.
+    /// Work of a reaction of size 1 along each rate q̇. After it come the forces and moments that the reaction
+    /// transmits to contacts without own reactions (`Contacts::idle`), which must be zero.
     fn reaction_effect(&self, pose: &StressPose, at: usize, reaction: &Reaction, resting: &[BodyPair]) -> DVector<f64> {
         let (direction, work) = &pose.acting[at];
         let mut on_bodies = vec![Wrench::ZERO; self.bodies.len()];
@@ -401,13 +399,13 @@ impl Model {
 }
 
 impl SelfStress {
-    /// True if a wrench is zero within rounding, relative to the self-stress.
+    /// True if a wrench is zero within rounding, compared with the largest wrench of the self-stress.
     fn is_nothing(&self, wrench: &Wrench) -> bool {
         wrench.force.norm() <= NOTHING * (self.size.0 + self.size.1 / self.reach)
             && wrench.moment.norm() <= NOTHING * (self.size.0 * self.reach + self.size.1)
     }
 
-    /// Change of the wanted reaction per unit of self-stress; `None` if zero.
+    /// Change of the wanted force or torque component per unit of self-stress; `None` if zero.
     fn share(&self, pose: &StressPose, sought: &Interaction) -> Option<f64> {
         let (mut force, mut moment) = (Vector3::zeros(), Vector3::zeros());
         for (BodyPair { body, against }, wrench) in &self.between {
@@ -430,7 +428,7 @@ impl SelfStress {
     }
 }
 
-/// Adds the wrench of a reaction to one body and its opposite to the other.
+/// Adds the wrench of a reaction to the body on which it acts, and the opposite wrench to the other body.
 fn add_stress_on_bodies(on_bodies: &mut [Wrench], reaction: &Reaction, wrench: Wrench) {
     let BodyPair { body, against } = reaction_pair(reaction.kind);
     add_stress_wrench(&mut on_bodies[body], wrench, 1.0);
@@ -439,8 +437,8 @@ fn add_stress_on_bodies(on_bodies: &mut [Wrench], reaction: &Reaction, wrench: W
     }
 }
 
-/// Wrench that each body transmits to its support, outermost bodies first, given the wrenches that
-/// act on the bodies.
+/// Wrench that each body transmits to its support, as (body with its support, wrench). `on_bodies` are the wrenches
+/// that act on the bodies. `resting` lists the outermost bodies first.
 fn stress_on_supports(on_bodies: &mut [Wrench], resting: &[BodyPair]) -> Vec<(BodyPair, Wrench)> {
     let mut list = Vec::with_capacity(resting.len());
     for pair in resting {
@@ -453,7 +451,7 @@ fn stress_on_supports(on_bodies: &mut [Wrench], resting: &[BodyPair]) -> Vec<(Bo
     list
 }
 
-/// Adds the wrench between two bodies to the sum for their pair.
+/// Adds a wrench between two bodies to the sum for their pair in the list.
 fn add_stress_between(list: &mut Vec<(BodyPair, Wrench)>, pair: BodyPair, wrench: Wrench) {
     match list.iter_mut().find(|(known, _)| *known == pair || Some(*known) == pair.reversed()) {
         Some((known, sum)) => add_stress_wrench(sum, wrench, if *known == pair { 1.0 } else { -1.0 }),
@@ -467,7 +465,7 @@ fn add_stress_wrench(sum: &mut Wrench, wrench: Wrench, sign: f64) {
     sum.moment += wrench.moment * sign;
 }
 
-/// Wrench of a reaction with this vector: a force at its point, or a torque.
+/// Wrench of a reaction with the given vector: a force at the reaction's point, or a torque.
 fn stress_wrench(pose: &StressPose, reaction: &Reaction, vector: Vector3<f64>) -> Wrench {
     match reaction.kind {
         ReactionKind::Force { on, .. } => Wrench { force: vector, moment: pose.points[on.point].cross(&vector) },

@@ -1,23 +1,21 @@
 //! Supports: the body, or the ground, on which each body rests, as the model file states it.
 //!
-//! A joint states its support. Otherwise a body rests where it moves least. If it moves equally
-//! little against several, it rests first on a body that the file says it touches. Two bodies touch
-//! if one rolls on the other, a reaction or friction acts between them, or one constraint compares
-//! their motions. Next comes a body from whose points or in whose frames it is placed, then the
-//! ground.
+//! A joint states its support. Otherwise a body rests where it moves least. If it moves equally little against
+//! several bodies, it rests first on a body that the file says it touches. Next comes a body from whose points or in
+//! whose frames it is placed, then the ground. Two bodies touch if one rolls on the other, a reaction or friction
+//! acts between them, or one constraint compares their motions.
 //!
-//! A statement has a direction: a body that rolls, or on which (key `on`) a reaction or friction
-//! acts, rests on the body under the key `against`. An equation has no direction. Of two bodies
-//! that it compares, the body further from the ground rests on the other; the distance is counted
-//! in such equations. An equation that relates two bodies and compares none, such as a rope over a
-//! pulley, does not make them touch.
+//! A statement has a direction. A body that rolls, or on which (key `on`) a reaction or friction acts, rests on the
+//! body under the key `against`. An equation has no direction. Of two bodies that it compares, the body further from
+//! the ground rests on the other; the distance is counted in such equations. An equation that relates two bodies
+//! without comparing them, such as a rope over a pulley, does not make them touch.
 
 use super::relative_motion::{BodyPair, Holder, RelativeMotion, reaction_pair};
 use crate::algebra::text::parse::VelocityOf;
 use crate::model::{ComparedBodies, MotionConstraintKind, Placement, SlipComponent};
 use std::cmp::{Ordering, Reverse};
 
-/// Reason why a body may rest on another, from the strongest to the weakest.
+/// Reason for a body's support, from the strongest reason to the weakest.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum SupportReason {
     /// A joint of the model file places the body on the other.
@@ -32,7 +30,7 @@ pub enum SupportReason {
     Least,
 }
 
-/// A body with the body or ground on which it rests, and the reason.
+/// Body with its support, which is another body or the ground, and the reason for it.
 #[derive(Clone, Copy, Debug)]
 pub struct Support {
     /// Index of the supported body.
@@ -51,8 +49,8 @@ impl Support {
 }
 
 impl RelativeMotion<'_> {
-    /// Finds the support of each body, outermost bodies first: a body comes after all bodies that rest
-    /// on it.
+    /// Finds the support of each body. The outermost bodies come first: a body comes after all bodies that rest on
+    /// it.
     pub fn supports(&self) -> Vec<Support> {
         let count = self.model.bodies.len();
         let free = self.degrees_of_freedom();
@@ -66,7 +64,7 @@ impl RelativeMotion<'_> {
         found.sort_by_key(|support| Reverse((free[support.body], support.body)));
         let mut list = Vec::with_capacity(count);
         while !found.is_empty() {
-            // The next body on which no remaining body rests.
+            // The next body is one on which no remaining body rests.
             let is_free = |support: &Support| found.iter().all(|other| other.holder != Some(support.body));
             let next = found.iter().position(is_free).unwrap_or(0);
             list.push(found.remove(next));
@@ -79,8 +77,8 @@ impl RelativeMotion<'_> {
         self.supports().iter().map(Support::pair).collect()
     }
 
-    /// Finds the body, or the ground, on which a body rests. `free` are the degrees of freedom of all
-    /// bodies; `found` are the supports found so far.
+    /// Finds the support of a body. `free` are the degrees of freedom of all bodies, `touches` the pairs that touch,
+    /// and `found` the supports found so far.
     fn support(&self, body: usize, free: &[usize], touches: &[BodyPair], found: &[Support]) -> Support {
         if let Some(carried) = self.model.carried.iter().find(|carried| carried.body == body) {
             return Support { body, holder: carried.on, reason: SupportReason::Joint };
@@ -99,8 +97,8 @@ impl RelativeMotion<'_> {
         };
         let candidates = (0..free.len()).filter(|other| *other != body && !rests_on(found, *other, body));
         let supports = std::iter::once(None).chain(candidates.map(Some)).map(|holder| (holder, reason(holder)));
-        // A body with more freedom may rest on this body, not vice versa. A body with equal freedom
-        // supports it only if the file says so.
+        // A body with more freedom may rest on this body, not vice versa. A body with equal freedom is a support only
+        // if the file says so.
         let supports = supports.filter(|(holder, reason)| {
             holder.is_none_or(|other| {
                 let is_before = (free[other], other) < (free[body], body);
@@ -138,16 +136,16 @@ impl RelativeMotion<'_> {
         list
     }
 
-    /// Pairs of bodies that a constraint compares, the resting body first. `stated` are the pairs that
-    /// touch otherwise.
+    /// Pairs of bodies that a constraint compares, as (body, its support). `stated` are the pairs that touch for
+    /// other reasons.
     fn supports_by_comparison(&self, free: &[usize], stated: &[BodyPair]) -> Vec<BodyPair> {
         let constraints = &self.model.contacts.compared;
         let tied: Vec<(Vec<usize>, bool)> =
             constraints.iter().map(|compared| (self.support_candidates(compared), compared.is_difference)).collect();
         let compared = tied.iter().filter(|(_, is_difference)| *is_difference);
         let pairs: Vec<[usize; 2]> = compared.filter_map(|(bodies, _)| bodies.as_slice().try_into().ok()).collect();
-        // Bodies that another constraint or contact holds, except against the body with which they are
-        // compared.
+        // Bodies that another constraint or contact holds. A constraint or contact with the body with which they are
+        // compared does not count.
         let is_pair = |one: usize, other: usize| pairs.iter().any(|pair| pair.contains(&one) && pair.contains(&other));
         let is_apart =
             |body: usize| (0..free.len()).all(|other| !is_pair(body, other) || !self.is_placed_on(body, other));
@@ -164,9 +162,10 @@ impl RelativeMotion<'_> {
         pairs.into_iter().filter_map(supports).collect()
     }
 
-    /// Number of `pairs` between each body and the nearest body that is `held`, or that no constraint
-    /// moves; `None` for a body in no pair. In a group without such a body, the body with the least
-    /// freedom counts as held; the first among equals.
+    /// Number of `pairs` between each body and the nearest body that is `held` or that no constraint moves. `None`
+    /// for a body in no pair.
+    ///
+    /// In a group of bodies without such a nearest body, the first body with the least freedom counts as held.
     fn support_distances(&self, free: &[usize], pairs: &[[usize; 2]], held: &[usize]) -> Vec<Option<usize>> {
         let is_moved = |body: usize| self.model.contacts.compared.iter().any(|compared| compared.moved.contains(&body));
         let mut steps = vec![None; free.len()];
@@ -186,8 +185,8 @@ impl RelativeMotion<'_> {
         steps
     }
 
-    /// Bodies whose velocities or positions a constraint names. Bodies whose own coordinates it
-    /// contains are added if it names none, or if it compares bodies.
+    /// Bodies whose velocities or positions a constraint names. Bodies whose own coordinates the constraint contains
+    /// are added if it names none, or if it compares bodies.
     fn support_candidates(&self, compared: &ComparedBodies) -> Vec<usize> {
         let named = compared.named.iter().filter_map(|of| match of {
             VelocityOf::Material(body, _) => Some(*body),
@@ -204,8 +203,8 @@ impl RelativeMotion<'_> {
         bodies
     }
 
-    /// Only body to which a point belongs: as its mass centre, otherwise in its material. `None` if
-    /// there is no such body or more than one.
+    /// Index of the only body to which a point belongs, as its mass centre or else in its material. `None` if there
+    /// is no such body or more than one.
     pub fn body_of_point(&self, point: usize) -> Option<usize> {
         let bodies = &self.model.bodies;
         if let Some(body) = bodies.iter().position(|body| body.centre == point) {
@@ -247,7 +246,7 @@ impl RelativeMotion<'_> {
     }
 }
 
-/// True if a body rests on another body, directly or through others.
+/// True if a body rests on another body, directly or through further bodies.
 fn rests_on(found: &[Support], body: usize, other: usize) -> bool {
     let mut at = Some(body);
     while let Some(next) = at {

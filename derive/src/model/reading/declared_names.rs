@@ -1,5 +1,4 @@
-//! Names of a model file: the kind of quantity that each denotes, and the formulas in which it may
-//! occur.
+//! Names of a model file: the kind of quantity that each name denotes, and the formulas in which each kind may occur.
 
 use crate::algebra::text::parse::{
     InteractionName, VelocityName, VelocityOf, is_reserved_by_parser, parse_with_quantities,
@@ -26,9 +25,9 @@ pub enum NameKind {
     Rate,
     /// Generalized speed u.
     Speed,
-    /// Component of a named velocity, such as `v(P) @ N [1]`.
+    /// Component of a velocity that a formula names, such as `v(P) @ N [1]`.
     Velocity,
-    /// Component of a named position, such as `p(P) @ N [1]`.
+    /// Component of a position that a formula names, such as `p(P) @ N [1]`.
     Position,
     /// Named formula of the section `[expressions]`.
     Expression,
@@ -57,7 +56,7 @@ pub enum NameKind {
 }
 
 impl NameKind {
-    /// Noun for the kind in messages, such as "parameter".
+    /// Noun for the kind in error messages, such as "parameter".
     pub fn noun(self) -> &'static str {
         match self {
             Self::Parameter => "parameter",
@@ -81,17 +80,17 @@ impl NameKind {
         }
     }
 
-    /// Plural noun for the kind in messages, such as "parameters".
+    /// Plural noun for the kind in error messages, such as "parameters".
     fn plural(self) -> String {
         if self == Self::Velocity { "velocities".to_owned() } else { format!("{}s", self.noun()) }
     }
 }
 
-/// Kinds of quantities that a formula may contain, in addition to numbers.
+/// Kinds of quantities that a formula may contain. Numbers are always allowed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct AllowedQuantities(pub &'static [NameKind]);
 
-/// Allows numbers only in a formula.
+/// Allows only numbers in a formula.
 pub const CONSTANT: AllowedQuantities = AllowedQuantities(&[]);
 /// Allows numbers and parameters in a formula.
 pub const PARAMETERS: AllowedQuantities = AllowedQuantities(&[NameKind::Parameter]);
@@ -143,11 +142,12 @@ const MAX_LENGTH: usize = 60;
 /// marked as wrong, and everything that uses it fails silently.
 #[derive(Default)]
 pub struct Names {
-    /// Declared names: kind, byte range of the declaration, and symbol or term if the kind has one.
+    /// Declared names, each with its kind, the byte range of its declaration, and its symbol or term. The last is
+    /// `None` for a kind without a symbol.
     known: FxHashMap<String, (NameKind, Range<usize>, Option<Expr>)>,
     /// Declared names in the order of declaration.
     order: Vec<String>,
-    /// Names whose declaration is wrong and already reported.
+    /// Names whose declaration is wrong. Their errors have been reported.
     spoiled: FxHashSet<String>,
     /// Kinds whose section could not be read. An unknown name may be of one of these kinds.
     unread: Vec<NameKind>,
@@ -157,20 +157,20 @@ pub struct Names {
     made_of: FxHashMap<String, Vec<(String, NameKind)>>,
     /// Names to which a formula or an entry of the file refers.
     used: RefCell<FxHashSet<String>>,
-    /// Velocities and positions that occur by name in formulas, each once.
+    /// Velocities and positions that occur by name in formulas, without repetition.
     pub velocities: Vec<StatedVelocity>,
-    /// Velocities that definitions of speeds name before frames and points are declared.
+    /// Velocities that definitions of speeds name. They are checked once frames and points are declared.
     awaiting: Vec<StatedVelocity>,
     /// True once frames, points and bodies are declared, so that velocities can be checked.
     has_places: bool,
     /// True if the definition of a generalized speed contains a velocity by name.
     pub speeds_name_velocities: bool,
-    /// Reactions that occur by name in formulas, before reactions are found.
+    /// Reactions that occur by name in formulas. They are resolved once reactions are found.
     pub reactions: Vec<NamedReaction>,
 }
 
-/// Error for a text that cannot be a name: it is no identifier, or it is reserved. `None` if the
-/// text can be a name.
+/// Error for a text that cannot be a name, because it is no identifier or is reserved. `None` if the text can be a
+/// name.
 pub fn not_a_name(name: &Located) -> Option<Diagnostic> {
     let text = &name.text;
     let is_valid = text.starts_with(|c: char| c.is_ascii_alphabetic())
@@ -206,19 +206,19 @@ impl Names {
         }
     }
 
-    /// Declares a name without checks, for derived names such as `q1'`.
+    /// Declares a derived name such as `q1'`, without checks.
     pub fn insert(&mut self, text: &str, kind: NameKind, span: Range<usize>, symbol: Option<Expr>) {
         self.known.insert(text.to_owned(), (kind, span, symbol));
         self.order.push(text.to_owned());
     }
 
-    /// Declares a derived name without checks, and marks it as used.
+    /// Declares a derived name such as `q1'`, without checks, and marks it as used.
     pub fn insert_used(&mut self, text: &str, kind: NameKind, span: Range<usize>, symbol: Expr) {
         self.insert(text, kind, span, Some(symbol));
         self.used.borrow_mut().insert(text.to_owned());
     }
 
-    /// Declares the name of an expression `e`; `parts` are all terms in it.
+    /// Declares the name of a named expression with the term `e`. `parts` are all terms that occur in `e`.
     pub fn declare_expression(&mut self, reader: &mut TomlReader<'_>, name: &Located, e: Expr, parts: &[Expr]) {
         let is_part = |symbol: &Option<Expr>| symbol.is_some_and(|symbol| parts.contains(&symbol));
         let known = self.known.iter().filter(|(_, (kind, _, symbol))| *kind != NameKind::Expression && is_part(symbol));
@@ -228,24 +228,24 @@ impl Names {
         self.declare(reader, name, NameKind::Expression, Some(e));
     }
 
-    /// Declares a frame or point that a joint adds; it is not reported as unused.
+    /// Declares a frame or point that a joint adds. It counts as used, so that it is not reported as unused.
     pub fn declare_joint_name(&mut self, reader: &mut TomlReader<'_>, name: &Located, kind: NameKind) {
         self.declare(reader, name, kind, None);
         self.used.borrow_mut().insert(name.text.clone());
     }
 
-    /// Marks a name, and its rate, as wrongly declared; the error is already reported.
+    /// Marks a name, and the name of its rate, as wrongly declared. Its error must have been reported already.
     pub fn mark_wrong_name(&mut self, name: &str) {
         self.spoiled.insert(name.to_owned());
         self.spoiled.insert(format!("{name}'"));
     }
 
-    /// Records that the names of the given kinds could not be read; the error is already reported.
+    /// Records that the names of the given kinds could not be read. The error must have been reported already.
     pub fn mark_unread_kinds(&mut self, kinds: &[NameKind]) {
         self.unread.extend(kinds);
     }
 
-    /// True if an error that is already reported explains why `name` is not one of `kinds`.
+    /// True if an error that was already reported explains that `name` is not declared as one of `kinds`.
     fn is_already_reported(&self, name: &str, kinds: &[NameKind]) -> bool {
         self.spoiled.contains(name)
             || (!self.known.contains_key(name) && self.unread.iter().any(|kind| kinds.contains(kind)))
@@ -261,8 +261,8 @@ impl Names {
         self.known.values().filter(|(kind, ..)| kinds.contains(kind)).filter_map(|(.., symbol)| *symbol).collect()
     }
 
-    /// True if `name` is declared with the kind `kind`. False after reporting that it is not, or
-    /// silently if a reported error explains it.
+    /// True if `name` is declared with the kind `kind`. Otherwise reports an error, unless an earlier error already
+    /// explains it.
     pub fn expect(&self, reader: &mut TomlReader<'_>, name: &Located, kind: NameKind) -> bool {
         if self.is_already_reported(&name.text, &[kind]) {
             return false;
@@ -279,7 +279,7 @@ impl Names {
         false
     }
 
-    /// Parameters, expressions, inputs, frames and points to which nothing refers, as (noun of the
+    /// Parameters, expressions, inputs, frames and points to which nothing in the file refers. Each is (noun of the
     /// kind, name), in the order of declaration.
     pub fn unused_declarations(&self) -> Vec<(&'static str, String)> {
         let used = self.used.borrow();
@@ -304,13 +304,13 @@ impl Names {
         self.known.get(name).map(|(_, span, _)| span.clone())
     }
 
-    /// Byte ranges in the model file at which the names are declared, by name.
+    /// Byte range in the model file at which each name is declared, by name.
     pub fn places(&self) -> FxHashMap<String, Range<usize>> {
         self.known.iter().map(|(name, (_, span, _))| (name.clone(), span.clone())).collect()
     }
 
-    /// Reads a formula that may contain only `allowed` quantities; `what` names the formula in
-    /// messages. `None` after an error is reported.
+    /// Reads a formula that may contain only `allowed` quantities. `what` names the formula in error messages. `None`
+    /// after an error is reported.
     pub fn formula(
         &mut self,
         reader: &mut TomlReader<'_>,
@@ -379,8 +379,8 @@ impl Names {
         }
     }
 
-    /// Symbol and unit of a reaction that may be found later under the name `name`. `None` if the name
-    /// is declared, or if no reaction can have it.
+    /// Symbol and unit of a reaction that may be found later under the given name. `None` if the name is declared, if
+    /// reactions are not `allowed`, or if no reaction can have this name.
     fn possible_reaction_name(
         &self,
         arena: &mut Arena,
@@ -391,12 +391,12 @@ impl Names {
             return None;
         }
         let unit = named_reaction_unit(name, self.names_of_kind(&[NameKind::Body]).into_iter())?;
-        // The symbol has a name with a space, which no declared symbol can have.
+        // The symbol's name contains a space, which no declared symbol can have.
         Some((arena.symbol(&format!("reaction {name}")), unit))
     }
 
-    /// Records the forces and torques between bodies that occur in a formula. `None` after reporting a
-    /// reference to an undeclared name.
+    /// Records the forces and torques between bodies that a formula names. `None` after reporting a name that is not
+    /// declared.
     fn record_declared_interactions(
         &mut self,
         reader: &mut TomlReader<'_>,
@@ -417,8 +417,7 @@ impl Names {
         are_known.then_some(())
     }
 
-    /// Records the velocities that occur in a formula. `None` after reporting a reference to an
-    /// undeclared name.
+    /// Records the velocities that a formula names. `None` after reporting a name that is not declared.
     fn record_declared_velocities(&mut self, reader: &mut TomlReader<'_>, stated: Vec<StatedVelocity>) -> Option<()> {
         if !self.has_places {
             self.awaiting.extend(stated);
@@ -433,13 +432,14 @@ impl Names {
         (unknown == 0).then_some(())
     }
 
-    /// Velocities that definitions of speeds name, while frames and points are not yet declared.
+    /// Velocities that definitions of speeds name and that are not yet checked. They are checked once frames and
+    /// points are declared.
     pub fn undeclared_velocities(&self) -> &[StatedVelocity] {
         &self.awaiting
     }
 
-    /// Checks and records the velocities that definitions of speeds name, after frames, points and
-    /// bodies are declared. Reports references to undeclared names.
+    /// Checks and records the velocities that definitions of speeds name. Frames, points and bodies must be declared.
+    /// Reports names that are not declared.
     pub fn check_awaiting_velocities(&mut self, reader: &mut TomlReader<'_>) {
         self.has_places = true;
         self.speeds_name_velocities = !self.awaiting.is_empty();
@@ -447,8 +447,7 @@ impl Names {
         self.record_declared_velocities(reader, awaiting);
     }
 
-    /// True if each name in a velocity is declared as the kind for which it is used. Reports the names
-    /// that are not.
+    /// True if each name in a velocity is declared as the kind for which it is used. Reports every name that is not.
     fn are_velocity_names_declared(&self, reader: &mut TomlReader<'_>, velocity: &StatedVelocity) -> bool {
         let of: &[(&Located, NameKind)] = match &velocity.of {
             VelocityOf::Point(point) | VelocityOf::Place(point) => &[(point, NameKind::Point)],
@@ -460,7 +459,7 @@ impl Names {
         all.filter(|(name, kind)| !self.expect(reader, name, *kind)).count() == 0
     }
 
-    /// Term of a name in a formula; otherwise a message and advice, because the name is unknown or not
+    /// Term that a name in a formula denotes. Returns a message and advice if the name is unknown or its kind is not
     /// allowed.
     fn resolve(&self, name: &str, allowed: AllowedQuantities, what: &str) -> Result<Expr, (String, Option<String>)> {
         let plain = name.trim_end_matches('\'');
@@ -505,7 +504,7 @@ impl Names {
     }
 }
 
-/// Message and advice for a name whose kind may not occur in the formula `what`.
+/// Message and advice for a name whose kind may not occur in a formula. `what` names the formula in the message.
 fn declared_name_not_allowed_message(
     kind: NameKind,
     name: &str,
@@ -524,8 +523,8 @@ fn declared_name_not_allowed_message(
     (message, Some(format!("allowed: {may}")))
 }
 
-/// Returns the term unless it divides by an identically zero term, such as `cos(q)^2 + sin(q)^2 -
-/// 1`. In that case reports an error and returns `None`.
+/// Returns the term `e`, unless it divides by an identically zero term, such as `cos(q)^2 + sin(q)^2 - 1`. In that
+/// case reports an error and returns `None`.
 fn without_zero_divisor(reader: &mut TomlReader<'_>, arena: &Arena, formula: &Located, e: Expr) -> Option<Expr> {
     let zero = zero_divisor(arena, e);
     let Some(zero) = zero else { return Some(e) };

@@ -8,7 +8,7 @@ use crate::plain_text::one_line;
 use toml::de::DeTable;
 
 impl<'a> Loading<'a> {
-    /// Reads the section `[domain]` of a model file: strict inequalities by name. Errors are recorded in the reader.
+    /// Reads the section `[domain]` of a model file: named strict inequalities. Errors are recorded in the reader.
     pub fn domain(&mut self, table: &'a DeTable<'a>) -> Vec<DomainCondition> {
         let mut domain = Vec::new();
         for (name, value) in self.section(table, "domain", &[]) {

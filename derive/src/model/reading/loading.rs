@@ -16,7 +16,7 @@ use toml::de::{DeTable, DeValue};
 /// Largest number of entries in one section of a model file.
 const MAX_ENTRIES: usize = 5000;
 
-/// State of the reading of one model file: the TOML reader, the arena, names and units.
+/// State of reading one model file: the TOML reader, the arena, names and units.
 pub struct Loading<'a> {
     /// TOML reader, which collects the errors.
     pub reader: TomlReader<'a>,
@@ -28,7 +28,7 @@ pub struct Loading<'a> {
     pub units: FxHashMap<Expr, Unit>,
     /// Formulas that a scene gives to inputs of the model.
     pub bindings: Vec<InputBinding>,
-    /// Names of inputs to whose formula a parameter of the same name is added.
+    /// Names of inputs to whose formula a parameter with the input's name is added.
     pub varied: Vec<String>,
     /// Numbers with units in formulas, as (byte range, symbol of the parameter that stands for the
     /// number).
@@ -38,7 +38,7 @@ pub struct Loading<'a> {
 }
 
 impl<'a> Loading<'a> {
-    /// Text of an optional key on one line; `None` if absent, or after an error is reported.
+    /// Prose under an optional key, on one line. `None` if the key is absent, or after an error is reported.
     pub fn text(&mut self, table: &'a DeTable<'a>, key: &str) -> Option<String> {
         self.reader.prose(table, key)
     }
@@ -61,8 +61,8 @@ impl<'a> Loading<'a> {
         entries
     }
 
-    /// Declares a named entry and opens its table. Returns the table, and the entry's name for
-    /// messages. `None` after an error is reported.
+    /// Declares a named entry and opens its table. Returns the table, and the entry's name for error messages. `None`
+    /// after an error is reported.
     pub fn entry(
         &mut self,
         name: &Located,
@@ -81,7 +81,7 @@ impl<'a> Loading<'a> {
         Some((entry, what))
     }
 
-    /// Reads the required key `unit` of an entry; `None` after an error is reported.
+    /// Reads the unit under the required key `unit` of an entry. `None` after an error is reported.
     pub fn read_unit_key(&mut self, table: &'a DeTable<'a>, owner: &Located) -> Option<Unit> {
         let value =
             self.reader.required(table, "unit", &format!("`{}`", shortened_for_message(&owner.text)), &owner.span)?;
@@ -95,12 +95,12 @@ impl<'a> Loading<'a> {
         }
     }
 
-    /// Reads the optional key `about` of an entry; empty if it is absent.
+    /// Reads the description under the optional key `about` of an entry; empty if it is absent.
     pub fn about(&mut self, table: &'a DeTable<'a>) -> String {
         self.text(table, "about").unwrap_or_default()
     }
 
-    /// True if both sides of a relation have the same unit. Otherwise reports an error.
+    /// True if both sides of a relation have the same unit, or if a unit is indefinite. Otherwise reports an error.
     pub fn have_same_unit(&mut self, left: Expr, right: Expr, span: &Range<usize>) -> bool {
         let before = self.reader.errors.len();
         if let (Some(a), Some(b)) = (self.unit_of(left, span), self.unit_of(right, span))
@@ -112,8 +112,8 @@ impl<'a> Loading<'a> {
         self.reader.errors.len() == before
     }
 
-    /// Splits a relation at its only sign into (left side, (sign, right side)). `None` after reporting
-    /// any other number of signs.
+    /// Splits a relation, such as an equation, at its only sign into (left side, (sign, right side)). `None` after
+    /// reporting no sign, several signs, or a sign that is not allowed.
     pub fn split_relation<'s>(
         &mut self,
         text: &Located,
@@ -142,8 +142,7 @@ impl<'a> Loading<'a> {
         Some((side(0..*at), (*sign, side(at + 1..text.text.len()))))
     }
 
-    /// Unit of a term, if it is definite. `None` otherwise, or after reporting a sum of terms with
-    /// different units.
+    /// Unit of a term. `None` if it is indefinite, or after reporting a sum of terms with different units.
     pub fn unit_of(&mut self, e: Expr, span: &Range<usize>) -> Option<Unit> {
         match unit_of(&self.arena, e, &self.units) {
             Ok(unit) => unit,

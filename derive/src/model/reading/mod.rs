@@ -1,5 +1,4 @@
-//! Basic parts of the reading of model files: names, notation, parameters, expressions, repetition
-//! and domain.
+//! Reading of model files: names, notation, parameters, expressions, repetition and domain.
 
 pub(super) mod declared_names;
 pub(super) mod domain;

@@ -1,5 +1,5 @@
-//! Named expressions of a model file: formulas with a name, which may occur wherever the quantities
-//! in them may occur.
+//! Named expressions of a model file: formulas with a name. The name may occur wherever all quantities in the formula
+//! are allowed.
 
 use super::declared_names::{AllowedQuantities, NameKind};
 use super::loading::Loading;
@@ -12,8 +12,8 @@ const PARTS: AllowedQuantities =
     AllowedQuantities(&[NameKind::Parameter, NameKind::Coordinate, NameKind::Rate, NameKind::Speed]);
 
 impl<'a> Loading<'a> {
-    /// Reads `[expressions]` in the order of the file; each expression may contain earlier ones by
-    /// name. Returns the terms with the byte ranges of their formulas. Errors are recorded in the reader.
+    /// Reads `[expressions]` in the order of the file. An expression may contain earlier expressions by name. Returns
+    /// (term, byte range of its formula). Errors are recorded in the reader.
     pub fn expressions(&mut self, table: &'a DeTable<'a>) -> Vec<(Expr, Range<usize>)> {
         let mut list = Vec::new();
         for (name, value) in self.section(table, "expressions", &[NameKind::Expression]) {

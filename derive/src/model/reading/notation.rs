@@ -1,4 +1,4 @@
-//! Notation of a model file: the symbols by which documents show names.
+//! Notation of a model file: the symbols by which documents show the model's names.
 
 use super::declared_names::NameKind;
 use super::loading::Loading;
@@ -8,7 +8,7 @@ use crate::model::Model;
 use crate::toml_reader::Located;
 use toml::de::DeTable;
 
-/// Kinds of names that documents show as symbols.
+/// Kinds of names for which a model file may state symbols.
 const SHOWN: [NameKind; 8] = [
     NameKind::Parameter,
     NameKind::Coordinate,
@@ -20,15 +20,15 @@ const SHOWN: [NameKind; 8] = [
     NameKind::Body,
 ];
 
-/// Kinds of names that have no time derivative, and so no dots.
+/// Kinds of names that have no time derivative, so that their symbols get no dots.
 const PLACES: [NameKind; 3] = [NameKind::Frame, NameKind::Point, NameKind::Body];
 
-/// Letters that documents use for energies.
+/// Letters that documents use for energies. No other quantity may have them as its symbol.
 const ENERGIES: [&str; 2] = ["T", "V"];
-/// Letters that documents use, with a number, for entries of equations: `M11`, `f1`.
+/// Letters that documents use, with a number, for entries of equations, such as `M11` and `f1`.
 const NUMBERED: [&str; 5] = ["M", "f", "F", "Q", "C"];
 
-/// Largest number of dots over a symbol.
+/// Largest number of dots that a document puts over a symbol, for time derivatives.
 const MOST_DOTS: usize = 2;
 
 impl<'a> Loading<'a> {
@@ -81,7 +81,7 @@ impl<'a> Loading<'a> {
     }
 }
 
-/// True if a text is a symbol: letters and digits, `_` with a subscript, and at most two primes.
+/// True if a text can be a symbol: letters and digits, `_` with a subscript, and at most two primes.
 fn is_symbol(text: &str) -> bool {
     let stem = text.trim_end_matches('\'');
     let is_part = |part: &str| !part.is_empty() && part.bytes().all(|b| b.is_ascii_alphanumeric());
@@ -91,15 +91,15 @@ fn is_symbol(text: &str) -> bool {
         && text.len() - stem.len() <= MOST_DOTS
 }
 
-/// True if documents use a symbol for energies or for entries of equations.
+/// True if documents already use a symbol for energies or for entries of equations.
 fn is_reserved_notation(symbol: &str) -> bool {
     let (letters, subscript, _) = name_parts(symbol);
     let is_number = !subscript.is_empty() && subscript.bytes().all(|b| b.is_ascii_digit());
     ENERGIES.contains(&letters.as_str()) && subscript.is_empty() || NUMBERED.contains(&letters.as_str()) && is_number
 }
 
-/// Name of another quantity of the model that would look like `symbol` of the quantity `name`, also
-/// with dots. `None` if all look different.
+/// Name of another quantity of the model that would look like the quantity `name` if its symbol were `symbol`.
+/// Symbols with dots for time derivatives are compared as well. `None` if all look different.
 fn name_with_same_symbol(model: &Model, name: &str, symbol: &str, list: &[(String, Located)]) -> Option<String> {
     let printed = |name: &str| {
         let stated = list.iter().find(|(stated, _)| stated == name);
@@ -131,8 +131,8 @@ fn name_with_same_symbol(model: &Model, name: &str, symbol: &str, list: &[(Strin
     })
 }
 
-/// Name of another frame, point or body that would look like `symbol` of the frame, point or body
-/// `name`. Case is ignored, since basis vectors have small letters. `None` if all look different.
+/// Name of another frame, point or body that would look like the frame, point or body `name` if its symbol were
+/// `symbol`. Case is ignored, since basis vectors have small letters. `None` if all look different.
 fn place_with_same_symbol(model: &Model, name: &str, symbol: &str, printed: &dyn Fn(&str) -> String) -> Option<String> {
     let frames: Vec<&String> = model.frames.iter().map(|frame| &frame.name).collect();
     let points: Vec<&String> = model.points.iter().map(|point| &point.name).collect();

@@ -1,5 +1,5 @@
-//! Literals, numbers with units in formulas. Each becomes a parameter, so that all units are
-//! checked and equations keep symbols.
+//! Literals: numbers with units in formulas. Each becomes a parameter, so that all units are checked and equations
+//! keep symbols.
 
 use super::declared_names::{AllowedQuantities, NameKind};
 use super::loading::Loading;
@@ -26,8 +26,8 @@ const LETTERS: [([i64; 3], &str); 12] = [
 ];
 
 impl Loading<'_> {
-    /// Reads a formula, or a number with a unit, as a term; `what` names it in messages. `None` after
-    /// an error is reported.
+    /// Reads a formula, or a number with a unit, as a term. `what` names it in error messages. `None` after an error
+    /// is reported.
     pub fn formula(&mut self, formula: &Located, allowed: AllowedQuantities, what: &str) -> Option<Expr> {
         let Some(stated) = StatedUnit::of(&formula.text) else {
             return self.names.formula(&mut self.reader, &mut self.arena, formula, allowed, what);
@@ -40,8 +40,8 @@ impl Loading<'_> {
         self.literal(formula, stated.unit, what)
     }
 
-    /// Symbol of the parameter that stands for a number with a unit. A number that is read twice has a
-    /// single parameter. `None` after an error is reported.
+    /// Symbol of the parameter that stands for a number with a unit. The same place in the file always gives the same
+    /// parameter. `None` after an error is reported.
     fn literal(&mut self, formula: &Located, unit: Unit, what: &str) -> Option<Expr> {
         if let Some((_, symbol)) = self.literals.iter().find(|(place, _)| *place == formula.span) {
             return Some(*symbol);
@@ -57,8 +57,8 @@ impl Loading<'_> {
         Some(symbol)
     }
 
-    /// Unused name for the parameter of a number with a unit. It is the usual letter for the unit, then
-    /// the owner that `what` names, such as `m_cart` for the mass of body `cart`.
+    /// Unused name for the parameter that stands for a number with a unit. It consists of the usual letter for the
+    /// unit and of the owner that `what` names. An example is `m_cart` for the mass of body `cart`.
     fn name_of_literal(&self, unit: &Unit, what: &str) -> String {
         let known = |exponents: [i64; 3]| LETTERS.iter().find(|(of, _)| *of == exponents).map(|(_, letter)| *letter);
         let letter = unit.whole_exponents().and_then(known).unwrap_or("p");

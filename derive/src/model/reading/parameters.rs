@@ -19,7 +19,7 @@ impl<'a> Loading<'a> {
             if let DeValue::String(text) = value.get_ref()
                 && let Some(stated) = StatedUnit::of(text)
             {
-                // `l = "0.5 m"` is a complete declaration.
+                // The short form `l = "0.5 m"` declares a parameter with its unit and value.
                 self.names.declare(&mut self.reader, &name, NameKind::Parameter, Some(symbol));
                 self.units.insert(symbol, stated.unit.clone());
                 let number = self
@@ -84,8 +84,8 @@ impl<'a> Loading<'a> {
         parameters
     }
 
-    /// Value in SI of a formula that must be a plain number, with an optional unit. `None` after
-    /// reporting any other formula.
+    /// Value in SI units of a formula that must be a plain number, with an optional unit. `None` after reporting any
+    /// other formula.
     pub(super) fn constant_parameter_value(&mut self, formula: &Located) -> Option<Rational> {
         let what = "a parameter's value";
         let stated = StatedUnit::of(&formula.text);
@@ -99,7 +99,7 @@ impl<'a> Loading<'a> {
             None => crate::model::impossible_bodies::values_of_terms_at(&self.arena, &[], &[e])
                 .and_then(|v| Rational::from_f64_exact(v[0])),
         };
-        // Refuses overflow, and underflow to 0.
+        // Values that overflow a double, or underflow to 0, are refused.
         let value = value.filter(|v| v.to_f64().is_finite() && (v.is_zero() || v.to_f64().is_normal()));
         if value.is_none() {
             let message = format!("`{}` is not a number of double precision", shortened_for_message(&formula.text));

@@ -29,8 +29,8 @@ const PROSE: [&str; 3] = ["name", "source", "about"];
 /// Whole numbers by name. A later entry hides an earlier entry of the same name.
 type Numbers = Vec<(String, i64)>;
 
-/// Tables of a model file with every repetition expanded; `None` if the file repeats nothing.
-/// Errors are recorded in the reader.
+/// Copy of a model file's table with every repetition expanded; `None` if the file repeats nothing. Errors are
+/// recorded in the reader.
 pub fn expand_repetition<'a>(reader: &mut TomlReader<'_>, table: &DeTable<'a>) -> Option<DeTable<'a>> {
     if !table.contains_key("counts") && !has_repetition(table) {
         return None;
@@ -50,7 +50,7 @@ pub fn expand_repetition<'a>(reader: &mut TomlReader<'_>, table: &DeTable<'a>) -
     Some(whole)
 }
 
-/// True if a key of the table, at any depth, contains an opening brace.
+/// True if any key of the table, at any depth, contains an opening brace.
 fn has_repetition(table: &DeTable<'_>) -> bool {
     table
         .iter()
@@ -77,14 +77,14 @@ enum RepeatedText {
 }
 
 impl RepeatedText {
-    /// Kind of the texts under the key `key`.
+    /// Kind of the texts under the given key.
     fn of(key: &str) -> Self {
         if PROSE.contains(&key) { Self::Prose } else { Self::Formula }
     }
 }
 
 impl RepetitionExpander<'_, '_> {
-    /// Reads `[counts]`: whole numbers by name. Wrong values are reported.
+    /// Reads the section `[counts]`, whole numbers by name, into `counts`. Wrong values are reported.
     fn counts(&mut self, stated: &Spanned<DeValue<'_>>, counts: &mut Numbers) {
         let DeValue::Table(table) = stated.get_ref() else {
             return self.reader.error(stated.span(), "`counts` must be a table", "write it as [counts], with n = 10");
@@ -107,7 +107,7 @@ impl RepetitionExpander<'_, '_> {
         }
     }
 
-    /// Copy of a value in which numbers replace the formulas in braces. In prose, braces without a
+    /// Copy of a value in which numbers replace the formulas in braces. In prose, braces whose content is no whole
     /// number stay.
     fn expand_value<'a>(
         &mut self,
@@ -136,7 +136,7 @@ impl RepetitionExpander<'_, '_> {
         Spanned::new(span, new)
     }
 
-    /// Copy of a table with its repeated entries expanded, and with numbers for the formulas in braces.
+    /// Copy of a table in which repeated entries are expanded, and numbers replace the formulas in braces.
     fn expand_table<'a>(&mut self, table: &DeTable<'a>, numbers: &Numbers) -> DeTable<'a> {
         let mut result = DeTable::new();
         for (key, value) in table {
@@ -164,8 +164,8 @@ impl RepetitionExpander<'_, '_> {
         result
     }
 
-    /// Names into which a key with ranges expands, each with the numbers that include its indices.
-    /// Empty after an error is reported.
+    /// Expands a key with ranges into names. Each name comes with the numbers, to which the values of its indices are
+    /// added. Empty after an error is reported.
     fn expand_key(&mut self, key: &str, numbers: &Numbers, span: &Range<usize>) -> Vec<(String, Numbers)> {
         let mut open = vec![(String::new(), numbers.clone())];
         let mut rest = key;
@@ -255,7 +255,7 @@ impl RepetitionExpander<'_, '_> {
         result + rest
     }
 
-    /// Whole number that a formula of named numbers gives. `None` after reporting a value that is not
+    /// Whole number that a formula of counts and indices gives. `None` after reporting a formula whose value is not
     /// whole.
     fn number(&mut self, formula: &str, numbers: &Numbers, span: &Range<usize>) -> Option<i64> {
         match self.index_value(formula, numbers) {
@@ -268,7 +268,7 @@ impl RepetitionExpander<'_, '_> {
         }
     }
 
-    /// Whole number that a formula of named numbers gives, or a message.
+    /// Whole number that a formula of counts and indices gives. Returns a message if its value is not whole.
     fn index_value(&mut self, formula: &str, numbers: &Numbers) -> Result<i64, String> {
         let value = parse(&mut self.arena, formula, &mut |arena, name| {
             let known = numbers.iter().rev().find(|(known, _)| known == name);
@@ -281,8 +281,8 @@ impl RepetitionExpander<'_, '_> {
     }
 }
 
-/// Splits a range such as `i in 1..n` into index and ends: `i`, `1` and `n`. `None` if the text is
-/// no range.
+/// Splits a range such as `i in 1..n` into (index, first number, last number), here `i`, `1` and `n`. `None` if the
+/// text is no range.
 fn range(inside: &str) -> Option<(&str, &str, &str)> {
     let (index, ends) = inside.split_once(" in ")?;
     let (from, to) = ends.split_once("..")?;

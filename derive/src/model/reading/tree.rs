@@ -5,19 +5,19 @@ use super::loading::Loading;
 use crate::toml_reader::Located;
 use rustc_hash::FxHashMap;
 
-/// Frame or point with its parent, by name, before the tree order is known.
+/// Frame or point with its parent, as names, before it is sorted.
 pub struct Node<T> {
-    /// Name of the child.
+    /// Name of the frame or point.
     pub name: Located,
-    /// Name of the parent.
+    /// Name of the frame's or point's parent.
     pub parent: Located,
-    /// Data of the child, such as its rotation or position.
+    /// Data of the frame or point, such as its rotation or position.
     pub payload: T,
 }
 
-/// Sorts frames or points so that parents come first. Returns each with its parent's index in the
-/// sorted list, in which the root has index 0. Reports unknown parents and cycles, and silently
-/// leaves out descendants of these.
+/// Sorts frames or points so that parents come first. Returns each with its parent's index in the sorted list, in
+/// which the root has index 0. Reports unknown parents and cycles. Descendants of these are left out without a
+/// report.
 pub fn sort_parents_first<T>(
     loading: &mut Loading<'_>,
     nodes: Vec<Node<T>>,
@@ -47,12 +47,11 @@ pub fn sort_parents_first<T>(
     ordered
 }
 
-/// Reports each cycle among nodes that are not connected to the root, once.
+/// Reports each cycle once, among nodes that are not connected to the root.
 fn report_cycles<T>(loading: &mut Loading<'_>, waiting: &[Node<T>]) {
     let position: FxHashMap<&str, usize> =
         waiting.iter().enumerate().map(|(at, node)| (node.name.text.as_str(), at)).collect();
-    // Walk from each remaining node to its parents: a node that occurs twice on one walk closes a
-    // cycle.
+    // Walks go from each remaining node to its parents. A node that occurs twice on one walk closes a cycle.
     let mut walk_of = vec![usize::MAX; waiting.len()];
     for start in 0..waiting.len() {
         let mut path = Vec::new();
@@ -72,7 +71,7 @@ fn report_cycles<T>(loading: &mut Loading<'_>, waiting: &[Node<T>]) {
     }
 }
 
-/// Reports a cycle; at most 12 of its names are shown.
+/// Reports a cycle of frames or points. The message shows at most 12 of their names.
 fn report_cycle<T>(loading: &mut Loading<'_>, waiting: &[Node<T>], cycle: &[usize]) {
     const SHOWN: usize = 12;
     let first = &waiting[cycle[0]];

@@ -7,8 +7,8 @@ use crate::model::Model;
 const MOST_LISTED: usize = 12;
 
 impl Model {
-    /// Message and advice for a name that is neither a coordinate nor a generalized speed. `known` are
-    /// the names that are permitted at that place.
+    /// Message and advice for a name that is neither a coordinate nor a generalized speed. `known` are the names that
+    /// are allowed at its place.
     #[must_use]
     pub fn unknown_state_name<'n>(&self, name: &str, known: impl Iterator<Item = &'n str>) -> (String, String) {
         if !self.dependent_speeds.iter().any(|speed| speed.name == name) {
@@ -36,7 +36,7 @@ impl Model {
         (message, format!("leave `{name}` out here; it can be an output of a scene"))
     }
 
-    /// Names of the generalized speeds for a message, at most 12.
+    /// Names of the generalized speeds for an error message, at most 12.
     fn speed_names_in_words(&self) -> String {
         let speeds = self.speeds.iter().take(MOST_LISTED).map(|speed| format!("`{}`", speed.name));
         let more = if self.speeds.len() > MOST_LISTED { " and more" } else { "" };

@@ -1,5 +1,5 @@
-//! Search for reactions in one random pose: the reactions chosen, the Newton–Euler equations in
-//! which they act, and the number of missing reactions.
+//! Search for reactions in one random pose. It keeps the chosen reactions, the Newton–Euler equations in which they
+//! act, and the number of missing reactions.
 
 use crate::algebra::value::rank::Basis;
 use crate::algebra::{Arena, Expr};
@@ -17,28 +17,27 @@ pub enum ReactionDirection {
     Line(usize, usize),
 }
 
-/// A reaction that was found automatically, before it has a name.
+/// Reaction that was found automatically, before it has a name.
 #[derive(Clone, Copy)]
 pub struct FoundReaction {
     /// Places or bodies on which the reaction and its opposite act.
     pub kind: ReactionKind,
     /// Direction of the reaction.
     pub along: ReactionDirection,
-    /// True if the reaction does work that other reactions balance, as in
-    /// `crate::model::Reaction::is_shared`.
+    /// True if the reaction does work that other reactions balance (`crate::model::Reaction::is_shared`).
     pub is_shared: bool,
-    /// Index of the body whose connection has its own law, as in [`crate::model::Reaction::law`];
-    /// otherwise `None`.
+    /// Index of the body whose connection has its own law that the reaction obeys ([`crate::model::Reaction::law`]).
+    /// `None` if there is no such law.
     pub law: Option<usize>,
 }
 
 impl FoundReaction {
-    /// Creates a reaction along an axis of a frame that does no work by itself.
+    /// Creates a reaction along an axis, 0 to 2, of a frame. The reaction does no work by itself.
     pub fn along_axis(kind: ReactionKind, frame: usize, axis: usize) -> Self {
         Self { kind, along: ReactionDirection::Axis(frame, axis), is_shared: false, law: None }
     }
 
-    /// True if both reactions are the same component between the same bodies.
+    /// True if both reactions are the same force or torque between the same bodies, along the same direction.
     pub fn is_same(&self, other: &Self) -> bool {
         self.kind == other.kind && self.along == other.along
     }
@@ -46,34 +45,35 @@ impl FoundReaction {
 
 /// A chosen reaction: stated in the model file, or found automatically.
 struct ChosenReaction {
-    /// Contribution of the reaction, with size 1, to the Newton–Euler equations of all bodies, six
-    /// each.
+    /// Contribution of the reaction, with size 1, to the Newton–Euler equations: six residues for each body.
     action: Vec<u64>,
-    /// Power of the reaction for each speed, then for each body the power along each coordinate's rate.
-    /// The second part is zero unless the body's connection has a law that the reaction obeys. Empty if
-    /// the reaction does no work by itself.
+    /// Power of the reaction with size 1. First comes its power for each speed. Then come, for each body, the powers
+    /// along each coordinate's rate; these are zero unless the reaction obeys the law of the body's connection. Empty
+    /// if the reaction does no work by itself.
     power: Vec<u64>,
-    /// Found reaction with its position in the list of reactions; `None` for a stated reaction.
+    /// Position in the list of reactions and the found reaction itself; `None` for a reaction that the model file
+    /// states.
     found: Option<(usize, FoundReaction)>,
-    /// True if the reaction acts in an equation that is not 0 = 0.
+    /// True if the reaction acts in an equation that contains inertia, loads or other acting reactions, so that it is
+    /// not 0 = 0.
     is_felt: bool,
 }
 
 /// State of the search for reactions in one random pose.
 pub struct Search<'m> {
-    /// Model in the random pose, with the relative motions of its bodies.
+    /// Model in the random pose, with the relative motions of its bodies in that pose.
     pub relative: RelativeMotion<'m>,
     /// Each body with the body or ground on which it rests, outermost bodies first.
     pub supports: Vec<Support>,
     /// Number of reactions that are still missing.
     pub missing: usize,
-    /// True for each Newton–Euler equation that is not 0 = 0 without reactions: six for each body.
+    /// For each Newton–Euler equation, six for each body: true if it is not 0 = 0 even without reactions.
     moved: Vec<bool>,
-    /// True for each Newton–Euler equation that is not 0 = 0 with the chosen reactions.
+    /// For each Newton–Euler equation, six for each body: true if it is not 0 = 0 with the chosen reactions.
     felt: Vec<bool>,
     /// Reactions chosen so far.
     chosen: Vec<ChosenReaction>,
-    /// Basis of the contributions of the chosen reactions to all equations and to the laws of
+    /// Basis of the columns of the chosen reactions: their contributions to all equations and to the laws of
     /// connections.
     basis: Basis,
 }
@@ -111,30 +111,29 @@ impl<'m> Search<'m> {
         Some(actions.collect())
     }
 
-    /// Contribution of a reaction of size 1 in this direction to the Newton–Euler equations of all
-    /// bodies.
+    /// Contribution of a reaction of size 1 along `direction` to the Newton–Euler equations: six residues for each
+    /// body.
     fn action(&self, kind: ReactionKind, direction: VectorResidues) -> Vec<u64> {
         self.relative.drawn.reaction_action(self.relative.model, kind, direction)
     }
 
-    /// Position of a body's reactions in the list of reactions: outermost bodies come first.
+    /// Position of a body's reactions in the list of reactions. The outermost bodies come first.
     pub fn list_position_of_body(&self, body: usize) -> usize {
         1 + self.supports.iter().position(|support| support.body == body).unwrap_or(self.supports.len())
     }
 
-    /// Position in the list of reactions behind those of all bodies.
+    /// Position in the list of reactions for those that come after the reactions of all bodies.
     pub fn last_list_position(&self) -> usize {
         2 + self.supports.len()
     }
 
-    /// True if reactions are missing, and a reaction in this direction acts in an equation that is not
-    /// 0 = 0.
+    /// True if reactions are missing, and a reaction along `direction` acts in an equation that is not 0 = 0.
     pub fn is_wanted(&self, kind: ReactionKind, direction: VectorResidues) -> bool {
         self.missing > 0 && self.action(kind, direction).iter().zip(&self.felt).any(|(x, felt)| *x != 0 && *felt)
     }
 
-    /// Chooses a reaction in this direction, at a position of the list, unless the chosen reactions
-    /// already span its contribution. Returns true if it is chosen.
+    /// Chooses a reaction along `direction`, for the position `place` in the list of reactions. Returns false,
+    /// without choosing it, if the chosen reactions already span its contribution.
     pub fn choose(
         &mut self,
         place: usize,
@@ -155,7 +154,7 @@ impl<'m> Search<'m> {
         is_new
     }
 
-    /// Column of a reaction in the equations of all bodies and in the laws of connections.
+    /// Column of a reaction: its contributions to the equations of all bodies, then to the laws of connections.
     fn column(&self, action: &[u64], power: &[u64]) -> Vec<u64> {
         let model = self.relative.model;
         let mut column = action.to_vec();
@@ -164,8 +163,8 @@ impl<'m> Search<'m> {
         column
     }
 
-    /// Updates which chosen reactions act in equations that are not 0 = 0, and counts the missing
-    /// reactions: each equation needs an unknown.
+    /// Finds the chosen reactions that act in equations that are not 0 = 0, and counts the missing reactions. Each
+    /// such equation needs an unknown.
     fn update_active_reactions(&mut self) {
         while let Some(at) = self.chosen.iter().position(|chosen| !chosen.is_felt && self.is_active(chosen)) {
             self.chosen[at].is_felt = true;
@@ -187,8 +186,8 @@ impl<'m> Search<'m> {
         self.missing = equations.saturating_sub(unknowns);
     }
 
-    /// True if a reaction acts in an equation that is not 0 = 0. Also true if it shares an equation or
-    /// its power with a reaction that acts.
+    /// True if a chosen reaction acts in an equation that is not 0 = 0. Also true if it shares an equation or its
+    /// power with a reaction that acts.
     fn is_active(&self, one: &ChosenReaction) -> bool {
         let meets = |a: &[u64], b: &[u64]| a.iter().zip(b).any(|(x, y)| *x != 0 && *y != 0);
         let felt = self.chosen.iter().filter(|chosen| chosen.is_felt);
@@ -196,8 +195,8 @@ impl<'m> Search<'m> {
             || felt.into_iter().any(|other| meets(&one.action, &other.action) || meets(&one.power, &other.power))
     }
 
-    /// Found reactions that act, in the order of their positions. Also returns the bodies on which the
-    /// ground, or the body they touch, exerts only forces that the model file states.
+    /// Found reactions that act, in the order of their positions in the list. Also the indices of bodies on which the
+    /// ground, or the body they touch, exerts no forces except those that the model file states.
     pub fn results(mut self) -> (Vec<FoundReaction>, Vec<usize>) {
         self.chosen.retain(|chosen| chosen.is_felt);
         self.leave_out_zero_reactions();
@@ -212,14 +211,13 @@ impl<'m> Search<'m> {
         (found, idle)
     }
 
-    /// Removes reactions that are 0, since each is the only term in an equation without inertia and
-    /// loads.
+    /// Removes reactions that are always 0: each is the only term in an equation without inertia and loads.
     fn leave_out_zero_reactions(&mut self) {
         while let Some(zero) = (0..self.moved.len()).filter(|row| !self.moved[*row]).find_map(|row| {
             let mut acting = (0..self.chosen.len()).filter(|at| self.chosen[*at].action[row] != 0);
             let only = acting.next()?;
             let chosen = &self.chosen[only];
-            // A shared reaction holds a direction in other equations as well.
+            // A shared reaction also holds a direction in other equations, so it is not removed.
             (acting.next().is_none() && chosen.found.is_some_and(|(_, found)| !found.is_shared)).then_some(only)
         }) {
             self.chosen.remove(zero);

@@ -1,4 +1,4 @@
-//! Stated connections: the reactions that connections of the model file transmit, in a fixed order.
+//! Stated connections: chooses the reactions that connections of the model file transmit, in a fixed order.
 //!
 //! 1. Stated reactions, and joints that close loops.
 //! 2. Contacts without slip, along the directions that are stated, and edges. An edge is a
@@ -7,8 +7,8 @@
 //! 3. Joints, and bodies from whose points or in whose frames other bodies are placed.
 //! 4. Contacts without slip that follow from the placement of bodies: a wheel, not the car, presses
 //!    on the ground.
-//! 5. The ground, under bodies that rest on nothing else; last under bodies that touch another
-//!    body.
+//! 5. The ground, under bodies that rest on nothing else. Last, the ground under bodies that touch
+//!    another body.
 //! 6. Bodies that the file states to touch: all reactions between them, in addition to those of the
 //!    contact.
 
@@ -23,19 +23,18 @@ use crate::model::{
     ConstrainedVelocity, ForcePlace, MotionConstraint, MotionConstraintKind, ReactionKind, SlipComponent,
 };
 
-/// Bases of the motions that a mechanism would have if loops were open and nothing rolled. `None`
-/// means its own motions.
+/// Motions that a mechanism would have if loops were open and nothing rolled, each as a basis. `None` in place of a
+/// basis means the mechanism's own motions.
 struct OpenMotions {
-    /// Motions in which equations between velocities of the model file hold, those in `placed`
-    /// excepted.
+    /// Basis of the motions in which the velocity equations of the model file hold, except those in `placed`.
     open: Option<Vec<Vec<u64>>>,
-    /// Motions in which no equation between velocities of the model file needs to hold.
+    /// Basis of the motions in which no velocity equation of the model file needs to hold.
     free: Option<Vec<Vec<u64>>>,
-    /// Names of constraints between velocities that are enforced elsewhere than in joints.
+    /// Names of the velocity constraints of edges, which edges enforce instead of joints.
     placed: Vec<String>,
 }
 
-/// Treatment of the equations between velocities that the model file states, edges excepted.
+/// Treatment of the velocity equations that the model file states, edges excepted.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum OtherEquations {
     /// The equations hold in the motions.
@@ -76,7 +75,7 @@ impl Search<'_> {
             _ => None,
         });
         let tied: Vec<SlipComponent> = tied.collect();
-        // A body that rests on another presses along the axes of that connection.
+        // A body that rests on another body presses along the axes of that connection.
         let rests_there = |rolled: &SlipComponent| {
             self.supports.iter().any(|support| (support.body, support.holder) == (rolled.body, rolled.against))
         };
@@ -99,8 +98,8 @@ impl Search<'_> {
         self.choose_stated_supports(&touching, &ways);
     }
 
-    /// Chooses forces at rolling contacts along the directions without slip. Other axes, such as those
-    /// of a gear, may be oblique to these directions.
+    /// Chooses forces at rolling contacts along the directions without slip. The axes of other connections, such as
+    /// those of a gear, may be oblique to these directions.
     fn choose_stated_rolling_forces(&mut self, components: &[SlipComponent], place: usize) {
         for &SlipComponent { body, against, point, frame, axis, .. } in components {
             let on = ForcePlace { body, point };
@@ -133,8 +132,8 @@ impl Search<'_> {
         }
     }
 
-    /// Chooses the reactions between bodies and the bodies on which they rest, at each connection
-    /// without regard to the others.
+    /// Chooses the reactions between bodies and the bodies on which they rest. Each connection is treated without
+    /// regard to the other connections.
     fn choose_stated_supports(&mut self, supports: &[Support], ways: &OpenMotions) {
         self.relative.ways_if_open.clone_from(&ways.open);
         for support in supports {
@@ -150,8 +149,8 @@ impl Search<'_> {
         self.relative.ways_if_open = None;
     }
 
-    /// Chooses independent reactions along axes of frames that each do no work, for a body and its
-    /// support.
+    /// Chooses independent reactions between a body and its support, along axes of frames. Each chosen reaction does
+    /// no work by itself.
     fn choose_stated_along_axes(&mut self, kind: ReactionKind, velocities: &[VectorResidues], support: &Support) {
         let field = self.relative.drawn.space.0;
         let mut open = 3 - rank(field, velocities.iter().map(|velocity| velocity.to_vec()));
@@ -171,8 +170,8 @@ impl Search<'_> {
         }
     }
 
-    /// Chooses the forces and torques of a connection that do no work only together, as those of a
-    /// screw.
+    /// Chooses the forces and torques of a connection that do no work together, but do work by themselves, such as
+    /// those of a screw.
     fn choose_joint_work_reactions(&mut self, body: usize, holder: Holder, ways: &OpenMotions) {
         let field = self.relative.drawn.space.0;
         self.relative.ways_if_open.clone_from(&ways.free);
@@ -211,9 +210,9 @@ impl Search<'_> {
         }
     }
 
-    /// Law of a connection: its reactions that do work if loops are open and nothing rolls, each with
-    /// its power along each coordinate's rate. `None` if a stated equation between velocities restricts
-    /// these rates, since the connection may then hold what the equation prevents.
+    /// Law of a connection: the connection's reactions that do work if loops are open and nothing rolls. Each has its
+    /// power along each coordinate's rate. `None` if a stated velocity equation restricts these rates, since the
+    /// connection may then hold what the equation prevents.
     fn stated_connection_law(
         &mut self,
         body: usize,
@@ -265,9 +264,9 @@ impl RelativeMotion<'_> {
         stated.filter_map(edge).collect()
     }
 
-    /// Basis of the motions that the mechanism would have if loops were open and nothing rolled,
-    /// without the constraints named in `placed`. `others` tells whether the other equations between
-    /// velocities of the model file hold. `None` if these are the mechanism's own motions.
+    /// Basis of the motions that the mechanism would have if loops were open and nothing rolled, without the
+    /// constraints named in `placed`. `others` says if the other velocity equations of the model file hold. `None` if
+    /// these motions are the mechanism's own.
     fn motions_of_opened_loops(&self, others: OtherEquations, placed: &[&str]) -> Option<Vec<Vec<u64>>> {
         let model = self.model;
         let holds = |constraint: &MotionConstraint| match constraint.kind {
@@ -282,8 +281,8 @@ impl RelativeMotion<'_> {
         is_open.then(|| self.open_motions(&mut model.arena.clone(), &holds)).flatten()
     }
 
-    /// Same component of rolling, taken along the first axis of the bodies' own frames that has its
-    /// direction. Unchanged if there is no such axis.
+    /// The rolling component, taken along that axis of the bodies' own frames which has the same direction. Unchanged
+    /// if no axis has this direction.
     fn along_own_axis(&self, rolled: SlipComponent) -> SlipComponent {
         let direction = |frame: usize, axis: usize| self.drawn.frames[frame].axes[axis];
         let wanted = direction(rolled.frame, rolled.axis);
@@ -292,8 +291,8 @@ impl RelativeMotion<'_> {
         same.map_or(rolled, |(frame, axis)| SlipComponent { frame, axis, ..rolled })
     }
 
-    /// Force and torque between a body and its support, at the point where they move least relative to
-    /// one another. Each has the relative velocities at which it does work.
+    /// Force and torque between a body and its support, each with the relative velocities at which it does work. They
+    /// act at the point where the two bodies move least relative to one another.
     pub fn reactions_between(&self, body: usize, holder: Holder) -> Vec<(ReactionKind, Vec<VectorResidues>)> {
         let point = self.least_moving_point(body, holder);
         let against = holder.map(|body| ForcePlace { body, point });
@@ -308,8 +307,8 @@ impl RelativeMotion<'_> {
         kinds
     }
 
-    /// Forces and torques between a body and its support that do work, along axes of one frame. Each
-    /// has its power for every permitted motion.
+    /// Forces and torques between a body and its support that do work, along the axes of one frame. Each has its
+    /// power for every permitted motion.
     pub fn working_found_reactions(&self, body: usize, holder: Holder) -> Vec<(FoundReaction, Vec<u64>)> {
         let frame = self.frames(body, holder)[0];
         let mut list = Vec::new();
@@ -337,15 +336,15 @@ impl RelativeMotion<'_> {
         }
     }
 
-    /// Axes along which a body and its support may act on one another, as (frame, axis 0, 1 or 2). Axes
-    /// of their own frames come first.
+    /// Axes along which a body and its support may act on one another, as (frame, axis 0, 1 or 2). Axes of the two
+    /// bodies' own frames come first.
     pub fn axes_between(&self, body: usize, holder: Holder) -> Vec<(usize, usize)> {
         let frames = self.frames(body, holder).into_iter();
         frames.flat_map(|frame| (0..3).map(move |axis| (frame, axis))).collect()
     }
 }
 
-/// Rank of a matrix of residues modulo a prime, given by its rows.
+/// Rank of a matrix of residues modulo a prime. The matrix is given by its rows.
 fn rank(field: Field, rows: impl Iterator<Item = Vec<u64>>) -> usize {
     let mut basis = Basis::new(field);
     rows.for_each(|row| {
@@ -354,8 +353,8 @@ fn rank(field: Field, rows: impl Iterator<Item = Vec<u64>>) -> usize {
     basis.len()
 }
 
-/// True if the power of one reaction is independent of the powers of all other reactions. This
-/// reaction is zero, since no other balances its power.
+/// True if the power of the reaction `at` is independent of the powers of all other reactions. Such a reaction is
+/// zero, since no other reaction balances its power.
 pub fn is_power_unbalanced(field: Field, powers: &[Vec<u64>], at: usize) -> bool {
     let mut others = Basis::new(field);
     for (_, power) in powers.iter().enumerate().filter(|(other, _)| *other != at) {

@@ -1,10 +1,9 @@
-//! Reactions elsewhere than at stated connections: where equations relate coordinates, and along
-//! lines and directions that belong to no frame.
+//! Reactions at places that are no stated connections: where equations relate coordinates, and along lines and
+//! directions that belong to no frame.
 //!
-//! All pairs of bodies are visited for contacts and loops, then for massless rods between two
-//! points. A reaction is accepted if it does no work, acts in an equation that is not 0 = 0, and is
-//! independent of those accepted before. The search ends when there are as many reactions as the
-//! equations of all bodies need.
+//! All pairs of bodies are visited for contacts and loops, then for massless rods between two points. A reaction is
+//! accepted if it does no work, acts in an equation that is not 0 = 0, and is independent of the reactions accepted
+//! before. The search ends when there are as many reactions as the equations of all bodies need.
 
 use super::reaction_search::{FoundReaction, ReactionDirection, Search};
 use super::stated_connections::is_power_unbalanced;
@@ -12,17 +11,17 @@ use crate::model::reactions::random_pose::{RandomModel, VectorResidues};
 use crate::model::reactions::relative_motion::{BodyPair, Holder};
 use crate::model::{ForcePlace, ReactionKind};
 
-/// Slip of the two points between which forces are searched.
+/// Relative motion that is allowed at the two points between which forces are searched.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Slip {
-    /// The points do not move relative to one another.
+    /// The two points do not move relative to one another.
     None,
-    /// The points may slide relative to one another.
+    /// The two points may slide relative to one another.
     Allowed,
 }
 
 impl Search<'_> {
-    /// Chooses reactions that no connection of the model file transmits and that are still missing.
+    /// Chooses reactions that are still missing after the reactions of the model file's connections were chosen.
     pub fn choose_unstated_reactions(&mut self) {
         // Points without slip come first. A force at a point where bodies slide is tried last.
         for slip in [Slip::None, Slip::Allowed] {
@@ -37,8 +36,8 @@ impl Search<'_> {
         self.choose_shared();
     }
 
-    /// Chooses reactions between each body and its support, in the motions that all constraints
-    /// together permit.
+    /// Chooses reactions between each body and its support. A reaction must do no work in the motions that all
+    /// constraints together permit.
     fn choose_at_supports(&mut self) {
         for support in self.supports.clone() {
             for (kind, steady_velocities_along_symmetries) in
@@ -54,8 +53,8 @@ impl Search<'_> {
         }
     }
 
-    /// Accepts the reactions of a kind along axes that do no work at these relative velocities, one
-    /// velocity for each speed.
+    /// Chooses the reactions of a kind along axes of frames that do no work at the given relative velocities. There
+    /// is one velocity for each speed.
     fn choose_unstated_along_axes(
         &mut self,
         kind: ReactionKind,
@@ -80,7 +79,7 @@ impl Search<'_> {
         }
     }
 
-    /// Chooses forces along massless rods: between points at a constant distance, of two bodies or of a
+    /// Chooses forces along massless rods. A rod connects two points at a constant distance, of two bodies or of a
     /// body and the ground.
     fn choose_unstated_along_rods(&mut self) {
         let count = self.relative.model.points.len();
@@ -100,7 +99,7 @@ impl Search<'_> {
         }
     }
 
-    /// Chooses the force along the line between two points, if it does no work and is needed.
+    /// Chooses the force along the line between two points, if it does no work and reactions are still missing.
     fn choose_unstated_along_rod(&mut self, body: usize, holder: Holder, point: usize, opposite: usize) {
         let RandomModel { space, points, .. } = &self.relative.drawn;
         let way = space.sub(points[opposite].place, points[point].place);
@@ -120,9 +119,9 @@ impl Search<'_> {
         }
     }
 
-    /// Chooses forces and torques at supports that each do work, and together hold directions that no
-    /// axis holds. Each of them adds an unknown. They add as many equations as their powers for the
-    /// speeds have independent vectors.
+    /// Chooses forces and torques at supports that each do work, but together hold directions that are along no axis.
+    /// Each of them adds an unknown. They add as many equations as their powers for the speeds have independent
+    /// vectors.
     fn choose_shared(&mut self) {
         let all: Vec<_> = self
             .supports
@@ -139,7 +138,7 @@ impl Search<'_> {
         }
     }
 
-    /// Chooses forces between two bodies that touch at a point.
+    /// Chooses forces between two bodies that touch at a point. `slip` says if the bodies may slide there.
     fn choose_at_contacts(&mut self, slip: Slip) {
         for BodyPair { body, against: holder } in self.relative.pairs() {
             for point in 0..self.relative.model.points.len() {
@@ -168,7 +167,7 @@ impl Search<'_> {
         }
     }
 
-    /// Chooses forces between points of two bodies that loops keep together.
+    /// Chooses forces between points of two bodies that loops keep together. `slip` says if the points may slide.
     fn choose_in_loops(&mut self, slip: Slip) {
         for BodyPair { body, against: holder } in self.relative.pairs() {
             let Some(other) = holder else { continue };
@@ -185,8 +184,8 @@ impl Search<'_> {
         }
     }
 
-    /// Chooses forces between a point of one body and a point of another, or of the ground, as far as
-    /// slip is allowed.
+    /// Chooses forces between a point of one body and a point of another body or of the ground. `slip` says if the
+    /// points may slide relative to one another.
     fn choose_unstated_at_points(&mut self, body: usize, holder: Holder, point: usize, opposite: usize, slip: Slip) {
         if self.missing == 0 {
             return;
