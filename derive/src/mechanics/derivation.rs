@@ -1,4 +1,4 @@
-//! Derives a model by one formulation, with or without its intermediate steps, or by all
+//! Derives the equations of motion of a model by one formulation, with or without intermediate steps, or by all
 //! formulations in one arena.
 
 use super::derivation_limits::check_term_limit;
@@ -25,9 +25,9 @@ pub struct Derivation {
 }
 
 impl Derivation {
-    /// Gives the named terms of the equations the names that every document about the model uses. Terms
-    /// that Kane's equations also have get plain names. Other terms get a name with the formulation's
-    /// name in it.
+    /// Gives the named terms of the equations their names, which are the same in every document about the model.
+    /// Terms that Kane's equations also have get plain names. All other terms get a name that contains the
+    /// formulation's name.
     pub fn write_names(&mut self) {
         write_names_of_derivation(&mut self.arena, self.equations.formulation, &self.equations);
     }
@@ -41,13 +41,13 @@ pub struct DerivationInSteps {
     pub arena: Arena,
     /// Equations of motion by the chosen formulation.
     pub equations: Equations,
-    /// Intermediate results that lead to `equations`, such as velocities and energies, in the order of
-    /// the derivation.
+    /// Intermediate results that lead to [`Self::equations`], such as velocities and energies, in the order of the
+    /// derivation.
     pub steps: Vec<Step>,
 }
 
-/// Largest number of expression nodes of M, f, T, V and all definitions together for display in
-/// closed form: about two pages.
+/// Largest number of expression nodes for display in closed form: about two pages. It applies to M, f, T, V and all
+/// definitions together.
 const MOST_IN_ALL: usize = 2_000;
 
 /// Largest number of expression nodes of a single formula for display in closed form: about twenty
@@ -55,8 +55,7 @@ const MOST_IN_ALL: usize = 2_000;
 const MOST_IN_ONE: usize = 500;
 
 impl DerivationInSteps {
-    /// True if M, f, T, V and the definitions are short enough to read in closed form, without names
-    /// for subterms.
+    /// True if M, f, T, V and the definitions are short enough to be read in closed form, without names for subterms.
     fn is_short(&self) -> bool {
         let Self { arena, equations: e, .. } = self;
         let scalars = [e.kinetic_energy, e.potential_energy];
@@ -72,25 +71,23 @@ impl DerivationInSteps {
 pub struct Derivations {
     /// Kinematics that all formulations share; it owns the arena of all terms.
     pub kinematics: Kinematics,
-    /// Formulations in the order in which they were derived, each with its equations, or with the
-    /// reason why it cannot be derived.
+    /// Formulations in the order of derivation. Each has its equations, or the reason why they cannot be derived.
     pub list: Vec<(Formulation, Result<Equations, DeriveError>)>,
 }
 
 impl Derivations {
-    /// Equations by the given formulation; `None` if it is not in the list or cannot be derived for
-    /// this model.
+    /// Equations by the given formulation. `None` if the formulation is not listed or cannot be derived for this
+    /// model.
     #[must_use]
     pub fn get(&self, formulation: Formulation) -> Option<&Equations> {
         self.result(formulation).ok()
     }
 
-    /// Derives the model by a further formulation and appends the result to the list. Does nothing if
-    /// the formulation is already listed. A formulation that the model does not support is listed with
-    /// its error.
+    /// Derives the model by a further formulation and appends the result to the list. Does nothing if the formulation
+    /// is already listed. A formulation that the model does not support is listed with its error.
     ///
     /// # Errors
-    /// [`DeriveError`] if the model itself is wrong.
+    /// Returns a [`DeriveError`] if the model itself is wrong.
     pub fn add(&mut self, model: &Model, formulation: Formulation) -> Result<(), DeriveError> {
         if self.list.iter().any(|(listed, _)| *listed == formulation) {
             return Ok(());
@@ -104,7 +101,7 @@ impl Derivations {
         }
     }
 
-    /// Gives the named terms of all equations the names that every document about the model uses.
+    /// Gives the named terms of all equations their names, which are the same in every document about the model.
     /// Kane's terms are named first, then the terms that only other formulations have.
     pub fn write_names(&mut self) {
         for (formulation, equations) in &self.list {
@@ -117,8 +114,8 @@ impl Derivations {
     /// Equations by the given formulation.
     ///
     /// # Errors
-    /// [`DeriveError`] if the formulation cannot be derived for this model; `DeriveError::NotLinear`
-    /// if it is not listed.
+    /// Returns the [`DeriveError`] of a formulation that cannot be derived for this model. Returns
+    /// `DeriveError::NotLinear` if the formulation is not listed.
     pub fn result(&self, formulation: Formulation) -> Result<&Equations, DeriveError> {
         let found = self.list.iter().find(|(f, _)| *f == formulation);
         found.map_or(Err(DeriveError::NotLinear), |(_, equations)| equations.as_ref().map_err(Clone::clone))
@@ -128,7 +125,7 @@ impl Derivations {
 /// Derives the equations of motion of a model by one formulation.
 ///
 /// # Errors
-/// [`DeriveError`] if there are no equations. If [`DeriveError::is_unsupported`] is true, another
+/// Returns a [`DeriveError`] if the equations cannot be derived. If [`DeriveError::is_unsupported`] is true, another
 /// formulation may succeed.
 pub fn derive(model: &Model, formulation: Formulation) -> Result<Derivation, DeriveError> {
     let mut kinematics = Kinematics::new(model)?;
@@ -138,11 +135,11 @@ pub fn derive(model: &Model, formulation: Formulation) -> Result<Derivation, Der
 
 /// Derives the equations of motion of a model for display, with the steps that lead to them.
 ///
-/// `form` chooses closed form or named terms. With `None`, the closed form is used if M, f, T and V
-/// then fit about two pages, else named terms.
+/// `form` chooses closed form or named terms. With `None`, the closed form is used if M, f, T and V then fit on about
+/// two pages, otherwise named terms.
 ///
 /// # Errors
-/// [`DeriveError`], for the same reasons as [`derive()`].
+/// Returns a [`DeriveError`], for the same reasons as [`derive()`].
 pub fn derive_in_steps(
     model: &Model,
     formulation: Formulation,
@@ -165,7 +162,7 @@ pub fn derive_in_steps(
 /// Derives equations of motion and their steps in the given form: closed, or with named terms.
 ///
 /// # Errors
-/// `DeriveError` if the formulation cannot be derived.
+/// Returns a `DeriveError` if the formulation cannot be derived for this model.
 fn derivation_in_form(
     model: &Model,
     formulation: Formulation,
@@ -175,7 +172,7 @@ fn derivation_in_form(
     let equations = derive_with(model, &mut kinematics, formulation)?;
     let steps = (formulation.method().steps)(model, &mut kinematics)?;
     let mut arena = kinematics.arena;
-    // Inverse dynamics is written only in code, so the steps do not show it.
+    // Inverse dynamics appears only in generated code, so the steps do not show it.
     let equations = Equations { required: Vec::new(), ..equations };
     if formulation != REFERENCE {
         if arena.has_names() {
@@ -186,8 +183,8 @@ fn derivation_in_form(
     Ok(derivation_with_definitions(arena, &equations, steps))
 }
 
-/// Derives all formulations up to and including the given one, and returns their arena. In it, the
-/// named terms have the names that every document about the model uses.
+/// Derives all formulations up to and including the given one, and returns the arena of their terms. Its named terms
+/// have the names that every document about the model uses.
 fn arena_with_derivation_names(
     model: &Model,
     formulation: Formulation,
@@ -203,14 +200,14 @@ fn arena_with_derivation_names(
     Ok(all.kinematics.arena)
 }
 
-/// Formulation whose named terms have plain names in every document: Kane. Other formulations put
-/// their own name before.
+/// Formulation whose named terms have plain names in every document: Kane. Names of other formulations' terms begin
+/// with the formulation's name.
 const REFERENCE: Formulation = Formulation::Kane;
 
-/// Gives the named terms of one formulation's equations their names: plain for Kane, else after the
-/// formulation's name.
+/// Names the named terms in one formulation's equations. Kane's terms get plain names; names of other terms begin
+/// with the formulation's name.
 fn write_names_of_derivation(arena: &mut Arena, formulation: Formulation, equations: &Equations) {
-    // Inverse dynamics is written only in code, so documents do not show it.
+    // Inverse dynamics appears only in generated code, so documents do not show it.
     let equations = Equations { required: Vec::new(), ..equations.clone() };
     if formulation == REFERENCE {
         let _ = equations.with_definitions(arena);
@@ -220,8 +217,8 @@ fn write_names_of_derivation(arena: &mut Arena, formulation: Formulation, equati
     }
 }
 
-/// Puts a symbol in place of each named term of the equations and steps. The definitions of the
-/// equations then list each symbol with its term.
+/// Replaces each named term of the equations and steps by a symbol. The definitions of the equations then list each
+/// symbol with its term.
 fn derivation_with_definitions(mut arena: Arena, equations: &Equations, mut steps: Vec<Step>) -> DerivationInSteps {
     let mut equations = equations.with_definitions(&mut arena);
     let lines = || steps.iter().flat_map(|step| step.lines.iter());
@@ -239,17 +236,17 @@ fn derivation_with_definitions(mut arena: Arena, equations: &Equations, mut step
 /// Derives the equations of motion of a model by the standard formulations.
 ///
 /// # Errors
-/// [`DeriveError`] if the model itself is wrong. A formulation that this model does not support is
-/// listed with its error.
+/// Returns a [`DeriveError`] if the model itself is wrong. A formulation that this model does not support is listed
+/// with its error instead.
 pub fn derive_all(model: &Model) -> Result<Derivations, DeriveError> {
     derive_all_with(model, Kinematics::new(model)?)
 }
 
-/// Derives a model by the standard formulations, like [`derive_all`], from given kinematics.
-/// [`Kinematics::in_form`] chooses whether their terms are named.
+/// Derives a model by the standard formulations from given kinematics. Terms are named if [`Kinematics::in_form`] has
+/// named them.
 ///
 /// # Errors
-/// [`DeriveError`], for the same reasons as [`derive_all`].
+/// Returns a [`DeriveError`], for the same reasons as [`derive_all`].
 pub fn derive_all_with(model: &Model, kinematics: Kinematics) -> Result<Derivations, DeriveError> {
     let mut derivations = Derivations { kinematics, list: Vec::new() };
     for f in Formulation::STANDARD {
@@ -261,8 +258,7 @@ pub fn derive_all_with(model: &Model, kinematics: Kinematics) -> Result<Derivati
 /// Derives the equations of one formulation from kinematics that several formulations may share.
 ///
 /// # Errors
-/// `DeriveError` if the formulation fails, the arena grows too large, or the matrix is singular
-/// everywhere.
+/// Returns a `DeriveError` if the formulation fails, the arena grows too large, or the matrix is singular everywhere.
 pub(crate) fn derive_with(
     model: &Model,
     kinematics: &mut Kinematics,

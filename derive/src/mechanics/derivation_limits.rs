@@ -1,25 +1,24 @@
-//! Limits on the size of a derivation. They count links and terms, so they are equal on every
-//! machine.
+//! Limits on the size of a derivation. They count links of the model and terms, so a derivation meets the same limits
+//! on every machine.
 
 use super::derive_error::DeriveError;
 use crate::algebra::Arena;
 use crate::geometry::Frames;
 use crate::model::Model;
 
-/// Largest number of links of a model whose equations are derived. A link is a frame or point
-/// between a body and the ground, counted once for each body. The mass matrix of such a model has
-/// about as many entries.
+/// Largest number of links of a model whose equations are derived. A link is a frame or point between a body and the
+/// ground. A link that several bodies share is counted once for each. The mass matrix has about as many entries as
+/// the model has links.
 const MOST_LINKS: usize = 25_000;
 
 /// Largest number of terms in the arena. A derivation that needs more terms (about a gigabyte) is
 /// refused.
 const MOST_TERMS: usize = 6_000_000;
 
-/// Refuses a model with more than `MOST_LINKS` links (frames and points between each body and the
-/// ground).
+/// Refuses a model with more than `MOST_LINKS` links. A link is a frame or point between a body and the ground.
 ///
 /// # Errors
-/// [`DeriveError::TooLarge`] for such a model.
+/// Returns [`DeriveError::TooLarge`] for such a model.
 pub(super) fn check_link_limit(model: &Model) -> Result<(), DeriveError> {
     let frames = Frames::new(&model.frames);
     let links = |centre: usize, frame: Option<usize>| {
@@ -34,7 +33,7 @@ pub(super) fn check_link_limit(model: &Model) -> Result<(), DeriveError> {
 /// Refuses a derivation whose arena has more than `MOST_TERMS` terms.
 ///
 /// # Errors
-/// [`DeriveError::TooLarge`] for such a derivation.
+/// Returns [`DeriveError::TooLarge`] for such a derivation.
 pub(super) fn check_term_limit(model: &Model, arena: &Arena) -> Result<(), DeriveError> {
     check_limit(model, arena.len(), MOST_TERMS, "terms")
 }

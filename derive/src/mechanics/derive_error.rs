@@ -18,14 +18,14 @@ pub enum DeriveError {
         /// Name of the frame that is fixed in the body.
         body_frame: String,
     },
-    /// A constraint reaction does work in a motion that the constraints permit.
+    /// A reaction does work in a motion that the constraints permit.
     ReactionWorks {
         /// Name of the reaction that does work.
         reaction: String,
         /// Name of the generalized speed, or of a coordinate with a prime (its rate), along which the
         /// reaction does work.
         motion: String,
-        /// Formula of the power of the reaction for each unit of `motion`.
+        /// Formula of the reaction's power for each unit of `motion`.
         rate: String,
     },
     /// A force or torque divides by a velocity that is zero at all times.
@@ -43,10 +43,9 @@ pub enum DeriveError {
         /// Formula of the squared length of the direction; it should be 1.
         square: String,
     },
-    /// The potential energy has no value at the configuration `zero_at`, where the model sets it to
-    /// zero.
+    /// The potential energy has no value at the configuration `zero_at`, where the model sets the energy to zero.
     NoZeroOfPotential {
-        /// Formula that divides by zero at the configuration where the model sets V to zero.
+        /// Formula that divides by zero at the configuration `zero_at` of the model.
         term: String,
     },
     /// A generalized speed moves no mass: its row of the mass matrix is zero or depends on other rows.
@@ -54,7 +53,7 @@ pub enum DeriveError {
         /// Name of the generalized speed that moves no mass, or of a coordinate with a prime (its rate).
         speed: String,
     },
-    /// A generalized speed moves no mass at the parameter values of a scene.
+    /// A generalized speed moves no mass at the parameter values of a scene, such as a zero mass.
     NoInertiaAt {
         /// Name of the generalized speed that moves no mass.
         speed: String,
@@ -65,7 +64,7 @@ pub enum DeriveError {
     NotLinear,
     /// The linear equations for the accelerations have no usable solution.
     Unsolved(Unsolved),
-    /// Newton–Euler needs as many reactions as equations less speeds, but the model has another number.
+    /// The number of reactions is wrong for Newton–Euler: it must be the number of equations less that of speeds.
     ReactionCount {
         /// Number of Newton–Euler equations that are not 0 = 0.
         equations: usize,
@@ -73,16 +72,17 @@ pub enum DeriveError {
         speeds: usize,
         /// Number of reactions that the model has, stated or found by the program.
         reactions: usize,
-        /// Number of balance equations of all bodies, with those that are 0 = 0. At most `all` − `speeds`
-        /// reactions can be needed.
+        /// Number of balance equations of all bodies, including those that are 0 = 0. The model needs at most `all` −
+        /// `speeds` reactions.
         all: usize,
-        /// Components in which the bodies feel a load, one text for each body: `disk force b1, b2`.
+        /// Components of balances that contain inertia or a load, one text for each body and kind: `disk force b1,
+        /// b2`.
         felt: Vec<String>,
     },
     /// The Newton–Euler equations do not determine each reaction, because the reactions are linearly
     /// dependent.
     ReactionsDependent,
-    /// It cannot be shown that a reaction which the program found by itself does no work.
+    /// The program found a reaction by itself but cannot show that this reaction does no work.
     ReactionNotShown {
         /// Name of the reaction that the program found.
         reaction: String,
@@ -110,17 +110,17 @@ pub enum DeriveError {
         /// Largest number of links or terms that is allowed.
         most: usize,
     },
-    /// A body has an added mass (of a surrounding fluid), whose parameters cannot be identified.
+    /// Parameters of a body cannot be identified, because the body has an added mass (of a surrounding fluid).
     AddedMass {
         /// Name of the body that has an added mass.
         body: String,
     },
-    /// A mechanism has loops. Its reduced equations would not keep them closed, so none are derived.
+    /// A mechanism with loops gets no reduced equations, because these would not keep its loops closed.
     LoopsReduced {
         /// Name of a loop of the mechanism.
         name: String,
     },
-    /// The constraints of a mechanism leave no free speed, so that there are no reduced equations.
+    /// A mechanism whose constraints leave no free speed gets no reduced equations.
     NothingMoves,
     /// The reduced equations of a scene could not be proved equivalent to the model's equations.
     ReductionNotProved {
@@ -143,8 +143,7 @@ impl DeriveError {
         )
     }
 
-    /// Returns the name in the model file that the error is about, or `None`, and advice for the
-    /// user.
+    /// Name in the model file that the error is about, `None` if there is none, and advice for the user.
     fn place_and_advice_of_error(&self) -> (Option<&str>, &'static str) {
         match self {
             Self::InertiaNotConstant { body, .. } => (
@@ -306,7 +305,7 @@ impl fmt::Display for DeriveError {
 }
 
 impl Model {
-    /// Returns diagnostics that show a derivation error at its place in the model file, with advice.
+    /// Diagnostics that show a derivation error at its place in the model file, with advice.
     #[must_use]
     pub fn diagnose(&self, error: &DeriveError) -> Diagnostics {
         let (name, help) = error.place_and_advice_of_error();

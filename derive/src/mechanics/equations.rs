@@ -1,5 +1,5 @@
-//! Equations of motion in the form matrix · unknowns = forcing, from a formulation, a publication
-//! or a reduction.
+//! Equations of motion in the form matrix · unknowns = forcing. They come from a formulation, a publication or a
+//! reduction.
 
 use super::derive_error::DeriveError;
 use super::equations_origin::EquationsOrigin;
@@ -14,7 +14,7 @@ use crate::algebra::text::definitions::write_definitions;
 use crate::algebra::{Arena, Expr};
 use crate::model::{Model, MotionConstraintKind};
 
-/// Largest number of definitions of a system that is solved in closed form.
+/// Largest number of definitions of equations that are solved in closed form.
 const MOST_WRITTEN_OUT: usize = 40;
 
 /// Equations of motion: matrix · unknowns = forcing, and q̇ = `coordinate_rates`.
@@ -22,14 +22,14 @@ const MOST_WRITTEN_OUT: usize = 40;
 pub struct Equations {
     /// Origin of the equations: a formulation, a publication or a reduction.
     pub by: EquationsOrigin,
-    /// Distance from a fixed value that replaces one coordinate; `None` if all coordinates are the
-    /// model's own.
+    /// Distance of a coordinate from a fixed value, if this distance replaces the coordinate. `None` if all
+    /// coordinates are the model's own.
     pub distance: Option<SingularDistance>,
     /// Formulation that chose the motion variables v (speeds u or rates q̇) and the unknowns of these
     /// equations.
     pub formulation: Formulation,
-    /// Definitions symbol = term, in parameters, q and v; the symbols occur in the other fields. A
-    /// definition comes after the definitions that it uses. Empty except in reduced equations and after
+    /// Definitions symbol = term, in parameters, q and v, whose symbols occur in the other fields. A definition comes
+    /// after the definitions that its term contains. Empty except in reduced equations and after
     /// [`Self::with_definitions`].
     pub definitions: Vec<Definition>,
     /// Symbols of the generalized coordinates q. A distance may replace one of them
@@ -37,9 +37,9 @@ pub struct Equations {
     pub coordinates: Vec<Expr>,
     /// Symbols of the motion variables v, which are integrated together with q: u, or q̇ for Lagrange.
     pub variables: Vec<Expr>,
-    /// Symbols of the unknowns: the accelerations v̇, then the reactions or the constraint multipliers.
+    /// Symbols of the unknowns: first the accelerations v̇, then the reactions or the constraint multipliers.
     pub unknowns: Vec<Expr>,
-    /// Names of the rows: each row belongs to a speed, a coordinate, a constraint or a balance.
+    /// Names of the rows. A row belongs to a speed, a coordinate, a constraint or a balance of a body.
     pub rows: Vec<RowName>,
     /// Square matrix of the equations, one column for each unknown; in parameters, q and v.
     pub matrix: Vec<Vec<Expr>>,
@@ -47,67 +47,66 @@ pub struct Equations {
     pub forcing: Vec<Expr>,
     /// True if the matrix is symmetric by construction, and positive definite wherever it is regular.
     pub symmetric: bool,
-    /// Multipliers of the rows, one list for each generalized speed, with one entry for each row: the
-    /// partial velocities. They cancel the reactions and leave a symmetric, positive definite system.
-    /// Empty without reactions and multipliers.
+    /// Multipliers of the rows: one list for each generalized speed, with one entry for each row. They are the
+    /// partial velocities. With them, the rows add up to a symmetric, positive definite system without reactions and
+    /// multipliers of constraints. Empty if the equations have none of these.
     pub projection: Vec<Vec<Expr>>,
-    /// Map from the free accelerations to v̇. `Some` if motion constraints leave fewer free
-    /// accelerations than v has entries; the projected system then determines the free accelerations.
+    /// Map from the free accelerations to v̇; the projected system determines the free accelerations. `None` unless
+    /// motion constraints leave fewer free accelerations than v has entries.
     pub embedding: Option<AccelerationEmbedding>,
-    /// Rates q̇ of the generalized coordinates, one for each, as terms in q and v (speeds u, or q̇
-    /// itself).
+    /// Rates q̇ of the generalized coordinates as terms in q and the motion variables v, one for each coordinate.
     pub coordinate_rates: Vec<Expr>,
-    /// Inverse dynamics M v̇ − f: the generalized forces that the accelerations v̇ require in addition
-    /// to the loads. In parameters, q, v and v̇. Empty if not computed, or if reactions or multipliers
-    /// are among the unknowns.
+    /// Inverse dynamics M v̇ − f: the generalized forces that accelerations v̇ require in addition to the loads, as
+    /// terms in parameters, q, v and v̇. Empty if not computed, or if reactions or multipliers are among the
+    /// unknowns.
     pub required: Vec<Expr>,
-    /// Function of the bodies' accelerations that v̇ minimizes (Gauss's principle): a second way to v̇
-    /// for large systems. `None` if not derived.
+    /// Function of the bodies' accelerations that is smallest at the actual v̇ (Gauss's principle). For large systems
+    /// it is a second way to compute v̇. `None` if not derived.
     pub gauss: Option<QuadraticForm>,
-    /// Symbols of the generalized speeds u. Constraints may leave fewer of them than there are motion
-    /// variables v.
+    /// Symbols of the generalized speeds u. Constraints may make them fewer than the motion variables v.
     pub speeds: Vec<Expr>,
-    /// Generalized speeds u, one term in q and the motion variables v for each.
+    /// Generalized speeds u as terms in q and the motion variables v, one for each speed.
     pub generalized_speeds: Vec<Expr>,
     /// Rates u̇ of the generalized speeds as terms in q, v and v̇.
     pub generalized_speed_rates: Vec<Expr>,
-    /// Motion variables v (u, or q̇ for Lagrange), one term in q and u for each.
+    /// Motion variables v (u, or q̇ for Lagrange) as terms in q and u, one for each variable.
     pub motion_variables: Vec<Expr>,
     /// Kinetic energy T of all bodies, J, as a term in q and the motion variables v.
     pub kinetic_energy: Expr,
     /// Potential energy V of gravity and of all applied loads that have a potential, as a term in q, J.
     pub potential_energy: Expr,
-    /// Power d(T + V)/dt of the forces that V does not contain, as a term in q and v, W. It is 0 in
-    /// reduced equations, which have their own T and V.
+    /// Power d(T + V)/dt of the forces without a potential in V, W, as a term in q and v. It is 0 in reduced
+    /// equations, which have their own T and V.
     pub power: Expr,
-    /// Divisors of the kinematic equations q̇ = W u + w, as terms in q. The equations are singular
-    /// where a divisor is zero.
+    /// Divisors of the kinematic equations q̇ = W u + w, as terms in q. The equations are singular in a configuration
+    /// in which a divisor is zero.
     pub divisors: Vec<Expr>,
-    /// Constraints that are zero in every exact motion but drift in a numeric run. These are the loops
-    /// of the model, and its motion constraints if v can violate them.
+    /// Constraints that hold in every exact motion but drift in a numeric run. They are the loops of the model, and
+    /// its motion constraints if v can violate them.
     pub constraints: Vec<Constrained>,
 }
 
-/// Constraint that rounding in a run may violate, so that each step must correct the state.
+/// Constraint that rounding may violate in a run, so that each step must correct the state.
 #[derive(Clone, Debug)]
 pub struct Constrained {
-    /// Name of the constraint in the model file, with a prime if it is the rate of a loop.
+    /// Name of the constraint in the model file, with a prime for the rate of a loop.
     pub name: String,
-    /// Residual of the constraint as a term in q and v; zero where the constraint holds.
+    /// Residual of the constraint as a term in q and v. It is zero if the constraint holds.
     pub value: Expr,
-    /// Partial derivatives of the residual by each q, then by each v. The slope by time is set to zero.
+    /// Partial derivatives of the residual with respect to each q, then to each v. Those with respect to time and its
+    /// rate are set to 0.
     pub slopes: Vec<Expr>,
 }
 
 impl Equations {
-    /// Name of the equations in files, such as `kane`, `kane@q2-90deg` or `printed:ID`.
+    /// Name of the equations on the command line and in files, such as `kane`, `kane@q2-90deg` or `printed:ID`.
     #[must_use]
     pub fn name(&self, model: &Model) -> String {
         self.by.name_in(self.distance, model)
     }
 
-    /// Title of the equations for a heading, such as `Kane's method`, with the distance that replaces a
-    /// coordinate, if any.
+    /// Title of the equations for a heading, such as `Kane's method`. If a distance replaces a coordinate, the title
+    /// names it.
     #[must_use]
     pub fn title(&self, model: &Model) -> String {
         let title = self.by.title();
@@ -126,8 +125,8 @@ impl Equations {
         self.definitions.len() > MOST_WRITTEN_OUT
     }
 
-    /// Returns the equations in the form that is solved, differentiated and written as code. A symbol
-    /// replaces every named term, and `definitions` lists each symbol with its term.
+    /// Equations in the form that is solved, differentiated and written as code. A symbol replaces every named term,
+    /// and `definitions` lists each symbol with its term.
     #[must_use]
     pub fn with_definitions(&self, arena: &mut Arena) -> Self {
         let mut result = self.clone();
@@ -142,14 +141,14 @@ impl Equations {
         result
     }
 
-    /// Lists all terms of the equations in a fixed order, with the definitions last.
+    /// All terms of the equations in a fixed order, with the definitions last.
     pub(super) fn terms(&self, arena: &mut Arena) -> Vec<Expr> {
         let mut terms = Vec::new();
         self.clone().change_terms(&mut |e, _| terms.push(*e), arena);
         terms
     }
 
-    /// Applies `change` to every expression in place. Drops `gauss`, whose terms would no longer match.
+    /// Applies `change` to every term of the equations in place. Drops [`Self::gauss`], which would no longer match.
     pub(crate) fn change_terms(&mut self, change: &mut dyn FnMut(&mut Expr, &mut Arena), arena: &mut Arena) {
         self.gauss = None;
         let vectors = [
@@ -173,12 +172,11 @@ impl Equations {
     }
 }
 
-/// Completes the rows of a formulation to full equations: adds q̇, u, energies, power and
-/// constraints. Every entry is simplified.
+/// Completes the rows of a formulation to full equations: adds q̇, u, energies, power and constraints. All entries
+/// are simplified.
 ///
 /// # Errors
-/// [`DeriveError::NoZeroOfPotential`] if V has no value at the configuration where the model sets
-/// it to zero.
+/// Returns [`DeriveError::NoZeroOfPotential`] if V has no value at the configuration where the model sets it to zero.
 pub(super) fn equations_from_rows(
     model: &Model,
     kinematics: &mut Kinematics,
@@ -232,8 +230,8 @@ pub(super) fn equations_from_rows(
     Ok(equations)
 }
 
-/// Lists the constraints that a run by this formulation can violate, with their slopes: loops, and
-/// motion constraints if v = q̇.
+/// Constraints that a run by the given formulation can violate, with their derivatives: loops and, if v = q̇, motion
+/// constraints.
 fn enforced_constraints_of_equations(
     model: &Model,
     kinematics: &mut Kinematics,
@@ -250,7 +248,7 @@ fn enforced_constraints_of_equations(
         });
     let states = [model.q(), formulation.variables(model)].concat();
     let mut gradient = Gradient::new(&states);
-    // Time has no slope: the constraint corrects the coordinates that are tied to it.
+    // The derivative by time is left out, so that corrections change the coordinates and not time.
     let time = model.time().map(|at| &model.coordinates[at]);
     let is_time = |state: Expr| time.is_some_and(|time| state == time.symbol || state == time.rate);
     let Kinematics { arena, simplifier, .. } = kinematics;

@@ -1,24 +1,22 @@
-//! Origin of a set of equations of motion. The names and titles of equations are made only in this
-//! file.
+//! Origin of equations of motion. The names and titles of equations are made only in this file.
 
 use super::formulations::formulation::Formulation;
 use super::singular_distance::SingularDistance;
 use crate::model::Model;
 
-/// Origin of a set of equations of motion: derived, printed in a publication, or reduced for a
-/// scene.
+/// Origin of equations of motion: derived, printed in a publication, or reduced for a scene.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum EquationsOrigin {
     /// Equations that the program derived with this formulation.
     Derived(Formulation),
-    /// Equations of a publication or listing, exactly as printed.
+    /// Equations of a publication or program listing, exactly as printed.
     Printed {
         /// Identifier of the system or listing in the publication file.
         id: String,
         /// Formulation that the publication states for the system.
         formulation: Formulation,
     },
-    /// Reduced equations of a scene.
+    /// Equations that the program reduced for a scene.
     Reduced,
 }
 
@@ -71,8 +69,7 @@ impl EquationsOrigin {
         *self == Self::Reduced
     }
 
-    /// Returns `ID` of a command-line argument `printed:ID`; `None` if the argument does not ask for
-    /// printed equations.
+    /// Identifier `ID` in a command-line argument `printed:ID`. `None` for any other argument.
     #[must_use]
     pub fn printed_id_of_argument(argument: &str) -> Option<&str> {
         argument.strip_prefix(PRINTED)

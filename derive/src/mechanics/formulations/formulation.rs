@@ -20,7 +20,7 @@ pub enum Formulation {
     Lagrange,
     /// Newton–Euler equations: force and moment balance of each body, with reactions.
     NewtonEuler,
-    /// Gibbs–Appell equations, from the acceleration energy. They are derived on request only.
+    /// Gibbs–Appell equations, from the acceleration energy. They are derived only on request.
     GibbsAppell,
 }
 
@@ -33,10 +33,10 @@ pub struct FormulationProperties {
     pub title: &'static str,
     /// Name of the method in a formula, such as `Kane = Wᵀ · Lagrange`.
     pub label: &'static str,
-    /// Principle of the method in words, for the page; a formula may follow it.
+    /// Principle of the method in words, for the page. A formula may follow these words.
     pub principle: &'static str,
-    /// System of equations of the method, in plain text. Index 0: no motion constraints; index 1: with
-    /// motion constraints.
+    /// System of equations of the method, in plain text. Index 0 is without motion constraints, index 1 with motion
+    /// constraints.
     equation: [&'static str; 2],
     /// Kind of the motion variables that are integrated together with q: speeds u or rates q̇.
     pub variables: MotionVariables,
@@ -47,7 +47,7 @@ pub struct FormulationProperties {
     /// Function that derives the equations' rows (matrix, forcing, energy) from a model and its
     /// kinematics.
     pub derive: fn(&Model, &mut Kinematics) -> Result<Rows, DeriveError>,
-    /// Function that derives the intermediate steps before the rows, for display.
+    /// Function that derives the intermediate steps of the method, for display.
     pub steps: fn(&Model, &mut Kinematics) -> Result<Vec<Step>, DeriveError>,
 }
 
@@ -109,8 +109,8 @@ impl Formulation {
     /// All formulations, in the order in which every list shows them.
     pub const ALL: [Self; 4] = [Self::Kane, Self::Lagrange, Self::NewtonEuler, Self::GibbsAppell];
 
-    /// Formulations that are derived if none is named: the first entries of [`Self::ALL`]. The last,
-    /// Gibbs–Appell, is derived on request only.
+    /// Formulations that are derived if the user names none: the first entries of [`Self::ALL`]. Gibbs–Appell, the
+    /// last, is derived only on request.
     pub const STANDARD: [Self; 3] = [Self::Kane, Self::Lagrange, Self::NewtonEuler];
 
     /// Properties of the formulation: its row in the table of methods.
@@ -119,8 +119,7 @@ impl Formulation {
         &TABLE[self as usize]
     }
 
-    /// System of equations that the formulation gives for this model, in plain text, such as `M(q) u' =
-    /// f(q, u)`.
+    /// System of equations that the formulation gives for this model, in plain text such as `M(q) u' = f(q, u)`.
     #[must_use]
     pub fn equation(self, model: &Model) -> &'static str {
         self.method().equation[usize::from(!model.motion_constraints.is_empty())]
@@ -138,7 +137,7 @@ impl Formulation {
         self.method().title
     }
 
-    /// Returns the formulation with this name on the command line; `None` if the name is unknown.
+    /// Formulation with the given name on the command line; `None` if the name is unknown.
     #[must_use]
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|f| f.name() == name)
@@ -156,8 +155,8 @@ impl Formulation {
         self.method().carries_reactions
     }
 
-    /// Formulation in the same motion variables whose equations remain after the reactions are
-    /// eliminated. Returns `self` if the formulation has no reactions.
+    /// Formulation in the same motion variables and without reactions, to which this formulation leads if its
+    /// reactions are eliminated. Returns `self` if this formulation has no reactions.
     #[must_use]
     pub fn without_reactions(self) -> Self {
         let alike = |f: &Self| f.method().variables == self.method().variables && !f.has_reactions();
@@ -173,8 +172,8 @@ impl Formulation {
         }
     }
 
-    /// Unknowns of the equations as pairs of name and symbol. First v̇, then the reactions if the
-    /// method has them. If v = q̇, the multipliers of the motion constraints follow.
+    /// Unknowns of the equations, as pairs of name and symbol. First come the accelerations v̇. Then come the
+    /// reactions or, if v = q̇, the multipliers of the motion constraints.
     #[must_use]
     pub fn unknowns(self, model: &Model) -> Vec<(String, Expr)> {
         let rates = model.speeds.iter().map(|s| (format!("{}'", s.name), s.rate));

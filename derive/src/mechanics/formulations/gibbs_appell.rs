@@ -1,8 +1,9 @@
-//! Gibbs–Appell equations: ∂S/∂u̇_r = F_r for each generalized speed, with the acceleration energy
-//! S = Σ ½ m a_C·a_C + ½ α·I·α + α·(ω × I·ω) over the bodies.
+//! Gibbs–Appell equations: ∂S/∂u̇_r = F_r for each generalized speed. S = Σ ½ m a_C·a_C + ½ α·I·α + α·(ω × I·ω) is
+//! the acceleration energy, summed over the bodies.
 //!
-//! S is quadratic in u̇, so its slope is M u̇ + rest. Terms of S without u̇ have no slope and are left out. The speeds
-//! may be fewer than the coordinates, as motion constraints leave them: then a_C and α are those of permitted motions.
+//! S is quadratic in u̇, so its derivative is M u̇ + rest. Terms of S without u̇ have no derivative and are left out.
+//! Motion constraints may leave fewer speeds than coordinates. Then a_C and α are those of permitted motions.
+//!
 //! J. W. Gibbs, "On the fundamental formulae of dynamics", American Journal of Mathematics 2 (1879) 49–64; P. Appell,
 //! "Sur une forme générale des équations de la dynamique", J. reine angew. Math. 121 (1900) 310–319.
 
@@ -24,7 +25,7 @@ use crate::model::Model;
 /// Derives the Gibbs–Appell equations M(q) u̇ = f(q, u).
 ///
 /// # Errors
-/// Never fails. A speed that moves no mass is found later, by the rank of the matrix.
+/// Never returns an error. The rank of the matrix shows later if a speed moves no mass.
 #[expect(clippy::unnecessary_wraps, reason = "a row of the table of formulations, of which others may fail")]
 pub fn derive_gibbs_appell(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, DeriveError> {
     let velocities = kinematics.in_speeds(model);
@@ -56,24 +57,24 @@ struct AccelerationEnergy {
     rest: Vec<Expr>,
 }
 
-/// Summand of the acceleration energy S: scale (½ acceleration · inertial + acceleration ·
-/// gyroscopic).
+/// Summand of the acceleration energy S: scale (½ acceleration · inertial + acceleration · gyroscopic). It belongs to
+/// a mass centre, a rotation or an added mass.
 struct AccelerationEnergyPart {
-    /// Mass of the body if the part is of its mass centre; 1 if the part is of a rotation or an added
-    /// mass.
+    /// Mass of the body for the summand of a mass centre; 1 for that of a rotation or an added mass.
     scale: Expr,
     /// Acceleration a_C of the mass centre (m/s²), or angular acceleration α (rad/s²).
     acceleration: Vector,
-    /// Vector a_C for a mass centre, I · α for a rotation, rate of the fluid's impulse for an added
-    /// mass.
+    /// Vector that is linear in u̇: a_C for a mass centre, I · α for a rotation, and the rate of the fluid's impulse
+    /// for an added mass.
     inertial: Vector,
-    /// Vector without u̇: zero for a mass centre, ω × I · ω for a rotation, v × p for the angular
-    /// impulse of an added mass.
+    /// Vector without u̇: zero for a mass centre, ω × I · ω for a rotation, and v × p for the angular impulse of an
+    /// added mass.
     gyroscopic: Vector,
 }
 
 impl AccelerationEnergy {
-    /// Differentiates S by u̇: through the named terms if the kinematics has them, else part by part.
+    /// Differentiates the acceleration energy S with respect to u̇. If the kinematics has named terms, it
+    /// differentiates through them, otherwise summand by summand.
     fn new(model: &Model, kinematics: &mut Kinematics, velocities: &Velocities) -> Self {
         let rates: Vec<Expr> = model.speeds.iter().map(|speed| speed.rate).collect();
         if kinematics.frames.carries {
@@ -84,8 +85,8 @@ impl AccelerationEnergy {
         }
     }
 
-    /// Differentiates the parts of S by the product rule. `inertial` is linear and symmetric in the
-    /// acceleration, so ∂S/∂u̇_r = Σ scale ∂acceleration/∂u̇_r · (inertial + gyroscopic).
+    /// Differentiates the summands of S by the product rule. `inertial` is linear and symmetric in the acceleration,
+    /// so ∂S/∂u̇_r = Σ scale ∂acceleration/∂u̇_r · (inertial + gyroscopic).
     fn of_parts(kinematics: &mut Kinematics, parts: &[AccelerationEnergyPart], rates: &[Expr]) -> Self {
         let Kinematics { arena, frames, simplifier, .. } = kinematics;
         let zeros: Vec<(Expr, Expr)> = rates.iter().map(|rate| (*rate, Expr::ZERO)).collect();
@@ -130,7 +131,7 @@ impl AccelerationEnergy {
         }
     }
 
-    /// Builds the acceleration energy S as a single term, without the terms that do not contain u̇.
+    /// Acceleration energy S as a single term, without the terms that do not contain u̇.
     fn formula(&self, arena: &mut Arena, rates: &[Expr]) -> Expr {
         let half = Rational::fraction(1, 2).expect("not zero");
         let mut terms = Vec::new();
@@ -145,7 +146,7 @@ impl AccelerationEnergy {
     }
 }
 
-/// Prefix of the names of derivatives of S by named terms.
+/// Prefix for the names of derivatives of S with respect to named terms.
 const SLOPE: &str = "S";
 
 /// Lists the summands of the acceleration energy of all bodies and added masses, in q, u and u̇.
@@ -196,11 +197,11 @@ fn acceleration_energy_parts(
     parts
 }
 
-/// Derives the acceleration energy and the generalized active forces: the steps of the Gibbs–Appell
-/// method, for display.
+/// Derives the acceleration energy and the generalized active forces: the steps of the Gibbs–Appell method, for
+/// display.
 ///
 /// # Errors
-/// Never fails.
+/// Never returns an error.
 #[expect(clippy::unnecessary_wraps, reason = "the steps of other methods can fail")]
 pub fn gibbs_appell_steps(model: &Model, kinematics: &mut Kinematics) -> Result<Vec<Step>, DeriveError> {
     let velocities = kinematics.in_speeds(model);

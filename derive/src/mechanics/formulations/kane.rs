@@ -18,7 +18,7 @@ use crate::model::Model;
 /// Derives Kane's equations M(q) u̇ = f(q, u).
 ///
 /// # Errors
-/// Never fails. A speed that moves no mass is found later, by the rank of the matrix.
+/// Never returns an error. The rank of the matrix shows later if a speed moves no mass.
 #[expect(clippy::unnecessary_wraps, reason = "a row of the table of formulations, of which others may fail")]
 pub fn derive_kane(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, DeriveError> {
     let velocities = kinematics.in_speeds(model);
@@ -63,8 +63,8 @@ pub fn derive_kane(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, D
 }
 
 impl Kinematics {
-    /// Kane's equations M u̇ = f as (M, f), with the given loads and the acceleration `fall` of free
-    /// fall. Partial velocities are never written out.
+    /// Kane's equations M u̇ = f as (M, f), by recursion along the tree. `loads` are the applied loads, and `fall` is
+    /// the acceleration of free fall. Partial velocities are never written out.
     fn kane_system_by_recursion(
         &mut self,
         model: &Model,
@@ -95,11 +95,10 @@ pub(in crate::mechanics) fn kane_active_forces(
     forces.into_iter().map(|e| kinematics.simplifier.simplify(&mut kinematics.arena, e)).collect()
 }
 
-/// Generalized inertia forces F*_r = −Σ_B [(∂v_C/∂u_r)·m a_C + (∂ω_B/∂u_r)·dH_B/dt] as −(matrix ·
-/// u̇ + rest).
+/// Generalized inertia forces F*_r = −Σ_B [(∂v_C/∂u_r)·m a_C + (∂ω_B/∂u_r)·dH_B/dt] as −(matrix · u̇ + rest).
 ///
-/// The coefficient of u̇_s is ∂v_C/∂u_s in a_C, and ∂H/∂u_s = I·∂ω/∂u_s in dH/dt. So it is
-/// computed, not read from a long expression.
+/// The coefficient of u̇_s is ∂v_C/∂u_s in a_C, and ∂H/∂u_s = I·∂ω/∂u_s in dH/dt. So the matrix is computed from
+/// these derivatives, not read from a long expression.
 struct GeneralizedInertia {
     /// Symmetric mass matrix M, one row and one column for each speed.
     matrix: Vec<Vec<Expr>>,
@@ -159,11 +158,10 @@ pub(in crate::mechanics) fn kane_inertia_forces(
     forces
 }
 
-/// Derives velocities, partial velocities and generalized active forces: the steps of Kane's
-/// method, for display.
+/// Derives velocities, partial velocities and generalized active forces: the steps of Kane's method, for display.
 ///
 /// # Errors
-/// Never fails.
+/// Never returns an error.
 #[expect(clippy::unnecessary_wraps, reason = "the steps of other methods can fail")]
 pub fn kane_steps(model: &Model, kinematics: &mut Kinematics) -> Result<Vec<Step>, DeriveError> {
     let velocities = kinematics.in_speeds(model);
@@ -183,8 +181,8 @@ pub fn kane_steps(model: &Model, kinematics: &mut Kinematics) -> Result<Vec<Step
     Ok(steps)
 }
 
-/// Largest number of pairs of a body and a speed for which partial velocities are listed. Longer
-/// lists are left out, because nobody would read them.
+/// Largest number of pairs of a body and a speed for which partial velocities are listed. For more pairs the list
+/// would be too long to read.
 const MOST_PAIRS: usize = 1000;
 
 /// Lists the components of a velocity along the axes of `frame`, then those of its partial

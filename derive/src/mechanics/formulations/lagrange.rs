@@ -13,12 +13,11 @@ use crate::mechanics::quantity::{EnergyQuantity, QuantityKind};
 use crate::mechanics::rows::{LineName, RowName, Rows, Stage, Step, kinematic_step};
 use crate::model::Model;
 
-/// Derives Lagrange's equations E(q) q̈ = A(q, q̇). Each motion constraint adds a multiplier to the
-/// unknowns.
+/// Derives Lagrange's equations E(q) q̈ = A(q, q̇). Each motion constraint adds a multiplier to the unknowns.
 ///
 /// # Errors
-/// [`DeriveError::NoZeroOfPotential`]. A coordinate that moves no mass is found later, by the rank
-/// of the matrix.
+/// Returns [`DeriveError::NoZeroOfPotential`] if V has no value at the configuration where the model sets it to zero.
+/// The rank of the matrix shows later if a coordinate moves no mass.
 pub fn derive_lagrange(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, DeriveError> {
     let velocities = kinematics.in_rates.clone();
     if kinematics.frames.carries {
@@ -36,7 +35,7 @@ pub fn derive_lagrange(model: &Model, kinematics: &mut Kinematics) -> Result<Row
     for (sum, force) in sums.iter_mut().zip(q_forces) {
         sum.push((force, Rational::ONE));
     }
-    // Adds −∂V/∂q.
+    // The generalized force −∂V/∂q is added.
     for (i, slope) in Gradient::new(&model.q()).apply(arena, v).iter() {
         sums[*i].push((*slope, Rational::MINUS_ONE));
     }
@@ -54,10 +53,10 @@ pub fn derive_lagrange(model: &Model, kinematics: &mut Kinematics) -> Result<Row
     Ok(kinematics.with_multipliers(model, rows))
 }
 
-/// Derives matrix E and forcing A for kinematics with named terms (large models).
+/// Derives the matrix E and the forcing A from kinematics with named terms, for large models.
 ///
 /// # Errors
-/// `DeriveError::NoZeroOfPotential` if V has no value at the configuration of its zero.
+/// Returns `DeriveError::NoZeroOfPotential` if V has no value at the configuration where the model sets it to zero.
 fn lagrange_rows_with_named_terms(
     model: &Model,
     kinematics: &mut Kinematics,
@@ -83,8 +82,8 @@ fn lagrange_rows_with_named_terms(
 }
 
 impl Kinematics {
-    /// Lagrange's equations E q̈ = A from the energies, as (E, A, E q̈ − A). Of the loads, only gravity
-    /// is included.
+    /// Lagrange's equations E q̈ = A from the energies, as (E, A, E q̈ − A). Gravity is the only load that is
+    /// included.
     fn lagrange_system(
         &mut self,
         model: &Model,
@@ -139,7 +138,7 @@ fn lagrange_forcing_terms(
         for b in a..rates.len() {
             for &(k, slope) in along_coordinates.apply(arena, form[a][b]).iter() {
                 let square = arena.product(&[slope, rates[a], rates[b]]);
-                // E_ab and E_ba, or one entry of the diagonal.
+                // The factor is ½ for an entry of the diagonal, and 1 for E_ab and E_ba together.
                 rows[k].push((square, if a == b { half.clone() } else { Rational::ONE }));
                 let along_b = arena.product(&[slope, rates[b], rates[k]]);
                 rows[a].push((along_b, Rational::MINUS_ONE));
@@ -156,7 +155,7 @@ fn lagrange_forcing_terms(
 /// Derives energies and generalized forces: the steps of Lagrange's method, for display.
 ///
 /// # Errors
-/// [`DeriveError::NoZeroOfPotential`] if V has no value at the configuration of its zero.
+/// Returns [`DeriveError::NoZeroOfPotential`] if V has no value at the configuration where the model sets it to zero.
 pub fn lagrange_steps(model: &Model, kinematics: &mut Kinematics) -> Result<Vec<Step>, DeriveError> {
     let velocities = kinematics.in_rates.clone();
     let t = kinematics.kinetic_energy(model, &velocities, &model.q_dot());

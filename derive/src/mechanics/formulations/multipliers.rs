@@ -1,8 +1,8 @@
-//! Multipliers λ of motion constraints in Lagrange's equations. The time derivative of each
-//! constraint is a row.
+//! Multipliers λ of motion constraints in Lagrange's equations. The time derivative of each constraint is a row.
 //!
-//! E q̈ − Aᵀ λ = f and A q̈ = −(dA/dt q̇ + da/dt), for the constraints A q̇ + a = 0. The kinetic energy ignores the
-//! constraints: a constraint put into T before it is differentiated would lose the forces that enforce it.
+//! E q̈ − Aᵀ λ = f and A q̈ = −(dA/dt q̇ + da/dt), for the constraints A q̇ + a = 0. The kinetic energy T ignores the
+//! constraints. If a constraint were put into T before T is differentiated, the forces that enforce the constraint
+//! would be lost.
 //!
 //! H. Goldstein, C. Poole & J. Safko, *Classical Mechanics*, 3rd edition (2002), §2.4.
 
@@ -43,13 +43,14 @@ impl Kinematics {
             .map(|s| embedding.matrix.iter().map(|row| row[s]).chain((0..m).map(|_| Expr::ZERO)).collect())
             .collect();
         result.embedding = Some(embedding);
-        // The forces required along q̇ include the forces of the constraints, and Gauss's function ignores constraints.
+        // Both fields are dropped: the forces required along q̇ would include constraint forces, and Gauss's function
+        // ignores constraints.
         result.required = None;
         result.gauss = None;
         result
     }
 
-    /// Expresses q̈ = W u̇ + x in the free accelerations u̇, from q̇ = W u + w.
+    /// Map q̈ = W u̇ + x from the free accelerations u̇ to q̈, from q̇ = W u + w. It cancels the multipliers.
     fn embedding_that_cancels_multipliers(&mut self, model: &Model) -> AccelerationEmbedding {
         let rates = &model.kinematic_equations.rates;
         let flow: Vec<_> = model.q().into_iter().zip(rates.iter().copied()).collect();

@@ -20,11 +20,11 @@ use crate::model::{Body, ForcePlace, Model, Reaction, ReactionKind};
 /// Derives the Newton–Euler equations A(q, u) (u̇, reactions) = b(q, u).
 ///
 /// # Errors
-/// [`DeriveError::ReactionCount`] unless the model names exactly the reactions that its bodies
-/// feel; [`DeriveError::ReactionNotShown`] if it cannot be shown that a reaction found by the
-/// program does no work; [`DeriveError::TorqueOnNothing`] for a torque on a frame without a body;
-/// [`DeriveError::PotentialOnNothing`] for a potential that cannot be written as forces and torques
-/// between bodies.
+/// Returns an error in these cases:
+/// - [`DeriveError::ReactionCount`]: the model does not have exactly the reactions that its bodies feel.
+/// - [`DeriveError::ReactionNotShown`]: it cannot be shown that a reaction which the program found does no work.
+/// - [`DeriveError::TorqueOnNothing`]: a torque acts on a frame without a body.
+/// - [`DeriveError::PotentialOnNothing`]: a potential cannot be written as forces and torques between bodies.
 pub fn derive_newton_euler(model: &Model, kinematics: &mut Kinematics) -> Result<Rows, DeriveError> {
     if let Some(torque) = model.torques.iter().find(|t| t.on.1.is_none() || t.against.is_some_and(|(_, b)| b.is_none()))
     {
@@ -87,24 +87,24 @@ pub fn derive_newton_euler(model: &Model, kinematics: &mut Kinematics) -> Result
     })
 }
 
-/// Conditions that shared reactions together do no work. A shared reaction works alone, but the
-/// powers of all of them cancel.
+/// Conditions that shared reactions together do no work. Each shared reaction does work by itself, but the powers of
+/// all of them cancel.
 struct SharedPowers {
-    /// Zero powers as rows over the unknowns (u̇, reactions), each with its name. First those of
-    /// connections with their own law (such as a screw), along rates q̇; then those of all shared
+    /// Conditions that a power is zero, as rows over the unknowns (u̇, reactions), each with its name. First come
+    /// those of connections with their own law (such as a screw), along rates q̇. Then come those of all shared
     /// reactions, along speeds. Dependent rows are left out.
     rows: Vec<(RowName, Vec<Expr>)>,
-    /// Factors of `rows` whose sum is the power along a speed: one list for each speed, one factor for
-    /// each row.
+    /// Factors of [`Self::rows`] with which the rows add up to the power along a speed: one list for each speed, one
+    /// factor for each row.
     projection: Vec<Vec<Expr>>,
 }
 
-/// Derives the conditions Σ R (direction · ∂v/∂u_s) = 0 over the shared reactions R, where v is the
-/// velocity on which a reaction works. For each connection with its own law, adds Σ R (direction ·
-/// ∂v/∂q̇_j) = 0 over its reactions.
+/// Derives the conditions Σ R (direction · ∂v/∂u_s) = 0 over the shared reactions R, where v is the velocity on which
+/// a reaction does work. For each connection with its own law, adds Σ R (direction · ∂v/∂q̇_j) = 0 over the reactions
+/// of this connection.
 ///
 /// # Errors
-/// `DeriveError::ReactionsDependent` if the conditions do not determine each other.
+/// Returns `DeriveError::ReactionsDependent` if the independence of the conditions cannot be decided.
 fn newton_euler_power_rows(model: &Model, kinematics: &mut Kinematics) -> Result<SharedPowers, DeriveError> {
     let (speeds, first) = (model.speeds.len(), model.speeds.len());
     let shared: Vec<usize> = (0..model.reactions.len()).filter(|at| model.reactions[*at].is_shared).collect();
@@ -160,8 +160,7 @@ fn newton_euler_power_rows(model: &Model, kinematics: &mut Kinematics) -> Result
     Ok(SharedPowers { rows, projection })
 }
 
-/// Lists the components of balances that are not 0 = 0, one text for each body and kind: `disk
-/// force b1, b2`.
+/// Components of the balances that are not 0 = 0, one text for each body and kind: `disk force b1, b2`.
 fn loaded_newton_euler_components(model: &Model, rows: &[Balance]) -> Vec<String> {
     let mut list: Vec<(String, Vec<String>)> = Vec::new();
     for Balance { name, .. } in rows {
@@ -214,9 +213,9 @@ pub fn newton_euler_balances(
     list
 }
 
-/// Partial velocities that belong to the balance rows: one list for each motion variable, one entry
-/// for each row. A force row has that of the mass centre, a moment row that of the body's frame. As
-/// multipliers of the rows, they cancel every reaction.
+/// Partial velocities that belong to the balance rows: one list for each motion variable, one entry for each row. A
+/// force row has the partial velocity of the mass centre, a moment row that of the body's frame. As multipliers of
+/// the rows, they cancel every reaction.
 pub fn newton_euler_partial_velocities(
     model: &Model,
     kinematics: &mut Kinematics,
@@ -248,8 +247,8 @@ pub fn newton_euler_partial_velocities(
     result
 }
 
-/// Derives the vectors m a − weight (N) and dH/dt (N m) of body number `at`, with the momentum
-/// rates of its added mass.
+/// Derives the vectors m a − weight (N) and dH/dt (N m) of the body with the index `at`. The momentum rates of its
+/// added mass are included.
 fn momentum_rates(model: &Model, kinematics: &mut Kinematics, velocities: &Velocities, at: usize) -> (Vector, Vector) {
     let body = &model.bodies[at];
     let mut rates = kinematic_rates(model);
@@ -367,7 +366,7 @@ fn loads_of_potentials_and_reactions(
 /// Derives the accelerations of the bodies: the steps of the Newton–Euler method, for display.
 ///
 /// # Errors
-/// Never fails.
+/// Never returns an error.
 #[expect(clippy::unnecessary_wraps, reason = "the steps of other methods can fail")]
 pub fn newton_euler_steps(model: &Model, kinematics: &mut Kinematics) -> Result<Vec<Step>, DeriveError> {
     let velocities = kinematics.in_speeds(model);

@@ -1,5 +1,4 @@
-//! Balance of a body along the direction of each reaction. It gives the reaction without a
-//! division.
+//! Balances of bodies along the directions of reactions. Such a balance gives the reaction without a division.
 
 use crate::algebra::Expr;
 use crate::geometry::Vector;
@@ -7,9 +6,9 @@ use crate::mechanics::motion::kinematics::Kinematics;
 use crate::mechanics::rows::{BalanceName, RowName};
 use crate::model::{Model, ReactionKind};
 
-/// Returns, for each reaction, the multipliers of `rows` that give the balance of its body along
-/// the reaction. They are the components of the reaction's unit direction, so the reaction has the
-/// coefficient 1 in the sum.
+/// Multipliers of `rows`, one list for each reaction, that add the rows up to the balance of the reaction's body
+/// along the reaction. They are the components of the reaction's unit direction, so the reaction has the coefficient
+/// 1 in the sum.
 pub fn balance_multipliers_along_reactions(
     model: &Model,
     kinematics: &mut Kinematics,

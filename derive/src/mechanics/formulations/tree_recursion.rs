@@ -1,13 +1,13 @@
-//! Velocity components of large models, paired with the forces or momenta along them, from which
-//! their equations are derived; the closed form would be too long. Velocities and accelerations are
-//! passed from frame to frame along the tree, and long subterms get names. Sums over bodies are
+//! Equations of large models, derived by recursion along the tree of frames; their closed form would be too long.
+//! Velocity components are paired with the forces or momenta along them.
+//!
+//! Velocities and accelerations are passed from frame to frame, and long subterms get names. Sums over bodies are
 //! differentiated backwards through these names.
 //!
-//! The three formulations remain distinct. Kane's method adds weights, loads and inertia forces
-//! along partial velocities that are never written out (backward sums of forces). Lagrange's method
-//! differentiates the energies backwards through the named subterms, then by time. The Newton–Euler
-//! equations are stated body by body, as for every other model. The formulations share only the
-//! kinematics.
+//! The formulations remain distinct, and share only the kinematics. Kane's method adds weights, loads and inertia
+//! forces along partial velocities that are never written out (backward sums of forces). Lagrange's method
+//! differentiates the energies backwards through the named subterms, then by time. The Newton–Euler equations are
+//! stated body by body, as for every other model.
 //!
 //! Luh, Walker & Paul, ASME J. Dyn. Sys. Meas. Control 102 (1980) 69–76; R. Featherstone, *Rigid Body Dynamics
 //! Algorithms* (2008), §§ 5.3, 6.2.
@@ -21,16 +21,16 @@ use crate::mechanics::motion::loads::Load;
 use crate::mechanics::motion::tree_accelerations::{Accelerations, AlphaTerms};
 use crate::model::Model;
 
-/// Prefix for the name of a force along a named velocity component.
+/// Prefix for the name of a force along a named velocity component (backward sums of Kane's method).
 pub(super) const FORCE: &str = "F";
 /// Prefix for the name of a momentum along a named velocity component.
 pub(super) const MOMENTUM: &str = "p";
 
-/// Velocity component and the force or momentum component along it.
+/// Velocity component, paired with the force or momentum component along it.
 pub(in crate::mechanics) type VelocityForcePair = (Expr, Expr);
 
 impl Kinematics {
-    /// Lists the velocity components of all bodies, each paired with the momentum along it: T = ½ Σ
+    /// Velocity components of all bodies, each paired with the momentum along it. The kinetic energy is T = ½ Σ
     /// velocity · momentum.
     pub(in crate::mechanics) fn momentum_pairs(
         &mut self,
@@ -50,8 +50,8 @@ impl Kinematics {
         pairs
     }
 
-    /// Lists the velocity components of all bodies, each paired with the inertia force and weight along
-    /// it. Inertia forces use the given accelerations, which already contain the free fall.
+    /// Velocity components of all bodies, each paired with the inertia force and weight along it. The given
+    /// accelerations must be relative to free fall, so that inertia forces include the weights.
     fn inertia_pairs(
         &mut self,
         model: &Model,
@@ -79,8 +79,8 @@ impl Kinematics {
         pairs
     }
 
-    /// Lists the velocity components on which loads do work, each paired with the load along it. `put`
-    /// substitutes the velocities that occur in a load.
+    /// Velocity components on which loads do work, each paired with the load along it. `put` replaces the velocities
+    /// that occur in a load.
     pub(in crate::mechanics) fn load_pairs<'a>(
         &mut self,
         loads: impl IntoIterator<Item = &'a Load>,
@@ -108,7 +108,7 @@ impl Kinematics {
         adjoint_product(&mut self.arena, &pairs, variables, FORCE)
     }
 
-    /// Matrix ∂²T/∂x_i∂x_j of the kinetic energy for the motion variables x, differentiated from the
+    /// Symmetric matrix ∂²T/∂x_i∂x_j of the kinetic energy for the motion variables x. It is differentiated from the
     /// momenta of the bodies.
     pub(in crate::mechanics) fn kinetic_matrix_of_momentum_pairs(
         &mut self,
@@ -129,8 +129,8 @@ impl Kinematics {
         arena.linear_combination(&terms)
     }
 
-    /// Sums F_r + F*_r of the active and inertia forces, one for each speed, in a motion whose state
-    /// has the given rates.
+    /// Sums F_r + F*_r of the active and inertia forces, one for each speed. They hold in a motion in which the state
+    /// has the given `rates`.
     pub(in crate::mechanics) fn forces_of_velocity_pairs(
         &mut self,
         model: &Model,
@@ -146,8 +146,8 @@ impl Kinematics {
     }
 }
 
-/// Matrix ∂p_i/∂x_j of momenta p by motion variables x. It is symmetric, so only its upper triangle
-/// is differentiated.
+/// Matrix ∂p_i/∂x_j of momenta p with respect to motion variables x. It is symmetric, so only its upper triangle is
+/// differentiated.
 pub(in crate::mechanics) fn symmetric_derivative_matrix(
     arena: &mut Arena,
     momenta: &[Expr],

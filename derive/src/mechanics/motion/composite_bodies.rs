@@ -1,13 +1,14 @@
-//! Mass matrix of a tree of bodies by the composite-body method. A composite body is all bodies
-//! beyond a joint, taken as a single rigid body.
+//! Mass matrix of a tree of bodies by the composite-body method. A composite body consists of all bodies beyond a
+//! joint, taken as a single rigid body.
 //!
-//! The tree has an edge for each rotation from frame to frame, and for each shift from point to
-//! point in a frame. A composite body has a mass m, a first moment s and an inertia J about the
-//! point of its node, in the node's frame. A unit motion of an edge gives the composite body beyond
-//! it a momentum. The momentum is expressed frame by frame up to the root. The component of this
-//! momentum along the motion of another edge on the way is the matrix entry for both edges. The
-//! work grows with the square of the depth (R. Featherstone, *Rigid Body Dynamics Algorithms*
-//! (2008), §6.2; M. W. Walker & D. E. Orin, ASME J. Dyn. Sys. Meas. Control 104 (1982) 205–211).
+//! The tree has an edge for each rotation from frame to frame, and for each shift from point to point in a frame. A
+//! composite body has a mass m, a first moment s and an inertia J about the point of its node, in the node's frame. A
+//! unit motion of an edge gives the composite body beyond it a momentum. The momentum is expressed frame by frame up
+//! to the root. The component of this momentum along the motion of another edge on the way is the matrix entry for
+//! both edges.
+//!
+//! The work grows with the square of the depth (R. Featherstone, *Rigid Body Dynamics Algorithms* (2008), §6.2; M. W.
+//! Walker & D. E. Orin, ASME J. Dyn. Sys. Meas. Control 104 (1982) 205–211).
 
 use super::frame_transport::{name_transported_components, rotate_and_name_components};
 use super::kinematics::{Kinematics, Velocities};
@@ -19,17 +20,16 @@ use crate::model::{Body, Model};
 /// Components of the zero vector.
 const NOTHING: Components = [Expr::ZERO; 3];
 
-/// Step from a node to its child in the tree: the frame rotates, or the point shifts along the
-/// frame.
+/// Step from a node to its child in the tree. Either the frame rotates, or the point shifts along the frame.
 #[derive(Clone, PartialEq, Eq)]
 enum Edge {
-    /// Rotation of the frame by this turn; the point stays.
+    /// Rotation of the frame by the given turn. The point stays.
     Turn(Turn),
-    /// Shift of the point by these components along the frame, m; the frame stays.
+    /// Shift of the point by the given components along the frame, m. The frame stays.
     Shift { by: Components },
 }
 
-/// Node of the tree: a frame with a point, and the sums that make up the composite body beyond it.
+/// Node of the tree: a frame with a point, and the sums over the bodies at and beyond it.
 struct Node {
     /// Index of the parent node in the tree.
     parent: usize,
@@ -41,15 +41,15 @@ struct Node {
     rates: Components,
     /// Masses of the bodies at or beyond the node, kg, as summands.
     mass: Vec<Expr>,
-    /// Summands of the components of the first moment Σ m r about the node's point, kg m.
+    /// Summands of the first moment Σ m r about the node's point, kg m, for each of its three components.
     moment: [Vec<Expr>; 3],
-    /// Summands of the inertia Σ m (r² − r rᵀ) about the node's point, kg m²: upper triangle, row by
-    /// row.
+    /// Summands of the inertia Σ m (r² − r rᵀ) about the node's point, kg m², for each entry of its upper triangle,
+    /// row by row.
     inertia: [Vec<Expr>; 6],
 }
 
-/// Mass, first moment and inertia of all bodies beyond a node, about the node's point and in the
-/// node's frame.
+/// Composite body of a node: mass, first moment and inertia of all bodies at and beyond the node. They are about the
+/// node's point and in the node's frame.
 #[derive(Clone)]
 struct Composite {
     /// Mass of the composite body, kg.
@@ -61,23 +61,21 @@ struct Composite {
     inertia: [Expr; 6],
 }
 
-/// Index of entry (i, j) of a symmetric 3 × 3 tensor in the array of its upper triangle, row by
-/// row.
+/// Index of entry (i, j) of a symmetric 3 × 3 tensor in the array that holds its upper triangle, row by row.
 fn composite_inertia_index(i: usize, j: usize) -> usize {
     let (i, j) = (i.min(j), i.max(j));
     i * (5 - i) / 2 + j
 }
 
-/// Linear momentum, and angular momentum about the point of a node, in the node's frame.
+/// Momentum as (linear momentum, angular momentum about the point of a node), in the node's frame.
 type Momentum = (Components, Components);
 
-/// Motion at unit rate of the edge that leads to a node: a rotation about an axis, or a shift along
-/// it.
+/// Motion at unit rate of the edge that leads to a node: a rotation about an axis, or a shift along an axis.
 #[derive(Clone, Copy)]
 struct Motion {
     /// Index of the node to which the moving edge leads.
     node: usize,
-    /// Index of the axis of the node's frame: 0, 1 or 2.
+    /// Axis of the node's frame along or about which the edge moves: 0, 1 or 2.
     axis: usize,
 }
 
@@ -88,8 +86,8 @@ struct CompositeTree {
 }
 
 impl Kinematics {
-    /// Matrix ∂²T/∂x_i∂x_j of the kinetic energy by composite bodies, with a row for each motion
-    /// variable x. `None` if a body's points do not follow the chain of its frames.
+    /// Matrix ∂²T/∂x_i∂x_j of the kinetic energy by composite bodies, with a row for each motion variable x. `None`
+    /// if the points to a body's mass centre do not follow the chain of its frames.
     pub(in crate::mechanics) fn composite_mass_matrix(
         &mut self,
         model: &Model,
@@ -111,7 +109,7 @@ impl Kinematics {
             {
                 for (r, by_r) in slopes[at].iter() {
                     for (s, by_s) in slopes[other].iter() {
-                        // A pair counts once for a motion with itself, and in both orders for two motions.
+                        // A pair of a motion with itself counts once. A pair of two motions counts in both orders.
                         if other == at && r > s {
                             continue;
                         }
@@ -136,7 +134,8 @@ impl Kinematics {
 }
 
 impl CompositeTree {
-    /// Builds the tree of all bodies. `None` if a body's points do not follow the chain of its frames.
+    /// Builds the tree of all bodies. `None` if the points to a body's mass centre do not follow the chain of its
+    /// frames.
     fn new(kinematics: &mut Kinematics, model: &Model, velocities: &Velocities) -> Option<Self> {
         let root = Node::new(0, Edge::Shift { by: NOTHING }, 0, NOTHING);
         let mut tree = Self { nodes: vec![root] };
@@ -199,7 +198,8 @@ impl CompositeTree {
         Some(at)
     }
 
-    /// Index of the node with this parent, frame and edge; adds the node if the tree has none.
+    /// Index of the node that has the same parent, frame and edge as `node`. Adds `node` if the tree has no such
+    /// node.
     fn child(&mut self, node: Node) -> usize {
         let alike = |known: &Node| known.parent == node.parent && known.frame == node.frame && known.edge == node.edge;
         match self.nodes.iter().skip(1).position(alike) {
@@ -265,9 +265,8 @@ impl CompositeTree {
         (1..self.nodes.len()).flat_map(axes).collect()
     }
 
-    /// Lists the matrix entries between a unit motion and the motions on its way to the root, itself
-    /// included. Each entry is the index of the second motion and the momentum along it. Each pair
-    /// occurs once.
+    /// Matrix entries between a unit motion and the motions on its way to the root, itself included. Each entry is
+    /// (index of the second motion, momentum along it), and occurs once.
     fn composite_matrix_entries(
         &self,
         arena: &mut Arena,
@@ -331,9 +330,8 @@ impl Node {
     }
 }
 
-/// First moment and inertia of a composite body about the parent's point, from which the node's
-/// point lies at r = `by`. They are s + m r and, with w = 2 s + m r, J + (r · w) 1 − ½ (r wᵀ + w
-/// rᵀ).
+/// First moment and inertia of a composite body about the parent's point, from which the node's point lies at r =
+/// `by`. The first moment is s + m r. With w = 2 s + m r, the inertia is J + (r · w) 1 − ½ (r wᵀ + w rᵀ).
 fn shifted_composite(arena: &mut Arena, composite: &Composite, by: &Components, name: &str) -> (Components, [Expr; 6]) {
     let Composite { mass, moment, inertia } = composite;
     let carried = by.map(|e| arena.mul(*mass, e));
@@ -365,9 +363,8 @@ fn shifted_composite(arena: &mut Arena, composite: &Composite, by: &Components, 
     (sum, result)
 }
 
-/// Rotates an inertia tensor back into the frame before a turn: R J Rᵀ, with a name for each entry.
-/// About a single axis, with t = s (J_kk − J_jj) − 2 c J_jk, the entries are J_jj + s t, J_kk − s t
-/// and −c t − J_jk.
+/// Rotates an inertia tensor back into the frame before a turn: R J Rᵀ, with a name for each entry. For a turn about
+/// a single axis, the entries are J_jj + s t, J_kk − s t and −c t − J_jk, with t = s (J_kk − J_jj) − 2 c J_jk.
 fn rotated_composite_inertia(arena: &mut Arena, turn: &Turn, tensor: &[Expr; 6], what: &str) -> [Expr; 6] {
     let Turn::About(axis, angle) = turn else {
         let half = [0, 1, 2].map(|i| {
@@ -381,7 +378,7 @@ fn rotated_composite_inertia(arena: &mut Arena, turn: &Turn, tensor: &[Expr; 6],
     let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
     let (s, c) = (arena.sin(angle), arena.cos(angle));
     let row = [NOTHING[0], tensor[composite_inertia_index(axis, j)], tensor[composite_inertia_index(axis, k)]];
-    // The entries in the row of the axis turn like a vector.
+    // The entries in the row of the axis transform like the components of a vector.
     let mut beside = NOTHING;
     (beside[j], beside[k]) = (row[1], row[2]);
     let beside = rotate_and_name_components(arena, turn, TurnSense::Back, &beside, what);

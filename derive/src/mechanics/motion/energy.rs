@@ -9,38 +9,38 @@ use crate::algebra::{Expr, Rational};
 use crate::geometry::{Dots, SymmetricDots, Vector, cross_components};
 use crate::model::{AddedMass, Model};
 
-/// Velocity paired with the momentum along it: v and m v of a mass centre, or ω and H of a rigid
-/// body. T = Σ ½ scale velocity · momentum.
+/// Velocity paired with the momentum along it: v and m v of a mass centre, or ω and H of a rigid body. The kinetic
+/// energy is T = Σ ½ scale velocity · momentum.
 pub struct VelocityMomentum {
-    /// Mass of the body for a mass centre, 1 otherwise. It is a separate factor so that equal products
-    /// of vectors are recognized.
+    /// Factor of the momentum: the mass of the body for a mass centre, 1 otherwise. It is kept separate so that equal
+    /// products of vectors are recognized.
     pub scale: Expr,
     /// Velocity v_C of the mass centre (m/s), or angular velocity ω (rad/s).
     pub velocity: Vector,
-    /// Velocity v_C of the mass centre, which `scale` makes a momentum, or angular momentum H = I · ω.
+    /// Velocity v_C of the mass centre, which times `scale` is the momentum, or angular momentum H = I · ω.
     pub momentum: Vector,
-    /// Rate of the momentum in addition to its derivative: v × p for the angular impulse of an added
-    /// mass with impulse p, N m. `None` for other momenta.
+    /// Rate of the momentum in addition to its time derivative, N m. It is v × p for the angular impulse of an added
+    /// mass with impulse p. `None` for other momenta.
     pub carried: Option<Vector>,
 }
 
-/// Impulse of the fluid that moves with a body (its added mass): linear p, angular h about the mass
-/// centre, and v × p.
+/// Impulse of the fluid that moves with a body (its added mass): the linear impulse p, the angular impulse h about
+/// the mass centre, and v × p.
 pub struct Impulse {
-    /// Velocity v of the mass centre, in the frame of the body, m/s.
+    /// Velocity v of the body's mass centre, with components in the body's frame, m/s.
     pub velocity: Vector,
-    /// Angular velocity ω of the body, in the frame of the body, rad/s.
+    /// Angular velocity ω of the body, with components in the body's frame, rad/s.
     pub omega: Vector,
     /// Linear impulse p of the fluid, N s.
     pub linear: Vector,
     /// Angular impulse h of the fluid about the mass centre, N m s.
     pub angular: Vector,
-    /// Moment v × p that the moving reference point adds to dh/dt, N m.
+    /// Moment v × p, N m, to be added to dh/dt because the mass centre moves.
     pub carried: Vector,
 }
 
 impl Kinematics {
-    /// Lists the velocities and momenta of all bodies, then those of all added masses.
+    /// Velocities and momenta of all bodies, then of all added masses, in pairs.
     pub fn kinetic_energy_momenta(&mut self, model: &Model, velocities: &Velocities) -> Vec<VelocityMomentum> {
         let mut momenta = Vec::new();
         for body in &model.bodies {
@@ -94,8 +94,7 @@ impl Kinematics {
         Impulse { velocity, omega, linear, angular, carried }
     }
 
-    /// Kinetic energy T = Σ ½ m v·v + ½ ω·I·ω, J, written as a quadratic form in the motion variables
-    /// `variables`.
+    /// Kinetic energy T = Σ ½ m v·v + ½ ω·I·ω, J, as a quadratic form in the motion variables `variables`.
     pub fn kinetic_energy(&mut self, model: &Model, velocities: &Velocities, variables: &[Expr]) -> Expr {
         let form = self.kinetic_energy_matrix(model, velocities, variables);
         self.kinetic_energy_of_matrix(model, velocities, variables, &form)
@@ -123,8 +122,8 @@ impl Kinematics {
         form
     }
 
-    /// Kinetic energy as the quadratic form ½ Σ form_ij x_i x_j, J, which people write. If T is not
-    /// quadratic in x, because velocities remain at x = 0, returns the plain sum over the bodies.
+    /// Kinetic energy as the quadratic form ½ Σ form_ij x_i x_j, J, as people write it. The plain sum over the
+    /// bodies, if T is not quadratic in x because velocities remain at x = 0.
     pub(in crate::mechanics) fn kinetic_energy_of_matrix(
         &mut self,
         model: &Model,

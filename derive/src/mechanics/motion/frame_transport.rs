@@ -1,13 +1,12 @@
-//! Vectors that are expressed in another frame one rotation at a time, with a name for each
-//! component.
+//! Vectors that are expressed in another frame one rotation at a time, with a name for each component.
 //!
-//! Products of rotations grow with every frame between two bodies. Here a vector is rotated once
-//! per frame, and vectors that it meets on the way are added. For example, the angular velocity of
-//! a frame is that of its parent, rotated once, plus its own. So velocities become recursions along
-//! the tree without being written as such (J. Y. S. Luh, M. W. Walker & R. P. C. Paul, "On-line
-//! computational scheme for mechanical manipulators", ASME J. Dyn. Sys. Meas. Control 102 (1980)
-//! 69–76). [`EquationForm`](super::equation_form::EquationForm) decides which models are derived in
-//! this way.
+//! Products of rotations grow with every frame between two bodies. Here a vector is rotated once for each frame, and
+//! vectors that it meets on the way are added. For example, the angular velocity of a frame is that of its parent,
+//! rotated once, plus its own. So velocities become recursions along the tree without being written as recursions.
+//!
+//! Source: J. Y. S. Luh, M. W. Walker & R. P. C. Paul, "On-line computational scheme for mechanical manipulators",
+//! ASME J. Dyn. Sys. Meas. Control 102 (1980) 69–76. [`EquationForm`](super::equation_form::EquationForm) decides
+//! which models are derived in this way.
 
 use crate::algebra::{Arena, Expr};
 use crate::geometry::{Components, Frames, Turn, TurnSense, Vector};
@@ -15,8 +14,9 @@ use rustc_hash::FxHashMap;
 use std::collections::{BTreeMap, BTreeSet};
 
 impl Frames {
-    /// Index of the frame in which the given vectors have short components. It is the deepest frame of
-    /// their parts if all others are its ancestors, else the frame where the paths to the ground meet.
+    /// Index of the frame in which the given vectors have short components. It is the deepest frame of their parts,
+    /// if all other frames of their parts are its ancestors. Otherwise it is the frame where the paths to the ground
+    /// meet.
     #[must_use]
     pub fn common_transport_frame<'a>(&self, vectors: impl IntoIterator<Item = &'a Vector>) -> usize {
         let frames: BTreeSet<usize> =
@@ -33,9 +33,11 @@ impl Frames {
         meeting[0]
     }
 
-    /// Expresses a vector in one frame, and returns its named components. The farthest part moves
-    /// first, one rotation at a time, and is added to the parts that it meets. Names consist of the
-    /// letter and the owner, as `w_B_1`; on the way also of the frame of origin, as `w_A_in_B_1`.
+    /// Expresses a vector in one frame, and returns its components with names. The farthest part moves first, one
+    /// rotation at a time, and is added to the parts that it meets.
+    ///
+    /// A final name consists of the letter and the owner, such as `w_B_1`. An intermediate name also contains the
+    /// frame of origin, such as `w_A_in_B_1`.
     pub fn express_frame_by_frame(
         &self,
         arena: &mut Arena,
@@ -48,7 +50,7 @@ impl Frames {
         let what = &format!("{letter}_{of}");
         let mut parts: BTreeMap<usize, Components> = v.parts.iter().copied().collect();
         let place: FxHashMap<usize, usize> = path.iter().enumerate().map(|(at, frame)| (*frame, at)).collect();
-        // Steps up to the path, then down the path.
+        // Number of steps up to the path and then down the path.
         let distance = |mut from: usize| {
             let mut steps = 0;
             loop {
@@ -61,14 +63,15 @@ impl Frames {
         };
         let way_from: FxHashMap<usize, usize> = parts.keys().map(|from| (*from, distance(*from))).collect();
         let distance = |from: usize| way_from.get(&from).copied().unwrap_or_else(|| distance(from));
-        // Among parts equally far, the first declared goes first, so that sums over bodies share their beginnings.
+        // Among parts that are equally far, the part of the first declared frame moves first. So sums over bodies
+        // share their first terms.
         let farthest = |parts: &BTreeMap<usize, Components>| {
             let elsewhere = parts.keys().copied().filter(|from| *from != frame);
             elsewhere.max_by_key(|from| (distance(*from), std::cmp::Reverse(*from)))
         };
         while let Some(from) = farthest(&parts) {
             let Some(components) = parts.remove(&from) else { break };
-            // Down towards the target frame if it lies below, else up.
+            // The part moves down if the target frame lies below it, otherwise up.
             let (next, way) = match (place.get(&from), self.parent(from)) {
                 (None, Some(parent)) => (parent, self.turn_from_parent(from).map(|turn| (turn, TurnSense::Back))),
                 (at, _) => {
@@ -93,8 +96,7 @@ impl Frames {
     }
 }
 
-/// Gives three components names with a number at the end: `w_B_1`, `w_B_2`, `w_B_3` for `what` =
-/// `w_B`.
+/// Gives each of three components a name with a number at the end: `w_B_1`, `w_B_2`, `w_B_3` for `what` = `w_B`.
 pub fn name_transported_components(arena: &mut Arena, components: Components, what: &str) -> Components {
     let mut at = 0;
     components.map(|e| {

@@ -1,10 +1,8 @@
-//! Reference point and axes of each body's inertial parameters, both fixed in the body (the body's
-//! anchor).
+//! Anchor of a body: the reference point and the axes of its inertial parameters, both fixed in the body.
 //!
-//! Base parameters of textbooks refer to a point on the axis of the joint that carries a body. One
-//! of their axes lies along the joint (W. Khalil & E. Dombre, *Modeling, Identification and Control
-//! of Robots* (2002), §§ 3.2, 9.4). So an anchor is the point and the frame nearest to the ground
-//! that are still fixed in the body.
+//! Base parameters of textbooks refer to a point on the axis of the joint that carries a body. One of their axes lies
+//! along the joint (W. Khalil & E. Dombre, *Modeling, Identification and Control of Robots* (2002), §§ 3.2, 9.4). So
+//! an anchor is the point and the frame nearest to the ground that are still fixed in the body.
 
 use super::inertial_parameter::InertialParameter;
 use crate::algebra::Expr;
@@ -16,11 +14,11 @@ use crate::model::Model;
 pub struct Anchor {
     /// Index of the body in the model's list of bodies.
     pub body: usize,
-    /// Index in the model of the reference point, which is fixed in the body.
+    /// Index of the reference point, which is fixed in the body, in the model's list of points.
     pub point: usize,
-    /// Index in the model of the frame of the axes, which is fixed in the body.
+    /// Index of the frame of the axes, which is fixed in the body, in the model's list of frames.
     pub frame: usize,
-    /// Axis of `frame` about which its joint turns: 0, 1 or 2; 2 if there is no such joint.
+    /// Axis of `frame` about which the body's joint turns: 0, 1 or 2. It is 2 if there is no such joint.
     pub axis: usize,
     /// Index of the frame that turns with the body; `None` for a particle.
     pub(in crate::mechanics) turns: Option<usize>,
@@ -52,9 +50,9 @@ impl Anchor {
         Self { body, point, frame, axis, turns: Some(*own), moved }
     }
 
-    /// Lists the inertial parameters of the body, those first that base parameters should keep. First
-    /// come those that a revolute joint leaves identifiable, grouped as by Khalil and Dombre. The first
-    /// moment along the axis, one inertia and the mass follow. A particle has only its mass.
+    /// Inertial parameters of the body, those first that base parameters should keep. The first are those that a
+    /// revolute joint leaves identifiable, grouped as by Khalil and Dombre. Then come the first moment along the
+    /// axis, one inertia and the mass. A particle has only its mass.
     pub(in crate::mechanics) fn parameters(&self) -> Vec<InertialParameter> {
         if self.turns.is_none() {
             return vec![InertialParameter::Mass];
@@ -76,13 +74,13 @@ impl Anchor {
     }
 }
 
-/// True if the terms contain none of the coordinates `moved`.
+/// True if the terms contain none of the coordinates in `moved`, so that they are constant.
 fn is_fixed_in_anchor(model: &Model, moved: &[Expr], terms: &[Expr]) -> bool {
     let reached = model.arena.reachable(terms);
     !reached.iter().any(|part| moved.contains(part))
 }
 
-/// Index of the frame nearest to the ground relative to which the given frame does not move.
+/// Index of the frame nearest to the ground that does not move relative to the given frame.
 fn anchor_frame(model: &Model, moved: &[Expr], mut frame: usize) -> usize {
     while let Some((before, turn)) = &model.frames[frame].rotation {
         if !is_fixed_in_anchor(model, moved, &[turn.terms(), turn.quantities()].concat()) {

@@ -1,23 +1,24 @@
-//! Inertial parameters of a body: mass, first moments and inertia. Kinetic energy and weight are
+//! Inertial parameters of a body: mass, first moments and inertia. The kinetic energy and the weight of the body are
 //! linear in them.
 
 use crate::model::Unit;
 
-/// Inertial parameter of a body, about a point of the body, along body-fixed axes.
+/// Inertial parameter of a body. First moments and inertia are about a reference point of the body, along body-fixed
+/// axes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum InertialParameter {
     /// Mass m of the body, kg.
     Mass,
-    /// First moment m x, kg m: mass times the coordinate of the mass centre from the point, along axis
-    /// 0, 1 or 2.
+    /// First moment m x, kg m, along axis 0, 1 or 2: the mass times the component of the vector from the reference
+    /// point to the mass centre.
     FirstMoment(usize),
-    /// Entry (row, column) of the inertia tensor about the point, kg m². Off the diagonal it has the
-    /// sign of the tensor, −∫ x y dm.
+    /// Entry (row, column) of the inertia tensor about the reference point, kg m². Off the diagonal it has the sign
+    /// of the tensor, −∫ x y dm.
     Inertia(usize, usize),
 }
 
 impl InertialParameter {
-    /// Symbol of the parameter without the name of the body: `m`, `mx`, `Ixy`.
+    /// Symbol of the parameter without the name of the body, such as `m`, `mx` or `Ixy`.
     #[must_use]
     pub fn parameter_symbol(self) -> String {
         let axis = |i: usize| ["x", "y", "z"][i];

@@ -1,8 +1,7 @@
-//! Kinematics: positions and velocities of all frames and points, from which all formulations
-//! start.
+//! Kinematics: positions and velocities of all frames and points, from which all formulations start.
 //!
-//! T. R. Kane & D. A. Levinson, *Dynamics: Theory and Applications* (1985), §§ 2.7, 2.8 (points
-//! fixed on a body, and moving on it), 2.12 (generalized speeds), 2.14 (partial velocities).
+//! T. R. Kane & D. A. Levinson, *Dynamics: Theory and Applications* (1985), §§ 2.7, 2.8 (points fixed on a body, and
+//! moving on it), 2.12 (generalized speeds), 2.14 (partial velocities).
 
 use super::equation_form::EquationForm;
 use super::frame_transport::name_transported_components;
@@ -16,8 +15,8 @@ use crate::algebra::{Arena, Expr};
 use crate::geometry::{Components, Frames, Placement, Vector, angular_velocities, apply_tensor, linear_velocities};
 use crate::model::{Body, Model, Reaction, ReactionKind};
 
-/// Positions and velocities of a model as terms in q and q̇, with the arena and the applied loads,
-/// for deriving equations.
+/// Kinematics of a model: positions and velocities as terms in q and q̇. It also holds the arena and the applied
+/// loads, from which equations are derived.
 pub struct Kinematics {
     /// Arena of all terms. It starts as a copy of the model's arena.
     pub arena: Arena,
@@ -29,13 +28,13 @@ pub struct Kinematics {
     pub positions: Vec<Vector>,
     /// Velocities of all frames and points as terms in q and q̇.
     pub in_rates: Velocities,
-    /// Vectors of the model's applied forces, N, in parameters, q, q̇ and u. Velocities that a force
-    /// names are substituted.
+    /// Vectors of the model's applied forces, N, as terms in parameters, q, q̇ and u. Velocities that a force names
+    /// are replaced by terms.
     pub forces: Vec<Vector>,
-    /// Vectors of the model's applied torques, N m, in parameters, q, q̇ and u. Velocities that a
-    /// torque names are substituted.
+    /// Vectors of the model's applied torques, N m, as terms in parameters, q, q̇ and u. Velocities that a torque
+    /// names are replaced by terms.
     pub torques: Vec<Vector>,
-    /// Potential of the applied loads, kept after it is first computed; `None` before.
+    /// Potential of the applied loads; `None` until it is first computed.
     pub(in crate::mechanics) potential: Option<LoadPotential>,
 }
 
@@ -44,16 +43,16 @@ pub struct Kinematics {
 pub struct LoadPotential {
     /// Potential energy U as a term in q, J; 0 if no load has a potential.
     pub energy: Expr,
-    /// Generalized forces Q + ∂U/∂q without a potential, one entry for each coordinate; simplified
+    /// Parts Q + ∂U/∂q of the generalized forces Q that U does not give, one for each coordinate. They are simplified
     /// terms in q and q̇.
     pub rest: Vec<Expr>,
-    /// Indices of the loads whose potential is not in U. Forces count first, then torques, then stated
+    /// Indices of the loads whose potential is not in U. The indices count forces first, then torques, then stated
     /// potentials.
     pub outside: Vec<usize>,
 }
 
-/// Angular velocities of all frames and velocities of all points, as terms in q and in either q̇ or
-/// u.
+/// Angular velocities of all frames and velocities of all points. They are terms in q and either in the rates q̇ or
+/// in the speeds u.
 #[derive(Clone)]
 pub struct Velocities {
     /// Angular velocity ω of each frame of the model relative to the inertial frame, rad/s.
@@ -74,27 +73,26 @@ pub enum MotionVariables {
 }
 
 impl Kinematics {
-    /// Computes the kinematics of a model in the form that [`EquationForm::computed`] chooses: closed, or with
-    /// named subterms.
+    /// Computes the kinematics of a model in the form that [`EquationForm::computed`] chooses: closed, or with named
+    /// subterms.
     ///
     /// # Errors
-    /// [`DeriveError`] if the model is too large, a stated inertia is not constant in its body, a
-    /// stated reaction does work or has no unit direction, or a load divides by a velocity that is
-    /// zero.
+    /// Returns a [`DeriveError`] in these cases: the model is too large, a stated inertia is not constant in its
+    /// body, a stated reaction does work or has no unit direction, or a load divides by a velocity that is zero.
     pub fn new(model: &Model) -> Result<Self, DeriveError> {
         Self::in_form(model, EquationForm::computed(model))
     }
 
-    /// Computes the kinematics of a model in a given form, closed or with named subterms. Equations
-    /// derived from them have the same form.
+    /// Computes the kinematics of a model in a given form, closed or with named subterms. Equations that are derived
+    /// from it have the same form.
     ///
     /// # Errors
-    /// [`DeriveError`], for the same reasons as [`Self::new`].
+    /// Returns a [`DeriveError`], for the same reasons as [`Self::new`].
     pub fn in_form(model: &Model, form: EquationForm) -> Result<Self, DeriveError> {
         check_link_limit(model)?;
         let mut arena = model.arena.clone();
         let mut frames = Frames::new(&model.frames);
-        // Impulses of added masses are written out.
+        // Impulses of added masses are always written out, so models with added masses get no named subterms.
         frames.carries = form == EquationForm::Steps && model.added_masses.is_empty();
         let rates: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
         let mut rates = Differential::along(&rates);
@@ -188,7 +186,7 @@ impl Kinematics {
             if *frame == inertia.frame {
                 continue;
             }
-            // The inertia is constant in the body if and only if R I Rᵀ does not depend on q.
+            // The inertia is constant in the body exactly if R I Rᵀ does not depend on q.
             let r = self.frames.rotation(&mut self.arena, inertia.frame, *frame);
             for (i, row) in r.iter().enumerate() {
                 let column = apply_tensor(&mut self.arena, &inertia.tensor, row);
@@ -210,13 +208,12 @@ impl Kinematics {
         Ok(())
     }
 
-    /// Checks that reactions do no work in any permitted motion: along each q̇, or along each speed if
-    /// motion constraints exist. Also checks that the directions stated in the model file are unit
+    /// Checks that the given reactions do no work in any permitted motion. The motions are along each q̇, or along
+    /// each speed if motion constraints exist. Also checks that directions which the model file states are unit
     /// vectors.
     ///
     /// # Errors
-    /// `DeriveError::ReactionWorks` or `DeriveError::DirectionNotUnit` for the first reaction that
-    /// fails.
+    /// Returns `DeriveError::ReactionWorks` or `DeriveError::DirectionNotUnit` for the first reaction that fails.
     pub(in crate::mechanics) fn check_reactions_do_no_work(
         &mut self,
         model: &Model,
@@ -232,7 +229,8 @@ impl Kinematics {
             let direction = Vector::in_frame(reaction.frame, reaction.direction);
             let square = self.frames.dot(&mut self.arena, &direction, &direction);
             let excess = self.arena.sub(square, Expr::ONE);
-            // The direction of a joint that closes a loop has unit length only where the loop is closed.
+            // The direction of a joint that closes a loop has unit length only in poses in which the loop is closed,
+            // so it is not checked.
             if reaction.is_stated && zero_test(&self.arena, excess) != ZeroTest::Zero {
                 let length = crate::algebra::text::print::print_text(&self.arena, square);
                 return Err(DeriveError::DirectionNotUnit { reaction: reaction.name.clone(), square: length });
@@ -273,7 +271,7 @@ impl Kinematics {
         self.frames.dot(&mut self.arena, &direction, &velocity)
     }
 
-    /// Difference a − b of two vectors; `a` if `b` is `None`.
+    /// Difference a − b of two vectors. `None` for `b` means the zero vector.
     fn vector_difference(&mut self, a: Vector, b: Option<Vector>) -> Vector {
         match b {
             None => a,
@@ -317,8 +315,8 @@ pub fn kinematic_rates_without_acceleration(model: &Model) -> Differential {
     Differential::along(&rates.collect::<Vec<_>>())
 }
 
-/// Names the components of each frame's angular velocity along its own axes, as `w_A_1` for frame
-/// A. This must come before any other term takes these names. Does nothing in closed form.
+/// Names the components of each frame's angular velocity along its own axes, such as `w_A_1` for frame A. It must run
+/// before any other term takes these names. Does nothing in closed form.
 fn name_in_own_frames(arena: &mut Arena, frames: &mut Frames, angular: &[Vector]) {
     if frames.carries {
         for (frame, omega) in angular.iter().enumerate() {

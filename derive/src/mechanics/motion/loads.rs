@@ -1,9 +1,10 @@
 //! Loads on the bodies, and the velocities of the points and bodies on which they act.
 //!
-//! The power of a force uses the velocity v_C + ω × p_CP of the body's material at the point P of
-//! the force. The velocity of P itself differs if P moves in the body, as a contact point does. T.
-//! R. Kane & D. A. Levinson, *Dynamics: Theory and Applications* (1985), §§ 2.7, 2.8 (points fixed
-//! on a body, and moving on it), 4.4 (generalized active forces).
+//! The power of a force uses the velocity v_C + ω × p_CP of the body's material at the point P of the force. The
+//! velocity of P itself differs if P moves in the body, as a contact point does.
+//!
+//! T. R. Kane & D. A. Levinson, *Dynamics: Theory and Applications* (1985), §§ 2.7, 2.8 (points fixed on a body, and
+//! moving on it), 4.4 (generalized active forces).
 
 use super::kinematics::{Kinematics, Velocities, rates_to_speeds, speeds_to_rates};
 use crate::algebra::term::calculus::{Gradient, Substitution};
@@ -18,17 +19,17 @@ use crate::model::{Body, ForcePlace, Model, NamedVelocity, ReactionKind};
 /// Force or torque with the velocity on which it does work. Its generalized force is F_r =
 /// ∂velocity/∂u_r · scale load.
 pub struct Load {
-    /// Velocity of the body's material at the point of a force (m/s), or angular velocity of the body
-    /// for a torque (rad/s).
+    /// Velocity of the body's material at the point of a force (m/s), or angular velocity of the body on which a
+    /// torque acts (rad/s).
     pub velocity: Vector,
-    /// Factor of `load`: the mass of the body for a weight, else 1. Kept separate so that equal
-    /// products of vectors are recognized.
+    /// Factor of `load`: the mass of the body for a weight, otherwise 1. It is kept separate so that equal products
+    /// of vectors are recognized.
     pub scale: Expr,
     /// Force (N) or torque (N m). For a weight, the acceleration of free fall (m/s²).
     pub load: Vector,
 }
 
-/// Force or reaction whose point of action moves in the body on which it acts.
+/// Force or reaction whose point of action moves relative to the body on which it acts.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct MovingLoadPlace {
     /// Kind and name of the force or reaction, such as `force drag`.
@@ -38,8 +39,8 @@ pub struct MovingLoadPlace {
 }
 
 impl MovingLoadPlace {
-    /// Sentence for the user that names the load, the point and the body, and the velocity that gives
-    /// the power.
+    /// Sentence for the user about the moving point. It names the load, the point, the body, and the velocity that
+    /// gives the power.
     #[must_use]
     pub fn text(&self, model: &Model) -> String {
         let (load, body) = (&self.load, &model.bodies[self.place.body].name);
@@ -51,11 +52,10 @@ impl MovingLoadPlace {
     }
 }
 
-/// Lists the forces and reactions of a model whose points move in their bodies, in the order of the
-/// model file.
+/// Forces and reactions of a model whose points move in their bodies, in the order of the model file.
 ///
 /// # Errors
-/// [`DeriveError`], for the same reasons as [`Kinematics::new`].
+/// Returns a [`DeriveError`], for the same reasons as [`Kinematics::new`].
 pub fn moving_load_places(model: &Model) -> Result<Vec<MovingLoadPlace>, DeriveError> {
     let mut kinematics = Kinematics::new(model)?;
     let mut list = Vec::new();
@@ -67,8 +67,7 @@ pub fn moving_load_places(model: &Model) -> Result<Vec<MovingLoadPlace>, DeriveE
     Ok(list)
 }
 
-/// Lists all forces and reaction forces and their opposites by name, each with the body and point
-/// of action.
+/// All forces, reaction forces and their opposites, each as (kind and name, body and point on which it acts).
 fn places_of_loads(model: &Model) -> Vec<(String, ForcePlace)> {
     let mut list = Vec::new();
     for force in &model.forces {
@@ -85,8 +84,8 @@ fn places_of_loads(model: &Model) -> Vec<(String, ForcePlace)> {
 }
 
 impl Kinematics {
-    /// Velocity v_P = v_C + ω × p_CP of the body's material at a point, in the inertial frame, m/s. For
-    /// a particle, v_C.
+    /// Velocity v_P = v_C + ω × p_CP of the body's material at a point P, relative to the inertial frame, m/s. For a
+    /// particle it is v_C.
     pub fn load_place_velocity(&mut self, model: &Model, velocities: &Velocities, place: ForcePlace) -> Vector {
         let body = &model.bodies[place.body];
         let centre = velocities.linear[body.centre].clone();
@@ -102,8 +101,8 @@ impl Kinematics {
         self.positions[point].add(&mut self.arena, &back)
     }
 
-    /// True if the point of `place` moves in its body: its velocity differs from that of the body's
-    /// material there.
+    /// True if the point of `place` moves in its body, so that its velocity differs from that of the body's material
+    /// there.
     fn moves_in_body(&mut self, model: &Model, place: ForcePlace) -> bool {
         let velocities = self.in_rates.clone();
         let material = self.load_place_velocity(model, &velocities, place);
@@ -113,7 +112,7 @@ impl Kinematics {
         frames.express(arena, &slip, 0).iter().any(|e| zero_test(arena, *e) == ZeroTest::NonZero)
     }
 
-    /// Lists the weights of all bodies as loads; empty without gravity.
+    /// Weights of all bodies as loads; empty without gravity.
     pub fn weight_loads(&mut self, model: &Model, velocities: &Velocities) -> Vec<Load> {
         let Some(gravity) = &model.gravity else { return Vec::new() };
         let weight = |centre: usize, mass: Expr| Load {
@@ -124,8 +123,8 @@ impl Kinematics {
         model.bodies.iter().map(|body| weight(body.centre, body.mass)).collect()
     }
 
-    /// Lists the applied loads other than weights: an inner list for each force and torque of the model
-    /// (with its opposite), and for each stated potential.
+    /// Applied loads other than weights. There is an inner list for each force and torque of the model (with its
+    /// opposite), and for each stated potential.
     pub fn loads(&mut self, model: &Model, velocities: &Velocities) -> Vec<Vec<Load>> {
         let mut groups = Vec::new();
         for (at, force) in model.forces.iter().enumerate() {
@@ -152,8 +151,8 @@ impl Kinematics {
         groups.into_iter().map(|loads| loads.into_iter().map(load).collect()).collect()
     }
 
-    /// Turns a potential energy V into loads: the generalized force −∂V/∂q of each coordinate except
-    /// time, with the velocity q̇. Both are written along axis 0 of the inertial frame.
+    /// Loads of a potential energy V: the generalized force −∂V/∂q of each coordinate except time, paired with the
+    /// velocity q̇. Both are written along axis 0 of the inertial frame.
     fn loads_of_potential(&mut self, model: &Model, velocities: &Velocities, energy: Expr) -> Vec<(Vector, Vector)> {
         let time = model.time();
         let slopes = Gradient::new(&model.q()).apply(&mut self.arena, energy);
@@ -167,11 +166,11 @@ impl Kinematics {
         .collect()
     }
 
-    /// Sets `forces` and `torques` to the applied loads of the model, with the velocities that they
-    /// name substituted.
+    /// Sets `forces` and `torques` to the applied loads of the model. Velocities that a load names are replaced by
+    /// terms.
     ///
     /// # Errors
-    /// [`DeriveError::LoadDividesByZero`] if a load divides by a velocity that is zero at all times.
+    /// Returns [`DeriveError::LoadDividesByZero`] if a load divides by a velocity that is zero at all times.
     pub(in crate::mechanics) fn apply_loads(&mut self, model: &Model) -> Result<(), DeriveError> {
         let values: Vec<_> =
             model.velocities.iter().map(|v| (v.symbol, self.velocity_named_by_load(model, v))).collect();
@@ -188,8 +187,8 @@ impl Kinematics {
         Ok(())
     }
 
-    /// Generalized forces of loads, one for each of the motion `variables`, not simplified. `put`
-    /// substitutes the velocities that occur in a load by the motion variables.
+    /// Generalized forces of loads, one for each of the motion variables `variables`, not simplified. `put` replaces
+    /// velocities that occur in a load by terms in the motion variables.
     fn generalized_forces<'a>(
         &mut self,
         loads: impl IntoIterator<Item = &'a Load>,
@@ -210,8 +209,8 @@ impl Kinematics {
         forces.iter().map(|dots| dots.sum(&mut self.arena, &mut self.frames)).collect()
     }
 
-    /// Component of a velocity or position that a load refers to, as a term in q and q̇; the literal 0
-    /// if it is identically zero.
+    /// Component of a velocity or position that a load names, as a term in q and q̇. It is the literal 0 if it is
+    /// identically zero.
     fn velocity_named_by_load(&mut self, model: &Model, name: &NamedVelocity) -> Expr {
         let velocities = self.in_rates.clone();
         let velocity = match name.of {
@@ -229,8 +228,8 @@ impl Kinematics {
     }
 }
 
-/// Generalized forces Q_i = Σ (∂v_P/∂q̇_i)·R_P + Σ (∂ω_B/∂q̇_i)·T_B of the given loads, one for
-/// each coordinate. Terms in q and q̇, not simplified.
+/// Generalized forces Q_i = Σ (∂v_P/∂q̇_i)·R_P + Σ (∂ω_B/∂q̇_i)·T_B of the given loads, one for each coordinate. They
+/// are terms in q and q̇, not simplified.
 pub(in crate::mechanics) fn generalized_forces_of_loads<'a>(
     model: &Model,
     kinematics: &mut Kinematics,
@@ -239,9 +238,9 @@ pub(in crate::mechanics) fn generalized_forces_of_loads<'a>(
     kinematics.generalized_forces(loads, &mut speeds_to_rates(model), &model.q_dot())
 }
 
-/// Generalized active forces F_r = Σ (∂v_P/∂u_r)·R_P + Σ (∂ω_B/∂u_r)·T_B of all loads and weights,
-/// one for each speed. Terms in q and u, not simplified. Entry r has the unit of power divided by
-/// that of u_r. Reactions do not contribute.
+/// Generalized active forces F_r = Σ (∂v_P/∂u_r)·R_P + Σ (∂ω_B/∂u_r)·T_B of all loads and weights, one for each
+/// speed. They are terms in q and u, not simplified. Entry r has the unit of power divided by that of u_r. Reactions
+/// do not contribute.
 pub(in crate::mechanics) fn active_forces_of_loads(
     model: &Model,
     kinematics: &mut Kinematics,
@@ -252,10 +251,10 @@ pub(in crate::mechanics) fn active_forces_of_loads(
     kinematics.generalized_forces(&loads, &mut rates_to_speeds(model), &model.u())
 }
 
-/// Substitutes velocities in the components of a load. `put` maps each named velocity to its value.
+/// Replaces named velocities in the components of a load. `put` maps each named velocity to its value.
 ///
 /// # Errors
-/// `DeriveError::LoadDividesByZero` if the result divides by zero everywhere.
+/// Returns `DeriveError::LoadDividesByZero` if the result divides by a term that is identically zero.
 fn substitute_load_velocities(
     arena: &mut Arena,
     put: &mut Substitution,

@@ -1,4 +1,4 @@
-//! Kinematics, inertia, energy and loads of the bodies, which all formulations use.
+//! Motion, inertia, energy and loads of the bodies, which all formulations use.
 
 pub(super) mod composite_bodies;
 pub(super) mod energy;

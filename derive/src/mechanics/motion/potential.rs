@@ -1,11 +1,11 @@
 //! Potential energy of a model, and the power of the forces without a potential.
 //!
-//! Each applied load is taken at its value at rest (q̇ = 0). If −∂U/∂q are its generalized forces
-//! there, U is its potential energy. The remaining part of a load works only in motion, like a
-//! damper, or never, like a magnetic field.
+//! Each applied load is taken at its value at rest (q̇ = 0). If its generalized forces at rest are −∂U/∂q, then U is
+//! its potential energy. The remaining part of a load works only in motion, like a damper, or never, like a magnetic
+//! field.
 //!
-//! H. Goldstein, C. Poole & J. Safko, *Classical Mechanics*, 3rd edition (2002), §§ 1.4, 1.5, 2.7;
-//! T. R. Kane & D. A. Levinson, *Dynamics: Theory and Applications* (1985), § 5.1.
+//! H. Goldstein, C. Poole & J. Safko, *Classical Mechanics*, 3rd edition (2002), §§ 1.4, 1.5, 2.7; T. R. Kane & D. A.
+//! Levinson, *Dynamics: Theory and Applications* (1985), § 5.1.
 
 use super::frame_transport::name_transported_components;
 use super::kinematics::{Kinematics, LoadPotential, MotionVariables, rates_to_speeds};
@@ -20,12 +20,12 @@ use crate::mechanics::derive_error::DeriveError;
 use crate::model::Model;
 
 impl Kinematics {
-    /// Potential energy V = V_gravity + U as a term in q, J. U is the potential of all applied loads
-    /// for which the rules of [`antiderivative`] find one. U is zero at the model's `zero_at` if it has a
-    /// value there; else its constant follows from the rules.
+    /// Potential energy V = V_gravity + U as a term in q, J. U is the potential of all applied loads for which the
+    /// rules of [`antiderivative`] find one. U is zero at the model's `zero_at` if it has a value there. Otherwise
+    /// its constant follows from the rules.
     ///
     /// # Errors
-    /// [`DeriveError::NoZeroOfPotential`] if V_gravity has no value at `zero_at`.
+    /// Returns [`DeriveError::NoZeroOfPotential`] if V_gravity has no value at `zero_at`.
     pub fn potential_energy(&mut self, model: &Model) -> Result<Expr, DeriveError> {
         let gravity = self.gravity_potential(model)?;
         let of_loads = self.load_potential(model).energy;
@@ -33,11 +33,10 @@ impl Kinematics {
         Ok(self.simplifier.simplify(&mut self.arena, sum))
     }
 
-    /// Potential energy V = −Σ m g·p of gravity alone, J; zero at the configuration `zero_at` of the
-    /// model.
+    /// Potential energy V = −Σ m g·p of gravity alone, J. It is zero at the configuration `zero_at` of the model.
     ///
     /// # Errors
-    /// [`DeriveError::NoZeroOfPotential`] if V has no value at `zero_at`.
+    /// Returns [`DeriveError::NoZeroOfPotential`] if V has no value at `zero_at`.
     pub fn gravity_potential(&mut self, model: &Model) -> Result<Expr, DeriveError> {
         let Some(gravity) = &model.gravity else { return Ok(Expr::ZERO) };
         let g = Vector::in_frame(gravity.frame, gravity.acceleration);
@@ -53,11 +52,11 @@ impl Kinematics {
         self.energy_with_stated_zero(model, energy)
     }
 
-    /// Potential energy −g · Σ m p of gravity, J. The first moments m p are added before they are
-    /// expressed in the frame of g.
+    /// Potential energy −g · Σ m p of gravity, J. The first moments m p are added before they are expressed in the
+    /// frame of g.
     ///
     /// # Errors
-    /// `DeriveError::NoZeroOfPotential` if it has no value at the model's `zero_at`.
+    /// Returns `DeriveError::NoZeroOfPotential` if the energy has no value at the model's `zero_at`.
     fn gravity_potential_by_first_moments(&mut self, model: &Model, g: &Vector) -> Result<Expr, DeriveError> {
         let mut moment = Vector::default();
         for body in &model.bodies {
@@ -74,11 +73,10 @@ impl Kinematics {
         self.energy_with_stated_zero(model, energy)
     }
 
-    /// Shifts a potential energy by a constant so that it is zero at the model's configuration
-    /// `zero_at`.
+    /// Shifts a potential energy by a constant so that it is zero at the model's configuration `zero_at`.
     ///
     /// # Errors
-    /// `DeriveError::NoZeroOfPotential` if the energy has no value at `zero_at`.
+    /// Returns `DeriveError::NoZeroOfPotential` if the energy has no value at `zero_at`.
     fn energy_with_stated_zero(&mut self, model: &Model, energy: Expr) -> Result<Expr, DeriveError> {
         let Some(gravity) = &model.gravity else { return Ok(energy) };
         if gravity.zero_at.is_empty() {
@@ -95,8 +93,8 @@ impl Kinematics {
         Ok(self.simplifier.simplify(&mut self.arena, difference))
     }
 
-    /// Potential of the applied loads: of all loads together or, if there is none, of each load that
-    /// has its own.
+    /// Potential of the applied loads. It is that of all loads together or, if they have none together, of each load
+    /// that has its own.
     pub fn load_potential(&mut self, model: &Model) -> LoadPotential {
         if let Some(known) = &self.potential {
             return known.clone();
@@ -108,16 +106,16 @@ impl Kinematics {
         found
     }
 
-    /// Generalized forces of each applied load, as terms in q and q̇. An inner list belongs to a load
-    /// (forces, torques, then potentials) and has an entry for each coordinate.
+    /// Generalized forces of each applied load, as terms in q and q̇. There is an inner list for each load (forces,
+    /// then torques, then potentials), with an entry for each coordinate.
     pub fn generalized_forces_of_each_load(&mut self, model: &Model) -> Vec<Vec<Expr>> {
         let velocities = self.in_rates.clone();
         let groups = self.loads(model, &velocities);
         groups.iter().map(|group| generalized_forces_of_loads(model, self, group)).collect()
     }
 
-    /// Power d(T + V)/dt of the forces that V does not contain, W, as a term in q and the given motion
-    /// variables. The literal 0 if it is identically zero.
+    /// Power d(T + V)/dt of the forces without a potential in V, W, as a term in q and the given motion variables. It
+    /// is the literal 0 if it is identically zero.
     pub(in crate::mechanics) fn power_without_potential(&mut self, model: &Model, variables: MotionVariables) -> Expr {
         let rest = self.load_potential(model).rest;
         let arena = &mut self.arena;
@@ -133,12 +131,12 @@ impl Kinematics {
         self.simplifier.simplify(arena, power)
     }
 
-    /// Searches for the potential of the given applied loads: known potentials of springs first, then by
-    /// integration of the forces.
+    /// Searches for the potential of the given applied loads. Known potentials, as of springs, come first; then
+    /// forces are integrated.
     fn search_load_potential(&mut self, model: &Model, groups: &[Vec<Load>]) -> LoadPotential {
         let all = generalized_forces_of_loads(model, self, groups.iter().flatten());
         let all: Vec<Expr> = all.into_iter().map(|e| self.simplifier.simplify(&mut self.arena, e)).collect();
-        // The model knows the potential of springs and of stated potentials.
+        // The model holds the potentials of springs and the stated potentials.
         let of_forces = model.forces.iter().map(|f| f.energy);
         let of_torques = model.torques.iter().map(|_| None);
         let stated = of_forces.chain(of_torques).chain(model.potentials.iter().map(|p| Some(p.energy)));
@@ -190,8 +188,8 @@ impl Kinematics {
         LoadPotential { energy, rest, outside }
     }
 
-    /// Shifts a potential energy so that it is zero at the model's `zero_at`, if it has a value there.
-    /// Simplifies it.
+    /// Simplifies a potential energy and shifts it so that it is zero at the model's `zero_at`, if it has a value
+    /// there.
     fn potential_with_zero_if_possible(&mut self, model: &Model, energy: Expr) -> Expr {
         let Self { arena, simplifier, .. } = self;
         let at_zero = model.gravity.as_ref().filter(|gravity| !gravity.zero_at.is_empty()).and_then(|_| {
@@ -215,8 +213,8 @@ fn zero_energy_configuration(model: &Model) -> Substitution {
     Substitution::new(&values)
 }
 
-/// Lists, for each applied load in the order of [`Kinematics::loads`], true if it contains an
-/// input. Work done by inputs is not stored as energy in the mechanism.
+/// For each applied load, in the order of [`Kinematics::loads`]: true if it contains an input. Work that inputs do is
+/// not stored as energy in the mechanism.
 fn loads_with_inputs(model: &Model) -> Vec<bool> {
     let inputs: Vec<Expr> = model.parameters.iter().filter(|p| p.is_input).map(|p| p.symbol).collect();
     let vectors = model.forces.iter().map(|f| f.vector).chain(model.torques.iter().map(|t| t.vector));
@@ -224,8 +222,8 @@ fn loads_with_inputs(model: &Model) -> Vec<bool> {
     vectors.map(names_one).chain(model.potentials.iter().map(|_| false)).collect()
 }
 
-/// Potential energy U with −∂U/∂q = the given generalized forces at rest (q̇ = 0), J. `None` if
-/// there is no such U, if no rule finds it, or if it jumps in time.
+/// Potential energy U, J, for which −∂U/∂q are the given generalized forces at rest (q̇ = 0). `None` if there is no
+/// such U, if no rule finds it, or if it jumps in time.
 pub fn potential_at_rest(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -244,8 +242,8 @@ pub fn potential_at_rest(
     if at_rest.undefined.is_some() {
         return None;
     }
-    // A potential that jumps adds energy in an instant, which no power shows. So the work of such a load is counted
-    // instead.
+    // A potential that jumps would add energy in an instant, which no power shows. So the work of such a load is
+    // counted instead.
     antiderivative(arena, simplifier, &model.q(), &slopes)
         .filter(|energy| !potential_jumps_in_time(arena, model, *energy))
 }

@@ -1,5 +1,5 @@
-//! Accelerations of frames and points of large models, computed along the tree with a name for each
-//! long subterm. Rates of momenta and the acceleration energy are computed from them.
+//! Accelerations of frames and points of large models, computed along the tree with a name for each long subterm.
+//! Rates of momenta and the acceleration energy are computed from these accelerations.
 
 use super::kinematics::{Kinematics, Velocities, kinematic_rates, rates_to_speeds};
 use super::loads::Load;
@@ -9,7 +9,7 @@ use crate::algebra::{Expr, Rational};
 use crate::geometry::{Components, Placement, Vector, apply_tensor, cross_components};
 use crate::model::{Body, Model};
 
-/// Accelerations of all frames and points, relative to free fall.
+/// Accelerations of all frames and points of a model; those of points are relative to free fall.
 pub(in crate::mechanics) struct Accelerations {
     /// Angular acceleration α of each frame of the model, rad/s².
     pub angular: Vec<Vector>,
@@ -17,12 +17,12 @@ pub(in crate::mechanics) struct Accelerations {
     pub linear: Vec<Vector>,
 }
 
-/// Choice where the angular acceleration α of a frame enters the acceleration of its points.
+/// Choice of how the angular acceleration α of a frame enters the accelerations of its points.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(in crate::mechanics) enum AlphaTerms {
     /// Angular acceleration α is part of the named matrix α× + ω×ω× of the frame.
     InMatrix,
-    /// Angular acceleration α stays outside the named matrix, which is then only ω×ω×. Chosen if α is
+    /// Angular acceleration α stays outside the named matrix, which is then only ω×ω×. This is chosen if α is
     /// unknown.
     Separate,
 }
@@ -37,8 +37,8 @@ struct FrameRotations<'a> {
 }
 
 impl Kinematics {
-    /// Accelerations in a motion whose state has the given rates: α of each frame, and a − g of each
-    /// point. Subtracting g makes the weight an inertia force.
+    /// Angular acceleration α of each frame and acceleration a − g of each point, in a motion in which the state has
+    /// the given `rates`. Subtracting g makes the weight an inertia force.
     pub(in crate::mechanics) fn accelerations(
         &mut self,
         model: &Model,
@@ -75,8 +75,8 @@ impl Kinematics {
         Accelerations { angular, linear }
     }
 
-    /// Acceleration of each point less that of free fall, m/s²: from its parent point by a + α × r + ω
-    /// × (ω × r) + 2 ω × r' + r''.
+    /// Acceleration of each point less that of free fall, m/s². It follows from the acceleration a of the parent
+    /// point: a + α × r + ω × (ω × r) + 2 ω × r' + r''.
     fn linear_accelerations(
         &mut self,
         model: &Model,
@@ -124,8 +124,8 @@ impl Kinematics {
         linear
     }
 
-    /// Named matrix α× + ω×ω× of a frame, s⁻². Its product with the position of a fixed point is the
-    /// point's relative acceleration.
+    /// Named matrix α× + ω×ω× of a frame, s⁻². Multiplied by the position vector of a point that is fixed in the
+    /// frame, it gives the point's relative acceleration.
     fn relative_acceleration_matrix(
         &mut self,
         model: &Model,
@@ -155,8 +155,8 @@ impl Kinematics {
         })
     }
 
-    /// Rate ω' of the components of a rigid body's ω along the frame F of its inertia, and ω_F × H.
-    /// `None` for a particle.
+    /// Rate ω' of the components of a rigid body's ω along the frame F of its inertia, and the vector ω_F × H. `None`
+    /// for a particle.
     fn angular_acceleration_along_tree(
         &mut self,
         body: &Body,
@@ -186,14 +186,14 @@ impl Kinematics {
             )
         };
         let arena = &mut self.arena;
-        // The rate of the components is α less ω_F × ω.
+        // The rate of the components is α − ω_F × ω.
         let turning = cross_components(arena, &of_frame, &omega);
         let within = std::array::from_fn(|i| arena.sub(alpha[i], turning[i]));
         Some((within, cross_components(arena, &of_frame, &momentum)))
     }
 
-    /// Rate dH/dt of a rigid body's angular momentum, N m, along the frame F of its inertia: I ω' + ω_F
-    /// × H. Here ω' differentiates the components along F. `None` for a particle.
+    /// Rate dH/dt of a rigid body's angular momentum, N m, along the frame F of its inertia. It is I ω' + ω_F × H,
+    /// where ω' is the rate of the components of ω along F. `None` for a particle.
     pub(in crate::mechanics) fn angular_momentum_rate_along_tree(
         &mut self,
         body: &Body,
@@ -206,8 +206,7 @@ impl Kinematics {
         Some(std::array::from_fn(|i| self.arena.add(rate[i], gyroscopic[i])))
     }
 
-    /// Vectors m a − weight (N) and dH/dt (N m) of a body, from accelerations that already contain the
-    /// free fall.
+    /// Vectors m a − weight (N) and dH/dt (N m) of a body. The given accelerations must be relative to free fall.
     pub(in crate::mechanics) fn momentum_rates_along_tree(
         &mut self,
         model: &Model,
@@ -224,8 +223,8 @@ impl Kinematics {
         (force, moment.map_or_else(Vector::default, |rate| Vector::in_frame(frame, rate)))
     }
 
-    /// Acceleration energy ½ Σ m a² + Σ ½ ω' · I ω' + ω' · (ω × H) in a given motion, as blocks ½ e · K
-    /// e + b · e. Here a is the acceleration of a mass centre less that of free fall.
+    /// Acceleration energy ½ Σ m a² + Σ ½ ω' · I ω' + ω' · (ω × H) in a given motion. It is given as blocks ½ e · K e
+    /// + b · e. Here a is the acceleration of a mass centre less that of free fall.
     pub(in crate::mechanics) fn acceleration_energy_along_tree(
         &mut self,
         model: &Model,
