@@ -1,4 +1,4 @@
-//! Numeric program of a flow: values and directional derivatives, in numbers of any precision.
+//! Numeric program of a flow. It computes values and directional derivatives, in numbers of any precision.
 
 use super::Flow;
 use crate::algebra::Expr;
@@ -7,18 +7,18 @@ use crate::algebra::term::calculus::Differential;
 use crate::algebra::term::steps::{Definition, fresh_symbol};
 use crate::algebra::value::tape::{Numeric, Tape, UnknownSymbol};
 
-/// Numbers of parameters, states, inputs, loops, symmetries and outputs of a program.
+/// Numbers of parameters, states, inputs, loops, symmetries and outputs of a flow's program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FlowProgramSizes {
     /// Number of parameters of the flow.
     pub parameters: usize,
     /// Number of states: coordinates and speeds.
     pub states: usize,
-    /// Number of inputs by which derivatives can be computed.
+    /// Number of inputs with respect to which derivatives can be computed.
     pub inputs: usize,
     /// Number of loop equations; independent loops come first, redundant loops last.
     pub loops: usize,
-    /// Number of independent loop equations; the remaining loops depend on them.
+    /// Number of independent loop equations, which come first. The remaining loops depend on them.
     pub ties: usize,
     /// Number of symmetries of the flow.
     pub symmetries: usize,
@@ -26,17 +26,16 @@ pub struct FlowProgramSizes {
     pub outputs: usize,
 }
 
-/// Flow as a numeric program, with its derivatives along any direction of states and inputs.
+/// Flow as a numeric program, which also gives derivatives along any direction of states and inputs.
 #[derive(Clone)]
 pub struct Program {
-    /// Instructions of the program in double precision; the outputs are the values, then the
-    /// derivatives.
+    /// Instructions of the program in double precision. Its outputs are the values, then the derivatives.
     tape: Tape,
     /// Numbers of the program's parameters, states, inputs, loops, symmetries and outputs.
     pub sizes: FlowProgramSizes,
 }
 
-/// Results of a program: values at a state, or derivatives of the values along a direction.
+/// Results of a flow's program: values at a state, or derivatives of these values along a direction.
 #[derive(Clone, Debug)]
 pub struct FlowProgramResults<S> {
     /// Rates f of the states, one for each state, or their derivatives.
@@ -65,12 +64,11 @@ impl<S: Clone> FlowProgramResults<S> {
 }
 
 impl Flow {
-    /// Compiles this flow to a numeric program. `inputs` are parameters by which derivatives are also
-    /// possible; `outputs` are terms in states that it computes.
+    /// Compiles this flow to a numeric program, which also computes the terms `outputs` in states. `inputs` are
+    /// parameters with respect to which derivatives are also possible.
     ///
     /// # Errors
-    /// [`UnknownSymbol`] if an output contains a symbol that is not a state, a parameter or a defined
-    /// symbol.
+    /// Returns [`UnknownSymbol`] if an output contains a symbol that is not a state, a parameter or a defined symbol.
     pub fn program(&self, inputs: &[Expr], outputs: &[Expr]) -> Result<Program, UnknownSymbol> {
         let mut arena = self.arena.clone();
         let mut simplifier = Simplifier::default();
@@ -113,14 +111,14 @@ impl Flow {
 }
 
 impl Program {
-    /// Instructions of the program in double precision; [`Tape::to`] converts them to other numbers.
+    /// Instructions of the program in double precision. [`Tape::to`] converts them to other numbers.
     #[must_use]
     pub fn tape(&self) -> &Tape {
         &self.tape
     }
 
-    /// Evaluates the program with the instructions `tape` at a state `x`. Returns the values, and their
-    /// derivatives along each of the given directions (components for each state, then each input).
+    /// Evaluates the program at a state `x`, with the instructions `tape`. Returns the values, and their derivatives
+    /// along each of the given directions. A direction has a component for each state, then for each input.
     #[must_use]
     pub fn evaluate<S: Numeric>(
         &self,
@@ -138,8 +136,8 @@ impl Program {
         (values, slopes)
     }
 
-    /// Evaluates the program at a state `x`. Returns the values, and their derivatives by each state,
-    /// then by each input.
+    /// Evaluates the program at a state `x`, with the instructions `tape`. Returns the values, and their derivatives
+    /// with respect to each state, then to each input.
     #[must_use]
     pub fn all_slopes<S: Numeric>(
         &self,

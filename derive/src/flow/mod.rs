@@ -1,9 +1,9 @@
-//! Flow of a mechanism: the motion as a first-order system with its derivatives and symmetries. It
-//! is the basis of equilibria, steady motions and linearisations.
+//! Flow of a mechanism: the motion as a first-order system, with its derivatives and symmetries. Equilibria, steady
+//! motions and linearisations are computed from it.
 //!
-//! The states x are the coordinates, then the generalized speeds. x' = f(x, r) with f(q, u) = (W
-//! u + w, u̇) by Kane's method and inputs r. If loops close the mechanism, f is meant on φ(q) = 0,
-//! which it leaves invariant.
+//! The states x are the coordinates, then the generalized speeds. The motion is x' = f(x, r) with f(q, u) = (W u + w,
+//! u̇) by Kane's method and inputs r. If loops close the mechanism, f applies to states with φ(q) = 0, and the motion
+//! keeps φ(q) = 0.
 
 mod flow_program;
 mod rest_balance;
@@ -32,39 +32,38 @@ use crate::prove::{IntegralKind, VectorField};
 pub struct Flow {
     /// Arena of all terms of the flow.
     pub arena: Arena,
-    /// Definitions that compute f, each after those that it uses; the last symbols are u̇.
+    /// Definitions that compute f. Each comes after the definitions that it uses. The last ones define u̇.
     pub steps: Vec<Definition>,
-    /// Symbols of the parameters of the model, with its inputs.
+    /// Symbols of the parameters of the model, inputs included.
     pub parameters: Vec<Expr>,
     /// Symbols of the states: coordinates q, then generalized speeds u.
     pub states: Vec<Expr>,
-    /// Right-hand side f: q̇, then u̇, in parameters, states and defined symbols.
+    /// Right-hand side f: q̇, then u̇, as terms in parameters, states and defined symbols.
     pub rates: Vec<Expr>,
     /// Mass matrix M of Kane's equations M u̇ = F, as terms in parameters and states.
     pub inertia: Vec<Vec<Expr>>,
     /// Forcing F of Kane's equations M u̇ = F, as terms in parameters and states.
     pub balances: Vec<Expr>,
-    /// Residuals φ of the loop equations, which are zero where the loops are closed.
+    /// Residuals φ of the loop equations. They are zero if the loops are closed.
     pub loops: Vec<Expr>,
-    /// Residuals of redundant loops, which are zero where all loops are closed. They restrict no
-    /// velocities that φ does not restrict.
+    /// Residuals of redundant loops, which are zero if all loops are closed. They restrict no velocities that φ does
+    /// not restrict.
     pub closed: Vec<Expr>,
-    /// Symmetries of the flow, each proved: vector fields on the states along which solutions shift to
-    /// solutions.
+    /// Symmetries of the flow, each proved. They are vector fields on the states; a shift along one takes solutions
+    /// to solutions.
     pub symmetries: Vec<Symmetry>,
-    /// Kinetic energy T (J), potential energy V (J), and power of the forces that V does not contain
-    /// (W), in states.
+    /// Kinetic energy T (J), potential energy V (J), and power of the forces without a potential in V (W), as terms
+    /// in the states.
     pub energies: [Expr; 3],
-    /// Divisors of the kinematic equations. Where a divisor is zero, u does not determine q̇.
+    /// Divisors of the kinematic equations. In a state in which a divisor is zero, u does not determine q̇.
     pub divisors: Vec<Expr>,
 }
 
 impl Flow {
-    /// Derives and solves the equations of a model by Kane's method, and finds the symmetries of the
-    /// flow.
+    /// Derives and solves the equations of a model by Kane's method, and finds the symmetries of the flow.
     ///
     /// # Errors
-    /// [`DeriveError`] if the model cannot be derived.
+    /// Returns a [`DeriveError`] if the model cannot be derived.
     pub fn new(model: &Model) -> Result<Self, DeriveError> {
         let mut kinematics = Kinematics::new(model)?;
         let equations = derive_with(model, &mut kinematics, Formulation::Kane)?;
@@ -94,8 +93,8 @@ impl Flow {
         Ok(flow)
     }
 
-    /// Index of the shift of time among the symmetries. `None` if time is not a coordinate of the
-    /// model, or if its equations depend on time.
+    /// Index of the shift of time in [`Self::symmetries`]. `None` if time is not a coordinate of the model, or if its
+    /// equations depend on time.
     #[must_use]
     pub fn time_shift_symmetry(&self, model: &Model) -> Option<usize> {
         let time = model.time()?;
@@ -114,7 +113,7 @@ impl Flow {
         })
     }
 
-    /// Replaces all defined symbols in terms by the terms that define them. Common subterms stay
+    /// Copies of terms in which all defined symbols are replaced by the terms that define them. Common subterms stay
     /// shared.
     pub fn without_definitions(&mut self, terms: &[Expr]) -> Vec<Expr> {
         let mut put = Substitution::default();
@@ -125,8 +124,8 @@ impl Flow {
         terms.iter().map(|term| put.apply(&mut self.arena, *term)).collect()
     }
 
-    /// Rewrites a term of a scene, such as an output, in states and defined symbols. Rates and
-    /// accelerations are replaced by f, and energies by their formulas.
+    /// Rewrites a term of a scene, such as an output, in states and defined symbols. Rates and accelerations are
+    /// replaced by components of f, and energies by their formulas.
     pub fn flow_term_in_states(&mut self, model: &Model, term: Expr) -> Expr {
         let mut put = Substitution::default();
         let rates = model.q_dot().into_iter().chain(model.speeds.iter().map(|speed| speed.rate));

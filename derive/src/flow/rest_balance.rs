@@ -1,10 +1,10 @@
-//! Balance of forces at rest along every motion that the constraints permit, with the constraint
-//! forces as multipliers.
+//! Balance of forces at rest along every motion that the constraints permit, with the constraint forces as
+//! multipliers.
 //!
-//! At a dead point, the chosen speeds u do not move the mechanism, so the balance along u holds
-//! there by itself. In the rates of all coordinates, rest needs f(q, 0) + Aᵀ λ = 0 and a = 0. Here
-//! f are the applied forces, and A q̇ + a = 0 the constraints (H. Goldstein, C. Poole & J. Safko,
-//! *Classical Mechanics*, 3rd edition, 2002, §§ 1.4, 2.4).
+//! At a dead point, the chosen speeds u do not move the mechanism, so the balance along u is satisfied there by any
+//! forces. In the rates of all coordinates, rest needs f(q, 0) + Aᵀ λ = 0 and a = 0. Here f are the applied forces,
+//! and A q̇ + a = 0 the constraints (H. Goldstein, C. Poole & J. Safko, *Classical Mechanics*, 3rd edition, 2002, §§
+//! 1.4, 2.4).
 
 use super::Flow;
 use crate::algebra::Expr;
@@ -15,9 +15,9 @@ use crate::model::Model;
 
 /// Balance of forces at rest, as conditions on the coordinates and the constraint multipliers.
 pub struct RestBalance {
-    /// Residuals in the form of a flow; they vanish at rest. The states are the coordinates, then the
-    /// multipliers. The rates are the unbalanced force along each coordinate, then the velocity that
-    /// each constraint demands at rest.
+    /// Residuals that vanish at rest, in the form of a flow. The states are the coordinates, then the multipliers.
+    /// The rates are the unbalanced force along each coordinate, then the velocity that each constraint demands at
+    /// rest.
     pub residuals: Flow,
     /// Number of constraint multipliers among the states, one for each motion constraint.
     pub multipliers: usize,
@@ -29,7 +29,7 @@ impl RestBalance {
     /// Derives the balance of forces at rest by Lagrange's method.
     ///
     /// # Errors
-    /// [`DeriveError`] if Lagrange's equations cannot be derived for the model.
+    /// Returns a [`DeriveError`] if Lagrange's equations cannot be derived for the model.
     pub fn new(model: &Model) -> Result<Self, DeriveError> {
         let mut kinematics = Kinematics::new(model)?;
         let equations = derive_with(model, &mut kinematics, Formulation::Lagrange)?;

@@ -1,9 +1,9 @@
-//! Conditions for rest or for steady motion along the symmetries of a mechanism, with symbolic
-//! parameters, and their solutions in closed form.
+//! Conditions for rest, or for steady motion along the symmetries of a mechanism, with symbolic parameters, and their
+//! solutions in closed form.
 //!
-//! Along Σ c ζ with symmetries ζ = (ξ, η), the coordinates have the rates q̇ = Σ c ξ. So the speeds
-//! u = J q̇ + d are formulas in q and c. The remaining conditions are W u + w = Σ c ξ, M Σ c η = F,
-//! and the loops φ(q) = 0. The first holds by itself unless motions are constrained.
+//! In a motion Σ c ζ along symmetries ζ = (ξ, η), the coordinates have the rates q̇ = Σ c ξ. So the speeds u = J q̇ +
+//! d are formulas in q and c. The remaining conditions are W u + w = Σ c ξ, M Σ c η = F, and the loops φ(q) = 0. The
+//! first condition is satisfied by itself unless motions are constrained.
 
 use super::Flow;
 use crate::algebra::form::simplify::Simplifier;
@@ -26,7 +26,7 @@ pub struct SymmetryVelocity {
     pub is_rate: bool,
 }
 
-/// Kind of a motion whose variables are constant, except those that symmetries shift.
+/// Kind of a motion in which all variables are constant, except those that symmetries shift.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Steadiness {
     /// Rest: nothing moves except drives at a constant rate.
@@ -38,7 +38,7 @@ pub enum Steadiness {
 /// Conditions of rest, or of steady motion along the symmetries, as terms that must vanish.
 #[derive(Clone, Debug, Default)]
 pub struct Balance {
-    /// Velocities along symmetries, which are unknowns; empty for rest.
+    /// Velocities along symmetries, which are unknowns of the conditions; empty for rest.
     pub along: Vec<SymmetryVelocity>,
     /// Generalized speeds u as terms in coordinates and velocities along symmetries.
     pub speeds: Vec<Expr>,
@@ -50,15 +50,15 @@ pub struct Balance {
 }
 
 impl Flow {
-    /// Derives the conditions of rest, or of steady motion along the symmetries. Drives at a constant
-    /// rate continue in both.
+    /// Derives the conditions of rest, or of steady motion along the symmetries. In both, drives at a constant rate
+    /// continue.
     pub fn steady_balance(&mut self, model: &Model, steadiness: Steadiness) -> Balance {
         let along = match steadiness {
             Steadiness::Rest => Vec::new(),
             Steadiness::SteadyMotion => self.steady_velocities_along_symmetries(model),
         };
         let q_count = model.coordinates.len();
-        // Time continues by itself. Rest at any time is stated at time 0.
+        // Time always advances. Rest at any time is stated at time 0.
         let by_time = self.time_shift_symmetry(model);
         let now: Vec<(Expr, Expr)> = model.time().map(|at| (self.states[at], Expr::ZERO)).into_iter().collect();
         let arena = &mut self.arena;
@@ -102,7 +102,7 @@ impl Flow {
         Balance { along, speeds, rows, divisors }
     }
 
-    /// Lists a velocity for each symmetry except the shift of time, with its symbol.
+    /// Velocities along the symmetries, one for each symmetry except the shift of time, with their symbols.
     fn steady_velocities_along_symmetries(&mut self, model: &Model) -> Vec<SymmetryVelocity> {
         let n = model.coordinates.len();
         let rates = model.q_dot();
@@ -124,9 +124,9 @@ impl Flow {
         list
     }
 
-    /// Solves the conditions in closed form for velocities along symmetries and for coordinates. The
-    /// symbols `asked`, which may be parameters, are solved for first. Returns the unknowns in their
-    /// order, and the solutions.
+    /// Solves the conditions in closed form for velocities along symmetries and for coordinates. The symbols `asked`,
+    /// which may be parameters, are solved for first. Returns the list of unknowns in the order of solving, and the
+    /// solutions.
     pub fn steady_balance_in_closed_form(
         &mut self,
         model: &Model,

@@ -1,5 +1,5 @@
-//! Linear system near a steady motion, with chosen parameters kept as symbols (letters). Exact
-//! algebra derives it from values and derivatives at a state that formulas give.
+//! Linear system near a steady motion, in which chosen parameters remain symbols (letters). Exact algebra derives it
+//! from the values and derivatives of the flow at a state that is given by formulas.
 
 use super::{Flow, FlowProgramResults};
 use crate::algebra::form::simplify::Simplifier;
@@ -10,24 +10,23 @@ use crate::algebra::value::zero_test::{ZeroTest, zero_test};
 use crate::algebra::{Arena, Expr, Node, Rational};
 use rustc_hash::FxHashSet;
 
-/// Highest power of a symbol for which a matrix entry is treated as a polynomial.
+/// Highest power of a symbol up to which a matrix entry is treated as a polynomial.
 const MOST_POWERS: i64 = 8;
 
-/// Choice of the states that the linear system keeps, and of the loops and symmetries that
-/// eliminate the others. All are indices from 0; a numeric elimination chose them.
+/// States that the linear system keeps, and the loops and symmetries that eliminate all other states. All are indices
+/// from 0, which a numeric elimination chose.
 #[derive(Clone, Debug, Default)]
 pub struct StateElimination {
     /// Indices of the states that the linear system keeps.
     pub kept: Vec<usize>,
     /// Indices of the states that the loop equations determine.
     pub closed: Vec<usize>,
-    /// Indices of the states that symmetries eliminate, because a shift along a symmetry changes
-    /// nothing.
+    /// Indices of the states that symmetries eliminate. A shift along a symmetry does not change the linear system.
     pub shifted: Vec<usize>,
     /// Indices of the symmetries that eliminate the states `shifted`.
     pub symmetries: Vec<usize>,
-    /// Indices of states, and of symmetries, whose square system determines the velocities along the
-    /// symmetries.
+    /// Square system that determines the velocities along the symmetries, as (indices of states, indices of
+    /// symmetries).
     pub carried: (Vec<usize>, Vec<usize>),
 }
 
@@ -36,7 +35,7 @@ pub struct StateElimination {
 pub struct OperatingPoint {
     /// Symbols of the parameters that have numbers, each with its exact value.
     pub numbers: Vec<(Expr, Rational)>,
-    /// Formula of each state, in parameters and the symbols that are kept.
+    /// Formula of each state, in parameters and the symbols that remain.
     pub states: Vec<Expr>,
     /// Symbols of the parameters that are inputs of the linear system.
     pub inputs: Vec<Expr>,
@@ -54,8 +53,8 @@ pub enum LinearSystemError {
     Singular,
 }
 
-/// Linear system d' = A d + B r, y = C d + D r with symbolic entries: deviations d of the states,
-/// inputs r, outputs y.
+/// Linear system d' = A d + B r, y = C d + D r with symbolic entries. Here d are the deviations of the states, r the
+/// inputs and y the outputs.
 #[derive(Clone)]
 pub struct SymbolicLinearSystem {
     /// Arena that holds the terms of the matrices.
@@ -68,7 +67,7 @@ impl Flow {
     /// Derives the linear system near a steady motion of this flow, with symbolic parameters.
     ///
     /// # Errors
-    /// [`LinearSystemError`] if the state is not steady, or if a divisor is zero.
+    /// Returns [`LinearSystemError`] if the state is not steady, or if a divisor is zero.
     pub fn symbolic_linear_system(
         &self,
         stated: &OperatingPoint,
@@ -142,17 +141,17 @@ impl Flow {
 
 /// Arena and simplifier of the terms of a linear system while it is derived.
 struct SymbolicLinearSystemTerms {
-    /// Arena of the terms of the linear system; starts as a copy of the flow's.
+    /// Arena of the terms of the linear system. It starts as a copy of the flow's arena.
     arena: Arena,
     /// Simplifier of terms, which keeps its earlier results.
     simplifier: Simplifier,
 }
 
 impl SymbolicLinearSystemTerms {
-    /// Values of the flow at the stated state, and derivatives by each state, then by each input.
+    /// Values of the flow at the stated state, and their derivatives with respect to each state, then to each input.
     ///
     /// # Errors
-    /// `LinearSystemError::Singular` if a term divides by zero.
+    /// Returns `LinearSystemError::Singular` if a term divides by zero.
     fn slopes(
         &mut self,
         flow: &Flow,
@@ -166,7 +165,7 @@ impl SymbolicLinearSystemTerms {
             arena,
             &flow.steps.iter().map(|step| step.value).chain(terms.iter().copied()).collect::<Vec<_>>(),
         );
-        // A parameter inside a function stays a letter: the function would have no exact value otherwise.
+        // A parameter inside a function remains a letter. Otherwise the function would have no exact value.
         let numbers = stated.numbers.iter().filter(|(symbol, _)| !inside.contains(symbol));
         let numbers: Vec<(Expr, Expr)> = numbers
             .map(|(symbol, value)| (*symbol, value.clone()))
@@ -221,11 +220,11 @@ impl SymbolicLinearSystemTerms {
         Ok((FlowProgramResults::new(sizes, &values), slopes))
     }
 
-    /// Finds the velocities c with f = Σ c ζ along the symmetries ζ, and proves the equation for all
-    /// values of the symbols.
+    /// Finds the velocities c with f = Σ c ζ along the symmetries ζ, and proves this equation for all values of the
+    /// symbols.
     ///
     /// # Errors
-    /// `LinearSystemError` if c is not determined, or if the state is not steady.
+    /// Returns `LinearSystemError` if c is not determined, or if the state is not steady.
     fn velocities_along_symmetries(
         &mut self,
         flow: &Flow,
@@ -248,16 +247,16 @@ impl SymbolicLinearSystemTerms {
         Ok(along)
     }
 
-    /// Checks that a term is identically zero; `LinearSystemError::NotSteady` otherwise.
+    /// Checks that a term is identically zero. Returns `LinearSystemError::NotSteady` if it is not.
     fn check_is_zero(&self, e: Expr) -> Result<(), LinearSystemError> {
         if zero_test(&self.arena, e) == ZeroTest::Zero { Ok(()) } else { Err(LinearSystemError::NotSteady) }
     }
 
-    /// Finds X with M_d X = M_k, where M_d and M_k are the columns `dependent` and `kept` of a matrix M
-    /// that `entry` gives. So M x = 0 for x_d = −X x_k. Empty if `dependent` is empty.
+    /// Finds X with M_d X = M_k, so that M x = 0 for x_d = −X x_k. M_d and M_k are the columns `dependent` and `kept`
+    /// of a matrix M, whose entries `entry` gives. The result is empty if `dependent` is empty.
     ///
     /// # Errors
-    /// `LinearSystemError::Singular` if M_d is singular.
+    /// Returns `LinearSystemError::Singular` if M_d is singular.
     fn dependent_columns(
         &mut self,
         rows: &[usize],
@@ -276,7 +275,7 @@ impl SymbolicLinearSystemTerms {
         Ok(found)
     }
 
-    /// Simplified term e − Σ a_i b_i over the pairs of two lists.
+    /// Simplified term e − Σ a_i b_i over the entries of two lists of equal length.
     fn minus_products(&mut self, e: Expr, a: &[Expr], b: &[Expr]) -> Expr {
         let mut terms = vec![(e, Rational::ONE)];
         for (a, b) in a.iter().zip(b) {
@@ -298,9 +297,9 @@ fn symbols_inside_functions(arena: &Arena, terms: &[Expr]) -> FxHashSet<Expr> {
 }
 
 impl SymbolicLinearSystem {
-    /// Coefficients of an entry as a polynomial in a single symbol, that of power 0 first. `known` are
-    /// the values of all other symbols. `None` if the entry is not a polynomial of degree 8 or less in
-    /// the symbol.
+    /// Coefficients of an entry of the matrices as a polynomial in the symbol `letter`, that of power 0 first.
+    /// `known` are the values of all other symbols. `None` if the entry is not a polynomial of degree 8 or less in
+    /// `letter`.
     pub fn polynomial<S: Numeric>(&mut self, entry: Expr, letter: Expr, known: &[(Expr, S)]) -> Option<Vec<S>> {
         let arena = &mut self.arena;
         let (symbols, values): (Vec<Expr>, Vec<S>) = known.iter().copied().unzip();

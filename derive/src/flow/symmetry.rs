@@ -1,9 +1,9 @@
-//! Symmetries of the flow of a mechanism: vector fields ζ(x) with [ζ, f] = 0. A shift along ζ takes
-//! solutions to solutions.
+//! Symmetries of the flow of a mechanism: vector fields ζ(x) with [ζ, f] = 0. A shift along ζ takes solutions to
+//! solutions.
 //!
-//! A field ξ(q) on the coordinates also changes speeds: u = J q̇ + d becomes u + ε η with η = ∂u/∂q
-//! ξ + J ξ̇. No momentum need be conserved: a rolling wheel may be shifted on its plane, although
-//! the momenta along the plane change.
+//! A field ξ(q) on the coordinates also changes the speeds. A shift by ε changes u = J q̇ + d to u + ε η with η =
+//! ∂u/∂q ξ + J ξ̇. A symmetry need not conserve a momentum: a rolling wheel may be shifted on its plane, although the
+//! momenta along the plane change.
 
 use super::Flow;
 use crate::algebra::term::calculus::Differential;
@@ -21,28 +21,28 @@ use nalgebra::DMatrix;
 pub struct Symmetry {
     /// Kind of the motion that the symmetry gives the mechanism, such as a translation.
     pub kind: IntegralKind,
-    /// Components of the field, one for each state, as terms in parameters and states.
+    /// Components of the vector field, one for each state, as terms in parameters and states.
     pub along: Vec<Expr>,
 }
 
 impl Symmetry {
-    /// Description of the motion along the symmetry, in words.
+    /// Description in words of the motion along the symmetry.
     #[must_use]
     pub fn words(&self, model: &Model) -> String {
         self.kind.motion(model)
     }
 }
 
-/// Shift of time, as a candidate for a symmetry. It is a symmetry if the equations do not depend on
-/// time, as with a drive at a constant rate. `None` if time is not a coordinate of the model.
+/// Shift of time, as a candidate for a symmetry. It is a symmetry if the equations do not depend on time, such as
+/// with a drive at a constant rate. `None` if time is not a coordinate of the model.
 pub(super) fn time_symmetry_candidate(model: &Model) -> Option<VectorField> {
     let time = model.time()?;
     let unit = |at| if at == time { Expr::ONE } else { Expr::ZERO };
     Some(VectorField { kind: IntegralKind::Coordinate(time), xi: (0..model.coordinates.len()).map(unit).collect() })
 }
 
-/// Lists vector fields on the coordinates that may be symmetries: along each coordinate except
-/// time, and the rigid motions of the mechanism and of each body.
+/// Vector fields on the coordinates that may be symmetries. They are the fields along each coordinate except time,
+/// and the rigid motions of the mechanism and of each body.
 pub fn symmetry_candidates(model: &Model, kinematics: &mut Kinematics) -> Vec<VectorField> {
     let n = model.coordinates.len();
     let unit = |i: usize| (0..n).map(|k| if k == i { Expr::ONE } else { Expr::ZERO }).collect();
@@ -54,8 +54,7 @@ pub fn symmetry_candidates(model: &Model, kinematics: &mut Kinematics) -> Vec<Ve
     list
 }
 
-/// Selects the symmetries of the flow among candidate fields, by exact tests. Duplicates are left
-/// out.
+/// Selects the symmetries of the flow among candidate fields, by exact tests. Fields that repeat others are left out.
 pub(super) fn proved_symmetries(model: &Model, flow: &mut Flow, candidates: Vec<VectorField>) -> Vec<Symmetry> {
     let rates = flow.rates.clone();
     let rates = flow.without_definitions(&rates);
@@ -67,8 +66,8 @@ pub(super) fn proved_symmetries(model: &Model, flow: &mut Flow, candidates: Vec<
             list.push(Symmetry { kind: field.kind, along });
         }
     }
-    // A turn about the mass centre is mostly a combination of the turn about the origin and translations, which depends
-    // on the pose.
+    // A turn about the mass centre is mostly a combination of other symmetries: the turn about the origin, and
+    // translations that depend on the pose.
     let is_of_centre =
         |symmetry: &Symmetry| matches!(symmetry.kind, IntegralKind::Angular { through: Pivot::MassCentre, .. });
     for at in (0..list.len()).rev() {
@@ -79,9 +78,8 @@ pub(super) fn proved_symmetries(model: &Model, flow: &mut Flow, candidates: Vec<
     list
 }
 
-/// Selects the symmetries among the candidate fields that `is_wanted` accepts and that turn states
-/// into one another. A field turns states if at least one of its components is not a number. The
-/// tests are exact; loops are not tested.
+/// Selects the symmetries that turn states into one another, among the candidate fields that `is_wanted` accepts. A
+/// field turns states if at least one of its components is not a number. The tests are exact. Loops are not tested.
 pub fn symmetries_that_turn_states(
     model: &Model,
     flow: &mut Flow,
@@ -103,14 +101,14 @@ pub fn symmetries_that_turn_states(
     list
 }
 
-/// True if field number `at` moves the coordinates like a combination of the other fields, at a
-/// random state. The coefficients may depend on the state, so the speeds may still change
-/// differently. `count` is the number of coordinates.
+/// True if the field with the index `at` moves the coordinates like a combination of the other fields, at a random
+/// state. The coefficients may depend on the state, so the speeds may still change differently. `count` is the number
+/// of coordinates.
 fn is_combination_of_symmetries(flow: &mut Flow, list: &[Symmetry], count: usize, at: usize) -> bool {
     let fields: Vec<Expr> = list.iter().flat_map(|symmetry| symmetry.along[..count].iter().copied()).collect();
     let fields = flow.without_definitions(&fields);
     let symbols = [flow.parameters.clone(), flow.states.clone()].concat();
-    // Values without a relation to one another.
+    // Values that have no relation to one another.
     let values: Vec<f64> = (1..=symbols.len()).map(|k| 0.5 + (k as f64 * 0.754_877_666_246_693).fract()).collect();
     let Ok(tape) = Tape::new(&flow.arena, &symbols, &fields) else { return false };
     let columns = DMatrix::from_column_slice(count, list.len(), &tape.evaluate(&values));
@@ -131,8 +129,8 @@ fn is_same_symmetry(flow: &mut Flow, a: &[Expr], b: &[Expr]) -> bool {
     })
 }
 
-/// Extends a field ξ on the coordinates to the field (ξ, η) on the states, where η is the change of
-/// the generalized speeds.
+/// Extends a field ξ on the coordinates to the field (ξ, η) on the states. Here η is the change of the generalized
+/// speeds.
 fn symmetry_prolongation(model: &Model, flow: &mut Flow, xi: &[Expr]) -> Vec<Expr> {
     let arena = &mut flow.arena;
     let mut d_dt = Differential::along(&model.q().into_iter().zip(model.q_dot()).collect::<Vec<_>>());
@@ -150,7 +148,7 @@ fn symmetry_prolongation(model: &Model, flow: &mut Flow, xi: &[Expr]) -> Vec<Exp
     xi.iter().copied().chain(eta.collect::<Vec<_>>()).collect()
 }
 
-/// True if all loop equations stay satisfied along a field on the states.
+/// True if a field on the states keeps all loop equations satisfied.
 fn symmetry_keeps_loops(flow: &mut Flow, along: &[Expr]) -> bool {
     let mut moved = Differential::along(&symmetry_state_pairs(flow, along));
     let arena = &mut flow.arena;

@@ -1,4 +1,4 @@
-//! Quantities that a publication file can name, such as `v(P) @ B [1]`, as data.
+//! Quantities that a publication file can name, such as `v(P) @ B [1]`. Here they are data, not text.
 
 use crate::algebra::text::parse::{VelocityOf, velocity_name};
 use crate::model::Model;
@@ -78,7 +78,7 @@ impl VectorName {
         (Self::Moment, "moment"),
     ];
 
-    /// Kind of model object (point, frame or body) to which the vector belongs.
+    /// Kind of model object to which the vector belongs: point, frame or body.
     #[must_use]
     pub const fn owner(self) -> QuantityOwner {
         match self {
@@ -113,11 +113,10 @@ impl VectorName {
     }
 }
 
-/// Kind of a column of row values that equations of motion consist of, with a row for each speed or
+/// Kind of a column of the equations of motion. The column has a value for each row, that is, for each speed or
 /// coordinate.
 ///
-/// The equations are Kane's F + F* = 0 or M u̇ = f, and Lagrange's E q̈ = A or d/dt ∂L/∂q̇ − ∂L/∂q
-/// = Q.
+/// The equations are Kane's F + F* = 0 or M u̇ = f, and Lagrange's E q̈ = A or d/dt ∂L/∂q̇ − ∂L/∂q = Q.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum RowQuantity {
     /// Generalized active force F of a generalized speed.
@@ -128,16 +127,16 @@ pub enum RowQuantity {
     Forcing,
     /// Right-hand side A of Lagrange's equations E q̈ = A.
     LagrangeForcing,
-    /// Velocity terms C q̇, quadratic in the rates, of M q̈ + C q̇ + g = τ.
+    /// Velocity terms C q̇ of M q̈ + C q̇ + g = τ, which are quadratic in the rates.
     VelocityTerms,
     /// Derivative ∂V/∂q of the potential energy, which is g in M q̈ + C q̇ + g = τ.
     PotentialSlope,
-    /// Generalized momentum ∂L/∂q̇. Constraints are not substituted in L.
+    /// Generalized momentum ∂L/∂q̇, with no constraint substituted in L.
     Momentum,
     /// Rate d/dt ∂L/∂q̇ of the generalized momentum along the motion, linear in q̈.
     MomentumRate,
-    /// Partial derivative ∂/∂t ∂L/∂q̇ of the generalized momentum by time alone, with q and q̇
-    /// constant.
+    /// Partial derivative ∂/∂t ∂L/∂q̇ of the generalized momentum with respect to time alone. The coordinates q and
+    /// rates q̇ are held constant.
     HeldMomentumRate,
     /// Partial derivative ∂L/∂q of the Lagrangian, with q̇ constant.
     LagrangianSlope,
@@ -158,13 +157,13 @@ impl RowQuantity {
         (Self::LagrangianSlope, "dL_dq"),
     ];
 
-    /// True if there is a row for each coordinate, false if there is a row for each generalized speed.
+    /// True if the column has a row for each coordinate. False if it has a row for each generalized speed.
     pub(crate) const fn is_of_coordinates(self) -> bool {
         !matches!(self, Self::ActiveForce | Self::InertiaForce | Self::Forcing)
     }
 }
 
-/// Kind of an energy of the whole model, J.
+/// Kind of an energy of the whole model, in J.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum EnergyQuantity {
     /// Kinetic energy T of all bodies.
@@ -184,8 +183,7 @@ pub enum EnergyQuantity {
 }
 
 impl EnergyQuantity {
-    /// True if the energy contains V, and so has an arbitrary additive constant. False for kinetic
-    /// energies.
+    /// True if the energy contains V, so that it has an arbitrary additive constant. False for kinetic energies.
     #[must_use]
     pub const fn has_a_zero(self) -> bool {
         matches!(self, Self::Potential | Self::Gravity | Self::Lagrangian | Self::Total)
@@ -239,7 +237,7 @@ pub enum QuantityKind {
         /// Axis of the frame: 0, 1 or 2.
         axis: usize,
     },
-    /// Component of a partial velocity: the derivative of a velocity by a generalized speed.
+    /// Component of a partial velocity: the derivative of a velocity with respect to a generalized speed.
     Partial {
         /// Kind of the vector: velocity of a point, or angular velocity of a frame.
         vector: VectorName,
@@ -261,20 +259,19 @@ pub enum QuantityKind {
         /// Row and column of the entry of the tensor.
         entry: (usize, usize),
     },
-    /// Entry of a column with a row for each speed or coordinate: the kind of the column, and the index
-    /// of the row.
+    /// Entry of a column of the equations of motion, as (kind of the column, index of the row).
     Row(RowQuantity, usize),
     /// Entry of Kane's mass matrix M, at (row, column).
     MassMatrix(usize, usize),
     /// Entry of the matrix E of Lagrange's equations E q̈ = A, at (row, column).
     LagrangeMatrix(usize, usize),
-    /// Entry of the matrix C in the velocity terms C q̇, by Christoffel symbols, at (row, column).
+    /// Entry of the matrix C in the velocity terms C q̇, at (row, column). C is chosen by Christoffel symbols.
     Christoffel(usize, usize),
     /// Time derivative of an entry of the mass matrix ∂²T/∂q̇∂q̇ along the motion, at (row, column).
     MassRate(usize, usize),
     /// Energy of the model, J.
     Energy(EnergyQuantity),
-    /// Generalized speed with this index, by its definition in q and q̇.
+    /// Generalized speed with this index, as its definition in q and q̇.
     Speed(usize),
     /// Time derivative q̇ of the coordinate with this index, as a term in q and u.
     Rate(usize),

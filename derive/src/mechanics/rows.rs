@@ -1,31 +1,31 @@
-//! Result of a method of derivation: rows of a linear system, and the steps that lead to them.
-//! Names of rows and steps are data, from which text is made.
+//! Result of a method of derivation: rows of a linear system, and the steps that lead to them. Names of rows and
+//! steps are data, from which their text is made.
 
 use super::quantity::{QuantityKind, VectorName};
 use crate::algebra::Expr;
 use crate::algebra::solve::quadratic_minimum::QuadraticForm;
 use crate::model::Model;
 
-/// Rows of the linear system matrix · unknowns = forcing that a method of derivation gives. The
-/// other fields of [`super::Equations`] follow from the model.
+/// Rows of the linear system matrix · unknowns = forcing that a method of derivation gives. The further fields of
+/// [`super::Equations`] follow from the model.
 pub struct Rows {
-    /// Names of the rows: each row belongs to a speed, a coordinate, a constraint or a balance.
+    /// Names of the rows. A row belongs to a speed, a coordinate, a constraint or a balance of a body.
     pub names: Vec<RowName>,
     /// Matrix of the system, with a column for each unknown, in parameters, q and v.
     pub matrix: Vec<Vec<Expr>>,
     /// Right-hand side of the system, one entry for each row; in parameters, q and v.
     pub forcing: Vec<Expr>,
-    /// Multipliers of the rows that cancel the reactions, one list for each generalized speed, one
-    /// entry for each row. Empty without reactions and multipliers.
+    /// Multipliers of the rows that cancel the reactions and the multipliers of constraints: one list for each
+    /// generalized speed, with one entry for each row. Empty if the system has none of these.
     pub projection: Vec<Vec<Expr>>,
-    /// Map from the free accelerations to v̇. `Some` if motion constraints tie the motion variables.
+    /// Map from the free accelerations to v̇. `None` unless motion constraints tie the motion variables.
     pub embedding: Option<AccelerationEmbedding>,
     /// Kinetic energy T of all bodies, J, as a term in q and the motion variables v.
     pub kinetic_energy: Expr,
     /// Inverse dynamics M v̇ − f: the generalized forces that the accelerations v̇ require in addition
     /// to the loads. `None` if the method does not derive them separately.
     pub required: Option<Vec<Expr>>,
-    /// Function of the bodies' accelerations that v̇ minimizes (Gauss's principle). `Some` if
+    /// Function of the bodies' accelerations that is smallest at the actual v̇ (Gauss's principle). `None` unless
     /// accelerations have named subterms.
     pub gauss: Option<QuadraticForm>,
 }
@@ -53,8 +53,8 @@ pub enum RowName {
     Constraint(usize),
     /// Row of a component of a body's force or moment balance.
     Balance(BalanceName),
-    /// Row that states: all shared reactions together do no work along the speed with this index. A
-    /// shared reaction works alone, but the powers cancel.
+    /// Row that states: all shared reactions together do no work along the speed with this index. A shared reaction
+    /// does work by itself, but the powers of all of them cancel.
     Power(usize),
     /// Row that states: the shared reactions of a connection with its own law (such as a screw)
     /// together do no work along the rate of a coordinate.
@@ -106,7 +106,7 @@ impl RowName {
         }
     }
 
-    /// Name of a balance without its direction, such as `disk force`. For other rows, the whole name.
+    /// Name of a balance without its direction, such as `disk force`. For a row that is no balance, its whole name.
     #[must_use]
     pub fn balance_name_without_axis(&self, model: &Model) -> String {
         match self {
@@ -141,13 +141,13 @@ pub enum Stage {
         /// Index of the frame along whose axes the components are taken.
         frame: usize,
     },
-    /// Acceleration of the mass centre, and angular acceleration, of the body with this index.
+    /// Acceleration of the mass centre and angular acceleration of the body with this index.
     Accelerations(usize),
     /// Kinetic energy T and potential energy V of the model.
     Energies,
-    /// Generalized active forces F of Kane's method.
+    /// Generalized active forces F of Kane's method, for all speeds.
     ActiveForces,
-    /// Generalized forces Q of Lagrange's method that are not in V.
+    /// Generalized forces Q of Lagrange's method, without the forces whose potential is in V.
     GeneralizedForces,
     /// Stage that only one method of derivation has, by its heading.
     Titled(&'static str),
@@ -180,7 +180,7 @@ pub enum LineName {
     Quantity(QuantityKind),
     /// Generalized active force of the speed with this index.
     ActiveForce(usize),
-    /// Generalized force of the coordinate with this index, without the forces that V contains.
+    /// Generalized force of the coordinate with this index, without the forces whose potential is in V.
     GeneralizedForce(usize),
     /// Scalar that only one method of derivation has, by its symbol, such as `S`.
     Symbol(&'static str),

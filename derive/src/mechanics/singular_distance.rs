@@ -3,8 +3,7 @@
 use crate::algebra::{Expr, Function, Node};
 use crate::model::Model;
 
-/// Angle of a coordinate from a multiple of 90°, which replaces the coordinate in the equations
-/// near that angle.
+/// Distance of a coordinate from a multiple of 90°. It replaces the coordinate in the equations near that angle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct SingularDistance {
     /// Index of the replaced coordinate, counted from 0.
@@ -14,7 +13,7 @@ pub struct SingularDistance {
 }
 
 impl SingularDistance {
-    /// Value of the coordinate at which the distance is zero, in degrees.
+    /// Value of the coordinate, in degrees, at which the distance is zero.
     #[must_use]
     pub fn degrees(self) -> i64 {
         90 * i64::from(self.quarter_turns)
@@ -32,16 +31,15 @@ impl SingularDistance {
         self.distance_text(model, "°")
     }
 
-    /// Writes coordinate, sign and degrees, followed by the given text of the unit.
+    /// Text of the distance: coordinate, sign and degrees, followed by the text `unit`.
     fn distance_text(self, model: &Model, unit: &str) -> String {
         let sign = if self.quarter_turns < 0 { '+' } else { '-' };
         format!("{}{sign}{}{unit}", model.coordinates[self.coordinate].name, self.degrees().abs())
     }
 }
 
-/// Lists the useful distances of a model: from +90° for each coordinate whose cosine divides in the
-/// kinematic equations. Empty for a model with loops: its divisors vanish at dead points, which
-/// runs pass by other equations.
+/// Distances that are useful for a model: from +90° for each coordinate whose cosine divides in the kinematic
+/// equations. Empty for a model with loops. Its divisors vanish at dead points, which runs pass by other equations.
 #[must_use]
 pub fn singular_distances(model: &Model) -> Vec<SingularDistance> {
     if !model.loops.is_empty() {

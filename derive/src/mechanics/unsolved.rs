@@ -1,18 +1,18 @@
-//! Reasons why accelerations, or other results computed from equations of motion, cannot be used.
+//! Reasons why accelerations cannot be used, or other results computed from equations of motion.
 
 use crate::algebra::solve::linear::Singular;
 use crate::diagnostic::{Diagnostic, Diagnostics, Source};
 use std::fmt;
 
-/// Result computed from equations of motion that an exact check did not confirm.
+/// Result, computed from equations of motion, that an exact check did not confirm.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Unproved {
-    /// The accelerations do not satisfy this row of the equations of motion; rows count from 0.
+    /// The accelerations do not satisfy the row of the equations of motion with this index, counted from 0.
     Accelerations(usize),
-    /// The Jacobian is not the derivative in this row. Rows count from 0: first q̇, then the equations
-    /// of motion.
+    /// The Jacobian is not the derivative of the row with this index. Rows count from 0: first those of q̇, then the
+    /// equations of motion.
     Jacobian(usize),
-    /// Inverse dynamics is not M v̇ − f in this row; rows count from 0.
+    /// The inverse dynamics is not M v̇ − f in the row with this index, counted from 0.
     InverseDynamics(usize),
     /// No random state was found at which all terms of the check have a value.
     NoPoint,
@@ -38,7 +38,7 @@ impl fmt::Display for Unproved {
 /// Reason why no accelerations can be computed from equations of motion.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Unsolved {
-    /// Equations of motion that determine the accelerations in no configuration.
+    /// The equations of motion determine the accelerations in no configuration.
     Singular(Singular),
     /// Accelerations were found, but an exact check did not confirm them. This is a fault of the
     /// program.
@@ -79,8 +79,8 @@ impl Unsolved {
     }
 }
 
-/// Returns the error for a set of equations, with the title `equations`, whose accelerations could
-/// not be solved for or proved.
+/// Error for equations whose accelerations could not be solved for or proved. `equations` is the title of the
+/// equations in the message.
 #[must_use]
 pub fn unsolved_equations_error(source: &Source, equations: &str, why: Unsolved) -> Diagnostics {
     Diagnostics::new(source.clone(), vec![Diagnostic::of_file(format!("{equations}: {why}"), why.help())])

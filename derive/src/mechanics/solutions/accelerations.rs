@@ -1,4 +1,4 @@
-//! Accelerations v̇ as the solution of a set of equations of motion, in closed form.
+//! Accelerations v̇ in closed form, as the solution of equations of motion.
 
 use super::certificate::{Certificate, certify_accelerations};
 use super::jacobian::{Jacobian, jacobian};
@@ -15,22 +15,22 @@ use crate::mechanics::rows::AccelerationEmbedding;
 use crate::mechanics::unsolved::Unsolved;
 use rustc_hash::FxHashSet;
 
-/// Solution of equations of motion for the accelerations v̇, with the Jacobian and the proof.
+/// Accelerations v̇ that solve equations of motion, with their Jacobian and the proof.
 #[derive(Clone, Debug)]
 pub struct SolvedAccelerations {
-    /// Accelerations v̇ as a list of definitions, each of which uses earlier definitions.
+    /// Accelerations v̇ as a list of definitions, each of which may contain symbols of earlier definitions.
     pub accelerations: Elimination,
-    /// Jacobian ∂(q̇, v̇)/∂(q, v) of the solved rates by the state.
+    /// Jacobian ∂(q̇, v̇)/∂(q, v) of the rates q̇ and v̇ with respect to the state (q, v).
     pub jacobian: Jacobian,
     /// Evidence that the accelerations and the Jacobian satisfy the equations of motion.
     pub certificate: Certificate,
 }
 
 impl SolvedAccelerations {
-    /// Solves the equations, whose terms are in `arena`, for v̇ and proves the solution from them.
+    /// Solves the equations, whose terms are in `arena`, for v̇ and proves the solution from the equations.
     ///
     /// # Errors
-    /// [`Unsolved`] if v̇ is not determined in any configuration, or if the proof fails.
+    /// Returns [`Unsolved`] if v̇ is not determined in any configuration, or if the proof fails.
     pub fn new(arena: &mut Arena, equations: &Equations) -> Result<Self, Unsolved> {
         let mut simplifier = Simplifier::default();
         let equations = &equations.with_definitions(arena);
@@ -40,11 +40,11 @@ impl SolvedAccelerations {
         Ok(Self { accelerations, jacobian, certificate })
     }
 
-    /// Lists the definitions that compute v̇, together with those that q̇ and the energies need. The
-    /// equations must be [in written form][Equations::with_definitions].
+    /// Definitions that compute v̇, and those that q̇ and the energies need. The equations must be [in written
+    /// form][Equations::with_definitions].
     ///
     /// # Errors
-    /// [`Unsolved`], for the same reasons as [`Self::new`].
+    /// Returns [`Unsolved`], for the same reasons as [`Self::new`].
     pub fn steps(arena: &mut Arena, equations: &Equations) -> Result<Vec<Definition>, Unsolved> {
         let solved = accelerations(arena, &mut Simplifier::default(), equations)?;
         let energies = [equations.kinetic_energy, equations.potential_energy, equations.power];
@@ -53,11 +53,11 @@ impl SolvedAccelerations {
     }
 }
 
-/// Solves equations for the accelerations v̇ in parameters, q and v, and proves the solution. The
-/// result is a list of definitions; the last entries define the unknowns of `equations`.
+/// Solves equations for the accelerations v̇ as terms in parameters, q and v, and proves the solution. The result is
+/// a list of definitions; the last entries define the unknowns of `equations`.
 ///
 /// # Errors
-/// [`Unsolved`] if v̇ is not determined in any configuration, or if the proof fails.
+/// Returns [`Unsolved`] if v̇ is not determined in any configuration, or if the proof fails.
 pub fn accelerations(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -68,17 +68,16 @@ pub fn accelerations(
     Ok(solved)
 }
 
-/// Solves for v̇ by elimination or by the recursion from Gauss's principle, whichever needs fewer
-/// operations.
+/// Solves for v̇ by elimination or by the recursion from Gauss's principle. The method with fewer operations is
+/// chosen.
 ///
-/// With reactions among the unknowns, the rows are first multiplied by the partial velocities. The
-/// reactions do no work in a permitted motion and cancel. The remaining system is symmetric and
-/// positive definite, so no pivot vanishes. The multipliers of motion constraints cancel in the
-/// same way, which leaves a system for the free accelerations. Elimination of the reactions would
-/// instead divide by direction cosines, which do vanish.
+/// With reactions among the unknowns, the rows are first multiplied by the partial velocities. Then the reactions
+/// cancel, since they do no work in a permitted motion. The remaining system is symmetric and positive definite, so
+/// no pivot vanishes. The multipliers of motion constraints cancel in the same way, which leaves a system for the
+/// free accelerations. Elimination of the reactions would instead divide by direction cosines, which do vanish.
 ///
 /// # Errors
-/// [`Singular`] if v̇ is not determined in any configuration.
+/// Returns [`Singular`] if v̇ is not determined in any configuration.
 fn solve_for_accelerations(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -114,12 +113,12 @@ fn solve_for_accelerations(
     Ok(recursion)
 }
 
-/// Largest ratio of an elimination's operations (counted without cancellation) to the recursion's.
-/// Above this ratio no elimination is tried, because cancellation has never saved that much.
+/// Largest ratio of an elimination's operations to the recursion's for which an elimination is tried. The
+/// elimination's operations are counted without cancellation, which has never saved more than this ratio.
 const MOST_TIMES: usize = 2;
 
-/// Counts the multiplications and subtractions to eliminate a symmetric matrix with these zeros,
-/// without square roots. The order is from the last unknown, a leaf of the tree, to the first.
+/// Number of multiplications and subtractions that eliminate a symmetric matrix with the given zeros, without square
+/// roots. The order is from the last unknown, a leaf of the tree, to the first.
 fn acceleration_elimination_cost(matrix: &[Vec<Expr>]) -> usize {
     let mut is_full: Vec<Vec<bool>> = matrix.iter().map(|row| row.iter().map(|e| *e != Expr::ZERO).collect()).collect();
     let mut count = 0;
@@ -136,8 +135,8 @@ fn acceleration_elimination_cost(matrix: &[Vec<Expr>]) -> usize {
     count
 }
 
-/// Lists the definitions of the equations that do not depend on the unknowns v̇. Those of inverse
-/// dynamics do depend on them.
+/// Definitions of the equations that do not depend on the unknowns v̇. Definitions of inverse dynamics depend on v̇
+/// and are left out.
 fn definitions_without_accelerations(arena: &Arena, equations: &Equations) -> Vec<Definition> {
     let mut sought: FxHashSet<Expr> = equations.unknowns.iter().copied().collect();
     let mut list = Vec::with_capacity(equations.definitions.len());
@@ -151,8 +150,7 @@ fn definitions_without_accelerations(arena: &Arena, equations: &Equations) -> Ve
     list
 }
 
-/// Counts the operations in the definitions that are needed for the given symbols. A shared subterm
-/// counts once.
+/// Number of operations in the definitions that the given symbols need. A shared subterm counts once.
 fn operation_count(arena: &Arena, steps: &[Definition], symbols: &[Expr]) -> usize {
     operation_count_of_all(
         arena,
@@ -160,8 +158,8 @@ fn operation_count(arena: &Arena, steps: &[Definition], symbols: &[Expr]) -> usi
     )
 }
 
-/// Solves for v̇ by elimination of the linear system, after the projection if reactions or
-/// multipliers are present.
+/// Solves for v̇ by elimination of the linear system. If reactions or multipliers are among the unknowns, the rows
+/// are projected first.
 fn accelerations_by_elimination(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -216,7 +214,7 @@ fn accelerations_by_elimination(
     Ok(solved)
 }
 
-/// Computes the simplified sum Σ multiplier · entry over two lists of equal length.
+/// Simplified sum Σ multiplier · entry over two lists of equal length.
 fn combine_for_accelerations(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -228,8 +226,8 @@ fn combine_for_accelerations(
     simplifier.simplify(arena, sum)
 }
 
-/// Gradient ∂(T + V)/∂(q, v) of the total energy, one entry for each q, then each v. Uses the chain
-/// rule over the definitions.
+/// Gradient ∂(T + V)/∂(q, v) of the total energy, with an entry for each q, then for each v. It is computed by the
+/// chain rule over the definitions.
 pub fn energy_gradient(arena: &mut Arena, simplifier: &mut Simplifier, equations: &Equations) -> Vec<Expr> {
     let energy = arena.add(equations.kinetic_energy, equations.potential_energy);
     let variables = equations.coordinates.iter().chain(&equations.variables);

@@ -1,21 +1,20 @@
-//! Proof that results computed from equations of motion satisfy them: accelerations, their
-//! Jacobian, inverse dynamics.
+//! Proof that results computed from equations of motion satisfy them: accelerations, their Jacobian, inverse
+//! dynamics.
 //!
-//! The equations are M x = f with x = (v̇, reactions or multipliers). The solved v̇ are
-//! substituted, and M x − f is evaluated modulo random primes at random states, in dual numbers
-//! along a random direction of the state. With reactions, v̇ is right if the remaining system has a
-//! solution for them. The derivative of M x − f vanishes only if the Jacobian is the derivative of
-//! v̇.
+//! The equations are M x = f with x = (v̇, reactions or multipliers). The solved v̇ are substituted. Then M x − f is
+//! evaluated modulo random primes at random states, in dual numbers along a random direction of the state. With
+//! reactions, v̇ is right if the remaining system has a solution for the reactions. The derivative of M x − f
+//! vanishes only if the Jacobian is the derivative of v̇.
 //!
-//! Residues are exact: rounding can neither hide nor invent an error. A wrong formula passes only
-//! if a polynomial that is not zero vanishes at every point. The probability of a zero at one point
-//! is below the degree divided by 2^60 (Schwartz 1980, Zippel 1979).
+//! Residues are exact: rounding can neither hide nor invent an error. A wrong formula passes only if a polynomial
+//! that is not zero vanishes at every point. The probability of a zero at one point is below the degree divided by
+//! 2^60 (Schwartz 1980, Zippel 1979).
 //!
-//! If constraints tie the motion variables, v = W(q) u with independent speeds u, and the equations
-//! hold only on the constraints.
+//! If constraints tie the motion variables, v = W(q) u with independent speeds u. The equations then hold only for
+//! states that satisfy the constraints.
 //!
-//! Invariant: the check never uses the derivatives of [`crate::algebra::term::calculus`], which
-//! computed the Jacobian.
+//! Invariant: the check never uses the derivatives of [`crate::algebra::term::calculus`], from which the Jacobian was
+//! computed.
 
 use super::jacobian::Jacobian;
 use crate::algebra::solve::elimination::Elimination;
@@ -35,15 +34,16 @@ const POINTS: usize = 2;
 /// motion.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Certificate {
-    /// Primes modulo which the result was checked, each at a different random state.
+    /// Primes modulo which the result was checked. Each was used at a different random state.
     pub primes: Vec<u64>,
 }
 
-/// Proves that the solved v̇, and the Jacobian if given, satisfy the equations of motion.
+/// Proves that the solved v̇ satisfy the equations of motion. If `jacobian` is given, proves that it is their
+/// derivative.
 ///
 /// # Errors
-/// [`Unproved`] with the first row that fails, or `Unproved::NoPoint` if no random state gives
-/// all terms a value.
+/// Returns [`Unproved`] with the first row that fails, or `Unproved::NoPoint` if no random state gives all terms a
+/// value.
 pub fn certify_accelerations(
     arena: &Arena,
     equations: &Equations,
@@ -62,8 +62,8 @@ pub fn certify_accelerations(
     Ok(Certificate { primes })
 }
 
-/// Claim to be proved: equations, solution and Jacobian as terms in parameters, q, v and the
-/// direction's symbols.
+/// Claim to be proved: equations, solution and Jacobian. They are terms in parameters, q, v and the symbols of the
+/// direction.
 struct CertificateClaim {
     /// Arena of all terms of the claim; a copy of the caller's.
     arena: Arena,
@@ -80,7 +80,7 @@ struct CertificateClaim {
     accelerations: Vec<Expr>,
     /// Derivatives of q̇ and v̇ along the direction, from the Jacobian; empty without a Jacobian.
     slopes: Vec<Expr>,
-    /// Numbers of terms of each kind, to split the list of values.
+    /// Numbers of terms of each kind, by which the list of values is split.
     shape: CertificateShape,
 }
 
@@ -95,18 +95,18 @@ struct CertificateShape {
     coordinates: usize,
     /// Number of accelerations v̇.
     accelerations: usize,
-    /// True if the claim includes a Jacobian, so that derivatives follow in the list.
+    /// True if the claim includes a Jacobian. The list then ends with the derivatives along the direction.
     has_slopes: bool,
 }
 
 impl CertificateClaim {
-    /// States the claim. Symbols of definitions are substituted, and v is expressed in independent
-    /// speeds if constraints tie it.
+    /// States the claim. Symbols of definitions are replaced by their terms. If constraints tie the motion variables
+    /// v, they are expressed in independent speeds.
     fn new(arena: &Arena, equations: &Equations, solved: &Elimination, jacobian: Option<&Jacobian>) -> Self {
         let mut arena = arena.clone();
         let Direction { along, states, slopes } = Direction::new(&mut arena, equations);
-        // The definitions of the equations come first, so that the matrix is read in its original form. The elimination
-        // may have changed it.
+        // The definitions of the equations come first, so that the matrix is used in its original form, which the
+        // elimination may have changed.
         let mut put = states.clone();
         substitute_steps(&mut arena, &mut put, &equations.definitions);
         let matrix: Vec<Vec<Expr>> = equations.matrix.iter().map(|row| put.all(&mut arena, row)).collect();
@@ -136,19 +136,19 @@ impl CertificateClaim {
         Self { arena, along, matrix, forcing, coordinate_rates, accelerations, slopes, shape }
     }
 
-    /// Lists all terms of the claim: M row by row, f, q̇, v̇, then the derivatives.
+    /// All terms of the claim: M row by row, f, q̇, v̇, then the derivatives along the direction.
     fn terms(&mut self) -> Vec<Expr> {
         let lists = [&self.forcing, &self.coordinate_rates, &self.accelerations, &self.slopes];
         self.matrix.iter().chain(lists).flatten().copied().collect()
     }
 }
 
-/// Direction of the state (q, v), along which the right-hand side is differentiated.
+/// Direction of the state (q, v) along which the right-hand side is differentiated.
 struct Direction {
     /// Coordinates and independent motion variables, each paired with the symbol of its component of
     /// the direction.
     along: Vec<(Expr, Expr)>,
-    /// Substitution of dependent motion variables by terms in independent variables; empty if all are
+    /// Substitution that replaces dependent motion variables by terms in independent variables. Empty if all are
     /// independent.
     states: Substitution,
     /// Components of the direction for all coordinates and motion variables, as terms in the symbols of
@@ -188,11 +188,11 @@ fn dot(arena: &mut Arena, a: &[Expr], b: &[Expr]) -> Expr {
 }
 
 impl CertificateShape {
-    /// Checks the values of the terms of [`CertificateClaim::terms`] at a random state, modulo the
-    /// prime of the field `f`.
+    /// Checks the claim at a random state. `values` are the values of [`CertificateClaim::terms`] modulo the prime of
+    /// the field `f`.
     ///
     /// # Errors
-    /// `Unproved` with the first row of the Jacobian or of the equations that does not hold.
+    /// Returns `Unproved` with the first row of the Jacobian or of the equations that does not hold.
     fn check(&self, f: Field, values: &[TangentValue]) -> Result<(), Unproved> {
         let (matrix, rest) = values.split_at(self.rows * self.unknowns);
         let (forcing, rest) = rest.split_at(self.rows);
@@ -228,7 +228,7 @@ impl CertificateShape {
     }
 }
 
-/// Linear equation Σ left · unknown = right in dual numbers modulo a prime.
+/// Linear equation Σ left · unknown = right, in dual numbers modulo a prime.
 struct CertificateRow {
     /// Nonzero coefficients of the equation, by index of the unknown.
     left: BTreeMap<usize, TangentValue>,
@@ -236,11 +236,11 @@ struct CertificateRow {
     right: TangentValue,
 }
 
-/// Part of a dual number that is not zero, although it should be.
+/// Part of a dual number that should be zero but is not.
 enum WrongDualPart {
-    /// Value of the dual number, so the equation itself is wrong.
+    /// The value is not zero, so the equation itself is wrong.
     Value,
-    /// Derivative part of the dual number, so the Jacobian is wrong.
+    /// The derivative part is not zero, so the Jacobian is wrong.
     Slope,
 }
 
@@ -271,8 +271,7 @@ fn first_uncertified_row(f: Field, rows: impl Iterator<Item = CertificateRow>) -
 }
 
 impl CertificateRow {
-    /// Subtracts a multiple of a pivot row from this row, so that the entry in the pivot's column
-    /// becomes zero.
+    /// Subtracts a multiple of a pivot row from this row so that the entry in the pivot's column becomes zero.
     fn subtract(&mut self, f: Field, pivot: &Self, column: usize, entry: TangentValue) {
         let Some(factor) = entry.quotient(f, pivot.left[&column]) else { return };
         for (at, x) in &pivot.left {
@@ -287,12 +286,11 @@ impl CertificateRow {
 }
 
 impl Equations {
-    /// Adds the inverse dynamics M v̇ − f to the equations. If the formulation derived it separately,
-    /// that form is kept and proved equal. Equations with reactions or multipliers are returned
-    /// unchanged.
+    /// Adds the inverse dynamics M v̇ − f to the equations. If the formulation derived it separately, that form is
+    /// kept and proved equal. Equations with reactions or multipliers are returned unchanged.
     ///
     /// # Errors
-    /// [`Unproved::InverseDynamics`] with the first row that differs.
+    /// Returns [`Unproved::InverseDynamics`] with the first row that differs.
     pub fn with_certified_inverse_dynamics(self, arena: &mut Arena) -> Result<Self, Unproved> {
         let has_others = self.formulation.has_reactions() || self.unknowns.len() > self.variables.len();
         if has_others {
@@ -315,7 +313,7 @@ impl Equations {
 /// Proves that the derived inverse dynamics equals M v̇ − f for any v̇.
 ///
 /// # Errors
-/// [`Unproved::InverseDynamics`] with the first row that differs.
+/// Returns [`Unproved::InverseDynamics`] with the first row that differs.
 pub fn certify_inverse_dynamics(arena: &Arena, equations: &Equations) -> Result<Certificate, Unproved> {
     let mut arena = arena.clone();
     let mut put = Substitution::default();
@@ -343,11 +341,11 @@ pub fn certify_inverse_dynamics(arena: &Arena, equations: &Equations) -> Result<
     Ok(Certificate { primes })
 }
 
-/// Proves that a Jacobian contains the derivatives of `values` by the symbols `along`. The values
-/// may use the symbols that `steps` define.
+/// Proves that a Jacobian contains the derivatives of `values` with respect to the symbols `along`. The values may
+/// contain symbols that `steps` define.
 ///
 /// # Errors
-/// [`Unproved::Jacobian`] with the index of the first value whose derivatives differ.
+/// Returns [`Unproved::Jacobian`] with the index of the first value whose derivatives differ.
 pub fn certify_slopes(
     arena: &Arena,
     steps: &[Definition],

@@ -9,23 +9,22 @@ use crate::algebra::{Arena, Expr, Node};
 use crate::mechanics::equations::Equations;
 use crate::model::Model;
 
-/// Divisors in the equations of a run that depend on the state and may vanish. The equations have
-/// no value where a divisor is zero, so a run must not step across. Divisors that are proved never
-/// to be zero are left out.
+/// Divisors in the equations of a run that depend on the state and may vanish. The equations have no value if a
+/// divisor is zero, so a run must not step across such a state. Divisors that are proved never to be zero are left
+/// out.
 ///
-/// Pivots of an elimination are also left out, because pivots of a positive definite matrix never
-/// change sign.
+/// Pivots of an elimination are also left out, because pivots of a positive definite matrix never change sign.
 #[derive(Clone, Debug, Default)]
 pub struct Divisors {
-    /// Definitions of the symbols that occur in `values`, in the order of computation.
+    /// Definitions of the symbols that occur in [`Self::values`], in the order of computation.
     pub steps: Vec<Definition>,
     /// Distinct divisors, without powers and without numeric factors.
     pub values: Vec<Expr>,
 }
 
 impl Divisors {
-    /// Finds the divisors of the equations. If `solved` is given, finds those of the solved
-    /// accelerations instead of the matrix and forcing.
+    /// Finds the divisors of the equations. If `solved` is given, it takes those of the solved accelerations instead
+    /// of those of the matrix and forcing.
     #[must_use]
     pub fn of(arena: &Arena, equations: &Equations, solved: Option<&Elimination>) -> Self {
         let e = equations;
@@ -55,20 +54,19 @@ impl Divisors {
     }
 }
 
-/// Divisor of an applied load, which has no value where the divisor is zero.
+/// Divisor of an applied load. The load has no value if its divisor is zero.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LoadDivisor {
     /// Name of the load in the model file.
     pub load: String,
-    /// True if the load is a spring or damper between two points; the points coincide where the divisor
-    /// is zero.
+    /// True if the load is a spring or damper between two points. Its divisor is zero if the points coincide.
     pub is_distance: bool,
     /// Divisor of the load, as a term that depends on the state.
     pub value: Expr,
 }
 
 impl LoadDivisor {
-    /// Text for the user: what a zero of the divisor means, as a clause.
+    /// Clause for the user about the state in which the divisor is zero, such as "the ends of the spring `s` meet".
     #[must_use]
     pub fn zero_divisor_meaning(&self) -> String {
         if self.is_distance {
@@ -79,9 +77,8 @@ impl LoadDivisor {
     }
 }
 
-/// Lists the state-dependent divisors of a model's loads that may be zero, in the order of the
-/// model file. They are lengths of springs, divisors of quotients, and divisors of derivatives of
-/// potentials.
+/// Divisors of a model's loads that depend on the state and may be zero, in the order of the model file. They are
+/// lengths of springs, divisors of quotients, and divisors of derivatives of potentials.
 #[must_use]
 pub fn load_divisors(arena: &mut Arena, model: &Model) -> Vec<LoadDivisor> {
     let forces = model.forces.iter().map(|f| (f.name.clone(), f.end.is_some(), f.vector.to_vec()));
@@ -116,8 +113,7 @@ pub fn load_divisors(arena: &mut Arena, model: &Model) -> Vec<LoadDivisor> {
 const LONGEST: usize = 80;
 
 impl Divisors {
-    /// Names of the divisors: the formula of each, or its number if the formula is longer than 80
-    /// bytes.
+    /// Names of the divisors. A name is the divisor's formula, or its number if the formula is longer than 80 bytes.
     #[must_use]
     pub fn names(&self, arena: &Arena) -> Vec<String> {
         let name = |(at, value): (usize, &Expr)| {
@@ -128,21 +124,21 @@ impl Divisors {
     }
 }
 
-/// Test whether a divisor is a pivot of the elimination: it does not occur in the equations before.
+/// Test for pivots: decides if a divisor is a pivot of the elimination, which does not occur in the equations before.
 struct Pivots<'a> {
     /// True if the eliminated matrix is symmetric and positive definite, so that its pivots are
     /// positive.
     is_definite: bool,
-    /// Divisors of the equations as they were derived, before the elimination.
+    /// Divisors that occur in the equations before the elimination.
     before: Vec<Expr>,
     /// Definitions of the solution, among which pivots are looked up by their symbol.
     steps: &'a [Definition],
-    /// Symbols of the state, and of the definitions that depend on the state.
+    /// Symbols of the state, and of the definitions whose values depend on the state.
     moving: &'a [Expr],
 }
 
 impl<'a> Pivots<'a> {
-    /// Collects the divisors of the equations before the elimination.
+    /// Creates the test: collects the divisors of the equations before the elimination.
     fn new(arena: &Arena, e: &Equations, steps: &'a [Definition], moving: &'a [Expr]) -> Self {
         let entries = e.matrix.iter().flatten().chain(&e.forcing).chain(&e.coordinate_rates);
         let values: Vec<Expr> = entries.copied().chain(e.definitions.iter().map(|d| d.value)).collect();
@@ -150,8 +146,8 @@ impl<'a> Pivots<'a> {
         Self { is_definite, before: divisors(arena, &values), steps, moving }
     }
 
-    /// True if a divisor is a pivot: a sum that is a divisor only in the elimination, also with
-    /// constant factors, or the symbol of such a sum.
+    /// True if a divisor is a pivot: a sum that divides only in the elimination, perhaps with constant factors, or
+    /// the symbol of such a sum.
     fn contains(&self, arena: &Arena, divisor: Expr) -> bool {
         let is_constant = |e: Expr| !arena.reachable(&[e]).iter().any(|part| self.moving.contains(part));
         let is_sum = |e: Expr| match arena.node(divisor_without_number(arena, e)) {
@@ -168,7 +164,7 @@ impl<'a> Pivots<'a> {
     }
 }
 
-/// Lists the symbols of the state (q, v), and of the definitions that depend on the state.
+/// Symbols of the state (q, v), and of the definitions whose values depend on the state.
 fn symbols_of_moving_divisors(arena: &Arena, equations: &Equations, steps: &[Definition]) -> Vec<Expr> {
     let mut list: Vec<Expr> = equations.coordinates.iter().chain(&equations.variables).copied().collect();
     for step in steps {
@@ -179,7 +175,7 @@ fn symbols_of_moving_divisors(arena: &Arena, equations: &Equations, steps: &[Def
     list
 }
 
-/// Removes a numeric factor from a divisor: x for 2 x.
+/// The divisor without its numeric factor: x for 2 x.
 #[must_use]
 pub fn divisor_without_number(arena: &Arena, divisor: Expr) -> Expr {
     match arena.node(divisor) {
@@ -188,8 +184,7 @@ pub fn divisor_without_number(arena: &Arena, divisor: Expr) -> Expr {
     }
 }
 
-/// Returns divisors that vanish in different configurations: without numeric factors, and without
-/// repetition.
+/// Distinct divisors, which vanish in different configurations: without numeric factors, and without repetition.
 #[must_use]
 pub fn distinct_divisors(arena: &Arena, divisors: &[Expr]) -> Vec<Expr> {
     let mut list: Vec<Expr> = Vec::new();

@@ -13,8 +13,8 @@ use crate::mechanics::derivation::Derivation;
 use crate::mechanics::singular_distance::SingularDistance;
 use crate::model::Model;
 
-/// Rewrites equations in a distance d: d + origin replaces the coordinate in every term, and every
-/// term is simplified.
+/// Rewrites equations in a distance d: the term d + origin replaces the coordinate in every term. Every term is then
+/// simplified.
 #[must_use]
 pub fn equations_in_distance(model: &Model, derivation: Derivation, distance: SingularDistance) -> Derivation {
     let Derivation { mut arena, mut equations } = derivation;

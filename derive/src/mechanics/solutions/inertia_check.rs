@@ -1,8 +1,7 @@
-//! Check that every speed moves a mass if some parameters of a model are 0.
+//! Check that every speed moves a mass although some parameters of a model are 0.
 //!
-//! If parameters are 0, the mass matrix may be singular in every configuration, and a quotient by
-//! its determinant has no meaning. Only the set of parameters that are 0 matters, not the values of
-//! the other parameters.
+//! If parameters are 0, the mass matrix may be singular in every configuration, and a quotient by its determinant has
+//! no meaning. Only the set of parameters that are 0 matters. The values of the other parameters do not.
 
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::value::rank::rank;
@@ -15,18 +14,18 @@ use crate::model::Model;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::sync::{Mutex, PoisonError};
 
-/// Check of the mass matrix for many sets of parameter values of a model. Kane's equations are
-/// derived at most once, and only if a parameter on which inertia can depend is 0.
+/// Check that every speed moves a mass, for many sets of parameter values of a model. Kane's equations are derived at
+/// most once, and only if a parameter on which inertia can depend is 0.
 pub struct InertiaCheck<'a> {
     /// Model whose parameters are checked.
     model: &'a Model,
-    /// For each parameter: true if inertia can depend on it.
+    /// For each parameter of the model: true if inertia can depend on it.
     inertial: Vec<bool>,
     /// Kane's equations and earlier answers, shared between threads.
     known: Mutex<KnownInertiaChecks>,
 }
 
-/// Results that an inertia check keeps, because later calls need them again.
+/// Results that an inertia check keeps for later calls.
 #[derive(Default)]
 struct KnownInertiaChecks {
     /// Kane's equations; `None` until they are first needed.
@@ -42,11 +41,11 @@ impl<'a> InertiaCheck<'a> {
         Self { model, inertial: parameters_that_affect_inertia(model), known: Mutex::default() }
     }
 
-    /// Checks that every speed moves a mass at these values, one for each parameter. `None` is for a
-    /// parameter that stays symbolic.
+    /// Checks that every speed moves a mass at the given values, one for each parameter. `None` is for a parameter
+    /// that stays symbolic.
     ///
     /// # Errors
-    /// [`DeriveError::NoInertiaAt`] if a speed moves no mass; another [`DeriveError`] if Kane's
+    /// Returns [`DeriveError::NoInertiaAt`] if a speed moves no mass. Returns another [`DeriveError`] if Kane's
     /// equations cannot be derived.
     pub fn at(&self, values: &[Option<Rational>]) -> Result<(), DeriveError> {
         let absent = zero_parameters_that_affect_inertia(&self.inertial, values);
@@ -68,11 +67,11 @@ impl<'a> InertiaCheck<'a> {
     }
 }
 
-/// Checks exactly that every speed moves a mass at these values, one for each parameter (`None`
-/// stays symbolic). `kane` are Kane's equations of the model, with their terms in `arena`.
+/// Checks exactly that every speed moves a mass at the given values, one for each parameter. `None` is for a
+/// parameter that stays symbolic. `kane` are Kane's equations of the model, with their terms in `arena`.
 ///
 /// # Errors
-/// [`DeriveError::NoInertiaAt`] if a speed moves no mass.
+/// Returns [`DeriveError::NoInertiaAt`] if a speed moves no mass.
 pub fn check_inertia_at(
     arena: &Arena,
     kane: &Equations,
@@ -83,7 +82,7 @@ pub fn check_inertia_at(
     if absent.is_empty() { Ok(()) } else { check_inertia_without_parameters(arena, kane, model, &absent) }
 }
 
-/// Lists, for each parameter, true if inertia can depend on it: it occurs in masses, inertias,
+/// For each parameter: true if inertia can depend on it. It can if the parameter occurs in masses, inertias,
 /// positions, rotations, constraints or definitions of speeds.
 fn parameters_that_affect_inertia(model: &Model) -> Vec<bool> {
     let bodies = model.bodies.iter().flat_map(|body| {
@@ -110,7 +109,7 @@ fn zero_parameters_that_affect_inertia(inertial: &[bool], values: &[Option<Ratio
 /// Checks that the mass matrix keeps full rank if the parameters with the indices `absent` are 0.
 ///
 /// # Errors
-/// `DeriveError::NoInertiaAt` with the first speed whose row depends on the rows before it.
+/// Returns `DeriveError::NoInertiaAt` with the first speed whose row depends on the rows before it.
 fn check_inertia_without_parameters(
     arena: &Arena,
     kane: &Equations,
@@ -122,7 +121,7 @@ fn check_inertia_without_parameters(
     let mut put = Substitution::new(&pairs);
     let matrix: Vec<Vec<Expr>> =
         kane.matrix.iter().map(|row| row.iter().map(|e| put.apply(&mut arena, *e)).collect()).collect();
-    // A term that divides by a parameter that is 0 tells nothing about inertia.
+    // If a term divides by a parameter that is 0, the check cannot decide and passes.
     if put.undefined.is_some() {
         return Ok(());
     }

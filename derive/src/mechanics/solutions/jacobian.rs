@@ -1,5 +1,5 @@
-//! Jacobian of a first-order system: derivatives of q̇ and v̇ by the state, by the chain rule over
-//! a list of definitions.
+//! Jacobian of a first-order system: derivatives of q̇ and v̇ with respect to the state, by the chain rule over a
+//! list of definitions.
 
 use crate::algebra::form::simplify::{Simplifier, operation_count, operation_count_of_all};
 use crate::algebra::solve::elimination::Elimination;
@@ -8,16 +8,16 @@ use crate::algebra::term::steps::{Definition, fresh_symbol, needed_steps};
 use crate::algebra::{Arena, Expr};
 use crate::mechanics::equations::Equations;
 
-/// Largest number of operations in a derivative of an intermediate quantity that gets no symbol of
-/// its own.
+/// Largest number of operations in the derivative of an intermediate quantity for which the derivative gets no symbol
+/// of its own.
 const LONGEST_SLOPE: usize = 6;
 
 /// Jacobian ∂(q̇, v̇)/∂(q, v) of a first-order system as a list of definitions: the whole matrix,
 /// or its product with a direction.
 #[derive(Clone, Debug, Default)]
 pub struct Jacobian {
-    /// Definitions in the order of computation: the accelerations, the quantities that they need, and
-    /// the derivatives of both.
+    /// Definitions in the order of computation: those of the accelerations and of quantities that they need, then the
+    /// derivatives of both.
     pub steps: Vec<Definition>,
     /// Entries of the Jacobian, row by row: first q̇, then v̇. It has a column for each coordinate,
     /// then for each motion variable. The product with a direction has a single column.
@@ -27,14 +27,13 @@ pub struct Jacobian {
     pub direction: Vec<Expr>,
 }
 
-/// Largest number of derivatives (definitions × states) of a whole Jacobian. With more, only its
+/// Largest number of derivatives (definitions × states) of a whole Jacobian. If there are more, only the Jacobian's
 /// product with a direction is derived.
 const MOST_SLOPES: usize = 2000;
-/// Largest number of operations × states for a whole Jacobian. It limits the length of the
-/// formulas.
+/// Largest number of operations × states for a whole Jacobian, which limits the length of its formulas.
 const MOST_SLOPES_OF_OPERATIONS: usize = 8000;
 
-/// Differentiates q̇ and v̇ exactly by q and v, with the chain rule over the solved definitions, so
+/// Differentiates q̇ and v̇ exactly with respect to q and v. It uses the chain rule over the solved definitions, so
 /// that no term is expanded. A long Jacobian is given only as its product with a direction.
 pub fn jacobian(
     arena: &mut Arena,
@@ -53,8 +52,8 @@ pub fn jacobian(
     whole_jacobian(arena, simplifier, &rates, steps, &states)
 }
 
-/// Derivatives of `values` by each of the symbols `along`, with a column for each symbol. The
-/// values may use the symbols that `steps` define. `None` if the Jacobian would be too long.
+/// Derivatives of `values` with respect to the symbols `along`, with a row for each value and a column for each
+/// symbol. The values may contain symbols that `steps` define. `None` if the Jacobian would be too long.
 pub(super) fn jacobian_along_symbols(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -67,14 +66,14 @@ pub(super) fn jacobian_along_symbols(
     is_short.then(|| whole_jacobian(arena, simplifier, values, steps, along))
 }
 
-/// True if the derivatives of all definitions by `count` symbols would be too many or too long for
-/// a whole Jacobian.
+/// True if the derivatives of all definitions with respect to `count` symbols would be too many or too long for a
+/// whole Jacobian.
 fn is_long_jacobian(arena: &Arena, steps: &[Definition], count: usize) -> bool {
     let values: Vec<Expr> = steps.iter().map(|step| step.value).collect();
     count * steps.len() > MOST_SLOPES || count * operation_count_of_all(arena, &values) > MOST_SLOPES_OF_OPERATIONS
 }
 
-/// Derives the whole Jacobian of `values`, with a column for each symbol of `along`.
+/// Derives the whole Jacobian of `values`, with a row for each value and a column for each symbol in `along`.
 fn whole_jacobian(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -108,13 +107,13 @@ fn whole_jacobian(
     Jacobian { steps, entries, direction: Vec::new() }
 }
 
-/// Spells the name of a symbol for use in another name: `u1_dot` for `u1'`.
+/// Name of a symbol in a form that other names can contain, such as `u1_dot` for `u1'`.
 fn jacobian_symbol_name(arena: &Arena, symbol: Expr) -> String {
     arena.symbol_name(symbol).unwrap_or_default().replace("''", "_ddot").replace('\'', "_dot")
 }
 
-/// Derives the product of the Jacobian with a direction: a single derivative of each definition
-/// along the direction.
+/// Derives the product of the Jacobian with a direction. It needs a single derivative of each definition, along the
+/// direction.
 fn jacobian_direction_product(
     arena: &mut Arena,
     simplifier: &mut Simplifier,

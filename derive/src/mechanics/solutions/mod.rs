@@ -1,5 +1,4 @@
-//! Results computed from equations of motion, such as accelerations; each is proved from the
-//! equations.
+//! Results computed from equations of motion, such as accelerations. Each result is proved from the equations.
 
 pub(super) mod accelerations;
 pub(super) mod certificate;

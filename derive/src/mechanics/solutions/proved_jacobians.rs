@@ -1,5 +1,4 @@
-//! Derivatives of computed values: of q̇ and v̇ by the parameters of a model, and of outputs. Each
-//! is proved.
+//! Derivatives with proof: of q̇ and v̇ with respect to the parameters of a model, and of outputs.
 
 use super::certificate::certify_slopes;
 use super::jacobian::{Jacobian, jacobian_along_symbols};
@@ -10,11 +9,11 @@ use crate::algebra::{Arena, Expr};
 use crate::mechanics::equations::Equations;
 use crate::mechanics::unsolved::Unproved;
 
-/// Derives the Jacobian ∂(q̇, v̇)/∂p by the parameters p exactly, with the chain rule over the
-/// solved definitions, and proves it. `None` if it would be too long.
+/// Derives and proves the Jacobian ∂(q̇, v̇)/∂p with respect to the parameters p. It is exact, by the chain rule over
+/// the solved definitions. `None` if it would be too long.
 ///
 /// # Errors
-/// [`Unproved::Jacobian`] with the first row that is not the derivative of q̇ or v̇.
+/// Returns [`Unproved::Jacobian`] with the first row that is not the derivative of q̇ or v̇.
 pub fn parameter_jacobian(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -27,12 +26,11 @@ pub fn parameter_jacobian(
     proved_jacobian(arena, simplifier, &solved.steps, &rates, parameters)
 }
 
-/// Derives and proves the derivatives of `values`, with a row for each value and a column for each
-/// of the symbols `along`. The values may use the symbols that `steps` define. `None` if the
-/// Jacobian would be too long.
+/// Derives and proves the derivatives of `values`, with a row for each value and a column for each of the symbols
+/// `along`. The values may contain symbols that `steps` define. `None` if the Jacobian would be too long.
 ///
 /// # Errors
-/// [`Unproved::Jacobian`] with the first value whose derivatives are wrong.
+/// Returns [`Unproved::Jacobian`] with the first value whose derivatives are wrong.
 pub fn proved_jacobian(
     arena: &mut Arena,
     simplifier: &mut Simplifier,

@@ -1,9 +1,7 @@
-//! Values of the quantities of a textbook derivation: velocities, loads, generalized forces,
-//! energies.
+//! Values of the quantities in a textbook derivation: velocities, loads, generalized forces, energies.
 //!
-//! Every value is computed from the kinematics that the formulations share, or read from their
-//! equations, and is kept. Equations are solved only in [`Quantities::solved`]. All other values
-//! keep u̇ and the reactions as symbols.
+//! Every value is computed from the kinematics that the formulations share, or read from their equations. Values are
+//! kept. Equations are solved only in [`Quantities::solved`]. All other values keep u̇ and the reactions as symbols.
 
 mod lagrangian;
 #[cfg(test)]
@@ -41,13 +39,13 @@ pub struct Quantities<'a> {
     pub derivations: &'a mut Derivations,
     /// Velocities of all frames and points as terms in q and the generalized speeds u.
     velocities: Velocities,
-    /// Time derivative along the motion of terms in q and u.
+    /// Operator of the time derivative of terms in q and u, along the motion.
     d_dt: Differential,
-    /// Substitution of u and u̇ by terms in q, q̇ and q̈.
+    /// Substitution that replaces u and u̇ by terms in q, q̇ and q̈.
     to_rates: Substitution,
-    /// Substitution of q̇ and q̈ by terms in q, u and u̇.
+    /// Substitution that replaces q̇ and q̈ by terms in q, u and u̇.
     to_speeds: Substitution,
-    /// Vectors computed so far, by kind and index of the owner.
+    /// Vectors computed so far, by kind and by index of the owner.
     vectors: FxHashMap<(VectorName, usize), Vector>,
     /// Components of vectors computed so far, by kind, index of the owner, and frame.
     components: FxHashMap<(VectorName, usize, usize), Components>,
@@ -57,7 +55,7 @@ pub struct Quantities<'a> {
     active_forces: Option<Vec<Expr>>,
     /// Kane's generalized inertia forces; `None` until first computed.
     inertia_forces: Option<Vec<Expr>>,
-    /// Substitution of u̇ by the solved accelerations in q and u; `None` until first computed.
+    /// Substitution that replaces u̇ by the solved accelerations, as terms in q and u. `None` until first computed.
     accelerations: Option<Substitution>,
 }
 
@@ -98,12 +96,12 @@ impl<'a> Quantities<'a> {
 
     /// Derives the value of a quantity as a simplified term.
     ///
-    /// Most values are in parameters, q and u. Values with accelerations are also linear in u̇, and
-    /// loads contain reactions. Speeds, Lagrange's E and A, derivatives of L, and terms of M q̈ + C
-    /// q̇ + g = τ are in q and q̇.
+    /// Most values are terms in parameters, q and u. Values with accelerations are also linear in u̇, and loads
+    /// contain reactions. Other values are in q and q̇: speeds, Lagrange's E and A, derivatives of L, and terms of M
+    /// q̈ + C q̇ + g = τ.
     ///
     /// # Errors
-    /// Text of the reason why the formulation of the quantity cannot be derived.
+    /// Returns the reason, as text, why the formulation of the quantity cannot be derived.
     pub fn value(&mut self, quantity: &Quantity) -> Result<Expr, String> {
         let value = match *quantity.kind() {
             QuantityKind::Rotation { from, to, entry: (i, j) } => {
@@ -155,8 +153,7 @@ impl<'a> Quantities<'a> {
     /// Replaces every u̇ and q̈ in a term by its value from the solved Kane equations, in q and u.
     ///
     /// # Errors
-    /// Text of the reason why Kane's equations cannot be derived, or do not determine the
-    /// accelerations.
+    /// Returns the reason, as text, why Kane's equations cannot be derived or do not determine the accelerations.
     pub fn solved(&mut self, e: Expr) -> Result<Expr, String> {
         let e = self.to_speeds.apply(&mut self.derivations.kinematics.arena, e);
         if self.accelerations.is_none() {
@@ -174,7 +171,7 @@ impl<'a> Quantities<'a> {
         Ok(written.apply(&mut self.derivations.kinematics.arena, e))
     }
 
-    /// True if a term contains q̇ or q̈. A term that does is compared in q and q̇.
+    /// True if a term contains q̇ or q̈. Such a term is compared in q and q̇.
     #[must_use]
     pub fn mentions_rates(&self, e: Expr) -> bool {
         let symbols = self.model.coordinates.iter().flat_map(|c| [c.rate, c.second_rate]);
@@ -201,23 +198,23 @@ impl<'a> Quantities<'a> {
         symbols.any(|s| parts.binary_search(&s).is_ok())
     }
 
-    /// Rewrites a term in q, q̇ and q̈: u becomes J q̇ + d, and u̇ its time derivative.
+    /// Rewrites a term in q, q̇ and q̈: replaces u by J q̇ + d, and u̇ by the time derivative of J q̇ + d.
     ///
-    /// If a divisor would become the literal 0, the quotient stays unchanged, and
-    /// [`Self::mentions_speeds`] is true for the result.
+    /// If a divisor would become the literal 0, the quotient stays unchanged. [`Self::mentions_speeds`] is then true
+    /// for the result.
     pub fn in_rates(&mut self, e: Expr) -> Expr {
         self.to_rates.apply(&mut self.derivations.kinematics.arena, e)
     }
 
-    /// Rewrites a term in q, u and u̇: q̇ becomes W u + w, and q̈ its time derivative.
+    /// Rewrites a term in q, u and u̇: replaces q̇ by W u + w, and q̈ by the time derivative of W u + w.
     ///
-    /// If a divisor would become the literal 0, the quotient stays unchanged, and
-    /// [`Self::mentions_rates`] is true for the result.
+    /// If a divisor would become the literal 0, the quotient stays unchanged. [`Self::mentions_rates`] is then true
+    /// for the result.
     pub fn in_speeds(&mut self, e: Expr) -> Expr {
         self.to_speeds.apply(&mut self.derivations.kinematics.arena, e)
     }
 
-    /// Replaces the rate t' of the time, which is a coordinate of some models, by 1.
+    /// Replaces the rate t' of time by 1 in a term, for models in which time is a coordinate.
     pub fn at_clock(&mut self, e: Expr) -> Expr {
         let clock: Vec<_> =
             self.model.coordinates.iter().filter(|c| c.name == TIME).map(|c| (c.rate, Expr::ONE)).collect();
@@ -250,7 +247,7 @@ impl<'a> Quantities<'a> {
     /// Equations by a formulation, from the list of derivations.
     ///
     /// # Errors
-    /// Text of the reason why there are none.
+    /// Returns the reason, as text, why there are no such equations.
     fn equations(&self, formulation: Formulation) -> Result<&Equations, String> {
         let found = self.derivations.list.iter().find(|(f, _)| *f == formulation);
         match found {
@@ -260,8 +257,8 @@ impl<'a> Quantities<'a> {
         }
     }
 
-    /// Central inertia tensor R I Rᵀ of a body along a frame, kg m². R rotates from the frame in which
-    /// the model states the inertia. Zero for a particle.
+    /// Central inertia tensor R I Rᵀ of a body along a frame, kg m². R rotates from the frame in which the model
+    /// states the inertia I. Zero for a particle.
     fn inertia(&mut self, body: usize, frame: usize) -> Tensor {
         if let Some(done) = self.inertias.get(&(body, frame)) {
             return *done;
@@ -283,13 +280,13 @@ impl<'a> Quantities<'a> {
         tensor
     }
 
-    /// Kane's generalized active forces, one for each speed; computed once.
+    /// Kane's generalized active forces, one for each speed. They are computed at the first call.
     fn active_forces(&mut self) -> &[Expr] {
         let (model, kinematics, velocities) = (self.model, &mut self.derivations.kinematics, &self.velocities);
         self.active_forces.get_or_insert_with(|| kane::kane_active_forces(model, kinematics, velocities))
     }
 
-    /// Kane's generalized inertia forces, one for each speed; computed once.
+    /// Kane's generalized inertia forces, one for each speed. They are computed at the first call.
     fn inertia_forces(&mut self) -> &[Expr] {
         let (model, kinematics, velocities) = (self.model, &mut self.derivations.kinematics, &self.velocities);
         self.inertia_forces.get_or_insert_with(|| kane::kane_inertia_forces(model, kinematics, velocities))
@@ -298,7 +295,7 @@ impl<'a> Quantities<'a> {
     /// Value of an energy as a term in q and u, J.
     ///
     /// # Errors
-    /// Text of the reason why Kane's equations or the potential of gravity cannot be derived.
+    /// Returns the reason, as text, why Kane's equations or the potential of gravity cannot be derived.
     fn energy(&mut self, energy: EnergyQuantity) -> Result<Expr, String> {
         let kane = self.equations(Formulation::Kane)?;
         let (t, v) = (kane.kinetic_energy, kane.potential_energy);
@@ -316,8 +313,8 @@ impl<'a> Quantities<'a> {
         })
     }
 
-    /// Kinetic energy of translation Σ ½ m v·v if `name` is the velocity, of rotation Σ ½ ω·H if it is
-    /// the angular velocity, J.
+    /// Kinetic energy of translation Σ ½ m v·v, J, if `name` is the velocity. Kinetic energy of rotation Σ ½ ω·H, J,
+    /// if it is the angular velocity.
     fn part_of_energy(&mut self, name: VectorName) -> Expr {
         let model = self.model;
         let mut terms = Vec::new();

@@ -1,17 +1,17 @@
-//! Regressor: generalized forces that a motion requires, split by parameter: M u̇ − f = Σ π_k Y_k +
-//! rest. No Y_k contains a parameter π.
+//! Regressor: generalized forces that a motion requires, split by parameters π: M u̇ − f = Σ π_k Y_k + rest. No
+//! column Y_k contains a parameter π.
 //!
-//! A rigid body moves with the velocity v of its point P and rotates with ω. Its weight counts as
-//! an inertia force. The force on the body and the moment about P are linear in its mass m, its
-//! first moments s = m p_PC and its inertia J about P:
+//! A rigid body moves with the velocity v of its point P and rotates with ω. Its weight counts as an inertia force.
+//! The force on the body and the moment about P are linear in its mass m, its first moments s = m p_PC and its
+//! inertia J about P:
 //!
 //! ```text
 //! F = m b + α × s + ω × (ω × s),    N = s × b + J α + ω × J ω,    b = a_P − g
 //! ```
 //!
-//! C. G. Atkeson, C. H. An & J. M. Hollerbach, "Estimation of inertial parameters of manipulator
-//! loads and links", Int. J. Robotics Research 5(3) (1986) 101–119. The columns use nothing from
-//! Kane's equations, with which the regressor is compared.
+//! C. G. Atkeson, C. H. An & J. M. Hollerbach, "Estimation of inertial parameters of manipulator loads and links",
+//! Int. J. Robotics Research 5(3) (1986) 101–119. The columns use nothing from Kane's equations, with which the
+//! regressor is compared.
 
 use crate::algebra::term::calculus::{Gradient, Substitution, expand_names};
 use crate::algebra::value::zero_test::{ZeroTest, zero_test};
@@ -31,14 +31,14 @@ use crate::model::{Body, Model, Unit};
 /// Choice of the parameters for which a regressor has columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RegressorParameters {
-    /// All ten inertial parameters of every rigid body, the mass of every particle, and the mass-like
-    /// parameters of loads. The values in the model file do not matter.
+    /// All ten inertial parameters of every rigid body, the mass of every particle, and the mass-like parameters of
+    /// loads. The values that the model file states do not matter.
     Bodies,
-    /// Parameters of the model file whose unit contains the unit of mass to the first power.
+    /// Parameters of the model file whose unit contains kg to the first power.
     Declared,
 }
 
-/// Parameter of a regressor's column: an inertial parameter of a body, or a parameter of the model
+/// Parameter to which a regressor's column belongs: an inertial parameter of a body, or a parameter of the model
 /// file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ColumnParameter {
@@ -48,11 +48,10 @@ pub enum ColumnParameter {
     Parameter(usize),
 }
 
-/// Column of a regressor: the generalized forces that a parameter requires, per unit of the
-/// parameter.
+/// Column of a regressor: the generalized forces that the motion requires per unit of a parameter.
 #[derive(Clone, Debug)]
 pub struct Column {
-    /// Parameter per unit of which the column states the required forces.
+    /// Parameter to which the column belongs.
     pub of: ColumnParameter,
     /// Name of the parameter and its body, such as `mx_rod`.
     pub name: String,
@@ -61,7 +60,7 @@ pub struct Column {
     /// Generalized forces Y_k per unit of the parameter, one for each speed, as terms in geometry, q, u
     /// and u̇.
     pub forces: Vec<Expr>,
-    /// Value of the parameter that the model states, as a term in the model file's parameters.
+    /// Value of the parameter in the model, as a term in the model file's parameters.
     pub stated: Expr,
 }
 
@@ -69,15 +68,15 @@ pub struct Column {
 pub struct Regressor {
     /// Arena of the terms of all fields.
     pub arena: Arena,
-    /// Columns Y_k of the regressor, from the ground outward. Those of a body come in the order in
+    /// Columns Y_k of the regressor, for bodies from the ground outward. The columns of a body are in the order in
     /// which base parameters should keep them.
     pub columns: Vec<Column>,
-    /// Required generalized forces that belong to no column, one for each speed, from loads.
+    /// Required generalized forces from loads that belong to no column, one for each speed.
     pub rest: Vec<Expr>,
     /// Required generalized forces M u̇ − f by Kane's method, one for each speed, in parameters, q, u
     /// and u̇.
     pub required: Vec<Expr>,
-    /// Reference point and axes of each body's inertial parameters, one for each body; empty for
+    /// Anchor of each body: the reference point and axes of its inertial parameters. Empty for
     /// [`RegressorParameters::Declared`].
     pub anchors: Vec<Anchor>,
 }
@@ -86,7 +85,7 @@ impl Regressor {
     /// Derives the regressor of a model for the chosen parameters.
     ///
     /// # Errors
-    /// [`DeriveError`] if the model cannot be derived, or if a body has an added mass.
+    /// Returns a [`DeriveError`] if the model cannot be derived, or if a body has an added mass.
     pub fn new(model: &Model, varied: RegressorParameters) -> Result<Self, DeriveError> {
         if let Some(added) = model.added_masses.first() {
             return Err(DeriveError::AddedMass { body: model.bodies[added.body].name.clone() });
@@ -130,7 +129,8 @@ impl Regressor {
             bodies.push((deep, motion.columns(&mut kinematics, model, &anchor)));
             anchors.push(anchor);
         }
-        // From the ground outward: a base parameter that an outer and an inner body share counts to the inner body.
+        // Bodies are in order from the ground outward, so that a base parameter shared by an outer and an inner body
+        // belongs to the inner body.
         bodies.sort_by_key(|(deep, _)| *deep);
         let mut columns: Vec<Column> = bodies.into_iter().flat_map(|(_, columns)| columns).collect();
         let loads: Vec<Load> = kinematics.loads(model, &velocities).into_iter().flatten().collect();
@@ -154,9 +154,8 @@ impl Regressor {
     }
 }
 
-/// True if the unit of a parameter contains the unit of mass to the first power, and the parameter
-/// is not an input. Forces are linear in all such parameters together, unless the parameters form
-/// ratios.
+/// True if the unit of a parameter contains kg to the first power, and the parameter is not an input. Forces are
+/// linear in all such parameters together, unless they form ratios.
 fn is_regressor_candidate(parameter: &crate::model::Parameter) -> bool {
     !parameter.is_input && parameter.unit.kilogram_exponent().is_one()
 }
@@ -197,7 +196,7 @@ fn regressor_columns_of_parameters(
     (columns, rest)
 }
 
-/// Partial derivatives of each term by each symbol, one row for each term.
+/// Partial derivatives of each term with respect to each symbol, one row for each term.
 fn regressor_slope_rows(arena: &mut Arena, terms: &[Expr], symbols: &[Expr]) -> Vec<Vec<Expr>> {
     let mut gradient = Gradient::new(symbols);
     let row = |term: &Expr| {
@@ -210,8 +209,8 @@ fn regressor_slope_rows(arena: &mut Arena, terms: &[Expr], symbols: &[Expr]) -> 
     terms.iter().map(row).collect()
 }
 
-/// Lists, for each symbol, true if the derivatives by it still depend on any of the symbols.
-/// `slopes` has a row of derivatives for each force.
+/// For each symbol: true if a derivative with respect to it still contains any of the symbols. `slopes` has a row of
+/// derivatives for each force.
 fn is_nonlinear_in_parameters(arena: &mut Arena, slopes: &[Vec<Expr>], symbols: &[Expr]) -> Vec<bool> {
     let mut gradient = Gradient::new(symbols);
     let mut bent = vec![false; symbols.len()];
@@ -224,8 +223,8 @@ fn is_nonlinear_in_parameters(arena: &mut Arena, slopes: &[Vec<Expr>], symbols: 
     bent
 }
 
-/// Motion of a body: accelerations, angular velocity and partial velocities, along the axes of its
-/// anchor.
+/// Motion of a body, with components along the axes of its anchor: accelerations, angular velocity and partial
+/// velocities.
 struct BodyRegressor {
     /// Acceleration b = a_P − g of the anchor's point P less that of free fall, m/s².
     b: Components,
@@ -233,12 +232,12 @@ struct BodyRegressor {
     omega: Components,
     /// Angular acceleration α of the body, rad/s².
     alpha: Components,
-    /// Partial velocities ∂v_P/∂u_r and ∂ω/∂u_r, a pair for each speed u_r.
+    /// Partial velocities ∂v_P/∂u_r and ∂ω/∂u_r of the body, a pair for each speed u_r.
     along: Vec<[Components; 2]>,
 }
 
 impl BodyRegressor {
-    /// Computes the motion of a body, with a name for each long subterm.
+    /// Computes the motion of a body. Each long subterm gets a name.
     fn new(
         kinematics: &mut Kinematics,
         model: &Model,
@@ -294,7 +293,7 @@ impl BodyRegressor {
             .collect()
     }
 
-    /// Force F and moment N about P that the motion requires per unit of an inertial parameter.
+    /// Force F on the body and moment N about P that the motion requires per unit of an inertial parameter.
     fn wrench(&self, arena: &mut Arena, inertial: InertialParameter) -> [Components; 2] {
         let zero = [Expr::ZERO; 3];
         match inertial {
@@ -325,20 +324,18 @@ fn regressor_body_name(model: &Model, anchor: &Anchor) -> String {
     model.bodies[anchor.body].name.clone()
 }
 
-/// Inertial parameters of a body that the model states, about the anchor's point and along its
-/// axes.
+/// Values of a body's inertial parameters in the model, about the anchor's point and along its axes.
 struct RegressorParameterValues {
     /// Mass of the body, kg.
     mass: Expr,
-    /// First moments m p_PC of the body, kg m.
+    /// First moments m p_PC of the body about the anchor's point, kg m.
     moment: Components,
     /// Inertia tensor of the body about the anchor's point, kg m².
     inertia: [Components; 3],
 }
 
 impl RegressorParameterValues {
-    /// Computes the parameters from the model's mass, mass centre and central inertia, by the parallel
-    /// axis theorem.
+    /// Computes the values from the model's mass, mass centre and central inertia, by the parallel axis theorem.
     fn new(kinematics: &mut Kinematics, body: &Body, anchor: &Anchor) -> Self {
         let back = kinematics.positions[anchor.point].neg(&mut kinematics.arena);
         let arm = kinematics.positions[body.centre].add(&mut kinematics.arena, &back);
@@ -347,7 +344,7 @@ impl RegressorParameterValues {
         let r = r.map(|e| simplifier.simplify(arena, e));
         let mut inertia = [[Expr::ZERO; 3]; 3];
         if let Some((_, own)) = &body.rigid {
-            // Tensor R I Rᵀ, which is constant in the body.
+            // The tensor R I Rᵀ is constant in the body.
             let turn = frames.rotation(arena, own.frame, anchor.frame);
             for i in 0..3 {
                 for j in 0..3 {
@@ -377,7 +374,7 @@ impl RegressorParameterValues {
         Self { mass: body.mass, moment, inertia }
     }
 
-    /// Value of an inertial parameter, as a term in the model's parameters.
+    /// Value of an inertial parameter of the body, as a term in the model's parameters.
     fn of(&self, inertial: InertialParameter) -> Expr {
         match inertial {
             InertialParameter::Mass => self.mass,
@@ -387,8 +384,8 @@ impl RegressorParameterValues {
     }
 }
 
-/// Value of a term at zero coordinates, for terms that contain coordinates but do not depend on
-/// them. Returns the term itself if it has no value there.
+/// Value of a term with all coordinates zero, for a term that contains coordinates but does not depend on them.
+/// Returns the term itself if it has no value there.
 fn regressor_value_at_zero(arena: &mut Arena, e: Expr, coordinates: &[Expr]) -> Expr {
     let e = expand_names(arena, e);
     let mut put = Substitution::new(&coordinates.iter().map(|q| (*q, Expr::ZERO)).collect::<Vec<_>>());

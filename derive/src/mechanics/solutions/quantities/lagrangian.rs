@@ -7,13 +7,13 @@ use crate::algebra::term::calculus::Differential;
 use crate::mechanics::quantity::{EnergyQuantity, QuantityKind};
 
 impl Quantities<'_> {
-    /// Lagrangian L = T − V as a term in q and q̇, J, without any constraint substituted.
+    /// Lagrangian L = T − V as a term in q and q̇, J, with no constraint substituted.
     fn lagrangian(&mut self) -> Result<Expr, String> {
         let constrained = self.energy(EnergyQuantity::Lagrangian)?;
         Ok(self.before_constraints(&QuantityKind::Energy(EnergyQuantity::Lagrangian), constrained))
     }
 
-    /// Partial derivative of a term by a symbol, with all other symbols constant.
+    /// Partial derivative of a term with respect to a symbol. All other symbols are held constant.
     fn lagrangian_derivative(&mut self, e: Expr, along: Expr) -> Expr {
         Differential::partial(along).apply(&mut self.derivations.kinematics.arena, e)
     }
@@ -24,13 +24,14 @@ impl Quantities<'_> {
         Ok(self.lagrangian_derivative(lagrangian, self.model.coordinates[at].rate))
     }
 
-    /// Partial derivative ∂L/∂q by the coordinate with the index `at`, with q̇ constant.
+    /// Partial derivative ∂L/∂q with respect to the coordinate with the index `at`. The rates q̇ are held constant.
     pub(super) fn lagrangian_slope(&mut self, at: usize) -> Result<Expr, String> {
         let lagrangian = self.lagrangian()?;
         Ok(self.lagrangian_derivative(lagrangian, self.model.coordinates[at].symbol))
     }
 
-    /// Rate d/dt ∂L/∂q̇ of a generalized momentum along the motion, as a term in q, q̇ and q̈.
+    /// Rate d/dt ∂L/∂q̇ of a generalized momentum along the motion, as a term in q, q̇ and q̈. `at` is the index of
+    /// the coordinate.
     pub(super) fn momentum_rate(&mut self, at: usize) -> Result<Expr, String> {
         let momentum = self.momentum(at)?;
         let (model, time) = (self.model, self.model.time());
@@ -45,8 +46,8 @@ impl Quantities<'_> {
         Ok(Differential::along(&moving).apply(&mut self.derivations.kinematics.arena, momentum))
     }
 
-    /// Partial derivative ∂/∂t ∂L/∂q̇ of a generalized momentum by the time alone; zero unless L
-    /// contains the time.
+    /// Partial derivative ∂/∂t ∂L/∂q̇ of a generalized momentum with respect to time alone. `at` is the index of the
+    /// coordinate. It is zero unless L contains time.
     pub(super) fn partial_time_derivative_of_momentum(&mut self, at: usize) -> Result<Expr, String> {
         let momentum = self.momentum(at)?;
         let Some(time) = self.model.time() else { return Ok(Expr::ZERO) };

@@ -1,4 +1,5 @@
-//! Goal: every name in the table of docs/publication.md is read, and every other is refused at its place.
+//! Goal: every name in the table of docs/publication.md is read. Every other name is refused, with the error at its
+//! place.
 
 use super::tests::{disk, pendulum};
 use crate::mechanics::quantity::Quantity;

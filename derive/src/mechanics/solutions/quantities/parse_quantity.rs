@@ -1,5 +1,5 @@
-//! Parser of the text of a quantity, such as `v(Cstar) @ B [1]`. It resolves every name in a model
-//! and gives a [`Quantity`].
+//! Parser for the text of a quantity, such as `v(Cstar) @ B [1]`. It resolves every name in a model and gives a
+//! [`Quantity`].
 
 use crate::diagnostic::{nearest_name_advice, shortened_for_message};
 use crate::mechanics::quantity::{EnergyQuantity, Quantity, QuantityKind, QuantityOwner, RowQuantity, VectorName};
@@ -21,11 +21,10 @@ pub struct QuantityError {
 const OTHER_NAMES: [&str; 7] = ["rotation", "d", "I", "M", "E", "C", "Edot"];
 
 impl Quantity {
-    /// Parses the name of a quantity, such as `v(Cstar) @ B [1]`; `docs/publication.md` lists all
-    /// names.
+    /// Parses the name of a quantity, such as `v(Cstar) @ B [1]`. `docs/publication.md` lists all names.
     ///
     /// # Errors
-    /// First [`QuantityError`] in the text: its form is wrong, or the model has no such point, frame,
+    /// Returns the first [`QuantityError`] in the text: its form is wrong, or the model has no such point, frame,
     /// body, speed, coordinate or component.
     pub fn parse(text: &str, model: &Model) -> Result<Self, QuantityError> {
         let mut cursor = QuantityParser { text, at: 0, model, form: String::new() };
@@ -43,15 +42,15 @@ impl Quantity {
 /// Word of the parsed text, with its byte range.
 type Word<'a> = (&'a str, Range<usize>);
 
-/// Position in the text of a quantity while it is parsed.
+/// State of the parser: the text of a quantity, and the position in it.
 struct QuantityParser<'a> {
-    /// Whole text of the quantity that is parsed.
+    /// Whole text of the quantity that is being parsed.
     text: &'a str,
     /// Byte offset of the next character to read.
     at: usize,
     /// Model in which names are resolved.
     model: &'a Model,
-    /// Expected form of the quantity, such as `v(POINT) @ FRAME [COMPONENT]`; empty until its kind is
+    /// Expected form of the quantity, such as `v(POINT) @ FRAME [COMPONENT]`. Empty until the quantity's kind is
     /// known.
     form: String,
 }
@@ -63,7 +62,7 @@ impl<'a> QuantityParser<'a> {
         self.at += rest.len() - rest.trim_start().len();
     }
 
-    /// Creates an error at a byte range; its advice is the expected form.
+    /// Creates an error at a byte range. Its advice is the expected form of the quantity.
     fn error(&self, range: Range<usize>, message: impl Into<String>) -> QuantityError {
         let help = if self.form.is_empty() {
             "write the name of one quantity, such as v(P) @ B [1]; docs/publication.md lists them".to_owned()
@@ -78,7 +77,7 @@ impl<'a> QuantityParser<'a> {
         self.text[self.at..].starts_with(mark)
     }
 
-    /// Reads the character `mark` and the white space after it; an error if it is missing.
+    /// Reads the character `mark` and the white space after it. Returns an error if `mark` is missing.
     fn parse_mark(&mut self, mark: char) -> Result<(), QuantityError> {
         if !self.next_is(mark) {
             let length = self.text[self.at..].chars().next().map_or(0, char::len_utf8);
@@ -89,8 +88,8 @@ impl<'a> QuantityParser<'a> {
         Ok(())
     }
 
-    /// Reads a word: letters, digits and `_`, then primes. `what` is the noun for the word in the error
-    /// if it is missing.
+    /// Reads a word: letters, digits and `_`, then primes. Returns an error if it is missing; `what` is the noun for
+    /// the word in this error.
     fn parse_word(&mut self, what: &str) -> Result<Word<'a>, QuantityError> {
         let rest = &self.text[self.at..];
         let plain = rest.find(|c: char| !(c.is_ascii_alphanumeric() || c == '_')).unwrap_or(rest.len());
@@ -105,7 +104,7 @@ impl<'a> QuantityParser<'a> {
         Ok((&self.text[range.clone()], range))
     }
 
-    /// Reads a quantity of any kind from its first word on.
+    /// Reads a quantity of any kind, from its first word on.
     fn quantity(&mut self) -> Result<QuantityKind, QuantityError> {
         let (head, range) = self.parse_word("the name of a quantity")?;
         let model = self.model;
@@ -154,7 +153,7 @@ impl<'a> QuantityParser<'a> {
         }
     }
 
-    /// Creates the error for an unknown first word, with the nearest known name as advice.
+    /// Creates the error for an unknown first word. Its advice is the nearest known name.
     fn unknown_quantity_error(&self, head: &str, range: Range<usize>) -> QuantityError {
         let model = self.model;
         let rates = model.coordinates.iter().flat_map(|c| [format!("{}'", c.name), format!("{}''", c.name)]);
@@ -196,7 +195,7 @@ impl<'a> QuantityParser<'a> {
         Ok((of, frame, axis))
     }
 
-    /// True if the next parentheses contain two names, with a comma between.
+    /// True if the text in the next parentheses contains a comma, as in `v(BODY, POINT)`.
     fn names_two(&self) -> bool {
         self.text[self.at..].split(')').next().is_some_and(|inside| inside.contains(','))
     }
@@ -264,8 +263,8 @@ impl<'a> QuantityParser<'a> {
         Ok(QuantityKind::Inertia { body, frame, entry: self.entry()? })
     }
 
-    /// Reads `[ROW,COLUMN]` after the name of a matrix: `M` by speeds; `E`, `C` and `Edot` by
-    /// coordinates.
+    /// Reads `[ROW,COLUMN]` after the name of a matrix. Rows and columns of `M` are speeds; those of `E`, `C` and
+    /// `Edot` are coordinates.
     fn matrix_entry(&mut self, head: &str) -> Result<QuantityKind, QuantityError> {
         let kane = head == "M";
         let what = if kane { "SPEED" } else { "COORDINATE" };
@@ -317,8 +316,8 @@ impl<'a> QuantityParser<'a> {
         self.parse_named_or_numbered("coordinate", &names)
     }
 
-    /// Reads an item of a list by its name or its number from 1, and returns its index from 0. `noun`
-    /// is the kind of item in the error.
+    /// Reads an item of a list by its name or its number from 1, and returns its index from 0. `noun` names the kind
+    /// of item in an error.
     fn parse_named_or_numbered(&mut self, noun: &str, names: &[&str]) -> Result<usize, QuantityError> {
         let (text, range) = self.parse_word(&format!("a {noun}"))?;
         if let Some(at) = names.iter().position(|n| *n == text) {
@@ -361,7 +360,7 @@ impl<'a> QuantityParser<'a> {
     }
 }
 
-/// Number with its noun: `1 speed`, `2 speeds`.
+/// Text of a number with its noun, such as `1 speed` or `2 speeds`.
 fn count_with_noun(n: usize, noun: &str) -> String {
     if n == 1 { format!("1 {noun}") } else { format!("{n} {noun}s") }
 }

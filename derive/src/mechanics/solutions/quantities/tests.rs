@@ -1,5 +1,5 @@
-//! Goal: every named quantity is what the textbook calls by that name. Method: against formulas worked by hand,
-//! proved equal.
+//! Goal: every quantity that a publication names has the value of its textbook definition. Method: values are proved
+//! equal to formulas worked by hand.
 
 use super::Quantities;
 use crate::algebra::meaning::compare::{Comparer, Verdict};
@@ -179,7 +179,7 @@ fn a_model_with_loads_and_a_particle_agrees_with_hand_calculation() {
             ("force(cart) @ N [1]", "-k*x"),
             ("force(rod) @ N [1]", "k*l"),
             ("force(rod) @ N [2]", "-m*g"),
-            // The push acts at P, which lies l along a2 from C: r × F = l a2 × k l n1.
+            // The push acts at P, which lies at the distance l along a2 from C: r × F = l a2 × k l n1.
             ("moment(rod) @ A [3]", "-b*(w - u1/l) - k*l^2*cos(q)"),
             ("I(rod) @ N [1,1]", "I*cos(q)^2"),
             ("I(rod) @ N [1,2]", "I*sin(q)*cos(q)"),
@@ -188,7 +188,7 @@ fn a_model_with_loads_and_a_particle_agrees_with_hand_calculation() {
             ("T_translation", "m*u1^2/2 + m/2*((u1 + (l*w - u1)*cos(q))^2 + ((l*w - u1)*sin(q))^2)"),
             ("T_rotation", "I/2*(w - u1/l)^2"),
             ("V_gravity", "-m*g*l*cos(q)"),
-            // The spring of the cart and the push, whose point moves with it.
+            // The spring of the cart, and the push, whose point moves with the cart.
             ("V", "-m*g*l*cos(q) + k*(x - l)^2/2"),
             ("E[1,1]", "2*m"),
             ("E[q,q]", "m*l^2 + I"),
@@ -199,7 +199,8 @@ fn a_model_with_loads_and_a_particle_agrees_with_hand_calculation() {
     );
 }
 
-/// F + F* = 0 is M u̇ = f, term by term; M and E are symmetric; T, L and the energy add up.
+/// Goal: quantities are consistent. Method: F + F* = 0 is M u̇ = f, term by term; M and E are symmetric; T, L and the
+/// energy add up.
 #[test]
 fn the_quantities_fit_together() {
     for model in [disk(), pendulum()] {
@@ -231,11 +232,11 @@ fn the_quantities_fit_together() {
     }
 }
 
-/// Loads are counted as in the balances: m a − ΣF and dH/dt − ΣM, sign by sign.
+/// Goal: loads have the signs of the balances m a − ΣF and dH/dt − ΣM. Method: comparison with each balance.
 #[test]
 fn loads_and_inertia_loads_are_those_of_the_newton_euler_balances() {
     for mut model in [disk(), pendulum()] {
-        // Resultants hold what the file names.
+        // Sums of forces and moments contain only the reactions that the model file states.
         model.reactions.truncate(model.stated_reactions().len());
         let mut derivations = derived(&model);
         let velocities = derivations.kinematics.in_speeds(&model);
@@ -257,7 +258,7 @@ fn loads_and_inertia_loads_are_those_of_the_newton_euler_balances() {
     }
 }
 
-/// Writing in rates and back in speeds is the identity, accelerations included.
+/// Goal: rewriting a term in rates and back in speeds gives the same term. Method: an acceleration of the disk.
 #[test]
 fn rates_and_speeds_translate_both_ways() {
     let model = disk();

@@ -1,5 +1,5 @@
-//! Vectors among the quantities: positions, velocities, accelerations, momenta and loads. Each is
-//! computed once.
+//! Vectors among the quantities: positions, velocities, accelerations, momenta and loads. Each vector is computed
+//! once.
 
 use super::Quantities;
 use crate::geometry::{Components, Vector};
@@ -9,7 +9,8 @@ use crate::mechanics::quantity::VectorName;
 use crate::model::Body;
 
 impl Quantities<'_> {
-    /// Simplified components along `frame` of a vector of the owner with the index `of`; computed once.
+    /// Simplified components along `frame` of a vector, which belongs to the point, frame or body with the index
+    /// `of`. They are computed at the first call.
     pub(super) fn component(&mut self, name: VectorName, of: usize, frame: usize) -> Components {
         if let Some(done) = self.components.get(&(name, of, frame)) {
             return *done;
@@ -21,8 +22,8 @@ impl Quantities<'_> {
         components
     }
 
-    /// Vector of the point, frame or body with the index `of`; computed once. A vector may use earlier
-    /// variants of [`VectorName`].
+    /// Vector that belongs to the point, frame or body with the index `of`. It is computed at the first call, perhaps
+    /// from vectors of earlier variants of [`VectorName`].
     pub(super) fn vector(&mut self, name: VectorName, of: usize) -> Vector {
         if let Some(done) = self.vectors.get(&(name, of)) {
             return done.clone();
@@ -54,7 +55,8 @@ impl Quantities<'_> {
         vector
     }
 
-    /// Time derivative, in the inertial frame, of a vector of the owner with the index `of`.
+    /// Time derivative, in the inertial frame, of a vector that belongs to the point, frame or body with the index
+    /// `of`.
     fn time_derivative(&mut self, name: VectorName, of: usize) -> Vector {
         let vector = self.vector(name, of);
         let Kinematics { arena, frames, .. } = &mut self.derivations.kinematics;
@@ -68,7 +70,7 @@ impl Quantities<'_> {
         Vector::in_frame(gravity.frame, gravity.acceleration).scale(arena, body.mass)
     }
 
-    /// Sum of the weight, the applied forces and the reactions stated in the model file on a body, N.
+    /// Sum of all forces on a body, N: its weight, the applied forces and the reactions that the model file states.
     fn force(&mut self, body: usize) -> Vector {
         let mut total = self.vector(VectorName::Weight, body);
         let kinematics = &mut self.derivations.kinematics;
@@ -79,8 +81,8 @@ impl Quantities<'_> {
         total
     }
 
-    /// Moment Σ p_CP × F + Σ T about the mass centre C of the applied loads and stated reactions on a
-    /// body, N m. The weight has no moment about C.
+    /// Moment Σ p_CP × F + Σ T on a body about its mass centre C, N m, of the applied loads and of the reactions that
+    /// the model file states. The weight has no moment about C.
     fn moment(&mut self, body: usize) -> Vector {
         let kinematics = &mut self.derivations.kinematics;
         let mut total = Vector::default();

@@ -1,9 +1,8 @@
-//! Terms of M(q) q̈ + C(q, q̇) q̇ + g(q) = τ, from T and V without any constraint substituted.
+//! Terms of M(q) q̈ + C(q, q̇) q̇ + g(q) = τ, from T and V with no constraint substituted.
 //!
-//! C is not unique, but C q̇ is: h_i = Σ_jk (∂M_ij/∂q_k − ½ ∂M_jk/∂q_i) q̇_j q̇_k. The choice by
-//! Christoffel symbols, C_ij = ½ Σ_k (∂M_ij/∂q_k + ∂M_ik/∂q_j − ∂M_jk/∂q_i) q̇_k, makes Ṁ − 2 C
-//! skew-symmetric (M. W. Spong, S. Hutchinson & M. Vidyasagar, *Robot Modeling and Control* (2006),
-//! §7.3 and §7.5.1).
+//! C is not unique, but C q̇ is: h_i = Σ_jk (∂M_ij/∂q_k − ½ ∂M_jk/∂q_i) q̇_j q̇_k. The choice by Christoffel symbols
+//! is C_ij = ½ Σ_k (∂M_ij/∂q_k + ∂M_ik/∂q_j − ∂M_jk/∂q_i) q̇_k. It makes Ṁ − 2 C skew-symmetric (M. W. Spong, S.
+//! Hutchinson & M. Vidyasagar, *Robot Modeling and Control* (2006), §7.3 and §7.5.1).
 
 use super::Quantities;
 use crate::algebra::term::calculus::Differential;
@@ -15,8 +14,8 @@ impl Quantities<'_> {
     /// Entry M_ij = ∂²T/∂q̇_i ∂q̇_j of the mass matrix.
     ///
     /// # Errors
-    /// Text of the reason why there is none: a model with prescribed motions in time, or Lagrange's
-    /// method failed.
+    /// Returns the reason, as text, why there is no such matrix: motions are prescribed as functions of time, or
+    /// Lagrange's method failed.
     fn mass(&mut self, i: usize, j: usize) -> Result<Expr, String> {
         if self.model.coordinates.iter().any(|c| c.name == TIME) {
             return Err("with motions given as functions of time, T is not a quadratic form in the rates".to_owned());
@@ -35,7 +34,7 @@ impl Quantities<'_> {
         Ok(Differential::along(&rates).apply(&mut self.derivations.kinematics.arena, mass))
     }
 
-    /// Entry C_ij of the matrix in the velocity terms C q̇, by Christoffel symbols.
+    /// Entry C_ij of the matrix in the velocity terms C q̇, which is chosen by Christoffel symbols.
     pub(super) fn christoffel(&mut self, i: usize, j: usize) -> Result<Expr, String> {
         let mut terms = vec![self.mass_rate(i, j)?];
         for k in 0..self.model.coordinates.len() {
@@ -63,7 +62,7 @@ impl Quantities<'_> {
         Ok(self.derivations.kinematics.arena.sum(&terms))
     }
 
-    /// Derivative g_i = ∂V/∂q_i of the potential energy by a coordinate.
+    /// Derivative g_i = ∂V/∂q_i of the potential energy with respect to a coordinate.
     pub(super) fn potential_slope(&mut self, i: usize) -> Result<Expr, String> {
         let v = self.equations(Formulation::Lagrange)?.potential_energy;
         let mut partial = Differential::partial(self.model.coordinates[i].symbol);
