@@ -1,10 +1,10 @@
 //! JSON Schemas of the files that people write (models, scenes, states, publications), for editors.
 //!
-//! A table for each format states the keys that its reader accepts, their kinds of values and their
-//! meanings. A test compares the keys with those that the readers know. A schema describes form
-//! only. The readers check names, units and mathematics.
+//! For each format, a table states the keys that its reader accepts, their kinds of values and their meanings. A test
+//! compares the keys with those that the readers know. A schema describes only the form of a file. The readers check
+//! names, units and mathematics.
 //!
-//! Editors of TOML know JSON Schema, draft 7 (`https://json-schema.org/draft-07`).
+//! Editors of TOML support JSON Schema, draft 7 (`https://json-schema.org/draft-07`).
 
 mod model;
 mod publication;
@@ -16,13 +16,13 @@ use serde_json::{Map, Value, json};
 /// Format of a file that people write: model, scene, state or publication.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SchemaFormat {
-    /// Format of a mechanism, `model.toml`.
+    /// Format of a mechanism, in the file `model.toml`.
     Model,
     /// Format of a scene: the parameters, start and span of a run.
     Scene,
     /// Format of a state: a single instant whose values are given or solved for.
     State,
-    /// Format of a printed derivation, `publication.toml`.
+    /// Format of a printed derivation, in the file `publication.toml`.
     Publication,
 }
 
@@ -41,7 +41,7 @@ impl SchemaFormat {
         }
     }
 
-    /// Title of the schema.
+    /// Title of the format's JSON schema.
     const fn title(self) -> &'static str {
         match self {
             Self::Model => "Tripos model: a mechanism",
@@ -51,7 +51,7 @@ impl SchemaFormat {
         }
     }
 
-    /// Keys of the format at the top level of its files.
+    /// Keys that files of the format may have at their top level.
     const fn keys(self) -> &'static [Key] {
         match self {
             Self::Model => model::KEYS,
@@ -72,7 +72,7 @@ impl SchemaFormat {
     }
 }
 
-/// Key of a TOML table, with the kind of its value and its meaning for the schema.
+/// Key of a TOML table: its name, the kind of its value, and its meaning.
 pub(crate) struct Key {
     /// Name of the key in the file.
     name: &'static str,
@@ -87,7 +87,7 @@ pub(crate) struct Key {
 /// Kind of value that a key of a TOML file accepts.
 #[derive(Clone, Copy)]
 pub(crate) enum Kind {
-    /// Kind for prose: any string.
+    /// Prose: any string.
     Text,
     /// Number, or a formula in quotes.
     Formula,
@@ -105,7 +105,7 @@ pub(crate) enum Kind {
     Version,
     /// Array of values of the given kind.
     List(&'static Kind),
-    /// Table with free names as keys, and with values of the given kind.
+    /// Table whose keys are free names, with values of the given kind.
     Named(&'static Kind),
     /// Table that accepts only the given keys.
     Table(&'static [Key]),
@@ -123,13 +123,13 @@ pub(crate) const fn required_key(name: &'static str, kind: Kind, about: &'static
     Key { name, kind, is_needed: true, about }
 }
 
-/// Key `schema`, which states the version of the file format; every format accepts it.
+/// Key `schema` for the version of the file format. Every format accepts it.
 pub(crate) const VERSION: Key = optional_key("schema", Kind::Version, "the version of the format");
 
-/// Key `about`, a line of prose that most entries accept.
+/// Key `about` for a line of prose. Most entries accept it.
 pub(crate) const ABOUT: Key = optional_key("about", Kind::Text, "a line of text for the reader");
 
-/// JSON Schema of a TOML table that accepts only these keys.
+/// JSON Schema of a TOML table that accepts only the given keys.
 fn table_schema(keys: &[Key]) -> Value {
     let mut properties = Map::new();
     for key in keys {
@@ -146,7 +146,7 @@ fn table_schema(keys: &[Key]) -> Value {
 }
 
 impl Kind {
-    /// JSON Schema of a value of this kind.
+    /// JSON Schema of a value of this kind, as a JSON object.
     fn schema(self) -> Value {
         match self {
             Self::Text => json!({ "type": "string" }),

@@ -1,4 +1,4 @@
-//! Schema of a model file: its keys, with kinds and descriptions.
+//! Schema of model files: their keys, with kinds of values and descriptions.
 
 use super::Kind::{Axis, Either, Flag, Formula, List, Named, Table, Text, Vector, Word};
 use super::{ABOUT, Key, Kind, VERSION, optional_key, required_key};
@@ -39,22 +39,22 @@ pub(crate) const KEYS: &[Key] = &[
     optional_key("notation", Named(&Text), "the symbols by which documents show names, such as `omega_1` or `psi'`"),
 ];
 
-/// Key `unit` of a declared quantity.
+/// Key `unit` of a declared quantity: the unit, as a product of powers of SI units.
 const UNIT: Key = required_key("unit", Text, "a product of powers of SI units, such as \"kg*m^2\"");
-/// Key `frame`, the frame in which a vector's components are given.
+/// Key `frame` of an entry with a vector: the frame in which the vector's components are given.
 const FRAME_OF: Key = required_key("frame", Text, "the frame of the components");
-/// Key `vector`, the three components of a load.
+/// Key `vector` of a load: its three components.
 const VECTOR: Key = required_key("vector", Vector, "the components");
-/// Key `on`, the body or particle on which a load acts.
+/// Key `on` of a load: the body or particle on which the load acts.
 const ON: Key = required_key("on", Text, "the body or particle that it acts on");
-/// Key `at`, the point of application of a load.
+/// Key `at` of a load: its point of application.
 const AT: Key = optional_key("at", Text, "point of application; by default the mass centre");
-/// Key `against`, the body that feels the opposite load.
+/// Key `against` of a load: the body on which the opposite load acts.
 const AGAINST: Key = optional_key("against", Text, "what feels the opposite");
-/// Key `against_at`, the point of application of the opposite load.
+/// Key `against_at` of a load: the point of application of the opposite load.
 const AGAINST_AT: Key = optional_key("against_at", Text, "where the opposite acts");
 
-/// Schema of an entry of `parameters`: a unit, or a table.
+/// Value of an entry in the section `parameters`: a text such as a unit, or a table.
 const PARAMETER: Kind = Either(&[
     Text,
     Table(&[
@@ -65,10 +65,10 @@ const PARAMETER: Kind = Either(&[
     ]),
 ]);
 
-/// Schema of a named formula: the formula alone, or a table with the key `value`.
+/// Value of a named formula: the formula alone, or a table with the key `value`.
 const WITH_VALUE: Kind = Either(&[Formula, Table(&[required_key("value", Formula, "the formula"), ABOUT])]);
 
-/// Schema of an entry of `frames`.
+/// Value of an entry in the section `frames`: a table with the frame's rotation from another frame.
 const FRAME: Kind = Table(&[
     required_key("from", Text, "the frame that it is turned from"),
     optional_key("axis", Either(&[Axis, Vector]), "the axis 1, 2 or 3, or a vector"),
@@ -80,7 +80,7 @@ const FRAME: Kind = Table(&[
     ABOUT,
 ]);
 
-/// Schema of an entry of `points`.
+/// Value of an entry in the section `points`: a table with the point's position from another point.
 const POINT: Kind = Table(&[
     required_key("from", Text, "the point that it is placed from"),
     FRAME_OF,
@@ -88,7 +88,7 @@ const POINT: Kind = Table(&[
     ABOUT,
 ]);
 
-/// Schema of an entry of `bodies`.
+/// Value of an entry in the section `bodies`: a table with frame, mass centre, mass and inertia.
 const BODY: Kind = Table(&[
     optional_key("frame", Text, "frame fixed in the body; a joint brings one"),
     optional_key("centre", Text, "its mass centre; a joint brings one"),
@@ -118,17 +118,17 @@ const BODY: Kind = Table(&[
     ABOUT,
 ]);
 
-/// Schema of a rotation given by successive turns about axes, in a joint.
+/// Value of a rotation in a joint: a table of successive rotations about axes.
 const TURNED: Kind = Table(&[
     required_key("sequence", Text, "axes of turns that follow one another"),
     required_key("angles", List(&Formula), "an angle for each of them"),
     optional_key("fixed", Word(&["body", "space"]), "which frame the axes are of"),
 ]);
 
-/// Schema of a place on a body: the name of a point, or three components, m.
+/// Value of a place on a body: the name of a point, or three components, m.
 const PLACE: Kind = Either(&[Text, Vector]);
 
-/// Schema of an entry of `joints`.
+/// Value of an entry in the section `joints`: a table with the joint's kind, bodies, place and names.
 const JOINT: Kind = Table(&[
     required_key("kind", Word(&JOINT_KINDS), "what it lets the body do"),
     required_key("body", Text, "body that the joint carries; a body placed already is tied by a loop"),
@@ -147,24 +147,24 @@ const JOINT: Kind = Table(&[
     ABOUT,
 ]);
 
-/// Schema of an entry of `particles`.
+/// Value of an entry in the section `particles`: a table with point and mass.
 const PARTICLE: Kind = Table(&[required_key("point", Text, "where it is"), required_key("mass", Formula, "kg"), ABOUT]);
 
-/// Schema of the table `gravity`.
+/// Value of the section `gravity`: a table with frame, acceleration and zero of the potential.
 const GRAVITY: Kind = Table(&[
     FRAME_OF,
     required_key("acceleration", Vector, "m/s^2"),
     optional_key("zero_at", Named(&Formula), "a configuration at which the potential energy is 0"),
 ]);
 
-/// Schema of an entry of `forces`.
+/// Value of an entry in the section `forces`: a table with places, frame and components.
 const FORCE: Kind = Table(&[ON, AT, AGAINST, AGAINST_AT, FRAME_OF, VECTOR, ABOUT]);
 
-/// Schema of an entry of `torques`.
+/// Value of an entry in the section `torques`: a table with bodies, frame and components.
 const TORQUE: Kind =
     Table(&[required_key("on", Text, "the rigid body or frame that it acts on"), AGAINST, FRAME_OF, VECTOR, ABOUT]);
 
-/// Schema of an entry of `springs`.
+/// Value of an entry in the section `springs`: a table with the two ends, stiffness and damping.
 const SPRING: Kind = Table(&[
     ON,
     AT,
@@ -176,7 +176,7 @@ const SPRING: Kind = Table(&[
     ABOUT,
 ]);
 
-/// Schema of an entry of `friction`.
+/// Value of an entry in the section `friction`: a table with bodies, place and law of the friction.
 const FRICTION: Kind = Table(&[
     ON,
     AT,
@@ -193,10 +193,10 @@ const FRICTION: Kind = Table(&[
     ABOUT,
 ]);
 
-/// Schema of an entry of `inputs`.
+/// Value of an entry in the section `inputs`: a table with unit and value of the signal.
 const INPUT: Kind = Table(&[UNIT, optional_key("value", Formula, "a number, or a formula of t, q, q' and u"), ABOUT]);
 
-/// Schema of an entry of `reactions`.
+/// Value of an entry in the section `reactions`: a table with kind, places and direction.
 const REACTION: Kind = Table(&[
     optional_key("kind", Word(&["force", "torque"]), "a force if it is left out"),
     ON,
@@ -208,7 +208,7 @@ const REACTION: Kind = Table(&[
     ABOUT,
 ]);
 
-/// Schema of an entry of `constraints`: the text of an equation, or a table.
+/// Value of an entry in the section `constraints`: the text of an equation, or a table.
 const CONSTRAINT: Kind = Either(&[
     Text,
     Table(&[
@@ -218,7 +218,7 @@ const CONSTRAINT: Kind = Either(&[
     ]),
 ]);
 
-/// Schema of an entry of `rolling`.
+/// Value of an entry in the section `rolling`: a table with the bodies, the point of contact and the frame.
 const ROLLING: Kind = Table(&[
     required_key("body", Text, "the rigid body that rolls"),
     required_key("at", Text, "the point of contact"),
@@ -227,7 +227,7 @@ const ROLLING: Kind = Table(&[
     ABOUT,
 ]);
 
-/// Schema of an entry of `shapes`.
+/// Value of an entry in the section `shapes`: a table with the shape's kind, place and lengths.
 const SHAPE: Kind = Table(&[
     required_key("kind", Word(&SHAPE_KINDS), "what it is like"),
     optional_key("body", Text, "body that the shape belongs to; it gives frame, mass centre and colour"),

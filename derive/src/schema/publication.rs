@@ -1,60 +1,59 @@
-//! Schema of a publication file, which states a printed derivation: its keys, with kinds and
-//! descriptions.
+//! Schema of publication files, which state a printed derivation: their keys, with kinds of values and descriptions.
 
 use super::Kind::{Either, Formula, List, Named, Table, Text, Whole, Word};
 use super::{Key, Kind, VERSION, optional_key, required_key};
 
-/// Schema of a list of formulas.
+/// Value that is a list of formulas.
 const FORMULAS: Kind = List(&Formula);
-/// Schema of a matrix of formulas, row by row.
+/// Value that is a matrix of formulas: a list of rows.
 const MATRIX: Kind = List(&FORMULAS);
-/// Key `id` of an entry.
+/// Key `id` of an entry: a name that is unique in the file.
 const ID: Key = required_key("id", Text, "unique in the file, the equation number first, as in 2.11-a1");
-/// Key `section` of an entry, its place in the publication.
+/// Key `section` of an entry: its place in the publication.
 const SECTION: Key = required_key("section", Text, "where it is printed");
-/// Key `repaired` of an entry whose print is garbled.
+/// Key `repaired` of an entry whose print is garbled: a remark on the print and its reading.
 const REPAIRED: Key = optional_key("repaired", Text, "remark on garbled print, and on its reading here");
-/// Key `note` of an entry, a remark.
+/// Key `note` of an entry: a remark.
 const NOTE: Key = optional_key("note", Text, "a remark");
 /// Formulations with which printed equations can be compared.
 const FORMULATIONS: &[&str] = &["kane", "lagrange", "newton-euler"];
-/// Required key `formulation` of an entry.
+/// Required key `formulation` of an entry: the formulation with which the printed equations are compared.
 const FORMULATION: Key = required_key("formulation", Word(FORMULATIONS), "what it is compared with");
 
-/// Key `notation`, the language of printed formulas.
+/// Key `notation` of an entry: the language of its printed formulas.
 const NOTATION: Key = optional_key(
     "notation",
     Word(&["tripos", "latex", "python", "sympy", "matlab", "c"]),
     "notation of the formulas; by default tripos, the language of model files",
 );
 
-/// Key `about`, the point near which printed formulas hold.
+/// Key `about` of an entry: the point near which its printed formulas hold.
 const ABOUT: Key = optional_key(
     "about",
     Named(&Formula),
     "the point near which formulas hold, as { q1 = 0, u3 = \"w\" }; {} for everywhere",
 );
-/// Key `small`, the parameters in which printed formulas are expanded.
+/// Key `small` of an entry: the parameters in which its printed formulas are expanded.
 const SMALL: Key = optional_key("small", List(&Text), "parameters near 0, up to the order, as [\"epsilon\"]");
-/// Key `order`, the order of an expansion about a point.
+/// Key `order` of an entry: the order of its expansion about a point.
 const ORDER: Key = optional_key("order", Whole(1), "order in the deviations from that point; by default 1");
 
-/// Key `file`, a LaTeX file or a program beside the publication file.
+/// Key `file` of an entry: a LaTeX file or a program beside the publication file.
 const FILE: Key =
     optional_key("file", Text, "a file beside this one: paper.tex, or a program such as model.m, model.py, model.c");
-/// Key `part`, a part of a program.
+/// Key `part` of an entry: the part of the program from which it is taken.
 const PART: Key = optional_key(
     "part",
     Text,
     "part of a program: a function, lines such as 12-40, or the NAME in `begin NAME` and `end NAME`",
 );
-/// Key `label`, an equation of a LaTeX file.
+/// Key `label` of an entry: the label of an equation in the LaTeX file.
 const LABEL: Key = optional_key("label", Text, "label of an equation of the file, in place of `printed`");
-/// Key `line`, a line of an equation with several lines.
+/// Key `line` of an entry: the number of a line in an equation with several lines.
 const LINE: Key = optional_key("line", Whole(1), "which equation of the label, from 1");
 
-/// Builds the keys of an entry with formulas: the keys that all these entries accept, then the
-/// entry's own keys.
+/// Builds the list of keys of an entry with formulas: the keys that all such entries accept, then the entry's own
+/// keys.
 macro_rules! of_formulas {
     ($($own:expr),* $(,)?) => {
         &[ID, SECTION, REPAIRED, NOTE, NOTATION, FILE, PART, ABOUT, SMALL, ORDER, $($own),*]
@@ -114,7 +113,7 @@ const WHOLE_MATRIX: &[Key] = of_formulas![
     optional_key("claims", List(&Text), "claims on C: christoffel, skew-symmetric"),
 ];
 
-/// Keys of an entry `definition`, which is not judged.
+/// Keys of an entry `definition`, which is not compared with the derivation.
 const DEFINITION: &[Key] = &[ID, SECTION, REPAIRED, NOTE, required_key("printed", Text, "as it is printed")];
 
 /// Keys of an entry `system`: a printed linear system.
@@ -139,7 +138,7 @@ const LISTING: &[Key] = of_formulas![
     optional_key("matrix", MATRIX, "E of dz = E \\ dz for the speeds"),
 ];
 
-/// Keys of an entry `initial`: a printed number of a parameter or of a start.
+/// Keys of an entry `initial`: a printed number for a parameter or for a start.
 const INITIAL: &[Key] = &[
     ID,
     SECTION,

@@ -1,35 +1,35 @@
-//! Schema of scene files and state files: their keys, with kinds and descriptions.
+//! Schema of scene files and state files: their keys, with kinds of values and descriptions.
 
 use super::Kind::{Either, Flag, Formula, List, Named, Table, Text, Whole, Word};
 use super::{ABOUT, Key, Kind, VERSION, optional_key, required_key};
 use crate::scene::{FIGURES, ImpactLaw, Integrator, SOLVES};
 
-/// Key `model`, the path of the model file.
+/// Key `model` of a scene or state: the path of the model file.
 const MODEL: Key =
     optional_key("model", Text, "path of the model file, relative to this file; by default ../model.toml");
-/// Key `title` of a scene or state.
+/// Key `title` of a scene or state: a title for the page.
 const TITLE: Key = optional_key("title", Text, "a title for the page");
-/// Key `parameters`, the values of parameters.
+/// Key `parameters` of a scene or state: the values of parameters.
 const PARAMETERS: Key = optional_key("parameters", NUMBERS, "values that differ from the model's defaults");
-/// Key `inputs`, the signals of the model's inputs.
+/// Key `inputs` of a scene or state: the signals of the model's inputs.
 const INPUTS: Key = optional_key("inputs", Named(&INPUT), "what the model's inputs are");
-/// Key `outputs`, the quantities to show.
+/// Key `outputs` of a scene or state: the quantities to show.
 const OUTPUTS: Key = optional_key("outputs", List(&OUTPUT), "what to show");
-/// Key `free`, the parameters that stay symbols in the reduced equations.
+/// Key `free` of a scene: the parameters that stay symbols in the reduced equations.
 const FREE: Key = optional_key("free", List(&Text), "parameters that stay letters in the scene's reduced equations");
-/// Key `ladder`, further values of a number of the start.
+/// Key `ladder` of a scene: further values of a single number of the start.
 const LADDER: Key = optional_key("ladder", Named(&List(&Formula)), "other values of one number of the start");
-/// Key `span`, the first and the last instant of a run.
+/// Key `span` of a scene: the first and the last instant of a run, s.
 const SPAN: Key = optional_key("span", List(&Formula), "first and last instant, s");
-/// Key `integration`, the settings of the integrator.
+/// Key `integration` of a scene: the settings of the integrator.
 const INTEGRATION: Key = optional_key("integration", Table(INTEGRATION_KEYS), "how to integrate");
-/// Key `events`, the events of a run.
+/// Key `events` of a scene: the events that a run detects.
 const EVENTS: Key = optional_key("events", List(&Table(EVENT)), "what to notice");
-/// Key `impacts`, the contacts of bodies that can meet.
+/// Key `impacts` of a scene: the contacts of bodies that can meet.
 const IMPACTS: Key = optional_key("impacts", Named(&Table(IMPACT)), "contacts, where bodies meet");
-/// Key `figures`, the figures of the page.
+/// Key `figures` of a scene: the figures of the page.
 const FIGURE_LIST: Key = optional_key("figures", List(&Table(FIGURE)), "figures of the page");
-/// Schema of a table of formulas by name.
+/// Value that is a table of formulas by name.
 const NUMBERS: Kind = Named(&Formula);
 
 /// Keys of a scene file at its top level.
@@ -76,7 +76,7 @@ pub(crate) const STATE_KEYS: &[Key] = &[
     FIGURE_LIST,
 ];
 
-/// Schema of an entry of `inputs`: a formula, or a column of a CSV file.
+/// Value of an entry in the section `inputs`: a formula, or a column of a CSV file.
 const INPUT: Kind = Either(&[
     Formula,
     Table(&[
@@ -87,13 +87,13 @@ const INPUT: Kind = Either(&[
     ]),
 ]);
 
-/// Schema of an entry of `outputs`: a name, or a name with its formula.
+/// Value of an entry in the list `outputs`: a name, or a name with its formula.
 const OUTPUT: Kind = Either(&[
     Text,
     Table(&[required_key("name", Text, "what it is called"), required_key("value", Formula, "the formula")]),
 ]);
 
-/// Keys of the table `integration`.
+/// Keys of the section `integration` of a scene.
 const INTEGRATION_KEYS: &[Key] = &[
     optional_key("method", Word(&Integrator::NAMES), "the method"),
     optional_key("solve", Word(&SOLVES), "how accelerations are found"),
@@ -112,7 +112,7 @@ const INTEGRATION_KEYS: &[Key] = &[
     ),
 ];
 
-/// Keys of an entry of `impacts`.
+/// Keys of an entry in the section `impacts` of a scene: a contact of two bodies.
 const IMPACT: &[Key] = &[
     required_key("gap", Formula, "gap, m: positive if the bodies are apart, 0 if they touch"),
     required_key("restitution", Formula, "from 0 to 1"),
@@ -123,7 +123,7 @@ const IMPACT: &[Key] = &[
     ABOUT,
 ];
 
-/// Keys of an entry of `events`.
+/// Keys of an entry in the list `events` of a scene.
 const EVENT: &[Key] = &[
     required_key("name", Text, "how it is reported"),
     required_key("zero", Formula, "it is where this crosses zero"),
@@ -132,6 +132,6 @@ const EVENT: &[Key] = &[
     ABOUT,
 ];
 
-/// Keys of an entry of `figures`.
+/// Keys of an entry in the list `figures` of a scene.
 const FIGURE: &[Key] =
     &[required_key("kind", Word(&FIGURES), "what is drawn"), optional_key("caption", Text, "its text")];

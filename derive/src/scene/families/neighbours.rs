@@ -1,8 +1,8 @@
-//! Neighbours of a scene: the scene with another value of a single number. Derivatives of a start
-//! are computed from them.
+//! Neighbours of a scene: the same scene with another value of a single number. Derivatives of a start with respect
+//! to that number are computed from them.
 //!
-//! Invariant: everything that depends on the changed number follows it to 32 digits: formulas,
-//! speeds computed from rates, and coordinates that close loops.
+//! Invariant: everything that depends on the changed number follows it to 32 digits. This holds for formulas, for
+//! speeds computed from rates, and for coordinates that close loops.
 
 use crate::diagnostic::{Diagnostic, Diagnostics, Source};
 use crate::model::{Model, Unit};
@@ -19,26 +19,26 @@ use tripos_traits::DoubleDouble;
 pub struct SceneNeighbours<'a> {
     /// Scene whose neighbours are read.
     scene: &'a Scene,
-    /// Parsed scene file.
+    /// Parsed TOML table of the scene file.
     table: Spanned<DeTable<'a>>,
     /// Model of the scene; its arena receives the terms of formulas.
     model: Model,
     /// Parsed formulas of the scene file, kept for the next reading.
     terms: ParsedFormulas,
-    /// Numbers that replace those of the file in every neighbour.
+    /// Numbers that replace those of the file in every neighbour, each with its value.
     set: Vec<(VariedNumber, Number)>,
-    /// Number that changes, by its index in the model.
+    /// Number whose value changes, by its index in the model.
     place: VariedNumber,
     /// Value of the changed number in the scene itself, to 32 digits.
     value: DoubleDouble,
 }
 
 impl<'a> SceneNeighbours<'a> {
-    /// Creates the neighbours of `scene` for other values of the number `name`. The numbers `set`, as
-    /// (name, value), replace those of the scene's file in every neighbour.
+    /// Creates the neighbours of `scene` for other values of the number `name`. The numbers `set`, as (name, value),
+    /// replace those of the scene's file in every neighbour.
     ///
     /// # Errors
-    /// [`Diagnostics`] if a name is no parameter and no start value of the scene, or if the start value
+    /// Returns [`Diagnostics`] if a name is no parameter and no start value of the scene, or if the start value
     /// `name` is solved for.
     pub fn new(scene: &'a Scene, model: &Model, set: &[(String, f64)], name: &str) -> Result<Self, Diagnostics> {
         let mut model = model.clone();
@@ -77,11 +77,11 @@ impl<'a> SceneNeighbours<'a> {
         }
     }
 
-    /// Reads the neighbour in which the changed number has the value `value`. Parameters, start, span
-    /// and contact coefficients follow it.
+    /// Reads the neighbour in which the changed number has the given value. Parameters, start, span and contact
+    /// coefficients that depend on it change too.
     ///
     /// # Errors
-    /// [`Diagnostics`] if no scene with this value exists, for example because a mass is negative.
+    /// Returns [`Diagnostics`] if no scene with this value exists, for example because a mass is negative.
     pub fn at(&mut self, value: DoubleDouble) -> Result<Scene, Diagnostics> {
         let given: Vec<_> = self.set.iter().cloned().chain([(self.place, Number::from_double_double(value))]).collect();
         let mut values = ValueReader {
@@ -105,7 +105,7 @@ impl<'a> SceneNeighbours<'a> {
     }
 }
 
-/// Value to 32 digits of a parameter or start value of a scene.
+/// Value of a parameter or start value of a scene, to 32 digits.
 fn exact_scene_number(exact: &ExactStart, place: VariedNumber) -> DoubleDouble {
     match (place, &exact.motion) {
         (VariedNumber::Parameter(at), _) => exact.parameters[at],

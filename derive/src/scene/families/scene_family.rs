@@ -1,7 +1,7 @@
 //! Family of scenes: a scene file, read again for many values of its numbers.
 //!
-//! Invariant: a member equals the scene of a file that states these values, including formulas in
-//! swept parameters. The same code reads both, and the file is parsed only once.
+//! Invariant: a member equals the scene of a file that states the member's values, including formulas in swept
+//! parameters. The same code reads both, and the file is parsed only once.
 
 use super::sweep_grid::Grid;
 use crate::diagnostic::Diagnostics;
@@ -18,9 +18,9 @@ use toml::de::DeTable;
 pub struct Family<'a> {
     /// Scene from which all members derive.
     scene: &'a Scene,
-    /// Grid of the varied numbers.
+    /// Grid of the numbers that vary, a point for each member.
     grid: &'a Grid,
-    /// Parsed scene file.
+    /// Parsed TOML table of the scene file.
     table: Spanned<DeTable<'a>>,
     /// Model of the scene; its arena receives the terms of formulas.
     model: Model,
@@ -32,15 +32,15 @@ impl<'a> Family<'a> {
     /// Creates the family of a scene of this model, over a grid that was read for this scene.
     ///
     /// # Errors
-    /// [`Diagnostics`] if the text of the scene is not TOML. A loaded scene's text always is.
+    /// Returns [`Diagnostics`] if the text of the scene is not TOML. The text of a scene that was loaded always is.
     pub fn new(scene: &'a Scene, model: &Model, grid: &'a Grid) -> Result<Self, Diagnostics> {
         let (_, table) = TomlReader::parse(&scene.source)?;
         Ok(Self { scene, grid, table, model: model.clone(), terms: ParsedFormulas::default() })
     }
 
-    /// Values of the varied numbers at a grid point, as [`Grid::values`] gives them, and the scene with
-    /// these values, without a ladder. The index of the point is below [`Grid::count`]. The scene is an
-    /// error if the values permit none, as with a negative mass.
+    /// Values of the varied numbers at a grid point, as [`Grid::values`] gives them, and the scene with these values.
+    /// The scene has no ladder. It is an error if no scene with these values exists, for example because a mass is
+    /// negative. The index `point` must be below [`Grid::count`].
     pub fn point(&mut self, point: u64) -> (Vec<f64>, Result<Scene, Diagnostics>) {
         let given = self.grid.numbers(point);
         (given.iter().map(|(_, number)| number.double).collect(), self.scene(&given))
@@ -79,7 +79,7 @@ mod tests {
     const SCENE: &str = "span = [0, \"10*sqrt(l/g)\"]\n[parameters]\nl = 2\n[start]\ntheta = \"90*deg\"\n\
                          omega = \"sqrt(g/l)\"\n[integration]\nrtol = \"l/1000\"\ndistance = { theta = \"90*deg\" }\n";
 
-    /// Goal: a member is the scene with those numbers. Method: the same file, edited, read as any scene.
+    /// Goal: a member is the scene with the member's numbers. Method: the same file, edited, is read as any scene.
     #[test]
     fn a_member_is_the_scene_that_says_its_values() {
         let mut model = crate::model::load(&Source::from_text("model.toml", MODEL)).unwrap();
@@ -99,7 +99,7 @@ mod tests {
         }
     }
 
-    /// Goal: no point depends on which were read before it.
+    /// Goal: no member depends on the members that were read before it. Method: points are read in other orders.
     #[test]
     fn points_may_be_read_in_any_order() {
         let mut model = crate::model::load(&Source::from_text("model.toml", MODEL)).unwrap();

@@ -1,5 +1,4 @@
-//! Ladder of a scene: several start values of a single coordinate or speed, to find the value at
-//! which runs fail.
+//! Ladder of a scene: several start values of a single coordinate or speed. It shows the value at which runs fail.
 
 use crate::diagnostic::nearest_name_advice;
 use crate::scene::numbers::number_reader::ValueReader;
@@ -8,19 +7,19 @@ use crate::scene::starts::start::{ExactStart, InitialMotion};
 use toml::de::{DeTable, DeValue};
 use tripos_traits::DoubleDouble;
 
-/// Ladder: several start values of a single coordinate or generalized speed, for one run each.
+/// Ladder of a scene: several start values of a single coordinate or generalized speed, with a run for each.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ladder {
     /// Name of the coordinate or speed that varies.
     pub name: String,
-    /// Index of the varied number in the list of coordinates followed by speeds.
+    /// Index of the varied number in the list of all coordinates, then all speeds.
     pub at: usize,
     /// Start values in SI units, to 32 digits, one for each run.
     pub values: Vec<DoubleDouble>,
 }
 
 impl<'a> ValueReader<'a, '_> {
-    /// Reads `[ladder]` of a scene: a single coordinate or speed with a list of values. `None` if
+    /// Reads `[ladder]` of a scene: a single coordinate or speed with a list of values. `None` if the section is
     /// absent, or after an error is reported.
     pub fn ladder(&mut self, table: &'a DeTable<'a>, p: &[Number], start: &ExactStart) -> Option<Ladder> {
         const HOW: &str = "write one coordinate or speed with its values, as u2 = [1.6, 0.8]";

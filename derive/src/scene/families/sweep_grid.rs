@@ -1,8 +1,8 @@
-//! Grid axes: values of several numbers of a scene, such as `q2=0.01:1.5:100`, in every
+//! Grid of a sweep: axes such as `q2=0.01:1.5:100`, each with the values of a number of a scene, in every
 //! combination.
 //!
-//! Invariant: the values at a point of the grid depend on the index of the point only. Evenly
-//! spaced values are rounded once if both ends are exact.
+//! Invariant: the values at a point of the grid depend only on the index of the point. Evenly spaced values are
+//! rounded once if both ends are exact.
 
 use crate::algebra::Rational;
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, nearest_name_advice};
@@ -15,7 +15,7 @@ use crate::toml_reader::{Located, TomlReader};
 /// Largest number of points of a sweep's grid.
 pub const MOST_POINTS: u64 = 1_000_000_000;
 
-/// Advice on how to write an axis.
+/// Advice in error messages: the forms in which an axis can be written.
 const HOW: &str = "write NAME=FROM:TO:COUNT, such as q2=0.01:1.5:100, NAME=FROM:TO:COUNT:log, or a list NAME=a,b,c";
 
 /// Grid of a sweep: every combination of the values of its axes. The last axis varies fastest.
@@ -32,7 +32,7 @@ struct Axis {
     name: String,
     /// Number of the scene that varies, by its index in the model.
     place: VariedNumber,
-    /// Count of the values of the axis.
+    /// Number of values of the axis.
     count: u64,
     /// Values of the axis, as a list or by their spacing.
     values: Spacing,
@@ -41,28 +41,27 @@ struct Axis {
 /// Values of an axis: evenly spaced, spaced by logarithms, or a list.
 #[derive(Clone, Debug)]
 enum Spacing {
-    /// Evenly spaced values: the first, the last, and the exact difference of neighbours, or `None` if
-    /// an end is not exact.
+    /// Evenly spaced values, as (first value, last value, exact difference of neighbours). The difference is `None`
+    /// if an end is not exact.
     Even(Number, Number, Option<Rational>),
-    /// Values with constant ratio: the first and the last.
+    /// Values with a constant ratio of neighbours, as (first value, last value).
     Logarithmic(Number, Number),
-    /// List of the values as given.
+    /// Values listed one by one.
     List(Vec<Number>),
 }
 
 impl Grid {
-    /// Reads one axis of a grid from each text, such as `q2=0:1:5`. Errors name the source of the texts
-    /// by `named`.
+    /// Reads a grid, with an axis from each text, such as `q2=0:1:5`. Errors call the source of the texts `named`.
     ///
     /// # Errors
-    /// Returns [`Diagnostics`] for each wrong text. A text is wrong if it is no axis, or if its name is
-    /// no parameter and no start value of the scene. It is wrong if its name has an axis already, or
-    /// its count is 0. Ends must be finite, must not contain a swept parameter, and must be positive if
-    /// spaced by logarithms. A further error reports a grid of more than [`MOST_POINTS`] points.
+    /// Returns [`Diagnostics`] for each wrong text. A text is wrong if it is no axis, or if its name is no parameter
+    /// and no start value of the scene. It is wrong if its name has an axis already, or its count is 0. Ends must be
+    /// finite and must not contain a swept parameter; with logarithmic spacing they must be positive. A further error
+    /// reports a grid of more than [`MOST_POINTS`] points.
     pub fn read(texts: &[String], named: &str, scene: &Scene, model: &mut Model) -> Result<Self, Vec<Diagnostics>> {
         let sources: Vec<Source> = texts.iter().map(|text| Source::from_text(named, text)).collect();
         let (mut axes, mut errors) = (Vec::<Axis>::new(), Vec::new());
-        // Names first: no value may depend on a parameter that is swept itself.
+        // Names are read first, since no value may depend on a parameter that is swept itself.
         let split = |text: &str| text.find('=').unwrap_or(text.len());
         let swept = sources.iter().filter_map(|s| {
             let name = s.text[..split(&s.text)].trim();
@@ -95,12 +94,12 @@ impl Grid {
         if errors.is_empty() { Ok(Self { axes }) } else { Err(errors) }
     }
 
-    /// Creates a grid of one point from (name, value) pairs in SI units. Each value is taken as the
-    /// shortest decimal that rounds to the double. Errors name the source of the list by `named`.
+    /// Creates a grid of one point from pairs (name, value) in SI units. Each value is taken as the shortest decimal
+    /// that rounds to the double. Errors call the source of the list `named`.
     ///
     /// # Errors
-    /// Returns [`Diagnostics`] for each value that is not finite, and for each name that is no
-    /// parameter and no start value of the scene.
+    /// Returns [`Diagnostics`] for each value that is not finite, and for each name that is no parameter and no start
+    /// value of the scene.
     pub fn of_values(
         list: &[(String, f64)],
         named: &str,
@@ -152,15 +151,14 @@ impl Grid {
         self.axes.iter().map(|axis| axis.count).product()
     }
 
-    /// Values of the varied numbers at the grid point with this index, in SI units and in the order of
-    /// the axes. The index is below [`Grid::count`].
+    /// Values of the varied numbers at the grid point with the given index, in SI units and in the order of the axes.
+    /// The index must be below [`Grid::count`].
     #[must_use]
     pub fn values(&self, point: u64) -> Vec<f64> {
         self.numbers(point).into_iter().map(|(_, number)| number.double).collect()
     }
 
-    /// Varied numbers with their exact values at the grid point with this index, in the order of the
-    /// axes.
+    /// Varied numbers with their exact values at the grid point with the given index, in the order of the axes.
     pub(in crate::scene) fn numbers(&self, point: u64) -> Vec<(VariedNumber, Number)> {
         let mut rest = point;
         let mut list: Vec<_> = self
@@ -178,8 +176,8 @@ impl Grid {
     }
 }
 
-/// Values of a scene's parameters as its file states them, exact if they are rational. Returns
-/// `Diagnostics` if the file no longer reads.
+/// Values of a scene's parameters as its file states them, exact if they are rational. Returns `Diagnostics` if the
+/// file can no longer be read.
 fn stated_parameters(scene: &Scene, model: &mut Model) -> Result<Vec<Number>, Diagnostics> {
     let (reader, table) = TomlReader::parse(&scene.source)?;
     let mut values = ValueReader::new(reader, model);
@@ -188,7 +186,7 @@ fn stated_parameters(scene: &Scene, model: &mut Model) -> Result<Vec<Number>, Di
     Ok(parameters.expect("reported if missing"))
 }
 
-/// Scene with the parameter values that formulas of an axis may use.
+/// Scene to which an axis belongs, with the parameter values that formulas of the axis may use.
 struct AxisContext<'c> {
     /// Scene whose numbers vary.
     scene: &'c Scene,
@@ -199,7 +197,7 @@ struct AxisContext<'c> {
 }
 
 impl Axis {
-    /// Value of the axis with the index `at`, which is below the axis' count.
+    /// Value of the axis at the index `at`, which must be below the axis' count.
     fn value(&self, at: u64) -> Number {
         let last = self.count - 1;
         match &self.values {
@@ -228,15 +226,15 @@ impl Axis {
     }
 }
 
-/// Value at the fraction `at`/`last` between two ends. The form of the sum avoids overflow for ends
-/// of any size.
+/// Value between two ends, at the fraction `at`/`last` of the way. The form of the sum avoids overflow for ends of
+/// any size.
 fn interpolate_ends(from: f64, to: f64, at: u64, last: u64) -> f64 {
     let part = at as f64 / last as f64;
     from * (1.0 - part) + to * part
 }
 
 impl ValueReader<'_, '_> {
-    /// Reads the axis, `NAME=VALUES`, from the text of the source; `None` after an error is reported.
+    /// Reads the axis `NAME=VALUES` from the source's text; `None` after an error is reported.
     fn axis(&mut self, context: &AxisContext<'_>) -> Option<Axis> {
         let text = self.reader.source.text.as_str();
         let Some(equals) = text.find('=') else {
@@ -277,8 +275,8 @@ impl ValueReader<'_, '_> {
         }
     }
 
-    /// Finds the parameter or start value of a scene with this name. `None` after reporting a name that
-    /// cannot be varied.
+    /// Finds the parameter or start value of a scene with the given name. `None` after reporting a name that cannot
+    /// be varied.
     pub(in crate::scene) fn varied_number(
         &mut self,
         name: &str,
@@ -318,7 +316,7 @@ impl ValueReader<'_, '_> {
         None
     }
 
-    /// Reads an end of an axis or a value of a list: a formula that a scene may state for this number.
+    /// Reads an end of an axis, or a value of its list. It is a formula that a scene may state for this number.
     /// `None` after an error is reported.
     fn value_of(&mut self, text: &Located, place: VariedNumber, context: &AxisContext<'_>) -> Option<Number> {
         if matches!(place, VariedNumber::Parameter(_)) {
@@ -335,8 +333,8 @@ impl ValueReader<'_, '_> {
         Some(number)
     }
 
-    /// Reads an end of an axis with logarithmic spacing. Reports a value that is not above zero and
-    /// returns `None`.
+    /// Reads an end of an axis with logarithmic spacing. `None` after an error is reported, such as a value that is
+    /// not above zero.
     fn positive_end(&mut self, text: &Located, place: VariedNumber, context: &AxisContext<'_>) -> Option<Number> {
         let number = self.value_of(text, place, context)?;
         if number.double <= 0.0 {
@@ -347,8 +345,8 @@ impl ValueReader<'_, '_> {
         Some(number)
     }
 
-    /// Reads the number of values of an axis. Reports a text that is no whole number from 1 to
-    /// `MOST_POINTS` and returns `None`.
+    /// Reads the number of values of an axis. `None` after reporting a text that is no whole number from 1 to
+    /// `MOST_POINTS`.
     fn point_count(&mut self, text: &Located) -> Option<u64> {
         let count = text.text.trim().replace('_', "").parse::<u64>().ok();
         let count = count.filter(|count| (1..=MOST_POINTS).contains(count));
@@ -360,7 +358,7 @@ impl ValueReader<'_, '_> {
     }
 }
 
-/// Splits a text from the byte `start` on at a separator. Each part has its place.
+/// Splits a text at a separator, from the byte `start` on. Each part comes with its byte range.
 fn split_grid_text(text: &str, mut start: usize, separator: char) -> Vec<Located> {
     let list = text[start..].split(separator);
     let located = |part: &str| {
@@ -398,7 +396,8 @@ mod tests {
         (0..grid.count()).map(|at| grid.values(at)[0]).collect()
     }
 
-    /// Tenths and degrees are the nearest doubles to tenths and degrees, as if each were written out.
+    /// Goal: evenly spaced tenths and degrees are the nearest doubles to tenths and degrees. Method: comparison with
+    /// literals.
     #[test]
     fn evenly_spaced_values_are_rounded_once() {
         assert_eq!(values("theta=0:1:11"), [0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0]);
@@ -428,7 +427,7 @@ mod tests {
         assert_eq!(list[..5], expected.map(Vec::from));
     }
 
-    /// Each wrong axis, what its message must contain, and the place it must point at.
+    /// Goal: wrong axes are refused. Method: for each, a part of its message and the place of its error.
     #[test]
     fn wrong_axes_are_refused_with_their_place() {
         for (over, needle, span) in [

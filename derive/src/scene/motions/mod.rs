@@ -1,4 +1,4 @@
-//! Prescribed motions for inverse dynamics, which finds their forces, and tables of motion samples.
+//! Prescribed motions for inverse dynamics, which computes their forces, and tables of motion samples.
 
 #[cfg(feature = "files")]
 pub(super) mod motion_samples;

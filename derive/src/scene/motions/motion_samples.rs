@@ -1,16 +1,15 @@
-//! Motion samples from CSV tables: a row for each instant, and a column for each coordinate, speed
-//! and acceleration.
+//! Motion samples in CSV tables: a row for each instant, and a column for each coordinate, speed and acceleration.
 
 use super::prescribed_motion::MotionSample;
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, nearest_name_advice, shortened_for_message};
 use crate::model::{Model, TIME};
 use tripos_traits::DoubleDouble;
 
-/// Reads samples of a motion from a CSV file. The columns have the model's names of q, u and u',
-/// and may include `t`. Other columns are ignored; values are in SI units.
+/// Reads samples of a motion from a CSV file. Columns have the model's names of q, u and u'; a column `t` is
+/// optional. Other columns are ignored. Values are in SI units.
 ///
 /// # Errors
-/// [`Diagnostics`] with the first error of the CSV file.
+/// Returns [`Diagnostics`] with the first error of the CSV file.
 pub fn load_samples(source: &Source, model: &Model) -> Result<Vec<MotionSample>, Diagnostics> {
     let wrong =
         |message: String, help: String| Diagnostics::new(source.clone(), vec![Diagnostic::of_file(message, help)]);

@@ -20,16 +20,16 @@ const MOST: usize = 1_000_000;
 pub struct Motion {
     /// Values of the parameters to 32 digits, in SI units and in the order of the model.
     pub parameters: Vec<DoubleDouble>,
-    /// Motion as given: samples or formulas.
+    /// Prescribed motion as the file gives it: samples or formulas.
     pub given: MotionForm,
 }
 
 /// Form in which a motion is prescribed: samples or formulas of time.
 #[derive(Clone, Debug)]
 pub enum MotionForm {
-    /// Motion given by coordinates, speeds and accelerations at successive instants.
+    /// Coordinates, speeds and accelerations at successive instants.
     Samples(Vec<MotionSample>),
-    /// Motion given by formulas of t for the coordinates.
+    /// Formulas of t for the coordinates.
     Formulas(Formulas),
 }
 
@@ -38,8 +38,8 @@ pub enum MotionForm {
 pub struct MotionSample {
     /// Instant of the sample, s; `None` if it is not stated.
     pub t: Option<f64>,
-    /// Generalized coordinates in SI units and in the order of the model; time is included if the model
-    /// names it.
+    /// Generalized coordinates in SI units and in the order of the model. Time is included if it is a coordinate of
+    /// the model.
     pub q: Vec<DoubleDouble>,
     /// Generalized speeds in SI units, in the order of the model.
     pub u: Vec<DoubleDouble>,
@@ -52,21 +52,21 @@ pub struct MotionSample {
 pub struct Formulas {
     /// Symbol of time t in the formulas.
     pub time: Expr,
-    /// Each coordinate with its first and second time derivatives, as terms in parameters and t. `None`
-    /// for a coordinate that loops determine.
+    /// Each coordinate as [value, first time derivative, second time derivative], which are terms in parameters and
+    /// t. `None` for a coordinate that loops determine.
     pub coordinates: Vec<Option<[Expr; 3]>>,
-    /// Start values of the search for the coordinates that loops determine, in SI units; 0 if the file
-    /// gives none.
+    /// Start values for the search for coordinates that loops determine, in SI units. A value is 0 if the file gives
+    /// none.
     pub guesses: Vec<f64>,
     /// Instants at which the motion is evaluated, s, evenly spaced.
     pub instants: Vec<f64>,
 }
 
-/// Reads a motion file: `[state]` with `[accelerations]`, or `[motion]` with `[times]`. Formulas
-/// that the file gives to inputs replace the inputs in the model.
+/// Reads a motion file: `[state]` with `[accelerations]`, or `[motion]` with `[times]`. Formulas that the file gives
+/// to inputs replace the inputs in the model.
 ///
 /// # Errors
-/// [`Diagnostics`] with every error of the motion file.
+/// Returns [`Diagnostics`] with every error of the motion file.
 pub fn load_motion(source: &Source, model: &mut Model) -> Result<Motion, Diagnostics> {
     let (mut reader, table) = TomlReader::parse(source)?;
     reader.schema(table.get_ref());
@@ -125,7 +125,7 @@ impl<'a> ValueReader<'a, '_> {
         }
         let start = start?;
         let t = self.model.time().map(|at| start.q[at]);
-        // Speeds computed from stated rates are known only in doubles.
+        // If the file states rates, the speeds computed from them are known only in doubles.
         let by_rates = || start.u.iter().map(|x| DoubleDouble::from(*x)).collect();
         let u = if let crate::scene::InitialMotion::Speeds(u) = start.exact.motion { u } else { by_rates() };
         Some(MotionSample { t, q: start.exact.q, u, rates: rates.into_iter().collect::<Option<_>>()? })
@@ -168,7 +168,7 @@ impl<'a> ValueReader<'a, '_> {
         Some(Formulas { time, coordinates: coordinates.collect(), guesses, instants })
     }
 
-    /// Index of the coordinate with this name, other than time; `None` after reporting an unknown name.
+    /// Index of the coordinate with the given name; `None` after reporting an unknown name or time.
     fn prescribed_coordinate(&mut self, name: &Located) -> Option<usize> {
         let model = &self.model;
         let at = model.coordinates.iter().position(|c| c.name == name.text && c.name != TIME);

@@ -1,4 +1,4 @@
-//! Numbers of scene and state files: formulas, tables of signals, positions and velocities.
+//! Numbers in scene and state files: formulas, tables of signals, positions and velocities.
 
 pub(super) mod named_positions;
 pub(super) mod number_reader;

@@ -1,5 +1,5 @@
-//! Positions and velocities in formulas of scenes, by names such as `p(P) @ N [3]`, `v(wheel, P) @
-//! N [1]`, `omega(B) @ N [3]` and `distance(P, Q)`.
+//! Positions and velocities that formulas of scenes name, such as `p(P) @ N [3]`, `v(wheel, P) @ N [1]`, `omega(B) @
+//! N [3]` and `distance(P, Q)`.
 
 use crate::algebra::term::calculus::Differential;
 use crate::algebra::text::parse::{VelocityName, VelocityOf};
@@ -8,14 +8,13 @@ use crate::diagnostic::nearest_name_advice;
 use crate::geometry::{Frames, Motion, Vector};
 use crate::model::Model;
 
-/// Positions and velocities of a model's points and frames. They are derived when a formula first
-/// contains one.
+/// Positions and velocities of a model's points and frames. They are derived once a formula contains one of them.
 #[derive(Default)]
 pub(in crate::scene) struct Places(Option<(Frames, Motion)>);
 
 impl Places {
-    /// Component of the position or velocity with this name, as a term in q and q̇. Returns a message
-    /// if the model has no point, frame or body of that name.
+    /// Component of the position or velocity with the given name, as a term in q and q̇. Returns a message if the
+    /// model lacks a point, frame or body that the name contains.
     pub fn component(
         &mut self,
         model: &Model,
@@ -58,11 +57,11 @@ impl Places {
     }
 }
 
-/// Message about an unknown name, with advice.
+/// Message about an unknown name, and advice if there is any.
 type UnknownNameMessage = (String, Option<String>);
 
-/// Index of a name in a list of known names. Otherwise a message, in which `what` is the kind of
-/// the name.
+/// Index of a name in a list of known names. Returns a message if the name is unknown; `what` is the kind of the name
+/// in the message.
 fn index_of_position_name<'n>(
     what: &str,
     mut known: impl Iterator<Item = &'n str> + Clone,

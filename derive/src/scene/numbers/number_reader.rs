@@ -1,8 +1,8 @@
-//! Number values in scene and state files: exact formulas in parameters, parsed once, and evaluated
-//! at each reading.
+//! Numbers in scene and state files: exact formulas in parameters, which are parsed once and evaluated at each
+//! reading.
 //!
-//! Invariant: the result of a reading depends only on the file and on the numbers that replace the
-//! file's numbers. Earlier readings have no effect.
+//! Invariant: the result of a reading depends only on the file and on the numbers that replace the file's numbers.
+//! Earlier readings have no effect.
 
 use super::named_positions::Places;
 use super::scene_number::{Number, double_values, extended_values};
@@ -33,7 +33,7 @@ pub enum VariedNumber {
     Speed(usize),
 }
 
-/// One degree as a term, in radians: π/180.
+/// One degree in radians, π/180, as a term.
 fn degree(arena: &mut Arena) -> Expr {
     let pi = arena.pi();
     arena.scale(pi, &Rational::fraction(1, 180).expect("not zero"))
@@ -44,10 +44,9 @@ fn degree(arena: &mut Arena) -> Expr {
 pub struct ParsedFormulas {
     /// Formulas by the byte offset at which they begin in the file.
     formulas: FxHashMap<usize, Term>,
-    /// Program for the generalized speeds as functions of parameters, q and q̇; `None` until it is
-    /// needed.
+    /// Program that computes the generalized speeds from parameters, q and q̇; `None` until it is needed.
     pub(in crate::scene) speeds: Option<Tape>,
-    /// Program for motion constraints and speeds, which are linear in the rates; `None` until it is
+    /// Program that computes the motion constraints and speeds, which are linear in the rates; `None` until it is
     /// needed.
     pub(in crate::scene) conditions: Option<Tape>,
 }
@@ -60,7 +59,7 @@ struct Term {
     tape: Tape,
     /// True if the formula contains a parameter or a name that the file defines.
     varies: bool,
-    /// Value of a formula without parameters, once it was evaluated; `None` before, or if it varies.
+    /// Value of a formula without parameters. `None` before it is evaluated, or if the formula contains parameters.
     constant: Option<Number>,
 }
 
@@ -75,7 +74,7 @@ pub struct NamedNumber<N> {
     pub value: N,
 }
 
-/// Number that a scene gives to an input of the model.
+/// Number that a scene gives to an input of the model, in place of a formula.
 pub struct InputNumber {
     /// Index of the input in the model's parameters.
     pub parameter: usize,
@@ -93,15 +92,14 @@ pub struct ValueReader<'a, 'm> {
     pub model: &'m mut Model,
     /// Parsed formulas of the file, kept for further readings.
     pub terms: ParsedFormulas,
-    /// Numbers that replace those of the file.
+    /// Numbers that replace those of the file, each with its value.
     pub given: &'m [(VariedNumber, Number)],
-    /// Instant of the state, s, if the file states it outside the state, such as a scene's span.
-    /// Otherwise `None`.
+    /// Instant of the state, s, if the file states it outside the state, such as by a scene's span. `None` otherwise.
     pub instant: Option<Number>,
     /// Numbers with names that the file defines for its own formulas.
     pub names: Vec<NamedNumber<Number>>,
-    /// True if irrational formulas are evaluated to 32 digits, as derivatives of a start require. False
-    /// for doubles.
+    /// True if irrational formulas are evaluated to 32 digits, as derivatives of a start require. False if they are
+    /// evaluated in doubles.
     pub is_wide: bool,
 }
 
@@ -121,15 +119,14 @@ impl<'a, 'm> ValueReader<'a, 'm> {
 }
 
 impl<'a> ValueReader<'a, '_> {
-    /// Table under a key of the file; `None` if the key is absent, or if its value is no table, which
-    /// is reported.
+    /// Table under a key of the file. `None` if the key is absent, or after reporting a value that is no table.
     pub fn section(&mut self, table: &'a DeTable<'a>, key: &str) -> Option<&'a DeTable<'a>> {
         let value = self.reader.get(table, key)?;
         self.reader.table(value, &format!("`{key}`"), &format!("[{key}]"))
     }
 
-    /// Values of all parameters, in the order of the model: those that the file states, and the model's
-    /// defaults for the others. `None` after an error is reported.
+    /// Values of all parameters, in the order of the model. A parameter that the file does not state has the model's
+    /// default value. `None` after an error is reported.
     pub fn parameters(&mut self, table: &'a DeTable<'a>) -> Option<Vec<Number>> {
         let mut values: Vec<Option<Number>> = vec![None; self.model.parameters.len()];
         let mut places = vec![None; values.len()];
@@ -177,8 +174,8 @@ impl<'a> ValueReader<'a, '_> {
         Some(values)
     }
 
-    /// Reports parameter values with which a body cannot exist, such as an impossible inertia. The
-    /// place is the first stated value on which the body's mass or inertia depends.
+    /// Reports parameter values with which a body cannot exist, such as an impossible inertia. The error is shown at
+    /// the first stated value on which the body's mass or inertia depends.
     fn check_bodies(&mut self, values: &[Number], places: &[Option<std::ops::Range<usize>>]) {
         for ImpossibleBody { message, help, parameters } in self.model.impossible_bodies(&double_values(values)) {
             match parameters.into_iter().find_map(|at| places[at].clone()) {
@@ -188,14 +185,15 @@ impl<'a> ValueReader<'a, '_> {
         }
     }
 
-    /// Message about a parameter that must be positive and is not; `None` if the value is allowed.
+    /// Message about a parameter that must be positive and is not. `None` if its value is allowed. `at` is the index
+    /// of the parameter.
     fn not_positive_message(&self, at: usize, number: &Number) -> Option<String> {
         let parameter = &self.model.parameters[at];
         (parameter.positive && number.double <= 0.0)
             .then(|| format!("`{}` is stated to be positive but is {}", parameter.name, number.double))
     }
 
-    /// Reports a number whose stated unit has another dimension than the quantity `name`.
+    /// Reports a number whose stated unit does not have the dimension of the quantity `name`.
     pub(in crate::scene) fn check_unit(&mut self, formula: &Located, unit: &Unit, name: &str) {
         if let Some(stated) = StatedUnit::of(&formula.text).filter(|stated| stated.unit != *unit) {
             let message =
@@ -209,14 +207,13 @@ impl<'a> ValueReader<'a, '_> {
         self.evaluate(formula, &[], "a parameter's value")
     }
 
-    /// Evaluates a formula of numbers, `deg`, `pi`, parameters and the file's own names; `None` after
-    /// an error is reported. `what` names the number in messages.
+    /// Evaluates a formula of numbers, `deg`, `pi`, parameters and the file's own names. `what` names the number in
+    /// error messages. `None` after an error is reported.
     pub fn number(&mut self, formula: &Located, parameters: &[Number], what: &str) -> Option<Number> {
         self.evaluate(formula, parameters, what)
     }
 
-    /// Evaluates a formula in parameters; it is parsed at the first reading only. `None` after an error
-    /// is reported.
+    /// Evaluates a formula in parameters. It is parsed only at the first reading. `None` after an error is reported.
     fn evaluate(&mut self, formula: &Located, parameters: &[Number], what: &str) -> Option<Number> {
         let place = formula.span.start;
         if !self.terms.formulas.contains_key(&place) {
@@ -256,7 +253,8 @@ impl<'a> ValueReader<'a, '_> {
         Some(number)
     }
 
-    /// True if a formula, already evaluated, contains the parameter with this index.
+    /// True if a formula contains the parameter with the given index. The formula must have been evaluated; otherwise
+    /// false.
     pub fn mentions(&self, formula: &Located, parameter: usize) -> bool {
         let term = self.terms.formulas.get(&formula.span.start);
         term.is_some_and(|t| self.model.arena.mentions(t.expression, self.model.parameters[parameter].symbol))
@@ -307,14 +305,15 @@ impl<'a> ValueReader<'a, '_> {
         Some(Term { expression, tape, varies, constant: None })
     }
 
-    /// Reads a formula of quantities that have a value during a run: parameters, t, q, q̇, u, inputs,
+    /// Reads a formula of quantities that have a value during a run. They are parameters, t, q, q̇, u, inputs,
     /// reactions, positions and velocities. `None` after an error is reported.
     pub fn value_formula(&mut self, formula: &Located) -> Option<Expr> {
         self.value_formula_with(formula, &[])
     }
 
-    /// Reads a formula of a run's quantities. It may also contain the names `others`, such as energies,
-    /// and then accelerations; names of the model take precedence. `None` after an error is reported.
+    /// Reads a formula of quantities that have a value during a run. It may also contain the names `others`, such as
+    /// energies, and then accelerations. Names of the model take precedence over `others`. `None` after an error is
+    /// reported.
     pub fn value_formula_with(&mut self, formula: &Located, others: &[&str]) -> Option<Expr> {
         let model = &mut *self.model;
         let mut known: Vec<(String, Expr)> = Vec::new();
@@ -366,7 +365,7 @@ impl<'a> ValueReader<'a, '_> {
             Err(error) => Err(error),
         };
         let model = &mut *self.model;
-        // Directions of oblique axes introduce roots that cancel exactly.
+        // Directions of oblique axes introduce square roots that cancel exactly.
         let result = result.map(|e| without_zeros_of_wide_interval(&mut model.arena, e));
         match result.map(|e| (e, constant_with_wide_interval(&model.arena, e))) {
             Ok((e, None)) => Some(e),

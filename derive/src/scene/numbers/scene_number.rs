@@ -1,15 +1,15 @@
-//! Number of a scene or state file, with all digits that are known of it.
+//! Number in a scene or state file, with all its known digits.
 
 use crate::algebra::Rational;
 use crate::algebra::value::tape::Numeric;
 use tripos_traits::DoubleDouble;
 
-/// Number of a scene or state file: as a double, to 32 digits, and exact if known.
+/// Number in a scene or state file: rounded to a double, to 32 digits, and exact if known.
 #[derive(Clone, Debug)]
 pub struct Number {
     /// The number rounded to a double.
     pub double: f64,
-    /// Exact value; `None` if the number is not known to be rational, such as √2.
+    /// Exact value. `None` if the number is not known as a rational number, such as √2.
     pub exact: Option<Rational>,
     /// Value to 32 digits; the double itself if no more digits are known.
     extended: DoubleDouble,
@@ -42,7 +42,7 @@ pub fn double_values(numbers: &[Number]) -> Vec<f64> {
     numbers.iter().map(|n| n.double).collect()
 }
 
-/// Values of numbers to 32 digits; the doubles if no more digits are known.
+/// Values of numbers to 32 digits. A number with no more known digits than its double gives the double.
 pub fn extended_values(numbers: &[Number]) -> Vec<DoubleDouble> {
     numbers.iter().map(Number::extended).collect()
 }

@@ -1,8 +1,7 @@
-//! Tables of measured or planned signals, as formulas of time.
+//! Tables of measured or planned signals, converted into formulas of time.
 //!
-//! Between two rows a table is a polynomial. The formula adds the changes of the signal in all
-//! intervals. Each change depends on the time spent in its interval only, so no large numbers are
-//! subtracted.
+//! Between two rows a table is a polynomial. The formula adds up the changes of the signal in all intervals. The
+//! change in an interval depends only on the time spent in it, so no large numbers are subtracted.
 
 use nalgebra::{DMatrix, DVector};
 use std::fmt::Write;
@@ -16,18 +15,18 @@ const MOST_ROWS: usize = 250;
 pub enum Interpolation {
     /// Interpolation by straight lines between the rows.
     Linear,
-    /// Interpolation by the cubic spline with two continuous derivatives, and three at the second and
-    /// the last but one row: not-a-knot (C. de Boor, *A Practical Guide to Splines* (1978), chapter
+    /// Interpolation by a cubic spline with two continuous derivatives. The third derivative is continuous at the
+    /// second row and at the last but one: not-a-knot (C. de Boor, *A Practical Guide to Splines* (1978), chapter
     /// IV).
     Cubic,
 }
 
-/// Message about a signal table that cannot be used, and advice.
+/// Message about a signal table that cannot be used, with advice.
 type TableError = (String, String);
 
-/// Formula in t of a column of a CSV file, as text. `columns` are the names of the time column and
-/// of the signal column; the run covers `span`, s. Returns a message if the table cannot be read or
-/// does not cover the run.
+/// Formula in t, as text, of a column of a CSV file. `columns` are the names of the time column and of the signal
+/// column. `span` is the time that the run covers, s. Returns a message if the table cannot be read or does not cover
+/// the run.
 pub fn signal_table_formula(
     path: &Path,
     columns: [&str; 2],
@@ -55,13 +54,13 @@ pub fn signal_table_formula(
     Ok(formula(&rows, how))
 }
 
-/// Refuses every table: this build reads no files.
+/// Refuses every table, since this build cannot read files.
 #[cfg(not(feature = "files"))]
 fn read_signal_rows(_: &Path, _: [&str; 2]) -> Result<Vec<(f64, f64)>, TableError> {
     Err(("no file can be read here".to_owned(), "give a formula".to_owned()))
 }
 
-/// Reads the rows (instant, value) of two columns of a CSV file; returns a message if that fails.
+/// Reads the rows (instant, value) from two columns of a CSV file. Returns a message if that fails.
 #[cfg(feature = "files")]
 fn read_signal_rows(path: &Path, columns: [&str; 2]) -> Result<Vec<(f64, f64)>, TableError> {
     let text = crate::diagnostic::Source::read(path).map_err(|error| {
@@ -103,8 +102,8 @@ fn read_signal_rows(path: &Path, columns: [&str; 2]) -> Result<Vec<(f64, f64)>, 
     Ok(rows)
 }
 
-/// Formula f(t₁) + Σ p_k(τ_k) of a signal table, as text; τ_k = (|t − t_k| − |t − t_k₊₁| + h_k)/2
-/// is the time spent in interval k.
+/// Formula f(t₁) + Σ p_k(τ_k) of a signal table, as text. Here τ_k = (|t − t_k| − |t − t_k₊₁| + h_k)/2 is the time
+/// spent in interval k.
 fn formula(rows: &[(f64, f64)], how: Interpolation) -> String {
     let slopes = if how == Interpolation::Cubic { spline_slopes(rows) } else { Vec::new() };
     let mut text = number(rows[0].1);
@@ -126,8 +125,8 @@ fn formula(rows: &[(f64, f64)], how: Interpolation) -> String {
     text
 }
 
-/// Exact text of a double, as a whole number divided by a power of 2. So denominators do not grow
-/// in sums.
+/// Exact text of a double, as a whole number divided by a power of 2. With powers of 2, denominators do not grow in
+/// sums.
 fn number(x: f64) -> String {
     let (mut whole, mut twos) = (x, 0);
     while whole.fract() != 0.0 {
@@ -148,7 +147,7 @@ fn spline_slopes(rows: &[(f64, f64)]) -> Vec<f64> {
         matrix[(k, k)] = 2.0 * (1.0 / h[k - 1] + 1.0 / h[k]);
         right[k] = 3.0 * (rise[k - 1] / h[k - 1] + rise[k] / h[k]);
     }
-    // Not-a-knot: the spline is one cubic on both sides of the second row, and on both sides of the
+    // Not-a-knot condition: the spline is the same cubic on both sides of the second row, and on both sides of the
     // last row but one.
     for (row, k) in [(0, 0), (n - 1, n - 3)] {
         let (one, two) = (1.0 / (h[k] * h[k]), 1.0 / (h[k + 1] * h[k + 1]));

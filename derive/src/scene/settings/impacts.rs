@@ -1,8 +1,7 @@
-//! Impacts of a scene: contacts at which bodies meet and part, their restitution, and the friction
-//! along them.
+//! Impacts of a scene: contacts at which bodies meet and part, their restitution, and friction along the contacts.
 //!
-//! Contacts and the energy lost in a collision are assumptions of a scene about its mechanism. The
-//! equations of the model do not change with them, nor does the hash of the equations.
+//! Contacts and the energy lost in a collision are assumptions of a scene about its mechanism. They change neither
+//! the equations of the model nor the hash of these equations.
 
 use crate::algebra::term::calculus::Differential;
 use crate::algebra::text::parse::{InteractionName, VelocityName, VelocityOf, parse_with_quantities};
@@ -26,22 +25,22 @@ enum ContactFormula {
     Slip,
 }
 
-/// Values that a coefficient of a contact may have, with words for the error about other values.
+/// Values that a coefficient of a contact may have, with the message and advice about any other value.
 struct PermittedCoefficient<'p> {
     /// Test of a value: true if the value is permitted.
     may_be: &'p dyn Fn(f64) -> bool,
-    /// Fault of a value that is not permitted, such as "below 0", for the message.
+    /// Fault of a value that is not permitted, for the error message, such as "below 0".
     wrong: &'p str,
     /// Advice for a value that is not permitted.
     help: &'p str,
 }
 
-/// Law of restitution of impacts. It gives the part of the closing velocity, or of the impulse of
-/// compression, that returns.
+/// Law of restitution at impacts. It gives the part of the closing velocity, or of the impulse of compression, that
+/// is returned.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ImpactLaw {
-    /// Newton's law: the normal velocity after the impact is −e times that before the impact, or
-    /// greater if other contacts push.
+    /// Newton's law: the normal velocity after the impact is −e times the normal velocity before it, or greater if
+    /// other contacts push.
     #[default]
     Newton,
     /// Poisson's law: the impulse of expansion is e times the impulse of compression.
@@ -53,10 +52,10 @@ impl ImpactLaw {
     pub const NAMES: [&str; 2] = ["newton", "poisson"];
 }
 
-/// Contact of a scene, at which two bodies can meet and part again.
+/// Contact in a scene, at which two bodies can meet and part again.
 #[derive(Clone, Debug)]
 pub struct ImpactContact {
-    /// Name of the contact.
+    /// Name of the contact in the scene file.
     pub name: String,
     /// Gap of the contact as a term in parameters and coordinates, m: positive if the bodies are apart,
     /// 0 if they touch.
@@ -73,7 +72,7 @@ pub struct ImpactContact {
     pub restitution: f64,
     /// Coefficient of restitution to 32 digits; the double itself if no more digits are known.
     pub restitution_extended: DoubleDouble,
-    /// Law of restitution; all contacts of a scene have the same law.
+    /// Law of restitution at the contact. All contacts of a scene have the same law.
     pub law: ImpactLaw,
 }
 
@@ -81,8 +80,7 @@ pub struct ImpactContact {
 /// force.
 #[derive(Clone, Debug)]
 pub struct ContactFriction {
-    /// Velocity at which the contact slips, as a term in parameters, q, q̇ and u, linear in q̇ and u,
-    /// m/s.
+    /// Velocity at which the contact slips, m/s, as a term in parameters, q, q̇ and u. It is linear in q̇ and u.
     pub along: Expr,
     /// Coefficient of friction, 0 or more.
     pub coefficient: f64,
@@ -100,7 +98,7 @@ pub(in crate::scene) struct Coefficients {
 }
 
 impl ImpactContact {
-    /// Copy of the contact with other coefficients of restitution and friction.
+    /// Copy of the contact with the given coefficients of restitution and friction.
     pub(in crate::scene) fn with_coefficients(&self, of: &Coefficients) -> Self {
         let friction = self.friction.as_ref().zip(of.friction.as_ref()).map(|(own, mu)| ContactFriction {
             coefficient: mu.double,
@@ -112,10 +110,9 @@ impl ImpactContact {
     }
 }
 
-/// Largest number of contacts of a scene. An impact searches all subsets of the contacts for those
-/// that push.
+/// Largest number of contacts in a scene. At an impact, all subsets of the contacts are searched for those that push.
 const MOST: usize = 10;
-/// Largest number of contacts with friction. The search for their motion tries all combinations of
+/// Largest number of contacts with friction in a scene. The search for their motion tries all combinations of
 /// sticking, slipping in either direction and opening.
 const MOST_ROUGH: usize = 4;
 /// Key of the section of a scene file that states contacts.
@@ -152,8 +149,8 @@ impl<'a> ValueReader<'a, '_> {
         list
     }
 
-    /// Reads a coefficient of a contact; `key` is its name in the file. Reports a value that is not
-    /// permitted; `None` if it has no value.
+    /// Reads a coefficient of a contact, whose name in the file is `key`. A value that is not permitted is reported.
+    /// `None` if the coefficient has no value.
     fn impact_coefficient(
         &mut self,
         value: &'a Spanned<DeValue<'a>>,
@@ -173,7 +170,7 @@ impl<'a> ValueReader<'a, '_> {
         Some(number)
     }
 
-    /// Reads the contacts `[impacts.NAME]` of a scene, with coefficients that `coefficients` has read.
+    /// Reads the contacts `[impacts.NAME]` of a scene. `coefficients` are those of the contacts, in their order.
     /// Wrong contacts are reported.
     pub(in crate::scene) fn impacts(
         &mut self,
@@ -242,7 +239,7 @@ impl<'a> ValueReader<'a, '_> {
         list
     }
 
-    /// Reads the friction of a contact: `friction = "mu"` with `along = "v(A) @ N [1]"`. `None` without
+    /// Reads the friction of a contact: `friction = "mu"` with `along = "v(A) @ N [1]"`. `None` if the contact has no
     /// friction, or after an error is reported.
     fn friction(
         &mut self,
@@ -313,8 +310,8 @@ impl<'a> ValueReader<'a, '_> {
         Some((gap, rate))
     }
 
-    /// Reads the velocities that are zero while a contact is closed: `no_slip = ["v(A) @ N [1]"]`.
-    /// Empty without the key.
+    /// Reads the velocities that are zero while a contact is closed, such as `no_slip = ["v(A) @ N [1]"]`. Empty if
+    /// the key is absent.
     fn impact_no_slip_velocities(&mut self, places: &mut Places, entry: &'a DeTable<'a>) -> Vec<Expr> {
         let Some(value) = self.reader.get(entry, "no_slip") else { return Vec::new() };
         let DeValue::Array(array) = value.get_ref() else {
@@ -330,8 +327,8 @@ impl<'a> ValueReader<'a, '_> {
         list
     }
 
-    /// Reads a formula in parameters, coordinates and positions. A slip velocity may also contain
-    /// rates, speeds and velocities. `None` after an error is reported.
+    /// Reads a formula that a contact states, in parameters, coordinates and positions. A slip velocity may also
+    /// contain rates, speeds and velocities. `None` after an error is reported.
     fn contact_formula(&mut self, places: &mut Places, formula: &Located, kind: ContactFormula) -> Option<Expr> {
         let with_rates = kind == ContactFormula::Slip;
         let model = &mut *self.model;

@@ -1,5 +1,4 @@
-//! Inputs of a scene: numbers, formulas, or tables of a signal that a scene gives to the inputs of
-//! its model.
+//! Inputs of a scene: numbers, formulas, or tables of a signal, which a scene gives to the inputs of its model.
 
 use crate::algebra::Arena;
 use crate::algebra::text::parse::parse;
@@ -15,17 +14,17 @@ use toml::de::{DeTable, DeValue};
 /// Key of the section of a scene file that gives values to inputs.
 const INPUTS: &str = "inputs";
 
-/// Formulas that a scene gives to inputs of its model, and their place in the file.
+/// Formulas that a scene gives to inputs of its model, with their place in the scene file.
 #[derive(Default)]
 pub struct InputBindings {
     /// Formulas for inputs, in the order of the scene file.
     pub bindings: Vec<InputBinding>,
-    /// Byte range of the section `[inputs]` in the scene file; empty without the section.
+    /// Byte range of the section `[inputs]` in the scene file; empty if there is no such section.
     pub place: Range<usize>,
 }
 
-/// Replaces inputs of a model by the formulas that a scene or state file gives to them. Returns
-/// `Diagnostics` with the errors of these formulas.
+/// Replaces inputs of a model by the formulas that a scene or state file gives to them. Returns `Diagnostics` if one
+/// of these formulas is wrong.
 pub(in crate::scene) fn bind_inputs(source: &Source, model: &mut Model) -> Result<(), Diagnostics> {
     let (reader, table) = TomlReader::parse(source)?;
     let mut values = ValueReader::new(reader, model);
@@ -38,8 +37,8 @@ pub(in crate::scene) fn bind_inputs(source: &Source, model: &mut Model) -> Resul
 }
 
 impl<'a> ValueReader<'a, '_> {
-    /// Reads the formulas of the section `[inputs]`. Numbers for inputs that are parameters are left
-    /// out; wrong entries are reported.
+    /// Reads the formulas of the section `[inputs]` of a scene file. Numbers for inputs that are parameters are left
+    /// out. Wrong entries are reported.
     pub(in crate::scene) fn inputs(&mut self, table: &'a DeTable<'a>) -> InputBindings {
         let mut given = InputBindings::default();
         let Some(section) = self.section(table, INPUTS) else { return given };
@@ -63,13 +62,13 @@ impl<'a> ValueReader<'a, '_> {
         given
     }
 
-    /// True if a number that a scene gives to this input becomes a parameter value. False if the input
-    /// has a formula.
+    /// True if a number that a scene gives to this input becomes the value of a parameter. False if a formula
+    /// replaces the input.
     fn takes_numbers(&self, input: &Input) -> bool {
         input.is_parameter && self.model.bindings.iter().all(|binding| binding.input != input.name)
     }
 
-    /// Reads the numbers that a scene file gives to inputs. Formulas are left out.
+    /// Reads the numbers that a scene file gives to inputs of the model. Formulas are left out.
     pub(in crate::scene) fn numbers_of_inputs(&mut self, table: &'a DeTable<'a>) -> Vec<InputNumber> {
         let mut numbers = Vec::new();
         // Errors of the section are reported where its formulas are read.
@@ -102,8 +101,7 @@ impl<'a> ValueReader<'a, '_> {
         parse(&mut Arena::new(), &number.text, &mut known).is_ok()
     }
 
-    /// True if every name in a formula may occur in an input; otherwise reports the name and returns
-    /// false.
+    /// True if every name in a formula may occur in an input's formula. Otherwise reports the name and returns false.
     fn is_input_signal(&mut self, formula: &Located) -> bool {
         if Self::is_input_number(formula) {
             return true;
@@ -135,8 +133,8 @@ impl<'a> ValueReader<'a, '_> {
         result.is_ok()
     }
 
-    /// Formula of t for an input that a CSV table gives: `{ table = "drive.csv", column = "F" }`.
-    /// `None` after an error is reported.
+    /// Formula of t for an input whose signal a CSV table gives: `{ table = "drive.csv", column = "F" }`. `None`
+    /// after an error is reported.
     fn input_table_formula(
         &mut self,
         file: &'a DeTable<'a>,
@@ -166,8 +164,7 @@ impl<'a> ValueReader<'a, '_> {
         }
     }
 
-    /// First and last instant of the scene's span, s, the smaller value first; `None` after an error is
-    /// reported.
+    /// First and last instant of a scene's span, s, the smaller value first. `None` after an error is reported.
     fn span_of_input_table(&mut self, file: &'a DeTable<'a>) -> Option<(f64, f64)> {
         let parameters = self.parameters(file)?;
         let (from, to) = self.scene_span(file, &parameters)?;

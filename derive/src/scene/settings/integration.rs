@@ -1,5 +1,5 @@
-//! Settings of a scene's integration: integrator, solution for the accelerations, tolerances,
-//! steps, and integrated variables.
+//! Settings of a scene's integration: integrator, solution for the accelerations, tolerances, steps, and integrated
+//! variables.
 
 use crate::algebra::Rational;
 use crate::algebra::value::rational_value::rational_value_of_pi;
@@ -22,7 +22,8 @@ pub(crate) const SOLVES: [&str; AccelerationSolution::ALL.len()] =
 pub enum Integrator {
     /// Stepping method, such as a Runge–Kutta method.
     Steps(Method),
-    /// Integrals of reduced equations with one degree of freedom, exact to rounding, without steps.
+    /// Quadrature: evaluates the integrals of reduced equations with one degree of freedom, exact to rounding,
+    /// without steps.
     Quadrature,
 }
 
@@ -88,15 +89,15 @@ impl FromStr for Integrator {
 /// Method that solves the equations of motion for the accelerations.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum AccelerationSolution {
-    /// Formulas in closed form, from an elimination at the time of derivation.
+    /// Formulas in closed form, from an elimination when the equations are derived.
     #[default]
     Eliminated,
-    /// Numeric solution of the linear system M u̇ = f in each state.
+    /// Numeric solution of the linear system M u̇ = f in each state of the run.
     Numeric,
 }
 
 impl AccelerationSolution {
-    /// Both methods that solve for accelerations, in the order in which they are listed to users.
+    /// Both methods that solve for accelerations, in the order in which users see them.
     pub const ALL: [Self; 2] = [Self::Eliminated, Self::Numeric];
 
     /// Name of the solution method on the command line and in scene files.
@@ -122,12 +123,12 @@ impl FromStr for AccelerationSolution {
 /// Invariant of the motion onto which each step of a run is projected.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ProjectionTarget {
-    /// Total energy, which stays at its value at the start of the run.
+    /// Total energy, which projection keeps at its value at the start of the run.
     Energy,
 }
 
 impl ProjectionTarget {
-    /// All invariants onto which runs can be projected, in the order in which they are listed to users.
+    /// All invariants onto which runs can be projected, in the order in which users see them.
     pub const ALL: [Self; 1] = [Self::Energy];
 
     /// Name of the invariant on the command line and in scene files.
@@ -155,46 +156,44 @@ impl FromStr for ProjectionTarget {
 pub struct Integration {
     /// Integrator of the run: a stepping method or quadrature.
     pub method: Integrator,
-    /// Method that solves for the accelerations; `None` if the program chooses it by the model.
+    /// Method that solves for the accelerations. `None` lets the program choose it for the model.
     pub solve: Option<AccelerationSolution>,
-    /// Relative tolerance of the error of a step, without unit.
+    /// Relative tolerance for the error of a step, without unit.
     pub rtol: f64,
-    /// Absolute tolerance of the error of a step, in the SI units of coordinates and speeds.
+    /// Absolute tolerance for the error of a step, in the SI units of coordinates and speeds.
     pub atol: AbsoluteTolerance,
     /// Fixed length of every step, s; `None` if error control chooses the lengths.
     pub step: Option<f64>,
-    /// Longest step that error control may choose, s; `None` if the method has its own limit.
+    /// Longest step that error control may choose, s. `None` leaves the limit to the method.
     pub max_step: Option<f64>,
-    /// Largest number of attempted steps; a run that needs more fails.
+    /// Largest number of steps that a run may attempt. A run that needs more fails.
     pub step_limit: u64,
-    /// Number of equally spaced samples of the output, ends included; `None` for four points in each
-    /// step.
+    /// Number of equally spaced samples of the output, ends included. `None` gives four points in each step.
     pub samples: Option<usize>,
-    /// True if the run ends at the border of the model's domain; false if the run only reports the
-    /// crossing.
+    /// True if the run ends at the border of the model's domain. False if the run continues and reports the crossing.
     pub domain_stops: bool,
     /// Invariant onto which each step is projected; `None` for no projection.
     pub project: Option<ProjectionTarget>,
-    /// Distance of a coordinate from a right angle, integrated in place of the coordinate; `None` if
-    /// the file states none.
+    /// Distance of a coordinate from a right angle, which is integrated in place of the coordinate. `None` if the
+    /// scene file states none.
     pub distance: Option<SingularDistance>,
-    /// True if the scene's reduced equations may integrate a distance in place of a coordinate; false
-    /// if the scene file says `distance = "none"`.
+    /// True if the scene's reduced equations may integrate a distance in place of a coordinate. False if the scene
+    /// file has `distance = "none"`.
     pub may_measure: bool,
 }
 
-/// Numbers of samples that a run may have, both ends included.
+/// Permitted numbers of samples of a run, both ends included.
 pub const SAMPLES: RangeInclusive<u64> = 2..=10_000_000;
-/// Limits that the number of attempted steps of a run may have.
+/// Permitted limits on the number of attempted steps of a run.
 pub const STEP_LIMITS: RangeInclusive<u64> = 1..=1_000_000_000;
 
-/// Keys of the section `[integration]`.
+/// Keys of the section `[integration]` of a scene file.
 const KEYS: [&str; 11] =
     ["method", "solve", "rtol", "atol", "step", "max_step", "step_limit", "samples", "domain", "project", "distance"];
 
 impl<'a> ValueReader<'a, '_> {
-    /// Reads the section `[integration]`. Settings that are not stated have their defaults; wrong
-    /// settings are reported.
+    /// Reads the section `[integration]` of a scene file. Settings that the file does not state have their defaults.
+    /// Wrong settings are reported.
     pub fn integration(&mut self, table: &'a DeTable<'a>, p: &[Number]) -> Integration {
         let section = self.section(table, "integration");
         if let Some(section) = section {
@@ -241,8 +240,8 @@ impl<'a> ValueReader<'a, '_> {
         }
     }
 
-    /// Reads a number under a key that must not be negative; a negative number is reported. `None` if
-    /// absent, or if it has no value.
+    /// Reads a number under a key that must not be negative. A negative number is reported. `None` if the key is
+    /// absent, or if the number has no value.
     fn nonnegative_integration_number(
         &mut self,
         section: Option<&'a DeTable<'a>>,
@@ -258,8 +257,8 @@ impl<'a> ValueReader<'a, '_> {
         Some(number)
     }
 
-    /// Reads the length of a step under a key, s; a length that is not above zero is reported. `None`
-    /// if absent, or if it has no value.
+    /// Reads the length of a step under a key, s. A length that is not above zero is reported. `None` if the key is
+    /// absent, or if the length has no value.
     fn step(&mut self, section: Option<&'a DeTable<'a>>, key: &str, p: &[Number]) -> Option<f64> {
         let value = section.and_then(|s| self.reader.get(s, key))?;
         let step = self.nonnegative_integration_number(section, key, p)?;
@@ -270,8 +269,8 @@ impl<'a> ValueReader<'a, '_> {
         Some(step)
     }
 
-    /// Reads the absolute tolerance `atol`: a single number, or a table by coordinate and speed.
-    /// Entries left out have the default.
+    /// Reads the absolute tolerance `atol`: a single number, or a table with an entry for each coordinate and speed.
+    /// An entry that is left out has the default value.
     fn absolute_tolerance(&mut self, section: Option<&'a DeTable<'a>>, p: &[Number]) -> AbsoluteTolerance {
         let Some(value) = section.and_then(|s| self.reader.get(s, "atol")) else {
             return AbsoluteTolerance::default();
@@ -297,15 +296,14 @@ impl<'a> ValueReader<'a, '_> {
         AbsoluteTolerance::Each(each)
     }
 
-    /// True if the scene file says `distance = "none"`, so that no distance is integrated in place of a
-    /// coordinate.
+    /// True if the scene file has `distance = "none"`, so that no distance is integrated in place of a coordinate.
     fn refuses_distance(&self, section: Option<&'a DeTable<'a>>) -> bool {
         let value = section.and_then(|s| self.reader.get(s, "distance"));
         value.is_some_and(|v| v.get_ref().as_str() == Some("none"))
     }
 
-    /// Reads `distance = { q2 = "90*deg" }`: q2 − 90° is integrated in place of q2. The angle must be a
-    /// nonzero multiple of 90°. `None` if absent, or after an error is reported.
+    /// Reads `distance = { q2 = "90*deg" }`, with which q2 − 90° is integrated in place of q2. The angle must be a
+    /// nonzero multiple of 90°. `None` if the key is absent, or after an error is reported.
     fn distance(&mut self, section: Option<&'a DeTable<'a>>) -> Option<SingularDistance> {
         const HOW: &str = "distance = { q2 = \"90*deg\" }";
         let value = section.and_then(|s| self.reader.get(s, "distance"))?;
@@ -326,8 +324,8 @@ impl<'a> ValueReader<'a, '_> {
         };
         let formula = self.reader.formula(origin, "the origin of a distance")?;
         let exact = self.constant(&formula)?.exact;
-        // The exact value has only finitely many decimals of π: a multiple of 90° is recognized within
-        // 1e-15 of a quarter turn.
+        // The exact value has only finitely many decimals of π. So a multiple of 90° is recognized within 1e-15 of a
+        // quarter turn.
         let quarter = rational_value_of_pi().reciprocal().map(|inverse| Rational::integer(2).mul(&inverse));
         let turns = exact.zip(quarter).map(|(origin, quarter)| origin.mul(&quarter).to_f64());
         let found = (-4..=4).find(|k| *k != 0 && turns.is_some_and(|t| (t - f64::from(*k)).abs() < 1e-15));

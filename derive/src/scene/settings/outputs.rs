@@ -1,4 +1,4 @@
-//! Outputs of a scene, and messages for quantities that rigid-body equations do not contain.
+//! Outputs of a scene, and error messages for quantities that rigid-body equations do not contain.
 
 use crate::diagnostic::{Diagnostics, Source, nearest_name_advice};
 use crate::model::Model;
@@ -11,8 +11,8 @@ use toml::de::{DeTable, DeValue};
 /// Names of energies in outputs. A quantity of the model with one of these names takes precedence.
 pub const ENERGIES: [&str; 3] = ["kinetic_energy", "potential_energy", "total_energy"];
 
-/// Words for quantities that rigid-body equations do not contain, each list with the message for a
-/// user who names one.
+/// Words for quantities that rigid-body equations do not contain. Each list of words comes with the message for a
+/// user who states one of them as an output.
 const QUANTITIES_WITHOUT_EQUATION: [(&[&str], &str); 4] = [
     (
         &["impact", "bounce", "rebound", "collision", "restitution"],
@@ -35,9 +35,9 @@ const QUANTITIES_WITHOUT_EQUATION: [(&[&str], &str); 4] = [
 ];
 
 impl<'a> ValueReader<'a, '_> {
-    /// Reads `outputs = ["q2", "u1"]`. Each entry is a name, a formula, or `{ name = "lean", value =
-    /// "q2" }`. Without the key, every coordinate and speed is an output. The second value is true if
-    /// the scene file states outputs.
+    /// Reads `outputs = ["q2", "u1"]` of a scene file. An entry is a name, a formula, or a table such as `{ name =
+    /// "lean", value = "q2" }`. If the key is absent, every coordinate and speed is an output. The second result is
+    /// true if the scene file states outputs.
     pub fn outputs(&mut self, table: &'a DeTable<'a>) -> (Vec<SceneOutput>, bool) {
         let Some(value) = self.reader.get(table, "outputs") else { return (default_outputs(self.model), false) };
         let DeValue::Array(array) = value.get_ref() else {
@@ -74,7 +74,7 @@ impl<'a> ValueReader<'a, '_> {
                 self.reader.error(name.span, message, "give it a name of its own; `t` is the time");
                 continue;
             }
-            // A name of the model must not stand for another formula.
+            // A name of the model must not denote another formula.
             let is_taken = self.model.arena.find_symbol(&name.text).is_some() || ENERGIES.contains(&name.text.as_str());
             if is_taken && name.text != formula.text.trim() {
                 let message = format!("an output cannot be called `{}`: the model uses this name", name.text);
@@ -93,8 +93,8 @@ impl<'a> ValueReader<'a, '_> {
         (list, true)
     }
 
-    /// Reads the formula of an output as a term. `None` after an error is reported, also for quantities
-    /// that the equations do not contain.
+    /// Reads the formula of an output as a term. `None` after an error is reported, also for a quantity that the
+    /// equations do not contain.
     fn output_formula(&mut self, formula: &Located) -> Option<crate::algebra::Expr> {
         let word = formula.text.trim().to_lowercase().replace([' ', '-'], "_");
         let known = self.model.arena.find_symbol(formula.text.trim()).is_some();
@@ -131,11 +131,10 @@ impl<'a> ValueReader<'a, '_> {
     }
 }
 
-/// Reads an output from a text outside a file, such as the command line, in the syntax of a scene's
-/// outputs.
+/// Reads an output from a text outside a file, such as the command line. The syntax is that of a scene's outputs.
 ///
 /// # Errors
-/// [`Diagnostics`] if the text is no formula in names of the model.
+/// Returns [`Diagnostics`] if the text is no formula in names of the model.
 pub fn load_output(text: &str, model: &mut Model) -> Result<SceneOutput, Diagnostics> {
     let source = Source::from_text("--output", text);
     let mut values = ValueReader::new(TomlReader::new(&source), model);

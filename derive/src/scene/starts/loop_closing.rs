@@ -1,5 +1,4 @@
-//! Closing of loops at a start: coordinates that close the loops of a mechanism are solved for,
-//! from guesses.
+//! Closing of loops at a start: solves for the coordinates that close the loops of a mechanism, from guesses.
 
 use super::loops::{FoundPose, Loops};
 use super::start::SolvedVariable;
@@ -11,12 +10,12 @@ use std::ops::Range;
 use toml::de::DeTable;
 use tripos_traits::{DoubleDouble, Scalar};
 
-/// Residual up to which a loop counts as closed if every coordinate is stated, relative to the size
-/// of its terms. It is loose since files state few digits.
+/// Residual up to which a loop counts as closed if every coordinate is stated, relative to the size of its terms. It
+/// is loose, since the numbers in files have few digits.
 const STATED: f64 = 1e-9;
 impl<'a> ValueReader<'a, '_> {
-    /// Reads `[guess]`: guesses for the coordinates that the start does not state, by index of the
-    /// coordinate. An entry is `None` without a guess; the whole is `None` after an error is reported.
+    /// Reads `[guess]`: guesses for the coordinates that the start does not state. The list has an entry for each
+    /// coordinate, `None` if there is no guess for it. `None` as a whole after an error is reported.
     pub(in crate::scene) fn guesses(
         &mut self,
         table: &'a DeTable<'a>,
@@ -31,7 +30,7 @@ impl<'a> ValueReader<'a, '_> {
             return None;
         }
         for (name, value) in self.reader.entries(section) {
-            // A variable that a constraint fixes needs no guess; a guess for it is only checked.
+            // A variable that a constraint determines needs no guess. A guess for it is only checked.
             if self.model.constraints.iter().any(|c| c.fixes == name.text) {
                 let formula = self.reader.formula(value, &format!("`{}`", name.text))?;
                 self.number(&formula, parameters, "a guess")?;
@@ -49,9 +48,10 @@ impl<'a> ValueReader<'a, '_> {
         Some(guesses)
     }
 
-    /// Solves for the coordinates that are not stated so that all loops close, and sets them in `q`.
-    /// `held` are stated values of variables that constraints fix, by index of the constraint. Returns
-    /// the solved coordinates. `None` if loops stay open or the pose is singular, which is reported.
+    /// Solves for the coordinates that are not stated so that all loops close, and sets them in `q`. `held` are
+    /// stated values of variables that constraints determine, as (index of the constraint, value).
+    ///
+    /// Returns the coordinates that were solved for. `None` after reporting loops that stay open or a singular pose.
     pub(in crate::scene) fn close_loops(
         &mut self,
         q: &mut [Option<Number>],
@@ -120,7 +120,8 @@ impl<'a> ValueReader<'a, '_> {
         Some(free.iter().map(name).collect())
     }
 
-    /// Reports the loop with the largest residual, and the nearest pose that was found.
+    /// Reports that the loops cannot be closed. The message names the loop with the largest residual and the nearest
+    /// pose that was found.
     fn report_failed_loop_closing(
         &mut self,
         loops: &Loops,

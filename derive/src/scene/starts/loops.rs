@@ -1,5 +1,5 @@
-//! Loops of a mechanism as functions of parameters and coordinates, and Newton's method for poses
-//! that close them.
+//! Loops of a mechanism as functions of parameters and coordinates, and Newton's method for poses in which they are
+//! closed.
 
 use crate::algebra::Expr;
 use crate::algebra::term::calculus::Gradient;
@@ -11,7 +11,7 @@ use tripos_traits::{DoubleDouble, Scalar};
 
 /// Largest number of steps of Newton's method.
 const STEPS: usize = 100;
-/// Largest number of halvings of one Newton step.
+/// Largest number of times that a single Newton step is halved.
 const HALVINGS: usize = 40;
 /// Residual up to which a loop counts as closed, relative to the sum of the sizes of the loop's
 /// terms.
@@ -19,39 +19,39 @@ const OPEN: f64 = 1e-13;
 /// Residual up to which a loop counts as closed if no coordinate is free, relative to the size of
 /// its terms. Stated coordinates may have few digits.
 const HELD: f64 = 1e-9;
-/// Singular value below which a derivative matrix loses rank in Newton's method, relative to the
-/// largest singular value.
+/// Singular value below which the matrix of derivatives loses rank in Newton's method, relative to the largest
+/// singular value.
 const RANK: f64 = 1e-10;
-/// Smallest singular value up to which loops count as dependent, relative to the largest one. A
-/// pose that is a double root has only half of the digits.
+/// Smallest singular value up to which loops count as dependent, relative to the largest singular value. It is large,
+/// since a pose that is a double root has only half of the digits.
 const SINGULAR: f64 = 1e-6;
 
-/// Loop equations of a model as functions of parameters and coordinates. Independent loops come
-/// first, then redundant loops, then variables that constraints fix, if they are held at values.
+/// Loop equations of a model as functions of parameters and coordinates. Independent loops come first, then redundant
+/// loops. Variables that constraints determine follow, if they are held at values.
 pub struct Loops {
-    /// Program of the left sides of the loops, then of the held variables.
+    /// Program that computes the left sides of the loops, then the held variables.
     values: Tape,
-    /// Program of the partial derivatives of the loops and held variables with respect to the
+    /// Program that computes the partial derivatives of the loops, then of the held variables, with respect to the
     /// coordinates, row by row.
     slopes: Tape,
     /// Names of the loops, then of the held variables.
     names: Vec<String>,
     /// Number of independent loops.
     independent: usize,
-    /// Number of all loops.
+    /// Number of all loops, redundant loops included.
     count: usize,
-    /// Values at which variables that constraints fix are held, to 32 digits.
+    /// Values at which variables that constraints determine are held, to 32 digits.
     held: Vec<DoubleDouble>,
 }
 
-/// Residual of a redundant loop, which should follow from the independent loops.
+/// Residual of a redundant loop. It should vanish if the independent loops are closed.
 #[derive(Clone, Copy, Debug)]
 pub struct DependentLoop<'l> {
     /// Name of the redundant loop in the model file.
     pub name: &'l str,
-    /// Left side of the loop equation, in its SI unit.
+    /// Left side of the loop equation in the given pose, in the equation's SI unit.
     pub residual: f64,
-    /// Absolute residual, relative to the sum of the sizes of the loop's terms.
+    /// Absolute value of the residual, relative to the sum of the sizes of the loop's terms.
     pub part: f64,
 }
 
@@ -59,7 +59,7 @@ pub struct DependentLoop<'l> {
 pub(in crate::scene) struct FoundPose {
     /// Coordinates of the pose, in SI units.
     pub q: Vec<f64>,
-    /// Residual of each loop in its SI unit, then deviation of each held variable.
+    /// Residual of each loop in its SI unit, then the deviation of each held variable from its value.
     pub open: Vec<f64>,
     /// True if all loops are closed within rounding.
     pub is_closed: bool,
@@ -75,7 +75,7 @@ impl Loops {
         Self::with_held_variables(model, &[])
     }
 
-    /// Creates the loops of a model with held variables, as (index of the constraint that fixes the
+    /// Creates the loops of a model with held variables. Each is (index of the constraint that determines the
     /// variable, value).
     pub(in crate::scene) fn with_held_variables(model: &Model, held: &[(usize, Number)]) -> Self {
         let arena = &mut model.arena.clone();
@@ -86,7 +86,7 @@ impl Loops {
         let equations: Vec<Expr> = all().map(|c| c.equation).chain(fixed().map(|c| c.value)).collect();
         let mut gradient = Gradient::new(&coordinates);
         let mut slopes = vec![Expr::ZERO; equations.len() * coordinates.len()];
-        // The search never changes time, so its derivatives stay zero.
+        // The search never changes time, so the derivatives with respect to time stay zero.
         let time = model.time();
         for (row, equation) in equations.iter().enumerate() {
             for &(at, slope) in gradient.apply(arena, *equation).iter().filter(|(at, _)| Some(*at) != time) {
@@ -125,8 +125,8 @@ impl Loops {
         following.collect()
     }
 
-    /// Finds a closed pose near `q`, to 32 digits, by changing only the coordinates `free`. `None` if
-    /// none is found, or if the loops do not determine the free coordinates.
+    /// Finds a closed pose near `q`, to 32 digits. Only the coordinates with the indices `free` change. `None` if no
+    /// closed pose is found, or if the loops do not determine the free coordinates.
     #[must_use]
     pub fn close(&self, p: &[DoubleDouble], q: &[DoubleDouble], free: &[usize]) -> Option<Vec<DoubleDouble>> {
         let doubles = |list: &[DoubleDouble]| list.iter().map(|x| x.hi()).collect::<Vec<f64>>();
@@ -158,15 +158,14 @@ impl Loops {
         Some(precise)
     }
 
-    /// Name of each loop with its residual in the pose `q`, in the loop's SI unit; held variables
-    /// follow.
+    /// Residuals in the pose `q`, as (name, residual in SI units): of each loop, then of each held variable.
     #[must_use]
     pub fn openings(&self, p: &[f64], q: &[f64]) -> Vec<(&str, f64)> {
         self.names.iter().map(String::as_str).zip(self.loop_residuals(p, q)).collect()
     }
 
-    /// Name of a redundant loop whose derivatives are not a combination of those of the independent
-    /// loops in this pose, although they should be. `None` if all are.
+    /// Name of a redundant loop that is not redundant in this pose: its derivatives are no combination of those of
+    /// the independent loops. `None` if there is no such loop.
     pub(in crate::scene) fn violated_redundant_loop(&self, p: &[f64], q: &[f64]) -> Option<&str> {
         if self.independent == self.count {
             return None;
@@ -180,7 +179,7 @@ impl Loops {
         })
     }
 
-    /// Residual of each loop, then deviation of each held variable from its value, in SI units.
+    /// Residual of each loop, then the deviation of each held variable from its value, in SI units.
     pub(in crate::scene) fn loop_residuals(&self, p: &[f64], q: &[f64]) -> Vec<f64> {
         let mut open = self.values.evaluate(&[p, q].concat());
         for (open, held) in open[self.count..].iter_mut().zip(&self.held) {
@@ -189,7 +188,7 @@ impl Loops {
         open
     }
 
-    /// Residual of each loop and deviation of each held variable, in SI units and to 32 digits.
+    /// Residual of each loop, then the deviation of each held variable from its value, in SI units and to 32 digits.
     pub(in crate::scene) fn loop_residuals_extended(
         &self,
         p: &[DoubleDouble],
@@ -202,20 +201,20 @@ impl Loops {
         open
     }
 
-    /// Matrix of the loops' partial derivatives in a pose: a row for each loop, a column for each
-    /// coordinate.
+    /// Matrix of the loops' partial derivatives in a pose. It has a row for each loop, then for each held variable,
+    /// and a column for each coordinate.
     fn slopes(&self, p: &[f64], q: &[f64]) -> DMatrix<f64> {
         let values = self.slopes.evaluate(&[p, q].concat());
         DMatrix::from_row_slice(values.len() / q.len().max(1), q.len(), &values)
     }
 
-    /// True if the residual of every loop is at most `part` times the size of its terms.
+    /// True if no residual in `open` exceeds `part` times the size of the loop's terms.
     pub(in crate::scene) fn is_closed(&self, p: &[f64], q: &[f64], open: &[f64], part: f64) -> bool {
         let slopes = self.slopes(p, q);
         open.iter().enumerate().all(|(row, open)| open.abs() <= part * loop_term_size(&slopes, row, q))
     }
 
-    /// True if the independent loops lose rank in this pose: their derivatives are linearly dependent.
+    /// True if the derivatives of the independent loops are linearly dependent in this pose (it is singular).
     pub(in crate::scene) fn is_singular(&self, p: &[f64], q: &[f64]) -> bool {
         if self.independent == 0 {
             return false;
@@ -224,8 +223,8 @@ impl Loops {
         values.min() <= SINGULAR * values.max()
     }
 
-    /// Runs Newton's method with halved steps, changing only the coordinates `free`. If the loops do
-    /// not determine all of them, it takes the smallest change.
+    /// Runs Newton's method with halved steps from the pose `start`. Only the coordinates with the indices `free`
+    /// change. If the loops do not determine all of them, each step is the smallest change.
     pub(in crate::scene) fn newton(&self, p: &[f64], start: &[f64], free: &[usize]) -> FoundPose {
         let mut q = start.to_vec();
         let mut open = DVector::from_vec(self.loop_residuals(p, &q));
@@ -265,8 +264,8 @@ impl Loops {
     }
 }
 
-/// Sum of the sizes of the terms of the loop `row`: |slope| max(1, |q|), summed over the
-/// coordinates.
+/// Sum of the sizes of the terms of the loop with the index `row`: |∂φ/∂q| max(1, |q|), summed over the coordinates
+/// q.
 fn loop_term_size(slopes: &DMatrix<f64>, row: usize, q: &[f64]) -> f64 {
     slopes.row(row).iter().zip(q).map(|(slope, q)| (slope * q).abs().max(slope.abs())).sum()
 }

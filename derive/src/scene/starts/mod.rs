@@ -1,5 +1,4 @@
-//! Starts of scenes: coordinates and rates that the scene file states, and those computed from
-//! constraints.
+//! Starts of scenes: coordinates and rates that the scene file states, and those that are computed from constraints.
 
 pub(super) mod loop_closing;
 pub(super) mod loops;

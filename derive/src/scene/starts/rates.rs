@@ -1,12 +1,11 @@
-//! Rates of all coordinates at a start, from stated rates or speeds and from the motion
-//! constraints.
+//! Rates of all coordinates at a start, from stated rates or speeds and from the motion constraints.
 //!
-//! All conditions are linear in the rates: motion constraints, stated rates, speeds, and rates of
-//! variables that constraints fix. They are solved in doubles by singular values, and then to 32
-//! digits with the same factors.
+//! All conditions are linear in the rates: motion constraints, stated rates, stated speeds, and rates of variables
+//! that constraints determine. They are solved in doubles by singular values, and then to 32 digits with the same
+//! factors.
 //!
-//! If a rate stays open, the file has to state more. A speed does not determine the motion at a
-//! dead point, nor does the rate of a coordinate that cannot move.
+//! If a rate stays undetermined, the file has to state more. A speed does not determine the motion at a dead point,
+//! nor does the rate of a coordinate that cannot move.
 
 use super::start::SolvedVariable;
 use crate::algebra::Expr;
@@ -20,30 +19,30 @@ use nalgebra::{DMatrix, DVector};
 use std::ops::Range;
 use tripos_traits::{DoubleDouble, Scalar};
 
-/// Singular value up to which a direction of the rates counts as undetermined, relative to the
-/// largest singular value.
+/// Singular value up to which a direction in the space of rates counts as undetermined, relative to the largest
+/// singular value.
 const RANK: f64 = 1e-9;
-/// Component of a unit direction above which a rate counts as part of the direction.
+/// Component of a unit direction in the space of rates, above which the direction contains that rate.
 const PART: f64 = 1e-6;
-/// Residual up to which a condition on the rates holds, relative to the largest rate and the length
-/// of its row.
+/// Residual up to which a condition on the rates is satisfied, relative to the largest rate and to the length of the
+/// condition's row.
 const RESIDUAL: f64 = 1e-9;
-/// Number of refinements of the rates; each adds about sixteen digits.
+/// Number of refinements of the solved rates. Each adds about sixteen digits.
 const REFINEMENTS: usize = 3;
 
-/// Rates and speeds that a start states, by index in the lists of the model, in SI units.
+/// Rates and speeds that a start states, by their indices in the lists of the model, in SI units.
 #[derive(Default)]
 pub(in crate::scene) struct StatedMotion {
     /// Stated rates of coordinates, as (index of the coordinate, rate).
     pub rates: Vec<(usize, DoubleDouble)>,
-    /// Stated rates of variables that constraints fix, as (index of the constraint, rate).
+    /// Stated rates of variables that constraints determine, as (index of the constraint, rate).
     pub fixed: Vec<(usize, DoubleDouble)>,
     /// Stated generalized speeds, as (index of the speed, value).
     pub speeds: Vec<(usize, DoubleDouble)>,
 }
 
-/// Program of quantities that are linear in the rates: motion constraints, generalized speeds, and
-/// rates of variables that constraints fix. Its inputs are parameters, coordinates and rates.
+/// Program that computes quantities which are linear in the rates. They are motion constraints, generalized speeds,
+/// and rates of variables that constraints determine. Its inputs are parameters, coordinates and rates.
 fn linear_in_rates(model: &Model) -> Tape {
     let arena = &mut model.arena.clone();
     let (coordinates, rates) = (model.q(), model.q_dot());
@@ -71,12 +70,11 @@ struct Condition {
     of: ConditionTerm,
     /// Value that the quantity must have, in SI units, to 32 digits.
     value: DoubleDouble,
-    /// Name of the quantity in messages.
+    /// Name of the quantity in error messages.
     name: String,
 }
 
-/// Quantity of a condition: an output of the program `linear_in_rates`, or the rate of a
-/// coordinate, by index.
+/// Quantity that a condition restricts: an output of the program `linear_in_rates`, or the rate of a coordinate.
 enum ConditionTerm {
     /// Output of the program `linear_in_rates`, by its index.
     Tape(usize),
@@ -85,8 +83,8 @@ enum ConditionTerm {
 }
 
 impl ValueReader<'_, '_> {
-    /// Solves for the rates of all coordinates, to 32 digits, in SI units. `None` after reporting rates
-    /// that stay undetermined, or statements that contradict one another.
+    /// Solves for the rates of all coordinates, to 32 digits, in SI units. `None` after reporting rates that stay
+    /// undetermined, or stated values that contradict one another.
     pub(in crate::scene) fn solve_rates(
         &mut self,
         stated: &StatedMotion,
@@ -181,7 +179,8 @@ impl ValueReader<'_, '_> {
 }
 
 impl Condition {
-    /// Value of the condition's quantity, from the program's outputs and the rates.
+    /// Value of the quantity that the condition restricts. `values` are the program's outputs, `rates` the rates of
+    /// the coordinates.
     fn at(&self, values: &[DoubleDouble], rates: &[DoubleDouble]) -> DoubleDouble {
         match self.of {
             ConditionTerm::Tape(at) => values[at],
@@ -190,7 +189,7 @@ impl Condition {
     }
 }
 
-/// All conditions on the rates: motion constraints, then stated speeds and rates.
+/// All conditions on the rates: motion constraints, then stated speeds and stated rates.
 fn rate_conditions(model: &Model, stated: &StatedMotion) -> Vec<Condition> {
     let (ties, speeds) = (model.motion_constraints.len(), model.speeds.len());
     let mut list: Vec<Condition> = Vec::new();
@@ -222,8 +221,8 @@ fn rate_conditions(model: &Model, stated: &StatedMotion) -> Vec<Condition> {
     list
 }
 
-/// Matrix of the conditions' derivatives with respect to the n rates: a row for each condition.
-/// Differences give it exactly, since the conditions are linear.
+/// Matrix of the conditions' derivatives with respect to the n rates, with a row for each condition. Differences give
+/// it exactly, since the conditions are linear.
 fn rate_condition_matrix(list: &[Condition], n: usize, evaluate: impl Fn(&[f64]) -> Vec<f64>) -> DMatrix<f64> {
     let mut along = vec![0.0; n];
     let still = evaluate(&along);
@@ -242,8 +241,8 @@ fn rate_condition_matrix(list: &[Condition], n: usize, evaluate: impl Fn(&[f64])
     matrix
 }
 
-/// Indices of the rates that belong to a direction with a singular value up to `least`, which no
-/// condition determines.
+/// Indices of the rates that no condition determines. Each belongs to a direction whose singular value is at most
+/// `least`.
 fn undetermined_rates(sizes: &DVector<f64>, directions: &DMatrix<f64>, least: f64) -> Vec<usize> {
     let free: Vec<usize> = (0..sizes.len()).filter(|at| sizes[*at] <= least).collect();
     (0..directions.ncols()).filter(|column| free.iter().any(|row| directions[(*row, *column)].abs() > PART)).collect()

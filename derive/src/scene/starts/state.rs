@@ -25,7 +25,7 @@ pub struct Start {
     pub u: Vec<f64>,
     /// Parameters and state to 32 digits, as the file states them.
     pub exact: ExactStart,
-    /// Coordinates and rates that the file does not state and that were solved for.
+    /// Coordinates and rates that the file does not state, so that they were solved for.
     pub closed: Vec<SolvedVariable>,
 }
 
@@ -50,11 +50,11 @@ impl State {
     }
 }
 
-/// Reads a state file: `[parameters]`, if values differ from the model's defaults, and `[state]`.
-/// Formulas that the file gives to inputs replace the inputs in the model.
+/// Reads a state file: `[state]`, and `[parameters]` if values differ from the model's defaults. Formulas that the
+/// file gives to inputs replace the inputs in the model.
 ///
 /// # Errors
-/// [`Diagnostics`] with every error of the state file.
+/// Returns [`Diagnostics`] with every error of the state file.
 pub fn load_state(source: &Source, model: &mut Model) -> Result<State, Diagnostics> {
     bind_inputs(source, model)?;
     let (reader, table) = TomlReader::parse(source)?;
@@ -73,9 +73,9 @@ pub fn load_state(source: &Source, model: &mut Model) -> Result<State, Diagnosti
     Ok(State { parameters: double_values(&parameters.expect("reported if missing")), q, u })
 }
 
-/// Stated value of a variable that a constraint of the model fixes.
+/// Stated value of a variable that a constraint of the model determines.
 struct ConstrainedValue {
-    /// Index of the constraint that fixes the variable.
+    /// Index of the constraint that determines the variable.
     constraint: usize,
     /// Stated value, in SI units.
     number: Number,
@@ -83,12 +83,12 @@ struct ConstrainedValue {
     span: Range<usize>,
 }
 
-/// Numbers of stated values and rates of variables that constraints fix.
+/// Numbers of stated values and of stated rates, for variables that constraints determine.
 #[derive(Clone, Copy)]
 struct ConstrainedCounts {
-    /// Number of stated values of variables that constraints fix.
+    /// Number of stated values of variables that constraints determine.
     held: usize,
-    /// Number of stated rates of variables that constraints fix.
+    /// Number of stated rates of variables that constraints determine.
     fixed: usize,
 }
 
@@ -96,23 +96,23 @@ struct ConstrainedCounts {
 /// the value.
 const RESIDUAL: f64 = 1e-9;
 
-/// Stated numbers of a list, as (index, value to 32 digits); entries without a number are left out.
+/// Stated numbers in a list, as (index, value to 32 digits). Entries without a number are left out.
 fn state_entries_by_index(list: &[Option<(Number, Located)>]) -> Vec<(usize, DoubleDouble)> {
     let stated = list.iter().enumerate().filter_map(|(at, stated)| Some((at, stated.as_ref()?.0.extended())));
     stated.collect()
 }
 
-/// Name of a coordinate's rate in scene and state files, such as `q1'`.
+/// Name of a coordinate's rate in scene and state files, such as `q1'`. `at` is the index of the coordinate.
 fn state_rate_name(model: &Model, at: usize) -> String {
     format!("{}'", model.coordinates[at].name)
 }
 
 impl<'a> ValueReader<'a, '_> {
-    /// Reads a state: every coordinate, and every speed or every q′. `None` after an error is reported.
+    /// Reads a state: every coordinate, and every speed or every rate q̇. `None` after an error is reported.
     ///
-    /// The file may leave out coordinates that loops determine, or that follow from stated values of
-    /// variables that constraints fix. Guesses for these are under the key `guess` of `file`. The file
-    /// may also leave out rates that follow from the other rates.
+    /// The file may leave out coordinates that loops determine, or that follow from stated values of variables that
+    /// constraints determine. Guesses for these coordinates are under the key `guess` of `file`. The file may also
+    /// leave out rates that follow from the other rates.
     pub fn state(&mut self, file: &'a DeTable<'a>, table: &'a DeTable<'a>, parameters: &[Number]) -> Option<Start> {
         let before = self.reader.errors.len();
         let (n, p) = (self.model.coordinates.len(), self.model.speeds.len());
@@ -210,8 +210,8 @@ impl<'a> ValueReader<'a, '_> {
         Some(Start { q, u, exact, closed })
     }
 
-    /// Sets the time coordinate to the first instant of the span. In a state file it is the stated
-    /// instant, or 0 if none is stated. `None` after an error is reported.
+    /// Sets the time coordinate to the first instant of the span. For a state file it is the stated instant, or 0 if
+    /// the file states none. `None` after an error is reported.
     fn set_time_of_state(
         &mut self,
         q: &mut [Option<Number>],
@@ -233,8 +233,8 @@ impl<'a> ValueReader<'a, '_> {
         Some(())
     }
 
-    /// Reports coordinates, speeds and rates without a value, and a mixture of speeds and rates. `None`
-    /// after an error is reported.
+    /// Reports coordinates, speeds and rates that have no value, and a mixture of speeds and rates. `None` after an
+    /// error is reported.
     fn report_missing_values(
         &mut self,
         table: &'a DeTable<'a>,
@@ -259,7 +259,7 @@ impl<'a> ValueReader<'a, '_> {
             return None;
         }
         if by_rate && (model.ties_rates() || fixed > 0) {
-            // Further rates follow from the stated rates, or are reported later.
+            // Further rates follow from the stated rates, or are reported later as undetermined.
         } else if by_rate {
             let names = model.coordinates.iter().zip(rates).filter(|(_, x)| x.is_none());
             missing.extend(names.map(|(c, _)| format!("{}'", c.name)));
@@ -275,7 +275,7 @@ impl<'a> ValueReader<'a, '_> {
         None
     }
 
-    /// Reports stated values of variables that violate the constraint that fixes them.
+    /// Reports stated values of variables that contradict the constraint which determines them.
     fn check_constraints_of_state(&mut self, stated: &[ConstrainedValue], parameters: &[f64], q: &[f64]) {
         for ConstrainedValue { constraint, number, span } in stated {
             let constraint = self.model.constraints[*constraint].clone();
@@ -297,8 +297,7 @@ impl<'a> ValueReader<'a, '_> {
         }
     }
 
-    /// Reports stated rates that violate a motion constraint. Generalized speeds could not represent
-    /// such rates.
+    /// Reports stated rates that violate a motion constraint. Generalized speeds could not represent such rates.
     fn check_motion_of_state(&mut self, table: &'a DeTable<'a>, parameters: &[f64], q: &[f64], rates: &[f64]) {
         let model = &self.model;
         let symbols = [model.p(), model.q(), model.q_dot()].concat();
@@ -339,7 +338,7 @@ impl<'a> ValueReader<'a, '_> {
         tape.evaluate(&[parameters, q, rates].concat())
     }
 
-    /// Unit of a coordinate, rate or speed by its name; `None` for any other name.
+    /// Unit of the coordinate, rate or speed with the given name; `None` for any other name.
     fn unit_in_state(&self, name: &str) -> Option<Unit> {
         let model = &self.model;
         let coordinates = model.coordinates.iter();

@@ -1,4 +1,4 @@
-//! States with unknowns: some numbers are held at their values, others are solved for near a guess.
+//! States with unknowns: numbers under `[guess]` are solved for, from these values. All other numbers are held.
 
 use crate::algebra::{Expr, Rational};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source};
@@ -12,20 +12,20 @@ use crate::toml_reader::{Located, TomlReader};
 use toml::de::DeTable;
 use tripos_traits::DoubleDouble;
 
-/// State whose guessed numbers are unknowns, to be solved for so that conditions hold.
+/// State in which guessed numbers are unknowns. They are to be solved for so that conditions are satisfied.
 #[derive(Clone, Debug, Default)]
 pub struct StateWithUnknowns {
     /// Values of the parameters in SI units, in the order of the model, to 32 digits.
     pub parameters: Vec<DoubleDouble>,
-    /// Values of the parameters as rational numbers; `None` for a value that is not known exactly.
+    /// Values of the parameters as rational numbers, in the order of the model. `None` for a value that is not known
+    /// exactly.
     pub rational: Vec<Option<Rational>>,
-    /// Values of the coordinates, then of the generalized speeds, in SI units: as stated, or as
-    /// guessed.
+    /// Values of the coordinates, then of the generalized speeds, in SI units. They are stated or guessed values.
     pub x: Vec<DoubleDouble>,
     /// Formula of each coordinate and speed, as a term in parameters and names that the state file
     /// defines.
     pub formulas: Vec<Expr>,
-    /// Indices in `x` of the unknowns: the numbers under `[guess]`.
+    /// Indices in [`Self::x`] of the unknowns: the numbers under `[guess]`.
     pub sought: Vec<usize>,
     /// Numbers with names that the state file defines for its own formulas.
     pub names: Vec<NamedNumber<DoubleDouble>>,
@@ -33,7 +33,7 @@ pub struct StateWithUnknowns {
     pub outputs: Vec<SceneOutput>,
 }
 
-/// Keys that a state file may have. Keys of scene files are permitted and ignored.
+/// Keys that a state file may have. Keys of scene files are permitted, but ignored.
 const KEYS: [&str; 19] = [
     "schema",
     "model",
@@ -56,11 +56,11 @@ const KEYS: [&str; 19] = [
     "source",
 ];
 
-/// Reads a state file, or the start of a scene file, with its unknowns. `given`, as (name, value),
-/// replaces numbers of the file: its own names, parameters, coordinates and speeds.
+/// Reads a state file, or the start of a scene file, with its unknowns. `given`, as (name, value), replaces numbers
+/// of the file: its own names, parameters, coordinates and speeds.
 ///
 /// # Errors
-/// [`Diagnostics`] with every error of the state file.
+/// Returns [`Diagnostics`] with every error of the file.
 pub fn load_state_with_unknowns(
     source: &Source,
     model: &mut Model,
@@ -116,24 +116,25 @@ fn state_names(model: &Model) -> impl Iterator<Item = String> {
 /// Value of a coordinate or speed in a state file, stated or guessed.
 #[derive(Clone)]
 struct StatedValue {
-    /// Value, in SI units.
+    /// Stated or guessed value, in SI units.
     number: Number,
-    /// Term of the value, in parameters and names of the file.
+    /// Term of the value, in parameters and in names that the file defines.
     formula: Expr,
-    /// True if the value is a guess, so that the number is an unknown; false if it is held.
+    /// True if the value is a guess, so that the number is an unknown. False if the number is held.
     is_guess: bool,
 }
 
 impl<'a> ValueReader<'a, '_> {
-    /// Reads the entries that every state file may have: the format version and its own names. Reports
-    /// unknown keys.
+    /// Reads the entries that every state file may have: the format version and the file's own names. Reports unknown
+    /// keys.
     pub(in crate::scene) fn state_file(&mut self, table: &'a DeTable<'a>, given: &[(String, f64)]) {
         self.reader.schema(table);
         self.reader.report_unknown_keys(table, "a state file", &KEYS);
         self.read_own_names(table, given);
     }
 
-    /// Reads `[names]`: numbers with names that the state file defines. Wrong names are reported.
+    /// Reads `[names]`: numbers with names that the state file defines for its own formulas. Wrong names are
+    /// reported.
     fn read_own_names(&mut self, table: &'a DeTable<'a>, given: &[(String, f64)]) {
         let Some(section) = self.section(table, "names") else { return };
         for (name, value) in self.reader.entries(section) {
@@ -159,7 +160,7 @@ impl<'a> ValueReader<'a, '_> {
         }
     }
 
-    /// True if a name already has a meaning in formulas of scenes of this model.
+    /// True if a name already has a meaning in formulas of this model's scenes.
     fn is_of_model(&self, name: &str) -> bool {
         let model = &self.model;
         let own = |known: &str| known == name;
@@ -179,7 +180,7 @@ impl<'a> ValueReader<'a, '_> {
         let n = self.model.coordinates.len();
         let mut values: Vec<Option<StatedValue>> = vec![None; names.len()];
         let mut rates: Vec<Option<Number>> = vec![None; n];
-        // Time as a coordinate gets the value 0 here: a state with unknowns does not state it.
+        // Time as a coordinate gets the value 0, since a state with unknowns does not state it.
         if let Some(at) = self.model.time() {
             values[at] = Some(StatedValue { number: Number::from_double(0.0), formula: Expr::ZERO, is_guess: false });
         }
@@ -228,8 +229,7 @@ impl<'a> ValueReader<'a, '_> {
         values.into_iter().collect()
     }
 
-    /// Computes the speeds of a state that states the rates of all coordinates, and sets them in
-    /// `values`.
+    /// Computes the speeds of a state that states the rates of all coordinates. Sets the speeds in `values`.
     fn speeds_of(&mut self, rates: &[Option<Number>], parameters: &[Number], values: &mut [Option<StatedValue>]) {
         let (places, speeds) = values.split_at_mut(rates.len());
         let rates: Option<Vec<f64>> = rates.iter().map(|rate| rate.as_ref().map(|rate| rate.double)).collect();
@@ -243,13 +243,13 @@ impl<'a> ValueReader<'a, '_> {
         }
     }
 
-    /// Index of a coordinate or speed in `names`. `None` after reporting any other name, or silently
-    /// for a variable that a constraint fixes.
+    /// Index of the coordinate or speed `name` in `names`. `None` after reporting any other name. `None` without a
+    /// report for a variable that a constraint determines.
     fn place_of(&mut self, names: &[String], name: &Located) -> Option<usize> {
         if let Some(at) = names.iter().position(|known| *known == name.text && *known != TIME) {
             return Some(at);
         }
-        // A variable that a constraint fixes follows from the coordinates.
+        // A variable that a constraint determines follows from the coordinates.
         if self.model.constraints.iter().any(|c| c.fixes == name.text) {
             return None;
         }
