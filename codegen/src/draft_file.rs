@@ -1,14 +1,14 @@
-//! Writing of files: all files of Tripos are written here, whole or not at all.
+//! Files on disk: all files of Tripos are written here, whole or not at all.
 //!
 //! Invariants:
-//! - A file under the requested name is always whole. Text is first written to that name with `.part` appended, and the
-//!   part is renamed when it is complete. After a full disk, an error or a kill before the rename, the old file is
-//!   unchanged.
-//! - A part is locked while it is written. A writer that waited for the lock checks that the part's name still belongs
-//!   to the file that it locked. So two writers of one name cannot mix their text, and neither empties the other's
-//!   finished file.
-//! - [`ExistingFilePolicy::Kept`] holds to the end: the rename itself refuses to replace a file that
-//!   appeared during the writing.
+//! - A file under the requested name is always whole. Text is first written to that name with `.part` appended (the
+//!   temporary file). This file is renamed when it is complete. After a full disk, an error or a kill before the
+//!   rename, the old file is unchanged.
+//! - A temporary file is locked while it is written. A writer that waited for the lock checks that the name still
+//!   belongs to the file that it locked. So two writers of one name cannot mix their text, and neither empties the
+//!   other's finished file.
+//! - [`ExistingFilePolicy::Kept`] holds to the end: the rename itself refuses to replace a file that appeared during
+//!   the writing.
 //!
 //! Devices and pipes cannot be renamed, so bytes are written to them directly. The disk is deliberately not flushed,
 //! because all files written here can be made again.
@@ -24,7 +24,7 @@ use tripos_derive::plain_text::path_as_plain_text;
 
 /// Longest time for which [`write()`] waits until another process has finished writing the same file.
 const LOCK_TIMEOUT: Duration = Duration::from_secs(10);
-/// Time between two attempts to lock the temporary file `NAME.part`.
+/// Time between two attempts to lock the temporary file `NAME.part`, while another process holds the lock.
 const PAUSE: Duration = Duration::from_millis(10);
 /// Paths of files that are already open, such as standard output. Bytes are written to them
 /// directly, because a renamed file would not reach the open file.
@@ -39,8 +39,8 @@ pub enum ExistingFilePolicy {
     Kept,
 }
 
-/// Choice between removing and keeping the temporary file `NAME.part` when its draft is dropped
-/// unfinished.
+/// Choice between removing and keeping the temporary file `NAME.part` of a draft that is dropped before it is
+/// finished.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum UnfinishedFilePolicy {
     /// Removes the temporary file of an unfinished draft.
@@ -52,14 +52,14 @@ pub enum UnfinishedFilePolicy {
 /// Reason why a file could not be written.
 #[derive(Debug)]
 pub enum WriteError {
-    /// A file of this path exists and must be kept.
+    /// The file with this path exists and must be kept.
     There(PathBuf),
-    /// A file of the first path appeared while the new one was written, and must be kept. The
-    /// second path is the temporary file that contains the whole new text.
+    /// A file of the first path appeared while the new file was written, and must be kept. The second path is the
+    /// temporary file, which contains the whole new text.
     Appeared(PathBuf, PathBuf),
-    /// Another process is writing this file.
+    /// Another process is writing the file with this path.
     Busy(PathBuf),
-    /// The operating system refuses to write this file. Holds the path and the system's error.
+    /// The operating system refuses to write the file with this path. The second entry is the system's error.
     Io(PathBuf, io::Error),
 }
 
@@ -86,7 +86,7 @@ impl std::error::Error for WriteError {}
 /// File that is being written. It has the temporary name `NAME.part` until it is complete.
 #[derive(Debug)]
 pub struct Draft {
-    /// Path of the file as given, with symbolic links not followed.
+    /// Path of the file as the caller gave it, with symbolic links not followed.
     path: PathBuf,
     /// Path that the complete file gets, with symbolic links followed.
     target: PathBuf,
@@ -103,8 +103,8 @@ impl Draft {
     /// Starts a new file. An unfinished temporary file of an earlier draft is overwritten.
     ///
     /// # Errors
-    /// [`WriteError`] if the file is locked by another process, must be kept, or cannot be created.
-    /// No file is changed then.
+    /// Returns a [`WriteError`] if the file is locked by another process, must be kept, or cannot be created. No file
+    /// is changed then.
     pub fn create(
         path: &Path,
         existing: ExistingFilePolicy,
@@ -113,9 +113,8 @@ impl Draft {
         Self::begin(path, existing, unfinished, Duration::ZERO)
     }
 
-    /// Starts a new file, and waits up to `wait` for another process that writes it.
-    /// `Err` if the path is no writable file name, must be kept, or is locked for longer. No file
-    /// is changed then.
+    /// Starts a new file, and waits up to `wait` for another process that writes it. `Err` if the path is no writable
+    /// file name, if the existing file must be kept, or if the lock is held for longer. No file is changed then.
     fn begin(
         path: &Path,
         existing: ExistingFilePolicy,
@@ -142,7 +141,7 @@ impl Draft {
         let file = open_locked_draft_file(path, &part, wait)?;
         // With this lock, every other writer of the name has finished or given up.
         if existing == ExistingFilePolicy::Kept && target.symlink_metadata().is_ok() {
-            // The text of an earlier draft stays: only a file that the lock has made is removed.
+            // The text of an earlier draft stays: only an empty file, which this lock has just created, is removed.
             if file.metadata().is_ok_and(|made| made.len() == 0) {
                 let _ = std::fs::remove_file(&part);
             }
@@ -159,14 +158,14 @@ impl Draft {
         Ok(Self { path: path.to_owned(), target, existing, part: Some(part), file: BufWriter::new(file) })
     }
 
-    /// Continues the unfinished temporary file `NAME.part` of an earlier draft; `None` if there is
-    /// none. [`Self::unfinished_file_reader`] reads its text, and [`Self::truncate_unfinished_file`]
-    /// cuts the text to a length. Until
-    /// then nothing is changed.
+    /// Continues the unfinished temporary file `NAME.part` of an earlier draft. `None` if there is no such file.
+    ///
+    /// [`Self::unfinished_file_reader`] reads its text, and [`Self::truncate_unfinished_file`] cuts the text to a
+    /// length. Until then nothing is changed.
     ///
     /// # Errors
-    /// [`WriteError`] if the temporary file is locked or the existing file must be kept. The
-    /// temporary file is unchanged then.
+    /// Returns a [`WriteError`] if the temporary file is locked or the existing file must be kept. The temporary file
+    /// is unchanged then.
     pub fn resume(path: &Path, existing: ExistingFilePolicy) -> Result<Option<Self>, WriteError> {
         let target = draft_target(path);
         let part = draft_file_path(&target);
@@ -189,29 +188,27 @@ impl Draft {
         self.file.get_ref()
     }
 
-    /// Cuts the text left by an earlier draft to its first `bytes` bytes. New text is written after
-    /// them.
+    /// Cuts the text that an earlier draft left to its first `bytes` bytes. New text is written after them.
     ///
     /// # Errors
-    /// [`WriteError::Io`] if the operating system refuses.
+    /// Returns [`WriteError::Io`] if the operating system refuses.
     pub fn truncate_unfinished_file(&mut self, bytes: u64) -> Result<(), WriteError> {
         let file = self.file.get_mut();
         let cut = file.set_len(bytes).and_then(|()| file.seek(SeekFrom::Start(bytes)));
         cut.map(|_| ()).map_err(|error| WriteError::Io(self.path.clone(), error))
     }
 
-    /// Path at which the text lies until the file is finished: the temporary file, or the device or
-    /// pipe itself.
+    /// Path of the text until the file is finished: the temporary file, or the device or pipe itself.
     #[must_use]
     pub fn draft_path(&self) -> &Path {
         self.part.as_deref().unwrap_or(&self.path)
     }
 
-    /// Gives its final name to a file that `convert` makes from the text of the draft. The draft is
-    /// removed when this file is complete; until then it stays.
+    /// Converts the draft into another file by `convert`, and gives this file the final name. The draft is removed
+    /// once this file is complete, and stays until then.
     ///
     /// # Errors
-    /// [`WriteError`] if `convert` fails, if the file cannot be written or renamed, or if the path is
+    /// Returns a [`WriteError`] if `convert` fails, or if the file cannot be written or renamed. Also if the path is
     /// a device or a pipe, which has no draft.
     pub fn finish_converted(
         mut self,
@@ -235,8 +232,8 @@ impl Draft {
     /// Writes the last bytes and gives the file its final name.
     ///
     /// # Errors
-    /// [`WriteError`] if the last bytes cannot be written, or the temporary file cannot be renamed.
-    /// After a failed rename the temporary file stays.
+    /// Returns a [`WriteError`] if the last bytes cannot be written, or the temporary file cannot be renamed. After a
+    /// failed rename the temporary file stays.
     pub fn finish(mut self) -> Result<(), WriteError> {
         let failed = |error| WriteError::Io(self.path.clone(), error);
         self.file.flush().map_err(failed)?;
@@ -244,7 +241,8 @@ impl Draft {
         self.part.take().map_or(Ok(()), |part| self.name_file(part))
     }
 
-    /// Gives a temporary file the final name. A file that cannot be renamed stays.
+    /// Gives a temporary file the final name of the draft. If it cannot be renamed, it stays under its temporary
+    /// name.
     fn name_file(&self, file: TempPath) -> Result<(), WriteError> {
         let named = match self.existing {
             ExistingFilePolicy::Replaced => file.persist(&self.target),
@@ -273,17 +271,16 @@ impl Write for Draft {
 /// Writes a whole file, and replaces an existing one. Waits up to 10 s for another writer of the file.
 ///
 /// # Errors
-/// [`WriteError`]; an existing file is unchanged then.
+/// Returns a [`WriteError`]; an existing file is unchanged then.
 pub fn write(path: &Path, bytes: impl AsRef<[u8]>) -> Result<(), WriteError> {
     write_draft(path, bytes)?.finish()
 }
 
-/// Writes the text of a file to its temporary file `NAME.part` and returns the draft, which
-/// replaces the file when it is finished. Waits up to 10 s for another process that writes the
-/// file.
+/// Writes the text of a file to its temporary file `NAME.part`, and returns the draft. The draft replaces the file
+/// when it is finished. Waits up to 10 s for another process that writes the file.
 ///
 /// # Errors
-/// [`WriteError`]; an existing file is unchanged.
+/// Returns a [`WriteError`]; an existing file is unchanged then.
 pub fn write_draft(path: &Path, bytes: impl AsRef<[u8]>) -> Result<Draft, WriteError> {
     let mut draft = Draft::begin(path, ExistingFilePolicy::Replaced, UnfinishedFilePolicy::Removed, LOCK_TIMEOUT)?;
     let written = draft.write_all(bytes.as_ref()).and_then(|()| draft.flush());
@@ -294,7 +291,7 @@ pub fn write_draft(path: &Path, bytes: impl AsRef<[u8]>) -> Result<Draft, WriteE
 /// Creates a folder and its parents, unless the folder exists.
 ///
 /// # Errors
-/// [`WriteError::Io`] if the folder cannot be created.
+/// Returns [`WriteError::Io`] if the folder cannot be created.
 pub fn create_folder(path: &Path) -> Result<(), WriteError> {
     std::fs::create_dir_all(path).map_err(|error| WriteError::Io(path.to_owned(), error))
 }
@@ -307,15 +304,14 @@ pub fn draft_would_change(path: &Path, input: &Path) -> bool {
     same(path) || (!has_no_draft_file(path) && same(&draft_file_path(&draft_target(path))))
 }
 
-/// Returns the path of the temporary file: the path with `.part` appended.
+/// Path of the temporary file of a file: the path with `.part` appended.
 fn draft_file_path(path: &Path) -> PathBuf {
     let mut name = path.as_os_str().to_owned();
     name.push(".part");
     name.into()
 }
 
-/// Returns the target of a symbolic link, and any other path unchanged. A broken link is unchanged
-/// too.
+/// Target of a symbolic link. Any other path, and that of a broken link, is returned unchanged.
 fn draft_target(path: &Path) -> PathBuf {
     if path.is_symlink() { path.canonicalize().unwrap_or_else(|_| path.to_owned()) } else { path.to_owned() }
 }
@@ -327,9 +323,8 @@ fn has_no_draft_file(path: &Path) -> bool {
     special || OPEN_DEVICE_PATHS.iter().any(|open| path.starts_with(open))
 }
 
-/// Opens and locks the temporary file `part` of the file `path`. Its contents are unchanged.
-/// Waits up to `wait` for another process; then gives `WriteError::Busy`.
-/// `Err` also if the file cannot be opened or is no regular file.
+/// Opens and locks the temporary file `part` of the file `path`. Its contents are unchanged. Waits up to `wait` for
+/// another process, then returns `WriteError::Busy`. `Err` also if the file cannot be opened or is no regular file.
 fn open_locked_draft_file(path: &Path, part: &Path, wait: Duration) -> Result<File, WriteError> {
     let failed = |error| WriteError::Io(path.to_owned(), error);
     let begun = Instant::now();
@@ -338,9 +333,9 @@ fn open_locked_draft_file(path: &Path, part: &Path, wait: Duration) -> Result<Fi
             let what = format!("`{}` is no regular file", path_as_plain_text(part));
             return Err(failed(Error::new(ErrorKind::AlreadyExists, what)));
         }
-        // The part is emptied later, once the lock is held.
+        // The temporary file is emptied later, once its lock is held.
         let file = File::options().read(true).write(true).create(true).truncate(false).open(part).map_err(failed)?;
-        // If the file system has no locks, as some network drives, the file counts as locked by this writer.
+        // On a file system without locks, such as a network drive, the file counts as locked by this writer.
         let is_ours = !matches!(file.try_lock(), Err(TryLockError::WouldBlock));
         if is_ours && is_path_of_draft_file(&file, part).map_err(failed)? {
             return Ok(file);
@@ -352,9 +347,8 @@ fn open_locked_draft_file(path: &Path, part: &Path, wait: Duration) -> Result<Fi
     }
 }
 
-/// True if `path` still leads to the open file `file`. Between opening and locking, another process
-/// may have renamed it.
-/// `Err` if the open file cannot be examined.
+/// True if `path` still leads to the open file `file`. Between opening and locking, another process may have renamed
+/// the file. `Err` if the open file cannot be examined.
 fn is_path_of_draft_file(file: &File, path: &Path) -> io::Result<bool> {
     let mine = Handle::from_file(file.try_clone()?)?;
     Ok(Handle::from_path(path).is_ok_and(|named| named == mine))
@@ -403,7 +397,7 @@ mod tests {
         let second = Draft::create(&path, ExistingFilePolicy::Kept, UnfinishedFilePolicy::Left);
         assert!(matches!(second, Err(WriteError::Busy(_))), "one at a time");
         draft.write_all(b"mine").unwrap();
-        // By a program that knows nothing of locks.
+        // A program that does not use locks writes this file.
         std::fs::write(&path, "another's").unwrap();
         assert!(matches!(draft.finish(), Err(WriteError::Appeared(..))));
         assert_eq!((text(&path), text(&draft_file_path(&path))), ("another's".to_owned(), "mine".to_owned()));
@@ -411,8 +405,8 @@ mod tests {
         assert!(matches!(third, Err(WriteError::There(_))));
     }
 
-    /// Goal: no writer empties or replaces what another has finished. Method: many threads, each with a text of its
-    /// own, all of one name; only the first may finish, and what it wrote stays.
+    /// Goal: no writer empties or replaces a file that another writer has finished. Method: many threads write
+    /// different texts under the same name; only the first may finish, and its text stays.
     #[test]
     fn of_many_writers_of_one_name_one_finishes() {
         let folder = tempfile::tempdir().unwrap();
@@ -474,7 +468,8 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.csv");
         write(&path, "old").unwrap();
-        // As any other file is made, not as a secret one; and as the old one was.
+        // The permissions are those of any other new file, not those of a private one. A replaced file keeps its
+        // permissions.
         assert_eq!(path.metadata().unwrap().permissions().mode() & 0o600, 0o600);
         std::fs::set_permissions(&path, std::fs::Permissions::from_mode(0o640)).unwrap();
         write(&path, "newer").unwrap();

@@ -1,9 +1,8 @@
-//! Modules of generated code for any model file, for use in other programs, in Rust or another
-//! target language.
+//! Modules of generated code for any model file, in Rust or another target language, for use in other programs.
 //!
-//! Invariant: a file that [`write_emission`] did not write is never changed. If a foreign file has the name
-//! of a new file, no file is changed at all. The header of a file tells whether [`write_emission`] wrote it.
-//! A Rust module comes without a crate around it and needs the crate `tripos-traits`.
+//! Invariant: a file that [`write_emission`] did not write is never changed. If such a foreign file has the name of a
+//! new file, no file is changed at all. The header of a file tells if [`write_emission`] wrote it. A Rust module
+//! comes without a crate around it, and needs the crate `tripos-traits`.
 
 use crate::draft_file::{self, Draft, WriteError};
 #[cfg(feature = "rust")]
@@ -29,7 +28,7 @@ pub struct Emission {
     /// Texts of the files, by file name. In Rust: `mod.rs`, one file of equations for each formulation, and their code
     /// in `code/`.
     pub files: BTreeMap<String, String>,
-    /// Formulations that the model does not support, each with the reason. They have no file.
+    /// Formulations that the model does not support, each with the reason. No file is generated for them.
     pub left_out: UnsupportedFormulations,
     /// Subcommand of `tripos` that writes the files, as their headers state it. Files written by
     /// other commands are not touched.
@@ -39,15 +38,16 @@ pub struct Emission {
 }
 
 /// Generates the Rust module `module` of the model file at `path`.
-/// It contains the given formulations. If none are given, it contains all that the model supports
-/// and the printed equations of the publication in its folder. The optional functions are those in
-/// `extras` and those that `code.toml` in the model's folder requests.
 ///
-/// The text equals that in `generated/src/MODULE` of a workspace, except for the header line with
-/// its origin.
+/// It contains the given formulations. If none are given, it contains all that the model supports, and the printed
+/// equations of the publication in the model's folder. The optional functions are those in `extras` and those that
+/// `code.toml` in the model's folder requests.
+///
+/// The text equals that in `generated/src/MODULE` of a workspace, except for the header line with its origin.
 ///
 /// # Errors
-/// [`Diagnostics`] of the model file or the publication, or of a given formulation that the model does not support.
+/// Returns [`Diagnostics`] of the model file or the publication, or of a given formulation that the model does not
+/// support.
 #[cfg(feature = "rust")]
 pub fn emit_rust_module(
     path: &Path,
@@ -58,14 +58,13 @@ pub fn emit_rust_module(
     emit_rust_model(&Model::read(path)?, module, formulations, extras)
 }
 
-/// Generates the Rust module `module` of a model that is already read, or was changed after
-/// reading.
-/// An empty list of formulations means all that the model supports, and the printed equations of
-/// its publication.
+/// Generates the Rust module `module` of a model that was already read, and perhaps changed after reading.
+///
+/// An empty list of formulations means all that the model supports, and the printed equations of its publication.
 ///
 /// # Errors
-/// [`Diagnostics`] of the model, the publication or `code.toml`, or of a given formulation that the
-/// model does not support.
+/// Returns [`Diagnostics`] of the model, the publication or `code.toml`, or of a given formulation that the model
+/// does not support.
 #[cfg(feature = "rust")]
 pub fn emit_rust_model(
     model: &Model,
@@ -86,8 +85,7 @@ pub enum EmittedFileChange {
     Written(String),
     /// The file already had the new text and was not touched.
     Unchanged(String),
-    /// The file was written by an earlier emission and no longer belongs to the module. It was
-    /// removed.
+    /// The file was written by an earlier emission and no longer belongs to the module, so it was removed.
     Removed(String),
 }
 
@@ -114,15 +112,15 @@ impl fmt::Display for EmittedFileChange {
 /// Reason why the files of a module could not be written into a folder.
 #[derive(Debug)]
 pub enum EmissionError {
-    /// A file that [`write_emission`] did not write has the name of a file of the module. Holds its path.
+    /// A file that [`write_emission`] did not write has the name of a file of the module. The entry is its path.
     Foreign(PathBuf),
-    /// A file of the module was written earlier from a different model. Holds the path of the file
-    /// and that model's path as its header states it.
+    /// A file of the module was written earlier from a different model. The entries are the path of this file, and
+    /// the path of that model as the file's header states it.
     OtherModel(PathBuf, String),
-    /// The operating system refuses to read or remove a file or folder. Holds its path and the
-    /// system's error.
+    /// The operating system refuses to read or remove a file or folder. The entries are its path and the system's
+    /// error.
     Io(PathBuf, std::io::Error),
-    /// The operating system refuses to write a file. Holds the error of the writer.
+    /// The operating system refuses to write a file. The entry is the error of the writer.
     Write(WriteError),
 }
 
@@ -149,13 +147,12 @@ impl fmt::Display for EmissionError {
     }
 }
 
-/// Writes the files of a module into a folder, and removes files of an earlier emission of the same
-/// model that are no longer generated. All other files stay.
-/// Returns the change of each file.
+/// Writes the files of a module into a folder. Removes files of an earlier emission of the same model that are no
+/// longer generated. All other files stay. Returns the change of each file.
 ///
 /// # Errors
-/// [`EmissionError`]. No file is changed if a foreign file or a file of another model has the name of
-/// a new file, or a text cannot be written.
+/// Returns an [`EmissionError`]. No file is changed if a foreign file or a file of another model has the name of a
+/// new file, or if a text cannot be written.
 pub fn write_emission(emission: &Emission, folder: &Path) -> Result<Vec<EmittedFileChange>, EmissionError> {
     let old = earlier_emitted_files(folder, emission)?;
     for (file, text) in &emission.files {
@@ -199,9 +196,8 @@ pub fn write_emission(emission: &Emission, folder: &Path) -> Result<Vec<EmittedF
     Ok(placed)
 }
 
-/// Reads the files that an earlier emission wrote into `folder` and its subfolder `code`. Returns
-/// their texts by relative path, empty if the folder does not exist.
-/// `Err` if a file or folder cannot be read.
+/// Reads the files that an earlier emission wrote into `folder` and its subfolder `code`. Returns their texts by
+/// relative path; empty if the folder does not exist. `Err` if a file or folder cannot be read.
 fn earlier_emitted_files(folder: &Path, emission: &Emission) -> Result<BTreeMap<String, String>, EmissionError> {
     let mut files = emitted_files_in_folder(folder, emission)?;
     let code = emitted_files_in_folder(&folder.join("code"), emission)?;
@@ -209,9 +205,8 @@ fn earlier_emitted_files(folder: &Path, emission: &Emission) -> Result<BTreeMap<
     Ok(files)
 }
 
-/// Reads the files directly in `folder` that carry the header of the emission's command and one of
-/// its extensions. Returns their texts by file name.
-/// `Err` if a file or folder cannot be read.
+/// Reads the files directly in `folder` that have the header of the emission's command and one of its extensions.
+/// Returns their texts by file name. `Err` if a file or folder cannot be read.
 fn emitted_files_in_folder(folder: &Path, emission: &Emission) -> Result<BTreeMap<String, String>, EmissionError> {
     let failed = |path: &Path| {
         let path = path.to_owned();

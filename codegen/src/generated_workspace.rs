@@ -30,14 +30,14 @@ pub struct GeneratedFiles {
     /// Folder names of models with errors, each with its errors. Their committed files stay
     /// unchanged.
     pub broken: Vec<(String, Diagnostics)>,
-    /// Paths of scene files with errors, such as `disk/scenes/report.toml`, each with its errors.
-    /// They get no generated code.
+    /// Paths of scene files with errors, such as `disk/scenes/report.toml`, each with its errors. No code is
+    /// generated for them.
     pub broken_scenes: Vec<(String, Diagnostics)>,
 }
 
-/// Derives the models in these folders under `models/` and generates their code.
+/// Derives the models in the given folders under `models/` and generates their code.
 ///
-/// A model with errors does not stop the others: it is listed in [`GeneratedFiles::broken`].
+/// A model with errors does not stop the generation for other models: it is listed in [`GeneratedFiles::broken`].
 #[must_use]
 pub fn generate(models: &Path, folders: &[String]) -> GeneratedFiles {
     let mut generated = GeneratedFiles::default();
@@ -56,8 +56,7 @@ pub fn generate(models: &Path, folders: &[String]) -> GeneratedFiles {
     generated
 }
 
-/// Generates the module of one model, and turns a panic during the derivation into an error of this
-/// model.
+/// Generates the module of one model. A panic during the derivation becomes an error of this model.
 fn workspace_module_without_panic(path: &Path, folder: &str) -> Result<ModuleFiles, Diagnostics> {
     std::panic::catch_unwind(|| workspace_module(path, folder)).unwrap_or_else(|_| {
         let source = Source { path: path.to_owned(), text: String::new() };
@@ -67,18 +66,17 @@ fn workspace_module_without_panic(path: &Path, folder: &str) -> Result<ModuleFil
     })
 }
 
-/// Generates the files of one model of the workspace, and returns their texts by relative path.
-/// `folder` is the model's folder name.
+/// Generates the files of one model of the workspace, and returns their texts by relative path. `folder` is the
+/// model's folder name.
 ///
 /// # Errors
-/// [`Diagnostics`] of the model file.
+/// Returns [`Diagnostics`] of the model file.
 pub fn generated_model_files(path: &Path, folder: &str) -> Result<BTreeMap<String, String>, Diagnostics> {
     Ok(workspace_module(path, folder)?.files)
 }
 
-/// Generates the module of one workspace model, and adds a copy of the model text for later
-/// comparison.
-/// `Err` holds the errors of the model, its publication or `code.toml`.
+/// Generates the module of one workspace model, and adds a copy of the model text for later comparison. `Err` holds
+/// the errors of the model, its publication or `code.toml`.
 fn workspace_module(path: &Path, folder: &str) -> Result<ModuleFiles, Diagnostics> {
     let origin = Origin { folder: format!("models/{folder}/"), model: "model.toml".to_owned(), command: "regenerate" };
     let model = Model::read(path)?;
@@ -88,27 +86,25 @@ fn workspace_module(path: &Path, folder: &str) -> Result<ModuleFiles, Diagnostic
     Ok(module)
 }
 
-/// Name of the file, among a module's generated files, that contains the model text from which the
-/// module was derived. After an edit, both texts are derived and compared.
+/// Name of the generated file that contains the model text from which a module was derived. After the model file is
+/// edited, both texts are derived and compared.
 pub const DERIVED_MODEL_COPY: &str = "derived_from.toml";
 
-/// Generated files of one model, with the formulations and scenes left out.
+/// Generated files of one model, with the formulations and scenes that were left out.
 pub(crate) struct ModuleFiles {
     /// Texts of the model's generated files, by relative path.
     pub files: BTreeMap<String, String>,
     /// Formulations that the model does not support, each with the reason.
     pub left_out: UnsupportedFormulations,
-    /// Scene files with errors: path relative to the model, and the errors.
+    /// Scene files with errors, each as (path relative to the model, errors).
     pub broken_scenes: Vec<(String, Diagnostics)>,
 }
 
-/// Generates the files of the module `module` of a model. They contain the given formulations. If
-/// none are given, they contain all that the model supports and the printed equations of its
-/// publication.
+/// Generates the files of the module `module` of a model. They contain the given formulations. If none are given,
+/// they contain all that the model supports, and the printed equations of its publication.
 ///
 /// # Errors
-/// [`Diagnostics`] of the publication or a formulation, or if `module` cannot be a Rust module
-/// name.
+/// Returns [`Diagnostics`] of the publication or a formulation, or if `module` cannot be a Rust module name.
 pub(crate) fn generated_module_files(
     model: &Model,
     module: &str,
@@ -155,12 +151,11 @@ pub(crate) fn generated_module_files(
     Ok(ModuleFiles { files, left_out, broken_scenes })
 }
 
-/// Generates the file of one scene. Its name and functions differ from those of the earlier scenes
-/// `before`.
-/// `None` if the scene belongs to another model, or if the model has no reduced equations.
+/// Generates the file of one scene. Its name and functions differ from those of the earlier scenes `before`. `None`
+/// if the scene belongs to another model, or if the model has no reduced equations.
 ///
 /// # Errors
-/// [`Diagnostics`] of the scene file, or if its reduced equations cannot be solved.
+/// Returns [`Diagnostics`] of the scene file, or if its reduced equations cannot be solved.
 fn generated_scene_file(
     model: &Model,
     path: &Path,
@@ -218,7 +213,7 @@ impl GeneratedFileDifference {
     }
 }
 
-/// Generated files of all models now, and their differences from the committed files.
+/// Freshly generated files of all models, and their differences from the committed files.
 #[derive(Debug)]
 pub struct Freshness {
     /// Freshly generated files, including `lib.rs`. Models with errors and models that were not requested keep their
@@ -228,16 +223,16 @@ pub struct Freshness {
     pub differences: Vec<GeneratedFileDifference>,
 }
 
-/// Generates every model, or only those in the folders `only`, and compares the text with the
-/// committed files byte by byte.
+/// Generates every model, or only those in the folders `only`. Compares the text with the committed files byte by
+/// byte.
 ///
 /// # Errors
-/// Error of the operating system if a folder or a file cannot be read.
+/// Returns the error of the operating system if a folder or a file cannot be read.
 pub fn freshness(models: &Path, committed: &Path, only: Option<&[String]>) -> std::io::Result<Freshness> {
     let all = model_folders(models)?;
     let mut generated = generate(models, only.unwrap_or(&all));
     let on_disk = read_tree(committed)?;
-    // A model with errors keeps its last good files.
+    // A model with errors keeps its committed files.
     for name in all.into_iter().filter(|name| !generated.models.contains(name)).collect::<Vec<_>>() {
         let kept: Vec<_> = on_disk.iter().filter(|(file, _)| Path::new(file).starts_with(&name)).collect();
         if !kept.is_empty() {
@@ -260,9 +255,8 @@ pub fn freshness(models: &Path, committed: &Path, only: Option<&[String]>) -> st
     Ok(Freshness { generated, differences })
 }
 
-/// Reads all files under a folder and returns their texts by path relative to it. The result is
-/// empty if the folder does not exist.
-/// `Err` if a folder or a file cannot be read.
+/// Reads all files under a folder, and returns their texts by path relative to it. Empty if the folder does not
+/// exist. `Err` if a folder or a file cannot be read.
 fn read_tree(root: &Path) -> std::io::Result<BTreeMap<String, String>> {
     let mut files = BTreeMap::new();
     let mut folders = vec![String::new()];
@@ -284,11 +278,11 @@ fn read_tree(root: &Path) -> std::io::Result<BTreeMap<String, String>> {
     Ok(files)
 }
 
-/// Writes the changed and new generated files to the folder `committed`, and removes files that are
-/// no longer generated.
+/// Writes the changed and new generated files to the folder `committed`, and removes files that are no longer
+/// generated.
 ///
 /// # Errors
-/// [`WriteError`] if a file cannot be written or removed.
+/// Returns a [`WriteError`] if a file cannot be written or removed.
 pub fn write(freshness: &Freshness, committed: &Path) -> Result<(), WriteError> {
     for difference in &freshness.differences {
         let path = committed.join(difference.file());

@@ -1,12 +1,11 @@
-//! Readable code generated from equations of motion. Equal model text gives equal bytes on every
-//! machine.
+//! Readable code generated from equations of motion. Equal model text gives equal bytes on every machine.
 //!
-//! The flow: [`tripos_derive::Equations`] → a plan of functions ([`plan`], [`taylor`]), which is independent of
-//! languages → the text of a target (`rust`, `js`, `languages`, each behind the feature of its name) → files
-//! (`workspace`, `emit`). The recurrences of [`taylor`] can also be interpreted. No code here reads a clock, an
-//! environment variable or the order of a hash map.
+//! [`tripos_derive::Equations`] become a plan of functions ([`plan`], [`taylor`]), which is independent of languages.
+//! From the plan, a target (`rust`, `js`, `languages`, each behind the feature of its name) writes text. The text
+//! becomes files (`workspace`, `emit`). The recurrences of [`taylor`] can also be interpreted. No code here reads a
+//! clock, an environment variable or the order of a hash map.
 
-// The examples of the README are tested too.
+// The examples of the README are compiled and run as tests.
 #![cfg_attr(all(doctest, feature = "rust"), doc = include_str!("../README.md"))]
 
 #[cfg(feature = "files")]

@@ -1,7 +1,7 @@
 //! Text broken into lines of a given width, for the comments and the code of any target.
 
-/// Breaks a text at spaces into lines of at most `width` bytes. A longer word gets a line of its
-/// own. An empty text gives one empty line.
+/// Breaks a text at spaces into lines of at most `width` bytes. A word that is longer gets a line of its own. An
+/// empty text gives one empty line.
 #[must_use]
 pub fn wrap(text: &str, width: usize) -> Vec<String> {
     let mut lines = vec![String::new()];

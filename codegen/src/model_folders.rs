@@ -1,20 +1,19 @@
-//! Search for the folders of models, and for the scene files of a model on disk.
+//! Search on disk for the folders of models, and for the scene files of a model.
 //!
-//! Invariant: the page and the code generator get the scenes of a model from here, in one order. A
-//! file in `scenes/` counts as a scene, even with errors. The model's own folder also contains
-//! other files (a publication, states, other models). A file there is a scene only if its key
-//! `model` names this model. Unreadable files are listed too, so that their readers report the
-//! errors.
+//! Invariant: the page and the code generator get the scenes of a model from here, in the same order. A file in
+//! `scenes/` counts as a scene, even with errors. The model's own folder also contains other files (a publication,
+//! states, other models). A file in this folder is a scene only if its key `model` names this model. Unreadable files
+//! are listed too, so that their readers report the errors.
 
 use std::path::{Path, PathBuf};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::publication::is_publication_path;
 use tripos_derive::scene::model_path_of_scene;
 
-/// Lists the folders under `models/` that contain a `model.toml`, by name, in alphabetical order.
+/// Names of the folders under `models/` that contain a `model.toml`, in alphabetical order.
 ///
 /// # Errors
-/// Error of the operating system if the folder cannot be listed.
+/// Returns the error of the operating system if the folder cannot be listed.
 pub fn model_folders(models: &Path) -> std::io::Result<Vec<String>> {
     let mut folders: Vec<String> = Vec::new();
     for entry in std::fs::read_dir(models)? {
@@ -55,14 +54,13 @@ pub fn scene_path_in_model_folder(model: &Path, scene: &Path) -> String {
     if is_inside { format!("scenes/{name}") } else { name }
 }
 
-/// True if two paths lead to one existing file. False if a file does not exist.
+/// True if two paths lead to the same existing file. False if one of the files does not exist.
 #[must_use]
 pub fn is_same_model_file(a: &Path, b: &Path) -> bool {
     matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b)
 }
 
-/// Lists the TOML files of a folder in alphabetical order. The list is empty if the folder cannot
-/// be read.
+/// Paths of the TOML files in a folder, in alphabetical order. Empty if the folder cannot be read.
 fn toml_files_in_model_folder(folder: &Path) -> Vec<PathBuf> {
     let Ok(entries) = std::fs::read_dir(folder) else { return Vec::new() };
     let names = entries.filter_map(|entry| Some(entry.ok()?.file_name()));

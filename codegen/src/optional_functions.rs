@@ -1,8 +1,8 @@
 //! Optional functions of generated code: Jacobians and Taylor recurrences.
 //!
-//! These functions are longer than all other generated code, and runs are possible without them.
-//! Without a generated Jacobian, it is found by differentiating the code as it runs. Without
-//! generated recurrences, Taylor's method interprets them.
+//! They are longer than all other generated code, and runs are possible without them. If the Jacobian is not
+//! generated, the code of the derivative is differentiated as it runs. If the recurrences are not generated, Taylor's
+//! method interprets them.
 
 use crate::model_folders::{is_same_model_file, scenes_in_model_folder};
 use std::path::Path;
@@ -14,7 +14,7 @@ use tripos_traits::Method;
 /// Name of the file in a model's folder that lists the optional functions of its code.
 const EXTRAS_FILE: &str = "code.toml";
 
-/// Set of optional functions in generated code. True means that the function is written.
+/// Set of optional functions in generated code. A flag is true if the function is written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Extras {
     /// Entries of the Jacobian ∂f/∂x of the state derivative x' = f(x), for implicit methods.
@@ -32,7 +32,7 @@ impl Extras {
     /// Returns the set of optional functions with the given names, `jacobian` and `taylor`.
     ///
     /// # Errors
-    /// Message and help for the first unknown name, as a pair.
+    /// Returns a message and advice for the first unknown name.
     pub fn extras_from_names<'a>(names: impl IntoIterator<Item = &'a str>) -> Result<Self, (String, String)> {
         let mut all = Self::default();
         for name in names {
@@ -48,8 +48,8 @@ impl Extras {
         Ok(all)
     }
 
-    /// Returns the optional functions that a method of integration uses. Runs work without them,
-    /// but more slowly.
+    /// Returns the optional functions that a method of integration uses. The method works without them, but more
+    /// slowly.
     #[must_use]
     pub fn for_method(method: Method) -> Self {
         Self { jacobian: method.needs_jacobian(), taylor: method.needs_series() }
@@ -61,12 +61,12 @@ impl Extras {
         Self { jacobian: self.jacobian || other.jacobian, taylor: self.taylor || other.taylor }
     }
 
-    /// Reads the set of optional functions from the file `code.toml` in the model's folder. The set
-    /// is empty if the file does not exist.
+    /// Reads the set of optional functions from the file `code.toml` in the model's folder. The set is empty if there
+    /// is no such file.
     ///
     /// # Errors
-    /// [`Diagnostics`] of a file that cannot be read, has another key than `functions`, or names an
-    /// unknown function.
+    /// Returns [`Diagnostics`] of a file that cannot be read, has another key than `functions`, or names an unknown
+    /// function.
     pub fn extras_from_code_toml(model: &Path) -> Result<Self, Diagnostics> {
         let path = model.with_file_name(EXTRAS_FILE);
         if !path.exists() {
@@ -91,11 +91,11 @@ impl Extras {
     }
 }
 
-/// Returns the optional functions of a model's code: those named in `code.toml` in its folder, and
-/// those used by the integration methods of its scenes.
+/// Returns the optional functions of a model's code. They are those that `code.toml` in its folder names, and those
+/// that the integration methods of its scenes use.
 ///
 /// # Errors
-/// [`Diagnostics`] of `code.toml`. Scenes with errors are skipped.
+/// Returns [`Diagnostics`] of `code.toml`. Scenes with errors are skipped.
 pub(crate) fn requested_extras(model: &Model, path: &Path) -> Result<Extras, Diagnostics> {
     // Scenes with errors are skipped here, and reported where their own equations are derived.
     let scenes = scenes_in_model_folder(path).into_iter().filter_map(|scene| {

@@ -1,5 +1,4 @@
-//! Sentence in the header of generated text that names its source file and the command that wrote
-//! it.
+//! Sentence in the header of generated text. It names the source file and the command that wrote the text.
 
 use std::path::Path;
 
@@ -15,12 +14,12 @@ const SHARED_FILE_PREFIX: &str = "Goes with what is generated from `";
 /// Name of the publication file, which lies in the folder of its model.
 const PUBLICATION: &str = "publication.toml";
 
-/// Marks that begin a comment line in the target languages: Rust, C and JavaScript, Python, MATLAB.
+/// Marks with which a comment line begins in the target languages: Rust, C and JavaScript, Python, MATLAB.
 const COMMENT_MARKS: [&str; 4] = ["//!", "//", "#", "%"];
 
 /// Source files of a generated module, and the command that generates it.
 pub(crate) struct Origin {
-    /// Folder of the source files as the header states it, with a `/` at its end; may be empty.
+    /// Folder of the source files as the header states it, with a `/` at its end. It may be empty.
     pub folder: String,
     /// File name of the model, without its folder.
     pub model: String,
@@ -29,9 +28,9 @@ pub(crate) struct Origin {
 }
 
 impl Origin {
-    /// Returns the origin of modules that a command writes from the model file at `path`.
-    /// If the file is `model.toml`, the name of its folder is added, because that file name alone
-    /// says little. The result does not depend on where the folder is.
+    /// Returns the origin of modules that a command writes from the model file at `path`. If the file is
+    /// `model.toml`, the name of its folder is added, because that file name alone says little. The result does not
+    /// depend on the place of the folder.
     pub fn origin_of_model_file(path: &Path, command: &'static str) -> Self {
         let name = |path: Option<&std::ffi::OsStr>| path.map(|name| name.to_string_lossy().into_owned());
         let model = name(path.file_name()).unwrap_or_default();
@@ -65,16 +64,15 @@ impl Origin {
         self.origin_sentence(name)
     }
 
-    /// True if scenes get generated equations too. This holds only for the command `regenerate`.
+    /// True if code is also generated for scenes. This holds only for the command `regenerate`.
     #[cfg(feature = "rust")]
     pub fn has_scenes(&self) -> bool {
         self.command == "regenerate"
     }
 
-    /// Returns the header sentence for a source file: its path in backquotes, then the advice to
-    /// run the command.
+    /// Returns the header sentence for a source file: its path in backquotes, then the advice to run the command.
     fn origin_sentence(&self, file: &str) -> String {
-        // The path is in Markdown's quotes, which a backquote in the path would end.
+        // The path is in the backquotes of Markdown, which a backquote in the path would end.
         let path = format!("{}{file}", self.folder).replace('`', "'");
         format!("{GENERATED_FILE_PREFIX}{path}`. {}", origin_sentence_advice(self.command))
     }
@@ -88,13 +86,13 @@ pub(crate) fn model_name_of_origin(origin: &Origin) -> &str {
     if stem.is_empty() { origin.model.trim_end_matches(".toml") } else { stem }
 }
 
-/// Returns the header's advice not to edit the file, with the `tripos` command that writes it.
+/// Returns the advice in a header: not to edit the file, and the `tripos` command that writes it.
 fn origin_sentence_advice(command: &str) -> String {
     format!("Do not edit; run `tripos {command}`.")
 }
 
-/// True if the `tripos` command `command` wrote the text. Its leading comment then contains the
-/// header sentence of that command.
+/// True if the `tripos` command `command` wrote the text, so that the text's leading comment contains the header
+/// sentence of that command.
 pub(crate) fn is_written_by(text: &str, command: &str) -> bool {
     read_origin_source(text, command).is_some()
 }
@@ -106,21 +104,20 @@ pub(crate) struct OriginSource {
 }
 
 impl OriginSource {
-    /// True if two generated texts have the same source folder and no different model files. A
-    /// publication counts as part of the model in its folder.
+    /// True if two generated texts come from the same model: their folders are equal, and their model files do not
+    /// differ. A publication counts as part of the model in its folder.
     pub(crate) fn is_of_one_model(&self, other: &Self) -> bool {
         self.folder == other.folder && !self.is_of_other_model(other)
     }
 
-    /// Path of the model of the text `other`, if the headers of the two texts name different model
-    /// files.
-    /// `None` if the file names agree. Folders are not compared, because a folder may have moved.
+    /// Path of the model from which `other` was generated, if the headers of the two texts name different model
+    /// files. `None` if the file names agree. Folders are not compared, because a folder may have moved.
     pub(crate) fn path_of_other_model(&self, other: &Self) -> Option<String> {
         let Self { folder, file } = other;
         self.is_of_other_model(other).then(|| if folder.is_empty() { file.clone() } else { format!("{folder}/{file}") })
     }
 
-    /// True if the two headers name different model files. A publication differs from no model.
+    /// True if the headers of two texts name different model files. A publication never counts as different.
     fn is_of_other_model(&self, other: &Self) -> bool {
         self.file != other.file && [self, other].iter().all(|source| source.file != PUBLICATION)
     }

@@ -1,6 +1,5 @@
-//! Interface between derived equations and a target, the language in which they are written. A
-//! driver derives the equations of a model and passes each set to a target, which plans and writes
-//! it.
+//! Interface between derived equations and a target, which is a language in which equations are written. A driver
+//! derives the equations of a model and passes each set to a target. The target plans and writes the set.
 
 use std::collections::BTreeMap;
 use tripos_derive::algebra::Arena;
@@ -10,19 +9,19 @@ use tripos_derive::mechanics::{Derivation, DeriveError, derive_all};
 use tripos_derive::publication::load_publication_of_model;
 use tripos_derive::{Equations, Formulation, Model, derive};
 
-/// Language into which a model is written. A target receives sets of equations one after the other
+/// Language in which the equations of a model are written. A target receives sets of equations one after the other,
 /// and keeps the texts of their files.
 pub trait Target {
     /// Returns the texts of the files written so far, by file name.
     fn files(&self) -> &BTreeMap<String, String>;
 
-    /// Returns the name of the file for the set of equations `equations`, such as `kane`.
+    /// Returns the name of the file for a set of equations. `equations` is the name of the set, such as `kane`.
     fn file_of(&self, equations: &str) -> String;
 
     /// Writes a set of derived equations into this target's files.
     ///
     /// # Errors
-    /// [`Diagnostics`] if the accelerations were solved for but the solution is not proved.
+    /// Returns [`Diagnostics`] if the accelerations were solved for but the solution is not proved.
     fn write_derived_equations(&mut self, model: &Model, derivation: Derivation) -> Result<(), Diagnostics>;
 
     /// Writes the equations of a publication exactly as printed. `model` must contain the symbols
@@ -33,15 +32,16 @@ pub trait Target {
 /// Formulations that a model does not support, each with the reason.
 pub type UnsupportedFormulations = Vec<(Formulation, DeriveError)>;
 
-/// Derives the equations of a model and passes each set to a target.
-/// It writes the given formulations. If none are given, it writes the standard formulations that
-/// the model supports, and the printed equations of its publication. Each formulation is derived
-/// with an arena of its own, so that its text does not depend on the others. Returns the
-/// unsupported formulations with the reasons.
+/// Derives the equations of a model and passes each set to a target. Returns the unsupported formulations with the
+/// reasons.
+///
+/// The given formulations are written. If none are given, the standard formulations that the model supports are
+/// written, and the printed equations of its publication. Each formulation is derived with an arena of its own, so
+/// that its text does not depend on other formulations.
 ///
 /// # Errors
-/// [`Diagnostics`] of the model or the publication, of a given formulation that the model does not support, or of two
-/// printed systems whose files would have one name.
+/// Returns [`Diagnostics`] of the model or the publication, of a given formulation that the model does not support,
+/// or of two printed systems whose files would have the same name.
 pub fn pass_equations_to_target(
     model: &Model,
     formulations: &[Formulation],
@@ -64,12 +64,11 @@ pub fn pass_equations_to_target(
     Ok(left_out)
 }
 
-/// Writes the printed equations of the publication in the model's folder, if there is one.
-/// They use an arena of their own, so that derived equations do not depend on the publication's
-/// symbols.
+/// Writes the printed equations of the publication in the model's folder, if there is one. They use an arena of their
+/// own, so that derived equations do not depend on the publication's symbols.
 ///
 /// # Errors
-/// [`Diagnostics`] of the publication, or of two entries whose files would have the same name.
+/// Returns [`Diagnostics`] of the publication, or of two entries whose files would have the same name.
 fn pass_printed_equations_to_target(model: &Model, target: &mut dyn Target) -> Result<(), Diagnostics> {
     let mut with_publication = model.clone();
     let Some(publication) = load_publication_of_model(&model.source.path, &mut with_publication)? else {

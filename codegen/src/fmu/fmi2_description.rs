@@ -10,8 +10,8 @@ use crate::languages::Module;
 use std::fmt::Write;
 use tripos_derive::scene::Scene;
 
-/// Returns the text of `modelDescription.xml` by FMI 2.0 for a scene. Indices of variables count
-/// from 1.
+/// Returns the text of `modelDescription.xml` by FMI 2.0 for a scene. `identifier` is the name of the unit's binary.
+/// Indices of variables count from 1.
 pub fn fmi2_description_text(
     identifier: &str,
     module: &Module<'_>,
@@ -100,7 +100,7 @@ fn write_fmi2_variable_element(out: &mut String, variable: &Variable) {
 /// Choice between stating and leaving out the variables on which each unknown depends.
 #[derive(Clone, Copy, PartialEq)]
 enum Dependencies {
-    /// The dependencies are written if they are known.
+    /// The dependencies of an unknown are written if they are known.
     Stated,
     /// No dependencies are written, which means that an unknown may depend on all variables.
     LeftOut,

@@ -10,8 +10,8 @@ use crate::languages::Module;
 use std::fmt::Write;
 use tripos_derive::scene::Scene;
 
-/// Name of the XML element for an unknown at the start time. No dependencies are written there: a
-/// missing list means all variables.
+/// Name of the XML element for an unknown at the start time. Its dependencies are not written, which means that it
+/// may depend on all variables.
 const INITIAL: &str = "InitialUnknown";
 
 /// Returns the text of `modelDescription.xml` by FMI 3.0 for a scene. `identifier` is the name of

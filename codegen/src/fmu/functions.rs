@@ -12,24 +12,23 @@ use tripos_derive::{Equations, Model};
 const FMU_FUNCTION_NAMES: [&str; 7] =
     ["derivative", "jacobian", "parameter_jacobian", "divisors", "conditions", "constraints", "constraint_slopes"];
 
-/// Equations solved for the accelerations, with the outputs and events of a scene, for a functional
-/// mock-up unit.
+/// Kane's equations solved for the accelerations, with the outputs and events of a scene, for a functional mock-up
+/// unit.
 pub struct FmuFunctions {
-    /// Accelerations in closed form, with their derivatives by the state and by the parameters.
+    /// Accelerations in closed form, with their derivatives with respect to the state and the parameters.
     solution: Solution,
     /// Outputs that are not states, and event functions, as terms.
     shown: SceneOutputs,
-    /// Derivatives of the outputs by the coordinates, the generalized speeds and the parameters:
-    /// one row per output. `None` if they would be too long.
+    /// Derivatives of the outputs with respect to the coordinates, the generalized speeds and the parameters, a row
+    /// for each output. `None` if they would be too long.
     output_slopes: Option<Jacobian>,
 }
 
 impl FmuFunctions {
-    /// Solves the equations for the accelerations, and differentiates these and the outputs.
+    /// Solves the equations for the accelerations, and differentiates the accelerations and the outputs.
     ///
     /// # Errors
-    /// [`Unsolved`] if the accelerations are not determined in closed form, or if a result is not
-    /// proved.
+    /// Returns [`Unsolved`] if the accelerations are not determined in closed form, or if a result is not proved.
     pub fn new(model: &Model, scene: &Scene, arena: &mut Arena, equations: &Equations) -> Result<Self, Unsolved> {
         let by_state = SolvedAccelerations::new(arena, equations)?;
         let mut simplifier = Simplifier::default();
@@ -61,8 +60,8 @@ impl FmuFunctions {
         self.shown.left_out.iter().map(|(name, _)| name.clone()).collect()
     }
 
-    /// True if all directional derivatives are available: those of the state derivative by the
-    /// state (in `plan`) and by the parameters, and those of the outputs.
+    /// True if all directional derivatives are available: those of the outputs, and those of the state derivative
+    /// with respect to the state (in `plan`) and the parameters.
     pub fn has_directional_derivatives(&self, plan: &ModulePlan) -> bool {
         self.output_slopes.is_some() && self.solution.by_parameters.is_some() && plan.has("jacobian")
     }

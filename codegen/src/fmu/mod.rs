@@ -1,9 +1,8 @@
-//! Functional mock-up units (FMUs): a scene as C sources and a model description, by FMI 2.0 or
-//! 3.0.
+//! Functional mock-up units (FMUs): a scene as C sources and a model description, by FMI 2.0 or 3.0.
 //!
-//! The flow: a scene → Kane's equations, solved → the functions of the C target, with outputs and events → sources and
-//! `modelDescription.xml`. The files `fmi2.c` and `fmi3.c` implement the interfaces for every model, with `fmu_core.h`;
-//! `fmu_model.h` describes one model.
+//! A scene gives Kane's equations, which are solved. From them the functions of the C target are planned, with
+//! outputs and events. Then the sources and `modelDescription.xml` are written. The files `fmi2.c` and `fmi3.c`
+//! implement the interfaces for every model, with `fmu_core.h`; `fmu_model.h` describes one model.
 
 mod fmi2_description;
 mod fmi3_description;
@@ -25,7 +24,7 @@ use tripos_derive::{Formulation, Model, derive};
 use tripos_traits::Direction;
 use variables::Variables;
 
-/// Subcommand of `tripos` that writes the C sources, as their headers state it.
+/// Subcommand of `tripos` that writes the C sources, as the headers of the sources state it.
 const COMMAND: &str = "fmu";
 
 /// Text of the C header with the code that FMI 2.0 and FMI 3.0 share.
@@ -60,8 +59,8 @@ impl Version {
     }
 }
 
-/// Largest residual of a constraint, in the constraint's own unit, that model exchange tolerates.
-/// Above it the state is projected onto the constraints.
+/// Largest residual of a constraint that model exchange tolerates, in the constraint's own unit. If a residual is
+/// larger, the state is projected onto the constraints.
 const DRIFT: &str = "1e-9";
 
 /// Functional mock-up unit as C sources and a model description, before it is compiled.
@@ -81,12 +80,12 @@ pub struct Fmu {
 }
 
 impl Fmu {
-    /// Writes the unit of a scene. The model must already contain the formulas that the scene gives
-    /// to inputs.
+    /// Writes the functional mock-up unit of a scene. The model must already contain the formulas that the scene
+    /// gives to inputs.
     ///
     /// # Errors
-    /// [`Diagnostics`] if the scene has impacts, if Kane's equations cannot be derived, or if they
-    /// are not solved in closed form.
+    /// Returns [`Diagnostics`] if the scene has impacts, if Kane's equations cannot be derived, or if they are not
+    /// solved in closed form.
     pub fn new(model: &Model, scene: &Scene, version: Version) -> Result<Self, Diagnostics> {
         if !scene.impacts.is_empty() {
             let message = "a mock-up unit has no impacts".to_owned();
@@ -132,7 +131,7 @@ impl Fmu {
     }
 }
 
-/// Returns the name of the unit: words for its model and its scene, in lower case, joined by an
+/// Returns the name of the unit: a word for its model and a word for its scene, in lower case, joined by an
 /// underscore.
 fn fmu_identifier(scene: &Scene, model: &Model) -> String {
     let origin = Origin::origin_of_model_file(&model.source.path, COMMAND);
@@ -194,7 +193,7 @@ fn fmu_model_header(module: &Module<'_>, scene: &Scene, functions: &FmuFunctions
     writer.write_empty_line();
     let list = |values: &[f64]| {
         let mut text = String::new();
-        // A list has at least one entry, since C has no empty arrays.
+        // The list gets at least one entry, since C has no empty arrays.
         for value in values.iter().chain(values.is_empty().then_some(&0.0)) {
             let _ = write!(text, "{}, ", if value.is_nan() { "NAN".to_owned() } else { format!("{value:?}") });
         }

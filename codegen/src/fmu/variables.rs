@@ -16,7 +16,7 @@ pub enum Role {
     Parameter,
     /// Input of the model, which importing tools can set at any time.
     Input,
-    /// Coordinate or generalized speed. True if the scene lists it as an output.
+    /// Coordinate or generalized speed. The flag is true if the scene lists it as an output.
     State(bool),
     /// Derivative in time of the state that has this value reference.
     Derivative(usize),
@@ -28,20 +28,19 @@ pub enum Role {
 
 /// Variable of a functional mock-up unit, as the model description lists it.
 pub struct Variable {
-    /// Name of the variable, different from all others.
+    /// Name of the variable, different from the names of all other variables.
     pub name: String,
     /// Number by which importing tools address the variable: its place in the list, from 0.
     pub reference: usize,
     /// Kind of the variable: time, parameter, input, state, derivative, output or event indicator.
     pub role: Role,
-    /// Value at the start, in `unit`; `None` for a variable that is computed.
+    /// Value of the variable at the start, in `unit`; `None` for a variable that is computed.
     pub start: Option<f64>,
     /// Physical unit of the variable; `None` if it is unknown.
     pub unit: Option<Unit>,
     /// Description of the variable in words; may be empty.
     pub about: String,
-    /// Value references of the states and inputs on which the variable depends; `None` if they are
-    /// unknown.
+    /// Value references of the states and inputs on which the variable depends. `None` if they are unknown.
     pub depends_on: Option<Vec<usize>>,
 }
 
@@ -119,8 +118,8 @@ impl Variables {
     }
 }
 
-/// Returns the value references whose derivative is not identically zero. `None` if a derivative is
-/// missing from the plan.
+/// Returns the value references for which the derivative is not identically zero. `None` if a derivative is missing
+/// from the plan.
 fn nonzero_dependencies<'e>(mut slopes: impl Iterator<Item = Option<(usize, &'e Entry)>>) -> Option<Vec<usize>> {
     slopes.try_fold(Vec::new(), |mut list, slope| {
         let (reference, entry) = slope?;
@@ -136,8 +135,7 @@ fn nonzero_dependencies<'e>(mut slopes: impl Iterator<Item = Option<(usize, &'e 
 struct FmuVariableNames(FxHashSet<String>);
 
 impl FmuVariableNames {
-    /// Returns the wanted name, or the name with the first free number from 2 appended, such as `q
-    /// (2)`.
+    /// Returns the wanted name. If it is already used, the first free number from 2 is appended, such as `q (2)`.
     fn unique(&mut self, wanted: &str) -> String {
         let numbered = (2..).map(|n| format!("{wanted} ({n})"));
         let mut candidates = std::iter::once(wanted.to_owned()).chain(numbered);

@@ -7,8 +7,8 @@ use tripos_derive::model::Unit;
 use tripos_derive::plain_text::{one_line, with_visible_characters};
 use tripos_derive::scene::Scene;
 
-/// Writes the XML element `DefaultExperiment`: the scene's start and stop time in s, its relative
-/// tolerance, and 1/500 of the span as step.
+/// Writes the XML element `DefaultExperiment`: the scene's start and stop time in s, its relative tolerance, and a
+/// step of 1/500 of the span.
 pub fn write_default_experiment_element(out: &mut String, scene: &Scene) {
     let (start, stop) = scene.span;
     let _ = writeln!(
@@ -19,8 +19,8 @@ pub fn write_default_experiment_element(out: &mut String, scene: &Scene) {
     );
 }
 
-/// Writes the XML definitions of all units of the variables, by their exponents of m, kg and s. A
-/// unit with fractional exponents gets only its name.
+/// Writes the XML definitions of all units of the variables, by their exponents of m, kg and s. For a unit with
+/// fractional exponents only the name is written.
 pub fn write_unit_definitions_element(out: &mut String, list: &[Variable]) {
     let units: BTreeMap<String, &Unit> =
         list.iter().filter_map(|v| Some((v.unit.as_ref()?.to_string(), v.unit.as_ref()?))).collect();
@@ -40,7 +40,7 @@ pub fn write_unit_definitions_element(out: &mut String, list: &[Variable]) {
     out.push_str("  </UnitDefinitions>\n");
 }
 
-/// Returns a number in the notation of XML schemas: `NaN`, `INF`, `-INF` or a decimal.
+/// Returns a number in the notation of XML schemas: `NaN`, `INF`, `-INF` or a decimal number.
 pub fn xml_number(value: f64) -> String {
     if value.is_nan() {
         "NaN".to_owned()

@@ -1,4 +1,4 @@
-//! JavaScript modules for any model file, with the modules that integrate them.
+//! JavaScript modules for any model file, and the modules that integrate its motion.
 
 use super::{JavaScriptModule, RUNNERS, WrittenEquations};
 use crate::emit::Emission;
@@ -15,25 +15,27 @@ use tripos_derive::{Equations, Formulation, Model};
 pub const EXTENSION: &str = "mjs";
 
 /// Generates the JavaScript modules of a model.
-/// They contain the given formulations. If none are given, they contain all that the model supports
-/// and the printed equations of its publication.
+///
+/// They contain the given formulations. If none are given, they contain all that the model supports, and the printed
+/// equations of its publication.
 ///
 /// # Errors
-/// [`Diagnostics`] of the model file or the publication, or of a given formulation that the model does not support.
+/// Returns [`Diagnostics`] of the model file or the publication, or of a given formulation that the model does not
+/// support.
 pub fn emit_javascript_modules(model: &Model, formulations: &[Formulation]) -> Result<Emission, Diagnostics> {
     let mut modules = JavaScriptModules::new(model)?;
     let left_out = target::pass_equations_to_target(model, formulations, &mut modules)?;
     Ok(Emission { files: modules.files, left_out, command: EMIT, extensions: &[EXTENSION] })
 }
 
-/// JavaScript modules of a model while they are written, as a target.
+/// JavaScript modules of a model while they are being written, as a target.
 struct JavaScriptModules {
     /// Source file and command, as the header of each module states them.
     origin: Origin,
     /// Texts of the modules, by file name.
     files: BTreeMap<String, String>,
-    /// Equations that give the reactions; `None` if no condition of the domain contains a reaction,
-    /// or if the reactions cannot be derived.
+    /// Equations that give the reactions. `None` if no condition of the domain contains a reaction, or if the
+    /// reactions cannot be derived.
     balance: Option<WrittenEquations>,
 }
 
@@ -59,9 +61,8 @@ impl Target for JavaScriptModules {
 }
 
 impl JavaScriptModules {
-    /// Starts the files of a model with the runner modules, and derives the equations for reactions
-    /// if conditions need them.
-    /// `Err` if the model cannot be derived.
+    /// Starts the files of a model with the runner modules. Derives the equations for reactions if conditions of the
+    /// domain need them. `Err` if the model cannot be derived.
     fn new(model: &Model) -> Result<Self, Diagnostics> {
         let origin = Origin::origin_of_model_file(&model.source.path, EMIT);
         let header = format!("// {}\n//\n", origin.shared_file_origin_sentence());
@@ -78,8 +79,7 @@ impl JavaScriptModules {
         self.files.insert(file, text);
     }
 
-    /// Returns the text of the module of one set of equations, with the conditions of the model's
-    /// domain watched.
+    /// Returns the text of the module for one set of equations. Its runs watch the conditions of the model's domain.
     fn module(&self, model: &Model, written: &WrittenEquations, origin: &str) -> String {
         let (own, balance) = (written.planner(model), self.balance.as_ref().map(|balance| balance.planner(model)));
         let names: Vec<String> = model.domain.iter().map(|c| format!("{} ({})", c.name, c.text)).collect();

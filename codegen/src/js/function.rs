@@ -6,7 +6,7 @@ use crate::syntax::{CodeWriter, Comments};
 
 /// Writer of planned functions as JavaScript text.
 pub struct JavaScriptFunctionWriter {
-    /// Writer of the lines of the functions, with the text so far.
+    /// Writer of lines, which contains the text of the functions written so far.
     pub lines: CodeWriter<'static>,
 }
 
@@ -72,14 +72,14 @@ impl JavaScriptFunctionWriter {
     }
 }
 
-/// Returns the name of the function of part `at`, counted from 1. It contains a `$`, which no name
-/// of a model contains.
+/// Returns the name of the function for the part with the number `at`, counted from 1. It contains a `$`, which no
+/// name of a model contains.
 fn javascript_part_name(planned: &Function, at: usize) -> String {
     format!("{}$part{at}", planned.name)
 }
 
-/// Returns the arguments of a long function, each followed by a comma. The functions of its parts
-/// take the same arguments.
+/// Returns the arguments of a long function as text, each followed by a comma. The functions of its parts take the
+/// same arguments.
 fn javascript_part_arguments(planned: &Function) -> String {
     planned.arguments.iter().flat_map(|argument| [argument.name(), ", "]).collect()
 }

@@ -6,8 +6,8 @@ use crate::plan::Language;
 /// for other purposes.
 pub const LANGUAGE: Language = Language { is_name, in_scope: &IN_SCOPE, longest: usize::MAX };
 
-/// Names in the scope of generated function bodies, which no variable may have. Called functions
-/// have a `$` in their names, which no name of a model contains.
+/// Names in the scope of generated function bodies, which no variable may have. Functions that are called need no
+/// entry: their names contain a `$`, which no name of a model contains.
 const IN_SCOPE: [&str; 14] =
     ["p", "q", "u", "q_dot", "v_dot", "r", "t", "out", "values", "Math", "NaN", "Infinity", "undefined", "globalThis"];
 
@@ -64,7 +64,8 @@ const WORDS: [&str; 49] = [
     "yield",
 ];
 
-/// True if a word may be the name of a JavaScript variable of generated code: letters, digits and underscores.
+/// True if a word may be the name of a JavaScript variable in generated code: letters, digits and underscores, no
+/// reserved word.
 #[must_use]
 pub fn is_name(word: &str) -> bool {
     let opens = |c: char| c.is_ascii_alphabetic() || c == '_';

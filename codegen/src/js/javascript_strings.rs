@@ -1,6 +1,6 @@
 //! Texts in JavaScript files, as string literals or inside a page.
 //!
-//! Invariant: no text can end a comment, a string or the `script` element that contains the module.
+//! Invariant: no text can end a comment, a string, or the `script` element that contains the module.
 
 use crate::syntax::WIDTH;
 use std::fmt::Write;

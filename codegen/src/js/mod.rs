@@ -1,6 +1,6 @@
-//! JavaScript code from plans: modules for Node and browsers, in double precision, and the code that runs them.
+//! JavaScript code from plans: modules in double precision for Node and browsers, and the code that runs them.
 //!
-//! This module decides only how a line is written; the plan decides what is computed. Jacobians and Taylor recurrences
+//! This module decides only the form of a line; the plan decides the computation. Jacobians and Taylor recurrences
 //! are deliberately absent, because the integrator of the modules does not use them.
 
 pub mod emit;

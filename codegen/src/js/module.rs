@@ -8,8 +8,8 @@ use crate::plan::{Function, MotionPlan, Planner};
 use crate::syntax::{CodeWriter, Comments, number_literal};
 use tripos_derive::Model;
 
-/// JavaScript source of a solver for linear systems. Modules contain it if accelerations are not
-/// eliminated, or for reactions.
+/// JavaScript source of a solver for linear systems. Modules contain it if their accelerations are not in closed
+/// form, or if they compute reactions.
 const SOLVE: &str = include_str!("solve.js");
 
 /// Names of the constants that every module exports.
@@ -26,24 +26,23 @@ const NAMES: [&str; 10] = [
     "LOOPS",
 ];
 
-/// Names of functions that every module exports. A function without a plan is written as a call of
+/// Names of functions that every module exports. If the plan lacks such a function, it is written as a call of
 /// planned functions.
 const FUNCTIONS: [&str; 6] =
     ["accelerations", "coordinate_rates", "derivative", "generalized_speeds", "motion_variables", "reactions"];
 
-/// Names of planned functions that no run in a page calls.
+/// Names of planned functions that runs in a page never call.
 const FUNCTIONS_WITHOUT_RUN: [&str; 1] = ["power"];
 
-/// Contents of a JavaScript module: a plan, the watched quantities and further functions.
+/// Contents of a JavaScript module: a plan, the watched quantities, and further functions.
 pub struct JavaScriptModule<'a> {
     /// Planner of the module's functions.
     pub planner: &'a Planner<'a>,
     /// Plan with the functions for motion, and names of divisors, conditions and constraints.
     pub plan: &'a MotionPlan,
-    /// Names of the watched quantities, such as normal forces, in the order in which they were
-    /// given to the plan.
+    /// Names of the watched quantities, such as normal forces, in the order in which the plan got them.
     pub watched: &'a [String],
-    /// Further planned functions that the module exports, besides those of the plan.
+    /// Further planned functions that the module exports, in addition to those of the plan.
     pub beside: &'a [Function],
     /// Sentence of the header that names the origin of the module.
     pub origin: &'a str,
@@ -160,8 +159,8 @@ impl JavaScriptModule<'_> {
         self.plan.functions.iter().any(|planned| planned.name == name)
     }
 
-    /// Writes the planned functions, then the required functions that are not planned, as calls of
-    /// planned functions.
+    /// Writes the planned functions. Then writes the required functions without a plan, as calls of planned
+    /// functions.
     fn functions(&self, functions: &mut JavaScriptFunctionWriter) {
         let comments = functions.lines.comments();
         if !self.plan.is_solved || !self.plan.balance.is_empty() {

@@ -51,8 +51,8 @@ mod tests {
         formula(&JavaScript, &display_tree(&arena, e, &SharedNames::default(), usize::MAX))
     }
 
-    /// Goal: the written expression has the value of the formula, by the precedence of the language. Method: forms in
-    /// which a missing parenthesis changes the value, or leaves no expression at all.
+    /// Goal: the written expression has the value of the formula, by the precedence of the language. Method: formulas
+    /// in which a missing parenthesis would change the value or be a syntax error.
     #[test]
     fn formulas_keep_their_meaning() {
         let forms = [

@@ -1,5 +1,4 @@
-//! Equations in written form, with their arena and their solution, from which JavaScript functions
-//! are planned.
+//! Equations in written form, with their arena and their solution. JavaScript functions are planned from them.
 
 use super::LANGUAGE;
 use crate::plan::{Planner, Sharing};
@@ -14,19 +13,18 @@ use tripos_derive::{Equations, Formulation, Model, derive};
 pub struct WrittenEquations {
     /// Arena with the terms of the equations and of the elimination.
     pub arena: Arena,
-    /// Equations with their terms in the form in which they are printed.
+    /// Equations in the form in which they are written as code: symbols replace named terms.
     pub equations: Equations,
-    /// Elimination that gives the accelerations in closed form; `None` if the linear system is
-    /// solved in numbers.
+    /// Elimination that gives the accelerations in closed form. `None` if the linear system is solved numerically.
     pub solved: Option<Elimination>,
 }
 
 impl WrittenEquations {
-    /// Takes derived equations and solves them for the accelerations. If the accelerations are not
-    /// determined, the linear system is left for a numeric solve.
+    /// Solves derived equations for the accelerations. If the accelerations are not determined, the linear system
+    /// remains for a numeric solution.
     ///
     /// # Errors
-    /// [`DeriveError::Unsolved`] if the accelerations were found but are not proved.
+    /// Returns [`DeriveError::Unsolved`] if the accelerations were found but are not proved.
     pub fn solve_for_accelerations(derivation: Derivation) -> Result<Self, DeriveError> {
         let mut written = Self::keep_linear_system(derivation);
         let solved = accelerations(&mut written.arena, &mut Simplifier::default(), &written.equations);
@@ -38,18 +36,18 @@ impl WrittenEquations {
         Ok(written)
     }
 
-    /// Takes derived equations whose linear system is left for a numeric solve.
+    /// Creates written equations without a solution: their linear system remains for a numeric solution.
     #[must_use]
     pub fn keep_linear_system(Derivation { mut arena, equations }: Derivation) -> Self {
         let equations = equations.with_definitions(&mut arena);
         Self { arena, equations, solved: None }
     }
 
-    /// Derives the Newton–Euler equations, which give a model's reactions.
-    /// `None` if no given term contains a reaction, or if the model does not support Newton–Euler.
+    /// Derives the Newton–Euler equations, which give a model's reactions. `None` if no given term contains a
+    /// reaction, or if the model does not support Newton–Euler.
     ///
     /// # Errors
-    /// [`Diagnostics`] if the derivation fails for another reason.
+    /// Returns [`Diagnostics`] if the derivation fails for another reason.
     pub fn reaction_equations(
         model: &Model,
         mut terms: impl Iterator<Item = Expr>,

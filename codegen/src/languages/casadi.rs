@@ -1,5 +1,4 @@
-//! CasADi as a target: one Python module of symbolic functions for each set of equations, and one
-//! module of helpers.
+//! CasADi as a target: a Python module of symbolic functions for each set of equations, and one module of helpers.
 
 use super::python::names::LANGUAGE;
 use super::python::text::{
@@ -171,7 +170,7 @@ fn function(writer: &mut CodeWriter<'_>, planned: &Function) {
     writer.indent("");
 }
 
-/// Writes a Python function that calls planned functions: a linear solve, `ode` or `dae`.
+/// Writes a Python function that calls planned functions, such as a linear solve, `ode` or `dae`.
 fn write_composite_casadi_function(writer: &mut CodeWriter<'_>, module: &Module<'_>, composite: CompositeFunction) {
     let v = module.variables_argument();
     writer.write_unbroken("\n");

@@ -5,10 +5,9 @@ use tripos_derive::Equations;
 /// Function that a language writes in addition to the planned functions, and that calls them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CompositeFunction {
-    /// Solves the linear system in numbers for all unknowns: the accelerations, then the reactions
-    /// or multipliers.
+    /// Solves the linear system numerically for all unknowns: the accelerations, then the reactions or multipliers.
     Unknowns,
-    /// Solves the linear system in numbers and returns only the reactions.
+    /// Solves the linear system numerically, and returns only the reactions.
     Reactions,
     /// Projects a state, or a guess of a pose, onto the constraints.
     Project,
@@ -20,10 +19,10 @@ pub enum CompositeFunction {
     StateMass,
     /// Computes the right-hand side f of the state's linear system M x' = f.
     StateForcing,
-    /// States the ordinary differential equation x' = f(x, p) of the state as symbolic expressions.
+    /// Returns the ordinary differential equation x' = f(x, p) of the state as symbolic expressions.
     Ode,
-    /// States the semi-explicit differential-algebraic equation of the state and the unknowns as
-    /// symbolic expressions.
+    /// Returns the semi-explicit differential-algebraic equation of the state and the unknowns as symbolic
+    /// expressions.
     Dae,
 }
 
@@ -56,9 +55,8 @@ impl CompositeFunction {
         }
     }
 
-    /// True if the function exists for these equations. `StateMass` and `StateForcing` need
-    /// equations whose only unknowns are accelerations, and `Reactions` needs reactions among the
-    /// unknowns.
+    /// True if the function is possible for the given equations. `StateMass` and `StateForcing` need equations whose
+    /// only unknowns are accelerations. `Reactions` needs reactions among the unknowns.
     #[must_use]
     pub fn exists_for_equations(self, equations: &Equations) -> bool {
         let has_more = equations.unknowns.len() > equations.variables.len();

@@ -8,32 +8,30 @@ pub trait Dialect {
     /// Returns the rules for names of variables in this language.
     fn language(&self) -> &'static Language;
 
-    /// Returns the subcommand of `tripos` that writes the files, as their headers state it. Each
-    /// dialect has a different command, so that modules of a model in several languages can share a
-    /// folder.
+    /// Returns the subcommand of `tripos` that writes the files, as their headers state it. Each dialect has a
+    /// different subcommand, so that modules of a model in several languages can share a folder.
     fn command(&self) -> &'static str;
 
     /// Returns the file name extensions that this language uses, without dots.
     fn extensions(&self) -> &'static [&'static str];
 
-    /// Returns the name of the file that a program imports or includes to use a module. `model` and
-    /// `equations` are words.
+    /// Returns the name of the file that a program imports or includes to use a module. `model` and `equations` are
+    /// the words for the model and its equations in file names.
     fn main_file(&self, model: &str, equations: &str) -> String;
 
-    /// Writes the files of one module. Returns their names and texts.
+    /// Returns the files of one module, each as (name, text).
     fn files(&self, module: &Module<'_>) -> Vec<(String, String)>;
 
-    /// Writes the files that are the same for every model, such as helpers. Returns their names and
-    /// texts. `origin` is a sentence for their headers.
+    /// Returns the files that are the same for every model, such as helpers, each as (name, text). `origin` is a
+    /// sentence for their headers.
     fn shared_files(&self, origin: &str) -> Vec<(String, String)>;
 
-    /// Writes a script that runs a scene by the functions of a module. Returns its name and text;
-    /// `None` if this language has no script.
+    /// Returns a script that runs a scene by the functions of a module, as (name, text). `None` if the language has
+    /// no such script.
     fn script(&self, _module: &Module<'_>, _run: &SceneRun) -> Option<(String, String)> {
         None
     }
 
-    /// Lists the functions that modules can contain in addition to the planned functions, and that
-    /// call these.
+    /// Functions that modules can contain in addition to the planned functions, which they call.
     fn composites(&self) -> &'static [CompositeFunction];
 }

@@ -17,16 +17,16 @@ use tripos_derive::mechanics::{Derivation, DeriveError, SolvedAccelerations, Uns
 use tripos_derive::scene::Scene;
 use tripos_derive::{Equations, Formulation, Model};
 
-/// Choice of the equations and functions that are written into modules.
+/// Choice of the equations and functions that modules contain.
 #[derive(Clone, Copy, Default)]
 pub struct Selection<'a> {
-    /// Formulations to write. If empty, all that the model supports are written, and the printed
-    /// equations of its publication.
+    /// Formulations to write. An empty list means all that the model supports, and the printed equations of its
+    /// publication.
     pub formulations: &'a [Formulation],
-    /// Names of the functions to write; if empty, all functions are written.
+    /// Names of the functions to write. An empty list means all functions.
     pub functions: &'a [String],
-    /// Scene with which the model was read; `None` if only the model is given. The scene's outputs
-    /// and events become functions, and scripts run it.
+    /// Scene with which the model was read; `None` if only a model is given. The scene's outputs and events become
+    /// functions, and scripts run the scene.
     pub scene: Option<&'a Scene>,
 }
 
@@ -38,16 +38,15 @@ pub struct LanguageEmission {
     pub main_file: String,
     /// Names of the functions that at least one module contains, without repetition.
     pub functions: Vec<&'static str>,
-    /// Outputs, events and conditions that no function gives. Each has its name, the title of the
-    /// equations and the reason.
+    /// Outputs, events and conditions that no function gives, each as (name, title of the equations, reason).
     pub hidden: Vec<(String, String, MissingOutputReason)>,
 }
 
 /// Writes the modules of a model in one language.
 ///
 /// # Errors
-/// [`Diagnostics`] of the publication, of a given formulation that the model does not support, or
-/// of a requested function that no module has.
+/// Returns [`Diagnostics`] of the publication, of a given formulation that the model does not support, or of a
+/// requested function that no module has.
 pub fn emit_language_modules(
     model: &Model,
     dialect: &dyn Dialect,
@@ -82,9 +81,8 @@ pub fn emit_language_modules(
     Ok(LanguageEmission { emission, main_file, functions: modules.written, hidden: modules.hidden })
 }
 
-/// Returns the help text for a requested function that no module of the model has: a way to get it,
-/// and the names of all functions.
-/// `Err` if the model has errors.
+/// Returns the help text for a requested function that no module of the model has. It states a way to get the
+/// function, and the names of all functions. `Err` if the model has errors.
 fn missing_function_help(
     name: &str,
     model: &Model,
@@ -106,7 +104,7 @@ fn missing_function_help(
     Ok(format!("{why}its functions are {}", functions.join(", ")))
 }
 
-/// Modules of a model in one language while they are written, as a target.
+/// Modules of a model in one language while they are being written, as a target.
 struct LanguageTarget<'a> {
     /// Language in which the modules are written.
     dialect: &'a dyn Dialect,
@@ -123,9 +121,9 @@ struct LanguageTarget<'a> {
     run: Option<SceneRun>,
     /// Names of the functions that were written so far.
     written: Vec<&'static str>,
-    /// Outputs, events and conditions without a function: name, title of the equations, reason.
+    /// Outputs, events and conditions that no function gives, each as (name, title of the equations, reason).
     hidden: Vec<(String, String, MissingOutputReason)>,
-    /// Name of the file of the first module; `None` until it is written.
+    /// Name of the file of the first module; `None` until this module is written.
     main_file: Option<String>,
 }
 
@@ -152,8 +150,8 @@ impl Target for LanguageTarget<'_> {
             .with_certified_inverse_dynamics(&mut arena)
             .map_err(|why| model.diagnose(&DeriveError::Unsolved(why.into())))?;
         let wants_regressor = RegressorFunctions::FUNCTIONS.iter().any(|name| self.names(name));
-        // The forces act along the generalized speeds and there is no reaction among the unknowns,
-        // as in inverse dynamics.
+        // The required forces act along the generalized speeds, and no reaction is among the unknowns, as in inverse
+        // dynamics.
         let is_in_speeds = !equations.required.is_empty()
             && equations.variables == model.u()
             && equations.unknowns.iter().copied().eq(model.speeds.iter().map(|speed| speed.rate));
@@ -190,13 +188,12 @@ impl Target for LanguageTarget<'_> {
 }
 
 impl LanguageTarget<'_> {
-    /// True if a function of this name is to be written: all functions are, or this name is
-    /// requested.
+    /// True if the function of this name is to be written: either all functions are, or the name is requested.
     fn wants(&self, name: &str) -> bool {
         self.selection.functions.is_empty() || self.names(name)
     }
 
-    /// True if the function is requested by its name.
+    /// True if the user requests the function by its name.
     fn names(&self, name: &str) -> bool {
         self.selection.functions.iter().any(|wanted| wanted == name)
     }
@@ -233,9 +230,8 @@ impl LanguageTarget<'_> {
     }
 }
 
-/// Solves the equations for the accelerations in closed form and differentiates these by the state.
-/// Differentiates also by the given parameters.
-/// `None` if the equations do not determine the accelerations in closed form.
+/// Solves the equations for the accelerations in closed form, and differentiates the accelerations with respect to
+/// the state and the given parameters. `None` if the equations do not determine the accelerations in closed form.
 /// `Err` if a result is not proved.
 fn solution_for_target(
     arena: &mut Arena,

@@ -1,8 +1,7 @@
 //! Generated modules of equations in C, Python, MATLAB and CasADi.
 //!
-//! The flow: derived equations → a [`ModulePlan`](crate::plan::ModulePlan) → a [`Module`] → the
-//! files of a [`Dialect`]. All dialects write functions with the same names, arguments and orders
-//! of entries.
+//! Derived equations give a [`ModulePlan`](crate::plan::ModulePlan), and the plan gives a [`Module`]. A [`Dialect`]
+//! writes the module's files. All dialects write functions with the same names, arguments and orders of entries.
 
 pub mod c;
 pub mod casadi;

@@ -1,4 +1,4 @@
-//! Module of one set of equations: its plan and names, before it is written in a language.
+//! Module of one set of equations: its plan and its names, before it is written in a language.
 
 use super::CompositeFunction;
 use crate::plan::{Argument, Function, ModulePlan, Planner, variable_name_without_primes};
@@ -43,8 +43,8 @@ impl Module<'_> {
         if self.equations().formulation.is_in_rates() { "q_dot" } else { "u" }
     }
 
-    /// Returns the title of the model, the name of the equations and the matrix equation they
-    /// solve, as one sentence.
+    /// Returns one sentence with the title of the model, the name of the equations, and the matrix equation that they
+    /// solve.
     #[must_use]
     pub fn title(&self) -> String {
         let (model, e) = (self.model(), self.equations());
@@ -83,8 +83,7 @@ impl Module<'_> {
         writer.comment(usage);
     }
 
-    /// Returns a word for each parameter, all different: letters, digits and underscores, with a
-    /// letter at the front.
+    /// Returns a different word for each parameter: letters, digits and underscores, with a letter at the front.
     #[must_use]
     pub fn parameter_words(&self) -> Vec<String> {
         let mut taken = FxHashSet::default();
@@ -98,7 +97,7 @@ impl Module<'_> {
         self.model().parameters.iter().map(unique).collect()
     }
 
-    /// Returns a comment text for each parameter: name, description, input or not, unit.
+    /// Returns a comment for each parameter: its name, its description, a remark if it is an input, and its unit.
     #[must_use]
     pub fn parameter_meanings(&self) -> Vec<String> {
         let meaning = |p: &tripos_derive::model::Parameter| {
@@ -122,8 +121,8 @@ impl Module<'_> {
     }
 }
 
-/// Replaces all characters except letters and digits by underscores. Puts `m_` at the front unless
-/// the text begins with a letter.
+/// Returns a word for a text in names: all characters except letters and digits become underscores. `m_` is put in
+/// front unless the text begins with a letter.
 #[must_use]
 pub fn module_identifier_word(text: &str) -> String {
     let spelled: String = text.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect();

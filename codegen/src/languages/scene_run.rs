@@ -19,14 +19,13 @@ pub struct SceneRun {
     pub u: Vec<f64>,
     /// First and last time of the run, s.
     pub span: (f64, f64),
-    /// Relative tolerance of an integration step.
+    /// Relative tolerance for the error of an integration step, without unit.
     pub rtol: f64,
 }
 
 impl SceneRun {
-    /// Reads the run of the first scene of a model file.
-    /// `None` if there is no scene or it has errors. `None` also for a scene with impacts, with
-    /// terminal events or with formulas for inputs, which no script can follow.
+    /// Reads the run of the first scene of a model file. `None` if there is no scene or it has errors. `None` also
+    /// for a scene that scripts cannot follow: one with impacts, terminal events or formulas for inputs.
     #[must_use]
     pub fn first_scene_run(model: &Model) -> Option<Self> {
         let place = scenes_in_model_folder(&model.source.path).into_iter().next()?;
@@ -35,9 +34,8 @@ impl SceneRun {
         Self::plain_scene_run(&scene, &bound)
     }
 
-    /// Returns the run of a scene; `bound` is the model with which the scene was read. `None` for a
-    /// scene with impacts, with terminal events or with formulas for inputs, which no script can
-    /// follow.
+    /// Returns the run of a scene; `bound` is the model with which the scene was read. `None` for a scene that
+    /// scripts cannot follow: one with impacts, terminal events or formulas for inputs.
     #[must_use]
     pub fn plain_scene_run(scene: &Scene, bound: &Model) -> Option<Self> {
         let ends_early = scene.events.iter().any(|event| event.terminal);

@@ -1,4 +1,4 @@
-//! Functions that plans have in common: each is planned from one set of equations.
+//! Functions that several plans contain. Each is planned from one set of equations.
 
 use super::programs::function::{Arguments, Function, Returns, Value};
 use super::programs::planner::Planner;
@@ -11,13 +11,12 @@ use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{Constrained, Divisors, EquationsOrigin, SolvedAccelerations};
 use tripos_derive::{Equations, Model};
 
-/// Range of the number of operations of mass matrix and forcing for which a function that computes
-/// both is written. Shorter systems cost little when computed separately; longer systems would
-/// double long compile times.
+/// Number of operations of mass matrix and forcing for which a function that computes both is planned. Shorter
+/// systems cost little when computed separately; for longer systems, compile times would double.
 const WORTH_SHARING: RangeInclusive<usize> = 200..=4000;
 
-/// Plans the functions `mass_matrix` and `forcing`. The second result, `linear_system`, computes
-/// both; `None` unless that saves a tenth of the operations.
+/// Plans the functions `mass_matrix` and `forcing`. The second result is `linear_system`, which computes both. It is
+/// `None` unless it saves a tenth of the operations.
 pub(super) fn linear_system(planner: &Planner<'_>) -> (Vec<Function>, Option<Function>) {
     let e = planner.equations;
     let n = e.unknowns.len();
@@ -71,8 +70,8 @@ pub(super) fn accelerations(planner: &Planner<'_>, steps: &[Definition]) -> Func
     planner.plan_function_in_steps("accelerations", &about, Arguments::State, Returns::Vector, steps, &values)
 }
 
-/// Plans the function `jacobian`, which returns the square matrix ∂(q̇, v̇)/∂(q, v). `None` for
-/// large systems, whose code is differentiated as it runs.
+/// Plans the function `jacobian`, which returns the square matrix ∂(q̇, v̇)/∂(q, v). `None` for large systems, whose
+/// code is differentiated as it runs.
 pub(super) fn jacobian(planner: &Planner<'_>, solved: &SolvedAccelerations) -> Option<Function> {
     let e = planner.equations;
     if !solved.jacobian.direction.is_empty() {
@@ -102,8 +101,8 @@ pub(super) fn parameter_jacobian(planner: &Planner<'_>, slopes: &tripos_derive::
     planner.plan_function_in_steps("parameter_jacobian", &about, Arguments::State, returns, &slopes.steps, &values)
 }
 
-/// Returns values to be computed for the derivatives of one rate by the quantities `along`, with
-/// their names.
+/// Returns the values of one row of a Jacobian, with their names: the derivatives of one rate with respect to the
+/// quantities `along`.
 fn jacobian_row_values(rate: &str, along: &[String], row: &[Expr]) -> Vec<Value> {
     let entry = |(by, value): (&String, &Expr)| {
         (
@@ -144,8 +143,8 @@ pub(super) fn residual(planner: &Planner<'_>) -> Function {
     )
 }
 
-/// Plans the function `divisors`, which returns the divisors of q̇ and v̇ that may be zero. The
-/// second result is their names. `None` without such divisors.
+/// Plans the function `divisors`, which returns the divisors of q̇ and v̇ that may be zero. The second result is
+/// their names. The function is `None` if there are no such divisors.
 pub(super) fn divisors(planner: &Planner<'_>, solved: Option<&Elimination>) -> (Option<Function>, Vec<String>) {
     let divisors = Divisors::of(planner.arena, planner.equations, solved);
     let names = divisors.names(planner.arena);
@@ -159,8 +158,8 @@ pub(super) fn divisors(planner: &Planner<'_>, solved: Option<&Elimination>) -> (
     (planned, names)
 }
 
-/// Plans the functions `constraints` (residuals) and `constraint_slopes` (their derivatives by the
-/// state), for the constraints that runs maintain. The list is empty without constraints.
+/// Plans the functions `constraints` (residuals) and `constraint_slopes` (their derivatives with respect to the
+/// state). They belong to the constraints that runs maintain. Empty without constraints.
 pub(super) fn constraints(planner: &Planner<'_>) -> Vec<Function> {
     let e = planner.equations;
     if e.constraints.is_empty() {
@@ -185,9 +184,9 @@ pub(super) fn constraints(planner: &Planner<'_>) -> Vec<Function> {
     vec![planned("constraints", about, &values), planned("constraint_slopes", &about_slopes, &slopes)]
 }
 
-/// Plans the function `redundant_constraints`, which returns the residuals of redundant
-/// constraints. They are zero in closed loops if the mechanism has the freedoms with which it was
-/// derived. `None` without such constraints.
+/// Plans the function `redundant_constraints`, which returns the residuals of redundant constraints. They are zero in
+/// closed poses if the mechanism has as many degrees of freedom as when it was derived. `None` without such
+/// constraints.
 pub(super) fn redundant_constraints(planner: &Planner<'_>) -> Option<Function> {
     let closed = planner.model.closed.iter().enumerate();
     let values: Vec<Value> =
@@ -303,7 +302,7 @@ pub(super) fn plan_speed_conversions(planner: &Planner<'_>) -> Vec<Function> {
     ]
 }
 
-/// Returns values to be computed, named after symbols. The value of `q1'` gets the variable
+/// Returns values to be computed, named after symbols. For example, the value of `q1'` gets the variable
 /// `q1_dot_value`, which differs from an input `q1_dot`.
 fn named_function_values(symbols: impl Iterator<Item = String>, values: &[Expr]) -> Vec<Value> {
     symbols
@@ -312,8 +311,7 @@ fn named_function_values(symbols: impl Iterator<Item = String>, values: &[Expr])
         .collect()
 }
 
-/// Returns the index i + 1 as text, with a `_` before it if the number of entries `n` is ten or
-/// more.
+/// Returns the number i + 1 as text. It begins with `_` if the number of entries `n` is ten or more.
 fn function_entry_index(i: usize, n: usize) -> String {
     if n < 10 { format!("{}", i + 1) } else { format!("_{}", i + 1) }
 }
@@ -324,8 +322,8 @@ pub(super) fn text_of_equation_symbols(arena: &Arena, symbols: &[Expr]) -> Strin
     format!("({})", names.join(", "))
 }
 
-/// True if the motion is prescribed in part: time is a coordinate, or a constraint demands motion
-/// when all speeds are zero.
+/// True if part of the motion is prescribed: time is a coordinate, or a constraint demands motion although all speeds
+/// are zero.
 fn equations_have_given_motion(planner: &Planner<'_>) -> bool {
     let model = planner.model;
     let moving = model.q_dot().into_iter().chain(model.u());
@@ -340,15 +338,15 @@ pub(super) fn needs_reaction(planner: &Planner<'_>, e: Expr) -> bool {
     planner.model.reactions.iter().any(|reaction| planner.arena.mentions(e, reaction.symbol))
 }
 
-/// Returns definitions for the terms of the equations, followed by those of q̇ or u, whichever is
-/// not integrated.
+/// Returns definitions of the terms of the equations, then of the rates q̇ or the speeds u. Of these two, it defines
+/// the one that is not integrated.
 pub(super) fn definitions_in_state(planner: &Planner<'_>) -> Vec<Definition> {
     let e = planner.equations;
     e.definitions.iter().copied().chain(definitions_of_other_variables(planner.model, e)).collect()
 }
 
-/// Returns definitions of q̇ in terms of u, or of u in terms of q̇ for equations whose motion
-/// variables are q̇.
+/// Returns definitions of the rates q̇ in terms of the speeds u. For equations whose motion variables are q̇, defines
+/// u in terms of q̇ instead.
 pub(super) fn definitions_of_other_variables(model: &Model, e: &Equations) -> Vec<Definition> {
     let (symbols, values) = if e.formulation.is_in_rates() {
         (model.u(), &e.generalized_speeds)

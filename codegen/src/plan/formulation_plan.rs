@@ -1,4 +1,4 @@
-//! Plan of the Rust code of one formulation: its functions, and the statements about them in its header.
+//! Plan of the Rust code for one formulation: its functions, and the statements about them in the file's header.
 
 use super::equation_functions::{
     accelerations, constraints, derivative, divisors, inverse_dynamics, jacobian, kinematics_and_energies,
@@ -13,8 +13,8 @@ use tripos_derive::algebra::text::print::print_text;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{SolvedAccelerations, distinct_divisors};
 
-/// Largest number of elimination steps for which the function `derivative` is planned. It computes
-/// q̇ and v̇ together, with shared terms.
+/// Largest number of elimination steps for which the function `derivative` is planned, which computes q̇ and v̇
+/// together with shared terms.
 const MOST_REPEATED: usize = 100;
 
 /// Largest number of divisors that the header lists by their formulas. If there are more, only
@@ -27,8 +27,8 @@ pub struct FormulationPlan<'a> {
     pub planner: &'a Planner<'a>,
     /// Functions of the equations that people read, such as mass matrix and forcing, in order.
     pub equations: Vec<Function>,
-    /// Functions that only runs need: `derivative` and `jacobian`, if the accelerations are solved
-    /// for and not too long, and `linear_system`, `divisors`, `constraints` and `inverse_dynamics`.
+    /// Functions that only runs need: `linear_system`, `divisors`, `constraints` and `inverse_dynamics`. Also
+    /// `derivative` and `jacobian`, if the accelerations are in closed form and not too long.
     pub machine: Vec<Function>,
     /// Names of the divisors that the function `divisors` returns, as formulas; empty if no divisor
     /// can be zero.
@@ -38,26 +38,25 @@ pub struct FormulationPlan<'a> {
     pub constraints: Vec<String>,
     /// Recurrences of the Taylor coefficients of the motion; `None` if they are not requested.
     pub taylor: Option<TaylorPlan<'a>>,
-    /// Number of operations of the function `accelerations`; `None` if the accelerations are not
-    /// solved for.
+    /// Number of operations of the function `accelerations`. `None` if the accelerations are not in closed form.
     pub solved_cost: Option<usize>,
     /// Statements about the formulation for the header of the generated file, each as one line.
     pub facts: Vec<String>,
 }
 
-/// Choice of whether the function `jacobian`, with the entries of the Jacobian of the state
-/// derivative, is planned.
+/// Choice between planning and leaving out the function `jacobian`, which returns the Jacobian of the state
+/// derivative.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Jacobian {
-    /// The function is planned, provided that the accelerations are solved for.
+    /// The function `jacobian` is planned if the accelerations are in closed form.
     Planned,
     /// The function `jacobian` is not planned.
     LeftOut,
 }
 
 impl<'a> FormulationPlan<'a> {
-    /// Plans the functions of the equations and, if `solved` is given, of the accelerations. Plans
-    /// the entries of the Jacobian and the Taylor recurrences only if they are requested.
+    /// Plans the functions of the equations. If `solved` is given, the accelerations get functions too. The Jacobian
+    /// and the Taylor recurrences are planned only if they are requested.
     #[must_use]
     pub fn new(
         planner: &'a Planner<'a>,
@@ -75,7 +74,7 @@ impl<'a> FormulationPlan<'a> {
         }
         let mut machine = solved.map_or_else(Vec::new, |solved| {
             let steps = &solved.accelerations.steps;
-            // Long steps are not written twice: then q̇ and v̇ are computed one after the other.
+            // Long steps are not written twice. Then q̇ and v̇ are computed one after the other.
             let together = (steps.len() <= MOST_REPEATED).then(|| derivative(planner, steps));
             let jacobian = if entries == Jacobian::Planned { jacobian(planner, solved) } else { None };
             together.into_iter().chain(jacobian).collect()
@@ -101,8 +100,7 @@ impl<'a> FormulationPlan<'a> {
     }
 }
 
-/// Returns the header lines that state the unknowns, and the configurations in which the equations
-/// are singular.
+/// Returns the header lines that state the unknowns, and the configurations in which the equations are singular.
 pub(super) fn formulation_facts(planner: &Planner<'_>, solved: Option<&Elimination>) -> Vec<String> {
     let e = planner.equations;
     let mut lines = vec![
@@ -120,7 +118,7 @@ fn divisors_text(planner: &Planner<'_>, divisors: &[Expr]) -> String {
         return "The accelerations divide by nothing.".to_owned();
     }
     let distinct = distinct_divisors(planner.arena, divisors);
-    // Long formulations divide by named terms, whose names would tell the reader nothing here.
+    // Long formulations divide by named terms. Their names would tell the reader nothing here.
     if distinct.len() > MOST_LISTED || planner.explanation() == LineComments::Names {
         let count = distinct.len();
         return format!("The accelerations divide by {count} pivots, which are positive where the mass matrix is.");
@@ -129,8 +127,8 @@ fn divisors_text(planner: &Planner<'_>, divisors: &[Expr]) -> String {
     format!("The accelerations divide by {}.", list.join(", by "))
 }
 
-/// Returns the header line that states the configurations in which a divisor is zero. It begins
-/// with `what`.
+/// Returns the header line that states the configurations in which one of the divisors is zero. `what` is the
+/// beginning of the line.
 pub(super) fn singular_text(arena: &Arena, what: &str, divisors: &[Expr]) -> String {
     let places: Vec<String> =
         distinct_divisors(arena, divisors).iter().map(|d| format!("{} = 0", print_text(arena, *d))).collect();

@@ -1,10 +1,11 @@
 //! Plan of generated code: its functions and their programs, before they are written in a language.
 //!
-//! The flow: equations → a [`Planner`] → [`Function`]. A function has a name, arguments, a return
-//! value, and a [`Program`] of ordered, shared and named lines, each with its formula as a comment.
-//! The cost of a call is counted over the program. A target, such as `rust`, writes the function
-//! and decides nothing. The target only states a [`Language`]: the names that it cannot use. The
-//! plan contains no syntax.
+//! From equations, a [`Planner`] makes a [`Function`]. A function has a name, arguments, a return value, and a
+//! [`Program`] of ordered, shared and named lines, each with its formula as a comment. The cost of a call is counted
+//! over the program.
+//!
+//! A target, such as `rust`, writes the function and decides nothing about the computation. It only states a
+//! [`Language`]: the names that it cannot use. The plan contains no syntax.
 
 mod equation_functions;
 mod formulation_plan;

@@ -15,12 +15,12 @@ use tripos_derive::algebra::Expr;
 use tripos_derive::mechanics::{Jacobian, SolvedAccelerations};
 use tripos_derive::model::DomainCondition;
 
-/// Accelerations in closed form, with their derivatives by the state and by the parameters.
+/// Accelerations in closed form, with their derivatives with respect to the state and to the parameters.
 #[derive(Clone, Debug)]
 pub struct Solution {
-    /// Accelerations and their derivatives by the state, proved from the equations.
+    /// Accelerations and their derivatives with respect to the state, proved from the equations.
     pub by_state: SolvedAccelerations,
-    /// Derivatives of q̇ and v̇ by the parameters, one column per parameter; `None` if they are not
+    /// Derivatives of q̇ and v̇ with respect to the parameters, a column for each parameter. `None` if they are not
     /// requested or would be too long.
     pub by_parameters: Option<Jacobian>,
 }
@@ -40,8 +40,7 @@ pub struct ModulePlan {
     pub unchecked: Vec<String>,
     /// Names of the unknowns of the linear system: the accelerations, then the reactions or multipliers.
     pub unknowns: Vec<String>,
-    /// Names of the entries of further results, such as outputs and events. Each list has its
-    /// title.
+    /// Titled lists with the names of the entries of further results, such as outputs and events.
     pub further: Vec<(&'static str, Vec<String>)>,
     /// Statements about the equations for the header of the module, each as one line.
     pub facts: Vec<String>,
@@ -133,7 +132,7 @@ impl ModulePlan {
         self.list(shown.names());
     }
 
-    /// Adds functions for the regressor: the matrix that maps inertial parameters to generalized
+    /// Adds functions for the regressor: the matrix whose product with the inertial parameters is the generalized
     /// forces.
     pub fn add_regressor(&mut self, planner: &Planner<'_>, regression: &RegressorFunctions, language: &Language) {
         self.functions.extend(regression.functions(planner.model, language));
@@ -162,9 +161,9 @@ fn unchecked_module_conditions<'a>(planner: &'a Planner<'_>) -> impl Iterator<It
     planner.model.domain.iter().filter(|c| needs_reaction(planner, c.positive))
 }
 
-/// Plans the function `conditions`, whose values are positive in the domain of the model, and
-/// returns their names. Conditions on reactions are left out, because a state alone does not give
-/// reactions. `None` if no condition remains.
+/// Plans the function `conditions`, whose values are positive in the domain of the model. The second result is their
+/// names. Conditions on reactions are left out, because a state alone does not give reactions. The function is `None`
+/// if no condition remains.
 fn plan_module_conditions(planner: &Planner<'_>) -> (Option<Function>, Vec<String>) {
     let kept: Vec<_> = planner.model.domain.iter().filter(|c| !needs_reaction(planner, c.positive)).collect();
     let steps = definitions_in_state(planner);

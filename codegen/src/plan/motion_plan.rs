@@ -19,7 +19,7 @@ const MOST_TOGETHER: usize = 400;
 /// crosses zero.
 #[derive(Clone, Debug)]
 pub struct WatchedQuantity {
-    /// Name of the quantity for messages to people.
+    /// Name of the quantity, for messages to people.
     pub name: String,
     /// Term of the quantity's value. It may contain parameters, q, q̇, u and reactions.
     pub value: Expr,
@@ -28,11 +28,11 @@ pub struct WatchedQuantity {
 /// Plan of the functions that integrate the motion by one formulation of one model.
 #[derive(Debug)]
 pub struct MotionPlan {
-    /// Planned functions, in the order in which they are written. The first is `accelerations`; if
-    /// it is missing, `mass_matrix` and `forcing` of a linear system whose first unknowns are the
-    /// accelerations.
+    /// Planned functions, in the order in which they are written. The first is `accelerations`. If the accelerations
+    /// are not in closed form, the first are `mass_matrix` and `forcing` of a linear system whose first unknowns are
+    /// the accelerations.
     pub functions: Vec<Function>,
-    /// True if the accelerations were solved for in closed form.
+    /// True if the accelerations are in closed form.
     pub is_solved: bool,
     /// True if T + V is not constant, because a load without a potential in V does work.
     pub has_power: bool,
@@ -47,8 +47,7 @@ pub struct MotionPlan {
     /// Names of the constraints whose residuals the function `constraints` returns, loops first. A
     /// residual is zero in every exact motion, and drifts in a run without projection.
     pub constraints: Vec<String>,
-    /// Indices, among the given watched quantities, of the values that the function `conditions`
-    /// returns.
+    /// Indices of the watched quantities whose values the function `conditions` returns, in this order.
     pub conditions: Vec<usize>,
     /// Indices of the watched quantities that cannot be watched, because no linear system gives
     /// their reactions.
@@ -58,9 +57,9 @@ pub struct MotionPlan {
 }
 
 impl MotionPlan {
-    /// Plans the functions of the equations, and of the accelerations if `solved` is given.
-    /// Reactions in watched quantities come from `balance`, equations of the same model with the
-    /// reactions among their unknowns.
+    /// Plans the functions of the equations and, if `solved` is given, of the accelerations. `balance` are equations
+    /// of the same model with the reactions among their unknowns, from which the reactions in watched quantities
+    /// come.
     #[must_use]
     pub fn new(
         planner: &Planner<'_>,

@@ -1,9 +1,8 @@
-//! Functions for identification: inverse dynamics as a sum over inertial parameters, M u̇ − f = Σ
-//! π_k Y_k + rest.
+//! Functions for identification: inverse dynamics as a sum over inertial parameters π_k, M u̇ − f = Σ π_k Y_k + rest.
 //!
-//! Two sets of parameters have functions: all inertial parameters of the bodies, and the base
-//! parameters, which motion can determine. The second set is written only if each base parameter is
-//! proved to equal a formula in the model's parameters.
+//! Two sets of parameters have functions: all inertial parameters of the bodies, and the base parameters, which
+//! motion can determine. The functions of base parameters are written only if each base parameter is proved to equal
+//! a formula in the model's parameters.
 
 use super::programs::function::{Arguments, Function, Returns, Value};
 use super::programs::planner::{Planner, Sharing};
@@ -19,19 +18,19 @@ use tripos_derive::{Equations, Model};
 pub struct RegressorFunctions {
     /// Arena with the terms of the regressor.
     arena: Arena,
-    /// Kane's equations for names and arguments. Their definitions are the intermediate terms of
+    /// Kane's equations, from which names and arguments are taken. Their definitions are the intermediate terms of
     /// the columns.
     equations: Equations,
     /// Columns of the regressor: an inertial parameter, its formula, and a generalized force for
     /// each speed.
     columns: Vec<Column>,
-    /// Part of the generalized forces that contains no inertial parameter, one entry per speed.
+    /// Part of the generalized forces that contains no inertial parameter, with an entry for each speed.
     rest: Vec<Expr>,
-    /// Base parameters with their formulas; `None` unless each has a proved formula.
+    /// Base parameters with their formulas. `None` unless each base parameter has a proved formula.
     base: Option<Vec<RegressorParameter>>,
 }
 
-/// Base parameter, a combination of inertial parameters that motion determines, with its formula.
+/// Base parameter with its formula: a combination of inertial parameters that motion can determine.
 struct RegressorParameter {
     /// Index of the regressor column whose parameter gives the base parameter its name.
     column: usize,
@@ -40,20 +39,20 @@ struct RegressorParameter {
 }
 
 impl RegressorFunctions {
-    /// Names of the functions for identification. They are long, and written only on request.
+    /// Names of the functions for identification. These functions are long, and written only on request.
     pub const FUNCTIONS: [&'static str; 5] =
         ["regressor", "regressor_rest", "inertial_parameters", "base_regressor", "base_parameters"];
 
-    /// Derives the regressor of a model; `equations` are Kane's.
+    /// Derives the regressor of a model; `equations` are the model's equations by Kane's method.
     ///
     /// # Errors
-    /// [`DeriveError`] if the regressor of the model cannot be derived.
+    /// Returns a [`DeriveError`] if the regressor of the model cannot be derived.
     pub fn new(model: &Model, equations: &Equations) -> Result<Self, DeriveError> {
         let found = Identification::new(model, RegressorParameters::Bodies)?;
         let is_grouped = found.before_grouping().is_some();
         let Identification { regressor, base, complete, .. } = found;
         let (mut arena, mut columns) = (regressor.arena, regressor.columns);
-        // Closed poses group parameters by numbers of one model, which no formula gives.
+        // In closed poses, parameters are grouped by numbers of one model, for which there is no formula.
         let is_proved = matches!(complete, Completeness::Proved(_)) && !is_grouped;
         let base = is_proved.then(|| base_regressor_parameters(&mut arena, &columns, &base)).flatten();
         let count = columns.iter().map(|column| column.forces.len()).sum::<usize>();
@@ -69,7 +68,7 @@ impl RegressorFunctions {
         Ok(Self { arena, equations, columns, rest: rest.to_vec(), base })
     }
 
-    /// Plans the functions of the regressor, named for a target language.
+    /// Plans the functions of the regressor. Names of variables follow the rules of `language`.
     #[must_use]
     pub fn functions(&self, model: &Model, language: &Language) -> Vec<Function> {
         let planner = Planner::new(model, &self.arena, &self.equations, language, Sharing::Shared);
@@ -149,8 +148,7 @@ impl RegressorFunctions {
     }
 }
 
-/// Returns the formulas of the base parameters. `None` if a combination has a factor without a
-/// formula.
+/// Returns the base parameters with their formulas. `None` if a combination has a factor without a formula.
 fn base_regressor_parameters(
     arena: &mut Arena,
     columns: &[Column],
@@ -170,7 +168,7 @@ fn base_regressor_parameters(
     Some(list)
 }
 
-/// Returns a value of a function whose variable is `stem` with the number `at` + 1.
+/// Returns a value to be computed, whose variable is `stem` with the number `at` + 1.
 fn entry(stem: &str, at: usize, name: String, value: Expr) -> Value {
     (format!("{stem}{}", at + 1), name, value)
 }

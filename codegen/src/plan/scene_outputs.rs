@@ -1,4 +1,4 @@
-//! Planned functions for the outputs and events of a scene, which depend on the state alone.
+//! Planned functions for those outputs and events of a scene that depend only on the state.
 
 use super::equation_functions::definitions_of_other_variables;
 use super::programs::function::{Arguments, Function, Returns, Value};
@@ -10,32 +10,32 @@ use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::scene::{ENERGIES, Scene, SceneEvent, SceneOutput};
 use tripos_derive::{Equations, Model};
 
-/// Reason why a scene's output or event has no function.
+/// Reason for the lack of a function for an output or event of a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MissingOutputReason {
-    /// The formula contains a reaction, which no closed form gives.
+    /// The formula contains a reaction, for which there is no closed form.
     Reaction,
-    /// The formula contains an acceleration, and the accelerations were not solved for in closed form.
+    /// The formula contains an acceleration, and the accelerations have no closed form.
     Acceleration,
 }
 
 /// Outputs and events of a scene, with the intermediate terms that compute them from the state.
 #[derive(Clone, Debug)]
 pub struct SceneOutputs {
-    /// Definitions in the order of computation: accelerations, q̇ or u (whichever is not
-    /// integrated), and energies.
+    /// Definitions in the order of computation: accelerations, then q̇ or u (the one that is not integrated), then
+    /// energies.
     pub steps: Vec<Definition>,
     /// Outputs of the scene that the state determines.
     pub outputs: Vec<SceneOutput>,
     /// Events of the scene whose functions the state determines.
     pub events: Vec<SceneEvent>,
-    /// Names of the outputs and events without a function, each with the reason.
+    /// Outputs and events without a function, each as (name, reason).
     pub left_out: Vec<(String, MissingOutputReason)>,
 }
 
 impl SceneOutputs {
-    /// Selects the outputs and events that the state determines. `solved` gives the accelerations;
-    /// `None` if they have no closed form.
+    /// Selects the outputs and events that the state determines. `solved` gives the accelerations; it is `None` if
+    /// they have no closed form.
     #[must_use]
     pub fn new(
         model: &Model,
@@ -94,8 +94,8 @@ impl SceneOutputs {
     }
 }
 
-/// Returns definitions of the accelerations v̇, of q̇ or u (whichever is not integrated), of the
-/// rates of u, and of the energies.
+/// Returns definitions of the accelerations v̇, of q̇ or u (the one that is not integrated), of the rates of u, and
+/// of the energies.
 fn scene_output_definitions(
     model: &Model,
     arena: &mut Arena,
@@ -122,7 +122,7 @@ fn scene_output_definitions(
     steps
 }
 
-/// Returns values to be computed whose variables are `stem` with the numbers 1, 2 and so on.
+/// Returns values to be computed. Their variables are `stem` with the numbers 1, 2 and so on.
 pub fn numbered_values(stem: &str, list: impl Iterator<Item = (String, Expr)>) -> Vec<Value> {
     list.enumerate().map(|(at, (name, value))| (format!("{stem}{}", at + 1), name, value)).collect()
 }

@@ -1,5 +1,5 @@
-//! Plan of the functions of a scene's reduced equations, and their cost compared with the equations
-//! of the whole model.
+//! Plan of the functions of a scene's reduced equations, and their cost in comparison with the equations of the whole
+//! model.
 
 use super::equation_functions::{accelerations, derivative, divisors, jacobian, kinematics_and_energies};
 use super::formulation_plan::{Jacobian, singular_text};
@@ -22,21 +22,19 @@ pub struct SceneEquations<'a> {
     pub reduction: &'a Reduction,
     /// Arena with the terms of the equations and their solution.
     arena: Arena,
-    /// Accelerations in closed form and their derivatives by the state.
+    /// Accelerations in closed form, and their derivatives with respect to the state.
     solved: SolvedAccelerations,
     /// Recurrences of the Taylor coefficients of the motion; `None` if they are not available.
     recurrences: Option<Recurrences>,
-    /// Derivatives of the energy T + V by the coordinates and the motion variables.
+    /// Derivatives of the energy T + V with respect to the coordinates, then the motion variables.
     gradient: Vec<Expr>,
 }
 
 impl<'a> SceneEquations<'a> {
-    /// Solves the reduced equations for the accelerations, and prepares recurrences and the
-    /// gradient of the energy.
+    /// Solves the reduced equations for the accelerations. Prepares the recurrences and the gradient of the energy.
     ///
     /// # Errors
-    /// [`Unsolved`] if the accelerations are not determined in any configuration, or are not
-    /// proved.
+    /// Returns [`Unsolved`] if the accelerations are not determined in any configuration, or are not proved.
     pub fn new(reduction: &'a Reduction) -> Result<Self, Unsolved> {
         let mut arena = reduction.arena().clone();
         let equations = &reduction.derivation.equations;
@@ -46,7 +44,7 @@ impl<'a> SceneEquations<'a> {
         Ok(Self { reduction, arena, solved, recurrences, gradient })
     }
 
-    /// Returns a planner of the scene's functions for a target language.
+    /// Returns a planner of the scene's functions, whose variables have names that `language` permits.
     #[must_use]
     pub fn planner(&self, language: &Language) -> Planner<'_> {
         Planner::new(
@@ -63,13 +61,12 @@ impl<'a> SceneEquations<'a> {
 pub struct ScenePlan<'a> {
     /// Reduction of the model's equations for the scene.
     pub reduction: &'a Reduction,
-    /// Functions that compute the constants and the reduced start from parameters and a start of
-    /// the whole model. Empty for equations in a moving frame, because no formula gives the start
-    /// there.
+    /// Functions that compute the constants and the reduced start from the parameters and a start of the whole model.
+    /// Empty for equations in a moving frame, for which no formula gives the start.
     pub from_start: Vec<Function>,
     /// Functions of the equations that people read: accelerations, rates, energies, outputs.
     pub equations: Vec<Function>,
-    /// Functions that only runs need: derivative, Jacobian, divisors, gradient of the energy, slope
+    /// Functions that only runs need: derivative, Jacobian, divisors, gradient of the energy, and difference quotient
     /// of the potential energy.
     pub machine: Vec<Function>,
     /// Names of the divisors that the function `divisors` returns, as formulas; empty if no divisor
@@ -81,18 +78,18 @@ pub struct ScenePlan<'a> {
     pub facts: Vec<String>,
 }
 
-/// Choice of whether the recurrences of the Taylor coefficients are planned.
+/// Choice between planning and leaving out the recurrences of the Taylor coefficients.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Taylor {
-    /// The recurrences are planned, provided that they are known.
+    /// The recurrences are planned if the equations have them.
     Planned,
     /// The recurrences of the Taylor coefficients are not planned.
     LeftOut,
 }
 
 impl<'a> ScenePlan<'a> {
-    /// Plans the functions of a scene of the model `whole`. Plans the entries of the Jacobian and
-    /// the Taylor recurrences only if they are requested.
+    /// Plans the functions of a scene of the model `whole`. The entries of the Jacobian and the Taylor recurrences
+    /// are planned only if they are requested.
     #[must_use]
     pub fn new(
         whole: &Model,
@@ -126,8 +123,8 @@ impl<'a> ScenePlan<'a> {
     }
 }
 
-/// Plans the functions `constants` and `start`. From a start of the whole model they compute the
-/// parameters and the state of the reduced equations.
+/// Plans the functions `constants` and `start`. From a start of the whole model, they compute the parameters and the
+/// state of the reduced equations.
 fn plan_start_conversion(whole: &Model, planner: &Planner<'_>, reduction: &Reduction) -> [Function; 2] {
     let e = planner.equations;
     let equations = Equations { coordinates: whole.q(), variables: whole.u(), ..e.clone() };
@@ -218,8 +215,8 @@ fn outputs(planner: &Planner<'_>, reduction: &Reduction) -> Function {
     planner.plan_function_in_steps("outputs", about, arguments, Returns::Vector, definitions, &values)
 }
 
-/// Plans the function `energy_gradient`, which returns T + V, then its derivatives by the
-/// coordinates and motion variables.
+/// Plans the function `energy_gradient`, which returns T + V, then its derivatives with respect to the coordinates
+/// and motion variables.
 fn energy_gradient(planner: &Planner<'_>, gradient: &[Expr]) -> Function {
     let e = planner.equations;
     let mut arena = planner.arena.clone();
@@ -238,11 +235,12 @@ fn energy_gradient(planner: &Planner<'_>, gradient: &[Expr]) -> Function {
     planner.plan_function_in_steps("energy_gradient", about, Arguments::State, Returns::Vector, &e.definitions, &values)
 }
 
-/// Plans the functions `half_differences` and `potential_slope` for the slope (V(b) − V(a))/(b − a)
-/// of the potential energy.
-/// Their coordinates `q` are (a, b). Their `u` holds sin z/z for the angles z that
-/// `half_differences` returns. The formula is not rewritten, because sharing would bring back the
-/// cancellation that it avoids.
+/// Plans the functions `half_differences` and `potential_slope` for the difference quotient (V(b) − V(a))/(b − a) of
+/// the potential energy.
+///
+/// In both functions, the coordinates `q` are (a, b). The argument `u` holds sin z/z for the angles z that
+/// `half_differences` returns. The formula is not rewritten, because sharing would bring back the cancellation that
+/// it avoids.
 fn plan_scene_potential_slope(planner: &Planner<'_>, slope: &PotentialDifference) -> Vec<Function> {
     let (symbols, angles): (Vec<Expr>, Vec<Expr>) = slope.sincs.iter().copied().unzip();
     let equations = Equations {
@@ -276,22 +274,21 @@ fn plan_scene_potential_slope(planner: &Planner<'_>, slope: &PotentialDifference
     ]
 }
 
-/// Numbers of operations in one call of the state derivative: for Kane's equations of the whole
-/// model, and for a scene's reduced equations.
+/// Numbers of operations in one call of the state derivative, for Kane's equations of the whole model and for a
+/// scene's reduced equations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Costs {
-    /// Number of operations of a call for the whole model.
+    /// Number of operations in one call for the whole model.
     pub full: OperationCount,
-    /// Number of operations of a call for the reduced equations of the scene.
+    /// Number of operations in one call for the reduced equations of the scene.
     pub scene: OperationCount,
 }
 
-/// Counts the operations of the state derivative for the whole model and for a scene's reduced
-/// equations.
+/// Counts the operations of the state derivative for the whole model and for a scene's reduced equations.
 ///
 /// # Errors
-/// [`DeriveError`] if Kane's equations cannot be derived, or if the accelerations are not
-/// determined in any configuration.
+/// Returns a [`DeriveError`] if Kane's equations cannot be derived, or if the accelerations are not determined in any
+/// configuration.
 pub fn scene_costs(model: &Model, reduction: &Reduction) -> Result<Costs, DeriveError> {
     let of = |model: &Model, arena: &Arena, equations: &Equations| {
         let mut arena = arena.clone();

@@ -1,5 +1,5 @@
-//! Plan of the function `taylor`, which computes Taylor coefficients of a motion: names of
-//! variables, order and comments.
+//! Plan of the function `taylor`, which computes Taylor coefficients of a motion. The plan states names of variables,
+//! order of computation, and comments.
 
 use super::{
     Allocator, Argument, LineComments, Output, Planner, Program, SymbolVariableNames, TermVariableNames, program,
@@ -10,34 +10,32 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use tripos_derive::algebra::text::print::print_text;
 use tripos_derive::algebra::{Arena, Expr, Function as Elementary, Node};
 
-/// Number of which the padded number of convolutions is a multiple: `LANES` of
-/// `tripos_traits::series`.
+/// Number to a multiple of which the number of convolutions is rounded up: `LANES` of `tripos_traits::series`.
 const LANES: usize = 8;
 
 /// Plan of a function that computes the Taylor coefficients of the state by recurrences, order by
 /// order.
 pub struct TaylorPlan<'a> {
-    /// Arena that stores all terms (symbolic expressions).
+    /// Arena that stores all terms of the recurrences.
     pub arena: &'a Arena,
     /// Recurrences that the function computes, one for each series.
     pub list: &'a Recurrences,
     /// Variables of the symbols in the generated code.
     pub variables: SymbolVariableNames,
-    /// Name of the variable of each series, in the order of `list`.
+    /// Name of the variable of each series, in the order of [`Self::list`].
     pub names: Vec<String>,
     /// Variables of the reciprocals of divisors, by the index of the divisor's series.
     pub over: FxHashMap<usize, String>,
-    /// Variables of 1/(2 z), by the index of the series of the square root z.
+    /// Variables of 1/(2 z), where z is a square root, by the index of the series of z.
     pub over_twice: FxHashMap<usize, String>,
     /// Variables of the constant factors in the recurrences that are neither numbers nor symbols.
     pub weights: FxHashMap<Expr, String>,
     /// Variables of the time derivatives of the states, by the index of the state's series.
     pub rates: FxHashMap<usize, String>,
-    /// Approximate number of operations, one after the other, before the coefficient of each series
-    /// is known at an order.
+    /// Depth of each series: approximate number of successive operations at an order before the series' coefficient
+    /// is known.
     pub depths: Vec<usize>,
-    /// Indices of the convolutions (sums over products of coefficients), by the index of their
-    /// series.
+    /// Index of each convolution, by the index of its series. A convolution is a sum over products of coefficients.
     pub slots: FxHashMap<usize, usize>,
     /// Argument for the parameters, with variables for those that the constant factors contain.
     pub parameters: Argument,
@@ -48,7 +46,7 @@ pub struct TaylorPlan<'a> {
 }
 
 impl<'a> TaylorPlan<'a> {
-    /// Plans the names of all variables that the recurrences need.
+    /// Plans the names of all variables that the recurrences need. `list` are the recurrences.
     #[must_use]
     pub fn new(planner: &'a Planner<'_>, list: &'a Recurrences) -> Self {
         let (arena, mut variables) = (planner.arena, planner.variables.clone());
@@ -104,8 +102,8 @@ impl<'a> TaylorPlan<'a> {
         self.list.convolutions().next_multiple_of(LANES).max(LANES)
     }
 
-    /// Returns the variable for the initial value of the state with index `place`. `None` if the
-    /// function does not read it.
+    /// Returns the variable for the initial value of the state with the index `place`. `None` if the function does
+    /// not read this value.
     #[must_use]
     pub fn start(&self, place: usize) -> Option<String> {
         let state = self.list.states[place];
@@ -118,8 +116,7 @@ impl<'a> TaylorPlan<'a> {
         }
     }
 
-    /// True if a recurrence or a rate reads the coefficient of order 0 of the series with index
-    /// `at`.
+    /// True if a recurrence or a rate reads the coefficient of order 0 of the series with the index `at`.
     fn needs_start(&self, at: usize) -> bool {
         let read =
             |s: &Series| s.rule.reads().contains(&at) || matches!(s.rule, Rule::Forward { slope, .. } if slope == at);
@@ -133,8 +130,8 @@ impl<'a> TaylorPlan<'a> {
         self.weights.get(&e).cloned().unwrap_or_else(|| print_text(self.arena, e))
     }
 
-    /// Returns the equation `name = formula` of a series in terms of other series. The text is
-    /// empty for a state.
+    /// Returns the equation `name = formula` of a series in terms of other series. The text is empty for a series
+    /// that is a state.
     #[must_use]
     pub fn equation(&self, at: usize) -> String {
         let name = |x: &usize| self.names[*x].as_str();
@@ -178,7 +175,7 @@ impl<'a> TaylorPlan<'a> {
     }
 }
 
-/// Returns all symbols and subterms that the constant factors contain.
+/// Returns all symbols and subterms that the constant factors of the recurrences contain.
 fn taylor_plan_inputs(arena: &Arena, list: &Recurrences) -> FxHashSet<Expr> {
     arena.reachable(&list.constants()).into_iter().collect()
 }
@@ -192,7 +189,7 @@ fn constants(
 ) -> Program {
     let named = list.constants().into_iter().filter_map(|e| Some((e, weights.get(&e)?)));
     let outputs = named.map(|(value, name)| Output { name: name.clone(), label: name.clone(), value, stated: value });
-    // The names of the weights are released, so that the program can give them out.
+    // The names of the constant factors are released, so that the program can use them.
     let mut variables = variables.clone();
     variables.allocator.release(weights.values());
     program(arena, &variables, &[], &[], &outputs.collect::<Vec<_>>(), &[])
@@ -201,8 +198,8 @@ fn constants(
 /// Suffixes of a series' variables for its coefficients of orders 0, 1 and k − 1.
 const ORDERS: [&str; 3] = ["_0", "_1", "_last"];
 
-/// Names all series, after their term or the first state that needs them. Each name is free with
-/// every suffix for an order.
+/// Returns the names of all series. A series is named after its term, or after the first state that needs it. Its
+/// name is free with every suffix for an order.
 fn names_of(
     arena: &Arena,
     variables: &SymbolVariableNames,
@@ -232,14 +229,14 @@ fn names_of(
     list.series.iter().enumerate().map(&mut one).collect()
 }
 
-/// Returns a name that is free with every suffix for an order, for a name already in use by its
-/// series. The name gets an addition only if it is not free.
+/// Returns a name for a series that is free with every suffix for an order. `given` is the name that the series
+/// already has; it is changed only if a suffixed name is not free.
 fn reserve_series_name(allocator: &mut Allocator, given: String) -> String {
     let stem = given.clone();
     free_series_name(allocator, given, &stem)
 }
 
-/// Returns a name that is free with every suffix for an order: `name`, or a name made from
+/// Returns a name that is free with every suffix for an order. It is `name` or, if that is not free, a name made from
 /// `wanted`.
 fn free_series_name(allocator: &mut Allocator, mut name: String, wanted: &str) -> String {
     while ORDERS.iter().any(|order| !allocator.is_free(&format!("{name}{order}"))) {
@@ -251,8 +248,8 @@ fn free_series_name(allocator: &mut Allocator, mut name: String, wanted: &str) -
     name
 }
 
-/// Returns, for each series, the approximate number of successive operations at one order before
-/// its coefficient is known.
+/// Returns the depth of each series: the approximate number of successive operations at an order before the series'
+/// coefficient is known.
 fn operation_depths(list: &Recurrences) -> Vec<usize> {
     let mut depths: Vec<usize> = Vec::new();
     for s in &list.series {

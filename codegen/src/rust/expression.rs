@@ -30,8 +30,8 @@ pub fn expression(view: &DisplayTree) -> TokenStream {
     }
 }
 
-/// Returns the Rust expression for a rational number. It is exact if numerator and denominator fit
-/// into 64 bits.
+/// Returns the Rust expression for a rational number. The expression is exact if numerator and denominator fit into
+/// 64 bits.
 pub fn constant(value: &Rational) -> TokenStream {
     let magnitude = if value.is_negative() { value.neg() } else { value.clone() }.to_big();
     let magnitude = number(&magnitude.numer().to_string(), &magnitude.denom().to_string());
@@ -55,9 +55,8 @@ fn number(numerator: &str, denominator: &str) -> TokenStream {
     }
 }
 
-/// Returns the Rust expression for a quotient of long whole numbers: the nearest double. A power of
-/// ten is factored out if no normal double is near. A number beyond the range of doubles becomes a
-/// compile error.
+/// Returns the Rust expression for a quotient of long whole numbers. It is the nearest double. If no normal double is
+/// near, a power of ten is factored out. A number beyond the range of doubles becomes a compile error.
 fn long_number(numerator: &str, denominator: &str) -> TokenStream {
     let value = Rational::parse_decimal(numerator).zip(Rational::parse_decimal(denominator));
     let value = value.and_then(|(n, d)| Some(n.mul(&d.reciprocal()?)));
@@ -68,7 +67,7 @@ fn long_number(numerator: &str, denominator: &str) -> TokenStream {
         let nearest = double(nearest);
         return quote!(S::from_f64(#nearest));
     }
-    // The difference of the numbers of digits is the size in powers of ten, up to one.
+    // The difference of the numbers of digits is the size of the number in powers of ten, up to one.
     let size = digits(numerator) - digits(denominator);
     let ten = Rational::integer(10);
     let power = ten.pow(size).map(|power| value.mul(&power.reciprocal().unwrap_or(Rational::ONE)).to_f64());
@@ -86,11 +85,11 @@ fn digits(text: &str) -> i32 {
     i32::try_from(text.trim_start_matches('-').len()).unwrap_or(i32::MAX)
 }
 
-/// Returns the Rust expression for a sum. The boolean is true if the expression is one method call,
-/// which needs no parentheses.
-/// A product of names and numbers is fused with the terms before it by `mul_add`. A sum has at most
-/// one fused product, and none if it contains another sum: nested calls are hard to read and gain
-/// little.
+/// Returns the Rust expression for a sum. The flag is true if the expression is one method call, which needs no
+/// parentheses.
+///
+/// A product of names and numbers is fused with the terms before it by `mul_add`. A sum has at most one fused
+/// product, and none if it contains another sum. Nested calls would be hard to read and gain little.
 fn sum(terms: &[(bool, DisplayTree)]) -> (TokenStream, bool) {
     let order = order_sum_for_fusion(terms);
     let (mut tokens, mut call) = (TokenStream::new(), false);
@@ -116,7 +115,7 @@ fn sum(terms: &[(bool, DisplayTree)]) -> (TokenStream, bool) {
     (tokens, call)
 }
 
-/// Splits a product of names and numbers into the receiver and the first argument of `mul_add`.
+/// Splits a product of names and numbers into the receiver and the first argument of a `mul_add` call.
 fn mul_add_operands(term: &DisplayTree) -> (TokenStream, TokenStream) {
     let factors = match term {
         DisplayTree::Product(factors) => factors.clone(),
@@ -187,7 +186,7 @@ fn fraction(above: &DisplayTree, below: &DisplayTree) -> TokenStream {
         [one] => {
             let product = matches!(one, DisplayTree::Power(..));
             let one = factor(one);
-            // A power may be written as a product, which binds no tighter than the division.
+            // A power may be written as a product, which needs parentheses in a denominator.
             if product { quote!(#numerator / (#one)) } else { quote!(#numerator / #one) }
         }
         many => {

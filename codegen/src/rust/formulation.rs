@@ -21,8 +21,8 @@ pub struct FormulationFiles {
     pub code: String,
 }
 
-/// Writes the files of a formulation. `origin` is the header sentence on the origin. A function
-/// that another formulation of the model already has is imported instead of written again.
+/// Writes the Rust files of a formulation. `origin` is the header sentence on their origin. A function that another
+/// formulation of the model already has is imported, not written again.
 #[must_use]
 pub fn rust_formulation_files(
     plan: &FormulationPlan<'_>,
@@ -46,7 +46,7 @@ pub fn rust_formulation_files(
     parts.extend(plan.taylor.as_ref().map(|plan| SystemMethods::Taylor(plan.width())));
     parts.extend((!plan.divisors.is_empty()).then(|| SystemMethods::Divisors(plan.divisors.clone())));
     parts.extend((!plan.constraints.is_empty()).then(|| SystemMethods::Constraints(plan.constraints.clone())));
-    // The function `jacobian_product` is never shared: equal texts of it call different functions.
+    // The function `jacobian_product` is never shared, because equal texts of it call different functions.
     let rates = if together { Rates::Together } else { Rates::Apart };
     let differentiated = product.then(|| jacobian_product(equations, rates));
     let (dual, by_columns) = (product.then(|| quote!(Dual,)), product.then(|| quote!(, by_columns)));

@@ -5,7 +5,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 use tripos_derive::Equations;
 
-/// Name of the function that returns the Jacobian times a direction. It replaces the Jacobian of a
+/// Name of the function that returns the product of the Jacobian with a direction. It replaces the Jacobian of a
 /// large system.
 pub const JACOBIAN_PRODUCT: &str = "jacobian_product";
 
@@ -18,8 +18,8 @@ pub enum Rates {
     Apart,
 }
 
-/// Returns the Rust function `jacobian_product`. It differentiates the functions of its module that
-/// compute the rates.
+/// Returns the Rust function `jacobian_product`. It differentiates those functions of its module that compute the
+/// rates q̇ and v̇.
 pub fn jacobian_product(equations: &Equations, rates: Rates) -> TokenStream {
     let own = format_ident!("{}", if equations.formulation.is_in_rates() { "q_dot" } else { "u" });
     let (n, m) = (equations.coordinates.len(), equations.variables.len());

@@ -3,7 +3,7 @@
 use super::rust_text::format;
 use quote::{format_ident, quote};
 
-/// Returns the text of `lib.rs` for the modules of the models with these names.
+/// Returns the text of `lib.rs` for the modules of the given models.
 #[must_use]
 pub fn generated_library_text(models: &[String]) -> String {
     let header = [

@@ -1,5 +1,5 @@
-//! Rust target: turns plans into Rust tokens, then into text by prettyplease. It decides only how a
-//! line is written.
+//! Rust target: turns plans into Rust tokens, and tokens into text by prettyplease. It decides only the form of a
+//! line, not the computation.
 
 mod expression;
 mod formulation;

@@ -9,8 +9,8 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 use tripos_derive::Model;
 
-/// Largest number of operations of accelerations that are compiled for eight SIMD lanes. Longer
-/// code gets four lanes.
+/// Largest number of operations of the accelerations for which they are compiled for eight SIMD lanes. Longer code is
+/// compiled for four lanes.
 const MOST_IN_EIGHT: usize = 500;
 
 /// Set of equations that the Rust module of a model lists.
@@ -19,23 +19,23 @@ pub struct ModuleEquations {
     pub name: String,
     /// Title of the set of equations for headings.
     pub title: String,
-    /// Number of operations of the accelerations; `None` if they are not solved for in closed form.
+    /// Number of operations of the accelerations; `None` if they have no closed form.
     pub solved: Option<usize>,
     /// True if the Taylor coefficients of several states can be computed at once, in SIMD lanes.
     pub series: bool,
-    /// True if there is a file of the equations for people, in addition to the code.
+    /// True if there is also a file of the equations for people, in addition to the code.
     pub shown: bool,
 }
 
 impl ModuleEquations {
-    /// Returns the declaration of the Rust module for these equations.
+    /// Returns the declaration of the Rust submodule that contains these equations.
     fn rust_module_declaration(&self) -> TokenStream {
         let (name, about) =
             (format_ident!("{}", module_name(&self.name)), format!(" {}.", escape_doc_comment(&self.title)));
         quote!(#[doc = #about] #[rustfmt::skip] pub mod #name;)
     }
 
-    /// Returns the expression of a `CompiledSystem`, by which a program runs these equations.
+    /// Returns the Rust expression of a `CompiledSystem`, by which a program runs these equations.
     fn compiled_system_expression(&self) -> TokenStream {
         let (module, unit) = (format_ident!("{}", module_name(&self.name)), format_ident!("{}", type_name(&self.name)));
         let (name, system) = (&self.name, quote!(code::#module::#unit));
@@ -49,27 +49,27 @@ impl ModuleEquations {
     }
 }
 
-/// Data about a model's Rust module for its header and its constant `MODEL`.
+/// Data on a model's Rust module, for its header and its constant `MODEL`.
 pub struct ModuleHeaderData<'a> {
     /// Name of the model's Rust module.
     pub module: &'a str,
     /// Sentence of the header on the origin of the module.
     pub origin: &'a str,
-    /// Hash of the publication in the model's folder; empty if there is none or if it was not
+    /// Hash of the publication in the model's folder. Empty if there is no publication or if its equations were not
     /// written.
     pub publication_hash: &'a str,
     /// True if the module also contains reduced equations of scenes.
     pub has_scenes: bool,
 }
 
-/// Writes two files of a model: its `mod.rs`, and the `mod.rs` of the folder `code`. `equations`
-/// lists all sets of equations.
+/// Returns the texts of two files of a model: its `mod.rs`, and the `mod.rs` of the folder `code`. `equations` lists
+/// all sets of equations.
 #[must_use]
 pub fn rust_module_files(model: &Model, about: &ModuleHeaderData<'_>, equations: &[ModuleEquations]) -> [String; 2] {
     [module_file(model, about, equations), code_file(model, about, equations)]
 }
 
-/// Returns the text of a model's `mod.rs`.
+/// Returns the text of the file `mod.rs` of a model's Rust module.
 fn module_file(model: &Model, about: &ModuleHeaderData<'_>, equations: &[ModuleEquations]) -> String {
     let header = [
         format!("{}.", escape_doc_comment(&model.title)),
@@ -125,8 +125,8 @@ fn module_file(model: &Model, about: &ModuleHeaderData<'_>, equations: &[ModuleE
     format_to_include(&header, items)
 }
 
-/// Returns the declaration of the Rust module `code`. It switches off lints on names that are not
-/// in snake case and on a final `let`.
+/// Returns the declaration of the Rust module `code`. It switches off the lints against names that are not in snake
+/// case and against a final `let`.
 pub fn rust_code_module_declaration() -> TokenStream {
     quote! {
         #[doc = " The code of the equations."]
@@ -143,8 +143,8 @@ fn code_file(model: &Model, about: &ModuleHeaderData<'_>, equations: &[ModuleEqu
     format(&[title, String::new(), about.origin.to_owned()], quote!(#(#modules)*))
 }
 
-/// Returns the Rust implementation of `Default` with the parameter values of the model file. `None`
-/// unless every parameter has a value.
+/// Returns the Rust implementation of `Default` with the parameter values of the model file. `None` if a parameter
+/// has no value.
 fn rust_default_impl(model: &Model) -> Option<TokenStream> {
     let values: Option<Vec<_>> = model.parameters.iter().map(|p| p.value.as_ref().map(constant)).collect();
     let names = parameter_field_names(model);

@@ -9,8 +9,8 @@ use tripos_derive::Model;
 /// purposes.
 pub const LANGUAGE: Language = Language { is_name, in_scope: &IN_SCOPE, longest: usize::MAX };
 
-/// Names in the scope of generated function bodies, and names that a pattern would match as a
-/// constant. No variable may have them.
+/// Names that no variable may have: names in the scope of generated function bodies, and names that a pattern would
+/// match as a constant.
 const IN_SCOPE: [&str; 30] = [
     "p",
     "q",
@@ -19,13 +19,13 @@ const IN_SCOPE: [&str; 30] = [
     "v_dot",
     "out",
     "zero",
-    // Array in which the parts of a long function pass values.
+    // The array in which the parts of a long function pass values.
     "values",
     "S",
     "Parameters",
     "Scalar",
     "System",
-    // Names that the Taylor recurrences use.
+    // Names that the Taylor recurrences use in generated code.
     "series",
     "history",
     "order",
@@ -47,7 +47,7 @@ const IN_SCOPE: [&str; 30] = [
     "Err",
 ];
 
-/// True if a word may be the name of a Rust variable, field or module of generated code.
+/// True if a word may be the name of a Rust variable, field or module in generated code.
 #[must_use]
 pub fn is_name(word: &str) -> bool {
     // The word `gen` is a keyword since the 2024 edition.

@@ -10,8 +10,8 @@ use quote::{format_ident, quote};
 use tripos_derive::Model;
 use tripos_derive::plain_text::with_visible_characters;
 
-/// Largest number of unread entries of an array argument that a pattern skips. With more, each
-/// entry that is read gets an index.
+/// Largest number of unread entries of an array argument that a pattern skips. If there are more, the entries are
+/// read by index.
 const MOST_SKIPPED: usize = 20;
 
 /// Names of the functions in which runs spend their time. `System` calls them through
@@ -22,32 +22,32 @@ const DISPATCHED_FUNCTIONS: [&str; 2] = ["accelerations", "derivative"];
 /// freedom.
 const INTEGRANDS: [&str; 4] = ["coordinate_rates", "kinetic_energy", "half_differences", "potential_slope"];
 
-/// Largest number of bytes in a line of equations in documentation.
+/// Largest number of bytes in a line of equations in generated documentation.
 const EQUATION: usize = 160;
 
 /// Rust struct in which generated functions receive the parameters.
 pub struct Parameters {
-    /// Path of the struct in Rust, as seen from the functions.
+    /// Path of the struct in Rust, as the functions see it.
     pub path: TokenStream,
     /// Name of the struct's field for each parameter, in the order of the model.
     pub fields: Vec<String>,
 }
 
 impl Parameters {
-    /// Returns the struct `Parameters` of a model, as seen from functions in the same module.
+    /// Returns the struct `Parameters` of a model, as functions in the same module see it.
     pub fn of(model: &Model) -> Self {
         Self { path: quote!(Parameters), fields: parameter_field_names(model) }
     }
 }
 
-/// Returns the Rust function for a planned function. The hot functions of a run are always inlined.
+/// Returns the Rust function for a planned function. The functions in which runs spend their time are always inlined.
 pub fn function(planned: &Function, parameters: &Parameters) -> TokenStream {
     let inlining = if DISPATCHED_FUNCTIONS.contains(&planned.name) { Inlining::Always } else { Inlining::AsNeeded };
     rust_function_with_inlining(planned, parameters, inlining)
 }
 
-/// Returns the Rust function for a planned function of equations with one degree of freedom. The
-/// hot functions of runs and of quadrature are always inlined.
+/// Returns the Rust function for a planned function of equations with one degree of freedom. The functions in which
+/// runs and quadrature spend their time are always inlined.
 pub fn function_at_points(planned: &Function, parameters: &Parameters) -> TokenStream {
     let is_dispatched = DISPATCHED_FUNCTIONS.iter().chain(&INTEGRANDS).any(|name| *name == planned.name);
     rust_function_with_inlining(planned, parameters, if is_dispatched { Inlining::Always } else { Inlining::AsNeeded })
@@ -89,8 +89,7 @@ fn rust_function_with_inlining(planned: &Function, parameters: &Parameters, inli
     }
 }
 
-/// Returns the doc attributes of a planned function: description of its result, with the equations
-/// that it computes.
+/// Returns the doc attributes of a planned function: a description of its result, and the equations that it computes.
 #[must_use]
 pub fn function_documentation(planned: &Function) -> TokenStream {
     let mut lines = vec![format!(" {}", planned.about), String::new()];
@@ -114,15 +113,15 @@ pub fn function_documentation(planned: &Function) -> TokenStream {
     quote!(#(#[doc = #lines])*)
 }
 
-/// Returns the body of a function up to its result, if its program stays whole.
+/// Returns the body of a function whose program stays whole, without the result at its end.
 fn whole_function_body(planned: &Function, parameters: &Parameters) -> TokenStream {
     let unpack = planned.arguments.iter().map(|argument| unpack(argument, parameters));
     let body = lines(planned, &planned.program, &[]);
     quote!(#(#unpack)* #body)
 }
 
-/// Returns the body of a function up to its result, if its program is divided. The body declares a
-/// function for each part and calls these in order.
+/// Returns the body of a function whose program is divided, without the result at its end. The body declares a
+/// function for each part and calls these functions in order.
 fn divided_function_body(planned: &Function, parts: &Parts, parameters: &Parameters) -> TokenStream {
     let length = Literal::usize_unsuffixed(parts.places);
     let given: Vec<usize> = (0..planned.arguments.len()).filter(|at| planned.arguments[*at].is_read()).collect();
@@ -134,7 +133,8 @@ fn divided_function_body(planned: &Function, parts: &Parts, parameters: &Paramet
         let body = lines(planned, &part.program, &part.writes);
         let (takes, hands_on) = (load_from_array("values", &part.reads), store_to_array(&part.writes));
         let work = quote!(#(#unpack)* #takes #body #hands_on);
-        // Code for the processor's instructions must be inlined, so a part, which is not, dispatches its own work.
+        // Code for the instructions of the processor must be inlined. A part is not inlined, so it dispatches its own
+        // work.
         let work = if DISPATCHED_FUNCTIONS.contains(&planned.name) {
             quote!(S::dispatch(#[inline(always)] || { #work });)
         } else {
@@ -160,8 +160,8 @@ fn divided_function_body(planned: &Function, parts: &Parts, parameters: &Paramet
     }
 }
 
-/// Returns the statements of a program. `more` lists variables that later code reads, in addition
-/// to those the program reads itself.
+/// Returns the Rust statements of a program. `more` lists variables that later code reads, in addition to those that
+/// the program reads itself.
 fn lines(planned: &Function, program: &Program, more: &[(usize, String)]) -> TokenStream {
     let mut read = program.names_read(0..usize::MAX);
     read.extend(more.iter().map(|(_, name)| name.as_str()));
@@ -170,15 +170,15 @@ fn lines(planned: &Function, program: &Program, more: &[(usize, String)]) -> Tok
     quote!(#head #body)
 }
 
-/// Returns the statement that reads variables from their indices in an array. It is empty for an
-/// empty list.
+/// Returns the statement that reads variables from an array. `list` holds the index of each variable. The statement
+/// is empty for an empty list.
 fn load_from_array(array: &str, list: &[(usize, String)]) -> TokenStream {
     let (places, names) = assignment_sides(array, list);
     if list.is_empty() { TokenStream::new() } else { quote!(let [#(#names),*] = [#(#places),*];) }
 }
 
-/// Returns the statement that stores variables at their indices in the array `values`. It is empty
-/// for an empty list.
+/// Returns the statement that stores variables in the array `values`. `list` holds the index of each variable. The
+/// statement is empty for an empty list.
 fn store_to_array(list: &[(usize, String)]) -> TokenStream {
     let (places, names) = assignment_sides("values", list);
     if list.is_empty() { TokenStream::new() } else { quote!([#(#places),*] = [#(#names),*];) }
@@ -261,15 +261,16 @@ fn result(returns: Returns, entries: &[Entry]) -> (TokenStream, TokenStream) {
     }
 }
 
-/// Returns the Rust type and value of a matrix, given row by row, with this number of columns.
+/// Returns the Rust type and value of a matrix whose entries are given row by row. `columns` is the number of
+/// columns.
 fn rows(entries: &[TokenStream], columns: usize) -> (TokenStream, TokenStream) {
     let rows = entries.chunks(columns.max(1)).map(|row| quote!([#(#row),*]));
     let [count, columns] = [rows.len(), columns].map(Literal::usize_unsuffixed);
     (quote!([[S; #columns]; #count]), quote!([#(#rows),*]))
 }
 
-/// Returns the Rust statements of a program's lines, with one heading for each kind of line.
-/// Comments become doc attributes that are later turned into comments.
+/// Returns the Rust statements of a program's lines, with a heading for each kind of line. Comments are doc
+/// attributes, which formatting turns into plain comments.
 pub fn statements(lines: &[ProgramLine], is_read: &dyn Fn(&str) -> bool, explanation: LineComments) -> TokenStream {
     let is_elimination = lines.iter().any(|line| matches!(line, ProgramLine::Step(_)));
     let shared = if explanation == LineComments::Names {
@@ -299,15 +300,14 @@ pub fn statements(lines: &[ProgramLine], is_read: &dyn Fn(&str) -> bool, explana
     tokens
 }
 
-/// Returns `let` statements with a heading above the first. The result is empty for an empty list.
+/// Returns `let` statements with a heading above the first one. The result is empty for an empty list.
 pub fn section(heading: &str, list: &[Statement], explanation: LineComments) -> TokenStream {
     let heading = if list.is_empty() { TokenStream::new() } else { comment(heading) };
     let statements = list.iter().map(|one| statement(one, explanation));
     quote!(#heading #(#statements)*)
 }
 
-/// Returns a `let` statement, with its equation as a comment above it if `explanation` asks for
-/// formulas.
+/// Returns a `let` statement. If `explanation` asks for formulas, its equation is above it as a comment.
 fn statement(statement: &Statement, explanation: LineComments) -> TokenStream {
     let equation = explanation.of(statement).map(comment);
     let (name, value) = (rust_identifier(&statement.name), expression(&statement.value));

@@ -1,5 +1,5 @@
-//! Rust module of one model as a target: files of equations for people, code in `code/`, and a list
-//! of the sets of equations.
+//! Rust module of one model as a target: files of equations for people, code in `code/`, and a list of the sets of
+//! equations.
 
 use super::{FormulationFiles, LANGUAGE, ModuleEquations, WrittenFunctions, formulation_files};
 use crate::optional_functions::Extras;
@@ -15,13 +15,14 @@ use tripos_derive::mechanics::{
 };
 use tripos_derive::{Equations, Model};
 
-/// Largest number of convolutions at one order for which Taylor recurrences are written. With more,
-/// a step of another method costs less.
+/// Largest number of convolutions at one order for which Taylor recurrences are written. If there are more, a step of
+/// another method costs less.
 const MOST_CONVOLUTIONS: usize = 200;
-/// Largest number of convolutions, per component of the state, of Taylor recurrences that are also
-/// compiled for SIMD lanes.
-/// Up to this number, runs by them cost about as much as by DOP853. Measured: with 2.4 convolutions
-/// (the disk) 0.9 to 1.1 times as much, with 6.5 (a cart with three pendulums) 2.3 times.
+/// Largest number of convolutions, for each component of the state, of Taylor recurrences that are also compiled for
+/// SIMD lanes.
+///
+/// Up to this number, runs with these recurrences cost about as much as with DOP853. Measured: 0.9 to 1.1 times as
+/// much with 2.4 convolutions (the disk), 2.3 times as much with 6.5 (a cart with three pendulums).
 const MOST_CONVOLUTIONS_IN_LANES: usize = 4;
 
 /// True if Taylor recurrences with this number of convolutions are short enough for SIMD lanes.
@@ -29,7 +30,7 @@ fn has_short_series(convolutions: usize, equations: &Equations) -> bool {
     convolutions <= MOST_CONVOLUTIONS_IN_LANES * (equations.coordinates.len() + equations.variables.len())
 }
 
-/// Rust module of a model while it is written, as a target.
+/// Rust module of a model while it is being written, as a target.
 pub(crate) struct RustTarget<'a> {
     /// Source file and command, as the headers state them.
     origin: &'a Origin,
@@ -41,8 +42,8 @@ pub(crate) struct RustTarget<'a> {
     entries: Vec<ModuleEquations>,
     /// Functions that are already written. Later sets of equations import them.
     written: WrittenFunctions,
-    /// Equations in the distance from singular surfaces, to be written last, so that they import
-    /// the functions of other equations. They serve only runs.
+    /// Equations in the distance of a coordinate from an angle at which the equations are singular. They are written
+    /// last, so that they import the functions of other equations. They serve only runs.
     near: Vec<Derivation>,
 }
 
@@ -68,7 +69,7 @@ impl Target for RustTarget<'_> {
     }
 }
 
-/// Intended readers of a set of equations: people or only runs.
+/// Intended users of a set of equations: people, or only runs.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Readers {
     /// People read the equations: a file of equations is written in addition to the code.
@@ -78,7 +79,7 @@ enum Readers {
 }
 
 impl<'a> RustTarget<'a> {
-    /// Starts the module without equations.
+    /// Starts the Rust module of a model, without any equations.
     pub fn new(origin: &'a Origin, extras: Extras) -> Self {
         Self {
             origin,
@@ -90,11 +91,11 @@ impl<'a> RustTarget<'a> {
         }
     }
 
-    /// Writes the equations in distances from singular surfaces, and returns the texts of all files
-    /// and the list of all sets of equations.
+    /// Writes the equations in distances from singular angles. Returns the texts of all files, and the list of all
+    /// sets of equations.
     ///
     /// # Errors
-    /// [`Diagnostics`] if accelerations are not determined in closed form, or are not proved.
+    /// Returns [`Diagnostics`] if accelerations are not determined in closed form, or are not proved.
     pub fn finish(mut self, model: &Model) -> Result<(BTreeMap<String, String>, Vec<ModuleEquations>), Diagnostics> {
         for derivation in std::mem::take(&mut self.near) {
             self.write_solved_equations(model, derivation, Readers::Runs)?;
@@ -102,10 +103,11 @@ impl<'a> RustTarget<'a> {
         Ok((self.files, self.entries))
     }
 
-    /// Solves derived equations for their accelerations and writes them.
+    /// Solves derived equations for their accelerations and writes them. `shown` are the intended users of the
+    /// equations.
     ///
     /// # Errors
-    /// [`Diagnostics`] if the accelerations are not determined in closed form, or are not proved.
+    /// Returns [`Diagnostics`] if the accelerations are not determined in closed form, or are not proved.
     fn write_solved_equations(
         &mut self,
         model: &Model,
@@ -131,7 +133,7 @@ impl<'a> RustTarget<'a> {
         Ok(())
     }
 
-    /// Writes the files of planned equations and adds them to the list of sets of equations.
+    /// Writes the files of planned equations, and adds the equations to the list of all sets of equations.
     fn add(&mut self, plan: &FormulationPlan<'_>, origin: &str, shown: Readers) {
         let (equations, model) = (plan.planner.equations, plan.planner.model);
         let (name, title) = (equations.name(model), equations.title(model));

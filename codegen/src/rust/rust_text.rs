@@ -1,4 +1,4 @@
-//! Text of Rust files, formatted from tokens, with comments.
+//! Text of Rust files, which is formatted from tokens and has comments.
 
 use crate::lines::wrap;
 use proc_macro2::{Literal, TokenStream};
@@ -6,8 +6,8 @@ use quote::{format_ident, quote};
 use std::fmt::Write;
 use tripos_derive::plain_text::{one_line, with_visible_characters};
 
-/// Makes a text from a model file safe in a Rust doc comment: on one line, with Markdown escaped.
-/// Otherwise rustdoc would run indented text as examples, and make links of brackets and addresses.
+/// Returns a text from a model file that is safe in a Rust doc comment: on one line, with Markdown escaped. Otherwise
+/// rustdoc would run indented text as examples, and make links of brackets and addresses.
 #[must_use]
 pub fn escape_doc_comment(text: &str) -> String {
     let line = one_line(text);
@@ -22,8 +22,7 @@ pub fn escape_doc_comment(text: &str) -> String {
     out.replace("://", "\\://")
 }
 
-/// Returns the lines of a file's header: its title, the sentence on its origin, and facts about its
-/// contents.
+/// Returns the lines of a file's header: its title, the sentence on its origin, and facts on its contents.
 #[must_use]
 pub fn rust_file_header(first: String, origin: &str, facts: &[String]) -> Vec<String> {
     let mut lines = vec![first, String::new(), origin.to_owned()];
@@ -31,18 +30,18 @@ pub fn rust_file_header(first: String, origin: &str, facts: &[String]) -> Vec<St
     lines
 }
 
-/// Returns a doc attribute that marks a comment on the next statement. Formatting turns it into a
-/// plain comment.
+/// Returns a doc attribute that is marked as a comment on the next statement. Formatting turns it into a plain
+/// comment.
 #[must_use]
 pub fn comment(text: &str) -> TokenStream {
     let marked = format!("{MARK}{text}");
     quote!(#[doc = #marked])
 }
 
-/// Mark at the beginning of doc attributes that become plain comments.
+/// Mark at the beginning of those doc attributes that formatting turns into plain comments.
 const MARK: &str = "~";
 
-/// Returns the Rust item `pub use` for names of a module, in alphabetical order.
+/// Returns the Rust item `pub use` that re-exports names of a module, in alphabetical order.
 pub fn reexport<'n>(parent: &TokenStream, module: &str, names: impl IntoIterator<Item = &'n str>) -> TokenStream {
     let mut names: Vec<&str> = names.into_iter().collect();
     names.sort_unstable();
@@ -57,27 +56,27 @@ pub fn rust_name_array<'n>(list: impl Iterator<Item = &'n str>) -> (TokenStream,
     (quote!([&str; #count]), quote!([#(#list),*]))
 }
 
-/// Formats the items of a Rust file. The header becomes file documentation, and marked attributes
-/// become comments.
+/// Returns the formatted text of a Rust file. The header becomes file documentation, and marked attributes become
+/// comments.
 ///
 /// # Panics
-/// If the tokens are not a Rust file, which would be a defect of the generator.
+/// Panics if the tokens are not a Rust file, which would be a defect of the generator.
 #[must_use]
 pub fn format(header: &[String], items: TokenStream) -> String {
     format_with_header("//!", header, items)
 }
 
-/// Formats the items of a Rust file that another file can contain by `include!`. The header becomes
-/// a plain comment, because file documentation would be an error there.
+/// Returns the formatted text of a Rust file that another file can contain by `include!`. The header becomes a plain
+/// comment, because file documentation would be an error there.
 ///
 /// # Panics
-/// If the tokens are not a Rust file, which would be a defect of the generator.
+/// Panics if the tokens are not a Rust file, which would be a defect of the generator.
 #[must_use]
 pub fn format_to_include(header: &[String], items: TokenStream) -> String {
     format_with_header("//", header, items)
 }
 
-/// Formats the items of a Rust file. The header becomes comments that begin with `sign`.
+/// Returns the formatted text of a Rust file. The header becomes comments that begin with `sign`.
 fn format_with_header(sign: &str, header: &[String], items: TokenStream) -> String {
     let file: syn::File = syn::parse2(items).expect("generated tokens are a Rust file");
     let body = join_short_lines(&prettyplease::unparse(&file));
@@ -89,7 +88,7 @@ fn format_with_header(sign: &str, header: &[String], items: TokenStream) -> Stri
     let marked = format!("///{MARK}");
     let mut before = "";
     for line in body.lines() {
-        // Items are separated by blank lines, as rustfmt would keep them.
+        // Blank lines separate items, as rustfmt would keep them.
         let starts = ["///", "pub ", "impl", "fn ", "use ", "#["].iter().any(|start| line.starts_with(start));
         let ended = before.starts_with('}') || before.ends_with(';') && !before.starts_with(' ');
         let both = |start: &str| before.starts_with(start) && line.starts_with(start);
@@ -117,8 +116,8 @@ fn format_with_header(sign: &str, header: &[String], items: TokenStream) -> Stri
 /// Largest number of bytes in a line of code.
 const WIDTH: usize = 100;
 
-/// Joins lines of code up to `WIDTH` bytes: short items of lists and fields, and continuations that
-/// begin with an operator.
+/// Joins short lines of code into lines of up to `WIDTH` bytes. They are short items of lists and fields, and
+/// continuations that begin with an operator.
 fn join_short_lines(body: &str) -> String {
     let is_short = |item: &str| {
         // A struct field that is set from an array entry counts as short.
@@ -128,13 +127,13 @@ fn join_short_lines(body: &str) -> String {
     };
     let goes_on = |item: &str| ["+ ", "- ", "* ", "/ "].iter().any(|operator| item.starts_with(operator));
     let mut out = String::with_capacity(body.len());
-    // Indent of the list whose last line can be continued, and length of the last line.
+    // `open` is the indent of the list whose last line can be continued, and `length` is the length of that line.
     let (mut open, mut length): (Option<usize>, usize) = (None, 0);
     let indent_of = |line: &str| line.len() - line.trim_start().len();
     let mut lines = body.lines().peekable();
     while let Some(line) = lines.next() {
         let (item, indent) = (line.trim_start(), indent_of(line));
-        // An item with lines of its own below it keeps its line.
+        // An item stays on its own line if lines that belong to it follow.
         let is_whole = lines.peek().is_none_or(|next| indent_of(next) <= indent);
         let fits = length + 1 + item.len() <= WIDTH;
         if fits && (open == Some(indent) && is_short(item) || is_whole && goes_on(item)) {

@@ -1,5 +1,4 @@
-//! Rust files of the reduced equations of one scene: a file of equations for people, and a file of
-//! code.
+//! Rust files for the reduced equations of one scene: a file of equations for people, and a file of code.
 
 use super::jacobian_product::{JACOBIAN_PRODUCT, Rates, jacobian_product};
 use super::module::{rust_code_module_declaration, rust_parameter_struct};
@@ -19,29 +18,29 @@ use tripos_derive::reduce::Reduction;
 pub struct SceneFile {
     /// Name of the scene's Rust module.
     pub module: String,
-    /// Key of the scene's equations: equal keys mean equal equations.
+    /// Key of the scene's equations. Scenes with equal keys have equal equations.
     pub key: String,
     /// Text of the file of equations for people.
     pub text: String,
-    /// Text of the file of code; `None` if another scene has equal equations, whose code is used.
+    /// Text of the file of code. `None` if an earlier scene has equal equations, so that its code is used.
     pub code: Option<String>,
 }
 
-/// Name, title and origin of a scene for the header of its Rust file.
+/// Name, title and origin of a scene, for the header of its Rust file.
 pub struct SceneHeaderData<'a> {
     /// Name of the scene's file, without its extension.
     pub name: &'a str,
     /// Title of the scene; empty if it has none.
     pub title: &'a str,
-    /// Sentence of the header on the origin of the text.
+    /// Sentence of the header on the origin of the file.
     pub origin: &'a str,
 }
 
-/// Writes the Rust files of a scene of the model `whole`, such as `report_10s.rs`. If an earlier
-/// scene in `before` has equal equations, the new file refers to its code.
+/// Writes the Rust files of a scene of the model `whole`, such as `report_10s.rs`. If an earlier scene in `before`
+/// has equal equations, the new file refers to that scene's code.
 ///
 /// # Errors
-/// [`Unsolved`] if the accelerations are not determined in any configuration, or are not proved.
+/// Returns [`Unsolved`] if the accelerations are not determined in any configuration, or are not proved.
 pub fn rust_scene_file(
     whole: &Model,
     reduction: &Reduction,
@@ -60,8 +59,7 @@ pub fn rust_scene_file(
     Ok(SceneFile { module, key, text, code })
 }
 
-/// Returns a module name for a scene, such as `scene_10s` for `10s`, that no earlier scene in
-/// `before` has.
+/// Returns a module name for a scene that no earlier scene in `before` has, such as `scene_10s` for `10s`.
 fn rust_scene_module_name(name: &str, before: &[SceneFile]) -> String {
     let stem = module_name(name);
     let stem = if is_name(&stem) { stem } else { format!("scene_{stem}") };
@@ -70,8 +68,8 @@ fn rust_scene_module_name(name: &str, before: &[SceneFile]) -> String {
     candidates.into_iter().find(|candidate| !taken(candidate)).unwrap_or(stem)
 }
 
-/// Returns the text of a scene's file that only refers to the module `same` of a scene with equal
-/// equations.
+/// Returns the text of a scene's file that contains no equations and only refers to the module `same`. That module
+/// belongs to a scene with equal equations.
 fn rust_scene_reference(reduction: &Reduction, named: &SceneHeaderData<'_>, same: &str) -> String {
     let header = vec![
         rust_scene_header_line(reduction, named),
@@ -91,15 +89,14 @@ fn rust_scene_reference(reduction: &Reduction, named: &SceneHeaderData<'_>, same
     )
 }
 
-/// Returns the first line of the header: titles of the model and the scene.
+/// Returns the first line of the header: the titles of the model and of the scene.
 fn rust_scene_header_line(reduction: &Reduction, named: &SceneHeaderData<'_>) -> String {
     let title = if named.title.is_empty() { named.name } else { named.title };
     format!("{}: {}.", escape_doc_comment(&reduction.model.title), escape_doc_comment(title))
 }
 
-/// Returns the two texts of a scene that shares its equations with no earlier scene: equations for
-/// people, and code.
-/// `Err` if the accelerations are not determined, or are not proved.
+/// Returns the two texts of a scene whose equations no earlier scene has: equations for people, and code. `Err` if
+/// the accelerations are not determined, or are not proved.
 fn rust_scene_texts(
     whole: &Model,
     reduction: &Reduction,
@@ -133,8 +130,8 @@ fn equations_file(plan: &ScenePlan<'_>, named: &SceneHeaderData<'_>, module: &st
     )
 }
 
-/// True if the plan has no function `jacobian`, because it would be long. Then the Jacobian is
-/// computed by differentiating the code as it runs.
+/// True if the plan has no function `jacobian`, because that function would be long. A run then computes the Jacobian
+/// by differentiating the code as it runs.
 fn lacks_jacobian(plan: &ScenePlan<'_>) -> bool {
     !plan.machine.iter().any(|planned| planned.name == "jacobian")
 }
@@ -193,7 +190,7 @@ fn code_file(whole: &Model, plan: &ScenePlan<'_>, named: &SceneHeaderData<'_>, k
     )
 }
 
-/// Writes the `mod.rs` that lists a model's scenes, and the `mod.rs` of their code.
+/// Returns the texts of the `mod.rs` that lists a model's scenes, and of the `mod.rs` of their code.
 #[must_use]
 pub fn rust_scene_module_files(title: &str, origin: &str, files: &[SceneFile]) -> [String; 2] {
     let header = |what: &str| vec![format!("{}: {what}.", escape_doc_comment(title)), String::new(), origin.to_owned()];
@@ -218,8 +215,8 @@ pub fn rust_scene_module_files(title: &str, origin: &str, files: &[SceneFile]) -
 mod tests {
     use super::*;
 
-    /// Goal: a scene may be called as its author likes. Method: names that are no modules, and names that give the same
-    /// one.
+    /// Goal: a scene may have any name. Method: names that are no module names, and different names that give the
+    /// same module name.
     #[test]
     fn every_scene_has_a_module_of_its_own() {
         let mut files: Vec<SceneFile> = Vec::new();

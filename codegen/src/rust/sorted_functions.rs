@@ -6,10 +6,10 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use rustc_hash::FxHashMap;
 
-/// Record of the functions already written for a model.
+/// Record of the functions already written for a model, from which later modules import functions.
 #[derive(Default)]
 pub struct WrittenFunctions {
-    /// Name of the code module that contains each function, by the text of the function.
+    /// Name of the code module that contains each function, by the function's text.
     places: FxHashMap<String, String>,
 }
 
@@ -22,8 +22,8 @@ pub struct SortedFunctions {
 }
 
 impl WrittenFunctions {
-    /// Sorts the functions of a module into new functions and functions that an earlier module
-    /// already contains. New functions are recorded.
+    /// Sorts the functions of a module into new functions, and functions that an earlier module already contains. New
+    /// functions are recorded.
     pub fn sort(
         &mut self,
         module: &str,
@@ -46,7 +46,7 @@ impl WrittenFunctions {
 }
 
 impl SortedFunctions {
-    /// True if the module itself contains the text of the function `name`.
+    /// True if the module itself contains the function `name`, so that it is not imported.
     pub fn has(&self, name: &str) -> bool {
         !self.others.iter().any(|(_, names)| names.contains(&name))
     }

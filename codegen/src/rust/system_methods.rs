@@ -8,39 +8,37 @@ use quote::{format_ident, quote};
 use tripos_derive::algebra::Rational;
 use tripos_derive::{Equations, Model};
 
-/// Optional group of methods of a generated `System`, in addition to kinematics and energies.
+/// Optional group of methods in a generated implementation of `System`, in addition to kinematics and energies.
 #[derive(Clone, PartialEq, Eq)]
 pub enum SystemMethods {
     /// Methods for the functions `mass_matrix` and `forcing`.
     LinearSystem {
-        /// True if the function `linear_system`, which computes both, exists.
+        /// True if there is a function `linear_system`, which computes mass matrix and forcing together.
         together: bool,
     },
     /// Methods for the functions `accelerations` and `derivative` and for the Jacobian.
     Eliminated {
         /// True if the function `jacobian_product` replaces `jacobian`.
         product: bool,
-        /// True if the function `derivative` exists. Otherwise q̇ and v̇ are computed separately.
+        /// True if there is a function `derivative`. Otherwise q̇ and v̇ are computed separately.
         together: bool,
     },
-    /// Methods for the recurrences of Taylor coefficients, with memory for this number of
-    /// convolutions.
+    /// Methods for the recurrences of Taylor coefficients. The number of convolutions determines their memory.
     Taylor(usize),
     /// Method for the function `outputs` of a scene, with this number of outputs.
     Outputs(usize),
-    /// Method that returns the whole state (q, u), with this number of components, as `outputs`.
+    /// Method that returns the whole state (q, u) as the outputs. The number is that of the state's components.
     WholeState(usize),
-    /// Method for the function `power` of the loads without a potential.
+    /// Method for the function `power`: the power of the loads without a potential.
     Power,
-    /// Method for the function `energy_gradient`, the gradient of T + V.
+    /// Method for the function `energy_gradient`: the gradient of T + V.
     EnergyGradient,
-    /// Method for the function `potential_slope`. If a number of turns is given, also
-    /// `coordinate_period`.
+    /// Method for the function `potential_slope`. If a number of turns is given, also the method `coordinate_period`.
     PotentialSlope(Option<Rational>),
-    /// Methods for the function `divisors`, with the names of the divisors, at least one.
+    /// Methods for the function `divisors`. There is at least one divisor, each with its name.
     Divisors(Vec<String>),
-    /// Methods for the functions `constraints` and `constraint_slopes`, with the names of the
-    /// constraints, at least one.
+    /// Methods for the functions `constraints` and `constraint_slopes`. There is at least one constraint, each with
+    /// its name.
     Constraints(Vec<String>),
 }
 
@@ -143,8 +141,8 @@ impl SystemMethods {
     }
 }
 
-/// Returns the method `coordinate_period`: the change of the coordinate, in rad, after which the
-/// motion repeats. It has the same bits as `Slope::period`.
+/// Returns the method `coordinate_period`: the change of the coordinate, rad, after which the motion repeats. The
+/// value has the same bits as `Slope::period`.
 fn coordinate_period(turns: &Rational) -> TokenStream {
     let count = Literal::f64_unsuffixed(turns.to_f64());
     let times = (!turns.is_one()).then(|| quote!(#count *));
@@ -154,7 +152,7 @@ fn coordinate_period(turns: &Rational) -> TokenStream {
     }
 }
 
-/// Returns the methods for the constraints that a run maintains.
+/// Returns the methods for the constraints that a run maintains. `names` are the names of the constraints.
 fn constraint_methods(names: &[String]) -> TokenStream {
     let state = system_state_arguments();
     let count = Literal::usize_unsuffixed(names.len());
@@ -170,7 +168,7 @@ fn constraint_methods(names: &[String]) -> TokenStream {
     }
 }
 
-/// Returns the expression that converts the slice argument of this name to an array.
+/// Returns the expression that converts the slice argument with the given name to an array.
 fn method_argument_as_array(argument: &str) -> TokenStream {
     let argument = format_ident!("{argument}");
     quote!(array(#argument))
@@ -182,8 +180,8 @@ fn system_state_arguments() -> TokenStream {
     quote!(&Parameters::from_slice(p), #q, #v)
 }
 
-/// Returns the declaration of a unit struct and its implementation of `System` by the generated
-/// functions of its module.
+/// Returns the declaration of a unit struct, and its implementation of `System`, which calls the generated functions
+/// of its module.
 pub fn system(model: &Model, e: &Equations, parts: &[SystemMethods]) -> TokenStream {
     let name = format_ident!("{}", type_name(&e.name(model)));
     let about = format!(" {} of this model as a [`System`].", escape_doc_comment(&e.title(model)));
@@ -194,7 +192,7 @@ pub fn system(model: &Model, e: &Equations, parts: &[SystemMethods]) -> TokenStr
     let conversions = speed_conversion_methods(e);
     let methods = parts.iter().map(SystemMethods::methods);
     let (state, q) = (system_state_arguments(), method_argument_as_array("q"));
-    // Quadrature calls the functions at several points at once.
+    // Quadrature calls the functions for several points at once.
     let at_points = parts.iter().any(|part| matches!(part, SystemMethods::PotentialSlope(_)));
     let dispatched = |work: TokenStream| if at_points { quote!(S::dispatch(#[inline(always)] || #work)) } else { work };
     let rates = dispatched(quote!(out.copy_from_slice(&coordinate_rates(#state))));
@@ -235,8 +233,8 @@ pub fn system(model: &Model, e: &Equations, parts: &[SystemMethods]) -> TokenStr
     }
 }
 
-/// Returns the methods that convert between motion variables and generalized speeds. For motion
-/// variables q′ they call generated functions, otherwise they copy.
+/// Returns the methods that convert between motion variables and generalized speeds. If the motion variables are the
+/// rates q̇, they call generated functions. Otherwise they copy.
 fn speed_conversion_methods(e: &Equations) -> TokenStream {
     let (q, u, v_dot, state) = (
         method_argument_as_array("q"),
@@ -290,8 +288,7 @@ fn derivative_apart() -> TokenStream {
     }
 }
 
-/// Returns the method that computes mass matrix and forcing at once, by the function
-/// `linear_system`.
+/// Returns the method that computes mass matrix and forcing together, by the function `linear_system`.
 fn joined_linear_system_method() -> TokenStream {
     let state = system_state_arguments();
     quote! {
@@ -316,8 +313,7 @@ fn linear_system_methods() -> TokenStream {
     }
 }
 
-/// Returns the methods for Taylor coefficients. They give the recurrences working memory for
-/// `width` convolutions at each order.
+/// Returns the methods for Taylor coefficients. They reserve working memory for `width` convolutions at each order.
 fn taylor_system_methods(width: usize) -> TokenStream {
     let room = Literal::usize_unsuffixed(2 * width);
     quote! {

@@ -1,7 +1,6 @@
 //! Formulas as expressions with infix operators, for C, JavaScript, MATLAB and Python.
 //!
-//! Operations are in the order of the plan, so that the results of all languages differ only by
-//! rounding.
+//! Operations are in the order of the plan, so that the results in all languages differ only by rounding.
 
 use super::Syntax;
 use crate::plan::{is_fusible_product, order_sum_for_fusion};
@@ -56,7 +55,7 @@ impl InfixFormula<'_> {
         if nearest.is_normal() {
             return self.0.decimal_literal(&format!("{nearest:?}"));
         }
-        // Numbers outside the normal doubles get a power of ten, so that the language rounds them.
+        // A number outside the normal doubles gets a power of ten, so that the language rounds it.
         let digits = |text: &str| i32::try_from(text.len()).unwrap_or(i32::MAX);
         let size = digits(numerator) - digits(denominator);
         let power = Rational::integer(10).pow(size).and_then(|power| power.reciprocal());
@@ -64,8 +63,8 @@ impl InfixFormula<'_> {
         power.map_or_else(|| self.0.not_a_number().to_owned(), scaled)
     }
 
-    /// Returns the expression for a sum, with its terms from left to right. A product of names and
-    /// numbers may be moved from the first to the second place.
+    /// Returns the expression for a sum, with its terms from left to right. A product of names and numbers may be
+    /// moved from the first to the second place.
     fn sum(self, terms: &[(bool, DisplayTree)]) -> String {
         let order = order_sum_for_fusion(terms);
         let mut has_fused = order.iter().any(|(_, term)| !is_sum_free_formula(term));
@@ -90,15 +89,15 @@ impl InfixFormula<'_> {
         out
     }
 
-    /// Returns the expression for a product with its numbers at the end. The Rust target uses this
-    /// order in a product fused with a sum.
+    /// Returns the expression for a product in a sum, with its numbers at the end. The Rust target uses this order
+    /// for a product that is fused with a sum.
     fn product_for_fused_sum(self, factors: &[DisplayTree]) -> String {
         let (numbers, others): (Vec<&DisplayTree>, Vec<&DisplayTree>) =
             factors.iter().partition(|f| matches!(f, DisplayTree::Number(_)));
         self.product(&others.into_iter().chain(numbers).map(|f| self.factor(f)).collect::<Vec<_>>())
     }
 
-    /// Joins factors by the language's operator of multiplication.
+    /// Returns the product of factors, joined by the language's operator of multiplication.
     fn product(self, factors: &[String]) -> String {
         factors.join(&format!(" {} ", self.0.operators()[0]))
     }
@@ -129,7 +128,7 @@ impl InfixFormula<'_> {
         let (numerator, over) = (self.product(&factors), self.0.operators()[1]);
         match below.as_slice() {
             [] => numerator,
-            // A power may be written as a product, which binds no tighter than the division.
+            // A power may be written as a product, which needs parentheses in a denominator.
             [one] if !matches!(one, DisplayTree::Power(..)) => format!("{numerator} {over} {}", self.factor(one)),
             many => {
                 let many: Vec<String> = many.iter().map(|f| self.factor(f)).collect();
@@ -138,8 +137,8 @@ impl InfixFormula<'_> {
         }
     }
 
-    /// Returns the expression for a power. Squares and cubes of variables become products; other
-    /// powers are written by the language.
+    /// Returns the expression for a power. Squares and cubes of variables become products. The language decides the
+    /// form of other powers.
     fn power(self, base: &DisplayTree, n: i32) -> String {
         match base {
             DisplayTree::Name(_) | DisplayTree::Shared(_) if (2..=3).contains(&n) => {

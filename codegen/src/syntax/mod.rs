@@ -1,9 +1,8 @@
-//! Syntax shared by languages with infix formulas: formulas, statements and comments.
+//! Syntax that languages with infix formulas share: formulas, statements and comments.
 //!
-//! The flow: a planned [`Function`](crate::plan::Function) → a [`CodeWriter`] → text. A [`Syntax`]
-//! states how one language
-//! spells numbers, calls, declarations and comments; it decides nothing about the computation. Rust is not among these
-//! languages: its text is made of tokens.
+//! A [`CodeWriter`] turns a planned [`Function`](crate::plan::Function) into text. A [`Syntax`] states how one
+//! language spells numbers, calls, declarations and comments. It decides nothing about the computation. Rust is not
+//! among these languages: its text is made of tokens.
 
 mod formula;
 mod writer;
@@ -17,18 +16,17 @@ use std::fmt::Write;
 /// Largest number of bytes in a line of comments or code.
 pub const WIDTH: usize = 110;
 
-/// Character for a space at which no line may be broken. It is written as a normal space in the
-/// end.
+/// Character for a space at which no line may be broken. The written text has a normal space in its place.
 pub const FIRM_SPACE: char = '\u{a0}';
 
-/// Replaces the spaces of a text, so that no line is broken inside it.
+/// Returns a text whose spaces are replaced by firm spaces, so that no line is broken inside it.
 #[must_use]
 pub fn with_firm_spaces(text: &str) -> String {
     text.replace(' ', &FIRM_SPACE.to_string())
 }
 
-/// Returns the texts `name = value` of several variables, joined by `separator`. If there are
-/// several, no line is broken inside an assignment.
+/// Returns the texts `name = value` of several variables, joined by `separator`. If there is more than one, no line
+/// is broken inside an assignment.
 #[must_use]
 pub fn assignment_statements(list: &[(String, String)], separator: &str) -> String {
     let one = |(name, value): &(String, String)| {
@@ -38,13 +36,13 @@ pub fn assignment_statements(list: &[(String, String)], separator: &str) -> Stri
     list.iter().map(one).collect::<Vec<_>>().join(separator)
 }
 
-/// Syntax of one language: how numbers, calls, declarations and comments are written.
+/// Syntax of one language: the form of numbers, calls, declarations and comments.
 pub trait Syntax {
     /// Returns the characters that begin a comment up to the end of the line.
     fn comment_mark(&self) -> &'static str;
 
-    /// Makes a text safe in a comment: on one line, without characters that end or change the
-    /// comment in this language.
+    /// Returns a text that is safe in a comment of this language: on one line, without characters that end or change
+    /// the comment.
     fn escape_comment(&self, text: &str) -> String;
 
     /// Returns the operators of multiplication and division, without spaces.
@@ -57,8 +55,8 @@ pub trait Syntax {
         digits.to_owned()
     }
 
-    /// Returns the literal of a decimal number, given as decimal text. It also serves whole numbers
-    /// that are too long for integers.
+    /// Returns the literal of a decimal number, given as decimal text. It also serves for whole numbers that are too
+    /// long for integers.
     fn decimal_literal(&self, text: &str) -> String {
         text.to_owned()
     }
@@ -73,12 +71,12 @@ pub trait Syntax {
     /// argument.
     fn call(&self, name: &str, argument: &str) -> String;
 
-    /// Returns a power. The base is given in two forms: as the argument of a call, and as an
-    /// operand, in parentheses if it has operators.
+    /// Returns the text of a power. The base is given in two forms: `argument` for a call, and `operand`, which is in
+    /// parentheses if it has operators.
     fn power(&self, argument: &str, operand: &str, exponent: i32) -> String;
 
-    /// True if products in sums are ordered as in Rust, where one product is fused with the sum.
-    /// Then results can have equal bits.
+    /// True if products in sums are ordered as in Rust, where one product is fused with the sum. Results can then
+    /// have the same bits as those of Rust.
     fn is_ordered_as_rust(&self) -> bool {
         false
     }
@@ -88,7 +86,7 @@ pub trait Syntax {
         format!("{array}[{at}]")
     }
 
-    /// Writes statements that declare variables with their values. The list must not be empty.
+    /// Writes statements that declare variables and set their values. The list must not be empty.
     fn declare(&self, out: &mut String, indent: &str, list: &[(String, String)]);
 
     /// Returns statements that compute the sine and cosine of an angle at once. `None` if the

@@ -1,11 +1,11 @@
-//! Writer of the statements and comments of planned functions in a language with infix formulas.
+//! Writer of planned functions in a language with infix formulas: their statements and comments.
 
 use super::{Syntax, WIDTH, formula};
 use crate::lines::wrap;
 use crate::plan::{Argument, Function, LineComments, Program, ProgramLine, Statement};
 use std::fmt::Write;
 
-/// Choice of whether generated code contains comments.
+/// Choice between writing and leaving out comments in generated code.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Comments {
     /// Comments are written, for people who read the code.
@@ -20,9 +20,9 @@ pub struct CodeWriter<'s> {
     pub out: String,
     /// Syntax of the language in which code is written.
     pub syntax: &'s dyn Syntax,
-    /// Choice of whether comments are written.
+    /// Choice between writing and leaving out comments.
     comments: Comments,
-    /// Spaces at the beginning of each following line of code.
+    /// Spaces at the beginning of each line of code that is written next.
     indent: &'static str,
 }
 
@@ -33,13 +33,13 @@ impl<'s> CodeWriter<'s> {
         Self { out: String::new(), syntax, comments, indent: "" }
     }
 
-    /// Returns the choice of whether comments are written.
+    /// Returns the choice between writing and leaving out comments.
     #[must_use]
     pub fn comments(&self) -> Comments {
         self.comments
     }
 
-    /// Sets the spaces at the beginning of each of the following lines.
+    /// Sets the spaces at the beginning of each line that is written next.
     pub fn indent(&mut self, indent: &'static str) {
         self.indent = indent;
     }
@@ -91,7 +91,7 @@ impl<'s> CodeWriter<'s> {
                     let read = entries.iter().enumerate().filter_map(|(at, entry)| Some((at, entry.clone()?)));
                     self.declare_array_entries(name, &read.collect::<Vec<_>>());
                 }
-                // An argument that is a number already has the name of its variable.
+                // An argument that is a single number already has the name of its variable.
                 Argument::Number(_) => {}
             }
         }
@@ -103,15 +103,15 @@ impl<'s> CodeWriter<'s> {
         self.declare(&each.collect::<Vec<_>>());
     }
 
-    /// Writes declarations of variables with their values. The list may be empty.
+    /// Writes declarations of variables with their values. Writes nothing for an empty list.
     fn declare(&mut self, list: &[(String, String)]) {
         if !list.is_empty() {
             self.syntax.declare(&mut self.out, self.indent, list);
         }
     }
 
-    /// Writes the lines and outputs of a program, with one heading for each kind of line. `more`
-    /// lists variables that later code reads, in addition to those the program reads itself.
+    /// Writes the lines and outputs of a program, with a heading for each kind of line. `more` lists variables that
+    /// later code reads, in addition to those that the program reads itself.
     pub fn program(&mut self, planned: &Function, program: &Program, more: &[(usize, String)]) {
         let mut read = program.names_read(0..usize::MAX);
         read.extend(more.iter().map(|(_, name)| name.as_str()));
@@ -138,8 +138,7 @@ impl<'s> CodeWriter<'s> {
         }
     }
 
-    /// Writes the declarations of the sine and cosine of an angle. `None` marks a value that is not
-    /// read.
+    /// Writes the declarations of the sine and cosine of an angle. `None` is for a sine or cosine that no code reads.
     fn circular(&mut self, sine: Option<&str>, cosine: Option<&str>, angle: &str) {
         let both =
             sine.zip(cosine).and_then(|(sine, cosine)| self.syntax.sine_and_cosine_statements(sine, cosine, angle));
@@ -154,8 +153,8 @@ impl<'s> CodeWriter<'s> {
         self.declare(&list.collect::<Vec<_>>());
     }
 
-    /// Writes the declaration of a variable, with its equation as a comment above it if
-    /// `explanation` asks for formulas.
+    /// Writes the declaration of a variable. If `explanation` asks for formulas, its equation is above it as a
+    /// comment.
     fn step(&mut self, step: &Statement, explanation: LineComments) {
         if let Some(equation) = explanation.of(step) {
             self.comment(equation);
@@ -164,7 +163,7 @@ impl<'s> CodeWriter<'s> {
     }
 }
 
-/// Returns the heading of a line's kind, for a comment.
+/// Returns the heading, for a comment, of the kind of a program's line.
 fn heading(planned: &Function, line: &ProgramLine, lines: &[ProgramLine]) -> &'static str {
     let eliminates = lines.iter().any(|line| matches!(line, ProgramLine::Step(_)));
     match line {

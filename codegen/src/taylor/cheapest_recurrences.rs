@@ -1,4 +1,4 @@
-//! Search for the form of the terms whose Taylor recurrences cost least.
+//! Search for the form of the terms whose Taylor recurrences have the lowest cost.
 
 use super::factored_monomials::{Preference, factored_form, factored_forms};
 use super::recurrences::Recurrences;
@@ -8,15 +8,15 @@ use tripos_derive::algebra::solve::elimination::Elimination;
 use tripos_derive::algebra::term::steps::{Definition, needed_steps};
 use tripos_derive::algebra::{Arena, Expr};
 
-/// Largest number of rounds of improvement. Each round tries every form of every expression.
+/// Largest number of rounds in which the recurrences are improved. Each round tries every form of every expression.
 const ROUNDS: usize = 3;
 
-/// Largest number of steps of a program whose recurrences are improved. Longer programs already
-/// consist of short steps.
+/// Largest number of steps of a program whose recurrences are improved. A longer program already consists of short
+/// steps.
 const MOST_IMPROVED: usize = 100;
 
-/// Largest number of forms of all expressions for which several rounds are run. With more, each
-/// form is tried only once.
+/// Largest number of forms of all expressions together for which several rounds are run. If there are more, each form
+/// is tried only once.
 const MOST_TRIALS: usize = 150;
 
 /// Derives the recurrences of the state (q, v) of a set of equations, from the program of its
@@ -32,9 +32,9 @@ pub fn cheapest_recurrences_of(
     cheapest_recurrences(arena, &states, &rates, &accelerations.steps)
 }
 
-/// Derives the recurrences of states whose rates are terms in states, parameters and the symbols of
-/// `steps`. Forms of the terms with few convolutions are chosen. `None` if a term contains |x| or
-/// sign x, which have no Taylor series everywhere.
+/// Derives the recurrences of states whose rates are terms in states, parameters and the symbols of `steps`. It
+/// chooses forms of the terms with few convolutions. `None` if a term contains |x| or sign x, which have no Taylor
+/// series everywhere.
 #[must_use]
 pub fn cheapest_recurrences(
     arena: &mut Arena,
@@ -57,7 +57,7 @@ pub fn cheapest_recurrences(
     };
     let choices: Vec<Vec<Expr>> =
         (0..count).map(|at| factored_forms(arena, &varying, of(&steps, &rates, at))).collect();
-    // Forms that save products only together are found together, one preference at a time.
+    // Forms that save products only together are tried together, one preference at a time.
     for preference in Preference::ALL {
         let mut form = |e: Expr| factored_form(arena, &varying, e, preference);
         let new_steps: Vec<Definition> = steps.iter().map(|s| Definition { value: form(s.value), ..*s }).collect();
@@ -96,8 +96,8 @@ pub fn cheapest_recurrences(
     Some(best)
 }
 
-/// Returns the cost of recurrences at one order: the number of convolutions, then of linear
-/// operations. Costs are compared in this order.
+/// Returns the cost of recurrences at one order, as (number of convolutions, number of linear operations). The
+/// numbers of convolutions are compared first.
 fn cost(list: &Recurrences) -> (usize, usize) {
     (list.convolutions(), list.linear_operations())
 }

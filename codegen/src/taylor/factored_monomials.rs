@@ -1,22 +1,23 @@
-//! Alternative forms of a sum of products that have fewer products of factors that change in time.
+//! Other forms of a sum of products, with fewer products of factors that change in time.
 //!
-//! A sum is expanded, and common factors are taken out again, the most frequent factor first: a
-//! multivariate Horner scheme. If several factors are equally frequent, their order changes the
-//! number of products, so there are several forms to choose from. `simplify` factors for the
-//! shortest text, and `sharing` for few operations. Here only products of factors that change in
-//! time count, and terms keep the order in which they occur. Every form is equal to the sum by the
-//! rules of a commutative ring alone. Trigonometric identities are deliberately not used.
+//! A sum is expanded, and common factors are taken out again, the most frequent factor first: a multivariate Horner
+//! scheme. If several factors are equally frequent, their order changes the number of products, so there are several
+//! forms to choose from.
+//!
+//! `simplify` factors for the shortest text, and `sharing` for few operations. Here only products of factors that
+//! change in time count, and terms keep the order in which they occur. Every form is equal to the sum by the rules of
+//! a commutative ring alone. Trigonometric identities are deliberately not used.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use tripos_derive::algebra::form::polynomial::multiply_monomials;
 use tripos_derive::algebra::{Arena, Expr, Node, Rational};
 
-/// Largest number of products of a sum that is expanded. A longer sum is not changed.
+/// Largest number of products in a sum that is expanded. A longer sum is not changed.
 const LONGEST: usize = 200;
-/// Highest power of a sum that is expanded.
+/// Highest power of a sum up to which the power is expanded.
 const HIGHEST: i32 = 3;
 
-/// Choice of the factor that is taken out first if several factors are equally frequent.
+/// Choice of the factor that is taken out first among factors that are equally frequent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Preference {
     /// The factor that was built first in the arena.
@@ -34,7 +35,7 @@ impl Preference {
     pub const ALL: [Self; 4] = [Self::Early, Self::Late, Self::Functions, Self::Symbols];
 }
 
-/// Monomial: a coefficient times powers of terms.
+/// Monomial: a coefficient times powers of terms (its bases).
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Monomial {
     /// Rational coefficient by which the powers are multiplied.
@@ -43,7 +44,7 @@ struct Monomial {
     powers: Vec<(Expr, i32)>,
 }
 
-/// Term as a factor or as a divisor of monomials.
+/// Term that occurs in monomials as a factor or as a divisor.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 struct Factor {
     base: Expr,
@@ -64,15 +65,16 @@ impl Monomial {
         }
     }
 
-    /// Returns the absolute exponent of a factor or divisor; 0 if the monomial does not contain it.
+    /// Returns the exponent of a factor or divisor in the monomial, as a positive number. It is 0 if the monomial
+    /// does not contain the factor or divisor.
     fn exponent(&self, factor: Factor) -> i32 {
         let found = self.powers.iter().find(|(base, _)| *base == factor.base).map_or(0, |(_, n)| *n);
         if factor.is_divisor { (-found).max(0) } else { found.max(0) }
     }
 }
 
-/// Returns the different forms of the term `e`, at most one per preference, without `e` itself.
-/// `varying` are the terms that change in time.
+/// Returns the different forms of the term `e`, at most one for each preference, without `e` itself. `varying` are
+/// the terms that change in time.
 pub fn factored_forms(arena: &mut Arena, varying: &FxHashSet<Expr>, e: Expr) -> Vec<Expr> {
     let Some(sum) = expand_into_monomials(arena, varying, e) else { return Vec::new() };
     let mut list = Vec::new();
@@ -85,7 +87,7 @@ pub fn factored_forms(arena: &mut Arena, varying: &FxHashSet<Expr>, e: Expr) -> 
     list
 }
 
-/// Returns the form of the term `e` by one preference; `e` itself if it is too long to be expanded.
+/// Returns the form of the term `e` for one preference. It is `e` itself if `e` is too long to be expanded.
 pub fn factored_form(arena: &mut Arena, varying: &FxHashSet<Expr>, e: Expr, preference: Preference) -> Expr {
     match expand_into_monomials(arena, varying, e) {
         Some(sum) => horner(arena, varying, sum, preference),
@@ -93,8 +95,8 @@ pub fn factored_form(arena: &mut Arena, varying: &FxHashSet<Expr>, e: Expr, pref
     }
 }
 
-/// Expands the term `e` into a sum of monomials; `None` if that has too many. Sums that are
-/// constant in time are not expanded.
+/// Expands the term `e` into a sum of monomials. `None` if there are too many monomials. Sums that are constant in
+/// time are not expanded.
 fn expand_into_monomials(arena: &Arena, varying: &FxHashSet<Expr>, e: Expr) -> Option<Vec<Monomial>> {
     let mut known: FxHashMap<Expr, Vec<Monomial>> = FxHashMap::default();
     for part in arena.reachable(&[e]) {
@@ -124,8 +126,8 @@ fn expand_into_monomials(arena: &Arena, varying: &FxHashSet<Expr>, e: Expr) -> O
     known.remove(&e)
 }
 
-/// Multiplies a sum by the power base^n, whose base has the expansion `inner`. Returns `None` if
-/// the result has too many monomials.
+/// Multiplies a sum by the power base^n; `inner` is the expansion of the base. `None` if the result has too many
+/// monomials.
 fn times_power(product: &[Monomial], inner: &[Monomial], base: Expr, n: i32) -> Option<Vec<Monomial>> {
     let (factor, count) = match inner {
         [one] => {
@@ -145,7 +147,7 @@ fn times_power(product: &[Monomial], inner: &[Monomial], base: Expr, n: i32) -> 
     Some(result)
 }
 
-/// Adds monomials with equal factors, and removes monomials with the coefficient 0.
+/// Returns a sum in which monomials with equal powers are added, and monomials with the coefficient 0 are removed.
 fn collect_monomials(sum: Vec<Monomial>) -> Vec<Monomial> {
     let mut place: FxHashMap<Vec<(Expr, i32)>, usize> = FxHashMap::default();
     let mut list: Vec<Monomial> = Vec::new();
@@ -187,8 +189,7 @@ fn horner(arena: &mut Arena, varying: &FxHashSet<Expr>, mut sum: Vec<Monomial>, 
     arena.mul(common, sum)
 }
 
-/// Returns the factors that all monomials of a sum have in common, with their exponents. Empty for
-/// a single monomial.
+/// Returns the factors that all monomials of a sum have in common, with their exponents. Empty for a single monomial.
 fn common_factor(sum: &[Monomial]) -> Vec<(Expr, i32)> {
     let Some(first) = sum.first().filter(|_| sum.len() > 1) else { return Vec::new() };
     let least = |&(base, n): &(Expr, i32)| {
@@ -206,8 +207,8 @@ fn divide_by_factor(sum: &mut [Monomial], factor: &[(Expr, i32)]) {
     }
 }
 
-/// Returns the factor or divisor that changes in time and occurs in most monomials. `None` unless
-/// at least two monomials contain it.
+/// Returns the factor or divisor that changes in time and occurs in the most monomials. `None` if none occurs in at
+/// least two monomials.
 fn most_frequent(arena: &Arena, varying: &FxHashSet<Expr>, sum: &[Monomial], preference: Preference) -> Option<Factor> {
     let mut counts: FxHashMap<Factor, usize> = FxHashMap::default();
     for (base, n) in sum.iter().flat_map(|m| &m.powers).filter(|(base, _)| varying.contains(base)) {

@@ -1,10 +1,10 @@
-//! Products of many factors, computed as products and quotients of two, which are shared between
-//! all products that contain them.
+//! Products of many factors, computed as products and quotients of two factors each. These are shared between all
+//! products that contain them.
 
 use rustc_hash::FxHashMap;
 use tripos_derive::algebra::Expr;
 
-/// Base of a factor that changes in time: a single term or a pair of factors.
+/// Base of a factor that changes in time: a single term, or a pair of factors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum FactorBase {
     /// Single term that is not a pair of factors.
@@ -13,23 +13,23 @@ pub enum FactorBase {
     Pair(usize),
 }
 
-/// Factor or divisor of a product that changes in time.
+/// Factor or divisor of a product; it changes in time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct ProductFactor {
-    /// Term or pair that multiplies or divides.
+    /// Term or pair of factors that multiplies or divides.
     pub base: FactorBase,
     /// True for a divisor, false for a factor.
     pub inverse: bool,
 }
 
-/// Highest power that is written factor by factor, so that any factor can be shared. Higher powers
-/// are computed by repeated squaring.
+/// Highest power that is written factor by factor, so that products can share each factor. Higher powers are computed
+/// by repeated squaring.
 const WRITTEN: u32 = 3;
 
 /// Table of the distinct pairs of factors, each with an index.
 #[derive(Default)]
 pub struct FactorPairs {
-    /// Two factors of each pair, by the pair's index.
+    /// The two factors of each pair, by the pair's index.
     list: Vec<[ProductFactor; 2]>,
     /// Index of each pair in `list`, by its two factors.
     place: FxHashMap<[ProductFactor; 2], usize>,
@@ -41,8 +41,8 @@ impl FactorPairs {
         self.list[place]
     }
 
-    /// Returns the factor that joins two factors into a pair. The pair is a quotient if one is a
-    /// divisor; it becomes a divisor itself if both are.
+    /// Joins two factors into a pair, and returns the pair as a factor. The pair is a quotient if one of the two is a
+    /// divisor. If both are divisors, their product is returned as a divisor.
     pub fn join_factors(&mut self, a: ProductFactor, b: ProductFactor) -> ProductFactor {
         let inverse = a.inverse && b.inverse;
         let [mut a, mut b] = [a, b].map(|atom| ProductFactor { inverse: atom.inverse && !inverse, ..atom });
@@ -58,7 +58,7 @@ impl FactorPairs {
         ProductFactor { base: FactorBase::Pair(place), inverse }
     }
 
-    /// Returns factors whose product is base^n.
+    /// Returns factors whose product is base^n. High powers are pairs that result from repeated squaring.
     pub fn power(&mut self, base: Expr, n: i32) -> Vec<ProductFactor> {
         let mut atom = ProductFactor { base: FactorBase::Term(base), inverse: n < 0 };
         let mut left = n.unsigned_abs();
@@ -78,8 +78,8 @@ impl FactorPairs {
         list
     }
 
-    /// Joins the pair of factors that occurs in most products, again and again, until no pair
-    /// occurs in two products.
+    /// Joins the pair of factors that occurs in the most products, again and again, until no pair occurs in two
+    /// products.
     pub fn share(&mut self, products: &mut [Vec<ProductFactor>]) {
         loop {
             let mut counts: FxHashMap<[ProductFactor; 2], usize> = FxHashMap::default();

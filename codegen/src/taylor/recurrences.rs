@@ -1,5 +1,5 @@
-//! Recurrences of Taylor coefficients as data: a list of series, and for each the rule that gives
-//! its coefficient of order k.
+//! Recurrences of Taylor coefficients as data: a list of series, each with the rule that gives its coefficient of
+//! order k.
 
 use tripos_derive::algebra::{Expr, Function};
 
@@ -7,23 +7,23 @@ use tripos_derive::algebra::{Expr, Function};
 /// change in time.
 pub type Constant = Expr;
 
-/// Recurrence for the coefficients of a series z from those of other series. The indices x, y and w
-/// are places in [`Recurrences::series`], and z_k is the coefficient of order k.
+/// Rule for the coefficients of a series z, from the coefficients of other series. The indices x, y and w refer to
+/// [`Recurrences::series`], and z_k is the coefficient of order k.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Rule {
     /// State with this index: z_k is the coefficient of order k − 1 of the state's rate, divided by
     /// k.
     State(usize),
-    /// Linear combination of series x: z = constant + Σ weight · x.
+    /// Linear combination of series, z = constant + Σ weight · x.
     Linear {
         /// Constant summand of the linear combination. It only adds to the coefficient of order 0.
         constant: Constant,
-        /// Terms of the sum, as pairs (weight, index of x).
+        /// Terms of the sum, as pairs (weight, index of the series x).
         terms: Vec<(Constant, usize)>,
     },
     /// Product of two series, given by their indices: z = x y.
     Product(usize, usize),
-    /// Quotient of two series, given by their indices: z = x/y, or z = 1/y if x is `None`.
+    /// Quotient of two series, given by their indices: z = x/y. If x is `None`, it is z = 1/y.
     Quotient(Option<usize>, usize),
     /// Square root of the series with this index: z² = x.
     Root(usize),
@@ -33,7 +33,7 @@ pub enum Rule {
         value: Function,
         /// Index of the series x of the function's argument.
         of: usize,
-        /// Index of the derivative w of the function. Only its lower orders are used, so it may
+        /// Index of the series w, the derivative of the function. The rule reads only its lower orders, so it may
         /// come later in the list.
         slope: usize,
         /// True if the rule has the minus sign, z' = −x' w.
@@ -45,7 +45,7 @@ pub enum Rule {
         value: Function,
         /// Index of the series x of the function's argument.
         of: usize,
-        /// Index of the reciprocal w of the function's derivative.
+        /// Index of the series w, the reciprocal of the function's derivative.
         slope: usize,
         /// True if the rule has the minus sign, z' w = −x'.
         negative: bool,
@@ -53,8 +53,8 @@ pub enum Rule {
 }
 
 impl Rule {
-    /// True if the rule needs a convolution over lower orders. Rules for states and linear
-    /// combinations need none.
+    /// True if the rule needs a convolution: a sum over products of lower-order coefficients. Rules for states and
+    /// linear combinations need none.
     #[must_use]
     pub fn convolves(&self) -> bool {
         !matches!(self, Self::State(_) | Self::Linear { .. })
@@ -73,7 +73,7 @@ impl Rule {
         }
     }
 
-    /// Renumbers the series that the rule refers to. `place` maps an old index to a new index.
+    /// Renumbers the series to which the rule refers. `place` maps an old index to a new index.
     pub(super) fn renumber_series(&mut self, place: impl Fn(usize) -> usize) {
         let rename = |x: &mut usize| *x = place(*x);
         match self {
@@ -96,7 +96,7 @@ pub struct Series {
     pub term: Expr,
     /// Recurrence that gives the coefficients.
     pub rule: Rule,
-    /// State or step whose value first needs the series.
+    /// State or step for whose value the series is first needed.
     pub needed_by: Expr,
 }
 
@@ -112,8 +112,8 @@ pub enum Operand {
 /// Recurrences of the Taylor coefficients of a motion in time.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Recurrences {
-    /// All series. States that change in time come first. Each later series comes after the series
-    /// that it reads, except for the derivatives in [`Rule::Forward`].
+    /// All series. States that change in time come first. Each later series comes after the series that its rule
+    /// reads, except for the derivatives in [`Rule::Forward`].
     pub series: Vec<Series>,
     /// Symbols of all states, coordinates before motion variables.
     pub states: Vec<Expr>,
@@ -138,7 +138,7 @@ impl Recurrences {
         self.series.iter().map(|s| of(&s.rule)).sum()
     }
 
-    /// Returns the distinct constant factors and summands in order of appearance, without 0, 1 and
+    /// Returns the distinct constant factors and summands of the recurrences in order of appearance, without 0, 1 and
     /// −1.
     #[must_use]
     pub fn constants(&self) -> Vec<Constant> {

@@ -1,4 +1,4 @@
-//! Conversion of the terms of a right-hand side into Taylor series, one operation at a time.
+//! Conversion of the right-hand side of a system into Taylor series, one operation at a time.
 
 use super::products::{FactorBase, FactorPairs, ProductFactor};
 use super::recurrences::{Operand, Recurrences, Rule, Series};
@@ -7,9 +7,9 @@ use tripos_derive::algebra::term::calculus::Substitution;
 use tripos_derive::algebra::term::steps::{Definition, needed_steps};
 use tripos_derive::algebra::{Arena, Expr, Function, Node};
 
-/// Converts states and their rates into recurrences. The rates are terms in states, parameters and
-/// the symbols of `steps`. The terms are taken as they stand.
-/// `None` if a term contains |x| or sign x, which have no Taylor series everywhere.
+/// Converts states and their rates into recurrences. The rates are terms in states, parameters and the symbols of
+/// `steps`. The form of the terms is not changed. `None` if a term contains |x| or sign x, which have no Taylor
+/// series everywhere.
 pub fn series_from_terms(
     arena: &mut Arena,
     states: &[Expr],
@@ -66,8 +66,8 @@ pub fn series_from_terms(
     ))
 }
 
-/// Returns the terms that change in time: states whose rate is not 0, and all terms that contain
-/// such states, also through steps.
+/// Returns the terms that change in time: states whose rate is not 0, and all terms that contain such states,
+/// directly or through steps.
 pub fn terms_with_series(arena: &Arena, states: &[Expr], rates: &[Expr], steps: &[Definition]) -> FxHashSet<Expr> {
     let value = |rate: Expr| steps.iter().find(|step| step.symbol == rate).map_or(rate, |step| step.value);
     let mut varying: FxHashSet<Expr> =
@@ -114,19 +114,19 @@ fn products_for_series(
 
 /// State of the conversion of terms into series.
 struct SeriesBuilder<'a> {
-    /// Arena that stores the terms (symbolic expressions).
+    /// Arena that stores the terms of the system.
     arena: &'a mut Arena,
     /// Terms that change in time: states and terms that contain them.
     varying: FxHashSet<Expr>,
-    /// Pairs of factors whose products are shared.
+    /// Pairs of factors that several products share.
     pairs: FactorPairs,
     /// Factors of each product that changes in time, with shared pairs joined.
     products: FxHashMap<Expr, Vec<ProductFactor>>,
-    /// Series so far, each after those that it reads.
+    /// Series converted so far. Each comes after the series that its rule reads.
     series: Vec<Series>,
-    /// Series or constant of each converted term.
+    /// Series or constant of each term that is converted.
     known: FxHashMap<Expr, Operand>,
-    /// Series of each converted pair, by the index of the pair.
+    /// Series of each pair of factors that is converted, by the index of the pair.
     known_pairs: FxHashMap<usize, Operand>,
     /// Approximate number of successive operations at one order before the coefficient of each
     /// series is known.
@@ -138,7 +138,7 @@ struct SeriesBuilder<'a> {
 }
 
 impl SeriesBuilder<'_> {
-    /// Adds the Taylor series of a term with its recurrence, and returns its index.
+    /// Adds a series for a term with the rule of its coefficients. Returns the index of the series.
     fn push(&mut self, term: Expr, rule: Rule) -> usize {
         let cost = match &rule {
             Rule::State(_) => 0,
@@ -152,7 +152,7 @@ impl SeriesBuilder<'_> {
         self.series.len() - 1
     }
 
-    /// Converts a term with all its subterms.
+    /// Converts a term and all its subterms. Returns the term's series or constant.
     fn term(&mut self, e: Expr) -> Operand {
         for part in self.arena.reachable(&[e]) {
             if !self.known.contains_key(&part) {
@@ -163,7 +163,7 @@ impl SeriesBuilder<'_> {
         self.known[&e]
     }
 
-    /// Converts a term whose operands are already converted.
+    /// Converts a term whose operands are already converted. Returns its series or constant.
     fn series_of_term(&mut self, e: Expr) -> Operand {
         if !self.varying.contains(&e) {
             return Operand::Constant(self.constants.apply(self.arena, e));
@@ -194,8 +194,7 @@ impl SeriesBuilder<'_> {
         }
     }
 
-    /// Returns the index of a series without a constant factor, for a converted term that changes
-    /// in time.
+    /// Returns the index of a series without a constant factor for a converted term. The term must change in time.
     fn series_without_factor(&mut self, e: Expr) -> usize {
         match self.known[&e] {
             Operand::Scaled(Expr::ONE, x) => x,
@@ -208,8 +207,8 @@ impl SeriesBuilder<'_> {
         }
     }
 
-    /// Converts a product: constant factors become the weight, and the other factors are joined two
-    /// by two.
+    /// Converts a product. Its constant factors become the weight of the series. Its other factors are joined two by
+    /// two.
     fn product(&mut self, e: Expr, factors: &[(Expr, i32)]) -> Operand {
         let mut weight = Expr::ONE;
         for (base, n) in factors {
@@ -225,12 +224,12 @@ impl SeriesBuilder<'_> {
             weight = self.arena.mul(weight, constant);
             atoms.push((atom, x));
         }
-        // Factors whose coefficients are known first are joined first.
+        // Factors whose coefficients are known early are joined early.
         while atoms.len() > 1 {
             atoms.sort_by_key(|(atom, x)| (std::cmp::Reverse(self.depths[*x]), *atom));
             let (Some((a, _)), Some((b, _))) = (atoms.pop(), atoms.pop()) else { break };
             let joined = self.pairs.join_factors(a, b);
-            // The variable `weight` already contains the weights of both.
+            // The variable `weight` already contains the weights of both factors.
             let (_, x) = self.series_of_factor(joined);
             atoms.push((joined, x));
         }
@@ -247,8 +246,8 @@ impl SeriesBuilder<'_> {
         Operand::Scaled(weight, reciprocal)
     }
 
-    /// Returns the constant factor of a factor or divisor, and the index of its series. For a
-    /// divisor, the constant is the reciprocal of its series' constant.
+    /// Returns the constant factor and the index of the series for a factor or divisor. For a divisor, the constant
+    /// factor is the reciprocal of the constant factor of its series.
     fn series_of_factor(&mut self, atom: ProductFactor) -> (Expr, usize) {
         let operand = match atom.base {
             FactorBase::Term(e) => self.known[&e],
@@ -259,8 +258,8 @@ impl SeriesBuilder<'_> {
         (weight, x)
     }
 
-    /// Converts a pair of factors, after the pairs inside it. The nesting depth is at most the
-    /// number of factors of a product.
+    /// Converts a pair of factors, after the pairs inside it. The nesting depth is at most the number of factors in a
+    /// product.
     fn pair(&mut self, place: usize) -> Operand {
         if let Some(known) = self.known_pairs.get(&place) {
             return *known;
@@ -277,8 +276,8 @@ impl SeriesBuilder<'_> {
         operand
     }
 
-    /// Converts a function value f(x), with the further series that its recurrence needs. `x` is
-    /// the index of the argument's series. Returns the index of the new series.
+    /// Converts a function value f(x), and adds the further series that its recurrence needs. `x` is the index of the
+    /// argument's series. Returns the index of the new series.
     fn function(&mut self, e: Expr, f: Function, argument: Expr, x: usize) -> usize {
         match f {
             Function::Sin | Function::Sinh => self.sine_cosine_series(f, argument, x).0,
@@ -319,8 +318,8 @@ impl SeriesBuilder<'_> {
         }
     }
 
-    /// Converts a sine with its cosine, or a hyperbolic pair. Each is the derivative of its
-    /// partner, up to sign. Returns the indices of both series.
+    /// Converts a sine with its cosine, or a hyperbolic sine with its cosine. Each of the two is the derivative of
+    /// the other, up to sign. Returns the indices of both series.
     fn sine_cosine_series(&mut self, f: Function, argument: Expr, x: usize) -> (usize, usize) {
         let round = matches!(f, Function::Sin | Function::Cos);
         let (one, other) = if round { (Function::Sin, Function::Cos) } else { (Function::Sinh, Function::Cosh) };
@@ -338,8 +337,7 @@ impl SeriesBuilder<'_> {
     }
 }
 
-/// Merges each sum that only one other sum reads into that sum, and removes series that nothing
-/// reads.
+/// Merges each sum that only one other sum reads into that other sum. Removes series that no rule and no rate reads.
 fn merge_linear_series(mut list: Recurrences, arena: &mut Arena) -> Recurrences {
     let count = list.series.len();
     let mut readers = vec![0_usize; count];
@@ -398,7 +396,7 @@ fn merge_linear_series(mut list: Recurrences, arena: &mut Arena) -> Recurrences 
     list
 }
 
-/// Returns, for each series, true if the rates need it. States are always needed.
+/// Returns, for each series, true if the rates need it. The series of states are always needed.
 fn series_needed_by_rates(list: &Recurrences) -> Vec<bool> {
     let mut live: Vec<bool> = list.series.iter().map(|s| matches!(s.rule, Rule::State(_))).collect();
     let rate = |operand: &Operand| match operand {

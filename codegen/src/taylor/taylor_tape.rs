@@ -6,22 +6,22 @@ use rustc_hash::FxHashMap;
 use tripos_derive::algebra::value::tape::{Numeric, Tape as Values, UnknownSymbol};
 use tripos_derive::algebra::{Arena, Expr};
 
-/// Taylor recurrences with their constants, ready to be evaluated in numbers of the type `S`.
+/// Taylor recurrences with their constants, ready for evaluation in numbers of the type `S`.
 #[derive(Clone, Debug)]
 pub struct Tape<S = f64> {
     /// Taylor recurrences that the tape evaluates.
     list: Recurrences,
-    /// Program for the constant factors and summands, from parameters and states.
+    /// Program that computes the constant factors and summands from parameters and states.
     constants: Values<S>,
-    /// Index of each constant in the values of `constants`.
+    /// Index of each constant in the values that [`Self::constants`] computes.
     places: FxHashMap<Constant, usize>,
 }
 
 impl Tape {
-    /// Prepares recurrences for evaluation. The inputs are the given parameters and the states.
+    /// Prepares recurrences for evaluation. Their inputs are the given parameters and the states.
     ///
     /// # Errors
-    /// [`UnknownSymbol`] if a constant depends on another symbol.
+    /// Returns [`UnknownSymbol`] if a constant depends on another symbol.
     pub fn new(arena: &Arena, parameters: &[Expr], list: &Recurrences) -> Result<Self, UnknownSymbol> {
         let constants = [vec![Expr::ZERO, Expr::ONE, Expr::MINUS_ONE], list.constants()].concat();
         let inputs = [parameters, &list.states].concat();
@@ -37,19 +37,19 @@ impl<S: Numeric> Tape<S> {
         Tape { list: self.list.clone(), constants: self.constants.to(), places: self.places.clone() }
     }
 
-    /// Computes the Taylor coefficients of the states for the parameters `p`, from order 0 to
-    /// `order`.
-    /// `x` has (`order` + 1) rows, one for each order, and a column for each state. The first row
-    /// contains the state at the start.
+    /// Computes the Taylor coefficients of the states for the parameters `p`, from order 0 to `order`.
+    ///
+    /// `x` has (`order` + 1) rows, one for each order, and a column for each state. The first row holds the state at
+    /// the start. The other rows are computed.
     ///
     /// # Panics
-    /// If the length of `x` is not (`order` + 1) times the number of states.
+    /// Panics if the length of `x` is not (`order` + 1) times the number of states.
     pub fn evaluate(&self, p: &[S], order: usize, x: &mut [S]) {
         let n = self.list.states.len();
         assert_eq!(x.len(), (order + 1) * n, "a row for each order");
         let constants = self.constants.evaluate(&[p, &x[..n]].concat());
         let weight = |e: Constant| constants[self.places[&e]];
-        // One row for each order, one column for each series.
+        // The list `z` has a row for each order and a column for each series.
         let columns = self.list.series.len();
         let mut z = vec![S::int(0); (order + 1) * columns];
         for k in 0..=order {
@@ -83,7 +83,7 @@ fn whole_number<S: Numeric>(n: usize) -> S {
     S::from_f64(n as f64)
 }
 
-/// Coefficients of all series computed so far, while order `k` is computed.
+/// Coefficients of all series computed so far, while the coefficients of order `k` are computed.
 struct TapeCoefficients<'a, S> {
     /// Coefficients, row by row: a row for each order, a column for each series.
     z: &'a [S],
@@ -99,26 +99,26 @@ impl<S: Numeric> TapeCoefficients<'_, S> {
         self.z[j * self.columns + series]
     }
 
-    /// Returns the convolution Σ a_j b_{k−j} over `from` ≤ j < `to`, where k is the order to compute,
-    /// and `a` and `b` are the indices of the two series.
+    /// Returns the convolution Σ a_j b_{k−j} over `from` ≤ j < `to`. Here k is the order that is being computed, and
+    /// `a` and `b` are the indices of the two series.
     fn convolution(&self, a: usize, b: usize, from: usize, to: usize) -> S {
         self.weighted_convolution(a, b, from, to, |_| S::int(1))
     }
 
-    /// Returns the convolution Σ j a_j b_{k−j} over `from` ≤ j < `to`, where k is the order to compute,
+    /// Returns the convolution Σ j a_j b_{k−j} over `from` ≤ j < `to`. Here k is the order that is being computed,
     /// and `a` and `b` are the indices of the two series.
     fn counted_convolution(&self, a: usize, b: usize, from: usize, to: usize) -> S {
         self.weighted_convolution(a, b, from, to, whole_number)
     }
 
-    /// Returns the convolution Σ f(j) a_j b_{k−j} over `from` ≤ j < `to`, where f is `factor`, k is the
-    /// order to compute, and `a` and `b` are the indices of the two series.
+    /// Returns the convolution Σ f(j) a_j b_{k−j} over `from` ≤ j < `to`. Here f is `factor`, k is the order that is
+    /// being computed, and `a` and `b` are the indices of the two series.
     fn weighted_convolution(&self, a: usize, b: usize, from: usize, to: usize, factor: impl Fn(usize) -> S) -> S {
         let products = (from..to).map(|j| factor(j) * self.of(j, a) * self.of(self.k - j, b));
         products.reduce(|sum, product| sum + product).unwrap_or(S::int(0))
     }
 
-    /// Computes the coefficient of order `k` of the series with index `at` by its rule.
+    /// Computes the coefficient of order k of the series with the index `at` by its rule.
     fn coefficient(&self, rule: &Rule, at: usize, weight: impl Fn(Constant) -> S) -> S {
         let k = self.k;
         let now = |x: usize| self.of(k, x);
@@ -132,7 +132,7 @@ impl<S: Numeric> TapeCoefficients<'_, S> {
             Rule::Product(x, y) => self.convolution(*x, *y, 0, k + 1),
             Rule::Quotient(x, y) => {
                 let above = x.map_or(S::int(i64::from(k == 0)), now);
-                // From y z = x, without the term of z_k.
+                // It follows from y z = x, without the term of z_k.
                 (above - self.convolution(*y, at, 1, k + 1)) / first(*y)
             }
             Rule::Root(x) if k == 0 => first(*x).sqrt(),

@@ -1,6 +1,7 @@
 //! C99 as a target: a header and a source for each set of equations, and one header shared by all.
 //!
-//! The code allocates nothing, keeps nothing and calls only the mathematical functions of the standard library.
+//! The code allocates no memory, keeps no state between calls, and calls only the mathematical functions of the
+//! standard library.
 
 mod names;
 
@@ -108,7 +109,7 @@ impl Dialect for C {
     }
 }
 
-/// Returns the beginning of the names of a module's files and functions, such as `disk_kane`.
+/// Returns the text with which the names of a module's files and functions begin, such as `disk_kane`.
 fn stem(module: &Module<'_>) -> String {
     format!("{}_{}", module.model_word, module.equations_word)
 }
@@ -218,8 +219,8 @@ fn c_source_text(module: &Module<'_>) -> String {
     writer.out
 }
 
-/// Returns name and length of each output array of a C function: none for a number, two for a pair,
-/// otherwise one.
+/// Returns the name and length of each output array of a C function. There is none for a number, two for a pair or a
+/// system, and otherwise one.
 fn results(function: &Function) -> Vec<(&'static str, usize)> {
     let count = function.entries.len();
     match function.returns {
@@ -313,8 +314,8 @@ fn composite_signature(module: &Module<'_>, composite: CompositeFunction) -> (&'
     }
 }
 
-/// Writes the body of a C function that calls planned functions: a linear solve, or a projection
-/// onto constraints.
+/// Writes the body of a C function that calls planned functions, such as a linear solve or a projection onto
+/// constraints.
 fn write_composite_c_body(writer: &mut CodeWriter<'_>, module: &Module<'_>, composite: CompositeFunction) {
     let (stem, v, e) = (stem(module), module.variables_argument(), module.equations());
     let mut text = String::new();

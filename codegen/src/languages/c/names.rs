@@ -151,8 +151,8 @@ const WORDS: [&str; 135] = [
     "M_SQRT1_2",
 ];
 
-/// True if a word may be the name of a C variable of generated code: letters, digits and
-/// underscores. Reserved words and identifiers reserved for the implementation are refused.
+/// True if a word may be the name of a C variable in generated code: letters, digits and underscores. Reserved words
+/// and identifiers reserved for the implementation are refused.
 #[must_use]
 pub fn is_name(word: &str) -> bool {
     word.starts_with(|c: char| c.is_ascii_alphabetic())

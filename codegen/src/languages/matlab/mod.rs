@@ -1,5 +1,5 @@
-//! MATLAB and Octave as a target: one file for each function of a set of equations. The columns of
-//! its arguments are separate states.
+//! MATLAB and Octave as a target: one file for each function of a set of equations. A column of a function's
+//! arguments holds one state, so that a call can take many states.
 
 mod names;
 
@@ -13,12 +13,11 @@ use tripos_derive::plain_text::{one_line, with_visible_characters};
 /// Largest number of bytes in the name of a MATLAB function.
 const LONGEST: usize = 63;
 
-/// Number of bytes reserved for the longest name of a planned function, with the underscore before
-/// it.
+/// Number of bytes reserved for the longest name of a planned function, with the underscore in front of it.
 const LONGEST_FUNCTION: usize = 24;
 
-/// Largest residual of a satisfied constraint, relative to the sizes of its terms. A larger
-/// residual makes the projected state NaN.
+/// Largest residual of a satisfied constraint, relative to the sizes of its terms. If a residual is larger, the
+/// projected state is NaN.
 const LARGEST_CLOSED_RESIDUAL: &str = "1e-12";
 
 /// MATLAB and Octave as a language for formulas and as a target for modules.
@@ -128,15 +127,15 @@ impl Dialect for Matlab {
     }
 }
 
-/// Returns the beginning of the names of a module's functions. A long beginning is cut and ends in
-/// a hash, so that no name is too long for MATLAB.
+/// Returns the text with which the names of a module's functions begin. If it would make a name too long for MATLAB,
+/// it is cut and ends in a hash.
 fn stem(model: &str, equations: &str) -> String {
     let stem = format!("{model}_{equations}");
     let room = LONGEST - LONGEST_FUNCTION;
     if stem.len() <= room {
         return stem;
     }
-    // Fowler, Noll & Vo's hash, so that different names stay different.
+    // The hash of Fowler, Noll & Vo keeps different names different.
     let hash = stem.bytes().fold(0x811c_9dc5_u32, |hash, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193));
     format!("{}_{hash:08x}", &stem[..room - 9])
 }
@@ -240,7 +239,7 @@ fn function(module: &Module<'_>, stem: &str, planned: &Function) -> String {
     end_matlab_file(writer)
 }
 
-/// Returns the text of the file of a function that calls planned functions.
+/// Returns the text of the file for a composite function, which calls planned functions.
 fn matlab_composite_file(module: &Module<'_>, stem: &str, composite: CompositeFunction) -> String {
     let (v, e) = (module.variables_argument(), module.equations());
     let n = e.coordinates.len();

@@ -2,11 +2,11 @@
 
 use crate::plan::Language;
 
-/// Rules for names of MATLAB and Octave variables, at most 63 bytes long.
+/// Rules for names of MATLAB and Octave variables in generated code. A name has at most 63 bytes.
 pub const LANGUAGE: Language = Language { is_name, in_scope: &IN_SCOPE, longest: 63 };
 
-/// Names of arguments and of called functions, which no variable may have: a variable would hide
-/// the function.
+/// Names that no variable may have: arguments, and functions that are called. A variable with the name of a function
+/// would hide it.
 const IN_SCOPE: [&str; 50] = [
     "p", "q", "u", "q_dot", "v_dot", "r", "t", "x", "out", "out_2", "N", "state", "pi", "NaN", "Inf", "i", "j", "e",
     "eps", "sin", "cos", "sqrt", "exp", "log", "asin", "acos", "atan", "sinh", "cosh", "tanh", "abs", "sign", "zeros",
@@ -69,7 +69,7 @@ const WORDS: [&str; 51] = [
     "varargout",
 ];
 
-/// True if a word may be the name of a MATLAB variable of generated code: letters, digits and underscores, with a
+/// True if a word may be the name of a MATLAB variable in generated code: letters, digits and underscores, with a
 /// letter at the front.
 #[must_use]
 pub fn is_name(word: &str) -> bool {

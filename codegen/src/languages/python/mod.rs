@@ -1,5 +1,5 @@
-//! Python as a target: one module for each set of equations, and one module of helpers. The arrays
-//! can be those of any library with the interface of NumPy.
+//! Python as a target: a module for each set of equations, and one module of helpers. The arrays can come from any
+//! library with the interface of NumPy.
 
 pub(super) mod names;
 pub(super) mod text;
@@ -165,8 +165,8 @@ fn function(writer: &mut CodeWriter<'_>, planned: &Function) {
     writer.indent("");
 }
 
-/// Writes a Python function that calls planned functions: a linear solve, the state derivative, or
-/// a projection onto constraints.
+/// Writes a Python function that calls planned functions, such as a linear solve, the state derivative, or a
+/// projection onto constraints.
 fn write_composite_python_function(writer: &mut CodeWriter<'_>, module: &Module<'_>, composite: CompositeFunction) {
     let (v, e) = (module.variables_argument(), module.equations());
     let n = e.coordinates.len();
@@ -195,8 +195,8 @@ fn write_composite_python_function(writer: &mut CodeWriter<'_>, module: &Module<
     writer.write_unbroken(&body);
 }
 
-/// Returns the text of the script that runs a scene by SciPy, prints the last state, and draws the
-/// states if Matplotlib is installed.
+/// Returns the text of the script that runs a scene by SciPy and prints the last state. It draws the states if
+/// Matplotlib is installed.
 fn python_simulation_script(module: &Module<'_>, run: &SceneRun) -> String {
     let mut writer = CodeWriter::new(&Python, Comments::Written);
     let stem = format!("{}_{}", module.model_word, module.equations_word);

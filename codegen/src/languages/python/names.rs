@@ -5,8 +5,7 @@ use crate::plan::Language;
 /// Rules for names of Python variables in generated code.
 pub const LANGUAGE: Language = Language { is_name, in_scope: &IN_SCOPE, longest: usize::MAX };
 
-/// Names of arguments, modules and working variables of generated functions, which no variable may
-/// have.
+/// Names that no variable may have: arguments, modules and working variables of generated functions.
 const IN_SCOPE: [&str; 15] =
     ["p", "q", "u", "q_dot", "v_dot", "r", "t", "x", "xp", "shape", "first", "second", "numpy", "casadi", "_arrays"];
 
@@ -17,7 +16,8 @@ const WORDS: [&str; 39] = [
     "nonlocal", "not", "or", "pass", "raise", "return", "try", "type", "while", "with", "yield", "print",
 ];
 
-/// True if a word may be the name of a Python variable of generated code: letters, digits and underscores.
+/// True if a word may be the name of a Python variable in generated code: letters, digits and underscores, no
+/// reserved word.
 #[must_use]
 pub fn is_name(word: &str) -> bool {
     word.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')

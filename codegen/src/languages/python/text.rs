@@ -1,4 +1,4 @@
-//! Texts in Python modules: comments, docstrings, literals and broken lines.
+//! Texts in Python modules: comments, docstrings, literals, and statements broken into lines.
 
 use super::super::Module;
 use crate::lines::wrap;
@@ -11,14 +11,14 @@ use tripos_derive::plain_text::{one_line, with_visible_characters};
 /// is written as a float.
 const MOST_DIGITS: usize = 15;
 
-/// Makes a text safe in a Python comment. The comment cannot declare an encoding, which Python
-/// would obey in the first two lines.
+/// Returns a text that is safe in a Python comment. It cannot declare an encoding, which Python would obey in the
+/// first two lines of a file.
 pub fn escape_python_comment(text: &str) -> String {
     with_visible_characters(&one_line(text)).replace("coding:", "coding :").replace("coding=", "coding =")
 }
 
-/// Returns the Python string literal for a text. Its spaces are replaced by a mark at which no line
-/// is broken.
+/// Returns the Python string literal for a text. A mark replaces each space, so that no line is broken inside the
+/// literal.
 pub fn string(text: &str) -> String {
     let mut out = String::from("\"");
     for c in with_visible_characters(text).chars() {
@@ -32,7 +32,7 @@ pub fn string(text: &str) -> String {
     with_firm_spaces(&out)
 }
 
-/// Returns a Python docstring with this text, broken into lines.
+/// Returns a Python docstring with the given text, broken into lines.
 pub fn docstring(text: &str) -> String {
     let lines: Vec<String> =
         text.split('\n').flat_map(|line| wrap(&with_visible_characters(line), WIDTH - 10)).collect();
@@ -44,8 +44,8 @@ pub fn docstring(text: &str) -> String {
     }
 }
 
-/// Returns the Python literal of a whole number. A long number becomes a float, because arrays
-/// cannot hold long integers.
+/// Returns the Python literal of a whole number. A long number is written as a float, because arrays cannot hold long
+/// integers.
 pub fn python_number_literal(digits: &str) -> String {
     if digits.len() <= MOST_DIGITS {
         return digits.to_owned();
@@ -54,14 +54,14 @@ pub fn python_number_literal(digits: &str) -> String {
     if value.is_finite() { format!("{value:?}") } else { "1e999".to_owned() }
 }
 
-/// Writes one Python statement that assigns values to several variables.
+/// Writes one Python statement that assigns a value to each of several variables.
 pub fn write_python_declarations(out: &mut String, indent: &str, list: &[(String, String)]) {
     let names: Vec<&str> = list.iter().map(|(name, _)| name.as_str()).collect();
     let values: Vec<&str> = list.iter().map(|(_, value)| value.as_str()).collect();
     write_python_assignment(out, indent, &names, &values.join(", "));
 }
 
-/// Writes a Python statement that assigns an expression to variables. A long list of names gets
+/// Writes a Python statement that assigns an expression to one or several variables. A long list of variables gets
 /// lines of its own.
 pub fn write_python_assignment(out: &mut String, indent: &str, names: &[&str], expression: &str) {
     let list = names.join(", ");
@@ -77,7 +77,7 @@ pub fn write_python_assignment(out: &mut String, indent: &str, names: &[&str], e
     }
 }
 
-/// Writes a statement that begins with `beginning` and ends with an expression, in parentheses if
+/// Writes a Python statement that consists of `beginning` and an expression. The expression is put in parentheses if
 /// it needs several lines.
 pub fn write_python_expression(out: &mut String, indent: &str, beginning: &str, expression: &str) {
     if indent.len() + beginning.len() + expression.len() <= WIDTH {
@@ -96,7 +96,7 @@ fn write_python_lines(out: &mut String, indent: &str, text: &str) {
     }
 }
 
-/// Writes a list of entries between an opening and an ending bracket, on as many lines as it needs.
+/// Writes a list of entries between `opening` and `ending`, on as many lines as it needs.
 pub fn write_python_array(writer: &mut CodeWriter<'_>, opening: &str, entries: &[String], ending: &str) {
     let list = entries.join(", ");
     let soft = |text: &str| text.replace(FIRM_SPACE, " ");

@@ -3,7 +3,7 @@
 /// Argument of a planned function, with variables for the entries that the function's body reads.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Argument {
-    /// Array with all parameters, in the order of the model.
+    /// Array of all parameters, in the order of the model.
     Parameters {
         /// Parameters that the body reads, each with its index in the model and its variable.
         read: Vec<(usize, String)>,
@@ -15,7 +15,7 @@ pub enum Argument {
         /// Variable of each entry; `None` for an entry that the body does not read.
         entries: Vec<Option<String>>,
     },
-    /// Single number, the time t, with its variable; `None` if the body does not read it.
+    /// Single number: the time t. It holds the variable; `None` if the body does not read the time.
     Number(Option<String>),
 }
 
@@ -41,7 +41,7 @@ impl Argument {
     }
 }
 
-/// Entry of the array or number that a planned function returns.
+/// Entry in the array that a planned function returns, or the number itself.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Entry {
     /// The entry is always 0, so it is not computed.

@@ -5,25 +5,24 @@ use super::program::{Program, ProgramLine};
 use std::fmt;
 use tripos_derive::algebra::text::display_tree::{DisplayTree, constant_and_factors};
 
-/// Number of operations in one call of a function. A fused multiply-add counts as two.
+/// Number of operations in one call of a function. A fused multiply-add counts as two operations.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct OperationCount {
     /// Number of additions, subtractions, multiplications, divisions and sign changes.
     pub operations: usize,
-    /// Number of divisions; they are also counted in `operations`.
+    /// Number of divisions, which are also counted in `operations`.
     pub divisions: usize,
-    /// Number of sine–cosine pairs, each of one angle.
+    /// Number of pairs of a sine and a cosine of the same angle.
     pub sincos: usize,
     /// Number of calls of other mathematical functions, square roots included.
     pub functions: usize,
 }
 
 impl OperationCount {
-    /// Approximate cost of a division in additions. On current processors a division occupies its
-    /// unit about four times as long.
+    /// Approximate cost of a division, in additions. On current processors a division occupies its unit about four
+    /// times as long as an addition.
     const DIVISION: usize = 4;
-    /// Approximate cost of a sine with its cosine, or of another mathematical function, in
-    /// additions.
+    /// Approximate cost, in additions, of a sine with its cosine, or of another mathematical function.
     const FUNCTION: usize = 30;
 
     /// Counts the operations in one call of a planned program.
@@ -91,8 +90,8 @@ impl OperationCount {
     }
 }
 
-/// Returns the number of multiplications in the power `base`^n. It is n − 1 if the base is a name
-/// and n is 2 or 3, otherwise that of repeated squaring.
+/// Returns the number of multiplications in the power `base`^n. It is n − 1 if the base is a name and n is 2 or 3.
+/// Otherwise it is that of repeated squaring.
 fn multiplications(base: &DisplayTree, n: i32) -> usize {
     let n = n.unsigned_abs();
     match base {
@@ -134,13 +133,13 @@ mod tests {
     fn operations_are_counted_as_they_are_written() {
         let counts = [
             ("a*b + c", [2, 0, 0]),
-            // The sign of a product that can be written last is a subtraction.
+            // A negative product that can be written last is a subtraction.
             ("c - a*b", [2, 0, 0]),
             ("-a - b", [2, 0, 0]),
             ("a^3", [2, 0, 0]),
-            // By repeated squares.
+            // The power is computed by repeated squaring.
             ("a^9", [4, 0, 0]),
-            // 3/2 is one constant.
+            // The number 3/2 is one constant.
             ("3*a/(2*b)", [2, 1, 0]),
             ("a/(b*c)", [2, 1, 0]),
             ("exp(a + b)*sqrt(a)", [2, 0, 2]),

@@ -7,7 +7,7 @@ use super::program_parts::Parts;
 use rustc_hash::FxHashSet;
 use tripos_derive::algebra::Expr;
 
-/// Function planned independently of a target language.
+/// Planned function of generated code, which is independent of a target language.
 #[derive(Clone, Debug)]
 pub struct Function {
     /// Name of the generated function.
@@ -16,7 +16,7 @@ pub struct Function {
     pub about: String,
     /// Arguments of the function, in the order of its signature.
     pub arguments: Vec<Argument>,
-    /// Shape of the function's return value: number, vector, matrix and so on.
+    /// Shape of the function's return value, such as a number, a vector or a matrix.
     pub returns: Returns,
     /// Program that computes the function's values, line by line.
     pub program: Program,
@@ -30,12 +30,12 @@ pub struct Function {
     pub explanation: LineComments,
 }
 
-/// Choice of the comments on the lines of a program.
+/// Choice of the comments on the lines of a program: formulas or none.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LineComments {
     /// Each line has its formula above it as a comment.
     Formulas,
-    /// No line has a comment: most lines are named terms, whose names say enough.
+    /// No line has a comment, because most lines are named terms, whose names say enough.
     Names,
 }
 
@@ -48,7 +48,7 @@ impl LineComments {
     }
 }
 
-/// Kind of argument list of a planned function.
+/// Kind of argument list of a planned function: the quantities that it takes.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Arguments {
     /// Arguments (p, q, v): parameters, coordinates and motion variables.
@@ -81,14 +81,14 @@ pub enum Arguments {
 pub enum Returns {
     /// The function returns a single number.
     Number,
-    /// The function returns one array with all entries.
+    /// The function returns one array with all its entries.
     Vector,
-    /// Two arrays. The first has this length; the second contains the remaining entries.
+    /// The function returns two arrays. The first has this length; the second contains the remaining entries.
     Pair(usize),
-    /// Square matrix with this many rows, row by row, and a second array with a vector of the same
-    /// number of entries.
+    /// The function returns two arrays: a square matrix with this many rows, row by row, and a vector with as many
+    /// entries as the matrix has rows.
     System(usize),
-    /// Square matrix, row by row. A symmetric matrix is computed from its upper triangle.
+    /// The function returns a square matrix, row by row. A symmetric matrix is computed from its upper triangle.
     Matrix {
         /// True if the matrix equals its transpose.
         symmetric: bool,
@@ -101,7 +101,7 @@ pub enum Returns {
 }
 
 impl Returns {
-    /// Returns the comment written above the lines that compute the entries.
+    /// Returns the comment for the lines that compute the entries; it is written above them.
     #[must_use]
     pub fn heading(self) -> &'static str {
         match self {
@@ -122,8 +122,8 @@ impl Returns {
         }
     }
 
-    /// Returns the index of the computed entry that gives the value of entry `at` of `count`. In a
-    /// symmetric matrix it lies in the upper triangle; otherwise it is `at`.
+    /// Returns the index of the computed entry whose value is that of the entry `at` of `count`. In a symmetric
+    /// matrix it lies in the upper triangle; otherwise it is `at`.
     pub(in crate::plan) fn entry_of_upper_triangle(self, at: usize, count: usize) -> usize {
         let side = count.isqrt();
         match self {
@@ -133,12 +133,12 @@ impl Returns {
     }
 }
 
-/// Value to be computed: the name of its variable, its name in comments, and its term.
+/// Value to be computed, as (name of its variable, its name in comments, its term).
 pub type Value = (String, String, Expr);
 
 impl Function {
-    /// Returns the part of the function's cost that depends only on parameters, and so could be
-    /// computed once for all states.
+    /// Returns the part of the function's cost that depends only on parameters. It could be computed once for all
+    /// states.
     #[must_use]
     pub fn cost_of_parameters(&self) -> OperationCount {
         let mut fixed: FxHashSet<&str> = FxHashSet::default();

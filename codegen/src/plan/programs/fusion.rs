@@ -1,4 +1,4 @@
-//! Form of a formula for computation: the order of a sum's terms, and products that can be fused.
+//! Form of a formula for computation: the order of the terms in a sum, and products that can be fused with additions.
 
 use tripos_derive::algebra::text::display_tree::DisplayTree;
 

@@ -1,4 +1,5 @@
-//! Functions as programs of numbered values, with arguments, names, parts and costs, and their planner.
+//! Planned functions as programs of named lines, with arguments, names, parts and costs, and the planner of
+//! functions.
 
 pub(super) mod arguments;
 pub(super) mod cost;

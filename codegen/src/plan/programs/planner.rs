@@ -13,8 +13,8 @@ use tripos_derive::algebra::term::steps::{Definition, needed_steps};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::{Equations, Model};
 
-/// Largest number of named terms in equations for which all readings of their terms are tried when
-/// common operations are searched. With more, a single reading is tried.
+/// Largest number of named terms in equations for which all readings of their terms are tried, when common operations
+/// are searched. For more named terms, a single reading is tried.
 const MOST_READ: usize = 100;
 
 /// Largest number of lines of a program in which each line always gets its formula as a comment.
@@ -65,8 +65,7 @@ impl<'a> Planner<'a> {
         Self { model, arena, equations, variables, sharing }
     }
 
-    /// Returns the choice of comments for long programs: formulas, or none if the equations consist
-    /// mostly of named terms.
+    /// Returns the comments for long programs: formulas, or none if the equations consist mostly of named terms.
     #[must_use]
     pub fn explanation(&self) -> LineComments {
         if self.equations.definitions.len() <= MOST_READ { LineComments::Formulas } else { LineComments::Names }
@@ -85,9 +84,8 @@ impl<'a> Planner<'a> {
         self.plan_function_in_steps(name, about, arguments, returns, &[], values)
     }
 
-    /// Plans a function that first computes named intermediate steps and then its values. Entries
-    /// that are 0 and the lower triangle of a symmetric matrix are not computed. Unused steps are
-    /// left out.
+    /// Plans a function that first computes named intermediate steps and then its values. Entries that are 0, and the
+    /// lower triangle of a symmetric matrix, are not computed. Steps that no value needs are left out.
     #[must_use]
     pub fn plan_function_in_steps(
         &self,
@@ -98,7 +96,7 @@ impl<'a> Planner<'a> {
         steps: &[Definition],
         values: &[Value],
     ) -> Function {
-        // A step whose value is 0 becomes 0 in the values.
+        // If a step has the value 0, the values contain 0 in its place.
         let is_zero = |e: Expr| steps.iter().any(|step| step.symbol == e && step.value == Expr::ZERO);
         let results: Vec<Expr> = values.iter().map(|(.., e)| if is_zero(*e) { Expr::ZERO } else { *e }).collect();
         let steps = needed_steps(self.arena, steps, &results);
@@ -131,9 +129,8 @@ impl<'a> Planner<'a> {
         Function { name, about: about.to_owned(), arguments, returns, program, entries, parts, cost, explanation }
     }
 
-    /// Returns the cheapest program for the given outputs: as given, or with common sums and
-    /// products shared by one reading of the terms. A rewritten program is used only if it is
-    /// proved equal.
+    /// Returns the cheapest program for the given outputs. It is either the program as given, or one that shares
+    /// common sums and products by one reading of the terms. A rewritten program is used only if it is proved equal.
     fn cheapest_program(&self, steps: &[Definition], outputs: &[Output], results: &[Expr]) -> Program {
         let mut best = program(self.arena, &self.variables, steps, steps, outputs, results);
         let mut least = OperationCount::of(&best).weight();
@@ -141,7 +138,7 @@ impl<'a> Planner<'a> {
             return best;
         }
         let values: Vec<Expr> = outputs.iter().map(|o| o.value).collect();
-        // Named terms are short, and every reading of them is equal.
+        // Named terms are short, and all readings of them are equal.
         let readings = match self.explanation() {
             LineComments::Formulas => &SharingOptions::ALL[..],
             LineComments::Names => &SharingOptions::COMMON_OPTIONS[..1],

@@ -10,8 +10,8 @@ use tripos_derive::algebra::text::display_tree::{DisplayTree, display_tree, is_s
 use tripos_derive::algebra::text::print::print_text;
 use tripos_derive::algebra::{Arena, Expr, Function, Node};
 
-/// Largest number of nodes of a formula that is written. A larger formula is cut, because its code
-/// would take megabytes.
+/// Largest number of nodes in a formula that is written. A larger formula is cut, because its code would take
+/// megabytes.
 const BUDGET: usize = 2_000_000;
 
 /// Statement `let name = value;`, with the formula of its value as a comment.
@@ -45,8 +45,7 @@ pub enum ProgramLine {
 }
 
 impl ProgramLine {
-    /// Returns the formula that the line computes; for a sine and a cosine, the formula of their
-    /// angle.
+    /// Returns the formula that the line computes. For a sine and a cosine, it is the formula of their angle.
     #[must_use]
     pub fn value(&self) -> &DisplayTree {
         match self {
@@ -88,7 +87,7 @@ impl Program {
         steps.chain(&self.outputs).filter_map(|statement| statement.comment.as_deref())
     }
 
-    /// Removes lines and inputs that no later line, no output and no result reads. A line can be
+    /// Removes lines and inputs that are not read: no later line, output or result contains them. A line can be
     /// unread because a formula that contained its term was written without it.
     fn drop_unread(&mut self, variables: &SymbolVariableNames, results: &[Expr]) {
         let of = |symbol: &Expr| variables.of.get(symbol).map(String::as_str);
@@ -151,14 +150,14 @@ fn collect_variable_names<'v>(view: &'v DisplayTree, names: &mut FxHashSet<&'v s
     }
 }
 
-/// Output of a function to be computed: variable, label in comments, and term.
+/// Output of a function to be computed: its variable, its label in comments, and its term.
 #[derive(Clone, Debug)]
 pub struct Output {
     /// Wanted name of the variable. If it is in use, a number is appended.
     pub name: String,
     /// Label of the output in comments, such as `M12` or `f3`.
     pub label: String,
-    /// Term whose value the output is.
+    /// Term that is computed as the output.
     pub value: Expr,
     /// Term as comments show it, before common operations were shared.
     pub stated: Expr,
@@ -222,7 +221,7 @@ pub fn program(
 struct ProgramBuilder<'a> {
     /// Arena that stores the terms (symbolic expressions).
     arena: &'a Arena,
-    /// Number of times that each term is used in other terms or as an output.
+    /// Number of uses of each term, in other terms or as an output.
     uses: FxHashMap<Expr, usize>,
     /// Name of the first step or output that contains each term. It is the stem of the term's name
     /// if the term has no better name.
@@ -318,15 +317,14 @@ impl ProgramBuilder<'_> {
         self.lines.push(ProgramLine::Step(Statement { name, value, comment }));
     }
 
-    /// Returns the statement of an output with its equation as a comment.
+    /// Returns the statement that computes an output, with the output's equation as a comment.
     fn output_statement(&mut self, output: &Output, name: String) -> Statement {
         let value = self.term_in_formula(output.value);
         let value = self.replace_tangents_by_variables(value);
         Statement { name, value, comment: Some(self.equation(&output.label, output.stated)) }
     }
 
-    /// Returns the comment `name = formula`, or only the name if the value is the symbol of this
-    /// name.
+    /// Returns the comment `name = formula`. It is only the name if the value is the symbol with this name.
     fn equation(&self, name: &str, value: Expr) -> String {
         let stays = self.arena.symbol_name(value) == Some(name);
         if stays { name.to_owned() } else { format!("{name} = {}", print_text(self.arena, value)) }
@@ -339,8 +337,8 @@ impl ProgramBuilder<'_> {
         self.names.take_descriptive_name(self.arena, &self.variables, e, stem)
     }
 
-    /// Returns the formula of a shared term for a comment. `None` if its value contains no sum,
-    /// because such a value reads well in any language.
+    /// Returns the formula of a shared term for a comment. `None` if its value contains no sum, because such a value
+    /// reads well in any language.
     fn shared_term_comment(&self, e: Expr, value: &DisplayTree) -> Option<String> {
         (!is_sum_free_formula(value)).then(|| self.variables.write_shared_names(&print_text(self.arena, e)))
     }
@@ -351,8 +349,7 @@ impl ProgramBuilder<'_> {
         self.shared.insert(symbol, name.to_owned());
     }
 
-    /// Returns a term as it appears in a larger formula: as its variable if it has one, else as its
-    /// formula.
+    /// Returns a term as it appears in a larger formula: its variable if it has one, otherwise its formula.
     fn term_in_formula(&self, e: Expr) -> DisplayTree {
         match self.shared.get(&e) {
             Some(name) => DisplayTree::Shared(name.clone()),
@@ -387,7 +384,7 @@ impl ProgramBuilder<'_> {
         DisplayTree::Shared(name)
     }
 
-    /// Returns the lines of the program. Sines and cosines of input angles are moved to the front.
+    /// Returns the lines of the program in reading order: sines and cosines of input angles are moved to the front.
     fn lines_in_reading_order(self) -> Vec<ProgramLine> {
         let set: FxHashSet<String> = self.lines.iter().flat_map(ProgramLine::names_set).map(str::to_owned).collect();
         let needs_nothing = |line: &ProgramLine| match line {
@@ -400,7 +397,7 @@ impl ProgramBuilder<'_> {
     }
 }
 
-/// Counts the uses of each term, as an operand of another term or as an output.
+/// Returns the number of uses of each term, as an operand of another term or as an output.
 fn program_use_counts(arena: &Arena, parts: &[Expr], roots: &[Expr]) -> FxHashMap<Expr, usize> {
     let mut uses: FxHashMap<Expr, usize> = FxHashMap::default();
     for operand in parts.iter().flat_map(|part| arena.operands(*part)).chain(roots.iter().copied()) {

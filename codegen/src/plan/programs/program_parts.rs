@@ -1,5 +1,5 @@
-//! Division of a long program into parts, each a function of its own. The compile time of a
-//! function of n lines grows with n², and its code is no faster than that of short functions.
+//! Division of a long program into parts, each a function of its own. The compile time of a function of n lines grows
+//! with n², and a single long function runs no faster than short ones.
 
 use super::arguments::{Argument, Entry};
 use super::program::Program;
@@ -9,7 +9,7 @@ use std::ops::Range;
 /// Largest number of lines of a program that is not divided into parts.
 const MOST_WHOLE: usize = 1500;
 
-/// Number of lines in each part except the last.
+/// Number of lines in each part of a divided program. The last part may have fewer.
 const PART: usize = 1000;
 
 /// Part of a long program, which becomes a generated function.
@@ -17,13 +17,12 @@ const PART: usize = 1000;
 pub struct Part {
     /// Arguments of the part's function, with the variables that the part reads.
     pub arguments: Vec<Argument>,
-    /// Indices in the exchange array that the part reads, each with the variable that gets the
-    /// value.
+    /// Indices in the exchange array that the part reads. Each comes with the variable that receives the value.
     pub reads: Vec<(usize, String)>,
     /// Lines and outputs of the program that the part computes.
     pub program: Program,
-    /// Indices in the exchange array that the part fills for later parts or the result, each with
-    /// the variable that holds the value.
+    /// Indices in the exchange array that the part fills for later parts or for the result. Each comes with the
+    /// variable that holds the value.
     pub writes: Vec<(usize, String)>,
 }
 
@@ -34,9 +33,9 @@ pub struct Parts {
     pub list: Vec<Part>,
     /// Length of the array in which parts exchange values.
     pub places: usize,
-    /// Indices in the exchange array of the returned values, each with its variable.
+    /// Indices in the exchange array of the values that the function returns, each with its variable.
     pub results: Vec<(usize, String)>,
-    /// Arguments whose entries the return value contains unchanged.
+    /// Arguments with the entries that the return value contains unchanged.
     pub arguments: Vec<Argument>,
 }
 
@@ -95,13 +94,13 @@ impl Parts {
     }
 }
 
-/// Copies variables with their indices in the exchange array, with the index first.
+/// Copies pairs (variable, index in the exchange array) as pairs (index, variable).
 fn copied_exchange_slots<'v>(held: impl Iterator<Item = &'v (&'v str, usize)>) -> Vec<(usize, String)> {
     held.map(|(name, place)| (*place, (*name).to_owned())).collect()
 }
 
-/// Permutes the indices in the exchange array, so that a part seldom fills two neighbours. After
-/// two stores to neighbours, compilers search in vain for operations to do in pairs.
+/// Permutes the indices in the exchange array, so that a part seldom stores to two neighbours. After such stores,
+/// compilers search in vain for operations to do in pairs.
 fn spread_exchange_slots<'p>(list: impl Iterator<Item = &'p mut (usize, String)>, places: usize) {
     let shares_factor = |a: usize| (2..=a).any(|d| a.is_multiple_of(d) && places.is_multiple_of(d));
     let stride = (places * 3 / 8..places).find(|stride| *stride > 0 && !shares_factor(*stride)).unwrap_or(1);
@@ -110,7 +109,7 @@ fn spread_exchange_slots<'p>(list: impl Iterator<Item = &'p mut (usize, String)>
     }
 }
 
-/// Returns the arguments with only those variables that are in `needed`.
+/// Returns the arguments with only those variables that are in `needed`. All other variables are dropped.
 fn part_arguments(arguments: &[Argument], needed: &FxHashSet<&str>) -> Vec<Argument> {
     let kept = |variable: &String| needed.contains(variable.as_str());
     let restrict = |argument: &Argument| match argument {

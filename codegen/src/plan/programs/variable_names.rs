@@ -1,22 +1,21 @@
 //! Names in generated code for variables, modules and types.
 //!
-//! Invariant: different symbols get different variables. No variable is a word of the target's
-//! language, an argument of the generated functions or a name in their scope. The target states
-//! these names.
+//! Invariant: different symbols get different variables. No variable is a word of the target's language, an argument
+//! of the generated functions, or a name in their scope. The target states these words and names.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use tripos_derive::algebra::text::print::print_text;
 use tripos_derive::algebra::{Arena, Expr, Function, Node, Rational};
 
-/// Length in bytes of the longest variable name that spells out its term's formula.
+/// Largest number of bytes of a variable name that spells out its term's formula.
 const LONGEST: usize = 24;
-/// Length in bytes of the longest list of variables in the name of a term. A longer list becomes
-/// `motion` or `place`.
+/// Largest number of bytes of the list of variables in the name of a term. A longer list becomes the word `motion` or
+/// `place`.
 const LONGEST_LIST: usize = 12;
 
 /// Rules of a target language for names of variables.
 pub struct Language {
-    /// Function that is true if a word of letters, digits and underscores may name a variable.
+    /// Test of a word of letters, digits and underscores: true if it may be the name of a variable.
     pub is_name: fn(&str) -> bool,
     /// Names that generated functions use for other purposes, so that no variable may have them.
     pub in_scope: &'static [&'static str],
@@ -25,19 +24,18 @@ pub struct Language {
 }
 
 impl Language {
-    /// Rules that forbid no name, for plans whose operations are counted and whose text is not
-    /// written.
+    /// Rules that forbid no name. They serve plans of which only the operations are counted, and no text is written.
     pub const NONE: Self = Self { is_name: |_| true, in_scope: &[], longest: usize::MAX };
 }
 
-/// Allocator of variable names, which returns each name only once.
+/// Allocator of variable names, which gives out each name only once.
 #[derive(Clone)]
 pub struct Allocator {
-    /// Function that is true if a word may name a variable in the language.
+    /// Test of a word: true if it may be the name of a variable in the language.
     is_name: fn(&str) -> bool,
     /// Largest number of bytes of a variable's name in the language.
     longest: usize,
-    /// Names that the allocator has already returned or that are forbidden.
+    /// Names that the allocator has already given out, and names that are forbidden.
     taken: FxHashSet<String>,
 }
 
@@ -50,22 +48,21 @@ impl Allocator {
         Self { is_name, longest, taken: language.in_scope.iter().copied().map(str::to_owned).collect() }
     }
 
-    /// True if the allocator has not yet returned the name.
+    /// True if the name is still free: neither given out by the allocator nor forbidden.
     #[must_use]
     pub fn is_free(&self, name: &str) -> bool {
         !self.taken.contains(name)
     }
 
-    /// Releases names, so that the allocator can return them again.
+    /// Releases names, so that the allocator can give them out again.
     pub fn release<'n>(&mut self, names: impl Iterator<Item = &'n String>) {
         for name in names {
             self.taken.remove(name);
         }
     }
 
-    /// Returns a free name like `wanted` and marks it as used. A reserved word gets an underscore,
-    /// a used name a number. A name that is too long is cut. A word that no underscore makes valid
-    /// gets `v_` at the front.
+    /// Returns a free name like `wanted` and marks it as used. A reserved word gets an underscore, and a used name
+    /// gets a number. A name that is too long is cut. A word that no underscore makes valid gets `v_` at its front.
     pub fn unique(&mut self, wanted: &str) -> String {
         // Eight bytes are left for an underscore or a number.
         let room = self.longest.saturating_sub(8);
@@ -85,17 +82,17 @@ impl Allocator {
     }
 }
 
-/// Names of the variables for the symbols in generated code: `q1'` has the variable `q1_dot`.
+/// Names of the variables for the symbols in generated code. For example, the symbol `q1'` has the variable `q1_dot`.
 #[derive(Clone)]
 pub struct SymbolVariableNames {
     /// Variable names in generated code, by symbol.
     pub of: FxHashMap<Expr, String>,
-    /// Allocator that returned the variable names.
+    /// Allocator that gave out the variable names.
     pub allocator: Allocator,
-    /// Symbols of motion variables, rates and accelerations. A term with such symbols is named
-    /// after them.
+    /// Symbols of motion variables, rates and accelerations. The name of a term that contains such symbols mentions
+    /// them.
     pub moving: FxHashSet<Expr>,
-    /// Terms that the symbols of shared operations stand for, by symbol.
+    /// Terms for which the symbols of shared operations stand, by symbol.
     pub behind: FxHashMap<Expr, Expr>,
     /// Variable names of the symbols of shared operations, by the symbols' names in formulas, such
     /// as `#1`.
@@ -103,8 +100,8 @@ pub struct SymbolVariableNames {
 }
 
 impl SymbolVariableNames {
-    /// Names a variable for each symbol of an arena, in order of declaration. No variable is called
-    /// `type_name`.
+    /// Creates variable names for all symbols of an arena, in the order of their declaration. No variable gets the
+    /// name `type_name`.
     #[must_use]
     pub fn new(arena: &Arena, language: &Language, type_name: &str) -> Self {
         let mut allocator = Allocator::new(language);
@@ -123,8 +120,8 @@ impl SymbolVariableNames {
         self.shared.insert(arena.symbol_name(symbol).unwrap_or_default().to_owned(), name.to_owned());
     }
 
-    /// Returns a word for the variables on which a term depends: its motion variables and rates, or
-    /// else its other symbols. If the list is long, the word is `motion` or `place`.
+    /// Returns a word that lists the variables on which a term depends. They are its motion variables and rates or,
+    /// if there are none, its other symbols. If the list is long, the word is `motion` or `place`.
     fn dependence_word(&self, arena: &Arena, e: Expr) -> String {
         let (mut symbols, mut stack, mut seen) = (Vec::new(), vec![e], FxHashSet::default());
         while let Some(e) = stack.pop() {
@@ -145,8 +142,8 @@ impl SymbolVariableNames {
         if word.len() > LONGEST_LIST { many.to_owned() } else { word }
     }
 
-    /// Replaces the symbols of shared operations in a formula by their variable names. In formulas
-    /// these symbols are spelled `#1`, `#2` and so on.
+    /// Returns a formula in which the symbols of shared operations, spelled `#1`, `#2` and so on, are replaced by
+    /// their variable names.
     #[must_use]
     pub fn write_shared_names(&self, formula: &str) -> String {
         let mut parts = formula.split('#');
@@ -161,7 +158,7 @@ impl SymbolVariableNames {
     }
 }
 
-/// Returns the name of a symbol without primes: `q1_dot` for `q1'`, `q1_ddot` for `q1''`.
+/// Returns the name of a symbol without primes, such as `q1_dot` for `q1'` and `q1_ddot` for `q1''`.
 #[must_use]
 pub fn variable_name_without_primes(symbol: &str) -> String {
     let stem = symbol.trim_end_matches('\'');
@@ -169,7 +166,7 @@ pub fn variable_name_without_primes(symbol: &str) -> String {
     format!("{stem}{dots}")
 }
 
-/// Returns the name of the Rust type for a set of equations: `NewtonEuler` for `newton-euler`,
+/// Returns the name of the Rust type for a set of equations, such as `NewtonEuler` for `newton-euler` and
 /// `PrintedKaneFinal` for `printed:kane-final`.
 #[must_use]
 pub fn type_name(name: &str) -> String {
@@ -177,15 +174,15 @@ pub fn type_name(name: &str) -> String {
     words.map(|word| word[..1].to_ascii_uppercase() + &word[1..]).collect()
 }
 
-/// Returns the name of the module for a set of equations: `newton_euler` for `newton-euler`.
+/// Returns the name of the module for a set of equations, such as `newton_euler` for `newton-euler`.
 #[must_use]
 pub fn module_name(name: &str) -> String {
     let words: Vec<&str> = name.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty()).collect();
     words.join("_").to_ascii_lowercase()
 }
 
-/// Returns a word made of the letters and digits of a formula. `None` if the word is longer than
-/// `longest` bytes or does not begin with a letter.
+/// Returns a word made of the letters and digits of a formula. `None` if this word would be longer than `longest`
+/// bytes or would not begin with a letter.
 #[must_use]
 pub fn variable_word_of_formula(formula: &str, longest: usize) -> Option<String> {
     let spelled = formula.replace('-', "_minus_").replace('+', "_plus_").replace('/', "_by_");
@@ -197,22 +194,21 @@ pub fn variable_word_of_formula(formula: &str, longest: usize) -> Option<String>
 
 /// Variable names that one program gives to its intermediate terms.
 pub struct TermVariableNames {
-    /// Allocator that knows all names in use.
+    /// Allocator that holds all names in use.
     pub allocator: Allocator,
     /// Variables of the sine and the cosine, by angle.
     circular: FxHashMap<Expr, (String, String)>,
 }
 
 impl TermVariableNames {
-    /// Prepares names for a new program. Names that the allocator has already returned are not used
-    /// again.
+    /// Prepares names for a new program. Names that the allocator has already given out are not used again.
     #[must_use]
     pub fn new(allocator: Allocator) -> Self {
         Self { allocator, circular: FxHashMap::default() }
     }
 
-    /// Returns the variables of an angle's sine and cosine: `s1`, `c1` for the symbol q1,
-    /// `sin_theta`, `cos_theta` for others.
+    /// Returns the variables of an angle's sine and cosine, such as `s1` and `c1` for the symbol q1, or `sin_theta`
+    /// and `cos_theta`.
     pub fn sine_and_cosine_names(&mut self, arena: &Arena, angle: Expr) -> (String, String) {
         if let Some(known) = self.circular.get(&angle) {
             return known.clone();
@@ -245,8 +241,8 @@ impl TermVariableNames {
         self.allocator.unique(&wanted)
     }
 
-    /// Returns a name that describes a term: its formula as a word if that is short, else `stem`
-    /// and the variables on which the term depends. The name may be in use.
+    /// Returns a name that describes a term. It is the term's formula as a word, if that is short. Otherwise it is
+    /// `stem` and the variables on which the term depends. The name may already be in use.
     pub fn descriptive_name(&mut self, arena: &Arena, variables: &SymbolVariableNames, e: Expr, stem: &str) -> String {
         let word = self.name_of_formula(arena, variables, e).map(|word| word.to_lowercase());
         let word = word.filter(|word| word.len() <= LONGEST && word.starts_with(|c: char| c.is_ascii_alphabetic()));
@@ -331,8 +327,8 @@ impl TermVariableNames {
     }
 }
 
-/// Returns a word with a rational factor: `x_doubled`, `x_by_4`, `x_times_3_by_2`. An empty word
-/// gives the number alone. The sign of the factor is ignored. `None` if the number is long.
+/// Returns `word` with a rational factor, such as `x_doubled`, `x_by_4` or `x_times_3_by_2`. If `word` is empty, the
+/// result is the number alone. The sign of the factor is ignored. `None` if the number is long.
 fn variable_word_with_factor(word: &str, k: &Rational) -> Option<String> {
     let (n, d) = k.small()?;
     let (n, d) = (n.unsigned_abs(), d.unsigned_abs());

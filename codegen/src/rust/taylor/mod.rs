@@ -10,7 +10,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 use taylor_variables::TaylorWriter;
 
-/// Place of the text of the function `taylor`, as seen from a file that uses it.
+/// Place of the text of the function `taylor`: the file that uses the function, or another file.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum TaylorText {
     /// The file itself contains the text.
@@ -19,8 +19,8 @@ pub enum TaylorText {
     Elsewhere,
 }
 
-/// Returns the `use` items that a file with the function `taylor` needs. If the text is in another
-/// file, only the items for its `System` remain.
+/// Returns the `use` items that a file with the function `taylor` needs. If the function's text is in another file,
+/// only the items for the file's `System` remain.
 pub fn imports(plan: &TaylorPlan<'_>, text: TaylorText) -> TokenStream {
     match plan.list.convolutions() {
         _ if text == TaylorText::Elsewhere => quote!(

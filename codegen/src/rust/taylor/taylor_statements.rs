@@ -1,5 +1,5 @@
-//! Statements of the generated function `taylor`: coefficients of order 0, of order 1, and the loop
-//! over higher orders.
+//! Statements of the generated function `taylor`: coefficients of order 0, coefficients of order 1, and the loop over
+//! higher orders.
 
 use super::taylor_variables::TaylorWriter;
 use crate::plan::LineComments;
@@ -13,13 +13,13 @@ use tripos_derive::algebra::{Expr, Function as Elementary};
 /// Order of the coefficients that a generated statement computes.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Stage {
-    /// Order 1, at which the convolutions have no inner terms.
+    /// Order 1, at which a convolution has no inner terms.
     One,
     /// Any order k greater than 1.
     Later,
 }
 
-/// Factors a and b of a convolution Σ a_j b_{k−j}, as indices of series.
+/// Factors a and b of a convolution Σ a_j b_{k−j}, given by the indices of their series.
 struct Factors {
     /// Index of the series a, the left factor of the convolution.
     left: usize,
@@ -30,8 +30,8 @@ struct Factors {
 }
 
 impl TaylorWriter<'_> {
-    /// Returns the expression Σ weight · value + constant. Values that are computed late are added
-    /// late, which shortens waiting.
+    /// Returns the expression Σ weight · value + constant. Values that are computed late are added late, so that the
+    /// sum waits less.
     fn linear_combination(
         &self,
         constant: Option<Expr>,
@@ -118,8 +118,8 @@ impl TaylorWriter<'_> {
         tokens
     }
 
-    /// Returns the statement that computes the sine and cosine of an angle at order 0. Adds the
-    /// angle to `angles`, those already done.
+    /// Returns the statement that computes the sine and cosine of an angle at order 0. The angle is added to the list
+    /// `angles` of those that are already computed.
     fn sine_cosine_statement(&self, of: usize, angles: &mut Vec<usize>) -> TokenStream {
         angles.push(of);
         let place = |f: Elementary| {
@@ -204,7 +204,7 @@ impl TaylorWriter<'_> {
         }
     }
 
-    /// Returns the factors of the convolution of a series; `None` for a series without convolution.
+    /// Returns the factors of a series' convolution. `None` for a series without a convolution.
     fn factors(&self, at: usize) -> Option<Factors> {
         let (left, right, weighted) = match self.plan.list.series[at].rule {
             Rule::Product(x, y) => (x, y, false),
@@ -217,9 +217,8 @@ impl TaylorWriter<'_> {
         Some(Factors { left, right, weighted })
     }
 
-    /// Returns four pieces of code for the convolutions: the start before the loop, and three for
-    /// each order. These three compute the sums, store the factors, and store coefficients for the
-    /// next order.
+    /// Returns four pieces of code for the convolutions. The first is the start before the loop. The other three
+    /// belong to each order: they compute the sums, store the factors, and store coefficients for the next order.
     fn convolution_history(&self) -> [TokenStream; 4] {
         if self.plan.slots.is_empty() {
             return Default::default();
@@ -291,7 +290,7 @@ impl TaylorWriter<'_> {
         ]
     }
 
-    /// Returns the convolution of a series at an odd order k: the prepared sum plus the terms with
+    /// Returns the convolution of a series at an odd order k. It is the prepared sum, plus the terms with
     /// coefficients of orders 1 and k − 1.
     fn odd_order_convolution(&self, at: usize) -> TokenStream {
         let Some(Factors { left, right, weighted }) = self.factors(at) else { return TokenStream::new() };
@@ -305,7 +304,7 @@ impl TaylorWriter<'_> {
         quote!(#left_1.mul_add(#right_last, #left_last.mul_add(#right_1, next[#slot])))
     }
 
-    /// Returns the statement that computes the coefficient of a series at order 1 or at order k.
+    /// Returns the statement that computes the coefficient of a series, at order 1 or at a later order k.
     fn coefficient_statement(&self, at: usize, stage: Stage) -> TokenStream {
         let name =
             |x: usize| if stage == Stage::One { self.order_one_variable(x) } else { self.current_order_variable(x) };

@@ -1,4 +1,4 @@
-//! Writer of the text of a function `taylor`, and the variables that its statements name.
+//! Writer of the text of a function `taylor`, and the names of the variables in its statements.
 
 use crate::plan::TaylorPlan;
 use crate::rust::expression::expression;
@@ -8,29 +8,29 @@ use rustc_hash::FxHashMap;
 use tripos_derive::algebra::Expr;
 use tripos_derive::algebra::text::display_tree::display_tree;
 
-/// Writer of the text of a function `taylor`, by the names in its plan.
+/// Writer of the text of a function `taylor`. Its plan states the names of the variables.
 pub(super) struct TaylorWriter<'a> {
     /// Plan of the function, with the names of its variables.
     pub(super) plan: &'a TaylorPlan<'a>,
 }
 
 impl TaylorWriter<'_> {
-    /// Returns the variable of a series' coefficient of order 0.
+    /// Returns the variable of the coefficient of order 0 of a series.
     pub(super) fn order_zero_variable(&self, at: usize) -> TokenStream {
         rust_identifier(&format!("{}_0", self.plan.names[at]))
     }
 
-    /// Returns the variable of a series' coefficient of order 1.
+    /// Returns the variable of the coefficient of order 1 of a series.
     pub(super) fn order_one_variable(&self, at: usize) -> TokenStream {
         rust_identifier(&format!("{}_1", self.plan.names[at]))
     }
 
-    /// Returns the variable of a series' coefficient of order k − 1.
+    /// Returns the variable of the coefficient of order k − 1 of a series.
     pub(super) fn previous_order_variable(&self, at: usize) -> TokenStream {
         rust_identifier(&format!("{}_last", self.plan.names[at]))
     }
 
-    /// Returns the variable of a series' coefficient of order k.
+    /// Returns the variable of the coefficient of order k of a series.
     pub(super) fn current_order_variable(&self, at: usize) -> TokenStream {
         rust_identifier(&self.plan.names[at])
     }
@@ -45,7 +45,7 @@ impl TaylorWriter<'_> {
         rust_identifier(&self.plan.over_twice[&at])
     }
 
-    /// Returns the expression for a constant factor: its variable, or a number.
+    /// Returns the expression for a constant factor: its variable if it has one, otherwise its number.
     pub(super) fn weight_variable_or_number(&self, e: Expr) -> TokenStream {
         match self.plan.weights.get(&e).or_else(|| self.plan.variables.of.get(&e)) {
             Some(name) => rust_identifier(name),
