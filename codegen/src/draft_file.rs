@@ -241,8 +241,8 @@ impl Draft {
         self.part.take().map_or(Ok(()), |part| self.name_file(part))
     }
 
-    /// Gives a temporary file the final name of the draft. If it cannot be renamed, it stays under its temporary
-    /// name.
+    /// Gives a temporary file the final name of the draft. Returns an error if it cannot be renamed; the file then
+    /// stays under its temporary name.
     fn name_file(&self, file: TempPath) -> Result<(), WriteError> {
         let named = match self.existing {
             ExistingFilePolicy::Replaced => file.persist(&self.target),

@@ -40,8 +40,8 @@ pub type UnsupportedFormulations = Vec<(Formulation, DeriveError)>;
 /// that its text does not depend on other formulations.
 ///
 /// # Errors
-/// Returns [`Diagnostics`] of the model or the publication, of a given formulation that the model does not support,
-/// or of two printed systems whose files would have the same name.
+/// Returns [`Diagnostics`] of the model or the publication, or of a given formulation that the model does not
+/// support. Also if the files of two printed systems would have the same name.
 pub fn pass_equations_to_target(
     model: &Model,
     formulations: &[Formulation],

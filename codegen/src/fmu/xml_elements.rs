@@ -19,8 +19,8 @@ pub fn write_default_experiment_element(out: &mut String, scene: &Scene) {
     );
 }
 
-/// Writes the XML definitions of all units of the variables, by their exponents of m, kg and s. For a unit with
-/// fractional exponents only the name is written.
+/// Writes the XML definitions of the units that the variables have. A unit is defined by its exponents of m, kg and
+/// s. For a unit with fractional exponents only the name is written.
 pub fn write_unit_definitions_element(out: &mut String, list: &[Variable]) {
     let units: BTreeMap<String, &Unit> =
         list.iter().filter_map(|v| Some((v.unit.as_ref()?.to_string(), v.unit.as_ref()?))).collect();

@@ -18,8 +18,8 @@ use tripos_derive::{Equations, Model};
 /// Largest number of convolutions at one order for which Taylor recurrences are written. If there are more, a step of
 /// another method costs less.
 const MOST_CONVOLUTIONS: usize = 200;
-/// Largest number of convolutions, for each component of the state, of Taylor recurrences that are also compiled for
-/// SIMD lanes.
+/// Largest number of convolutions for which Taylor recurrences are also compiled for SIMD lanes. It counts for each
+/// component of the state.
 ///
 /// Up to this number, runs with these recurrences cost about as much as with DOP853. Measured: 0.9 to 1.1 times as
 /// much with 2.4 convolutions (the disk), 2.3 times as much with 6.5 (a cart with three pendulums).

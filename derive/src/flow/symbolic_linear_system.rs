@@ -59,7 +59,7 @@ pub enum LinearSystemError {
 pub struct SymbolicLinearSystem {
     /// Arena that holds the terms of the matrices.
     pub arena: Arena,
-    /// Matrices A, B, C and D in this order, each as a list of rows.
+    /// Matrices A, B, C and D, in this order. Each is a list of rows.
     pub matrices: [Vec<Vec<Expr>>; 4],
 }
 

@@ -118,7 +118,7 @@ fn is_combination_of_symmetries(flow: &mut Flow, list: &[Symmetry], count: usize
     (others * shares - &own).norm() <= DEPENDENT * own.norm()
 }
 
-/// Relative remainder below which a field counts as a combination of the other fields.
+/// Relative remainder below which a vector field counts as a combination of other vector fields.
 const DEPENDENT: f64 = 1e-9;
 
 /// True if two vector fields on the states are equal in every component, by exact zero tests.

@@ -184,7 +184,7 @@ fn derivation_in_form(
 }
 
 /// Derives all formulations up to and including the given one, and returns the arena of their terms. Its named terms
-/// have the names that every document about the model uses.
+/// have the names that every document about the model uses. Returns an error if the kinematics cannot be derived.
 fn arena_with_derivation_names(
     model: &Model,
     formulation: Formulation,

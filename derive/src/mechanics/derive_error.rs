@@ -72,8 +72,8 @@ pub enum DeriveError {
         speeds: usize,
         /// Number of reactions that the model has, stated or found by the program.
         reactions: usize,
-        /// Number of balance equations of all bodies, including those that are 0 = 0. The model needs at most `all` −
-        /// `speeds` reactions.
+        /// Number of balance equations of all bodies, including those that are 0 = 0. The model needs at most as many
+        /// reactions as there are balance equations less speeds.
         all: usize,
         /// Components of balances that contain inertia or a load, one text for each body and kind: `disk force b1,
         /// b2`.

@@ -113,7 +113,7 @@ impl Equations {
         self.distance.map_or_else(|| title.clone(), |distance| format!("{title} in {}", distance.title(model)))
     }
 
-    /// Names of the rows in plain text, such as the name of a speed or of a balance.
+    /// Names of the rows in plain text. A name is for example that of a speed or of a balance.
     #[must_use]
     pub fn row_names(&self, model: &Model) -> Vec<String> {
         self.rows.iter().map(|row| row.text(model)).collect()

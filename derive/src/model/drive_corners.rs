@@ -50,8 +50,8 @@ impl Model {
     }
 }
 
-/// Argument of an absolute value (false, for a kink) or of a sign (true, for a jump), with this flag. `None` for
-/// other terms.
+/// Argument of an absolute value or of a sign function, and a flag: false for the absolute value (a kink), true for
+/// the sign (a jump). `None` for other terms.
 fn drive_corner_argument(node: &Node) -> Option<(Expr, bool)> {
     match node {
         Node::Apply(Function::Abs, argument) => Some((*argument, false)),

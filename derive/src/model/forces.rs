@@ -30,7 +30,7 @@ pub struct Force {
     /// Potential energy of a spring, J, as a term in q. It belongs to the force and its opposite, damping excluded.
     /// `None` if no potential is known.
     pub energy: Option<Expr>,
-    /// Damper as [c, ḋ]; it takes the power c ḋ². The coefficient c, N s/m, is a term in parameters. The rate ḋ of
+    /// Damper as (c, ḋ); it takes the power c ḋ². The coefficient c, N s/m, is a term in parameters. The rate ḋ of
     /// the damper's length, m/s, is a term in q and q̇. `None` without damping.
     pub damper: Option<[Expr; 2]>,
 }

@@ -12,7 +12,7 @@ use std::fmt;
 /// Unit of measurement as rational exponents of metre, kilogram and second.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Unit {
-    /// Exponents of metre, kilogram and second, in this order.
+    /// Exponents of the unit, in the order metre, kilogram, second.
     exponents: [Rational; 3],
 }
 
@@ -272,9 +272,8 @@ impl fmt::Display for Unit {
     }
 }
 
-/// Unit of a term, from the units of its symbols. `Ok(None)` if the unit is indefinite. It is so for the number 0,
-/// which fits every unit, and for terms with a symbol whose declaration was reported as wrong, so that it has no
-/// unit.
+/// Unit of a term, from the units of its symbols. `Ok(None)` if the unit is indefinite: for the number 0, which fits
+/// every unit, and for terms that contain a symbol without a unit. Such a symbol was reported when it was declared.
 ///
 /// # Errors
 /// Returns a message of one line, and advice, if the units of the term's parts do not fit.

@@ -15,7 +15,7 @@ pub enum Argument {
         /// Variable of each entry; `None` for an entry that the body does not read.
         entries: Vec<Option<String>>,
     },
-    /// Single number: the time t. It holds the variable; `None` if the body does not read the time.
+    /// The time t, as a single number. The entry is its variable; `None` if the body does not read the time.
     Number(Option<String>),
 }
 

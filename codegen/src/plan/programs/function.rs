@@ -111,8 +111,8 @@ impl Returns {
         }
     }
 
-    /// Returns the number of entries of the first of two results; `None` if the function returns
-    /// only one result.
+    /// Returns the length of the first of two results, as a number of entries. `None` if the function returns only
+    /// one result.
     #[must_use]
     pub fn first(self) -> Option<usize> {
         match self {
@@ -122,8 +122,8 @@ impl Returns {
         }
     }
 
-    /// Returns the index of the computed entry whose value is that of the entry `at` of `count`. In a symmetric
-    /// matrix it lies in the upper triangle; otherwise it is `at`.
+    /// Returns the index of the entry that is computed in place of the entry `at` of `count`. In a symmetric matrix
+    /// it lies in the upper triangle; otherwise it is `at`.
     pub(in crate::plan) fn entry_of_upper_triangle(self, at: usize, count: usize) -> usize {
         let side = count.isqrt();
         match self {

@@ -9,8 +9,8 @@ use tripos_derive::algebra::{Arena, Expr, Function, Node, Rational};
 
 /// Largest number of bytes of a variable name that spells out its term's formula.
 const LONGEST: usize = 24;
-/// Largest number of bytes of the list of variables in the name of a term. A longer list becomes the word `motion` or
-/// `place`.
+/// Largest number of bytes that a list of variables may have in the name of a term. A longer list becomes the word
+/// `motion` or `place`.
 const LONGEST_LIST: usize = 12;
 
 /// Rules of a target language for names of variables.

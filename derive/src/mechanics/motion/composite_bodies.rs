@@ -363,8 +363,8 @@ fn shifted_composite(arena: &mut Arena, composite: &Composite, by: &Components, 
     (sum, result)
 }
 
-/// Rotates an inertia tensor back into the frame before a turn: R J Rᵀ, with a name for each entry. For a turn about
-/// a single axis, the entries are J_jj + s t, J_kk − s t and −c t − J_jk, with t = s (J_kk − J_jj) − 2 c J_jk.
+/// Rotates an inertia tensor back into the frame before a turn: R J Rᵀ, with a name for each entry. About a single
+/// axis, let t = s (J_kk − J_jj) − 2 c J_jk. Then the entries are J_jj + s t, J_kk − s t and −c t − J_jk.
 fn rotated_composite_inertia(arena: &mut Arena, turn: &Turn, tensor: &[Expr; 6], what: &str) -> [Expr; 6] {
     let Turn::About(axis, angle) = turn else {
         let half = [0, 1, 2].map(|i| {

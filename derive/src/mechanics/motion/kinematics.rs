@@ -177,8 +177,8 @@ impl Kinematics {
         model.gravity.as_ref().map(|g| Vector::in_frame(g.frame, g.acceleration)).unwrap_or_default()
     }
 
-    /// Checks that the inertia of each rigid body is constant in the body, if it is stated in a
-    /// different frame.
+    /// Checks that the inertia of each rigid body is constant in the body, if the model states it in a different
+    /// frame. Returns `DeriveError::InertiaNotConstant` for the first inertia that is not.
     fn check_inertias(&mut self, model: &Model) -> Result<(), DeriveError> {
         let mut along_coordinates = Gradient::new(&model.q());
         for body in &model.bodies {

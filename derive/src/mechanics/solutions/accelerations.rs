@@ -159,7 +159,7 @@ fn operation_count(arena: &Arena, steps: &[Definition], symbols: &[Expr]) -> usi
 }
 
 /// Solves for v̇ by elimination of the linear system. If reactions or multipliers are among the unknowns, the rows
-/// are projected first.
+/// are projected first. Returns `Singular` if v̇ is not determined in any configuration.
 fn accelerations_by_elimination(
     arena: &mut Arena,
     simplifier: &mut Simplifier,

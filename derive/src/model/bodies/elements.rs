@@ -77,8 +77,8 @@ impl Elements {
         all
     }
 
-    /// Index of the body that a coordinate moves relative to its parent in the placement, which is another body or
-    /// the origin. `None` if the coordinate moves no body in this way, or several bodies.
+    /// Index of the only body that a coordinate moves relative to its parent. The parent is the body or origin from
+    /// which the body is placed. `None` if the coordinate moves no body in this way, or several bodies.
     pub fn body_moved_by_coordinate(&self, arena: &Arena, coordinate: Expr) -> Option<usize> {
         let depends = |terms: &[Expr]| arena.reachable(terms).contains(&coordinate);
         let is_bodily =
@@ -104,8 +104,9 @@ impl Elements {
         found.next().filter(|_| found.next().is_none())
     }
 
-    /// Axis along which a coordinate moves a body relative to its parent in the placement. `None` unless the
-    /// coordinate occurs in exactly one component of one position vector between them.
+    /// Axis along which a coordinate moves a body relative to its parent, the body or origin from which it is placed.
+    /// `None` unless the coordinate occurs in exactly one component of one position vector on the way from the
+    /// parent.
     pub fn axis_of_coordinate_motion(&self, arena: &mut Arena, body: usize, coordinate: Expr) -> Option<AxisMotion> {
         let steps = self.placement_steps(&self.bodies[body]);
         let components = steps.iter().flat_map(|(frame, position)| {

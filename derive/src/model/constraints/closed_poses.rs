@@ -334,8 +334,8 @@ impl ClosedPoseSearch<'_> {
         self.known.iter().map(|(_, value)| *value).chain(q.iter().copied()).collect()
     }
 
-    /// Finds closed poses from random poses, and further ones on walks from those. Each has a value for every
-    /// coordinate.
+    /// Finds closed poses from random poses, and further closed poses on walks that start at them. Each pose has a
+    /// value for every coordinate.
     fn find_closed_poses_with_walks(&self, tape: &Tape) -> Vec<Vec<f64>> {
         let mut chance = RandomNumbers(SEED);
         let mut found = self.seek_closed_poses(tape, &mut chance, self.tries(), POSES_ENOUGH);

@@ -88,7 +88,7 @@ pub struct MotionConstraints {
     /// Loop equations whose time derivatives follow from other constraints in all poses in which the loops are
     /// closed.
     pub closed: Vec<LoopEquation>,
-    /// Constraints that follow from others in all poses in which the loops are closed.
+    /// Constraints that follow from other constraints in all poses in which the loops are closed.
     pub dependent: Vec<RedundantConstraint>,
     /// Branch of closed poses in which redundancy was decided. `None` if there are no loops or no closed pose was
     /// found.

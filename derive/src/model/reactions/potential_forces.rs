@@ -1,9 +1,9 @@
 //! Forces and torques between bodies that do the work of potentials, for the Newton–Euler equations.
 //!
 //! A potential in coordinates states its work, but not the bodies on which it acts, which the Newton–Euler equations
-//! need. It is exerted as motors and springs in joints would exert it. They act along and about axes of frames,
-//! between each body and its support ([`super::relative_motion`]). The relative velocities along these axes, r = R
-//! q̇, determine q̇. Axes whose velocities depend on the fewest coordinates come first.
+//! need. Its forces and torques are those that motors and springs in joints would exert: they act along and about
+//! axes of frames, between each body and its support ([`super::relative_motion`]). The relative velocities along
+//! these axes, r = R q̇, determine q̇. Axes whose velocities depend on the fewest coordinates come first.
 //!
 //! The forces and torques w do the work of the potential in every motion: Rᵀ w = −∂V/∂q. If the motions of the bodies
 //! do not determine q̇, as with Euler parameters, they determine the speeds u, and the work is equal in every

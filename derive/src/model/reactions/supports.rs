@@ -18,15 +18,15 @@ use std::cmp::{Ordering, Reverse};
 /// Reason for a body's support, from the strongest reason to the weakest.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum SupportReason {
-    /// A joint of the model file places the body on the other.
+    /// A joint of the model file places the body on the supporting body or the ground.
     Joint,
     /// The model file states a contact of the two bodies.
     Touch,
-    /// The body is placed from a point of the other body, or in the other body's frame.
+    /// The body is placed from a point of the supporting body, or in the supporting body's frame.
     Placed,
     /// The body rests on the ground, from which all positions are measured.
     Ground,
-    /// The body moves least against the other body, and the model file states nothing between them.
+    /// The body moves least against the supporting body, and the model file states nothing between the two.
     Least,
 }
 

@@ -46,7 +46,8 @@ impl<'a> Family<'a> {
         (given.iter().map(|(_, number)| number.double).collect(), self.scene(&given))
     }
 
-    /// Reads the scene with the given numbers in place of the file's numbers.
+    /// Reads the scene with the given numbers in place of the file's numbers. Returns `Diagnostics` if no such scene
+    /// exists.
     fn scene(&mut self, given: &[(VariedNumber, Number)]) -> Result<Scene, Diagnostics> {
         let mut values = ValueReader {
             reader: TomlReader::new(&self.scene.source),

@@ -52,8 +52,8 @@ pub struct MotionSample {
 pub struct Formulas {
     /// Symbol of time t in the formulas.
     pub time: Expr,
-    /// Each coordinate as [value, first time derivative, second time derivative], which are terms in parameters and
-    /// t. `None` for a coordinate that loops determine.
+    /// Each coordinate as three terms in parameters and t: its value, first and second time derivative. `None` for a
+    /// coordinate that loops determine.
     pub coordinates: Vec<Option<[Expr; 3]>>,
     /// Start values for the search for coordinates that loops determine, in SI units. A value is 0 if the file gives
     /// none.

@@ -54,7 +54,7 @@ pub fn signal_table_formula(
     Ok(formula(&rows, how))
 }
 
-/// Refuses every table, since this build cannot read files.
+/// Refuses every table by a message, since this build cannot read files.
 #[cfg(not(feature = "files"))]
 fn read_signal_rows(_: &Path, _: [&str; 2]) -> Result<Vec<(f64, f64)>, TableError> {
     Err(("no file can be read here".to_owned(), "give a formula".to_owned()))

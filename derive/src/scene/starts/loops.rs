@@ -164,8 +164,8 @@ impl Loops {
         self.names.iter().map(String::as_str).zip(self.loop_residuals(p, q)).collect()
     }
 
-    /// Name of a redundant loop that is not redundant in this pose: its derivatives are no combination of those of
-    /// the independent loops. `None` if there is no such loop.
+    /// Name of a redundant loop whose derivatives in this pose are no combination of those of the independent loops,
+    /// although they should be. `None` if there is no such loop.
     pub(in crate::scene) fn violated_redundant_loop(&self, p: &[f64], q: &[f64]) -> Option<&str> {
         if self.independent == self.count {
             return None;

@@ -104,7 +104,8 @@ impl<'a> QuantityParser<'a> {
         Ok((&self.text[range.clone()], range))
     }
 
-    /// Reads a quantity of any kind, from its first word on.
+    /// Reads a quantity of any kind, from its first word on. Returns an error if its form is wrong or a name is
+    /// unknown.
     fn quantity(&mut self) -> Result<QuantityKind, QuantityError> {
         let (head, range) = self.parse_word("the name of a quantity")?;
         let model = self.model;
@@ -176,14 +177,15 @@ impl<'a> QuantityParser<'a> {
         QuantityError { message, help: nearest_name_advice(head, known), range }
     }
 
-    /// Reads `(OWNER) @ FRAME [COMPONENT]`, and returns the indices of owner, frame and axis.
+    /// Reads `(OWNER) @ FRAME [COMPONENT]`, and returns the indices of owner, frame and axis. Returns an error if the
+    /// form is wrong or a name is unknown.
     fn component(&mut self, vector: VectorName) -> Result<(usize, usize, usize), QuantityError> {
         self.parse_mark('(')?;
         self.component_after(vector)
     }
 
-    /// Reads `OWNER) @ FRAME [COMPONENT]` after the opening parenthesis, and returns the indices of
-    /// owner, frame and axis.
+    /// Reads `OWNER) @ FRAME [COMPONENT]` after the opening parenthesis, and returns the indices of owner, frame and
+    /// axis. Returns an error if the form is wrong or a name is unknown.
     fn component_after(&mut self, vector: VectorName) -> Result<(usize, usize, usize), QuantityError> {
         let of = self.owner(vector.owner())?;
         self.parse_mark(')')?;
@@ -200,8 +202,8 @@ impl<'a> QuantityParser<'a> {
         self.text[self.at..].split(')').next().is_some_and(|inside| inside.contains(','))
     }
 
-    /// Reads `(BODY, POINT) @ FRAME [COMPONENT]` after `v`: the velocity of a body's material at a
-    /// point.
+    /// Reads `(BODY, POINT) @ FRAME [COMPONENT]` after `v`: the velocity of a body's material at a point. Returns an
+    /// error if the form is wrong or a name is unknown.
     fn material_velocity(&mut self) -> Result<QuantityKind, QuantityError> {
         "v(BODY, POINT) @ FRAME [COMPONENT]".clone_into(&mut self.form);
         self.parse_mark('(')?;
@@ -216,7 +218,8 @@ impl<'a> QuantityParser<'a> {
         Ok(QuantityKind::MaterialVelocity { body, point, frame, axis })
     }
 
-    /// Reads `(FRAME, FRAME) [ROW,COLUMN]` after `rotation`.
+    /// Reads `(FRAME, FRAME) [ROW,COLUMN]` after `rotation`: an entry of a rotation matrix. Returns an error if the
+    /// form is wrong or a name is unknown.
     fn rotation(&mut self) -> Result<QuantityKind, QuantityError> {
         "rotation(FRAME, FRAME) [ROW,COLUMN]".clone_into(&mut self.form);
         self.parse_mark('(')?;
@@ -227,7 +230,8 @@ impl<'a> QuantityParser<'a> {
         Ok(QuantityKind::Rotation { from, to, entry: self.entry()? })
     }
 
-    /// Reads a partial velocity after `d`, such as `v(POINT) @ FRAME [COMPONENT]/d SPEED`.
+    /// Reads a partial velocity after `d`, such as `v(POINT) @ FRAME [COMPONENT]/d SPEED`. Returns an error if the
+    /// form is wrong or a name is unknown.
     fn partial(&mut self) -> Result<QuantityKind, QuantityError> {
         "d v(POINT) @ FRAME [COMPONENT]/d SPEED".clone_into(&mut self.form);
         let (head, range) = self.parse_word("`v` or `omega`")?;
@@ -252,7 +256,8 @@ impl<'a> QuantityParser<'a> {
         Ok(QuantityKind::Partial { vector, of, frame, axis, speed: self.speed()? })
     }
 
-    /// Reads `(BODY) @ FRAME [ROW,COLUMN]` after `I`: an entry of a body's inertia tensor.
+    /// Reads `(BODY) @ FRAME [ROW,COLUMN]` after `I`: an entry of a body's inertia tensor. Returns an error if the
+    /// form is wrong or a name is unknown.
     fn inertia(&mut self) -> Result<QuantityKind, QuantityError> {
         "I(BODY) @ FRAME [ROW,COLUMN]".clone_into(&mut self.form);
         self.parse_mark('(')?;
@@ -264,7 +269,7 @@ impl<'a> QuantityParser<'a> {
     }
 
     /// Reads `[ROW,COLUMN]` after the name of a matrix. Rows and columns of `M` are speeds; those of `E`, `C` and
-    /// `Edot` are coordinates.
+    /// `Edot` are coordinates. Returns an error if the form is wrong or a name is unknown.
     fn matrix_entry(&mut self, head: &str) -> Result<QuantityKind, QuantityError> {
         let kane = head == "M";
         let what = if kane { "SPEED" } else { "COORDINATE" };
@@ -282,7 +287,8 @@ impl<'a> QuantityParser<'a> {
         })
     }
 
-    /// Reads `[ROW,COLUMN]` of a 3 × 3 tensor, and returns both indices from 0.
+    /// Reads `[ROW,COLUMN]` of a 3 × 3 tensor, and returns both indices from 0. Returns an error if the form is
+    /// wrong.
     fn entry(&mut self) -> Result<(usize, usize), QuantityError> {
         self.parse_mark('[')?;
         let row = self.axis()?;
@@ -292,7 +298,7 @@ impl<'a> QuantityParser<'a> {
         Ok((row, column))
     }
 
-    /// Reads a component 1, 2 or 3, and returns its index from 0.
+    /// Reads a component 1, 2 or 3, and returns its index from 0. Returns an error for any other word.
     fn axis(&mut self) -> Result<usize, QuantityError> {
         let (text, range) = self.parse_word("a component")?;
         match text {
@@ -304,13 +310,15 @@ impl<'a> QuantityParser<'a> {
         }
     }
 
-    /// Reads a generalized speed by its name or number, and returns its index.
+    /// Reads a generalized speed by its name or number, and returns its index. Returns an error if there is no such
+    /// speed.
     fn speed(&mut self) -> Result<usize, QuantityError> {
         let names: Vec<&str> = self.model.speeds.iter().map(|s| s.name.as_str()).collect();
         self.parse_named_or_numbered("speed", &names)
     }
 
-    /// Reads a coordinate by its name or number, and returns its index.
+    /// Reads a coordinate by its name or number, and returns its index. Returns an error if there is no such
+    /// coordinate.
     fn coordinate(&mut self) -> Result<usize, QuantityError> {
         let names: Vec<&str> = self.model.coordinates.iter().map(|c| c.name.as_str()).collect();
         self.parse_named_or_numbered("coordinate", &names)
@@ -336,7 +344,8 @@ impl<'a> QuantityParser<'a> {
         })
     }
 
-    /// Reads the name of a point, frame or body, and returns its index in the model.
+    /// Reads the name of a point, frame or body, and returns its index in the model. Returns an error if the model
+    /// has no object of this name.
     fn owner(&mut self, owner: QuantityOwner) -> Result<usize, QuantityError> {
         let model = self.model;
         let (noun, names): (&str, Vec<&str>) = match owner {

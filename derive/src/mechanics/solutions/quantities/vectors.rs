@@ -81,8 +81,8 @@ impl Quantities<'_> {
         total
     }
 
-    /// Moment Σ p_CP × F + Σ T on a body about its mass centre C, N m, of the applied loads and of the reactions that
-    /// the model file states. The weight has no moment about C.
+    /// Moment Σ p_CP × F + Σ T on a body about its mass centre C, N m. It is that of the applied loads and of the
+    /// reactions that the model file states. The weight has no moment about C.
     fn moment(&mut self, body: usize) -> Vector {
         let kinematics = &mut self.derivations.kinematics;
         let mut total = Vector::default();

@@ -27,14 +27,16 @@ impl Quantities<'_> {
         Ok(Differential::partial(model.coordinates[j].rate).apply(arena, momentum))
     }
 
-    /// Time derivative of the mass matrix entry M_ij along the motion, Σ_k ∂M_ij/∂q_k q̇_k.
+    /// Time derivative of the mass matrix entry M_ij along the motion, Σ_k ∂M_ij/∂q_k q̇_k. Returns the reason, as
+    /// text, if there is no such matrix.
     pub(super) fn mass_rate(&mut self, i: usize, j: usize) -> Result<Expr, String> {
         let mass = self.mass(i, j)?;
         let rates: Vec<_> = self.model.coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
         Ok(Differential::along(&rates).apply(&mut self.derivations.kinematics.arena, mass))
     }
 
-    /// Entry C_ij of the matrix in the velocity terms C q̇, which is chosen by Christoffel symbols.
+    /// Entry C_ij of the matrix in the velocity terms C q̇, which is chosen by Christoffel symbols. Returns the
+    /// reason, as text, if there is no such matrix.
     pub(super) fn christoffel(&mut self, i: usize, j: usize) -> Result<Expr, String> {
         let mut terms = vec![self.mass_rate(i, j)?];
         for k in 0..self.model.coordinates.len() {
@@ -51,7 +53,8 @@ impl Quantities<'_> {
         Ok(arena.scale(twice, &Rational::fraction(1, 2).expect("not zero")))
     }
 
-    /// Entry h_i of the velocity terms C q̇, quadratic in the rates.
+    /// Entry h_i of the velocity terms C q̇, quadratic in the rates. Returns the reason, as text, if there is no mass
+    /// matrix.
     pub(super) fn velocity_terms(&mut self, i: usize) -> Result<Expr, String> {
         let mut terms = Vec::new();
         for j in 0..self.model.coordinates.len() {
@@ -62,7 +65,8 @@ impl Quantities<'_> {
         Ok(self.derivations.kinematics.arena.sum(&terms))
     }
 
-    /// Derivative g_i = ∂V/∂q_i of the potential energy with respect to a coordinate.
+    /// Derivative g_i = ∂V/∂q_i of the potential energy with respect to a coordinate. Returns the reason, as text, if
+    /// Lagrange's method failed.
     pub(super) fn potential_slope(&mut self, i: usize) -> Result<Expr, String> {
         let v = self.equations(Formulation::Lagrange)?.potential_energy;
         let mut partial = Differential::partial(self.model.coordinates[i].symbol);

@@ -122,7 +122,7 @@ impl<'m> Search<'m> {
         1 + self.supports.iter().position(|support| support.body == body).unwrap_or(self.supports.len())
     }
 
-    /// Position in the list of reactions for those that come after the reactions of all bodies.
+    /// Position in the list of reactions that comes after the reactions of all bodies.
     pub fn last_list_position(&self) -> usize {
         2 + self.supports.len()
     }

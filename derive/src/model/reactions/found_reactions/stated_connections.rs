@@ -30,16 +30,16 @@ struct OpenMotions {
     open: Option<Vec<Vec<u64>>>,
     /// Basis of the motions in which no velocity equation of the model file needs to hold.
     free: Option<Vec<Vec<u64>>>,
-    /// Names of the velocity constraints of edges, which edges enforce instead of joints.
+    /// Names of the velocity constraints that edges enforce.
     placed: Vec<String>,
 }
 
 /// Treatment of the velocity equations that the model file states, edges excepted.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum OtherEquations {
-    /// The equations hold in the motions.
+    /// The velocity equations hold in the motions.
     Hold,
-    /// The equations need not hold in the motions.
+    /// The velocity equations need not hold in the motions.
     Ignored,
 }
 
