@@ -1,5 +1,5 @@
-//! Code that runs the equations of motion of a model: compiled into the program, or tapes that are
-//! interpreted.
+//! Code that runs the equations of motion of a model. It is compiled into the program, or consists of tapes
+//! that are interpreted.
 
 pub use crate::interpreted_equations::InterpretedSystem;
 
@@ -27,7 +27,7 @@ pub enum CodeForm {
 }
 
 impl CodeForm {
-    /// Name of the form for tables and messages: `compiled` or `interpreted`.
+    /// Name of the form, for tables and messages: `compiled` or `interpreted`.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -47,7 +47,7 @@ pub enum Code {
 }
 
 impl Code {
-    /// The equations of motion in double precision.
+    /// Equations of motion in double precision.
     #[must_use]
     pub fn system(&self) -> &dyn System<f64> {
         match self {
@@ -56,7 +56,7 @@ impl Code {
         }
     }
 
-    /// The equations of motion in twice the precision of a double.
+    /// Equations of motion in twice the precision of a double, about 32 digits.
     #[must_use]
     pub fn extended(&self) -> &dyn System<DoubleDouble> {
         match self {
@@ -70,14 +70,13 @@ impl Code {
         Self::Interpreted(Arc::new(system.into()))
     }
 
-    /// True if the equations are Rust code that is compiled into the program; false if they are
-    /// interpreted.
+    /// True if the equations are Rust code that is compiled into the program. False if they are interpreted.
     #[must_use]
     pub fn is_compiled(&self) -> bool {
         self.form() == CodeForm::Compiled
     }
 
-    /// Name of the code's form for tables and messages: `compiled` or `interpreted`.
+    /// Name of the form of this code, for tables and messages: `compiled` or `interpreted`.
     #[must_use]
     pub fn name(&self) -> &'static str {
         self.form().name()
@@ -93,26 +92,26 @@ impl Code {
     }
 }
 
-/// Extent to which equations of motion are made ready to run: as derived, with accelerations, or
-/// with Taylor series.
+/// Extent to which equations of motion are prepared for runs: as derived, with accelerations, or with Taylor
+/// series.
 ///
-/// Compiled equations always contain accelerations. Few contain recurrences of Taylor coefficients.
+/// Compiled equations always contain accelerations. Few of them contain recurrences of Taylor coefficients.
 /// If a run needs recurrences that the compiled equations lack, the equations are interpreted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CodePreparation {
-    /// The equations as they were derived: mass matrix, forcing and energies. Accelerations are found
-    /// numerically.
+    /// Equations as they were derived: mass matrix, forcing and energies. A run then solves for the
+    /// accelerations numerically.
     AsDerived,
-    /// The derived equations, with accelerations v̇ solved for and their Jacobian. The preparation
-    /// takes much longer.
+    /// Derived equations with the eliminated accelerations v̇ and their Jacobian. This preparation takes much
+    /// longer.
     Solved,
-    /// The solved equations, with recurrences of the Taylor coefficients of the motion.
+    /// Equations with eliminated accelerations, and with recurrences of the Taylor coefficients of the motion.
     WithSeries,
 }
 
 impl CodePreparation {
-    /// Extent of preparation that runs of a scene need. Taylor's method needs recurrences. With a
-    /// numeric solve, the accelerations are eliminated only if the method needs the Jacobian.
+    /// Extent of preparation that the runs of a scene need. Taylor's method needs recurrences. If the scene asks
+    /// for numerical accelerations, they are eliminated only if the method needs a Jacobian.
     #[must_use]
     pub fn preparation_for_runs(scene: &Scene) -> Self {
         let how = &scene.integration;
@@ -125,21 +124,20 @@ impl CodePreparation {
         }
     }
 
-    /// True if the given compiled equations are ready to this extent.
+    /// True if the given compiled equations are prepared to at least this extent.
     fn is_met_by(self, system: &CompiledSystem) -> bool {
         self != Self::WithSeries || system.double.has_taylor()
     }
 }
 
-/// Makes the equations of a model ready to run, to at least the given extent. The code is compiled
-/// if it was generated from exactly the model's text and is ready to this extent; otherwise it is
-/// interpreted.
+/// Makes the equations of a model ready to run, to at least the given extent. Compiled code is used if it was
+/// generated from exactly the text of the model and has this extent. Otherwise the equations are interpreted.
 ///
-/// `by` selects the formulation or the printed equations. If `distance` is given, the distance of
-/// an angle from a multiple of 90° replaces this angle as a coordinate.
+/// `by` selects the formulation or the printed equations. If `distance` is given, the distance of an angle from
+/// a multiple of 90° replaces this angle as a coordinate.
 ///
 /// # Errors
-/// [`Error::Unsupported`] if the model does not have this formulation; [`Error::Input`] if it cannot be derived;
+/// [`Error::Unsupported`] if the model does not have this formulation. [`Error::Input`] if it cannot be derived.
 /// [`Error::Request`] if the equations cannot be run.
 pub fn runnable_code(
     model: &Mechanism,
@@ -158,9 +156,8 @@ pub fn runnable_code(
     interpreted_code(model, by, &derivation, ready)
 }
 
-/// Finds compiled equations of a model by their origin. `None` if the program has none that were
-/// generated from the model's present text, with this distance, and that are ready to the given
-/// extent.
+/// Finds the compiled equations of a model by their origin. `None` if the program has no such equations that
+/// were generated from the present text of the model, with this distance, and to at least the given extent.
 pub fn compiled_code(
     model: &Mechanism,
     by: &EquationsOrigin,
@@ -170,14 +167,14 @@ pub fn compiled_code(
     let compiled = compiled_model(model)?;
     let name = by.name_in(distance, model);
     let found = compiled.systems.iter().find(|system| system.name == name);
-    // Printed equations must also come from exactly this text of the publication file.
+    // Printed equations must also have been generated from exactly this text of the publication file.
     let current =
         by.printed_id().is_none() || hash_publication_of_model(&model.source.path) == compiled.publication_hash;
     found.filter(|system| current && ready.is_met_by(system)).map(Code::Compiled)
 }
 
-/// Finds the compiled reduced equations of a scene by the key of its reduction. `None` if the
-/// program has none with this key, or none that are ready to the given extent.
+/// Finds the compiled reduced equations of a scene by the key of its reduction. `None` if the program has no
+/// equations with this key that are prepared to at least the given extent.
 #[must_use]
 pub fn compiled_scene_code(mechanism: &Mechanism, reduction: &Reduction, ready: CodePreparation) -> Option<Code> {
     let key = reduction.reduction_hash();
@@ -185,12 +182,12 @@ pub fn compiled_scene_code(mechanism: &Mechanism, reduction: &Reduction, ready: 
     found.filter(|scene| ready.is_met_by(&scene.system)).map(|scene| Code::Compiled(&scene.system))
 }
 
-/// Compiles derived or printed equations to tapes for interpretation. The accelerations v̇ are
-/// solved for if `ready` asks for them, except for printed equations, which run as they stand.
+/// Compiles derived or printed equations to tapes for interpretation. The accelerations v̇ are eliminated if
+/// `ready` asks for it. Printed equations are run as they stand.
 ///
 /// # Errors
-/// [`Error::Request`] if the equations contain a symbol that has no value during a run, which only
-/// printed equations can, or if they cannot be solved for v̇.
+/// [`Error::Request`] if the equations contain a symbol that has no value during a run, or if they cannot be
+/// solved for v̇. Only printed equations can contain such a symbol.
 pub fn interpreted_code(
     model: &Mechanism,
     by: &EquationsOrigin,
@@ -210,8 +207,8 @@ pub fn interpreted_code(
 /// Compiles the reduced equations of a scene to tapes for interpretation, with the scene's outputs.
 ///
 /// # Errors
-/// [`Error::Request`] if the equations contain a symbol that has no value during a run, or cannot
-/// be solved for v̇. Equations of a reduction never contain such a symbol.
+/// [`Error::Request`] if the equations contain a symbol that has no value during a run, or if they cannot be
+/// solved for v̇. The equations of a reduction never contain such a symbol.
 pub fn interpreted_scene_code(reduction: &Reduction) -> Result<Code, Error> {
     let derivation = &reduction.derivation;
     let code = InterpretedEquations::new(&reduction.model, derivation).map_err(InterpretationError::from);
@@ -219,7 +216,7 @@ pub fn interpreted_scene_code(reduction: &Reduction) -> Result<Code, Error> {
     Ok(Code::interpreted(code.map_err(|why| interpretation_error(&EquationsOrigin::Reduced.name(), &why))?))
 }
 
-/// Error that says why equations cannot be interpreted; `name` is their name for people.
+/// Makes the error that says why equations cannot be interpreted. `name` is their name, for people.
 fn interpretation_error(name: &str, why: &InterpretationError) -> Error {
     match why {
         InterpretationError::Unknown(unknown) => Error::request(
@@ -239,12 +236,12 @@ pub fn compile_tape(arena: &Arena, inputs: &[Expr], values: &[Expr], what: &str)
     compile_tape_with_steps(arena, inputs, &[], values, what)
 }
 
-/// Compiles a tape that computes `values` from numbers for the symbols `inputs`. The values may
-/// also contain symbols that `steps` define, in this order. `what` names the values in an error.
+/// Compiles a tape that computes `values` from numbers for the symbols `inputs`. The values may also contain
+/// symbols that `steps` define, in the order of the steps. `what` names the values in an error.
 ///
 /// # Errors
-/// `Error::Request` if a value or a step contains a symbol that is neither an input nor defined by
-/// an earlier step.
+/// `Error::Request` if a value or a step contains a symbol that is neither an input nor defined by an earlier
+/// step.
 pub fn compile_tape_with_steps(
     arena: &Arena,
     inputs: &[Expr],
@@ -258,12 +255,12 @@ pub fn compile_tape_with_steps(
     })
 }
 
-/// Derives the equations of motion of a model by a formulation, or reads its printed equations, as
-/// terms.
+/// Derives the equations of motion of a model by a formulation, or reads its printed equations. The result
+/// contains their expressions.
 ///
 /// # Errors
-/// [`Error::Unsupported`] if the model does not have this formulation; [`Error::Input`] if it
-/// cannot be derived; `Error::Request` if the publication has no such printed equations.
+/// [`Error::Unsupported`] if the model does not have this formulation. [`Error::Input`] if it cannot be
+/// derived. `Error::Request` if the publication has no such printed equations.
 pub fn derive_or_read_equations(model: &Mechanism, by: &EquationsOrigin) -> Result<Derivation, Error> {
     if let Some(formulation) = by.formulation() {
         return model.derive(formulation);
@@ -277,8 +274,8 @@ pub fn derive_or_read_equations(model: &Mechanism, by: &EquationsOrigin) -> Resu
     Ok(Derivation { arena, equations: equations.ok_or_else(missing)? })
 }
 
-/// Finds the compiled equations of a model whose text has the same hash. `None` if the program
-/// contains none.
+/// Finds the compiled equations of a model whose text has the same hash. `None` if the program contains no
+/// such equations.
 #[must_use]
 pub fn compiled_model(model: &Mechanism) -> Option<&'static CompiledModel> {
     let hash = model.text_hash();

@@ -1,5 +1,5 @@
-//! Names by which the user of a run selects its equations of motion, and the equations of a model
-//! that have these names.
+//! Names by which the user selects the equations of motion of a run, and the search for the equations of a
+//! model by name.
 
 use crate::error::Error;
 use crate::mechanism::Mechanism;
@@ -13,18 +13,17 @@ use tripos_derive::{Equations, Formulation, derive};
 
 /// Name by which the user of a run selects its equations of motion, such as `kane` or `printed:ID`.
 ///
-/// Every text is accepted here, because only a model knows which printed equations exist. A name
-/// that no equations of the model have is refused later, when the equations are looked up.
+/// Every text is accepted here, because only a model knows which printed equations exist. A name that fits no
+/// equations of the model is refused later, in the search for the equations.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum EquationsName {
     /// Equations that the program derives by a formulation, such as `kane`.
     Derived(Formulation),
-    /// Printed equations of the publication beside the model, named `printed:ID`; the value is their
-    /// id.
+    /// Printed equations of the publication beside the model file, named `printed:ID`. The value is their id.
     Printed(String),
     /// Reduced equations of the scene, named `reduced`.
     Reduced,
-    /// Any other text, which is the name of no equations.
+    /// Any other text, which is the name of no equations in any model.
     Unknown(String),
 }
 
@@ -65,7 +64,7 @@ impl fmt::Display for EquationsName {
 /// Finds the formulation with the given name, such as `kane`.
 ///
 /// # Errors
-/// [`Error::Request`] if there is no formulation of this name.
+/// [`Error::Request`] if no formulation has this name.
 pub fn formulation_of_name(name: &str) -> Result<Formulation, Error> {
     Formulation::from_name(name).ok_or_else(|| {
         let names = Formulation::ALL.map(Formulation::name);
@@ -77,16 +76,16 @@ pub fn formulation_of_name(name: &str) -> Result<Formulation, Error> {
 /// `printed:ID`.
 ///
 /// # Errors
-/// [`Error::Request`] if the model has no equations of this name; [`Error::Input`] if the
-/// publication has errors. The name `reduced` is refused too, since reduced equations belong to a
-/// scene.
+/// [`Error::Request`] if the model has no equations of this name. The name `reduced` is refused too, because
+/// reduced equations belong to a scene. [`Error::Input`] if the publication has errors.
 pub fn find_equations(model: &Mechanism, name: &EquationsName) -> Result<EquationsOrigin, Error> {
     let id = match name {
         EquationsName::Derived(formulation) => return Ok(EquationsOrigin::from(*formulation)),
         EquationsName::Printed(id) => id,
         // The reduced equations belong to a scene, and a model does not have them.
         EquationsName::Reduced | EquationsName::Unknown(_) => {
-            // Printed equations are known here too; errors of their file are not what was asked for.
+            // The names of printed equations are needed for the advice. Errors of the publication file are ignored,
+            // because the user did not ask for it.
             let printed = list_printed_equations(model).unwrap_or_default();
             let names = Formulation::ALL.map(|f| f.name().to_owned()).into_iter();
             let names: Vec<String> = names.chain(printed.iter().map(EquationsOrigin::name)).collect();
@@ -109,19 +108,19 @@ pub fn find_equations(model: &Mechanism, name: &EquationsName) -> Result<Equatio
     })
 }
 
-/// Finds the origin of the equations of a model with the given name. Without a name, it is the
-/// first standard formulation by which the model can be derived, or Kane's if none can.
+/// Finds the origin of the equations of a model with the given name. If `name` is `None`, it is the first
+/// standard formulation by which the model can be derived, or Kane's if none is.
 ///
 /// # Errors
-/// `Error::Request` if the model has no equations of the given name; `Error::Input` if its
-/// publication has errors. No error without a name.
+/// `Error::Request` if the model has no equations of the given name. `Error::Input` if its publication has
+/// errors. Without a name there are no errors.
 pub fn find_equations_or_first(model: &Mechanism, name: Option<&EquationsName>) -> Result<EquationsOrigin, Error> {
     let first = || Formulation::STANDARD.into_iter().find(|f| derive(model, *f).is_ok()).unwrap_or(Formulation::Kane);
     name.map_or_else(|| Ok(EquationsOrigin::from(first())), |name| find_equations(model, name))
 }
 
-/// Lists the origins of the printed equations in the publication file beside the model file, in the
-/// order of the publication. The list is empty without a publication file.
+/// Lists the origins of the printed equations in the publication file beside the model file, in the order of
+/// the publication. The list is empty if there is no publication file.
 ///
 /// # Errors
 /// [`Error::Input`] if the publication file or the model has errors.
@@ -130,8 +129,8 @@ pub fn list_printed_equations(model: &Mechanism) -> Result<Vec<EquationsOrigin>,
     Ok(list.into_iter().map(|equations| equations.by).collect())
 }
 
-/// Reads the printed equations of the publication beside the model file, with the arena that holds
-/// their terms. `None` if there is no publication file.
+/// Reads the printed equations of the publication beside the model file, with the arena that contains their
+/// expressions. `None` if there is no publication file.
 pub(crate) fn read_printed_equations(model: &Mechanism) -> Result<Option<(Arena, Vec<Equations>)>, Error> {
     let mut with_publication = model.clone();
     let Some(publication) = load_publication_of_model(&model.source.path, &mut with_publication)? else {

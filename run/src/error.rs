@@ -1,4 +1,4 @@
-//! Errors of model files, scene files, and requests to models or scenes.
+//! Errors of model files, of scene files, and of requests to models or scenes.
 
 use std::fmt;
 use tripos_derive::diagnostic::{Diagnostics, UnknownName};
@@ -14,7 +14,7 @@ pub enum Error {
     Input(Diagnostics),
     /// Several files have errors. Each error has its line and column.
     Inputs(Vec<Diagnostics>),
-    /// The model cannot be derived by the requested formulation, as the diagnostics say.
+    /// The model does not support the requested formulation. The diagnostics give the reason.
     Unsupported(Diagnostics),
     /// The request is impossible, such as an unknown name or a forbidden setting.
     Request {
@@ -23,20 +23,19 @@ pub enum Error {
         /// Advice on how to correct the request.
         help: String,
     },
-    /// A computation or a run stopped without a result; the text gives the reason.
+    /// A computation or a run stopped without a result. The text gives the reason.
     Stopped(String),
-    /// The caller asked to end the work early.
+    /// The caller ended the work early.
     Interrupted,
 }
 
 impl Error {
-    /// Creates a `Error::Request` from the description of the mistake and the advice.
+    /// Makes an `Error::Request` from a description of the mistake and advice.
     pub fn request(what: impl Into<String>, help: impl Into<String>) -> Self {
         Self::Request { what: what.into(), help: help.into() }
     }
 
-    /// Returns the message of the first error and its advice. The advice is `None` if the error has
-    /// none.
+    /// Returns the message of the first error, and its advice. The advice is `None` if there is none.
     #[must_use]
     pub fn message_and_advice(&self) -> (String, Option<String>) {
         let of_first = |list: &[Diagnostics]| {
@@ -52,13 +51,13 @@ impl Error {
         }
     }
 
-    /// First line of the error's message.
+    /// First line of the message of this error.
     #[must_use]
     pub fn first_line(&self) -> String {
         self.message_and_advice().0.lines().next().unwrap_or_default().to_owned()
     }
 
-    /// Diagnostics of the files with errors, a file each; empty if the error is about no file.
+    /// Diagnostics of the files that have errors, one for each file. Empty if the error is about no file.
     #[must_use]
     pub fn files(&self) -> &[Diagnostics] {
         match self {
@@ -92,7 +91,7 @@ impl From<Diagnostics> for Error {
     }
 }
 
-/// Creates the error for a scene that the simulator refuses to run: the simulator's message, and
+/// Makes the error for a scene that the simulator refuses to run. It has the simulator's message, and the
 /// advice to check the scene file.
 #[must_use]
 pub fn refused_scene_error(scene: &Scene, error: &SimError) -> Error {

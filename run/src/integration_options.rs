@@ -10,8 +10,8 @@ pub fn integration_options(scene: &Scene) -> Options {
     Options { output: sample_instants(scene), ..integration_options_for_ends(scene) }
 }
 
-/// Makes the integration options of a scene that keep only the two ends of a run. The steps are
-/// those of `options`.
+/// Makes the integration options of a scene, but with samples only at the two ends of a run. The steps are
+/// the same as with [`integration_options`].
 pub fn integration_options_for_ends(scene: &Scene) -> Options {
     let how = &scene.integration;
     Options {
@@ -47,15 +47,15 @@ pub fn integration_method_words(scene: &Scene) -> String {
     format!("{} with {steps}{longest}{projected}{distance}", how.method)
 }
 
-/// Selects the instants at which a run of the scene keeps samples. By default, these are four in
-/// each step; otherwise they are the scene's number of instants at equal distances, s.
+/// Selects the instants at which a run of the scene keeps samples. If the scene states a number of samples,
+/// they are equally spaced over its span. Otherwise there are four in each step.
 fn sample_instants(scene: &Scene) -> OutputOption {
     match scene.integration.samples {
         None => OutputOption::Steps { refine: 4 },
         Some(n) => {
             let (from, to) = scene.span;
             let last = (n - 1).max(1) as f64;
-            // The last instant is exact, independent of the rounding of the division.
+            // The last instant is exact, without the rounding error of the division.
             OutputOption::At(
                 (0..n).map(|i| if i + 1 == n { to } else { from + (to - from) * i as f64 / last }).collect(),
             )
@@ -64,7 +64,7 @@ fn sample_instants(scene: &Scene) -> OutputOption {
 }
 
 /// Divides a span into `count` equal parts and returns the `count` + 1 instants, s. The last instant is exact,
-/// independent of the rounding of the division.
+/// without the rounding error of the division.
 #[must_use]
 pub fn equally_spaced_instants(span: (f64, f64), count: u32) -> Vec<f64> {
     let (from, to) = span;

@@ -1,8 +1,8 @@
-//! Derived equations as a [`System`] by interpretation of tapes, for models that are not compiled
-//! into the program.
+//! Derived equations of motion as a [`System`] that interprets tapes, for models that are not compiled into
+//! the program.
 //!
-//! Invariant: the equations are compiled to tapes only once. Equations in another number type use
-//! the same tapes, with their exact constants rounded to that type.
+//! Invariant: the equations are compiled to tapes only once. Equations in another number type use the same
+//! tapes, with exact constants rounded to that type.
 
 use crate::scratch_pool::ScratchPool;
 use std::sync::OnceLock;
@@ -37,8 +37,8 @@ impl From<Unsolved> for InterpretationError {
     }
 }
 
-/// Quantities of a set of equations, each computed by a tape (a list of arithmetic instructions) of
-/// its own.
+/// Quantity of a set of equations that is computed by a tape of its own. A tape is a list of arithmetic
+/// instructions.
 #[derive(Clone, Copy)]
 enum InterpretedQuantity {
     /// Rates q̇ of the generalized coordinates, n values.
@@ -47,33 +47,33 @@ enum InterpretedQuantity {
     MassMatrix,
     /// Right-hand side b of the linear system A x = b for v̇ and the reactions.
     Forcing,
-    /// Accelerations v̇, solved for symbolically.
+    /// Accelerations v̇, for which the equations were solved symbolically.
     Accelerations,
     /// Rates q̇ of the coordinates, followed by the rates v̇ of the motion variables.
     Derivative,
     /// Jacobian ∂(q̇, v̇)/∂(q, v) row by row, or its product with a direction.
     Jacobian,
-    /// Outputs of a scene, from parameters, time, coordinates and motion variables.
+    /// Outputs of a scene, as functions of parameters, time, coordinates and motion variables.
     Outputs,
-    /// Energy T + V, followed by its derivatives with respect to the state (q, v). Only scenes with an
+    /// Energy T + V, followed by its derivatives by the state (q, v). Only reduced equations with a conserved
     /// energy have it.
     EnergyGradient,
-    /// Angles z whose quotients sin z/z occur in the slope of the potential energy.
+    /// Angles z whose quotients sin z/z occur in the difference quotient of the potential energy.
     SlopeAngles,
-    /// Divided difference of the potential energy between two values of the coordinate, from these and
-    /// the sin z/z.
+    /// Difference quotient of the potential energy between two values of the coordinate. It is a function of
+    /// both values and of quotients sin z/z.
     Slope,
-    /// Generalized speeds u of the model, from the state (q, v).
+    /// Generalized speeds u of the model, as functions of the state (q, v).
     GeneralizedSpeeds,
-    /// Rates u̇ of the generalized speeds of the model, from (q, v) and v̇.
+    /// Rates u̇ of the generalized speeds of the model, as functions of (q, v) and v̇.
     GeneralizedSpeedRates,
-    /// Motion variables v, from coordinates and generalized speeds.
+    /// Motion variables v, as functions of coordinates and generalized speeds.
     MotionVariables,
     /// Divisors of the equations that can be zero in a permitted state.
     Divisors,
     /// Constraint functions, which are zero where the constraints hold.
     Constraints,
-    /// Derivatives of the constraint functions with respect to the state (q, v), row by row.
+    /// Derivatives of the constraint functions by the state (q, v), row by row.
     ConstraintSlopes,
     /// Kinetic energy T, J.
     KineticEnergy,
@@ -83,44 +83,44 @@ enum InterpretedQuantity {
     Power,
 }
 
-/// Equations of motion by one formulation, as tapes for interpretation in the number type `S`.
-/// Threads may share them.
+/// Equations of motion by one formulation, as tapes that are interpreted in the number type `S`. Threads may
+/// share them.
 pub struct InterpretedEquations<S = f64> {
     /// Numbers of parameters, coordinates, motion variables, speeds and reactions.
     lengths: Lengths,
-    /// Symbols of the parameters, coordinates and motion variables, in this order: the inputs of most
+    /// Symbols of the parameters, coordinates and motion variables, in this order. They are the inputs of most
     /// tapes.
     state: Vec<Expr>,
     /// True if the mass matrix is symmetric and, away from singular configurations, positive definite.
     symmetric: bool,
-    /// Tapes of the quantities, indexed by [`InterpretedQuantity`]. `None` for a quantity that is
-    /// absent: accelerations of printed equations, for example, or outputs without a scene.
+    /// Tapes of the quantities, indexed by [`InterpretedQuantity`]. `None` for a quantity that these equations do
+    /// not have, such as eliminated accelerations of printed equations.
     tapes: [Option<Tape<S>>; InterpretedQuantity::Power as usize + 1],
     /// Recurrences of the Taylor coefficients of the motion; `None` if the equations have none.
     series: Option<Series<S>>,
-    /// Period of the integrands of quadrature in the first coordinate, in its unit; `None` if they have
-    /// none.
+    /// Period of the integrands of quadrature in the first coordinate, in its unit; `None` if they are not
+    /// periodic.
     coordinate_period: Option<f64>,
-    /// True if the tape of the Jacobian computes its product with a direction; false if it computes all
-    /// entries.
+    /// True if the tape of the Jacobian computes the product of the Jacobian and a direction. False if it
+    /// computes all entries.
     is_product: bool,
-    /// Names for people of the divisors whose sign a run watches.
+    /// Names of the divisors whose sign a run watches, as text for people.
     divisors: Vec<String>,
     /// Names of the constraints that a run corrects after each step.
     constraints: Vec<String>,
     /// Reusable buffers: the joined inputs of a tape, and its intermediate values.
     work: ScratchPool<(Vec<S>, Vec<S>)>,
-    /// Reusable buffer for q̇ and v̇ together, as long as the state.
+    /// Reusable buffer for q̇ and v̇ together. It has the length of the state.
     both: ScratchPool<Vec<S>>,
 }
 
 impl InterpretedEquations {
-    /// Compiles the derived equations of a model to tapes. Accelerations are not solved for: see
-    /// `Interpreted::solved`.
+    /// Compiles the derived equations of a model to tapes, without eliminated accelerations.
+    /// [`Self::with_solved_accelerations`] adds these.
     ///
     /// # Errors
-    /// [`UnknownSymbol`] if an equation contains a symbol without a value during a run. Derived
-    /// equations never do.
+    /// [`UnknownSymbol`] if an equation contains a symbol without a value during a run. Derived equations never
+    /// do.
     pub fn new(model: &Model, derivation: &Derivation) -> Result<Self, UnknownSymbol> {
         let Derivation { arena, equations: e } = derivation;
         let (p, q) = (model.p(), e.coordinates.clone());
@@ -177,12 +177,12 @@ impl InterpretedEquations {
         })
     }
 
-    /// Solves the equations symbolically for the accelerations v̇. Adds the tapes of v̇ and its
-    /// Jacobian and, if possible, the recurrences of Taylor coefficients.
+    /// Solves the equations symbolically for the accelerations v̇. Adds the tapes of v̇ and of its Jacobian, and
+    /// the recurrences of Taylor coefficients if they exist.
     ///
     /// # Errors
-    /// [`InterpretationError`] if v̇ is undetermined in every configuration, if the proof of the solution
-    /// fails, or if a step contains an undefined symbol.
+    /// [`InterpretationError`] if v̇ is not determined in any configuration, if the proof of the solution fails,
+    /// or if a step contains a symbol without a value.
     pub fn with_solved_accelerations(mut self, derivation: &Derivation) -> Result<Self, InterpretationError> {
         let Derivation { mut arena, equations: e } = derivation.clone();
         let SolvedAccelerations { accelerations, jacobian, .. } = SolvedAccelerations::new(&mut arena, &e)?;
@@ -204,11 +204,11 @@ impl InterpretedEquations {
         Ok(self)
     }
 
-    /// Adds the outputs of the reduction to which these equations belong. Adds also the gradient of its
-    /// energy and the slope of its potential energy, if the reduction has them.
+    /// Adds the outputs of the reduction to which these equations belong. Also adds the gradient of its energy and
+    /// the difference quotient of its potential energy, if the reduction has them.
     ///
     /// # Errors
-    /// [`UnknownSymbol`] if an output contains an undefined symbol. Outputs of a reduction never do.
+    /// [`UnknownSymbol`] if an output contains a symbol without a value. Outputs of a reduction never do.
     pub fn with_scene_outputs(mut self, reduction: &Reduction) -> Result<Self, UnknownSymbol> {
         let values: Vec<Expr> = reduction.outputs.iter().map(|o| o.value).collect();
         let (p, state) = self.state.split_at(self.lengths.parameters);
@@ -238,7 +238,7 @@ impl InterpretedEquations {
         Ok(self)
     }
 
-    /// Converts the equations to another number type `S`. Exact constants are rounded anew.
+    /// Converts the equations to another number type `S`. Exact constants are rounded to this type.
     #[must_use]
     pub fn convert_to<S: Numeric>(&self) -> InterpretedEquations<S> {
         InterpretedEquations {
@@ -263,9 +263,9 @@ impl<S: Numeric> InterpretedEquations<S> {
         self.tapes[part as usize].is_some()
     }
 
-    /// Returns the tape of q̇ and v̇, and the tape of the constraint functions that a run keeps at
-    /// zero. Both read parameters, coordinates and motion variables. `None` for a tape that the
-    /// equations do not have.
+    /// Returns the tape of q̇ and v̇, and the tape of the constraint functions that a run keeps at zero. The inputs
+    /// of both are parameters, coordinates and motion variables. `None` for a tape that the equations do not
+    /// have.
     pub fn rates_and_constraints(&self) -> (Option<&Tape<S>>, Option<&Tape<S>>) {
         (
             self.tapes[InterpretedQuantity::Derivative as usize].as_ref(),
@@ -273,9 +273,9 @@ impl<S: Numeric> InterpretedEquations<S> {
         )
     }
 
-    /// Returns the tape of the kinetic energy, which reads parameters, coordinates and motion
-    /// variables. The second tape gives the motion variables v from parameters, coordinates and
-    /// generalized speeds. `None` for a missing tape.
+    /// Returns the tape of the kinetic energy, and the tape of the motion variables v. The inputs of the first
+    /// are parameters, coordinates and motion variables. The inputs of the second are parameters, coordinates
+    /// and generalized speeds. `None` for a tape that the equations do not have.
     pub fn energy_and_motions(&self) -> (Option<&Tape<S>>, Option<&Tape<S>>) {
         (
             self.tapes[InterpretedQuantity::KineticEnergy as usize].as_ref(),
@@ -283,8 +283,8 @@ impl<S: Numeric> InterpretedEquations<S> {
         )
     }
 
-    /// Evaluates the tape of a quantity on the joined inputs and writes its values to `out`. All are
-    /// NaN if the equations have no such tape.
+    /// Evaluates the tape of a quantity at the joined inputs, and writes its values to `out`. All values are NaN
+    /// if the equations have no such tape.
     fn evaluate_tape(&self, part: InterpretedQuantity, inputs: &[&[S]], out: &mut [S]) {
         let Some(tape) = &self.tapes[part as usize] else { return out.fill(S::from_f64(f64::NAN)) };
         self.work.with_scratch(|(joined, scratch)| {
@@ -296,8 +296,7 @@ impl<S: Numeric> InterpretedEquations<S> {
         });
     }
 
-    /// Evaluates the tape of a quantity that has only one value; NaN if the equations have no such
-    /// tape.
+    /// Evaluates the tape of a quantity with a single value. NaN if the equations have no such tape.
     fn evaluate_single_value(&self, part: InterpretedQuantity, inputs: &[&[S]]) -> S {
         let mut out = [S::int(0)];
         self.evaluate_tape(part, inputs, &mut out);
@@ -445,14 +444,14 @@ impl<S: Numeric> System<S> for InterpretedEquations<S> {
     }
 }
 
-/// Interpreted equations of motion in each number type that runs use: doubles, and pairs of
-/// doubles.
+/// Interpreted equations of motion in each number type that runs use: doubles, pairs of doubles, and lanes of
+/// eight doubles.
 pub struct InterpretedSystem {
     /// Equations of motion as tapes in double precision.
     pub double: InterpretedEquations,
-    /// Equations as tapes in twice the precision of a double; empty until they are first used.
+    /// Equations as tapes to 32 digits. The cell is empty until they are first used.
     extended: OnceLock<InterpretedEquations<DoubleDouble>>,
-    /// Equations as tapes for eight states at once; empty until they are first used.
+    /// Equations as tapes for eight states at once. The cell is empty until they are first used.
     lanes: OnceLock<InterpretedEquations<Lanes<8>>>,
 }
 
@@ -463,14 +462,14 @@ impl From<InterpretedEquations> for InterpretedSystem {
 }
 
 impl InterpretedSystem {
-    /// Returns the equations as tapes in twice the precision of a double. The first call makes them.
+    /// Returns the equations as tapes to 32 digits, twice the precision of a double. The first call makes them.
     #[must_use]
     pub fn extended(&self) -> &InterpretedEquations<DoubleDouble> {
         self.extended.get_or_init(|| self.double.convert_to())
     }
 
-    /// Returns the equations as tapes for eight states at once, whose values have the same bits as
-    /// those of one state. The first call makes them.
+    /// Returns the equations as tapes for eight states at once. Their values have the same bits as the values of
+    /// one state alone. The first call makes the tapes.
     #[must_use]
     pub fn lanes(&self) -> &InterpretedEquations<Lanes<8>> {
         self.lanes.get_or_init(|| self.double.convert_to())

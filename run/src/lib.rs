@@ -1,5 +1,5 @@
-//! Mechanisms and their scenes, prepared and run. The library offers the functions of the `tripos`
-//! command to programs.
+//! Mechanisms and their scenes, prepared and run. This library offers the functions of the `tripos` command to
+//! programs.
 //!
 //! ```
 //! use tripos::{Overrides, Scene};
@@ -15,10 +15,11 @@
 //! # Ok::<(), tripos::Error>(())
 //! ```
 //!
-//! A program begins with [`Scene`] and [`Mechanism`]. The modules contain the parts of both, for
-//! special needs. The library never prints, never ends the process, and knows no command line. A
-//! scene runs by compiled equations if the program contains them ([`Scene::with_compiled_equations`]). Otherwise the
-//! equations are interpreted; the results agree to rounding.
+//! A program begins with [`Scene`] and [`Mechanism`]. The modules contain the parts of both, for special
+//! needs. The library never prints, never ends the process, and knows no command line.
+//!
+//! A scene runs by compiled equations if the program contains them ([`Scene::with_compiled_equations`]).
+//! Otherwise the equations are interpreted. The results of both agree up to rounding.
 
 // The examples of the README are tested too.
 #![cfg_attr(doctest, doc = include_str!("../README.md"))]

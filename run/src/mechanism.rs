@@ -1,4 +1,4 @@
-//! A model together with the compiled equations of the program and an observer.
+//! Model, together with the compiled equations of the program and an observer of long computations.
 
 use crate::error::Error;
 use crate::observer::Observer;
@@ -14,20 +14,20 @@ use tripos_traits::CompiledModel;
 
 /// Model, the compiled equations that the program contains, and an observer of long computations.
 ///
-/// Compiled equations run if they were generated from exactly the model's text. Otherwise the equations are
-/// interpreted.
+/// Compiled equations are used if they were generated from exactly the text of the model. Otherwise the equations
+/// are interpreted.
 #[derive(Clone)]
 pub struct Mechanism {
     /// The checked model, as its file describes it.
     pub model: Model,
-    /// All compiled equations of the program, of this model or of others; empty if none were added.
+    /// All compiled equations of the program, for this model or for other models; empty if none were added.
     pub compiled: &'static [CompiledModel],
     /// Observer that may end long computations early.
     pub follow: Observer,
 }
 
 impl Mechanism {
-    /// Creates a mechanism without compiled equations and without an observer.
+    /// Makes a mechanism without compiled equations and without an observer.
     #[must_use]
     pub fn new(model: Model) -> Self {
         Self { model, compiled: &[], follow: Observer::default() }
@@ -42,13 +42,13 @@ impl Mechanism {
         Ok(Self::new(tripos_derive::model::load(&Source::read(path)?)?))
     }
 
-    /// Sets the list of equations that were compiled into the program, in place of the present list.
+    /// Sets the list of equations that were compiled into the program. It replaces the present list.
     #[must_use]
     pub fn with_compiled_equations(self, compiled: &'static [CompiledModel]) -> Self {
         Self { compiled, ..self }
     }
 
-    /// Sets the observer that may end long computations early, in place of the present observer.
+    /// Sets the observer that may end long computations early. It replaces the present observer.
     #[must_use]
     pub fn with_observer(self, follow: Observer) -> Self {
         Self { follow, ..self }
@@ -59,7 +59,7 @@ impl Mechanism {
     /// Derives the equations of motion by a formulation.
     ///
     /// # Errors
-    /// [`Error::Unsupported`] if the model does not have this formulation; [`Error::Input`] if it cannot be derived.
+    /// [`Error::Unsupported`] if the model does not have this formulation. [`Error::Input`] if it cannot be derived.
     pub fn derive(&self, formulation: Formulation) -> Result<Derivation, Error> {
         derive(&self.model, formulation).map_err(|error| {
             let kind = if error.is_unsupported() { Error::Unsupported } else { Error::Input };
@@ -67,7 +67,7 @@ impl Mechanism {
         })
     }
 
-    /// Proves the equivalence of the model's formulations, and the quantities that its motions
+    /// Proves that the formulations of the model are equivalent, and finds the quantities that its motions
     /// conserve.
     ///
     /// # Errors
@@ -77,10 +77,10 @@ impl Mechanism {
         Ok(prove(&self.model, &mut derivations))
     }
 
-    /// Returns `Ok` if the model has a generalized speed. `what` names the task in the error.
+    /// Checks that the model has a generalized speed. `what` is the end of the message of the error.
     ///
     /// # Errors
-    /// `Error::Request` if the constraints leave no generalized speed, so that the task has no sense.
+    /// `Error::Request` if the constraints leave no generalized speed.
     pub(crate) fn require_speeds(&self, what: &str) -> Result<(), Error> {
         if !self.model.speeds.is_empty() {
             return Ok(());
@@ -89,12 +89,12 @@ impl Mechanism {
         Err(Error::request(format!("the constraints leave no speed: {what}"), help))
     }
 
-    /// Writes the equations of motion as a Rust module named `module`, and returns the text of each of
-    /// its files. An empty list of formulations selects all that the model supports. `extras` asks for
+    /// Writes the equations of motion as a Rust module named `module`, and returns the text of each of its
+    /// files. If the list of formulations is empty, all formulations of the model are written. `extras` asks for
     /// the Jacobian and the recurrences.
     ///
     /// # Errors
-    /// [`Error::Input`] if the model cannot be derived, or lacks a named formulation.
+    /// [`Error::Input`] if the model cannot be derived, or does not have a requested formulation.
     #[cfg(feature = "emit")]
     pub fn emit(
         &self,

@@ -1,7 +1,7 @@
-//! Observers of long computations, which see the progress of a computation and may end it early.
+//! Observers of long computations. An observer sees the progress of a computation, and may end it early.
 //!
-//! Invariant: an observer changes no number. A run that is ended early has taken the same steps as
-//! a complete run up to this instant.
+//! Invariant: an observer changes no number. A run that is ended early has taken the same steps as a complete
+//! run up to the same instant.
 
 use crate::error::Error;
 use std::fmt;
@@ -9,39 +9,38 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 use tripos_sim::{Options, Poll, Solution, Stop};
 
-/// Observer of a long computation, which may end it between two steps. The default does nothing.
+/// Observer of a long computation. It may end the computation between two steps. The default does nothing.
 #[derive(Clone, Default)]
 pub struct Observer(Option<ObserverFunctions>);
 
 /// Two functions of the user that a long computation calls.
 #[derive(Clone)]
 struct ObserverFunctions {
-    /// Function that receives the time of each accepted step, s, and decides if the run continues.
+    /// Function that receives the time of each accepted step, s, and decides if the run goes on.
     poll: Poll,
-    /// Function that returns true if the whole computation shall end.
+    /// Function that returns true if the whole computation must end.
     is_interrupted: Arc<dyn Fn() -> bool + Send + Sync>,
 }
 
 impl Observer {
-    /// Creates an observer. `poll` receives the time of each accepted step, s, and decides if the run
-    /// continues. `is_interrupted` returns true if the whole computation shall end.
+    /// Makes an observer. `poll` receives the time of each accepted step, s, and decides if the run goes on.
+    /// `is_interrupted` returns true if the whole computation must end.
     pub fn new(poll: Poll, is_interrupted: impl Fn() -> bool + Send + Sync + 'static) -> Self {
         Self(Some(ObserverFunctions { poll, is_interrupted: Arc::new(is_interrupted) }))
     }
 
-    /// True if the user asks to end the whole computation. Always false for the default observer.
+    /// True if the user asks for the end of the whole computation. Always false for the default observer.
     #[must_use]
     pub fn is_interrupted(&self) -> bool {
         self.0.as_ref().is_some_and(|follower| (follower.is_interrupted)())
     }
 
-    /// Returns `Break` if the user asks to end the whole computation, and `Continue` otherwise.
+    /// Returns `Break` if the user asks for the end of the whole computation, and otherwise `Continue`.
     pub fn continue_or_break(&self) -> ControlFlow<()> {
         if self.is_interrupted() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 
-    /// Copies the integration options and puts the observer's function for accepted steps into the
-    /// copy.
+    /// Returns a copy of integration options with the observer's function for accepted steps.
     #[must_use]
     pub fn observed_options(&self, options: &Options) -> Options {
         Options { poll: self.0.as_ref().map(|follower| follower.poll.clone()), ..options.clone() }
@@ -54,7 +53,7 @@ impl fmt::Debug for Observer {
     }
 }
 
-/// Returns the solution of a run unchanged, if the run was not interrupted by its observer.
+/// Returns the solution of a run unchanged, unless the observer interrupted the run.
 ///
 /// # Errors
 /// [`Error::Interrupted`] if the observer interrupted the run.
@@ -62,12 +61,11 @@ pub fn require_uninterrupted(solution: Solution) -> Result<Solution, Error> {
     if solution.stop == Stop::Interrupted { Err(Error::Interrupted) } else { Ok(solution) }
 }
 
-/// Display of the progress of a computation that consists of many parts. By default every method
-/// does nothing.
+/// Display of the progress of a computation that has many parts. By default, every method does nothing.
 pub trait Progress {
     /// Sets the total number of parts of the computation.
     fn set_length(&self, _parts: u64) {}
-    /// Adds a number of finished parts to those already finished.
+    /// Adds to the number of finished parts.
     fn add_finished_parts(&self, _parts: u64) {}
     /// Shows the name of the part that is being computed.
     fn set_message(&self, _what: &str) {}

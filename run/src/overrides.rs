@@ -1,38 +1,39 @@
-//! Settings for one run that replace those of its scene file.
+//! Settings of one run that replace the settings of its scene file.
 
 use crate::equations_name::EquationsName;
 use crate::error::Error;
 use std::ops::RangeInclusive;
 use tripos_derive::scene::{AccelerationSolution, Integrator, ProjectionTarget, SAMPLES, STEP_LIMITS, Scene};
 
-/// Settings of one run that replace the integration settings of its scene. `None` keeps the scene's
-/// value.
+/// Settings of one run that replace the integration settings of its scene. `None` keeps the value of the
+/// scene.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Overrides {
-    /// Name of the equations of motion to run: `kane`, `lagrange`, `newton-euler` or `printed:ID`.
-    /// `None` or `reduced` means the scene's reduced equations.
+    /// Name of the equations of motion to run: `kane`, `lagrange`, `newton-euler`, `printed:ID` or `reduced`.
+    /// `None` takes the scene's reduced equations if they have an advantage, and otherwise full equations.
     pub by: Option<EquationsName>,
-    /// Numerical method of integration: a stepping method, or quadrature.
+    /// Method of integration: a stepping method, or quadrature.
     pub method: Option<Integrator>,
-    /// Integral onto which the state is projected after each step, such as the energy.
+    /// Conserved quantity onto which the state is projected after each step, such as the energy.
     pub project: Option<ProjectionTarget>,
     /// Method that finds the accelerations: eliminated beforehand, or solved for numerically in each
     /// step.
     pub solve: Option<AccelerationSolution>,
-    /// Constant length of every step, s; error control is then off.
+    /// Constant length of every step, s. The error of the steps is then not controlled.
     pub step: Option<f64>,
     /// Longest step that error control may choose, s.
     pub max_step: Option<f64>,
     /// Relative tolerance of the error of each step, without unit.
     pub rtol: Option<f64>,
-    /// Absolute tolerance of the error of each step, for every component of the state in its own unit.
+    /// Absolute tolerance of the error of each step. It applies to every component of the state, in its own
+    /// unit.
     pub atol: Option<f64>,
     /// Largest number of attempted steps.
     pub step_limit: Option<u64>,
     /// Number of equally spaced samples, both ends included.
     pub samples: Option<usize>,
-    /// Last instant of the run, s. The run goes backwards in time if it is before the scene's first
-    /// instant.
+    /// Last instant of the run, s. If it is before the first instant of the scene, the run goes backwards in
+    /// time.
     pub until: Option<f64>,
 }
 
@@ -40,8 +41,8 @@ impl Overrides {
     /// Replaces settings of the scene by all overrides that are not `None`.
     ///
     /// # Errors
-    /// [`Error::Request`] for steps, tolerances or an end with which no run is possible, and for
-    /// settings that exclude one another. The scene may then be partly changed.
+    /// [`Error::Request`] if a step, a tolerance or the end makes a run impossible, or if settings exclude one
+    /// another. The scene may then be partly changed.
     pub fn apply_to_scene(&self, scene: &mut Scene) -> Result<(), Error> {
         let how = &mut scene.integration;
         how.method = self.method.unwrap_or(how.method);
@@ -111,10 +112,10 @@ impl Overrides {
     }
 }
 
-/// Checks that a number of steps or samples is in its range.
+/// Checks that a number of steps or samples is in its permitted range.
 ///
 /// # Errors
-/// [`Error::Request`] if it is not.
+/// [`Error::Request`] if the number is outside the range.
 fn check_count(name: &str, count: u64, range: &RangeInclusive<u64>) -> Result<(), Error> {
     if range.contains(&count) {
         return Ok(());

@@ -1,4 +1,4 @@
-//! A scene with its mechanism, read from files and run: the starting point of most programs.
+//! Scene with its mechanism, read from files and run. Most programs start here.
 
 use crate::error::Error;
 use crate::mechanism::Mechanism;
@@ -20,17 +20,16 @@ use tripos_derive::scene::model_path_of_scene;
 use tripos_derive::scene::{self as description, Family, Grid, load_scene_with_inputs};
 use tripos_traits::CompiledModel;
 
-/// Scene (parameters, start and span of a run) that was read from a file, together with its
-/// mechanism.
+/// Scene (parameters, start and span of a run) with its mechanism.
 #[derive(Clone)]
 pub struct Scene {
     /// Model of the scene, with compiled equations and an observer.
     mechanism: Mechanism,
-    /// Description of the scene exactly as its file gives it.
+    /// Description of the scene exactly as its file states it.
     file: description::Scene,
-    /// Description of the scene after all changes by [`Scene::set`].
+    /// Description of the scene after all changes by [`Scene::set_number`].
     current: description::Scene,
-    /// Names of the numbers that [`Scene::set`] changed, with their new values.
+    /// Names of the numbers that [`Scene::set_number`] changed, with their new values.
     set: Vec<(String, f64)>,
 }
 
@@ -46,7 +45,7 @@ impl Scene {
         Self::from_source(mechanism, &source)
     }
 
-    /// Creates a scene of a mechanism from the text of a scene file. The model file that the text names is not read.
+    /// Makes a scene of a mechanism from the text of a scene file. The model file that the text names is not read.
     ///
     /// # Errors
     /// [`Error::Input`] with every error of the text, each with its line and column.
@@ -54,15 +53,14 @@ impl Scene {
         Self::from_source(mechanism, &Source::from_text("scene", text))
     }
 
-    /// Reads the text of a scene file and puts the scene's formulas of inputs into the mechanism's
-    /// model.
+    /// Reads the text of a scene file. Puts the scene's formulas for inputs into the model of the mechanism.
     fn from_source(mut mechanism: Mechanism, source: &Source) -> Result<Self, Error> {
         let file = load_scene_with_inputs(source, &mut mechanism)?;
         Ok(Self { mechanism, current: file.clone(), file, set: Vec::new() })
     }
 
-    /// Adds equations of motion that were compiled into the program, such as `tripos_models::MODELS`.
-    /// Without them, the equations of every model are interpreted.
+    /// Adds equations of motion that were compiled into the program, such as `tripos_models::MODELS`. Without
+    /// them, the equations of every model are interpreted.
     #[must_use]
     pub fn with_compiled_equations(mut self, compiled: &'static [CompiledModel]) -> Self {
         self.mechanism.compiled = compiled;
@@ -76,25 +74,25 @@ impl Scene {
         self
     }
 
-    /// Mechanism of the scene: its model, with compiled equations and an observer.
+    /// Mechanism of the scene: its model, its compiled equations, and its observer.
     #[must_use]
     pub fn mechanism(&self) -> &Mechanism {
         &self.mechanism
     }
 
-    /// Description of the scene, with the values that `Scene::set` changed.
+    /// Description of the scene, with the numbers that [`Scene::set_number`] changed.
     #[must_use]
     pub fn description(&self) -> &description::Scene {
         &self.current
     }
 
-    /// Sets a parameter, or a number of the start, to another value, in the unit of the model file.
-    /// Numbers that the scene computes from this number change too. After an error the scene is
-    /// unchanged.
+    /// Sets a parameter, or a number of the start, to another value, in the unit of the model file. Numbers that
+    /// the scene computes from it change too. After an error, the scene is unchanged.
     ///
     /// # Errors
-    /// [`Error::Inputs`] if the scene has no number of this name; [`Error::Input`] if the number cannot have this
-    /// value, such as a mass below zero.
+    /// [`Error::Inputs`] if the scene has no number of this name. [`Error::Input`] if the number cannot have this
+    /// value,
+    /// such as a mass below zero.
     pub fn set_number(&mut self, name: &str, value: f64) -> Result<(), Error> {
         let mut set = self.set.clone();
         set.retain(|(known, _)| known != name);
@@ -105,7 +103,7 @@ impl Scene {
         Ok(())
     }
 
-    /// Proves the equivalence of the model's formulations, and the quantities that its motions
+    /// Proves that the formulations of the model are equivalent, and finds the quantities that its motions
     /// conserve.
     ///
     /// # Errors
@@ -114,8 +112,8 @@ impl Scene {
         self.mechanism.prove()
     }
 
-    /// Derives the smallest set of equations that gives the outputs of the scene, and the constants of
-    /// its motion.
+    /// Derives the smallest set of equations that gives all outputs of the scene, and the constants of its
+    /// motion.
     ///
     /// # Errors
     /// [`Error`] if the model cannot be derived, or does not determine an output of the scene.
@@ -123,29 +121,29 @@ impl Scene {
         ReducedScene::new(&self.mechanism, &self.current)
     }
 
-    /// Computes reference states at the given instants to about twenty digits, with their uncertainty.
-    /// The instants are in seconds and in the order in which the run passes them.
+    /// Computes reference states at the given instants to about twenty digits, with their uncertainty. The
+    /// instants are in s, in the order of the run.
     ///
     /// # Errors
-    /// [`Error`] if a run does not reach the last instant.
+    /// [`Error`] if a run does not reach the last instant, or if no reference can be computed.
     pub fn reference(&self, times: &[f64]) -> Result<ReferenceSolution, Error> {
         ReferenceSolution::new(&self.mechanism, &self.current, times)
     }
 
-    /// Runs the scene by its own reduced equations, unless `how` names other equations or asks for a numeric solve.
+    /// Runs the scene with the settings `how`. If these name no equations, the scene's reduced equations are used if
+    /// they have an advantage and reach the end. Otherwise full equations are used.
     ///
     /// # Errors
-    /// [`Error`] if the scene cannot be run. A run that began and stopped early is a [`Run`] that says
-    /// why.
+    /// [`Error`] if the scene cannot be run. A run that began and stopped early is a [`Run`] that says why.
     pub fn simulate(&self, how: &Overrides) -> Result<Run, Error> {
         let mut scene = self.current.clone();
         how.apply_to_scene(&mut scene)?;
         simulate(&self.mechanism, &scene, how.by.as_ref())
     }
 
-    /// Runs the scene by full (not reduced) equations. Returns the derivatives of its shown quantities,
-    /// at the instants that `at` selects, with respect to the named parameters and numbers of the
-    /// start.
+    /// Runs the scene by full (not reduced) equations. Returns the derivatives of its shown quantities by the
+    /// numbers `names`, which are parameters and numbers of the start. `at` selects the instants of the
+    /// derivatives.
     ///
     /// ```
     /// # use tripos::{DerivativeInstants, Overrides, Scene};
@@ -156,8 +154,8 @@ impl Scene {
     /// ```
     ///
     /// # Errors
-    /// `Error::Input` for a name that the scene does not have. `Error::Request` if the equations, the
-    /// integrator or a number cannot be differentiated. Otherwise `Error` if the scene cannot be run.
+    /// [`Error::Input`] if the scene has no number of a given name. [`Error::Request`] if the equations, the
+    /// integrator or a number cannot be differentiated. Otherwise [`Error`] if the scene cannot be run.
     pub fn sensitivities(
         &self,
         names: &[&str],
@@ -170,9 +168,8 @@ impl Scene {
         sensitivities(&self.mechanism, &scene, &self.set, &names, at, how.by.as_ref())
     }
 
-    /// Runs the scene by full (not reduced) equations. Returns the derivatives of the quantity named
-    /// `of` at the end of the run by all parameters and all numbers of the start. A single backward
-    /// sweep computes all derivatives.
+    /// Runs the scene by full (not reduced) equations. Returns the derivatives of the quantity `of` at the end of
+    /// the run, by all parameters and all numbers of the start. One backward sweep computes all of them.
     ///
     /// ```
     /// # use tripos::{Overrides, Scene};
@@ -185,31 +182,31 @@ impl Scene {
     /// ```
     ///
     /// # Errors
-    /// `Error::Request` if the scene shows no quantity named `of`, or its equations cannot be
-    /// differentiated. Otherwise `Error` if the scene cannot be run.
+    /// [`Error::Request`] if the scene shows no quantity named `of`, or if its equations cannot be
+    /// differentiated. Otherwise [`Error`] if the scene cannot be run.
     pub fn gradient(&self, of: &str, how: &Overrides) -> Result<Gradient, Error> {
         let mut scene = self.current.clone();
         how.apply_to_scene(&mut scene)?;
         gradient(&self.mechanism, &scene, &self.set, of, how.by.as_ref())
     }
 
-    /// Runs the scene with recorded signals for some of its inputs. Each value is held until the next
-    /// instant of its signal.
+    /// Runs the scene with recorded signals for some of its inputs. Each value of a signal is held constant until
+    /// the next instant of the signal.
     ///
     /// # Errors
-    /// [`Error::Request`] for a signal without as many values as instants. Otherwise errors of
-    /// [`Scene::simulate_sampled`], as for unknown inputs.
+    /// [`Error::Request`] if a signal does not have as many values as instants. Otherwise the errors of
+    /// [`Scene::simulate_sampled`], such as for unknown inputs.
     pub fn simulate_held(&self, signals: &[HeldSignal<'_>], how: &Overrides) -> Result<SampledRun, Error> {
         let mut scene = self.current.clone();
         how.apply_to_scene(&mut scene)?;
         sampled_inputs::simulate_recorded_signals(&self.mechanism, &scene, signals, how.by.as_ref())
     }
 
-    /// Runs the scene with inputs that a controller sets at the given instants, s, from the state at
-    /// each instant. The inputs are held until the next instant (zero-order hold). Before the first
-    /// instant they have the scene's values.
+    /// Runs the scene with inputs that a controller sets at the given instants, s, from the state at each
+    /// instant. The inputs are held constant until the next instant (zero-order hold). Before the first instant,
+    /// they have the scene's values.
     ///
-    /// Full (not reduced) equations are run, and a step ends at each instant. A second run gives the
+    /// Full (not reduced) equations are used, and a step ends at each instant. A second run estimates the
     /// errors. Each run has a new controller, which may keep data between instants:
     ///
     /// ```
@@ -252,9 +249,13 @@ impl Scene {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Request`] for unknown inputs or inputs with formulas; for instants that are not in order or outside the
-    /// span; for a decision with a wrong number of values or a value that is not finite; for a run backwards, by
-    /// quadrature, projected or with impacts. Otherwise the errors of [`Scene::simulate`].
+    /// [`Error::Request`] in these cases:
+    /// - an input is unknown or has a formula;
+    /// - the instants are not in order, or are outside the span;
+    /// - the controller returns a wrong number of values, or a value that is not finite;
+    /// - the run goes backwards in time, uses quadrature or projection, or has impacts.
+    ///
+    /// Otherwise the errors of [`Scene::simulate`].
     pub fn simulate_sampled<C: FnMut(&ControllerSample<'_>) -> Vec<f64>>(
         &self,
         inputs: &[&str],

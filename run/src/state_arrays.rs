@@ -1,9 +1,9 @@
-//! Functions of the equations of motion at many states: several states at once in lanes (of vector
-//! registers), on all cores.
+//! Functions of the equations of motion at many states. Several states are computed at once in lanes of vector
+//! registers, and on all cores.
 //!
-//! Invariant: in an array, the value at a state does not depend on the other states, on their number
-//! or on the cores. The value at a state alone is the same for interpreted equations, and agrees to
-//! rounding for compiled ones.
+//! Invariant: in an array, the value at a state does not depend on the other states, on their number or on the
+//! cores. A state outside an array has the same value for interpreted equations. For compiled equations it
+//! agrees up to rounding.
 
 #[cfg(feature = "threads")]
 mod threads;
@@ -14,17 +14,17 @@ use tripos_traits::{CompiledSystem, Lanes, Rates, Scalar, System};
 /// Function of the equations of motion that has a value at each state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StateFunction {
-    /// Matrix M of M x = f.
+    /// Matrix M of the linear system M x = f, where x are the accelerations v̇ and the reactions.
     MassMatrix,
-    /// Right-hand side f of M x = f.
+    /// Right-hand side f of the linear system M x = f, where x are the accelerations v̇ and the reactions.
     Forcing,
-    /// Accelerations v̇.
+    /// Accelerations v̇: the rates of the motion variables.
     Accelerations,
-    /// Rates q̇ of the coordinates.
+    /// Rates q̇ of the generalized coordinates.
     CoordinateRates,
-    /// Rates (q̇, v̇) of the state.
+    /// Rates (q̇, v̇) of the state (q, v).
     Derivative,
-    /// Slopes of (q̇, v̇) along the state (q, v).
+    /// Derivatives of the rates (q̇, v̇) by the state (q, v).
     Jacobian,
     /// Kinetic energy T, J.
     KineticEnergy,
@@ -32,25 +32,25 @@ pub enum StateFunction {
     PotentialEnergy,
     /// Power of the loads that have no potential, W.
     Power,
-    /// Residuals of the constraints.
+    /// Residuals of the constraints, which are zero where the constraints hold.
     Constraints,
-    /// Generalized forces M v̇ − f that a motion needs beside the forces of the model.
+    /// Generalized forces M v̇ − f that a motion needs in addition to the loads of the model.
     InverseDynamics,
 }
 
 /// Shape of the value of a function at one state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ValueShape {
-    /// One number.
+    /// A single number.
     Number,
-    /// Vector of this length.
+    /// Vector with this number of components.
     Vector(usize),
-    /// Matrix of this order, row by row.
+    /// Square matrix with this number of rows, stored row by row.
     Matrix(usize),
 }
 
 impl ValueShape {
-    /// Number of entries of the value.
+    /// Number of entries of the value: 1 for a number, n for a vector, and n² for a matrix.
     #[must_use]
     pub const fn count(self) -> usize {
         match self {
@@ -62,7 +62,7 @@ impl ValueShape {
 }
 
 impl StateFunction {
-    /// All functions.
+    /// All functions, in the order of their declaration.
     pub const ALL: [Self; 11] = [
         Self::MassMatrix,
         Self::Forcing,
@@ -77,7 +77,7 @@ impl StateFunction {
         Self::InverseDynamics,
     ];
 
-    /// Name of the function, as programs write it.
+    /// Name of the function in programs, such as `mass_matrix`.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -95,19 +95,19 @@ impl StateFunction {
         }
     }
 
-    /// Function of a name; `None` if there is none.
+    /// Finds the function with the given name, such as `mass_matrix`. `None` if no function has it.
     #[must_use]
     pub fn of_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|function| function.name() == name)
     }
 
-    /// True if the function reads accelerations beside the state.
+    /// True if the function needs accelerations in addition to the state.
     #[must_use]
     pub const fn takes_accelerations(self) -> bool {
         matches!(self, Self::InverseDynamics)
     }
 
-    /// Shape of the value at one state; `None` if the equations do not have the function.
+    /// Shape of the value at one state; `None` if the equations do not have this function.
     #[must_use]
     pub fn shape(self, code: &Code) -> Option<ValueShape> {
         let system = code.system();
@@ -128,8 +128,8 @@ impl StateFunction {
         exists.then_some(shape)
     }
 
-    /// Writes the value at one state, or at one state in each lane. `scratch` is memory that is kept
-    /// between calls.
+    /// Writes the value of the function at one state, or at one state in each lane, to `out`. `scratch` is
+    /// working memory that is kept between calls.
     fn write<S: Scalar>(self, system: &dyn System<S>, at: Arguments<'_, S>, scratch: &mut Vec<S>, out: &mut [S]) {
         let Arguments { p, q, v, v_dot } = at;
         match self {
@@ -163,53 +163,53 @@ impl StateFunction {
 /// Arguments of a function at one state, or at one state in each lane.
 #[derive(Clone, Copy)]
 pub(crate) struct Arguments<'a, S> {
-    /// Parameters of the model.
+    /// Values of the parameters, in the order of the model.
     pub p: &'a [S],
-    /// Generalized coordinates.
+    /// Values of the generalized coordinates.
     pub q: &'a [S],
-    /// Motion variables: generalized speeds or rates of the coordinates.
+    /// Values of the motion variables: generalized speeds or rates of the coordinates.
     pub v: &'a [S],
-    /// Rates of the motion variables; empty for functions that do not read them.
+    /// Rates of the motion variables; empty for functions that do not need them.
     pub v_dot: &'a [S],
 }
 
-/// Rows of numbers: one row for each state, or a single row for all states.
+/// Rows of numbers, such as coordinates: one row for each state, or one row for all states.
 #[derive(Clone, Copy, Debug)]
 pub struct Rows<'a> {
-    /// Entries, row by row.
+    /// Entries of the rows, row by row.
     values: &'a [f64],
-    /// Number of entries of a row.
+    /// Number of entries in each row.
     width: usize,
-    /// True if all states share a single row.
+    /// True if all states have the same row, which is stored once.
     is_shared: bool,
 }
 
 impl<'a> Rows<'a> {
-    /// One row of `width` numbers for each state.
+    /// Makes rows of `width` numbers from `values`, one row for each state.
     #[must_use]
     pub const fn each(values: &'a [f64], width: usize) -> Self {
         Self { values, width, is_shared: false }
     }
 
-    /// A single row for all states.
+    /// Makes a single row that belongs to all states.
     #[must_use]
     pub const fn shared(values: &'a [f64]) -> Self {
         Self { values, width: values.len(), is_shared: true }
     }
 
-    /// Row of a state.
+    /// Row of the state with the index `state`.
     fn row(&self, state: usize) -> &'a [f64] {
         let first = if self.is_shared { 0 } else { state * self.width };
         &self.values[first..first + self.width]
     }
 
-    /// True if there is a row for each of so many states.
+    /// True if there is a row for each of `count` states.
     fn has_states(&self, count: usize) -> bool {
         self.is_shared || self.values.len() == count * self.width
     }
 }
 
-/// States at which a function is evaluated.
+/// States at which a function of the equations of motion is evaluated.
 #[derive(Clone, Copy, Debug)]
 pub struct StateRows<'a> {
     /// Number of states.
@@ -218,16 +218,16 @@ pub struct StateRows<'a> {
     pub q: Rows<'a>,
     /// Motion variables of each state.
     pub v: Rows<'a>,
-    /// Rates of the motion variables; rows without entries for functions that do not read them.
+    /// Rates of the motion variables of each state. Rows have no entries for functions that do not need them.
     pub v_dot: Rows<'a>,
 }
 
-/// Evaluates a function at each state and writes the values to `out`, state by state. Arrays of many
-/// states are shared among all cores.
+/// Evaluates a function at each state, and writes the values to `out`, state by state. Arrays of many states are
+/// shared among all cores.
 ///
 /// # Panics
-/// If the equations do not have the function, or if a length is wrong: `p` and the rows have the
-/// lengths of the equations, and `out` the count of [`StateFunction::shape`] for each state.
+/// If the equations do not have the function, or if a length is wrong. `p` and the rows must have the lengths of
+/// the equations. For each state, `out` must have as many entries as [`StateFunction::shape`] says.
 pub fn evaluate_states(function: StateFunction, code: &Code, p: &[f64], states: StateRows<'_>, out: &mut [f64]) {
     let width = function.shape(code).expect("the equations have the function").count();
     let lengths = code.system().lengths();
@@ -247,8 +247,8 @@ pub fn evaluate_states(function: StateFunction, code: &Code, p: &[f64], states: 
     share_states(states.count, width, out, &|first, out| evaluation.write_range(first, out));
 }
 
-/// Shares states among all cores, if the crate is built with threads. `write` gets the number of its
-/// first state, and room for the values of its states, of which each has `width`.
+/// Shares states among all cores, if the crate is built with threads. `write` gets the index of its first state,
+/// and a slice for the values of its states. Each state has `width` values.
 pub(crate) fn share_states(count: usize, width: usize, out: &mut [f64], write: &(dyn Fn(usize, &mut [f64]) + Sync)) {
     if out.is_empty() {
         return;
@@ -262,13 +262,13 @@ pub(crate) fn share_states(count: usize, width: usize, out: &mut [f64], write: &
     }
 }
 
-/// Evaluation of a function at many states.
+/// Evaluation of one function at many states.
 struct Evaluation<'a> {
     /// Function that is evaluated.
     function: StateFunction,
-    /// Equations of motion.
+    /// Equations of motion that have the function.
     code: &'a Code,
-    /// Parameters of the model.
+    /// Values of the parameters, in the order of the model.
     p: &'a [f64],
     /// States at which the function is evaluated.
     states: StateRows<'a>,
@@ -277,7 +277,7 @@ struct Evaluation<'a> {
 }
 
 impl Evaluation<'_> {
-    /// Writes the values at the states from `first` on, as many as `out` has room for.
+    /// Writes the values at the states from the index `first` on, as many as fit into `out`.
     fn write_range(&self, first: usize, out: &mut [f64]) {
         use StateFunction::{Accelerations, Derivative};
         let Self { function, code, p, states, width } = *self;
@@ -301,7 +301,7 @@ impl Evaluation<'_> {
         }
     }
 
-    /// Writes the values at the states from `first` on, one state after the other.
+    /// Writes the values at the states from the index `first` on, one state after the other.
     fn write_one_by_one(&self, first: usize, out: &mut [f64]) {
         let Self { function, code, p, states, width } = *self;
         let mut scratch = Vec::new();
@@ -312,8 +312,8 @@ impl Evaluation<'_> {
     }
 }
 
-/// Writes the values at the states from `first` on, as many as `out` has room for, `N` states at once
-/// by the function `write`. The last state of an incomplete block is repeated in its empty lanes.
+/// Writes the values at the states from the index `first` on, as many as fit into `out`. The function `write`
+/// computes `N` states at once. Empty lanes of the last block repeat the last state.
 pub(crate) fn write_in_lanes<const N: usize>(
     p: &[f64],
     states: StateRows<'_>,
@@ -340,7 +340,8 @@ pub(crate) fn write_in_lanes<const N: usize>(
     }
 }
 
-/// Fills the lanes with the rows of the states from `begin` on; lanes behind `end` repeat the last.
+/// Fills the lanes with the rows of the states from the index `begin` on. Lanes from the index `end` on repeat the
+/// last row.
 fn fill_lanes<const N: usize>(rows: Rows<'_>, begin: usize, end: usize, lanes: &mut [Lanes<N>]) {
     for lane in 0..N {
         let row = rows.row((begin + lane).min(end - 1));
@@ -350,7 +351,7 @@ fn fill_lanes<const N: usize>(rows: Rows<'_>, begin: usize, end: usize, lanes: &
     }
 }
 
-/// Function that writes the rates of the state, or only v̇ of them.
+/// Makes a function that writes the rates (q̇, v̇) of states, or only v̇, as `function` says.
 fn rates_writer<const N: usize>(
     function: StateFunction,
     rates: &(dyn Rates<Lanes<N>> + Sync),

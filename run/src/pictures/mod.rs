@@ -1,5 +1,4 @@
-//! Pictures of a mechanism: its sketch on a sheet, and its poses during a motion for moving
-//! pictures.
+//! Pictures of a mechanism: a sketch on a sheet, and a series of poses for moving pictures.
 
 pub mod sketch;
 pub mod view;

@@ -10,8 +10,8 @@
 //! # Ok::<(), tripos::Error>(())
 //! ```
 //!
-//! Invariant: the same numbers give the same sheet. Values that could depend on a machine's last digits are rounded
-//! before they decide. Colours, fonts and file formats are left to the renderer on purpose.
+//! Invariant: the same numbers give the same sheet. Values that could depend on the last digits of a machine are
+//! rounded before they decide anything. The renderer chooses colours, fonts and file formats.
 
 mod angles;
 mod axes;
@@ -47,11 +47,11 @@ use tripos_derive::model::TIME;
 use tripos_derive::plain_text::path_as_plain_text;
 use tripos_derive::scene::{Scene, State};
 
-/// Greatest width and height of the solids on the sheet of a sketch, px.
+/// Greatest width and height of the bodies on the sheet of a sketch, px.
 const ROOM: (f64, f64) = (340.0, 280.0);
 /// Width of the empty margin around a sketch, px.
 const MARGIN: f64 = 8.0;
-/// Number of poses, far from the drawn pose, that decide which points are fixed.
+/// Number of poses, far from the drawn pose, that serve to find the fixed points.
 const FAR: usize = 5;
 
 /// Sketch of a mechanism in one pose: marks and labels on a sheet.
@@ -59,7 +59,7 @@ const FAR: usize = 5;
 pub struct Sketch {
     /// Title of the sketched mechanism.
     pub title: String,
-    /// Description of the drawing, in sentences.
+    /// Text that describes the drawing, in sentences.
     pub about: String,
     /// Values of the coordinates in the drawn pose, as a sentence.
     pub drawn: String,
@@ -69,8 +69,8 @@ pub struct Sketch {
     pub marks: Vec<Mark>,
     /// Labels in front of the marks. No label covers another.
     pub labels: Vec<Label>,
-    /// Coordinates drawn at other values than at the start, because their marks could not be seen
-    /// at the start.
+    /// Coordinates that are drawn at other values than at the start, because their marks could not be seen
+    /// there.
     pub changed: Vec<ChangedCoordinate>,
 }
 
@@ -80,20 +80,19 @@ struct DrawnState<'a> {
     parameters: &'a [f64],
     /// Values of the coordinates, in the order of the model.
     q: Vec<f64>,
-    /// Coordinates whose values were changed so that their marks are visible.
+    /// Coordinates whose values were changed to make their marks visible.
     changed: Vec<ChangedCoordinate>,
-    /// Name of the pose, such as `the start of swing.toml`.
+    /// Name of the pose for the description, such as `the start of swing.toml`.
     of: String,
 }
 
 impl Sketch {
-    /// Draws a mechanism at the start of a scene.
-    /// Angles and lengths that could not be seen at the start are drawn at other values, unless the
-    /// mechanism has loops.
+    /// Draws a mechanism at the start of a scene. Angles and lengths that could not be seen at the start
+    /// are drawn at other values, unless the mechanism has loops.
     ///
     /// # Errors
-    /// [`Error::Request`] if a shape has a length that is not positive, or the place of a frame or
-    /// point is not a finite number at this start.
+    /// [`Error::Request`] if a shape has a length that is not positive, or if the place of a frame or point
+    /// is not a finite number at this start.
     pub fn of_scene(mechanism: &Mechanism, scene: &Scene) -> Result<Self, Error> {
         let name = path_as_plain_text(&scene.source.path);
         let of = if name.is_empty() {
@@ -104,12 +103,12 @@ impl Sketch {
         Self::at_visible_pose(mechanism, Configuration { parameters: &scene.parameters, q: &scene.q }, of)
     }
 
-    /// Draws a mechanism without a scene: at the parameter values of the model file, and in a pose
-    /// that shows all its marks.
+    /// Draws a mechanism without a scene, at the parameter values of the model file. The pose shows all
+    /// marks.
     ///
     /// # Errors
-    /// Errors of [`Self::of_scene`]; also [`Error::Request`] if a parameter has no value, or no
-    /// pose closes the loops.
+    /// Errors of [`Self::of_scene`]. Also [`Error::Request`] if a parameter has no value, or if no pose
+    /// closes the loops.
     pub fn of_model(mechanism: &Mechanism) -> Result<Self, Error> {
         let (parameters, q) = start_without_scene(mechanism)?;
         Self::at_visible_pose(
@@ -130,9 +129,8 @@ impl Sketch {
         Self::new(mechanism, &terms, &poses, given)
     }
 
-    /// Draws a mechanism in a pose in which every mark is visible: values that would hide a mark
-    /// are changed.
-    /// `of` names the original pose, for the description.
+    /// Draws a mechanism in a pose in which every mark is visible. Coordinates that would hide a mark are
+    /// changed. `of` is the name of the original pose, for the description.
     ///
     /// # Errors
     /// Errors of `Self::of_scene`.
@@ -145,7 +143,7 @@ impl Sketch {
     /// Draws a mechanism in exactly the given pose.
     ///
     /// # Errors
-    /// `Error::Request` if a frame or point has no finite place in this pose.
+    /// `Error::Request` if the place of a frame or point is not a finite number in this pose.
     fn new(mechanism: &Mechanism, terms: &PoseFormulas, poses: &Poses, given: DrawnState<'_>) -> Result<Self, Error> {
         let at = Configuration { parameters: given.parameters, q: &given.q };
         let pose = poses.pose_at(given.parameters, &given.q);
@@ -189,11 +187,11 @@ fn file_name_of_path(path: &str) -> &str {
     path.rsplit(['/', '\\']).next().unwrap_or(path)
 }
 
-/// Poses at coordinates far from a configuration. A point with the same place in all of them counts
-/// as fixed.
+/// Makes poses at coordinates far from a configuration. A point at the same place in all of them counts as
+/// fixed.
 fn distant_poses(poses: &Poses, at: Configuration<'_>) -> Vec<Pose> {
     let moved = |step: usize| {
-        // Multiples of irrational numbers, which are the same on every machine.
+        // The shares are multiples of irrational numbers, the same on every machine.
         let share = |k: usize| ((k + 1) as f64 * 0.754_877_666 + (step + 1) as f64 * 0.569_840_291).fract();
         at.q.iter().enumerate().map(|(k, q)| q + 0.15 + 0.9 * share(k)).collect::<Vec<f64>>()
     };
@@ -201,7 +199,7 @@ fn distant_poses(poses: &Poses, at: Configuration<'_>) -> Vec<Pose> {
     all.filter(Pose::is_finite).collect()
 }
 
-/// Chooses the direction of view of a sketch and its scale, and stores them in `subject`.
+/// Chooses the camera of a sketch, its direction of view and its scale, and stores it in `subject`.
 ///
 /// # Errors
 /// `Error::Request` if the view of the mechanism cannot be made.
@@ -220,13 +218,13 @@ fn choose_sketch_camera(subject: &mut SketchSubject<'_>, at: Configuration<'_>) 
     let (low, high) = body_outlines::bodies_extent(subject);
     let fits = |room: f64, i: usize| if high[i] - low[i] > 1e-9 { room / (high[i] - low[i]) } else { f64::MAX };
     let scale = fits(ROOM.0, 0).min(fits(ROOM.1, 1));
-    // A mechanism that is a single point is scaled by the size that its view gives.
+    // A mechanism of a single point has no extent. Its scale comes from the size of its view.
     subject.camera.scale = if scale < f64::MAX { scale } else { 0.5 * ROOM.1 / subject.view.size };
     Ok(())
 }
 
-/// Adds the points of the model to the sheet, with their names if the model file gives them.
-/// Coinciding points share a dot.
+/// Adds the points of the model to the sheet, with their names if the model file gives names. Points at
+/// the same place share a dot.
 fn add_points_to_sheet(subject: &SketchSubject<'_>, sheet: &mut Sheet) {
     let mut groups: Vec<Vec<usize>> = Vec::new();
     for point in 0..subject.pose.points.len() {
@@ -257,7 +255,7 @@ fn add_points_to_sheet(subject: &SketchSubject<'_>, sheet: &mut Sheet) {
     }
 }
 
-/// Adds a mark of every coordinate to the sheet; returns the kind of mark of each coordinate.
+/// Adds a mark of every coordinate to the sheet. Returns the kind of mark of each coordinate.
 fn add_coordinates_to_sheet(subject: &SketchSubject<'_>, sheet: &mut Sheet) -> Vec<MarkedCoordinate> {
     let mut arcs = Arcs::default();
     let (mut shown, mut alone) = (Vec::new(), Vec::new());
@@ -315,7 +313,7 @@ fn add_body_names_to_sheet(subject: &SketchSubject<'_>, sheet: &mut Sheet) {
             SolidForm::Rod { ends, .. } if is_rigid => Some(ends.map(|end| subject.spot(end))),
             _ => None,
         });
-        // The longest of the rods is taken, compared in steps of 4 px; the first of equal ones.
+        // The longest rod is taken. Lengths are compared in steps of 4 px. The first of equal rods is taken.
         let long = |[a, b]: &[DrawingPoint; 2]| ((b[0] - a[0]).hypot(b[1] - a[1]) / 4.0).round();
         let longest = rods.fold(None, |best: Option<[DrawingPoint; 2]>, rod| match best {
             Some(best) if long(&best) >= long(&rod) => Some(best),
@@ -330,7 +328,7 @@ fn add_body_names_to_sheet(subject: &SketchSubject<'_>, sheet: &mut Sheet) {
     }
 }
 
-/// Places the labels of a sheet, and moves its origin so that all marks and labels lie on it.
+/// Places the labels of a sheet. Moves the origin of the sheet so that all marks and labels lie on it.
 /// Returns the size of the sheet, px, its marks and its labels.
 fn finish_sheet(sheet: Sheet) -> (DrawingPoint, Vec<Mark>, Vec<Label>) {
     let (mut labels, leaders) = label_placement::place_labels(&sheet.wishes, &sheet.marks);

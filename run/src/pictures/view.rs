@@ -1,5 +1,5 @@
-//! View of a mechanism: its solids, and their poses during a motion. Drawing them is left to other
-//! code on purpose.
+//! View of a mechanism: its solids, and their poses during a motion. This module computes the view and does
+//! not draw it.
 
 mod body_forms;
 mod force_arrows;
@@ -25,29 +25,30 @@ use guessed_solids::SolidGuess;
 use tripos_derive::algebra::value::tape::Tape;
 use tripos_derive::scene::Scene;
 
-/// Solids of a mechanism at the parameters of a scene, with size and directions for drawing.
+/// Solids of a mechanism at the parameters of a scene, with the size and the directions for drawing.
 #[derive(Clone, Debug)]
 pub struct View {
-    /// All solids of the mechanism; their order has no meaning.
+    /// All solids of the mechanism, in no particular order.
     pub solids: Vec<Solid>,
-    /// True if the model file states the shapes. Otherwise they are guessed from bodies, points and joints.
+    /// True if the model file states the shapes. False if they are guessed from bodies, points and joints.
     pub is_stated: bool,
-    /// Upward direction of length 1 in the inertial frame: against gravity, or the third inertial axis without gravity.
+    /// Unit vector that points upwards in the inertial frame: against gravity, or along the third inertial axis without
+    /// gravity.
     pub up: Triple,
-    /// Normal of the plane in which all points stay, of length 1; `None` if there is no such plane.
+    /// Unit normal of the plane in which all points stay; `None` if there is no such plane.
     pub plane: Option<Triple>,
-    /// Size of the mechanism, m: the greatest distance between two visible points at any instant.
+    /// Size of the mechanism, m: the greatest distance between two visible points at one instant.
     pub size: f64,
-    /// Indices of the points whose paths are shown: points of contact, else particles, else a
-    /// single mass centre.
+    /// Indices of the points whose paths are shown. They are the points of contact, otherwise the particles,
+    /// otherwise one mass centre.
     pub traced: Vec<usize>,
-    /// Pairs (frame, mass centre) of indices, one for each rigid body, for drawing the body's axes.
+    /// Axes to draw, one entry for each rigid body: the index of its frame and the index of its mass centre.
     pub triads: Vec<(usize, usize)>,
 }
 
 impl View {
-    /// Makes the view of a mechanism for several motions of a scene. The first motion determines
-    /// the size and the plane.
+    /// Makes the view of a mechanism for several motions of a scene. The first motion determines the size
+    /// and the plane.
     ///
     /// # Errors
     /// [`Error::Request`] if a shape has a length that is not positive at the parameters of the
@@ -58,8 +59,7 @@ impl View {
         Self::of_poses(mechanism, at, &motions)
     }
 
-    /// Makes the view of a mechanism that starts at the configuration `at` and moves through the
-    /// given poses.
+    /// Makes the view of a mechanism that starts at the configuration `at`, for several motions given as poses.
     /// The first motion determines the size and the plane.
     ///
     /// # Errors
@@ -95,8 +95,8 @@ impl View {
     }
 }
 
-/// Unit vector against gravity, in the inertial frame at the start of a motion; the third inertial
-/// axis without gravity.
+/// Unit vector against gravity in the inertial frame, at the start of a motion. Without gravity, it is the
+/// third inertial axis.
 fn upward_direction(mechanism: &Mechanism, parameters: &[f64], poses: &[Pose]) -> Result<Triple, Error> {
     let third = [0.0, 0.0, 1.0];
     let (Some(gravity), Some(pose)) = (&mechanism.gravity, poses.first()) else { return Ok(third) };
@@ -105,7 +105,7 @@ fn upward_direction(mechanism: &Mechanism, parameters: &[f64], poses: &[Pose]) -
     Ok(space::unit_vector(fall).map_or(third, |down| down.map(|x| 0.0 - x)))
 }
 
-/// Values of terms that depend only on parameters; `what` names the terms in an error.
+/// Computes expressions that depend only on parameters. `what` names the expressions in an error.
 fn evaluate_parameters_only(
     mechanism: &Mechanism,
     parameters: &[f64],

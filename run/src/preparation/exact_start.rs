@@ -1,7 +1,7 @@
-//! The start of a scene in numbers of 32 digits.
+//! Generalized speeds at the start of a scene, computed in numbers of 32 digits.
 //!
-//! Invariant: no number of the scene file is rounded to a double on the way. Momenta, and angles
-//! near a singular surface, are small differences of large numbers, which rounding would destroy.
+//! Invariant: no number of the scene file is rounded to a double before it is used here. Momenta, and
+//! angles near a singular surface, are small differences of large numbers. Rounding would destroy them.
 
 use crate::code::compile_tape;
 use crate::error::Error;
@@ -27,9 +27,9 @@ pub fn exact_start_speeds(model: &Model, exact: &ExactStart) -> Result<Vec<Doubl
     }
 }
 
-/// Returns the symbols that have a value at the start of a scene, and their values. They are
-/// parameters, coordinates and generalized speeds, followed by the rates q̇ if the scene file
-/// states them.
+/// Returns the symbols that have a value at the start of a scene, and their values to 32 digits, in
+/// the same order. The symbols are the parameters, coordinates and generalized speeds. The rates q̇
+/// follow if the scene file states rates.
 ///
 /// # Errors
 /// `Error::Request` if the definition of a speed contains a symbol that has no value at the start.

@@ -1,10 +1,11 @@
 //! Moves the start of a run along the symmetries of a moving frame until the frame's conditions
 //! hold, to 32 digits.
 //!
-//! A moving frame describes motions up to symmetries by states in which certain functions, its
-//! pins, are zero. These states form the section of the frame. A motion along symmetries changes no
-//! quantity that the scene shows, whatever its length. So Newton's method may choose the lengths in
-//! doubles, if each motion is exact and the pins end at zero.
+//! A moving frame represents all motions that differ by symmetries alone by one of them. Its states
+//! form the section of the frame: there, certain functions of the state, the pins, are zero. A
+//! motion along symmetries changes no quantity that the scene shows. So Newton's method may choose
+//! the lengths of these motions in doubles. The motions themselves are exact, and the pins end at
+//! zero.
 
 use crate::code::compile_tape;
 use crate::error::Error;
@@ -17,30 +18,30 @@ use tripos_traits::DoubleDouble;
 /// Greatest number of Newton steps from a start to the section of a moving frame, where its pins
 /// are zero.
 const STEPS: usize = 60;
-/// Greatest length of one Newton step along any symmetry, in the parameter of the symmetry's flow.
+/// Greatest length of one Newton step along any symmetry, in the parameter of the symmetry's flow
+/// (without unit).
 const FARTHEST: f64 = 0.5;
-/// Greatest number of columns in the extrapolation of a midpoint rule to step length zero.
+/// Greatest number of columns in the extrapolation of the midpoint rule to step length zero.
 const COLUMNS: usize = 16;
-/// Accepted difference of the last two columns of an extrapolation, relative to the size of the
-/// state.
+/// Difference of the last two columns of an extrapolation up to which it has converged, relative to
+/// the size of the state.
 const EXACT: f64 = 1e-31;
-/// Greatest number of times that a motion along symmetries is halved if its extrapolation does not
-/// converge.
+/// Greatest number of times in a row that a motion along symmetries is halved because its
+/// extrapolation does not converge.
 const HALVINGS: usize = 6;
-/// Accepted value of a pin (a function that is zero on the section), relative to the size of the
-/// state.
+/// Largest value of a pin that counts as zero, relative to the size of the state. A pin is a function
+/// of the state that is zero on the section of a moving frame.
 const PINNED: f64 = 1e-29;
-/// Lengths by which a start is first moved along each symmetry, in the order in which they are
-/// tried. The first is zero. The others are unrelated numbers, for starts at which the frame is
-/// singular.
+/// Lengths by which a start is moved along each symmetry before Newton's method, in the order in which
+/// they are tried. The first is zero. The other lengths serve starts at which the frame is singular.
 const DETOURS: [f64; 5] = [0.0, 0.7, -1.1, 1.9, -2.3];
-/// Fraction of the largest singular value of the pins' slopes below which a singular value counts
-/// as zero.
+/// Singular value of the pins' slopes that counts as zero, as a fraction of the largest singular
+/// value.
 const NOTHING: f64 = 1e-9;
 
 /// Moves a start (q, u) of the whole model along the symmetries of a moving frame until the frame's
-/// pins are zero. `symbols` are the parameters, coordinates and speeds. Returns the moved start in
-/// the same order as `start`.
+/// pins are zero. Pins are the functions of the state that the frame makes zero. `symbols` are the
+/// parameters, coordinates and speeds. Returns the moved start in the order of `start`.
 ///
 /// # Errors
 /// [`Error::Stopped`] if no motion along the symmetries makes the pins zero; [`Error::Request`] if
@@ -68,24 +69,25 @@ pub fn move_start_to_section(
     })
 }
 
-/// Symmetries and pins of a moving frame as tapes in 32 digits, with the values of the parameters.
-/// The pins are functions of the state that the frame makes zero.
+/// Symmetries and pins of a moving frame as tapes of 32 digits, with the values of the parameters. The
+/// pins are the functions of the state that the frame makes zero.
 struct MovingFrameMotion<'a> {
     /// Values of the model's parameters, to 32 digits.
     parameters: &'a [DoubleDouble],
-    /// Directions of the symmetries, a block for each; a block has a component for each coordinate and
-    /// speed.
+    /// Directions of the symmetries, one block for each symmetry. A block has a component for each
+    /// coordinate and each speed.
     fields: Tape<DoubleDouble>,
-    /// Values of all pins, followed by their slopes along the symmetries, a row for each pin.
+    /// Values of all pins, followed by the derivatives of the pins along the symmetries, a row for each
+    /// pin.
     pins: Tape<DoubleDouble>,
     /// Number of pins, equal to the number of symmetries.
     count: usize,
 }
 
 impl MovingFrameMotion<'_> {
-    /// Solves for a state with zero pins by Newton's method. The start is first moved by about `detour`
-    /// along each symmetry. `None` if the slopes of the pins are singular or the method does not
-    /// converge.
+    /// Solves for a state at which all pins are zero, by Newton's method. The start is first moved by
+    /// about `detour` along each symmetry. `None` if the slopes of the pins are singular or the method
+    /// does not converge.
     fn newton_to_section(&self, start: &[DoubleDouble], detour: f64) -> Option<Vec<DoubleDouble>> {
         let count = self.count;
         let detours: Vec<f64> = (0..count).map(|at| detour / (1.0 + 0.3 * at as f64)).collect();
@@ -114,9 +116,9 @@ impl MovingFrameMotion<'_> {
         None
     }
 
-    /// Moves a state by the lengths `far` along all symmetries at once. If the extrapolation does not
-    /// converge, the motion is made in two halves, up to `halvings` times in a row. `None` if even the
-    /// shortest part does not converge.
+    /// Moves a state by the lengths `far` along all symmetries at once. A motion whose extrapolation does
+    /// not converge is made in two halves, up to `halvings` times in a row. `None` if even the shortest
+    /// part does not converge.
     fn moved_along_symmetries(
         &self,
         start: &[DoubleDouble],
@@ -131,9 +133,9 @@ impl MovingFrameMotion<'_> {
         self.moved_along_symmetries(&middle, &half, halvings - 1)
     }
 
-    /// Moves a state by the lengths `far` along all symmetries at once. It uses W. B. Gragg's modified
-    /// midpoint rule with 2, 4, 6, … steps and extrapolation in the square of the step length. `None`
-    /// if the extrapolation does not converge.
+    /// Moves a state by the lengths `far` along all symmetries at once, without halving. It uses
+    /// W. B. Gragg's modified midpoint rule with 2, 4, 6, … steps, and extrapolation in the square of
+    /// the step length. `None` if the extrapolation does not converge.
     fn extrapolated_symmetry_motion(&self, start: &[DoubleDouble], far: &[f64]) -> Option<Vec<DoubleDouble>> {
         let mut columns: Vec<Vec<DoubleDouble>> = Vec::new();
         for k in 0..COLUMNS {
@@ -160,8 +162,8 @@ impl MovingFrameMotion<'_> {
         None
     }
 
-    /// Moves a state by the lengths `far` along all symmetries at once, with the modified midpoint rule
-    /// and an even number of steps.
+    /// Moves a state by the lengths `far` along all symmetries at once, by the modified midpoint rule in
+    /// `steps` steps, an even number.
     fn midpoint_symmetry_motion(&self, start: &[DoubleDouble], far: &[f64], steps: usize) -> Vec<DoubleDouble> {
         let h = DoubleDouble::from(1.0) / DoubleDouble::from(steps as f64);
         let along = |from: &[DoubleDouble], at: &[DoubleDouble], h: DoubleDouble| -> Vec<DoubleDouble> {
@@ -177,8 +179,8 @@ impl MovingFrameMotion<'_> {
         now
     }
 
-    /// Rate of the state along all symmetries at once: Σ farᵢ ζᵢ(x), with the direction ζᵢ of each
-    /// symmetry.
+    /// Rate of the state `x` if it moves along all symmetries at once: Σ farᵢ ζᵢ(x), where ζᵢ is the
+    /// direction of symmetry i.
     fn symmetry_rate(&self, x: &[DoubleDouble], far: &[f64]) -> Vec<DoubleDouble> {
         let values = self.fields.evaluate(&[self.parameters, x].concat());
         let mut rate = vec![DoubleDouble::from(0.0); x.len()];

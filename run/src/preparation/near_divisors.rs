@@ -1,4 +1,4 @@
-//! Text that names the divisors of the equations which are nearly zero at a configuration.
+//! Names the divisors of the equations of motion that are nearly zero at a configuration.
 
 use crate::code::compile_tape;
 use crate::error::Error;
@@ -12,19 +12,19 @@ use tripos_derive::mechanics::load_divisors;
 use tripos_derive::model::{Coordinate, Unit};
 use tripos_derive::plain_text::with_significant_digits;
 
-/// Fraction of the typical size of a divisor's terms below which the divisor counts as nearly zero.
+/// Fraction of the size of a divisor's terms below which the divisor counts as nearly zero.
 const NEAR: f64 = 1e-6;
 
-/// Names the divisors of the equations that are nearly zero at a configuration `q`, as the end of a
-/// sentence: ", where sin(theta) = 1.2e-16". For a divisor of a load, its meaning is added. Empty
-/// if no divisor is nearly zero.
+/// Names the divisors of the equations of motion that are nearly zero at a configuration `q`. The text
+/// is the end of a sentence, such as ", where sin(theta) = 1.2e-16". A divisor of a load is followed
+/// by its meaning. The text is empty if no divisor is nearly zero.
 ///
 /// # Errors
 /// [`Error::Request`] if a divisor contains a symbol that has no value during a run.
 pub fn near_divisors(model: &Model, parameters: &[f64], q: &[f64]) -> Result<String, Error> {
     let inputs = [model.p(), model.q()].concat();
-    // A reduced system may divide by symbols that its steps define. Such a divisor is left out: a
-    // reader could not find the configurations at which it is zero.
+    // A reduced system may divide by symbols that the reduction itself defines. Such a divisor is left
+    // out, because a reader could not find the configurations at which it is zero.
     let is_place = |arena: &Arena, e: Expr| {
         let symbols = arena.reachable(&[e]).into_iter();
         symbols.filter(|e| matches!(arena.node(*e), Node::Symbol(_))).all(|e| inputs.contains(&e))
@@ -50,9 +50,9 @@ pub fn near_divisors(model: &Model, parameters: &[f64], q: &[f64]) -> Result<Str
     Ok(if list.is_empty() { String::new() } else { format!(", where {}", list.join(" and ")) })
 }
 
-/// Typical sizes of the parameters, followed by those of the coordinates, each in its own unit. A
-/// coordinate counts at least as large as the largest parameter of its unit, or as 1 if no
-/// parameter has this unit. An angle counts at least as large as 1 rad.
+/// Typical sizes of the parameters, followed by the typical sizes of the coordinates, each in its own
+/// unit. The size of a coordinate is at least the largest parameter of the same unit, or 1 if no
+/// parameter has this unit. The size of an angle is at least 1 rad.
 fn typical_sizes(model: &Model, parameters: &[f64], q: &[f64]) -> Vec<f64> {
     let alike = |coordinate: &Coordinate| {
         let of = model.parameters.iter().zip(parameters).filter(|(p, _)| p.unit == coordinate.unit);
@@ -62,7 +62,7 @@ fn typical_sizes(model: &Model, parameters: &[f64], q: &[f64]) -> Vec<f64> {
     parameters.iter().map(|value| value.abs()).chain(coordinates).collect()
 }
 
-/// Evaluator of the typical size of a term from the sizes of its symbols. All summands count as
+/// Computes the typical size of an expression from the sizes of its symbols. All summands count as
 /// positive, so nothing cancels. Sines and cosines count as 1.
 struct TermSizes<'a>(&'a FxHashMap<Expr, f64>);
 

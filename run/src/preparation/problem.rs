@@ -1,7 +1,7 @@
 //! A scene together with one set of equations of motion, ready to be integrated.
 //!
-//! Equations may use the distance of a coordinate from a singular surface, such as an angle minus
-//! 90°. The integrated state then contains this distance. States for the user contain the
+//! A coordinate may be integrated as its distance from a singular surface, such as an angle minus
+//! 90°. The integrated state then contains this distance. States shown to the user contain the
 //! coordinate itself.
 
 mod chosen_speeds;
@@ -26,29 +26,28 @@ use tripos_sim::{
 };
 use tripos_traits::{DoubleDouble, Real, Scalar, System};
 
-/// Function that computes the power of the loads, W, from the time t, s, and the integrated state
-/// y.
+/// Function that computes the power of the loads, W, at the time t, s, in the integrated state y.
 pub type Power<'a> = Box<dyn FnMut(f64, &[f64]) -> f64 + 'a>;
 
-/// Scene with the equations of motion that run it, and the method that finds their accelerations.
+/// Scene with the equations of motion to run it by, and the method that finds the accelerations.
 pub struct Problem<'a> {
     /// Mechanism of the scene: its model with the compiled equations.
     pub mechanism: &'a Mechanism,
-    /// Model to which the equations belong: the mechanism's, or the reduced model of the scene.
+    /// Model to which the equations belong: the mechanism's model, or the reduced model of the scene.
     pub model: &'a Model,
     /// Scene in the variables of the equations, which are reduced variables for reduced equations.
     pub scene: &'a Scene,
-    /// Scene as its file gives it, in the variables of the mechanism's model.
+    /// Scene as its file states it, in the variables of the mechanism's model.
     pub shown: &'a Scene,
     /// Origin of the equations of motion, such as Kane's method or a publication.
     pub by: &'a EquationsOrigin,
-    /// Equations of motion ready to run. They use the distance from a singular surface if the scene
-    /// asks for it.
+    /// Compiled or interpreted equations of motion. They are in the distance from a singular surface if
+    /// the scene asks for it.
     pub code: &'a Code,
     /// Method that finds the accelerations: eliminated beforehand, or solved for numerically at each
     /// state.
     pub solve: AccelerationSolution,
-    /// Additional equations in chosen speeds, which run wherever these speeds determine the motion.
+    /// Additional equations in chosen speeds, which are used wherever these speeds determine the motion.
     /// `None` unless the problem's own equations are in the rates of all coordinates.
     pub chosen: Option<ChosenSpeedEquations<'a>>,
     /// Coordinate that is integrated as its distance from a singular surface; `None` if there is no
@@ -56,16 +55,18 @@ pub struct Problem<'a> {
     origin: Option<DistanceOrigin>,
 }
 
-/// Number of convolutions per component of the state up to which Taylor's method costs no more than
-/// DOP853. Measured: with 2.4 convolutions (a disk) a run costs 0.9 to 1.1 times as much. With 6.5
+/// Largest number of convolutions per component of the state at which Taylor's method costs no more
+/// than DOP853.
+///
+/// Measured: with 2.4 convolutions (a disk) a run costs 0.9 to 1.1 times as much. With 6.5
 /// convolutions (a cart with three pendulums) it costs 2.3 times as much.
 const MOST_CONVOLUTIONS: usize = 4;
 
-/// Parameters, and the integrated state at the start, both to 32 digits.
+/// Values of the parameters, and the integrated state at the start, both to 32 digits.
 pub type ExtendedStart = (Vec<DoubleDouble>, Vec<DoubleDouble>);
 
-/// Coordinate that is integrated as its difference from a fixed value, to keep digits near a
-/// singular surface.
+/// Coordinate that is integrated as its difference from a fixed value, so that no digits are lost near
+/// a singular surface.
 #[derive(Clone, Copy)]
 struct DistanceOrigin {
     /// Index of the coordinate, from 0.
@@ -76,15 +77,15 @@ struct DistanceOrigin {
 }
 
 impl<'a> Problem<'a> {
-    /// Makes a problem from a scene and equations, which must use the scene's distance from a singular
-    /// surface if it has one. `solve` is the method that finds the accelerations. If it is `None`, the
-    /// scene decides. If the scene does not say, accelerations are eliminated wherever the equations
-    /// allow it.
+    /// Makes a problem from a scene and equations. If the scene integrates a distance from a singular
+    /// surface, the equations must be in this distance. `solve` is the method that finds the
+    /// accelerations. If it is `None`, the scene decides. If the scene does not say either,
+    /// accelerations are eliminated wherever the equations allow it.
     ///
     /// # Errors
-    /// [`Error::Request`] if the accelerations are not eliminated although they must be, or if the
-    /// scene has contacts that these equations do not allow. [`Error::Input`] if a moving body has no
-    /// mass at these parameters.
+    /// [`Error::Request`] if eliminated accelerations are required but the equations have none, or if
+    /// the scene has contacts that these equations do not allow. [`Error::Input`] if a moving body has
+    /// no mass at these parameters.
     pub fn new(
         mechanism: &'a Mechanism,
         scene: &'a Scene,
@@ -95,12 +96,13 @@ impl<'a> Problem<'a> {
         Self::for_scene_of_many(&InertiaCheck::new(mechanism), mechanism, scene, by, code, solve)
     }
 
-    /// Makes a problem for one of many scenes of a mechanism. The inertia check, prepared once, serves
-    /// all of them.
+    /// Makes a problem for one of many scenes of a mechanism. `inertia` is prepared once and serves all
+    /// of these scenes. See [`Self::new`] for `solve`.
     ///
     /// # Errors
-    /// `Error::Request` if the accelerations are not eliminated although they must be, or for forbidden
-    /// contacts. `Error::Input` if a moving body has no mass at the scene's parameters.
+    /// [`Error::Request`] if eliminated accelerations are required but the equations have none, or if
+    /// the scene has contacts that these equations do not allow. [`Error::Input`] if a moving body has
+    /// no mass at the scene's parameters.
     pub fn for_scene_of_many(
         inertia: &InertiaCheck<'_>,
         mechanism: &'a Mechanism,
@@ -114,12 +116,12 @@ impl<'a> Problem<'a> {
         Self::unchecked(mechanism, &mechanism.model, scene, by, code, solve)
     }
 
-    /// Makes a problem from a scene and its own reduced equations. The reduction has already checked
-    /// the inertia.
+    /// Makes a problem from a scene and its reduced equations, without a check of the inertia. The
+    /// reduction has already checked it. `shown` is the scene as its file states it.
     ///
     /// # Errors
-    /// `Error::Request` if the accelerations are not eliminated although the scene asks for it, or it
-    /// has contacts.
+    /// [`Error::Request`] if the scene asks for eliminated accelerations that the equations do not have,
+    /// or if the scene has contacts.
     pub fn reduced(
         mechanism: &'a Mechanism,
         reduced: &'a ReducedScene,
@@ -131,11 +133,11 @@ impl<'a> Problem<'a> {
     }
 
     /// Makes a problem without a check of the inertia. `solve` is the method that finds the
-    /// accelerations; `None` leaves the choice to the scene.
+    /// accelerations. If it is `None`, the scene decides.
     ///
     /// # Errors
-    /// `Error::Request` for accelerations that are not eliminated although they must be, or for
-    /// forbidden contacts.
+    /// `Error::Request` if eliminated accelerations are required but the equations have none, or if the
+    /// scene has contacts that these equations do not allow.
     fn unchecked(
         mechanism: &'a Mechanism,
         model: &'a Model,
@@ -170,7 +172,7 @@ impl<'a> Problem<'a> {
         })
     }
 
-    /// Makes a problem with the same equations for another scene that differs only in its numbers.
+    /// Makes a problem with the same equations for another scene, which differs only in its numbers.
     #[must_use]
     pub fn with_scene<'b>(&self, scene: &'b Scene) -> Problem<'b>
     where
@@ -180,7 +182,7 @@ impl<'a> Problem<'a> {
         Problem { mechanism, model, scene, shown, by, code, solve, chosen, origin }
     }
 
-    /// True if the recurrences of Taylor coefficients are short enough for Taylor's method to cost no
+    /// True if the recurrences of the Taylor coefficients are so short that Taylor's method costs no
     /// more than DOP853. Always false without eliminated accelerations or recurrences. Convolutions of
     /// interpreted equations are not counted.
     #[must_use]
@@ -198,8 +200,8 @@ impl<'a> Problem<'a> {
         self.code.system()
     }
 
-    /// Coordinates of an integrated state `y`, of which the leading components suffice. A distance from
-    /// a singular surface is converted to its coordinate.
+    /// Coordinates q at an integrated state `y`. A distance from a singular surface is converted to its
+    /// coordinate. Only the leading components of `y`, as many as coordinates, are read.
     #[must_use]
     pub fn coordinates(&self, y: &[f64]) -> Vec<f64> {
         let mut q = y[..self.system().lengths().coordinates].to_vec();
@@ -209,9 +211,9 @@ impl<'a> Problem<'a> {
         q
     }
 
-    /// Quantities that the scene shows at time `t`, s, and integrated state `y`. They are the
-    /// coordinates followed by the generalized speeds, or the outputs of the scene for reduced
-    /// equations.
+    /// Quantities that the scene shows at time `t`, s, in the integrated state `y`. For reduced
+    /// equations they are the outputs of the scene. Otherwise they are the coordinates, followed by the
+    /// generalized speeds.
     #[must_use]
     pub fn shown_state(&self, t: f64, y: &[f64]) -> Vec<f64> {
         let system = self.system();
@@ -236,8 +238,8 @@ impl<'a> Problem<'a> {
         let (system, scene) = (self.system(), self.scene);
         let mut q = scene.q.clone();
         if let Some(DistanceOrigin { at, value }) = self.origin {
-            // The exact number of the scene file is used. Its nearest double has lost digits that the distance
-            // keeps.
+            // The exact number of the scene file is used. Its nearest double has lost digits that the
+            // distance needs.
             q[at] = (scene.exact.q[at] - value).to_f64();
         }
         let mut v = vec![0.0; system.lengths().variables];
@@ -264,8 +266,8 @@ impl<'a> Problem<'a> {
         !self.model.motion_constraints.is_empty() && self.by.formulation().is_some_and(Formulation::is_in_rates)
     }
 
-    /// Names of the components of the integrated state: the coordinates, followed by speeds or by rates
-    /// such as `q1'`.
+    /// Names of the components of the integrated state: the coordinates, followed by the speeds or by
+    /// the rates, such as `q1'`.
     #[must_use]
     pub fn variable_names(&self) -> Vec<String> {
         let coordinates = self.model.coordinates.iter().map(|c| c.name.clone());
@@ -276,8 +278,8 @@ impl<'a> Problem<'a> {
         coordinates.chain(speeds).collect()
     }
 
-    /// Names the divisors of the equations that are nearly zero at an integrated state, as the end of a
-    /// sentence. Empty if there are none; see [`near_divisors`].
+    /// Names the divisors of the equations that are nearly zero at an integrated state. The text is the
+    /// end of a sentence, such as ", where sin(theta) = 1.2e-16". It is empty if no divisor is.
     ///
     /// # Errors
     /// [`Error::Request`] if a divisor contains a symbol without a value during a run.
@@ -285,8 +287,8 @@ impl<'a> Problem<'a> {
         near_divisors(self.model, &self.scene.parameters, &self.coordinates(y))
     }
 
-    /// Returns the reason why a rate or an output has no finite value at the start. `None` if all have
-    /// finite values, or if the accelerations are not eliminated.
+    /// Returns the reason why the run cannot start: a rate or an output has no finite value at the
+    /// start. `None` if all values are finite, or if the accelerations are not eliminated.
     ///
     /// # Errors
     /// [`Error`] if the speeds do not determine the motion variables at the start.
@@ -309,8 +311,7 @@ impl<'a> Problem<'a> {
         Ok(Some(format!("{what} has no value at the start{}", self.near_divisors(&y0)?)))
     }
 
-    /// Integrates from the integrated state `y0` at the scene's first instant over the span of the
-    /// scene.
+    /// Integrates over the span of the scene, from the integrated state `y0` at its first instant.
     ///
     /// # Errors
     /// [`SimError`] if the options or the start do not fit the equations.
@@ -318,7 +319,7 @@ impl<'a> Problem<'a> {
         self.integrate_over(self.scene.span, y0, options, events)
     }
 
-    /// Integrates from the integrated state `y0` over a given span, s, instead of the scene's.
+    /// Integrates over a given span, s, instead of the scene's, from the integrated state `y0`.
     ///
     /// # Errors
     /// [`SimError`] if the options or the start do not fit the equations.
@@ -336,8 +337,8 @@ impl<'a> Problem<'a> {
         integrate(LentRightHandSide(rhs.as_mut()), span, y0, &self.run_options(options), events)
     }
 
-    /// Adds to integration options the observer of the run, and the corners: the instants at which
-    /// prescribed motions and forces have kinks or jumps. A step ends at each corner.
+    /// Returns integration options with the observer of the run and the corners added. Corners are the
+    /// instants at which prescribed motions or forces have kinks or jumps. A step ends at each corner.
     #[must_use]
     pub fn run_options(&self, options: &Options) -> Options {
         let corners = self.model.corner_instants(&self.scene.parameters).into_iter();
@@ -345,8 +346,8 @@ impl<'a> Problem<'a> {
         Options { corners, clock: self.model.time(), ..self.mechanism.follow.observed_options(options) }
     }
 
-    /// Right-hand side of the equations. The accelerations are evaluated, or solved for numerically, as
-    /// the problem says.
+    /// Right-hand side of the equations of motion, with the problem's method for the accelerations:
+    /// eliminated, or solved for numerically.
     ///
     /// # Errors
     /// [`SimError`] if the number of parameters does not fit the equations.
@@ -357,13 +358,13 @@ impl<'a> Problem<'a> {
         })
     }
 
-    /// Runs the problem over the scene's span from the integrated state `y0`, as the scene asks: by
-    /// steps, by projected steps or by quadrature. If a power is given, its work is integrated too,
-    /// except by quadrature or with projection.
+    /// Runs the problem over the scene's span from the integrated state `y0`, in the way the scene asks
+    /// for: by steps, by projected steps or by quadrature. If a power is given, its integral, the work,
+    /// is computed too. Quadrature and projection ignore the power.
     ///
     /// # Errors
-    /// [`Error::Request`] if the options are invalid, or the equations do not allow the scene's way of
-    /// integration.
+    /// [`Error::Request`] if the options are invalid, or if the equations do not allow the scene's way
+    /// of integration.
     pub fn solve(
         &self,
         y0: &[f64],
@@ -435,7 +436,7 @@ impl<'a> Problem<'a> {
         run.map_err(|error| refused_scene_error(self.scene, &error))
     }
 
-    /// Advice that names the condition for quadrature that the equations do not meet.
+    /// Advice for equations that do not allow quadrature: names the condition that they do not meet.
     fn quadrature_advice(&self) -> &'static str {
         let system = self.system();
         if !self.by.is_reduced() {
@@ -449,8 +450,7 @@ impl<'a> Problem<'a> {
         }
     }
 
-    /// Linear system for the accelerations v̇ and the reactions, which is solved numerically at each
-    /// state.
+    /// Linear system for the accelerations v̇ and the reactions. It is solved numerically at each state.
     ///
     /// # Errors
     /// [`SimError`] if the number of parameters does not fit the equations.

@@ -14,7 +14,7 @@ use tripos_derive::reduce::{ReducedQuantity, Reduction, ReductionBasis};
 use tripos_derive::scene::{ExactStart, InitialMotion, Scene, SceneEvent};
 use tripos_traits::{AbsoluteTolerance, DoubleDouble};
 
-/// Reduced equations of motion of a scene, and the scene expressed in their variables.
+/// Reduced equations of motion of a scene, with the scene in the variables of these equations.
 pub struct ReducedScene {
     /// Derived equations of the reduced system, with their proof.
     pub reduction: Reduction,
@@ -53,19 +53,20 @@ impl ReducedScene {
         }
     }
 
-    /// Derives the reduced equations of a scene without the use of constant momenta. They are singular
+    /// Derives the reduced equations of a scene without constant momenta. The equations are singular
     /// only in states where the model's own equations are singular.
     ///
     /// # Errors
-    /// `Error` if the model does not determine an output of the scene, or the start of a reduced
-    /// variable has no value.
+    /// [`Error`] if the model does not determine an output of the scene, or if a reduced variable has no
+    /// value at the start.
     pub fn without_momenta(basis: &ReductionBasis, model: &Model, scene: &Scene) -> Result<Self, Error> {
         let reduction = basis.reduce_without_momenta(scene).map_err(|error| model.diagnose(&error))?;
         Self::from_reduction(reduction, model, scene)
     }
 
-    /// Makes the reduced equations of a scene from the reduction of another scene that differs only in
-    /// its numbers. Both scenes must have the same model, outputs, events and names of parameters.
+    /// Makes the reduced equations of a scene from a reduction that was derived for another scene. The
+    /// scenes may differ only in their numbers: model, outputs, events and names of parameters are the
+    /// same.
     ///
     /// # Errors
     /// [`Error::Request`] if a variable depends on a symbol that has no value at the start;
@@ -109,9 +110,9 @@ impl ReducedScene {
         }
     }
 
-    /// Returns the reason why the reduced equations are no gain over the full ones. Either impacts
-    /// break their constants, or they have as many variables and each evaluation costs at least as
-    /// much. `None` if they are a gain.
+    /// Returns the reason why the reduced equations are no gain over the full equations; `None` if they
+    /// are a gain. Either impacts change the constants of the motion, or the reduced equations have as
+    /// many variables and cost at least as much per evaluation.
     ///
     /// # Errors
     /// [`Error`] if Kane's equations cannot be derived for the model.
@@ -139,17 +140,17 @@ impl ReducedScene {
 }
 
 /// Computes the parameters, coordinates and motion variables of a reduced system at the start of a
-/// scene, in this order and to 32 digits. `exact` holds the start of the whole model.
+/// scene, to 32 digits. `exact` is the start of the scene in the variables of the whole model.
 ///
 /// # Errors
-/// `Error::Request` for a symbol without a value; `Error::Stopped` if the start cannot be moved to
-/// the frame's section.
+/// `Error::Request` if a symbol has no value at the start. `Error::Stopped` if the start cannot be
+/// moved to the section of the moving frame.
 fn reduced_start(reduction: &Reduction, model: &Model, exact: &ExactStart) -> Result<[Vec<DoubleDouble>; 3], Error> {
     let (mut symbols, mut values) = symbols_known_at_start(model, exact)?;
     if let Some(frame) = &reduction.frame {
         let count = model.parameters.len() + model.coordinates.len() + model.speeds.len();
-        // Rates in the scene file belong to the start before its motion along symmetries. The speeds say
-        // the same.
+        // Rates in the scene file belong to the start before it is moved along symmetries. The generalized
+        // speeds contain the same information, so the rates are dropped.
         symbols.truncate(count);
         values.truncate(count);
         let states = values.split_off(model.parameters.len());
@@ -170,9 +171,9 @@ fn reduced_start(reduction: &Reduction, model: &Model, exact: &ExactStart) -> Re
     Ok([parameters, q, v])
 }
 
-/// Absolute tolerances of the reduced variables, each in its unit. Each is the least tolerance of
-/// the whole model's variables from which the reduced variable is computed. `each` has those of the
-/// coordinates and speeds.
+/// Absolute tolerances of the reduced variables, each in its own unit. A reduced variable is computed
+/// from coordinates and speeds of the whole model, and gets the least of their tolerances. `each` are
+/// the tolerances of the coordinates and speeds.
 fn reduced_tolerances(reduction: &Reduction, model: &Model, each: &[f64]) -> Vec<f64> {
     let arena = reduction.arena();
     let own: Vec<_> = model.q().into_iter().chain(model.u()).collect();

@@ -1,18 +1,18 @@
-//! Runs of constrained mechanisms that change between chosen generalized speeds and the rates of
-//! all coordinates.
+//! Runs of constrained mechanisms that switch between chosen generalized speeds and the rates of all
+//! coordinates.
 //!
 //! Chosen speeds u fail in poses where they do not distinguish the motions that the constraints
 //! allow. The speed of a rocker, for example, fails in the dead points of its linkage. Near such a
 //! pose, the run continues in the rates of all coordinates ("all rates"). It then uses Lagrange's
-//! equations with multipliers, which are solved at any rank of the constraints
-//! ([`tripos_sim::Multipliers`]). It returns to the chosen speeds where they determine the motion
+//! equations with multipliers. These are solved for constraints of any rank
+//! ([`tripos_sim::Multipliers`]). The run returns to the chosen speeds where they determine the motion
 //! again.
 //!
-//! The standing of a state measures how well the chosen speeds determine the motion, and how
+//! The standing of a state has two measures: how well the chosen speeds determine the motion, and how
 //! independent the constraints are. Each change of variables is a restart at the end of a step. If
 //! the standing is poor at the end of a step in chosen speeds, this step is repeated in all rates.
-//! The whole solution is given in (q, q̇). The shown quantities, and the speeds u among them, are
-//! computed from it.
+//! The whole solution is given in (q, q̇). The shown quantities, such as the speeds u, are computed
+//! from it.
 
 mod part_options;
 mod rates_intervals;
@@ -34,24 +34,24 @@ use tripos_sim::{
 };
 use tripos_traits::System;
 
-/// Equations of motion of one mechanism twice: in the rates of all coordinates, and in the chosen
-/// speeds.
+/// Two sets of equations of motion of one mechanism: in the rates of all coordinates, and in the
+/// chosen speeds.
 #[derive(Clone, Copy)]
 pub struct SpeedAndRateEquations<'a> {
     /// Equations of motion in the rates of all coordinates.
     pub rates: &'a dyn System<f64>,
     /// Equations of motion in the chosen speeds.
     pub speeds: &'a dyn System<f64>,
-    /// Values of the parameters, for both sets of equations, in the order of the model file.
+    /// Values of the parameters of both sets of equations, in the order of the model file.
     pub parameters: &'a [f64],
 }
 
-/// Function that computes the power of the loads, W, from an instant, s, and a state (q, q̇).
+/// Function that computes the power of the loads, W, at an instant, s, in a state (q, q̇).
 type Power<'a> = Box<dyn FnMut(f64, &[f64]) -> f64 + 'a>;
 
-/// Power of the loads in a run, and a flag that tells if the energy balance must hold.
+/// Power of the loads in a run, and a flag that tells if the run checks the energy balance.
 pub struct EnergyBalance<'a> {
-    /// Power whose integral over the run is the work, W; `None` if no work is integrated.
+    /// Power of the loads, W, whose integral over the run is the work; `None` if no work is integrated.
     pub power: Option<Power<'a>>,
     /// True if T + V minus the work of the power is constant in every motion. A run then checks this
     /// near singular poses.
@@ -67,25 +67,26 @@ const RETURNS: f64 = 0.5;
 /// Standing (measure from 0 to 1 of how well the chosen speeds determine the motion) that a start
 /// in these speeds needs.
 const BEGINS: f64 = 0.05;
-/// Relative difference of two states up to which they count as equal. A correction onto constraints
-/// changes less.
+/// Relative difference of two states up to which they count as equal. A correction onto the
+/// constraints changes a state by less.
 const SAME: f64 = 1e-9;
-/// Fraction of the best independence of the constraints so far below which the constraints count as
-/// nearly dependent.
+/// Independence of the constraints below which they count as nearly dependent, as a fraction of the
+/// best independence so far.
 const SINGULAR: f64 = 0.1;
-/// Factors by which tolerances are widened where constraints are nearly dependent, in the order in
-/// which they are tried.
+/// Factors by which the tolerances are multiplied where the constraints are nearly dependent, in the
+/// order in which they are tried.
 const COARSER: [f64; 4] = [1.0, 10.0, 100.0, 1000.0];
-/// Number of steps after which a run that is stuck tries the next factor of its tolerances.
+/// Number of steps after which a run that makes no progress tries the next factor in `COARSER` for its
+/// tolerances.
 const FEW: u64 = 2000;
-/// Fraction of the energy that a run may lose where constraints are nearly dependent.
+/// Fraction of the energy that a run may lose or gain where the constraints are nearly dependent.
 const LOST: f64 = 1e-3;
 
-/// Equations in chosen speeds, which supplement a problem whose own equations are in the rates of
-/// all coordinates. They run wherever these speeds determine the motion.
+/// Equations in chosen speeds that supplement a problem whose own equations are in the rates of all
+/// coordinates. They are used wherever the chosen speeds determine the motion.
 #[derive(Clone, Copy)]
 pub struct ChosenSpeedEquations<'a> {
-    /// Formulation, such as Kane's, whose equations are in the chosen speeds.
+    /// Origin of the equations in the chosen speeds, such as Kane's method.
     pub by: &'a EquationsOrigin,
     /// Runnable equations in the chosen speeds, compiled or interpreted.
     pub code: &'a Code,
@@ -96,7 +97,7 @@ pub struct ChosenSpeedEquations<'a> {
     pub changes: &'a Mutex<Vec<RatesInterval>>,
 }
 
-/// State of a run that may change between chosen speeds and the rates of all coordinates.
+/// State of a run that may switch between chosen speeds and the rates of all coordinates.
 struct SpeedChangingRun<'r> {
     /// Equations of motion in the rates of all coordinates.
     rates: &'r dyn System<f64>,
@@ -104,21 +105,22 @@ struct SpeedChangingRun<'r> {
     speeds: &'r dyn System<f64>,
     /// Values of the parameters, in the order of the model file.
     parameters: &'r [f64],
-    /// Right-hand side in all rates, with multipliers. It also computes how well the chosen speeds
-    /// determine the motion.
+    /// Right-hand side in the rates of all coordinates, with multipliers. It also computes how well the
+    /// chosen speeds determine the motion.
     multipliers: RefCell<Multipliers<'r>>,
     /// Best values so far of two measures: how well the chosen speeds determine the motion, and how
     /// independent the constraints are.
     best: RefCell<DistancesFromSingularity>,
-    /// True if the best standing is known from a good pose. False while a run that began in a bad pose
-    /// only moves away.
+    /// True if the best standing is known from a good pose. False while a run that began near a singular
+    /// pose only moves away from it.
     is_best_known: Cell<bool>,
-    /// Last state (q, q̇) at which the standing (quality of speeds and constraints) was computed, and
-    /// its value; `None` if the equations have no value there.
+    /// Last state (q, q̇) whose standing was computed, and this standing. The standing measures how well
+    /// the chosen speeds determine the motion and how independent the constraints are. `None` if the
+    /// equations have no value at this state.
     last_standing: RefCell<(Vec<f64>, Option<DistancesFromSingularity>)>,
     /// Buffer for a state that is converted to (q, q̇).
     in_rates: RefCell<Vec<f64>>,
-    /// Least duration of the next part of the run in all rates, s, before it may return to chosen
+    /// Least duration, s, of the next part of the run in all rates before it may return to chosen
     /// speeds.
     dwell: f64,
     /// Duration of the last part of the run in the rates of all coordinates, s.
@@ -126,17 +128,18 @@ struct SpeedChangingRun<'r> {
     /// Parts of the run so far that were computed in the rates of all coordinates, in the order of
     /// time.
     changes: Vec<RatesInterval>,
-    /// True if T + V minus the work of the power is constant in every motion, so that the run checks
-    /// the energy.
+    /// True if the run checks the energy: T + V minus the work of the loads is constant in every motion.
     keeps_energy: bool,
 }
 
-/// Integrates from a start (q, q̇) over its span. Wherever the chosen speeds determine the motion,
-/// their equations run with the right-hand side `rhs`. Elsewhere the equations in all rates run.
-/// Returns the solution in (q, q̇), and the parts that were computed in all rates.
+/// Integrates from a start (q, q̇) over its span. The equations in chosen speeds, with the right-hand
+/// side `rhs`, are used wherever these speeds determine the motion. Elsewhere the equations in the
+/// rates of all coordinates are used. Returns the solution in (q, q̇), and the parts of the run in
+/// all rates.
 ///
 /// # Errors
-/// [`SimError`] if the options or the start do not fit the equations, or these have no multipliers.
+/// [`SimError`] if the options or the start do not fit the equations, or if the equations in all rates
+/// have no multipliers.
 pub fn run_with_speed_changes(
     systems: SpeedAndRateEquations<'_>,
     rhs: &mut dyn RightHandSide<f64>,
@@ -172,13 +175,13 @@ pub fn run_with_speed_changes(
     Ok((whole, passage.changes))
 }
 
-/// Integrates from a start (q, v) by the equations in chosen speeds alone; the solution is in (q,
-/// v). `None` if these speeds fail on the way, or hardly determine the motion: such runs need
-/// [`run_with_speed_changes`].
+/// Integrates from a start (q, v) by the equations in chosen speeds alone. Returns the solution in
+/// (q, v). `None` if these speeds fail on the way, or hardly determine the motion somewhere. Such a run
+/// needs [`run_with_speed_changes`].
 ///
 /// # Errors
-/// `SimError` if the options or the start do not fit the equations, or those in all rates have no
-/// multipliers.
+/// `SimError` if the options or the start do not fit the equations, or if the equations in all rates
+/// have no multipliers.
 pub fn run_in_speeds_alone(
     systems: SpeedAndRateEquations<'_>,
     rhs: &mut dyn RightHandSide<f64>,
@@ -224,15 +227,16 @@ impl<'r> SpeedChangingRun<'r> {
         })
     }
 
-    /// True if the chosen speeds determine the motion at (q, q̇) well enough to begin a run in them.
+    /// True if the chosen speeds determine the motion at the state (q, q̇) well enough to begin a run in
+    /// these speeds.
     fn begins_in_speeds(&self, y: &[f64]) -> bool {
         let stands = self.determines_motion_well(y, LEAVES) == Some(true) && self.best.borrow().speeds > BEGINS;
         self.is_best_known.set(stands);
         stands
     }
 
-    /// True if the standing at (q, q̇) is above the fraction `part` of the best so far. This holds for
-    /// both measures: how well the chosen speeds determine the motion, and how independent the
+    /// True if both measures of the standing at (q, q̇) exceed the fraction `part` of their best values so
+    /// far. The measures are how well the chosen speeds determine the motion, and how independent the
     /// constraints are. Updates the best values. `None` if the equations have no value at this state.
     fn determines_motion_well(&self, y: &[f64], part: f64) -> Option<bool> {
         let now = self.speed_conditioning(y)?;
@@ -248,8 +252,8 @@ impl<'r> SpeedChangingRun<'r> {
     }
 
     /// Computes how well the chosen speeds determine the motion at (q, q̇), and how independent the
-    /// constraints are; `None` if the equations have no value there. The last result is reused for a
-    /// state that differs only by a correction.
+    /// constraints are. `None` if the equations have no value at this state. A state that equals the
+    /// last one up to a small correction gets the last result.
     fn speed_conditioning(&self, y: &[f64]) -> Option<DistancesFromSingularity> {
         let mut last = self.last_standing.borrow_mut();
         let (before, stood) = &mut *last;
@@ -263,17 +267,17 @@ impl<'r> SpeedChangingRun<'r> {
         *stood
     }
 
-    /// Converts a state (q, v) in chosen speeds to (q, q̇), and compares its standing with the best so
-    /// far; see [`Self::determines_motion_well`].
+    /// Compares the standing at a state (q, v) in chosen speeds with the best standing so far. Returns
+    /// the result of [`Self::determines_motion_well`] at this state.
     fn has_standing_in_speeds(&self, y: &[f64], part: f64) -> Option<bool> {
         let mut in_rates = self.in_rates.borrow_mut();
         write_state_in_rates(self.speeds, self.parameters, y, &mut in_rates);
         self.determines_motion_well(&in_rates, part)
     }
 
-    /// Runs a part in the chosen speeds from (q, v), up to a pose where they hardly determine the
-    /// motion. Returns the solution in (q, v), and the instant at which the last attempted step would
-    /// have ended, s.
+    /// Runs a part in the chosen speeds from a start (q, v), up to a pose where these speeds hardly
+    /// determine the motion. Returns the solution in (q, v), and the instant, s, at which the last
+    /// attempted step would have ended.
     fn run_part_in_speeds(
         &self,
         rhs: &mut dyn RightHandSide<f64>,
@@ -297,8 +301,8 @@ impl<'r> SpeedChangingRun<'r> {
         Ok((leg, beyond.get()))
     }
 
-    /// Runs a part in the chosen speeds from a start (q, q̇), up to a pose where they hardly determine
-    /// the motion. Returns the solution converted to (q, q̇).
+    /// Runs a part in the chosen speeds from a start (q, q̇), up to a pose where these speeds hardly
+    /// determine the motion. Returns the solution in (q, q̇).
     fn run_part_in_speeds_as_rates(
         &mut self,
         rhs: &mut dyn RightHandSide<f64>,
@@ -326,9 +330,9 @@ impl<'r> SpeedChangingRun<'r> {
         Ok(leg)
     }
 
-    /// Runs a part in the rates of all coordinates from a start (q, q̇). If the run gets stuck near a
-    /// singular pose, it is repeated with wider tolerances. Records the part among the changes. The
-    /// stop of the solution tells of a failure.
+    /// Runs a part in the rates of all coordinates from a start (q, q̇). If the run makes no progress near
+    /// a singular pose, it is repeated with wider tolerances. Records the part in `self.changes`. If the
+    /// part fails, the `stop` of the returned solution gives the reason.
     fn run_part_in_rates(
         &mut self,
         start: InitialState<'_>,
@@ -340,7 +344,7 @@ impl<'r> SpeedChangingRun<'r> {
         let options = part_options_in_rates(options, y.len() / 2);
         let mut power = power.map(|power| power.as_mut() as &mut dyn FnMut(f64, &[f64]) -> f64);
         // Near a singular pose, rounding errors may exceed the tolerances. Steps then become tiny. Wider
-        // tolerances help.
+        // tolerances allow longer steps.
         let (mut leg, mut is_singular, mut coarser) = (None, false, 1.0);
         for times in COARSER {
             let few = Options { step_limit: options.step_limit.min(FEW), ..wider_part_options(&options, times) };
@@ -403,8 +407,8 @@ impl<'r> SpeedChangingRun<'r> {
         Ok((leg, rhs.least_distance_from_dependence()))
     }
 
-    /// Relative change of the energy T + V, less the work, from a state `y` = (q, q̇) to the end of a
-    /// part. `None` if it is at most the limit [`LOST`], or if the energy balance need not hold.
+    /// Relative change of the energy T + V, less the work, from a state `y` = (q, q̇) to the end of a part
+    /// of the run. `None` if it is at most [`LOST`], or if the energy balance is not checked.
     fn lost_energy_fraction(&self, y: &[f64], leg: &Solution) -> Option<f64> {
         if !self.keeps_energy {
             return None;
@@ -436,8 +440,8 @@ fn is_stuck(stop: &Stop) -> bool {
     matches!(stop, Stop::StepTooSmall { .. } | Stop::NotFinite { .. } | Stop::StepLimit { .. })
 }
 
-/// Converts an event, a function of (q, q̇), to an event that is a function of other variables.
-/// `to_rates` converts a state in these variables to (q, q̇).
+/// Makes an event in other variables from an event that is a function of (q, q̇). `to_rates` converts a
+/// state in the other variables to (q, q̇).
 fn event_in_other_variables<'e>(event: &'e mut Event<'_>, to_rates: &'e dyn Fn(&[f64]) -> Vec<f64>) -> Event<'e> {
     let function = &mut event.function;
     let in_other = move |t: f64, y: &[f64]| function(t, &to_rates(y));
@@ -450,8 +454,8 @@ fn event_in_other_variables<'e>(event: &'e mut Event<'_>, to_rates: &'e dyn Fn(&
     }
 }
 
-/// Integrates equations with conditions that are tested at each step, such as the need to change
-/// variables.
+/// Integrates equations from a start. `rhs` also contains the conditions that are tested at each step,
+/// such as the need to change variables.
 fn integrate_watched(
     mut rhs: AccompaniedRightHandSide<'_>,
     start: InitialState<'_>,

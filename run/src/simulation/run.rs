@@ -15,46 +15,45 @@ use tripos_sim::{Dynamics, EventRecord, ImpactRecord, Kind, Solution};
 pub struct Run {
     /// Equations of motion that were integrated: a formulation, printed or reduced equations.
     pub by: EquationsOrigin,
-    /// Form of the code that was used, such as compiled or interpreted.
+    /// Form of the code that was run, such as compiled or interpreted.
     pub code: CodeForm,
-    /// Way in which accelerations were found: eliminated or numerically.
+    /// Method that found the accelerations: eliminated, or solved for numerically.
     pub solve: AccelerationSolution,
-    /// Solution that the integrator returned, in the integrated variables.
+    /// Solution that the integrator returned, in the variables that were integrated.
     pub solution: Solution,
     /// Reason why the run ended, in words.
     pub why: String,
     /// Sentence that says when, after how many steps and why the run ended.
     pub ending: String,
-    /// Sentence that names the first shown quantity without a value, and its instant; `None` if all
-    /// have values.
-    /// It is set by [`Run::find_missing_values`].
+    /// Sentence that names the first shown quantity without a finite value, and its instant. `None` if
+    /// all have finite values. It is set by [`Run::find_missing_values`].
     pub(crate) missing: Option<String>,
     /// Names of the shown quantities: coordinates and generalized speeds, or the outputs of a scene.
     pub names: Vec<String>,
     /// Values of the shown quantities at each sample: one list for each sample, in the order of
     /// `names`.
     pub states: Vec<Vec<f64>>,
-    /// Kinetic and potential energy at each sample, J; empty if the scene shows its own outputs.
+    /// Kinetic and potential energy at each sample, J. Empty if the scene requests its own outputs.
     pub energies: Vec<(f64, f64)>,
     /// Values of the shown quantities at the end of the run, in the order of `names`.
     pub end: Vec<f64>,
     /// Estimated errors and correct digits of the shown quantities; `None` if the run took no step
     /// or was interrupted.
     pub digits: Option<CorrectDigits>,
-    /// Largest change of total energy over the samples, J; `None` if it is not known.
+    /// Largest change of the total energy over the samples, J; `None` if it is not known.
     pub energy_drift: Option<f64>,
-    /// Largest change of each first integral that was watched.
+    /// Largest change of each watched first integral (a quantity that stays constant).
     pub drifts: Vec<Drift>,
     /// Largest residuals of the constraints that the run enforces.
     pub residuals: Vec<Residual>,
-    /// Notes on how the run was made; they are no reasons to distrust it.
+    /// Notes on how the run was made. They are no reasons to distrust it.
     pub notes: Vec<String>,
     /// Warnings about the numbers of the run, one text for each.
     pub warnings: Vec<String>,
 }
 
 impl Run {
-    /// Values of the shown quantity `name` at each sample.
+    /// Returns the values of the shown quantity `name` at all samples, in the order of time.
     ///
     /// # Errors
     /// [`Error::Request`] if the run does not show this quantity.
@@ -69,26 +68,26 @@ impl Run {
         Ok(self.states.iter().map(|values| values[at]).collect())
     }
 
-    /// Samples in order: the instant, s, and the shown values in the order of [`Run::names`].
+    /// Iterates over the samples: the instant, s, and the shown values in the order of [`Run::names`].
     pub fn samples(&self) -> impl Iterator<Item = (f64, &[f64])> {
         self.solution.t.iter().copied().zip(self.states.iter().map(Vec::as_slice))
     }
 
-    /// Events and crossings of domain conditions in the run, in order, with their instants and
-    /// states.
+    /// Events of the run in order, each with its instant and state. They include crossings of domain
+    /// conditions.
     #[must_use]
     pub fn events(&self) -> &[EventRecord] {
         &self.solution.events
     }
 
-    /// Impacts of the run, in order.
+    /// Impacts of the run, in the order of time.
     #[must_use]
     pub fn impacts(&self) -> &[ImpactRecord] {
         &self.solution.impacts
     }
 
-    /// Estimated error of the instant of an impact, s; `None` if it was not estimated, and for an
-    /// impact at the start.
+    /// Estimated error of the instant of an impact, s. `None` if it was not estimated, or for an impact
+    /// at the start.
     #[must_use]
     pub fn error_of_impact(&self, impact: &ImpactRecord) -> Option<f64> {
         let at = self
@@ -99,28 +98,28 @@ impl Run {
         self.digits.as_ref().and_then(|digits| digits.events[at])
     }
 
-    /// Reasons not to trust the run to its requested end, one text for each; empty if the run can
-    /// be trusted.
+    /// Reasons not to trust the run to its requested end, one text for each. Empty if the run can be
+    /// trusted.
     #[must_use]
     pub fn objections(&self) -> Vec<String> {
         self.failure().into_iter().chain(self.warnings.iter().cloned()).collect()
     }
 
-    /// True if the run can be trusted to its end: there are no objections, and errors were
+    /// True if the run can be trusted to its end: there are no objections, and the errors, if any, were
     /// estimated to the end.
     #[must_use]
     pub fn is_trusted(&self) -> bool {
         self.objections().is_empty() && self.digits.as_ref().is_none_or(CorrectDigits::is_complete)
     }
 
-    /// Sentence that says why the run could not go on, or which quantity has no value; `None` if
-    /// the run is complete.
+    /// Sentence that says why the run could not go on, or which quantity has no value. `None` if the run
+    /// is complete.
     #[must_use]
     pub fn failure(&self) -> Option<String> {
         if self.solution.stop.is_failure() { Some(self.ending.clone()) } else { self.missing.clone() }
     }
 
-    /// Looks for shown quantities without a finite value, and sets `missing`.
+    /// Looks for a shown quantity without a finite value, and stores a sentence about it in `missing`.
     ///
     /// # Errors
     /// Errors of [`Problem::near_divisors`].
@@ -148,15 +147,15 @@ impl Run {
         Ok(())
     }
 
-    /// Computes the values of all watched quantities at the samples of the run; `code` is the code
-    /// that made the run.
+    /// Computes the values of all watched quantities at the samples of the run. `code` is the code that
+    /// made the run.
     ///
     /// # Errors
     /// [`Error::Request`] if the number of parameters does not fit the equations.
     pub fn course(&self, watch: &WatchedInvariants, scene: &Scene, code: &Code) -> Result<InvariantValues, Error> {
         let (integrals, divisors) = watch.invariants_along_states(&scene.parameters, &self.states);
         let (mut determinant, mut condition) = (Vec::new(), Vec::new());
-        // A scene's reduced equations are solved for the rates: they have no matrix, and other
+        // Reduced equations of a scene are already solved for the rates. They have no matrix, and other
         // parameters.
         if !self.by.is_reduced() {
             let mut dynamics =

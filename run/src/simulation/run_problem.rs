@@ -22,13 +22,11 @@ use tripos_derive::scene::Scene;
 use tripos_derive::{Formulation, Model};
 use tripos_sim::{Event, Options, Solution, Stop};
 
-/// Replaces the energies of a run by the energies of the whole model, computed from the shown
-/// states.
-/// A run that shows outputs of its scene has no such energies. It keeps the drift of its own energy
-/// if it has one.
+/// Replaces the energies of a run by the energies of the whole model, computed from the shown states.
 ///
-/// The energies of reduced equations differ from those of the whole model: motion due to constant
-/// momenta counts as potential energy.
+/// The energies of reduced equations differ from those of the whole model, because motion due to
+/// constant momenta counts as potential energy. A run that shows outputs of its scene gets no
+/// energies. It keeps the drift of its own energy if it has one.
 ///
 /// # Errors
 /// [`Error`] if the model has no Kane's equations.
@@ -50,8 +48,8 @@ pub fn set_whole_model_energies(model: &Mechanism, scene: &Scene, run: &mut Run)
     Ok(())
 }
 
-/// Names of the shown quantities: the outputs of a reduced scene, else coordinates and generalized
-/// speeds.
+/// Names of the shown quantities. For reduced equations they are the outputs of the scene. Otherwise
+/// they are the coordinates, followed by the generalized speeds.
 fn shown_names(problem: &Problem<'_>) -> Vec<String> {
     if problem.by.is_reduced() {
         problem.shown.outputs.iter().map(|o| o.name.clone()).collect()
@@ -60,9 +58,10 @@ fn shown_names(problem: &Problem<'_>) -> Vec<String> {
     }
 }
 
-/// Proves the first integrals of a model, so that runs can watch them.
-/// Returns `None` for a model with more than eight coordinates, whose proof may take longer than
-/// the run, and for a model without speeds.
+/// Proves the first integrals of a model (quantities that stay constant), so that runs can watch them.
+///
+/// `None` for a model without speeds. Also `None` for a model with more than eight coordinates, whose
+/// proof may take longer than the run.
 ///
 /// # Errors
 /// [`Error`] if the model cannot be derived.
@@ -70,22 +69,22 @@ pub fn prove_integrals_to_watch(model: &Mechanism) -> Result<Option<WatchedInvar
     are_integrals_proved(model).then(|| WatchedInvariants::of_model(model)).transpose()
 }
 
-/// True if the first integrals of a model are proved before a run: it has at most eight
-/// coordinates, and a speed.
+/// True if the first integrals of a model are proved before a run: the model has at most eight
+/// coordinates, and at least one speed.
 pub fn are_integrals_proved(model: &Mechanism) -> bool {
     // A fully prescribed motion conserves nothing of its own.
     model.coordinates.len() <= MOST_PROVED && !model.speeds.is_empty()
 }
 
-/// Greatest number of coordinates for which a run proves the first integrals before it watches them.
+/// Greatest number of coordinates for which first integrals are proved before a run, so that the run
+/// can watch them.
 const MOST_PROVED: usize = 8;
 
-/// Runs a scene by one set of equations, compiled in the scene's distance from a singularity if it
-/// has one.
+/// Runs a scene by one set of equations. `code` must use the scene's distance from a singular surface
+/// if the scene has one. `watch` are the first integrals to watch; `None` watches only the energy.
 ///
 /// # Errors
-/// [`Error`] if the run cannot begin; a run that began and could not go on is a [`Run`] that says
-/// so.
+/// [`Error`] if the run cannot begin. A run that began and could not go on is a [`Run`] that says so.
 pub fn run_code(
     model: &Mechanism,
     scene: &Scene,
@@ -96,23 +95,21 @@ pub fn run_code(
     run_problem(&Problem::new(model, scene, by, code, None)?, watch)
 }
 
-/// Runs a problem over the span of its scene with the scene's integration settings, and shows its
-/// states.
-/// `watch` holds the first integrals to watch; `None` watches only the energy.
+/// Runs a problem over the span of its scene with the scene's integration settings. The result shows
+/// the states, or the outputs of a reduced scene. `watch` are the first integrals to watch; `None`
+/// watches only the energy.
 ///
 /// # Errors
-/// [`Error`] if the run cannot begin; a run that began and could not go on is a [`Run`] that says
-/// so.
+/// [`Error`] if the run cannot begin. A run that began and could not go on is a [`Run`] that says so.
 pub fn run_problem(problem: &Problem<'_>, watch: Option<&WatchedInvariants>) -> Result<Run, Error> {
     run_problem_with_quantities(problem, watch, None)
 }
 
-/// Runs a problem and shows the quantities `shown`; `None` shows the states, or the outputs of a
-/// reduced scene.
-/// `watch` holds the first integrals to watch; `None` watches only the energy.
+/// Runs a problem and shows the quantities `shown`. `None` shows the states, or the outputs of a
+/// reduced scene. `watch` are the first integrals to watch; `None` watches only the energy.
 ///
 /// # Errors
-/// Errors of `run_problem`.
+/// Errors of [`run_problem`].
 pub fn run_problem_with_quantities(
     problem: &Problem<'_>,
     watch: Option<&WatchedInvariants>,
@@ -123,8 +120,8 @@ pub fn run_problem_with_quantities(
     })
 }
 
-/// Runs a problem by the function `solve`, which gets the integrated start state, the options and
-/// the watched events.
+/// Runs a problem by the function `solve`, which gets the integrated start state, the options and the
+/// watched events, and returns the solution. Energies, error estimates and notes are added.
 ///
 /// # Errors
 /// Errors of [`run_problem`], and the errors of `solve`.
@@ -154,8 +151,8 @@ pub fn run_problem_by_solver(
     Ok(run)
 }
 
-/// Notes on the instants at which the run changed between its chosen speeds and all coordinate
-/// rates.
+/// Notes on the instants at which a run changed between its chosen speeds and the rates of all
+/// coordinates.
 fn speed_change_notes(model: &Model, chosen: ChosenSpeedEquations<'_>) -> Vec<String> {
     let speeds: Vec<String> = model.speeds.iter().map(|speed| format!("`{}`", speed.name)).collect();
     chosen
@@ -164,7 +161,7 @@ fn speed_change_notes(model: &Model, chosen: ChosenSpeedEquations<'_>) -> Vec<St
         .map_or_else(|_| Vec::new(), |list| speed_changes::notes_on_rates_intervals(&list, &speeds, chosen.by))
 }
 
-/// Completes a solution to the result of a run: shown values, energies, notes and objections.
+/// Completes a solution to the result of a run: adds shown values, energies, notes and objections.
 fn finish_run(
     problem: &Problem<'_>,
     solution: Solution,
@@ -221,8 +218,8 @@ fn finish_run(
     Ok(run)
 }
 
-/// Explanation, as the end of a sentence, that the divisor that became zero belongs to a load;
-/// empty if it belongs to none.
+/// Text that explains a divisor of a load that became zero, as the end of a sentence. Empty if the
+/// divisor belongs to no load.
 fn zero_divisor_meaning(problem: &Problem<'_>, divisor: &str) -> String {
     let mut arena = problem.mechanism.arena.clone();
     let loads = load_divisors(&mut arena, problem.mechanism);
@@ -230,16 +227,16 @@ fn zero_divisor_meaning(problem: &Problem<'_>, divisor: &str) -> String {
     of_load.map_or_else(String::new, |load| format!(": {}", load.zero_divisor_meaning()))
 }
 
-/// Note that the energy of a driven mechanism cannot check a run; `None` if constraints do not
-/// drive the mechanism.
+/// Note that the energy cannot check a run of a driven mechanism. `None` if no constraint drives the
+/// mechanism.
 fn driven_mechanism_note(problem: &Problem<'_>) -> Option<String> {
     problem.mechanism.is_driven().then(|| {
         "constraints drive the mechanism: their forces change the energy, and no drift of energy is stated".to_owned()
     })
 }
 
-/// Notes on the coordinates and rates that were solved for at the start, to close loops and satisfy
-/// constraints.
+/// Notes on the coordinates and rates that were computed for the start, so that loops are closed and
+/// constraints are satisfied.
 fn closed_start_notes(scene: &Scene) -> impl Iterator<Item = String> {
     let solved = |is_rate: bool| -> Option<String> {
         let list = scene.closed.iter().filter(|c| c.is_rate == is_rate);

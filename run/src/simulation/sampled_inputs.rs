@@ -1,15 +1,17 @@
-//! Runs whose inputs are set from outside and held constant between instants: by recorded signals
-//! or by a controller.
+//! Runs whose inputs are set from outside at given instants and held constant between them. A
+//! controller or recorded signals set them.
 //!
-//! The run is made in windows, from each instant to the next. In each window an input is a
-//! parameter of the equations. A window ends exactly at its instant and the next window begins
-//! there. So no step and no stage of a method uses two values of an input. This holds for every
-//! method and every kind of code, and the same controller gives the same bits.
+//! The run is made in windows, from each instant to the next. In each window, an input is a parameter
+//! of the equations. A window ends exactly at its instant, and the next window begins there. So no
+//! step and no stage of a method uses two values of an input. This holds for every method and every
+//! kind of code. The same controller gives the same bits in every run.
 //!
-//! A second run gives the errors. It takes finer steps and uses a new controller. The controller
-//! decides from the states of the second run, so the difference of the two runs contains the errors
-//! that the decisions amplify. Source: K. J. Åström & B. Wittenmark, *Computer-Controlled Systems*,
-//! 3rd edition (1997), § 2.3 (zero-order hold).
+//! A second run estimates the errors. It takes finer steps and uses a new controller. This controller
+//! decides from the states of the second run. So the difference of the two runs contains the errors
+//! that the decisions amplify.
+//!
+//! Source: K. J. Åström & B. Wittenmark, *Computer-Controlled Systems*, 3rd edition (1997), § 2.3
+//! (zero-order hold).
 
 mod control_loop;
 
@@ -29,31 +31,32 @@ use tripos_derive::plain_text::with_reliable_digits;
 use tripos_derive::scene::{Integrator, Scene};
 use tripos_sim::{EventRecord, Stop};
 
-/// Shown quantities of a run at an instant, as passed to a controller.
+/// Shown quantities of a run at one instant, as passed to a controller.
 #[derive(Clone, Copy, Debug)]
 pub struct ControllerSample<'a> {
     /// Instant at which the controller sets the inputs, s.
     pub t: f64,
     /// Index of the instant among all instants at which inputs are set, from 0.
     pub index: usize,
-    /// Names of the coordinates, of the generalized speeds, and of the further outputs of the scene.
+    /// Names of the coordinates, the generalized speeds, and the further outputs of the scene, in this
+    /// order.
     pub names: &'a [String],
-    /// Values of these quantities, in SI units, in the order of `names`. Accelerations and reactions
-    /// are those just before the instant: with the inputs that the controller replaces.
+    /// Values of the quantities in `names`, in the same order, in SI units. Accelerations and reactions
+    /// are those just before the instant, with the inputs that the controller is about to replace.
     pub values: &'a [f64],
 }
 
 impl ControllerSample<'_> {
-    /// Value of a coordinate, a generalized speed or an output at the instant, in its SI unit; `None`
-    /// if the name is unknown.
+    /// Value of a coordinate, a generalized speed or an output at the instant, in its SI unit. `None` if
+    /// no shown quantity has this name.
     #[must_use]
     pub fn value(&self, name: &str) -> Option<f64> {
         self.names.iter().position(|known| known == name).map(|at| self.values[at])
     }
 }
 
-/// Recorded signal of an input, held constant between instants.
-/// From each instant on, the input has the value with the same index.
+/// Recorded signal of an input, held constant between instants. From each instant on, the input has
+/// the value with the same index.
 #[derive(Clone, Copy, Debug)]
 pub struct HeldSignal<'a> {
     /// Name of the input of the model that the signal sets.
@@ -65,23 +68,23 @@ pub struct HeldSignal<'a> {
     pub values: &'a [f64],
 }
 
-/// Values of the inputs from an instant on, with the shown quantities and their estimated errors
-/// at that instant.
+/// Values of the inputs from an instant on. Also the shown quantities at that instant, with their
+/// estimated errors.
 #[derive(Clone, Debug, PartialEq)]
 pub struct InputDecision {
     /// Instant from which the inputs have these values, s.
     pub t: f64,
     /// Values of the inputs, in the order of [`SampledRun::inputs`].
     pub inputs: Vec<f64>,
-    /// Values of the shown quantities at the instant, in the order of [`SampledRun::names`], with the
-    /// inputs that were valid before.
+    /// Values of the shown quantities at the instant, in the order of [`SampledRun::names`]. They belong
+    /// to the inputs that were valid until then.
     pub values: Vec<f64>,
-    /// Estimated error of each of `values`, in its unit; `None` if the second run did not reach the
-    /// instant.
+    /// Estimated error of each value in `values`, in its unit. `None` if the second run, which estimates
+    /// the errors, did not reach the instant.
     pub errors: Option<Vec<f64>>,
 }
 
-/// Result of a run whose inputs were set from outside.
+/// Result of a run whose inputs were set from outside, by a controller or by recorded signals.
 #[derive(Clone, Debug)]
 pub struct SampledRun {
     /// Equations of motion that were integrated: a formulation of the model.
@@ -90,7 +93,8 @@ pub struct SampledRun {
     pub code: CodeForm,
     /// Names of the inputs that were set from outside.
     pub inputs: Vec<String>,
-    /// Names of the coordinates, of the generalized speeds, and of the further outputs of the scene.
+    /// Names of the coordinates, the generalized speeds, and the further outputs of the scene, in this
+    /// order.
     pub names: Vec<String>,
     /// Instants of the samples, s.
     pub t: Vec<f64>,
@@ -104,12 +108,13 @@ pub struct SampledRun {
     pub t_end: f64,
     /// Values of the shown quantities at the end of the run, in the order of `names`.
     pub end: Vec<f64>,
-    /// Estimated error of each value of `end`, in its unit; `None` if the second run did not reach the end.
+    /// Estimated error of each value in `end`, in its unit. `None` if the second run, which estimates the
+    /// errors, did not end in the same way.
     pub errors_at_end: Option<Vec<f64>>,
-    /// Correct digits of each value of `end`, relative to its largest size in the run; `None` if the
-    /// second run did not reach the end.
+    /// Number of correct digits of each value in `end`, relative to its largest size in the run. `None`
+    /// if `errors_at_end` is `None`.
     pub digits_at_end: Option<Vec<f64>>,
-    /// Numbers of accepted and of rejected steps, in this order.
+    /// Number of accepted steps, followed by the number of rejected steps.
     pub steps: (u64, u64),
     /// Reason why the run ended, such as the end of the span or an event.
     pub stop: Stop,
@@ -118,7 +123,7 @@ pub struct SampledRun {
 }
 
 impl SampledRun {
-    /// Reasons not to trust the run to its end; empty if there are none.
+    /// Reasons not to trust the run to its end, one text for each. Empty if the run can be trusted.
     #[must_use]
     pub fn objections(&self) -> Vec<String> {
         let failure = self.stop.is_failure().then(|| self.ending());
@@ -139,7 +144,7 @@ impl SampledRun {
         format!("ended at t = {t} s: {}", self.stop.described(&self.names))
     }
 
-    /// Values of the shown quantity `name` at each sample.
+    /// Returns the values of the shown quantity `name` at all samples, in the order of time.
     ///
     /// # Errors
     /// [`Error::Request`] if the run shows no quantity of this name.
@@ -153,11 +158,10 @@ impl SampledRun {
 }
 
 /// Runs a scene with recorded signals for some of its inputs, and estimates the errors by a second
-/// run.
-/// `by` names the equations; `None` takes the first formulation of the model.
+/// run. `by` names the equations; `None` takes the first formulation of the model.
 ///
 /// # Errors
-/// Errors of [`simulate_sampled`]; [`Error::Request`] for signals without as many values as
+/// Errors of [`simulate_sampled`]. [`Error::Request`] if a signal does not have as many values as
 /// instants.
 pub fn simulate_recorded_signals(
     mechanism: &Mechanism,
@@ -191,19 +195,21 @@ pub fn simulate_recorded_signals(
     simulate_sampled(mechanism, scene, &inputs, &all, decide, by)
 }
 
-/// Runs a scene whose inputs are set by a controller at the given instants, s, and held until the
-/// next instant.
-/// Two runs are made, each with a new controller, so that their difference gives the errors. A
-/// controller returns a value for each of `inputs`, in its SI unit. `by` names the equations;
-/// `None` takes the first formulation of the model.
+/// Runs a scene whose inputs are set by a controller at the given instants, s, and held constant until
+/// the next instant. The controller is not called at an instant at the end of the span.
 ///
-/// The controller is not called at an instant at the end of the span.
+/// `controller` makes a controller, which returns a value for each of `inputs`, in its SI unit. Two
+/// runs are made, each with a new controller. Their difference gives the estimated errors. `by` names
+/// the equations; `None` takes the first formulation of the model.
 ///
 /// # Errors
-/// [`Error::Request`] for unknown inputs or inputs with formulas; for instants that are not in
-/// order or outside the span; for a decision with a wrong number of values or a value that is not
-/// finite; for a run backwards, by quadrature, projected or with impacts. Otherwise the errors of
-/// [`simulate`](crate::simulate()).
+/// [`Error::Request`] in these cases:
+/// - an input is unknown or has a formula;
+/// - the instants are not in order, or are outside the span;
+/// - the controller returns a wrong number of values, or a value that is not finite;
+/// - the run goes backwards in time, uses quadrature or projection, or has impacts.
+///
+/// Otherwise the errors of [`simulate`](crate::simulate()).
 pub fn simulate_sampled<C: FnMut(&ControllerSample<'_>) -> Vec<f64>>(
     mechanism: &Mechanism,
     scene: &Scene,
@@ -260,12 +266,12 @@ fn input_parameter_indices(mechanism: &Mechanism, inputs: &[&str]) -> Result<Vec
     Ok(places)
 }
 
-/// Least distance of two instants, in units of the rounding error of the later; closer instants
-/// leave no room for a step.
+/// Least distance of two instants at which inputs are set, in units of the rounding error of the
+/// later instant. Closer instants leave no room for a step.
 const ROUNDINGS: f64 = 64.0;
 
-/// Checks that instants are inside the span, in order and not too close to one another, and that
-/// time goes forwards.
+/// Checks the instants at which inputs are set. They must be inside the span, in order and not too
+/// close to one another, and the run must go forwards in time.
 ///
 /// # Errors
 /// `Error::Request` if a check fails.
@@ -294,10 +300,11 @@ fn check_sampled_instants(scene: &Scene, instants: &[f64]) -> Result<(), Error> 
     Ok(())
 }
 
-/// Checks that a scene can have inputs from outside: no quadrature, no projection and no impacts.
+/// Checks that a scene can have inputs from outside. It must not use quadrature or projection, and must
+/// have no impacts.
 ///
 /// # Errors
-/// `Error::Request` if the scene has any of these.
+/// `Error::Request` if the scene uses quadrature or projection, or has impacts.
 fn check_integration(scene: &Scene) -> Result<(), Error> {
     let how = &scene.integration;
     if how.method == Integrator::Quadrature || how.project.is_some() {

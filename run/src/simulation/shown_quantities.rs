@@ -1,8 +1,8 @@
-//! Quantities that a run by full equations shows: every coordinate and speed, and further outputs
+//! Quantities that a run by full equations shows: every coordinate, every speed, and further outputs
 //! of the scene.
 //!
-//! Invariant: an output that has no value at a state is NaN; no other number ever replaces it.
-//! Reduced equations have outputs of their own ([`tripos_traits::System::outputs`]).
+//! Invariant: an output without a value at a state is NaN, never another number. Reduced equations have
+//! their own outputs ([`tripos_traits::System::outputs`]).
 
 use crate::code::{Code, CodePreparation, compile_tape, runnable_code};
 use crate::error::{Error, refused_scene_error};
@@ -22,7 +22,7 @@ pub fn state_names(model: &Model) -> Vec<String> {
     coordinates.chain(model.speeds.iter().map(|s| s.name.clone())).collect()
 }
 
-/// Quantities that a scene shows, computed from states of full equations.
+/// Quantities that a scene shows, computed from the states of full equations.
 #[derive(Clone)]
 pub struct ShownQuantities {
     /// Names of the shown quantities: coordinates, generalized speeds, then further outputs of the
@@ -32,24 +32,24 @@ pub struct ShownQuantities {
     outputs: Option<Outputs>,
 }
 
-/// Outputs of a scene as functions of p, q, q̇, u, u̇, reactions and energies.
+/// Outputs of a scene as functions of p, q, q̇, u, u̇, the reactions and the energies.
 #[derive(Clone)]
 struct Outputs {
-    /// Program for all further outputs of the scene.
+    /// Program that computes all further outputs of the scene.
     tape: Tape,
     /// True if an output contains an acceleration u̇.
     needs_accelerations: bool,
     /// Newton–Euler equations that give the reactions; `None` if no output needs a reaction.
     balance: Option<Code>,
-    /// Indices of the energies that the outputs contain: 0 kinetic, 1 potential, 2 total.
+    /// Indices of the energies that the outputs contain: 0 for kinetic, 1 for potential, 2 for total.
     energies: Vec<usize>,
 }
 
 impl ShownQuantities {
-    /// Compiles the quantities that a scene of this model shows.
+    /// Prepares the quantities that a scene of this model shows, and compiles its outputs.
     ///
     /// # Errors
-    /// [`Error`] if an output needs a reaction that the model does not determine, or needs
+    /// [`Error`] if an output needs a reaction that the model does not determine. Also if an output needs
     /// accelerations or reactions in a scene with impacts.
     pub fn new(model: &Mechanism, scene: &Scene) -> Result<Self, Error> {
         let mut names = state_names(model);
@@ -86,8 +86,7 @@ impl ShownQuantities {
         Ok(Self { names, outputs: Some(outputs) })
     }
 
-    /// Computes the shown quantities at the time `t`, s, and the integrated state `y` of full
-    /// equations.
+    /// Computes the shown quantities at the time `t`, s, in the integrated state `y` of full equations.
     ///
     /// # Errors
     /// [`Error::Request`] if the number of parameters does not fit the equations.
@@ -104,7 +103,7 @@ impl ShownQuantities {
 }
 
 impl Outputs {
-    /// Computes the outputs at the integrated state `y`; `state` has the coordinates and
+    /// Computes the further outputs in the integrated state `y`. `state` has the coordinates and
     /// generalized speeds of this state.
     fn of(&self, problem: &Problem<'_>, state: &[f64], t: f64, y: &[f64]) -> Result<Vec<f64>, Error> {
         let (system, p) = (problem.system(), problem.scene.parameters.as_slice());
@@ -120,8 +119,8 @@ impl Outputs {
         Ok(self.tape.evaluate(&[p, q, &q_dot, u, &u_dot, &reactions, &energies].concat()))
     }
 
-    /// Accelerations u̇, found in the same way as in the run; NaN if no output needs them, or if
-    /// they have no value.
+    /// Accelerations u̇, found by the method of the run. NaN if no output needs them, or if they have no
+    /// value.
     ///
     /// # Errors
     /// `Error::Request` if the number of parameters does not fit the equations.
@@ -144,7 +143,7 @@ impl Outputs {
         Ok(u_dot)
     }
 
-    /// Values of all reactions of the model; NaN if no output needs them, or if they have no value.
+    /// Values of all reactions of the model. NaN if no output needs them, or if they have no value.
     ///
     /// # Errors
     /// `Error::Request` if the number of parameters does not fit the equations.

@@ -1,4 +1,5 @@
-//! Runs of scenes by their own reduced equations or by full equations, with checks of the results.
+//! Runs of scenes by the scene's own reduced equations or by full equations, with checks of the
+//! results.
 
 use super::run::Run;
 use super::run_problem::{
@@ -25,10 +26,12 @@ use tripos_derive::reduce::ReductionBasis;
 use tripos_derive::scene::{AccelerationSolution, Integrator, Scene};
 use tripos_sim::{Solution, Stop};
 
-/// Runs a scene by the equations `by`, such as `kane`; `reduced` means the scene's own reduced
+/// Runs a scene by the equations `by`, such as `kane`. The name `reduced` means the scene's own reduced
 /// equations.
-/// With `None`, the scene's reduced equations run if they have an advantage and reach the end.
-/// Otherwise, and for a numeric solve, full equations run.
+///
+/// If `by` is `None`, the scene's reduced equations are used if they have an advantage and reach the
+/// end. Otherwise full equations are used. Full equations are also used if the scene asks for
+/// numerical accelerations.
 ///
 /// # Errors
 /// [`Error`] if there are no equations of this name, or they cannot be run.
@@ -48,18 +51,18 @@ pub fn simulate(mechanism: &Mechanism, scene: &Scene, by: Option<&EquationsName>
     }
 }
 
-/// Condition on which a scene's reduced equations run.
+/// Condition for the use of a scene's reduced equations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum ReducedRun {
-    /// The reduced equations are requested: they run in any case.
+    /// The reduced equations are requested: they are used in any case.
     Asked,
-    /// No equations are requested: the reduced equations run if they have an advantage over full
+    /// No equations are requested: the reduced equations are used if they have an advantage over full
     /// equations.
     IfGain,
 }
 
-/// Reason why a scene's reduced equations are not tried and full equations run; `None` if they are
-/// tried.
+/// Reason why full equations are used and the scene's reduced equations are not tried. `None` if the
+/// reduced equations are tried.
 fn reason_to_simulate_full_equations(
     mechanism: &Mechanism,
     scene: &Scene,
@@ -88,8 +91,9 @@ fn reason_to_simulate_full_equations(
 }
 
 /// Runs a scene by its own reduced equations, or by full equations if these are better.
-/// Full equations run if the reduced equations were not requested, and do not exist, have no
-/// advantage, or do not reach the end.
+///
+/// Requested reduced equations are always used. Otherwise full equations replace reduced equations
+/// that do not exist, have no advantage, or do not reach the end.
 fn simulate_own(mechanism: &Mechanism, scene: &Scene, reduced: ReducedRun) -> Result<Run, Error> {
     let basis = ReductionBasis::new(mechanism).map_err(|error| mechanism.diagnose(&error))?;
     let watch = are_integrals_proved(mechanism).then(|| WatchedInvariants::of_basis(mechanism, &basis)).transpose()?;
@@ -121,7 +125,8 @@ enum ReducedOutcome {
     NoGain(String),
 }
 
-/// Runs a scene by its own reduced equations, if they have an advantage over full equations.
+/// Tries to run a scene by its own reduced equations. They are used only if they have an advantage over
+/// full equations.
 fn simulate_reduced_if_advantage(
     mechanism: &Mechanism,
     scene: &Scene,
@@ -135,14 +140,14 @@ fn simulate_reduced_if_advantage(
     }
 }
 
-/// Replaces a run that could not go on by a run of other equations of the same motion that goes on.
-/// The other equations are Kane's, or Lagrange's, whose motion variables are the rates. The new run
-/// starts again and shows all that the scene shows. Without a better run, the given run is
-/// returned.
+/// Replaces a run that could not go on by a run of full equations of the same motion that goes on. Kane's
+/// equations are tried first, then Lagrange's, whose motion variables are the rates. The new run
+/// begins at the start and shows all that the scene requests. Returns the given run if no other run
+/// is better.
 ///
-/// A scene's reduced equations contain momenta and may be in a moving frame. The motion may be
-/// regular at a pole of that frame, so a failed run by them is replaced for any reason. A run by
-/// full equations is replaced only if these divide by zero.
+/// Reduced equations contain momenta and may be in a moving frame. The motion may be regular where
+/// that frame has a pole. So a failed run by reduced equations is replaced for any reason. A run by
+/// full equations is replaced only if the equations divide by zero.
 fn replace_failed_run(
     mechanism: &Mechanism,
     scene: &Scene,
@@ -171,7 +176,7 @@ fn replace_failed_run(
             if other.warnings.is_empty() {
                 return Ok(other);
             }
-            // Another formulation may give no warnings.
+            // The next formulation may give a run without warnings.
             doubtful = doubtful.or(Some(other));
         } else if matches!(other.solution.stop, Stop::StepLimit { .. } | Stop::Interrupted) {
             break;
@@ -180,8 +185,8 @@ fn replace_failed_run(
     Ok(doubtful.unwrap_or(run))
 }
 
-/// Reason why a run must be replaced, as the end of a sentence about its equations; `None` if the
-/// run is kept.
+/// Reason why a run must be replaced, as the end of a sentence about its equations. `None` if the run
+/// is kept.
 fn reason_to_replace_run(run: &Run) -> Option<String> {
     let t = with_reliable_digits(run.solution.t_end, None);
     match &run.solution.stop {
@@ -198,7 +203,7 @@ fn reaches_as_far(scene: &Scene, run: &Run, other: &Run) -> bool {
     (run.solution.t_end - other.solution.t_end) * (scene.span.1 - scene.span.0).signum() >= 0.0
 }
 
-/// Runs a scene by one set of full equations, and shows the requested quantities.
+/// Runs a scene by one set of full equations, and shows the quantities that the scene requests.
 ///
 /// # Errors
 /// [`Error`] if the model does not have the formulation, or the equations cannot give a requested
@@ -209,8 +214,8 @@ pub fn simulate_full_equations(model: &Mechanism, scene: &Scene, by: &EquationsO
     simulate_full_equations_watched(model, scene, by, watch.as_ref())
 }
 
-/// Runs a scene by one set of full equations.
-/// `watch` holds the first integrals to watch; `None` watches only the energy.
+/// Runs a scene by one set of full equations, and shows the quantities that the scene requests.
+/// `watch` are the first integrals to watch; `None` watches only the energy.
 ///
 /// # Errors
 /// Errors of [`simulate_full_equations`].
@@ -238,8 +243,8 @@ pub fn simulate_full_equations_watched(
     }
 }
 
-/// Solves a problem by its chosen generalized speeds alone; `None` if the run has to change to all
-/// coordinate rates.
+/// Solves a problem in its chosen generalized speeds alone. `None` if the run would have to change to
+/// the rates of all coordinates. `rates` are the equations in these rates.
 ///
 /// # Errors
 /// `Error` if the problem cannot be run.
@@ -254,8 +259,8 @@ fn simulate_in_chosen_speeds(problem: &Problem<'_>, rates: &Code) -> Result<Opti
     )
 }
 
-/// Runs a scene by full equations; `None` unless the run changes between its speeds and all rates,
-/// and does not fail.
+/// Runs a scene by full equations if the run changes between its speeds and the rates of all
+/// coordinates. `None` if it does not change, or if the run fails.
 ///
 /// # Errors
 /// Errors of [`simulate_full_equations`].
@@ -273,9 +278,9 @@ pub fn simulate_if_speeds_change(model: &Mechanism, scene: &Scene, by: &Equation
     Ok((!run.solution.stop.is_failure()).then_some(run))
 }
 
-/// Equations in the rates of all coordinates, for places where the speeds of a run do not determine
-/// the motion.
-/// `None` if no constraint makes such places, or the model has no equations in all rates.
+/// Equations in the rates of all coordinates, for poses in which the speeds of a run do not determine
+/// the motion. `None` if no constraint makes such poses, or if the model has no equations in all
+/// rates. Also `None` for scenes with impacts, quadrature, projection or a distance.
 ///
 /// # Errors
 /// [`Error::Input`] if the model cannot be derived.
@@ -292,10 +297,9 @@ pub fn equations_in_all_rates(problem: &Problem<'_>) -> Result<Option<Code>, Err
     }
 }
 
-/// Prepares a problem that changes between its chosen speeds and all coordinate rates, and returns
-/// the result of `run`.
-/// The speeds are used where they determine the motion; elsewhere `code`, the equations in all
-/// rates, is used.
+/// Prepares a problem that changes between its chosen speeds and the rates of all coordinates, and
+/// returns the result of `run`. The speeds are used where they determine the motion. Elsewhere
+/// `code`, the equations in all rates, is used.
 ///
 /// # Errors
 /// Errors of [`Problem::new`], and the errors of `run`.
@@ -311,13 +315,11 @@ pub fn simulate_with_changing_speeds<T>(
     run(&rates)
 }
 
-/// Runs a scene by its own reduced equations.
-/// If these have no value at the start, reduced equations without constant momenta run, because a
-/// momentum may not determine a speed there.
+/// Runs a scene by its own reduced equations. If these have no value at the start, reduced equations
+/// without constant momenta are used, because a momentum may not determine a speed there.
 ///
 /// # Errors
-/// [`Error`] if the run cannot begin; a run that began and could not go on is a [`Run`] that says
-/// so.
+/// [`Error`] if the run cannot begin. A run that began and could not go on is a [`Run`] that says so.
 fn run_reduced(
     model: &Mechanism,
     scene: &Scene,

@@ -1,5 +1,5 @@
-//! Cases of a work-precision chart: equations of motion, the method that finds their accelerations,
-//! and integrators.
+//! Cases of a work-precision chart: equations of motion with the method that finds their accelerations,
+//! and the integrators that can run them.
 
 pub use super::method_at_tolerance::MethodAtTolerance;
 
@@ -14,8 +14,8 @@ use tripos_derive::reduce::Reduction;
 use tripos_derive::scene::{AccelerationSolution, Scene};
 use tripos_sim::Method;
 
-/// Integrators that also run reduced equations with an absolute tolerance alone. Their errors are
-/// so small that relative tolerances cannot be fine enough.
+/// Integrators that also run reduced equations with an absolute tolerance alone. These equations can be
+/// so accurate that the finest relative tolerance is too coarse.
 const FINE: [Method; 2] = [Method::Dop853, Method::Taylor];
 
 /// Case of a work-precision chart: equations of motion, with the method that finds their
@@ -23,13 +23,13 @@ const FINE: [Method; 2] = [Method::Dop853, Method::Taylor];
 pub struct ChartCase {
     /// Origin of the equations of motion: a formulation, a publication or the scene's reduction.
     pub by: EquationsOrigin,
-    /// Equations ready to run. They use the distance of a coordinate from a singular surface if the
-    /// scene asks for it.
+    /// Compiled or interpreted equations. They use the distance of a coordinate from a singular surface if
+    /// the scene asks for it.
     pub code: Code,
     /// Method that finds the accelerations: eliminated beforehand, or solved for numerically at each
     /// state.
     pub solve: AccelerationSolution,
-    /// Reduction from which a scene's reduced equations come; `None` for equations of the whole model.
+    /// Reduction that gave the scene's reduced equations; `None` for equations of the whole model.
     pub reduction: Option<Reduction>,
 }
 
@@ -43,8 +43,8 @@ impl ChartCase {
         (!method.needs_jacobian() || system.has_accelerations()) && (!method.needs_series() || series)
     }
 
-    /// Lists the integrators that can run the case, each at every given tolerance (the finest last).
-    /// Quadrature follows if it can compute the motion.
+    /// Lists the integrators that can run the case, each at every tolerance in `tolerances`, whose last is
+    /// the finest. Quadrature follows if it can compute the motion.
     #[must_use]
     pub fn integrators_and_tolerances(&self, tolerances: &[f64]) -> Vec<MethodAtTolerance> {
         let mut list = Vec::new();
@@ -60,25 +60,25 @@ impl ChartCase {
         list
     }
 
-    /// True if quadrature can compute the motion of the case: reduced equations with a potential of one
-    /// coordinate.
+    /// True if quadrature can compute the motion of the case. This needs reduced equations with a potential
+    /// of one coordinate.
     #[must_use]
     pub fn has_quadrature(&self) -> bool {
         self.reduction.is_some() && self.code.system().has_potential_slope()
     }
 
-    /// Prepares the case for the start of a scene, which must have the model and the outputs of the
+    /// Prepares the case for the start of a scene. The scene must have the model and the outputs of the
     /// case.
     ///
     /// # Errors
-    /// `Error` if the reduced equations have no value at the scene's start, or this cannot be moved to
-    /// their frame.
+    /// [`Error`] if the reduced equations have no value at the scene's start, or if this start cannot be
+    /// moved to the section of their moving frame.
     pub fn prepare<'a>(&'a self, model: &'a Mechanism, scene: &'a Scene) -> Result<PreparedCase<'a>, Error> {
         let reduction = self.reduction.clone();
         let mut reduced =
             reduction.map(|reduction| ReducedScene::from_reduction(reduction, model, scene)).transpose()?;
         if let Some(reduced) = &mut reduced {
-            // The reduced equations exist only with the case's way to find accelerations.
+            // The reduced equations have only the case's method for the accelerations.
             reduced.scene.integration.solve = Some(self.solve);
         }
         Ok(PreparedCase { case: self, model, scene, reduced })
@@ -87,7 +87,7 @@ impl ChartCase {
 
 /// Case of a work-precision chart that is prepared for the start of a scene.
 pub struct PreparedCase<'a> {
-    /// Equations of the case, and the method that finds their accelerations.
+    /// Case with its equations, and the method that finds their accelerations.
     case: &'a ChartCase,
     /// Mechanism of the scene.
     model: &'a Mechanism,
@@ -102,8 +102,8 @@ impl PreparedCase<'_> {
     /// Makes the problem of the case: the scene with its equations, ready to be integrated.
     ///
     /// # Errors
-    /// `Error` if the accelerations are not eliminated although they must be, or a moving body has no
-    /// mass.
+    /// [`Error`] if eliminated accelerations are required but the equations have none, or if a moving body
+    /// has no mass.
     pub fn problem(&self) -> Result<Problem<'_>, Error> {
         let Self { case, model, scene, reduced } = self;
         match reduced {
@@ -113,16 +113,16 @@ impl PreparedCase<'_> {
     }
 }
 
-/// Choice to run the equations of a publication in addition to the derived equations, or not.
+/// Choice if the equations of a publication are run in addition to the derived equations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PrintedEquationsChoice {
     /// The printed equations are run as they stand.
     Included,
-    /// Only derived equations are run, no printed equations.
+    /// Only derived equations are run.
     LeftOut,
 }
 
-/// Lists the cases of a work-precision chart: every standard formulation with each way to find its
+/// Lists the cases of a work-precision chart: every standard formulation with each method for its
 /// accelerations. Printed equations follow if `printed` includes them, then the scene's reduced
 /// equations. The second list gives the reason for each missing case.
 ///
@@ -141,11 +141,11 @@ pub fn cases(
     Ok((list, left_out))
 }
 
-/// Lists the cases with equations of the whole model: derived, and printed if `printed` includes
-/// them. The second list gives the reason for each missing case.
+/// Lists the cases with equations of the whole model: derived equations, and printed equations if
+/// `printed` includes them. The second list gives the reason for each case that is missing.
 ///
 /// # Errors
-/// `Error` if no equations can be run, or the publication has errors.
+/// [`Error`] if no equations can be run, or if the printed equations cannot be listed.
 pub fn full_equation_cases(
     model: &Mechanism,
     scene: &Scene,

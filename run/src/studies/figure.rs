@@ -1,9 +1,9 @@
-//! Contents of figures as data: curves in panels, and tables of coloured numbers. Code that draws
-//! them is elsewhere.
+//! Contents of figures as data: panels with curves, and tables of coloured numbers. This module does not
+//! draw them.
 
 /// Figure: a grid of panels with curves, or a table of coloured numbers.
 pub enum Figure {
-    /// Panels in a grid; the number is that of the grid's columns.
+    /// Panels in a grid. The second value is the number of columns of the grid.
     Panels(Vec<Panel>, usize),
     /// Table of numbers, coloured on a logarithmic scale.
     HeatMap(HeatMap),
@@ -19,9 +19,9 @@ pub enum Scale {
 }
 
 impl Scale {
-    /// True if a point can be drawn on an axis with this scale. The point is (coordinate on the other
-    /// axis, coordinate on this axis). Numbers beyond 1e300 are excluded, since a range of them could
-    /// overflow.
+    /// True if a point can be drawn on an axis with this scale. The point is given as the coordinate on the
+    /// other axis, followed by the coordinate on this axis. Numbers beyond 1e300 are refused, because
+    /// computations with them could overflow.
     #[must_use]
     pub fn shows(self, point: (f64, f64)) -> bool {
         let (x, y) = point;
@@ -33,19 +33,19 @@ impl Scale {
 pub struct Series {
     /// Name of the curve for the legend.
     pub label: String,
-    /// Index that selects colour, dashes and marker: 0 Kane, 1 Lagrange, 2 Newton–Euler, 3 and above
-    /// printed equations.
+    /// Index that selects colour, dashes and marker. For formulations it is 0 for Kane, 1 for Lagrange, 2
+    /// for Newton–Euler, and 3 and above for printed equations.
     pub style: usize,
     /// Points (x, y) of the curve, which breaks where a value is not finite.
     pub points: Vec<(f64, f64)>,
-    /// Range (lowest x, highest x) of each measured point, drawn as a bar; empty for curves without
-    /// measurements. Measured curves have a marker at each point, other curves only a few.
+    /// Range (lowest x, highest x) of each measured point, drawn as a bar. Empty for curves that are not
+    /// measured. Measured curves have a marker at each point; other curves have few markers.
     pub spread: Vec<(f64, f64)>,
-    /// Bounds of the true value at places along the curve; empty if no bounds are known.
+    /// Bounds of the true value at positions along the curve; empty if no bounds are known.
     pub band: Vec<Bounds>,
 }
 
-/// Lower and upper bound of the true value at a place of a curve.
+/// Lower and upper bound of the true value at one position along a curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {
     /// Position on the horizontal axis.
@@ -57,7 +57,7 @@ pub struct Bounds {
 }
 
 impl Series {
-    /// Creates a curve without ranges of measurements and without bounds.
+    /// Makes a curve without ranges of measured points and without bounds.
     #[must_use]
     pub fn curve(label: String, style: usize, points: Vec<(f64, f64)>) -> Self {
         Self { label, style, points, spread: Vec::new(), band: Vec::new() }
@@ -66,7 +66,7 @@ impl Series {
 
 /// Panel of a figure: two axes with their curves.
 pub struct Panel {
-    /// Title of the panel, which is not drawn if `y_label` begins with it.
+    /// Title of the panel. It is not drawn if `y_label` begins with it.
     pub title: String,
     /// Label of the horizontal axis, such as `t [s]`.
     pub x_label: String,
@@ -91,12 +91,12 @@ impl Panel {
     }
 }
 
-/// Cell of a table of numbers: a number, or the reason why there is none.
+/// Cell of a table of numbers: a number, or a text that says why the number is missing.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cell {
     /// Positive number that is coloured on a logarithmic scale, such as an error.
     Value(f64),
-    /// Short text in place of a number: when and why the run stopped.
+    /// Short text in place of a number. It says when and why the run stopped.
     Stopped(String),
 }
 
@@ -108,7 +108,7 @@ pub struct HeatMap {
     pub columns: Vec<String>,
     /// Rows of the table, each with its heading and its cells.
     pub rows: Vec<(String, Vec<Cell>)>,
-    /// Numbers (a, b) that get the lightest and the darkest colour.
+    /// Range of the colour scale: the number with the lightest and the number with the darkest colour.
     pub range: (f64, f64),
     /// Note that is written below the table.
     pub note: String,

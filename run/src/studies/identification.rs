@@ -1,9 +1,10 @@
 //! Identification of inertial parameters from motions: values of the base parameters, and the
 //! regressor at given states.
 //!
-//! Base parameters are the combinations of inertial parameters that motions can determine;
-//! [`tripos_derive::identify`] finds them. The rows of the regressor are the equations Y_b π_b +
-//! rest = tau. Here tau = B r is the generalized force of the inputs r ([`super::inverse`]).
+//! Base parameters are the combinations of inertial parameters that motions can determine.
+//! [`tripos_derive::identify`] finds them. Each row of the regressor is one of the equations
+//! Y_b π_b + rest = tau, with the base parameters π_b. Here tau = B r is the generalized force of the
+//! inputs r ([`super::inverse`]).
 
 use crate::state_arrays::{Arguments, StateRows, share_states, write_in_lanes};
 use crate::{Error, Mechanism};
@@ -23,9 +24,8 @@ pub fn identify(model: &Mechanism, varied: RegressorParameters) -> Result<Identi
     Identification::new(model, varied).map_err(|error| Error::Input(model.diagnose(&error)))
 }
 
-/// Computes the numerical values of the base parameters from the model's bodies and the given
-/// parameters, to 32 digits. `None` for a base parameter that contains a factor without a closed
-/// form.
+/// Computes the numerical values of the base parameters to 32 digits, from the model's bodies and the
+/// given parameters. `None` for a base parameter that contains a factor without a closed form.
 ///
 /// # Errors
 /// [`Error::Request`] if a formula contains a symbol without a value.
@@ -55,8 +55,8 @@ pub fn base_parameter_values(
         };
         of_groups.push(base.with.iter().map(|(at, factor)| (*at, value(factor, &mut factors))).collect());
     }
-    // With closed loops, a column of the regressor may stand for a combination of columns. It then has
-    // the combined value.
+    // With closed loops, a column of the regressor may represent a combination of columns. It then has the
+    // value of this combination.
     let whole: Vec<(usize, usize)> =
         found.grouped.iter().enumerate().map(|(k, base)| (base.column, found.base.len() + k)).collect();
     let own = |at: usize, with: &[(usize, Option<DoubleDouble>)]| {
@@ -72,8 +72,8 @@ pub fn base_parameter_values(
     Ok(of_base.collect())
 }
 
-/// Row of the regressor: the generalized force along one generalized speed at one state, linear in
-/// base parameters.
+/// Row of the regressor: the generalized force along one generalized speed at one state, as a linear
+/// function of the base parameters.
 #[derive(Clone, Debug)]
 pub struct RegressorRow {
     /// Index of the state among the given states, from 0.
@@ -82,16 +82,16 @@ pub struct RegressorRow {
     pub speed: usize,
     /// Factor of each base parameter π in the force, in the order of the base parameters.
     pub factors: Vec<DoubleDouble>,
-    /// Known part of the force with all inputs at 0. The whole force is Σ factor π + rest.
+    /// Known part of the force, with all inputs at 0. The whole force is Σ factor π + rest.
     pub rest: DoubleDouble,
 }
 
-/// Computes the rows of the regressor of the base parameters at the given states, a row for each
-/// state and speed.
+/// Computes the rows of the regressor of the base parameters at the given states, one row for each state
+/// and speed.
 ///
 /// # Errors
-/// [`Error::Request`] if a column contains a symbol without a value; [`Error::Stopped`] if a column
-/// has no finite value at a state.
+/// [`Error::Request`] if a column contains a symbol without a value. [`Error::Stopped`] if a column has
+/// no finite value at a state.
 pub fn regressor_rows(
     model: &Mechanism,
     found: &Identification,
@@ -119,8 +119,9 @@ pub fn regressor_rows(
     Ok(list)
 }
 
-/// Tape of the regressor, from parameters, coordinates, generalized speeds and their rates. It has the
-/// factors of each base parameter along all speeds, and then the known part along all speeds.
+/// Makes the tape of the regressor, from parameters, coordinates, generalized speeds and their rates. Its
+/// outputs are the factors of each base parameter along all speeds, then the known part along all
+/// speeds.
 ///
 /// # Errors
 /// [`Error::Request`] if a column contains a symbol without a value.
@@ -133,7 +134,7 @@ fn regressor_tape(model: &Mechanism, found: &Identification) -> Result<Tape, Err
     crate::code::compile_tape(&regressor.arena, &known, &terms, "the regressor")
 }
 
-/// Indices of the inputs among the parameters that count as unknown forces: a regressor has them at 0.
+/// Indices of the parameters that are inputs and count as unknown forces. In a regressor they are 0.
 fn inputs_in_regressor(model: &Mechanism) -> Vec<usize> {
     let is_input =
         |at: &usize| model.parameters[*at].is_input && model.parameters[*at].unit.kilogram_exponent().is_one();
@@ -142,7 +143,7 @@ fn inputs_in_regressor(model: &Mechanism) -> Vec<usize> {
 
 /// Regressor of the base parameters in double precision, for arrays of states.
 pub struct StateRegressor {
-    /// Tape of [`regressor_tape`], for eight states at once.
+    /// Tape of the regressor, for eight states at once.
     tape: Tape<Lanes<8>>,
     /// Indices of the inputs that are 0.
     inputs: Vec<usize>,
@@ -160,19 +161,19 @@ impl StateRegressor {
         Ok(Self { tape, inputs: inputs_in_regressor(model), speeds: model.speeds.len() })
     }
 
-    /// Number of rows and of columns at each state: a row for each generalized speed, a column for
-    /// each base parameter, and the known part as the last column.
+    /// Number of rows and of columns at each state. There is a row for each generalized speed and a column
+    /// for each base parameter. The last column is the known part.
     #[must_use]
     pub fn shape(&self) -> (usize, usize) {
         (self.speeds, self.tape.outputs() / self.speeds.max(1))
     }
 
-    /// Writes the regressor at each state, row by row. Arrays of many states are shared among all
+    /// Writes the regressor at each state to `out`, row by row. Arrays of many states are shared among all
     /// cores.
     ///
     /// # Panics
-    /// If a length differs from that of the model, or if `out` does not have the rows and columns of
-    /// [`StateRegressor::shape`] for each state.
+    /// If a length does not fit the model, or if `out` does not have the shape [`StateRegressor::shape`]
+    /// for each state.
     pub fn evaluate(&self, p: &[f64], states: StateRows<'_>, out: &mut [f64]) {
         let (rows, columns) = self.shape();
         let width = rows * columns;

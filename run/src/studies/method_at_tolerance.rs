@@ -12,10 +12,10 @@ use tripos_sim::{Method, Options, Solution, quadrature};
 pub enum MethodAtTolerance {
     /// Steps of an integrator, with the same number as relative and absolute tolerance.
     Steps(Method, f64),
-    /// Steps of an integrator with an absolute tolerance alone. It may be finer than a relative
-    /// tolerance, which must exceed the rounding of a double several times.
+    /// Steps of an integrator with an absolute tolerance alone. It may be finer than a relative tolerance,
+    /// which must be several times the rounding error of a double.
     Absolute(Method, f64),
-    /// Quadrature: the time as an integral over the only coordinate, exact to rounding.
+    /// Quadrature: the time as an integral over the only coordinate, exact up to rounding.
     Quadrature,
 }
 
@@ -44,7 +44,7 @@ impl MethodAtTolerance {
         }
     }
 
-    /// Name of the method that finds accelerations, for tables; `-` for quadrature, which needs none.
+    /// Name of the method that finds the accelerations, for tables; `-` for quadrature, which needs none.
     #[must_use]
     pub fn solve(self, solve: AccelerationSolution) -> &'static str {
         match self {
@@ -66,10 +66,10 @@ impl MethodAtTolerance {
         }
     }
 
-    /// Integrates a problem over a span, s, from the integrated state `y0`.
+    /// Integrates a problem over a span, s, from the integrated state `y0` at its first instant.
     ///
     /// # Errors
-    /// [`Error::Request`] if the options are invalid, or quadrature does not give the motion.
+    /// [`Error::Request`] if the options are invalid, or if quadrature cannot compute the motion.
     /// `Error::Interrupted` if the observer of the run ended it.
     pub fn run(
         self,

@@ -1,8 +1,8 @@
 //! Analysis of a model without a run: its derivation, its proofs, and the judgement of its
 //! publication.
 //!
-//! The terms of proofs and verdicts are in an arena apart from the terms of the equations that are
-//! shown and run. So the contents of a publication can never change the derivation.
+//! The expressions of proofs and verdicts are in a separate arena, apart from the expressions of the
+//! equations that are shown and run. So the contents of a publication can never change the derivation.
 
 use crate::code::{Code, CodePreparation, compiled_code, interpreted_code};
 use crate::error::Error;
@@ -17,19 +17,19 @@ use tripos_derive::{Equations, Formulation, Model};
 /// Results of the analysis of a model without a run: equations, proofs, singular configurations and
 /// publication.
 pub struct ModelAnalysis {
-    /// Derived equations of the model, with the arena that contains all terms of the analysis.
+    /// Derived equations of the model, with the arena that contains all expressions of the analysis.
     pub derivations: Derivations,
     /// Proved statements about the model, such as the equivalence of formulations.
     pub proof: Proof,
-    /// Singular configurations of the mass matrix of each formulation; formulations with too large a
-    /// matrix are left out.
+    /// Singular configurations of the mass matrix of each formulation. Formulations whose matrix is too
+    /// large are left out.
     pub singular: Vec<(Formulation, Singularity)>,
-    /// Publication beside the model file, with its judgement; `None` if there is no valid publication
-    /// file.
+    /// Publication beside the model file, with its judgement. `None` if there is no publication file, or if
+    /// it has errors.
     pub published: Option<JudgedPublication>,
 }
 
-/// Origin of a printed system of equations, and its runnable code or the reason why it cannot run.
+/// Origin of a printed system of equations, with its runnable code or the reason why it cannot run.
 pub type PrintedSystem = (EquationsOrigin, Result<Code, Error>);
 
 /// Publication with the judgement of its printed equations and formulas.
@@ -39,19 +39,19 @@ pub struct JudgedPublication {
     /// Comparison of the printed formulas and equations with the derived ones.
     pub difference: Difference,
     /// Singular configurations of the matrix of each printed system, in the order of
-    /// `difference.consequences`. `None` if the determinant of the matrix is not known, as for a large
-    /// matrix.
+    /// `difference.consequences`. `None` if the determinant of the matrix is not known, as for large
+    /// matrices.
     pub singular: Vec<Option<Singularity>>,
-    /// Printed systems as equations of motion, in the order of the publication.
+    /// Printed systems as equations of motion that can be run, in the order of the publication.
     pub printed: Vec<Equations>,
 }
 
 impl ModelAnalysis {
-    /// Derives the model by the standard formulations and by those in `also`, and proves statements
-    /// about it. Judges the publication beside the model file, if there is one.
+    /// Derives the model by the standard formulations and by the formulations in `also`, and proves
+    /// statements about it. Judges the publication beside the model file, if there is one.
     ///
-    /// A publication file with errors is left out, and its errors are the second value. `None` means no
-    /// errors.
+    /// A publication file with errors is left out. The second value then has its errors; otherwise it is
+    /// `None`.
     ///
     /// # Errors
     /// [`Error`] if the model cannot be derived.
@@ -82,13 +82,13 @@ impl ModelAnalysis {
         Ok((Self { derivations, proof, singular, published }, broken))
     }
 
-    /// Makes the printed systems of the publication ready to run, in its order. An error says why a
+    /// Prepares the code of the printed systems, in the order of the publication. An error says why a
     /// system cannot run.
     #[must_use]
     pub fn printed_systems(&self, model: &Mechanism) -> Vec<PrintedSystem> {
         let Some(published) = &self.published else { return Vec::new() };
         let mut list = Vec::new();
-        // The arena of terms is copied only once, and only if equations have to be interpreted.
+        // The arena of expressions is copied only once, and only if equations have to be interpreted.
         let mut derivation: Option<Derivation> = None;
         for equations in &published.printed {
             let by = equations.by.clone();
@@ -109,7 +109,7 @@ impl ModelAnalysis {
 }
 
 impl JudgedPublication {
-    /// Judges a publication by the derived equations of its model.
+    /// Compares a publication with the derived equations of its model, and judges it.
     fn new(model: &Model, derivations: &mut Derivations, proof: &Proof, publication: Publication) -> Self {
         let difference = judge_publication(model, derivations, &publication, proof);
         let equations = printed_equations(model, derivations, &publication);
@@ -122,8 +122,8 @@ impl JudgedPublication {
         Self { publication, difference, singular, printed: equations }
     }
 
-    /// Id of the first printed system that is proved to give the same accelerations as the system `id`.
-    /// It is `id` itself if no earlier system does.
+    /// Id of the first printed system that is proved to give the same accelerations as the system `id`. It
+    /// is `id` itself if there is no earlier system with the same accelerations.
     #[must_use]
     pub fn first_equivalent_system<'a>(&'a self, id: &'a str) -> &'a str {
         let agreements = &self.difference.agreements;
@@ -131,7 +131,7 @@ impl JudgedPublication {
     }
 }
 
-/// Finds the printed equations of the system with the given id; `None` if there are none.
+/// Finds the printed equations of the system with the given id; `None` if no system has it.
 fn printed_equations_of<'a>(list: &'a [Equations], id: &str) -> Option<&'a Equations> {
     list.iter().find(|equations| equations.by.printed_id() == Some(id))
 }

@@ -1,9 +1,8 @@
-//! Limits of the runs of a scene. They are passages near a singular surface, ill-conditioned
-//! matrices, unstable motions, limits of domains that are not watched, drifts, and tolerances finer
-//! than rounding.
+//! Limits of the runs of a scene: passages near a singular surface, ill-conditioned matrices, growth of
+//! errors, domains of the equations, drifts, and tolerances finer than rounding.
 //!
-//! Each study decides by itself if it applies to the scene. Every number that is plotted or stated
-//! is a row of the table of findings.
+//! Each study finds out if it applies to the scene. Every number that is plotted or stated is a row of
+//! the table of findings.
 
 pub mod conditioning;
 pub mod domain;
@@ -21,11 +20,11 @@ use crate::error::Error;
 /// Function that runs a study of one topic and adds its results to the findings.
 pub type TopicStudy = fn(&StudyInputs<'_>, &mut Findings) -> Result<(), Error>;
 
-/// Runs the studies of all topics that apply to a scene, and collects the findings. If the observer
-/// interrupts them, the findings so far are returned.
+/// Runs the studies of all topics that apply to a scene, and collects their findings. If the observer
+/// interrupts a study, returns the findings up to then.
 ///
 /// # Errors
-/// [`Error`] if the scene cannot be run, has impacts, or its model has no generalized speed.
+/// [`Error`] if the scene cannot be run or has impacts, or if its model has no generalized speed.
 pub fn run_all_studies(study: &StudyInputs<'_>) -> Result<Findings, Error> {
     study.model.require_speeds("the model has no equations of motion to study")?;
     if !study.scene.impacts.is_empty() {

@@ -1,15 +1,15 @@
-//! Sweeps: runs of a scene from many starts or with many parameters. Each run gives a row of a
-//! table.
+//! Sweeps: runs of a scene from many starts or with many values of its parameters. Each run gives a row
+//! of a table.
 //!
 //! Invariants:
-//! - A row equals the result of `tripos simulate` for the scene with the values of its point. It
+//! - A row equals the result of `tripos simulate` for the scene with the values of the row's point. It
 //!   agrees to the bit, or to rounding in lanes (vector registers). It does not depend on threads,
 //!   blocks, shards or earlier points.
 //! - Computations that do not depend on the point are done once: derivation, compilation of
 //!   formulas, search for compiled equations.
-//! - Rows are written in the order of their points. The number of rows that wait for an earlier row
-//!   is bounded.
-//! - No point ends the sweep. A point that cannot start or continue gives a row with the reason.
+//! - Rows are written in the order of their points. The number of rows that wait for an earlier row is
+//!   bounded.
+//! - The failure of a point does not end the sweep. The row of such a point gives the reason.
 
 mod lanes;
 #[cfg(feature = "threads")]

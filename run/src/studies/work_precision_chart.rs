@@ -1,5 +1,5 @@
-//! Work-precision charts: the duration of runs against their error. Every formulation and
-//! integrator is measured at many tolerances, with errors from a reference in higher precision.
+//! Work-precision charts, which show the duration of runs against their error. Every formulation and
+//! integrator is measured at many tolerances. A reference in higher precision gives the errors.
 
 pub mod scene_chart;
 
@@ -20,15 +20,15 @@ use tripos_traits::larger;
 
 /// Extent of the measurements of a work-precision chart.
 pub struct ChartPlan {
-    /// Tolerances of the runs, without unit; the largest comes first.
+    /// Tolerances of the runs, relative and absolute, without unit. The largest comes first.
     pub tolerances: Vec<f64>,
     /// Number of timed runs of each measured point, in addition to the first run.
     pub repeats: usize,
     /// Number of steps after which a run is stopped.
     pub step_limit: u64,
-    /// True if an integrator is not run at finer tolerances once a run has used up the step limit.
+    /// True if an integrator is not run at finer tolerances after a run has used up the step limit.
     pub quick: bool,
-    /// Duration of a run, s, above which it is not repeated.
+    /// Duration of a run, s, above which the run is not repeated.
     pub patience: f64,
 }
 
@@ -40,8 +40,8 @@ impl ChartPlan {
         Self { tolerances: chart_tolerances(2..=14), repeats: 7, step_limit: 1_000_000, quick: false, patience: 1.0 }
     }
 
-    /// Makes the plan of a quick chart that takes less than two minutes, with every second tolerance
-    /// and three repeats.
+    /// Makes the plan of a quick chart, which takes less than two minutes: every second tolerance, and three
+    /// repeats.
     #[must_use]
     pub fn quick() -> Self {
         let tolerances = chart_tolerances((3..=13).step_by(2));
@@ -49,12 +49,12 @@ impl ChartPlan {
     }
 }
 
-/// Tolerances 10⁻ⁿ for the given powers n.
+/// Makes the tolerances 10⁻ⁿ for the given powers n.
 fn chart_tolerances(powers: impl Iterator<Item = i32>) -> Vec<f64> {
     powers.map(|n| 10_f64.powi(-n)).collect()
 }
 
-/// Measured point of a work-precision chart: one case run by one integrator at one tolerance.
+/// Measured point of a work-precision chart: one case, run by one integrator at one tolerance.
 pub struct Measurement {
     /// Origin of the equations of motion that ran: a formulation, a publication or the scene's
     /// reduction.
@@ -65,8 +65,8 @@ pub struct Measurement {
     pub way: MethodAtTolerance,
     /// Statistics of the durations of the repeated runs, s.
     pub seconds: TimeStatistics,
-    /// Largest error of a compared quantity at the end, |found − reference| / (1 + |reference|); at
-    /// least the reference's uncertainty. `None` if the run did not reach the end.
+    /// Largest error of a compared quantity at the end, |found − reference| / (1 + |reference|). It is at
+    /// least the uncertainty of the reference. `None` if the run did not reach the end.
     pub error: Option<f64>,
     /// Number of accepted steps in the run.
     pub steps: u64,
@@ -79,10 +79,10 @@ pub struct Measurement {
     pub drifts: Vec<f64>,
 }
 
-/// Reference solution, compared quantities and first integrals by which the runs of a chart are
-/// judged.
+/// Standard by which the runs of a chart are judged: reference solution, compared quantities and first
+/// integrals.
 pub struct ChartReference<'a> {
-    /// Reference solution from which errors are measured.
+    /// Reference solution, which gives the errors of the runs.
     pub reference: &'a ReferenceSolution,
     /// Quantities in which runs are compared with the reference: outputs of the scene, or all states.
     pub compared: &'a ComparedQuantities,
@@ -90,18 +90,18 @@ pub struct ChartReference<'a> {
     pub watch: &'a WatchedInvariants,
 }
 
-/// Measured points of a work-precision chart, and the cases without measurement.
+/// Measured points of a work-precision chart, and the cases that could not be measured.
 #[derive(Default)]
 pub struct ChartMeasurements {
-    /// Measured points in the order of the cases; for each case in the order of integrators and
-    /// tolerances.
+    /// Measured points in the order of the cases. The points of one case are in the order of integrators
+    /// and tolerances.
     pub list: Vec<Measurement>,
-    /// Sentences that name each case which cannot be measured, with the reason.
+    /// Cases that could not be measured: a sentence for each, with the reason.
     pub left_out: Vec<String>,
 }
 
-/// Measures all cases at the end of the scene's span against a reference: error, duration and
-/// drift. If the observer interrupts the call, the measurements so far are returned.
+/// Measures all cases over the scene's span: duration, error at the end, and drift of first integrals. If
+/// the observer interrupts it, returns the measurements up to then.
 ///
 /// # Errors
 /// [`Error`] if a case cannot be prepared or run, except by quadrature.
@@ -175,7 +175,7 @@ pub fn measure_cases(
     Ok(ChartMeasurements { list, left_out })
 }
 
-/// Run of a case that is repeated to measure its duration.
+/// Run of a case that is repeated to measure its duration more accurately.
 struct RepeatedRun {
     /// Index of the case, from 0.
     case: usize,
@@ -190,8 +190,8 @@ struct RepeatedRun {
 /// Greatest number of steps of a run for which the first integrals are computed at each step.
 const MOST_WATCHED: u64 = 200_000;
 
-/// Makes the first run of a case with one integrator and tolerance. It gives the error, the changes
-/// of the first integrals and one duration.
+/// Makes the first run of a case with one integrator and tolerance. Measures the error, the changes of
+/// the first integrals, and one duration.
 ///
 /// # Errors
 /// `Error` if the run cannot be made.

@@ -1,9 +1,9 @@
 //! Quantities by which runs are compared: every coordinate and speed, or the outputs that the scene
 //! requests.
 //!
-//! Invariant: a compared quantity is a function of the state of the whole model, so that all
-//! equations are compared in the same quantities. Outputs that need accelerations or reactions are
-//! left out, and named.
+//! Invariant: a compared quantity is a function of the state of the whole model. So all equations are
+//! compared in the same quantities. Outputs that need accelerations or reactions are left out. The
+//! summary names them.
 
 use crate::code::compile_tape_with_steps;
 use crate::error::Error;
@@ -18,22 +18,21 @@ use tripos_traits::DoubleDouble;
 
 /// Quantities by which the runs of a scene are compared.
 pub struct ComparedQuantities {
-    /// Outputs of the scene; `None` if the scene requests no outputs, so that whole states are
-    /// compared.
+    /// Outputs of the scene. `None` if the scene requests no outputs, so that whole states are compared.
     outputs: Option<Outputs>,
 }
 
-/// Outputs of a scene as functions of coordinates and generalized speeds of the whole model.
+/// Outputs of a scene as functions of the coordinates and generalized speeds of the whole model.
 struct Outputs {
-    /// Values of the parameters, in double-double precision.
+    /// Values of the parameters, to 32 digits.
     parameters: Vec<DoubleDouble>,
-    /// Program for the comparable outputs, from parameters, coordinates and generalized speeds.
+    /// Program that computes the comparable outputs from parameters, coordinates and generalized speeds.
     tape: Tape<DoubleDouble>,
     /// All outputs of the scene, comparable or not, in the order of the scene.
     list: Vec<ComparedOutput>,
 }
 
-/// Output of a scene, with the information whether it can be compared.
+/// Output of a scene, and a flag that tells if it can be compared.
 struct ComparedOutput {
     /// Name of the output in the scene.
     name: String,
@@ -51,9 +50,8 @@ impl ComparedQuantities {
         Ok(Self { outputs })
     }
 
-    /// Outputs of the scene at a state (q, u) of the whole model; NaN for outputs that cannot be
-    /// compared.
-    /// If the scene requests no outputs, returns the state itself.
+    /// Compared quantities at a state (q, u) of the whole model: the outputs of the scene, or the state
+    /// itself if the scene requests no outputs. An output that cannot be compared is NaN.
     #[must_use]
     pub fn quantities_of_state(&self, state: &[DoubleDouble]) -> Vec<DoubleDouble> {
         match &self.outputs {
@@ -62,7 +60,8 @@ impl ComparedQuantities {
         }
     }
 
-    /// Selects the comparable values from the values of all outputs of the scene.
+    /// Selects the comparable values from the values of all compared quantities. An output that needs
+    /// accelerations or reactions is left out.
     #[must_use]
     pub fn comparable_quantities(&self, values: Vec<DoubleDouble>) -> Vec<DoubleDouble> {
         match &self.outputs {
@@ -73,7 +72,7 @@ impl ComparedQuantities {
         }
     }
 
-    /// Compared quantities at time `t`, s, and the integrated state `y` of any set of equations.
+    /// Compared quantities at time `t`, s, in the integrated state `y` of any set of equations.
     #[must_use]
     pub fn quantities_of_run(&self, problem: &Problem<'_>, t: f64, y: &[f64]) -> Vec<DoubleDouble> {
         let shown = problem.precise_state(t, y);
@@ -86,8 +85,8 @@ impl ComparedQuantities {
         self.outputs.as_ref().is_some_and(|outputs| outputs.list.iter().all(|o| !o.is_known))
     }
 
-    /// Sentence that names the compared outputs and those left out; `None` if whole states are
-    /// compared.
+    /// Sentence that names the compared outputs and the outputs that are left out. `None` if whole states
+    /// are compared.
     #[must_use]
     pub fn in_words(&self) -> Option<String> {
         let list = &self.outputs.as_ref()?.list;
@@ -141,7 +140,7 @@ impl Outputs {
         Ok(Self { parameters: scene.exact.parameters.clone(), tape, list })
     }
 
-    /// Values of all outputs at a state (q, u); NaN for outputs that cannot be compared.
+    /// Values of all outputs at a state (q, u). An output that cannot be compared is NaN.
     fn values(&self, state: &[DoubleDouble]) -> Vec<DoubleDouble> {
         let mut known = self.tape.evaluate(&[&self.parameters, state].concat()).into_iter();
         let value = |shown: &ComparedOutput| if shown.is_known { known.next() } else { None };

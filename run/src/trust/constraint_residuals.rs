@@ -5,23 +5,24 @@ use tripos_derive::plain_text::with_significant_digits;
 use tripos_derive::scene::{DependentLoop, Loops};
 use tripos_sim::Solution;
 
-/// Relative gap up to which a redundant loop counts as closed. Redundant loops amplify the
-/// residuals of the other loops.
+/// Gap up to which a redundant loop counts as closed, relative to the sizes of the loop's terms.
+/// Redundant loops amplify the residuals of the other loops.
 const MAY_OPEN: f64 = 1e-6;
-/// Residual of a constraint that rounding can cause, relative to the sum of the sizes of the constraint's terms.
+/// Residual of a constraint that rounding can cause, relative to the sum of the sizes of its terms.
 const ROUNDING: f64 = 1e-12;
 
-/// Largest residual of a single constraint along a run.
+/// Largest residual of one constraint along a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Residual {
-    /// Name of the constraint in the model file, with a prime if it is the rate of a loop.
+    /// Name of the constraint in the model file. A prime follows if the constraint is the rate of a
+    /// loop.
     pub name: String,
     /// Largest residual over the samples, with its sign, in the unit of the constraint.
     pub largest: f64,
 }
 
-/// Largest residual of each constraint over the samples of a run: constraints that are enforced,
-/// then redundant loops.
+/// Largest residual of each constraint over the samples of a run. The enforced constraints come first,
+/// then the redundant loops.
 pub fn constraint_residuals(problem: &Problem<'_>, solution: &Solution) -> Vec<Residual> {
     let system = problem.system();
     let count = system.constraint_count();
@@ -42,8 +43,8 @@ pub fn constraint_residuals(problem: &Problem<'_>, solution: &Solution) -> Vec<R
     largest.into_iter().enumerate().map(named).chain(following).collect()
 }
 
-/// Largest residuals of the redundant loops, which a run does not enforce.
-/// The second value is the largest gap relative to the sizes of the loop's terms.
+/// Largest residual of each redundant loop along a run, which does not enforce these loops. The second
+/// value of each pair is the largest gap relative to the sizes of the loop's terms.
 fn redundant_loop_residuals(problem: &Problem<'_>, solution: &Solution) -> Vec<(Residual, f64)> {
     let model = problem.model;
     if model.closed.is_empty() {
@@ -64,7 +65,7 @@ fn redundant_loop_residuals(problem: &Problem<'_>, solution: &Solution) -> Vec<(
     list
 }
 
-/// Objections that redundant loops open in a run: one for each loop whose relative gap exceeds
+/// Objections to redundant loops that open in a run, one for each loop whose relative gap exceeds
 /// 1e-6.
 pub fn opened_loop_objections(problem: &Problem<'_>, solution: &Solution) -> impl Iterator<Item = String> {
     redundant_loop_residuals(problem, solution).into_iter().filter(|(_, part)| part.is_nan() || *part > MAY_OPEN).map(|(residual, _)| {
@@ -77,9 +78,8 @@ pub fn opened_loop_objections(problem: &Problem<'_>, solution: &Solution) -> imp
     })
 }
 
-/// Objection that a run left its constraints: a residual exceeds its tolerance after failed
-/// corrections.
-/// Returns `None` if no correction failed, or if the residuals are within rounding or tolerance.
+/// Objection to a run that left its constraints: corrections failed, and a residual exceeds its
+/// tolerance. `None` if no correction failed, or if all residuals are within tolerance or rounding.
 pub fn broken_constraint_objection(problem: &Problem<'_>, solution: &Solution) -> Option<String> {
     let publication = solution.projection.as_ref().filter(|_| problem.system().constraint_count() > 0)?;
     let left = publication.singular + publication.not_converged;
@@ -92,8 +92,8 @@ pub fn broken_constraint_objection(problem: &Problem<'_>, solution: &Solution) -
     })
 }
 
-/// True if a constraint's residual at the state `y` exceeds its tolerance, relative to the sizes of
-/// the constraint's terms.
+/// True if the residual of a constraint at the state `y` exceeds the tolerance times the sizes of the
+/// constraint's terms.
 fn has_excess_residual(problem: &Problem<'_>, y: &[f64]) -> bool {
     let (system, p, how) = (problem.system(), &problem.scene.parameters, &problem.scene.integration);
     let count = system.constraint_count();

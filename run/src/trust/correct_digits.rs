@@ -1,15 +1,14 @@
-//! Number of correct digits of a run, estimated by a second run.
+//! Estimates how many digits of a run are correct, by a second run of the same motion.
 //!
-//! The second run follows the same motion with other steps ([`tripos_sim::second_runs`]). Its start
-//! and its parameters are one rounding away. So the difference of the two runs contains the errors of
-//! the steps, of rounding, and of numbers that doubles cannot represent. Each of these errors
-//! appears with the amplification by the motion.
+//! The second run takes other steps ([`tripos_sim::second_runs`]). Its start and its parameters differ
+//! by one rounding. So the difference of the two runs contains the errors of the steps, of rounding,
+//! and of numbers that doubles cannot represent. The motion has amplified each of these errors.
 //!
-//! During the run, an error is measured relative to the largest size s of its value along the run.
-//! A curve through zero has no digits of its own at the zero. s is at least absolute ÷ relative
-//! tolerance, since a smaller size does not matter by these tolerances. At the end, the number
-//! itself is wanted. There the error is measured relative to |value| + s, with s at most 1 in its
-//! SI unit.
+//! During the run, the error of a value is measured relative to the largest size s of this value
+//! along the run, because a curve through zero has no digits of its own there. s is at least the
+//! absolute tolerance divided by the relative tolerance. By these tolerances, a smaller size does not
+//! matter. At the end of the run, the number itself is wanted. There the error is measured relative to
+//! |value| + s, with s at most 1 in its SI unit.
 
 use super::watched_functions::{WatchedFunctions, watched_events};
 use crate::error::Error;
@@ -24,63 +23,63 @@ use tripos_traits::{DoubleDouble, Real, Scalar, larger, largest};
 
 /// Greatest number of instants at which a run and its second run are compared.
 const INSTANTS: usize = 400;
-/// Number of parts into which the compared instants are divided. An instant's error includes the
-/// differences in the part before it.
+/// Number of parts into which the compared instants are divided. The error of an instant includes the
+/// differences of the two runs over one such part before it.
 const NEAR: usize = 40;
-/// Least number of earlier instants whose differences count for the error of an instant.
+/// Least number of earlier instants whose differences are included in the error of an instant.
 const NEAREST: usize = 2;
 /// Number of correct digits below which a run gets an objection.
 pub const FEW: f64 = 3.0;
-/// Relative error that every value has at least: eight roundings of its terms.
+/// Least relative error of every value: eight rounding errors.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
-/// Size, in SI units, below which a value does not matter if no tolerances define this size. It is
-/// the quotient of the default tolerances.
+/// Size, in SI units, below which a value does not matter if the run has no tolerances. It is the
+/// absolute default tolerance divided by the relative one.
 const SMALL: f64 = 1e-3;
-/// Distance between the ends of two stopped runs up to which they count as the same end, relative
-/// to the run's duration.
+/// Distance between the end instants of two stopped runs up to which they count as the same end,
+/// relative to the duration of the run.
 const ONE_END: f64 = 1e-3;
-/// Factor from the difference between two motions by quadrature to the error of each. Both share
-/// all errors except those of the start.
+/// Factor from the difference of two motions by quadrature to the error of each motion. Both motions
+/// share all errors except those of the start.
 const QUADRATURE_PART: f64 = 4.0;
 
 /// Estimated errors and numbers of correct digits of the values that a run shows.
 #[derive(Clone, Debug)]
 pub struct CorrectDigits {
-    /// Compared instants, s, in the order of the run. The last is the end of the run, if errors
+    /// Compared instants, s, in the order of the run. The last one is the end of the run if errors
     /// were estimated to the end.
     pub t: Vec<f64>,
     /// Estimated error of each shown value at each instant of `t`, in the unit of the value: one
     /// list for each instant.
     pub errors: Vec<Vec<f64>>,
-    /// Correct digits of each shown value at each instant of `t`: −log₁₀ of its error relative to
-    /// its largest size.
+    /// Number of correct digits of each shown value at each instant of `t`: −log₁₀ of its error relative
+    /// to its largest size in the run. One list for each instant.
     pub digits: Vec<Vec<f64>>,
-    /// Correct digits of each shown value at the last compared instant: −log₁₀ of its error
+    /// Number of correct digits of each shown value at the last compared instant: −log₁₀ of its error
     /// relative to the value itself.
     last: Vec<f64>,
-    /// Estimated error of the instant of each event of the run, s; `None` for an event that the
-    /// second run lacks.
+    /// Estimated error of the instant of each event of the run, s. `None` for an event that does not
+    /// happen in the second run.
     pub events: Vec<Option<f64>>,
-    /// Description of the second run, such as its method and tolerances.
+    /// Text that describes the second run, such as its method and tolerances.
     pub by: String,
     /// Instant at which the assessed run ends, s.
     pub t_end: f64,
-    /// Data on the end of the second run.
+    /// End of the second run: its instant and its reason.
     pub(crate) second: SecondEnd,
 }
 
-/// Data on the end of a second run, which was made to estimate the errors of a first run.
+/// End of a second run, which was made to estimate the errors of a first run.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct SecondEnd {
     /// Instant at which the second run ended, s.
     pub t: f64,
     /// Reason why the second run ended.
     pub stop: Stop,
-    /// True if the second run was finer than the first.
+    /// True if the second run was more accurate than the first.
     pub is_finer: bool,
 }
 
-/// Shown value, and instant, with the fewest correct digits in a run.
+/// Shown value and instant at which a run has the fewest correct digits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FewestDigits {
     /// Index of the instant among the compared instants.
@@ -104,46 +103,44 @@ impl CorrectDigits {
         self.t.last().copied()
     }
 
-    /// Correct digits of each shown value at the end of the run; `None` if errors were not
+    /// Number of correct digits of each shown value at the end of the run. `None` if errors were not
     /// estimated to the end.
     #[must_use]
     pub fn digits_at_end(&self) -> Option<&[f64]> {
         self.is_complete().then_some(self.last.as_slice())
     }
 
-    /// Least number of correct digits of all shown values at the end of the run; `None` if errors
-    /// were not estimated to the end.
+    /// Smallest number of correct digits among all shown values at the end of the run. `None` if errors
+    /// were not estimated to the end, or no values are shown.
     #[must_use]
     pub fn digits_at_end_least(&self) -> Option<f64> {
         self.digits_at_end()?.iter().copied().reduce(f64::min)
     }
 
-    /// Estimated error of each shown value at the end of the run, in its unit; `None` if errors
-    /// were not estimated to the end.
+    /// Estimated error of each shown value at the end of the run, in its unit. `None` if errors were not
+    /// estimated to the end.
     #[must_use]
     pub fn errors_at_end(&self) -> Option<&[f64]> {
         self.errors.last().filter(|_| self.is_complete()).map(Vec::as_slice)
     }
 
-    /// Index and correct digits of the shown value with the fewest correct digits at the instant
-    /// with the index `instant`.
-    /// Returns `None` if no values are shown.
+    /// Finds the shown value with the fewest correct digits at the compared instant with the index
+    /// `instant`. Returns the index of the value and its number of digits. `None` if no values are shown.
     #[must_use]
     pub fn fewest_digits(&self, instant: usize) -> Option<(usize, f64)> {
         self.digits[instant].iter().copied().enumerate().min_by(|a, b| a.1.total_cmp(&b.1))
     }
 
-    /// Fewest correct digits of all shown values and instants; the first such instant if several
-    /// are equal.
-    /// Returns `None` if errors were estimated at no instant.
+    /// Finds the fewest correct digits among all shown values and all compared instants, and the first
+    /// place if several are equal. `None` if errors were estimated at no instant.
     #[must_use]
     pub fn fewest_of_all(&self) -> Option<FewestDigits> {
         let at = |instant| self.fewest_digits(instant).map(|(value, digits)| FewestDigits { instant, value, digits });
         (0..self.t.len()).filter_map(at).min_by(|a, b| a.digits.total_cmp(&b.digits))
     }
 
-    /// Indices (instant, value) of the first value with fewer than three correct digits; `None` if
-    /// there is none.
+    /// Finds the first instant at which a value has fewer than three correct digits. Returns the indices
+    /// (instant, value). `None` if all values have at least three digits.
     #[must_use]
     pub fn first_with_few(&self) -> Option<(usize, usize)> {
         let few = |at: usize| self.fewest_digits(at).filter(|(_, digits)| *digits < FEW).map(|(which, _)| (at, which));
@@ -152,7 +149,7 @@ impl CorrectDigits {
         (0..self.t.len()).find_map(few).or_else(at_end)
     }
 
-    /// Text that names the part of the run for which no errors are estimated; `None` if they are
+    /// Text that names the part of the run for which no errors are estimated. `None` if errors are
     /// estimated to its end.
     pub(super) fn part_without_digits(&self) -> Option<String> {
         match self.last_assessed_instant() {
@@ -162,9 +159,8 @@ impl CorrectDigits {
         }
     }
 
-    /// True if the second run, which is finer than the first, stopped earlier because it could not
-    /// go on.
-    /// Reaching the step limit does not count, nor does a coarser second run.
+    /// True if the second run could not go on and stopped before the end of the first, although it is
+    /// more accurate. A second run that reaches its step limit does not count.
     pub(super) fn second_run_stopped_early(&self) -> bool {
         let SecondEnd { t, stop, is_finer } = &self.second;
         let start = self.t.first().copied().unwrap_or(*t);
@@ -174,9 +170,8 @@ impl CorrectDigits {
     }
 }
 
-/// Note that a second run stopped early, by its cost or by its own error, so that errors are not
-/// estimated to the end.
-/// Returns `None` if they are.
+/// Note that errors are not estimated to the end of a run, because the second run cost too much or
+/// failed by its own error. `None` if errors are estimated to the end.
 #[must_use]
 pub fn unassessed_digits_note(digits: &CorrectDigits) -> Option<String> {
     let beyond = digits.part_without_digits().filter(|_| !digits.second_run_stopped_early())?;
@@ -187,16 +182,15 @@ pub fn unassessed_digits_note(digits: &CorrectDigits) -> Option<String> {
     Some(format!("digits are not assessed {beyond}: a second run ({}) {why}", digits.by))
 }
 
-/// Function for the values that a run shows at an instant, s, and an integrated state.
-/// Its error is the reason why a value cannot be computed.
+/// Function that computes the values that a run shows, from a problem, an instant, s, and an
+/// integrated state. It fails if a value cannot be computed.
 pub type Values<'a> = dyn Fn(&Problem<'_>, f64, &[f64]) -> Result<Vec<f64>, Error> + 'a;
 
-/// Estimates the correct digits of a run that started from the integrated state `y0`, by a second
-/// run.
-/// Returns `None` if the run took no step or was interrupted.
+/// Estimates the number of correct digits of a run by a second run. The run started from the
+/// integrated state `y0`. `None` if the run took no step, has no state, or was interrupted.
 ///
 /// # Errors
-/// [`Error`] if the second run is invalid although the first was not, or a value cannot be
+/// [`Error`] if the second run is refused although the first was not, or if a value cannot be
 /// computed.
 pub fn estimate_digits(
     problem: &Problem<'_>,
@@ -259,19 +253,18 @@ pub fn estimate_digits(
     Ok(Some(CorrectDigits { t: run.t, errors, digits, last, events, by: words, t_end: solution.t_end, second }))
 }
 
-/// Absolute differences of two lists of values, one for each value.
+/// Absolute differences of two lists of values, in the order of the lists.
 fn value_differences(a: &[f64], b: &[f64]) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| (a - b).abs()).collect()
 }
 
-/// Longest time between the instants at which two runs have the same impact, relative to the length
-/// of the span.
+/// Longest time between two instants that count as the same impact in two runs, relative to the
+/// duration of the run.
 const ONE_IMPACT: f64 = 1e-3;
 
-/// Corrects the differences of two runs at samples that lie between the instants of the same impact
-/// in both runs.
-/// At such a sample, only one run has jumped, so the difference is the jump. The uncertainty of the
-/// impact's instant is given separately. The sample gets the differences of the sample before it.
+/// Replaces the differences of two runs at samples between the instants of the same impact in both
+/// runs. At such a sample only one run has jumped, so the difference is the jump. The uncertainty of
+/// the impact's instant is given separately. The sample gets the differences of the sample before it.
 fn leave_out_jumps(apart: &mut [Vec<f64>], times: &[f64], first: &Solution, second: &Solution, span: (f64, f64)) {
     let between: Vec<(f64, f64)> = first
         .impacts
@@ -294,17 +287,19 @@ fn leave_out_jumps(apart: &mut [Vec<f64>], times: &[f64], first: &Solution, seco
 
 /// Differences of two runs at the instant with the index `instant`, and at the compared instants
 /// shortly before it.
-/// Two motions that oscillate about each other meet now and then, although the errors of both are
-/// as large as elsewhere. So the earlier differences count too.
+///
+/// Two motions that oscillate about each other meet now and then, although their errors are as large
+/// as elsewhere. So the earlier differences count too.
 fn differences_up_to_instant(apart: &[Vec<f64>], instant: usize) -> &[Vec<f64>] {
     let near = (apart.len() / NEAR).max(NEAREST);
     &apart[instant.saturating_sub(near)..=instant]
 }
 
-/// Estimated errors of the instants of a run's events, s, by comparison with another run.
-/// The counterpart of an event is the event of the other run with as many events of its kind before
-/// it; `None` without counterpart. For a repeated event, the largest of neighbouring errors is
-/// taken: two runs that oscillate about each other may meet at one of the events.
+/// Estimates the errors of the instants of a run's events, s, by comparison with another run.
+///
+/// The first event of a kind is compared with the first event of this kind in the other run, and so
+/// on. `None` if the other run has no such event. A repeated event gets the largest error of its
+/// neighbours too, because two runs that oscillate about each other may meet at one event.
 fn errors_of_events(list: &[EventRecord], others: &[EventRecord], part: f64) -> Vec<Option<f64>> {
     let mut errors = vec![None; list.len()];
     for (own, its) in records_by_event(list).iter().zip(records_by_event(others)) {
@@ -323,8 +318,8 @@ fn errors_of_events(list: &[EventRecord], others: &[EventRecord], part: f64) -> 
     errors
 }
 
-/// Groups the records of events: for each watched event, the indices of its records, in the order
-/// of the list.
+/// Groups the records of events by event: for each watched event, the indices of its records in
+/// `list`, in order.
 fn records_by_event(list: &[EventRecord]) -> Vec<Vec<usize>> {
     let mut places = Vec::new();
     for (at, record) in list.iter().enumerate() {
@@ -336,13 +331,13 @@ fn records_by_event(list: &[EventRecord]) -> Vec<Vec<usize>> {
     places
 }
 
-/// Correct digits that a relative error leaves, −log₁₀; 0 if the error is 1 or more, or not a
-/// number.
+/// Number of correct digits at a relative error: −log₁₀ of the error. It is 0 if the error is 1 or
+/// more, or not a number.
 pub(crate) fn digits_left(relative: f64) -> f64 {
     if relative < 1.0 { -relative.log10() } else { 0.0 }
 }
 
-/// Possible settings for the second run, in the order of preference.
+/// Possible settings of the second run, in the order of preference.
 fn second_run_choices(problem: &Problem<'_>, options: &Options, solution: &Solution) -> Vec<SecondRun> {
     if problem.scene.integration.method == Integrator::Quadrature {
         let words = "quadrature from numbers one rounding away".to_owned();
@@ -352,7 +347,7 @@ fn second_run_choices(problem: &Problem<'_>, options: &Options, solution: &Solut
     second_runs(options, solution, problem.scene.span, series)
 }
 
-/// Samples (t, y) spread evenly over a run, at most [`INSTANTS`], and the end of the run.
+/// Samples (t, y) spread evenly over a run, at most [`INSTANTS`], followed by the end of the run.
 fn run_samples(solution: &Solution) -> Vec<(f64, &Vec<f64>)> {
     let every = solution.y.len().div_ceil(INSTANTS).max(1);
     let mut list: Vec<_> = solution.t.iter().copied().zip(&solution.y).step_by(every).collect();
@@ -362,13 +357,12 @@ fn run_samples(solution: &Solution) -> Vec<(f64, &Vec<f64>)> {
     list
 }
 
-/// Time by which the second run goes beyond the end of the first, relative to the duration of the
-/// first.
-/// An event at the end of the first run may happen later in the second run.
+/// Time by which the second run goes beyond the end of the first, as a fraction of the duration of the
+/// first. An event at the end of the first run may happen later in the second run.
 const BEYOND: f64 = 0.02;
 
-/// Scene for the second run, from the start of the first run to slightly beyond its end.
-/// A parameter that doubles cannot represent gets the neighbouring double on the other side of its
+/// Makes the scene for the second run, from the start of the first run to slightly beyond its end. A
+/// parameter that doubles cannot represent becomes the neighbouring double on the other side of its
 /// exact number.
 fn second_run_scene(scene: &Scene, t_end: f64) -> Scene {
     let (start, end) = scene.span;
@@ -381,9 +375,9 @@ fn second_run_scene(scene: &Scene, t_end: f64) -> Scene {
     }
 }
 
-/// Parameters of a scene, moved by one rounding error.
-/// A parameter that doubles cannot represent is replaced by the neighbouring double on the other
-/// side of its exact number. The other parameters are unchanged.
+/// Parameters of a scene, moved by one rounding error. A parameter that doubles cannot represent
+/// becomes the neighbouring double on the other side of its exact number. The other parameters are
+/// unchanged.
 pub fn parameters_one_rounding_away(scene: &Scene) -> Vec<f64> {
     let other = |(x, exact): (&f64, &DoubleDouble)| {
         let rest = (*exact - DoubleDouble::from_f64(*x)).to_f64();
@@ -398,8 +392,8 @@ pub fn parameters_one_rounding_away(scene: &Scene) -> Vec<f64> {
     scene.parameters.iter().zip(&scene.exact.parameters).map(other).collect()
 }
 
-/// Largest size of each shown value along a run, but at least the size below which a value does not
-/// matter.
+/// Largest size of each shown value along a run, in its unit. It is at least the size below which a
+/// value does not matter.
 pub(crate) fn value_sizes_for_digits(scene: &Scene, values: &[Vec<f64>]) -> Vec<f64> {
     let how = &scene.integration;
     let adaptive = how.step.is_none() && how.method != Integrator::Quadrature;

@@ -1,15 +1,15 @@
-//! Power of the loads without a potential along a run, for any set of equations.
+//! Power of the loads that have no potential, along a run by any set of equations.
 
 use crate::code::{CodePreparation, runnable_code};
 use crate::error::Error;
 use crate::preparation::problem::{Power, Problem};
 use tripos_derive::Formulation;
 
-/// Function for the power, W, by which loads without a potential change T + V along a run.
-/// Returns `None` if no such load exists, or if the run shows no energies.
+/// Makes the function that computes the power, W, of the loads without a potential. Their work changes
+/// T + V along a run. `None` if no such load exists, or if the run shows no energies.
 ///
-/// A scene's reduced equations show the energies of the whole model. The power is then computed by
-/// Kane's equations at the shown state.
+/// A run by reduced equations shows the energies of the whole model. Its power is computed by Kane's
+/// equations at the shown state.
 ///
 /// # Errors
 /// [`Error`] if the model has no Kane's equations.
@@ -34,9 +34,9 @@ pub fn load_power<'a>(problem: &'a Problem<'_>) -> Result<Option<Power<'a>>, Err
     }))
 }
 
-/// Function for the power, W, whose work a run accumulates; `None` if there is no such power.
-/// In a scene with contacts there is always a function, at least the constant zero, because impacts
-/// add to the work.
+/// Makes the function that computes the power, W, whose work a run accumulates. `None` if there is no
+/// such power. In a scene with contacts there is always a function, at least the constant zero, because
+/// impacts add to the work.
 ///
 /// # Errors
 /// Errors of [`load_power`].

@@ -1,4 +1,4 @@
-//! Objections to a run, which say why its numbers cannot be trusted.
+//! Objections to a run: sentences that say why its numbers cannot be trusted.
 //!
 //! Every objection states a number. None depends on a clock: the same run gives the same objections.
 
@@ -22,13 +22,13 @@ use tripos_derive::plain_text::{with_reliable_digits, with_significant_digits};
 use tripos_derive::scene::AccelerationSolution;
 use tripos_sim::{Solution, Stop};
 
-/// Relative error at which no more than three digits are correct.
+/// Relative error from which on fewer than three digits are correct.
 const THREE_DIGITS: f64 = 1e-3;
-/// Greatest number of samples of a run at which matrices and first integrals are checked.
+/// Greatest number of samples of a run at which the matrix and the first integrals are checked.
 const MOST_SAMPLES: usize = 400;
 
 /// Lists the objections to a run, as sentences with numbers. `names` are the names of the values in
-/// `digits`.
+/// `digits`. `watch` are the first integrals to check; `None` checks only the energy.
 ///
 /// # Errors
 /// [`Error::Request`] if the number of parameters does not fit the equations.
@@ -60,8 +60,8 @@ pub fn objections_to_run(
     Ok(list)
 }
 
-/// Objection that fewer than three digits are correct, with the first instant of this; `None` if
-/// there are enough.
+/// Objection to a run that has fewer than three correct digits at an instant. It names the first such
+/// instant. `None` if all values have enough digits.
 fn too_few_digits_objection(digits: &CorrectDigits, names: &[String]) -> Option<String> {
     let (instant, which) = digits.first_with_few()?;
     let (t, error, name) = (digits.t[instant], digits.errors[instant][which], &names[which]);
@@ -85,18 +85,17 @@ fn too_few_digits_objection(digits: &CorrectDigits, names: &[String]) -> Option<
     ))
 }
 
-/// Objection that a finer run of the same motion cannot follow it to its end; `None` if there is no
-/// such contradiction.
+/// Objection to a run that a more accurate run of the same motion cannot follow to its end. `None` if
+/// there is no such contradiction.
 fn contradiction_objection(digits: &CorrectDigits, names: &[String]) -> Option<String> {
     let beyond = digits.part_without_digits().filter(|_| digits.second_run_stopped_early())?;
     let why = digits.second.stop.described(names);
     Some(format!("another run of this motion ({}) could not go on: {why}; do not trust this one {beyond}", digits.by))
 }
 
-/// Objection that the energy of a run drifts: T + V minus the work done must be constant. `None` if
-/// the drift is small.
-/// It is used if the energy is not among the watched first integrals, because loads do work or no
-/// integrals were searched for.
+/// Objection to a drift of the energy: T + V minus the work done must be constant. `None` if the drift
+/// is small. It is used if the energy is not among the watched first integrals, because loads do
+/// work or no integrals were searched for.
 fn energy_objection(problem: &Problem<'_>, solution: &Solution, drift: f64) -> Option<String> {
     let (system, p) = (problem.system(), problem.scene.parameters.as_slice());
     let n = system.lengths().coordinates;
@@ -116,7 +115,7 @@ fn energy_objection(problem: &Problem<'_>, solution: &Solution, drift: f64) -> O
         (system.potential_energy(p, &beside) - system.potential_energy(p, end)).abs()
     };
     let nothing = (0..n).map(reach).sum::<f64>();
-    // If a run ended because its energy has no value, the reason of its end reports this.
+    // A drift that is NaN gives no objection. The reason of the run's end reports a missing energy.
     (drift > (THREE_DIGITS * scale).max(nothing)).then(|| {
         format!(
             "{what}, constant in this motion, changed by {} J of {} J: fewer than three digits are left",
@@ -126,23 +125,23 @@ fn energy_objection(problem: &Problem<'_>, solution: &Solution, drift: f64) -> O
     })
 }
 
-/// First integral with its largest change since the start of the run.
+/// First integral, with its largest change since the start of the run.
 type Worst<'a> = (&'a ConservedQuantity, Excursion);
 
-/// Largest change of each existing first integral, relative to the change at three correct digits
-/// of the state.
+/// Largest change of each first integral that exists at the parameters, relative to an allowed change.
+/// A state with an error in its fourth digit would cause the allowed change.
 fn excursions_for_objections<'a>(
     problem: &Problem<'_>,
     solution: &Solution,
     watch: &'a WatchedInvariants,
 ) -> Vec<Worst<'a>> {
-    // The allowed change is that of a state with three correct digits.
+    // The allowed change is caused by a state with three correct digits.
     let worst = watch.worst_excursions(problem, solution, MOST_SAMPLES, &|_, x| THREE_DIGITS * (1.0 + x.abs()));
     let list = watch.integrals.iter().zip(worst).zip(watch.integrals_exist(&problem.shown.parameters));
     list.filter(|(_, exists)| *exists).map(|(found, _)| found).collect()
 }
 
-/// Objection that states the change of a first integral, with its instant.
+/// Objection that states the largest change of a first integral, and its instant.
 fn excursion_objection((integral, Excursion { t, change, .. }): &Worst<'_>) -> String {
     let (name, unit, t) = (&integral.name, &integral.unit, with_significant_digits(*t, 4));
     if change.is_nan() {
@@ -160,14 +159,13 @@ fn samples_for_objections(solution: &Solution) -> impl Iterator<Item = (f64, &Ve
     solution.t.iter().copied().zip(&solution.y).step_by(every)
 }
 
-/// Objection that accelerations are solved for from an ill-conditioned matrix, which loses too many
-/// digits.
-/// Returns `None` if the condition is good enough, or if accelerations are eliminated.
+/// Objection to a run whose accelerations are solved for with an ill-conditioned matrix, so that too
+/// many digits are lost. `None` if the condition is good enough, or if accelerations are eliminated.
 ///
 /// # Errors
 /// `Error::Request` if the number of parameters does not fit the equations.
 fn condition_objection(problem: &Problem<'_>, solution: &Solution) -> Result<Option<String>, Error> {
-    // Equations with multipliers are solved at any rank of the constraints.
+    // Equations with multipliers are solved for constraints of any rank.
     if problem.solve == AccelerationSolution::Eliminated || problem.chosen.is_some() {
         return Ok(None);
     }

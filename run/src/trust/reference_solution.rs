@@ -1,9 +1,8 @@
-//! Reference solutions, by which the errors of other runs are measured, and their certification.
+//! Reference solutions, which serve to measure the errors of other runs.
 //!
-//! The equations run in twice the precision of a double, compiled or interpreted, with eliminated
-//! accelerations, by DOP853. Doubles could not reach the tolerances. The runs are made by two
-//! formulations and at two tolerances. The difference of the two runs is the uncertainty of the
-//! reference.
+//! The equations of motion run in numbers of 32 digits, twice the precision of a double, by DOP853
+//! with eliminated accelerations. Doubles could not reach the tolerances. Two runs are made, by two
+//! formulations and at two tolerances. Their difference is the uncertainty of the reference.
 
 use crate::code::{Code, CodePreparation, compiled_code, runnable_code};
 use crate::error::{Error, refused_scene_error};
@@ -25,25 +24,28 @@ pub struct ReferenceSolution {
     pub times: Vec<f64>,
     /// State at each instant of `times`: coordinates, then generalized speeds, in SI units.
     pub states: Vec<Vec<DoubleDouble>>,
-    /// Uncertainty of the states, in the measure of [`work_precision_error`], relative to their size.
+    /// Largest error between the two reference runs, measured by [`work_precision_error`]. It is without
+    /// unit, relative to the size of the states.
     pub uncertainty: f64,
     /// Text that describes how the reference was certified.
     pub how: String,
 }
 
-/// Relative tolerances of the run that is kept as the reference, and of the second run that checks
-/// it.
+/// Relative tolerances of the two runs of a reference. The states of the first run are kept. The second
+/// run checks them.
 const TOLERANCES: [f64; 2] = [1e-22, 1e-20];
-/// Number of steps after which a reference is given up.
+/// Number of steps after which the computation of a reference stops as a failure.
 const MOST_STEPS: u64 = 5_000_000;
-/// Number of states near the start at which the rates of two formulations are compared.
+/// Number of states near the start at which the rates by two formulations are compared.
 const STATES: usize = 4;
 
 impl ReferenceSolution {
-    /// Computes the reference of a scene without its events, at the given instants in the order of the run.
+    /// Computes the reference of a scene at the given instants, s, in the order of the run. Events of the
+    /// scene are ignored.
     ///
     /// # Errors
-    /// [`Error`] if a run does not reach the last instant, or no formulation has eliminated accelerations.
+    /// [`Error`] if a run does not reach the last instant, if no formulation has eliminated
+    /// accelerations, or if the scene has impacts.
     pub fn new(model: &Mechanism, scene: &Scene, times: &[f64]) -> Result<Self, Error> {
         if !scene.impacts.is_empty() {
             let help = "use the errors that the run prints, or leave the impacts out";
@@ -66,7 +68,7 @@ impl ReferenceSolution {
         Ok(Self { times: times.to_vec(), states: kept, uncertainty: larger(difference, DoubleDouble::EPSILON), how })
     }
 
-    /// State at the last instant of the reference; empty if it has no instants.
+    /// State at the last instant of the reference. It is empty if the reference has no instants.
     pub fn end(&self) -> &[DoubleDouble] {
         self.states.last().map_or(&[], Vec::as_slice)
     }
@@ -81,8 +83,8 @@ struct ReferenceEquations {
     code: Code,
 }
 
-/// Equations of two formulations, or the same equations twice if the model has only one
-/// formulation.
+/// Prepares the equations of two formulations for a reference. A model with only one formulation gives
+/// the same equations twice.
 ///
 /// # Errors
 /// `Error::Request` if no formulation has eliminated accelerations.
@@ -103,8 +105,8 @@ fn reference_equations(model: &Mechanism, scene: &Scene) -> Result<[ReferenceEqu
     })
 }
 
-/// Variable for the distance from the scene's singular surface; `None` if the scene has none.
-/// Also `None` if compiled equations exist, but not in this distance.
+/// Distance from a singular surface that the reference integrates in place of a coordinate. `None` if
+/// neither the model nor the scene has one, or if compiled equations exist only without it.
 fn distance_for_reference(model: &Mechanism, scene: &Scene) -> Option<SingularDistance> {
     tripos_derive::mechanics::singular_distances(model).first().copied().or(scene.integration.distance).filter(
         |distance| {
@@ -119,8 +121,8 @@ fn distance_for_reference(model: &Mechanism, scene: &Scene) -> Option<SingularDi
 }
 
 impl ReferenceEquations {
-    /// Integrates the equations at a relative tolerance; returns coordinates and generalized speeds
-    /// at the given instants.
+    /// Integrates the equations at a relative tolerance. Returns the coordinates and generalized
+    /// speeds at the given instants, s.
     ///
     /// # Errors
     /// `Error` if the run cannot start or does not reach the last instant.
@@ -139,11 +141,11 @@ impl ReferenceEquations {
         Ok(times.iter().zip(&states).map(|(t, y)| problem.extended_state(&p, *t, y)).collect())
     }
 
-    /// True if two formulations compute with identical terms: their rates near the start agree in
-    /// every bit.
+    /// True if two formulations compute with identical terms: their rates at states near the start agree
+    /// in every bit.
     ///
-    /// Different terms for the same rates give values that differ in one of 106 bits at one of the
-    /// tested states. The result is stated with the reference, and decides no other question.
+    /// Different terms for the same rates would differ in at least one of 106 bits at one of the tested
+    /// states. The result is only stated with the reference, and changes nothing else.
     fn runs_the_terms_of(&self, other: &Self, model: &Mechanism, scene: &Scene) -> Result<bool, Error> {
         if self.code.system().lengths().state() != other.code.system().lengths().state() {
             return Ok(false);
@@ -171,8 +173,8 @@ fn reference_options(rtol: f64) -> Options {
     Options { method, step_limit: MOST_STEPS, output: OutputOption::Ends, ..Options::tolerances(rtol, rtol) }
 }
 
-/// Integrates from each instant to the next by `walk`, and returns the states at the instants.
-/// Each instant is the end of an integration, where the solution is as accurate as the tolerance.
+/// Integrates by `walk` from each instant to the next, and returns the states at the instants. Each
+/// instant is the end of an integration, so its state is as accurate as the tolerance.
 ///
 /// # Errors
 /// `Error` if an integration fails or stops before its end.

@@ -1,10 +1,9 @@
-//! Advice on stiff runs: if stability limits the steps of an explicit run, an implicit method is
-//! tried.
+//! Advice on stiff runs, in which stability and not accuracy limits the steps.
 //!
 //! A step h of an explicit method is stable up to a certain |h λ|, where λ is an eigenvalue of the
-//! Jacobian. If the steps have that length on average, stability may limit them. A trial decides:
-//! Radau's method runs the motion at the same tolerances with a fraction of the steps, and either
-//! arrives or does not. A motion that needs its short steps for accuracy gets no advice.
+//! Jacobian. If the steps reach this bound on average, stability may limit them. A trial decides:
+//! Radau's implicit method runs the motion at the same tolerances with a fraction of the steps, and
+//! either arrives or does not. A motion that needs its short steps for accuracy gets no advice.
 
 use crate::error::{Error, refused_scene_error};
 use crate::integration_options::integration_options_for_ends;
@@ -12,30 +11,30 @@ use crate::preparation::problem::Problem;
 use tripos_derive::plain_text::with_reliable_digits;
 use tripos_sim::{EliminatedDynamics, Method, Options, OutputOption, RightHandSide, Solution, Stop};
 
-/// Least number of steps of a run that is examined for stiffness; shorter runs take little time.
+/// Least number of steps at which a run is examined for stiffness. Shorter runs take little time.
 const MANY_STEPS: u64 = 2_000;
 /// Average |h λ| from which on stability may limit the steps of an explicit run.
+///
 /// The bounds along the negative real axis are 2.8 (rk4), 3.3 (dopri5), 6.1 (dop853) and more for
-/// Taylor's method: E. Hairer, S. P. Nørsett & G. Wanner, *Solving Ordinary Differential
+/// Taylor's method. Source: E. Hairer, S. P. Nørsett & G. Wanner, *Solving Ordinary Differential
 /// Equations*, §IV.2 of volume II.
 const NEAR_BOUND: f64 = 2.0;
-/// Factor by which the implicit method must need fewer steps than the explicit run; it is allowed
-/// no more steps.
+/// Factor by which the implicit method must need fewer steps than the explicit run. The trial stops at
+/// this number of steps.
 const FEWER: u64 = 10;
 /// Factor by which the implicit method must need fewer evaluations than the explicit run.
 const CHEAPER: u64 = 2;
 /// Number of states of a run at which the largest eigenvalue of the Jacobian is estimated.
 const SAMPLES: usize = 20;
-/// Number of iterations that turn a vector towards the largest eigenvalue's direction, before the
+/// Number of iterations that turn a vector towards the direction of the largest eigenvalue, before this
 /// eigenvalue is measured.
 const TURNS: usize = 10;
 /// Number of iterations over which the size of the largest eigenvalue is measured.
 const MEASURED: usize = 30;
 
-/// Advice for a run whose steps are limited by stability, with the numbers of steps of both
-/// methods.
-/// Returns `None` if stability does not limit the steps, if the equations have no Jacobian, or if
-/// the implicit method is not much better.
+/// Advises an implicit method for a run whose steps are limited by stability, with the numbers of steps
+/// of both methods. `None` if stability does not limit the steps, if the equations have no Jacobian,
+/// or if the implicit method is not much better. Runs with few steps are not examined.
 ///
 /// # Errors
 /// [`Error`] if the problem cannot be run as its scene says.
@@ -67,9 +66,8 @@ pub fn stiffness_advice(problem: &Problem<'_>, solution: &Solution) -> Result<Op
     )))
 }
 
-/// Average of |h λ| over a run, for the eigenvalue λ of the Jacobian with the largest |λ|:
-/// (1/steps) ∫ |λ| dt.
-/// Returns `None` if the Jacobian cannot be computed at any sample.
+/// Average of |h λ| over the steps h of a run, for the eigenvalue λ of the Jacobian with the largest
+/// |λ|: (1/steps) ∫ |λ| dt. `None` if the Jacobian cannot be computed at any sample.
 fn mean_stiffness_product(problem: &Problem<'_>, solution: &Solution) -> Option<f64> {
     let mut rhs = EliminatedDynamics::new(problem.system(), &problem.scene.parameters)?;
     let every = solution.y.len().div_ceil(SAMPLES).max(1);
@@ -79,9 +77,8 @@ fn mean_stiffness_product(problem: &Problem<'_>, solution: &Solution) -> Option<
     (!radii.is_empty()).then(|| step * radii.iter().sum::<f64>() / radii.len() as f64)
 }
 
-/// Absolute value |λ| of the largest eigenvalue of the Jacobian at a state, 1/s; λ need not be
-/// real.
-/// It is the mean growth of a vector under repeated multiplication by the Jacobian. `None` if it
+/// Absolute value |λ| of the largest eigenvalue of the Jacobian at a state, 1/s. λ may be complex. The
+/// value is the mean growth of a vector under repeated multiplication by the Jacobian. `None` if it
 /// cannot be computed.
 fn spectral_radius(rhs: &mut EliminatedDynamics<'_>, t: f64, y: &[f64]) -> Option<f64> {
     let n = y.len();
@@ -108,10 +105,9 @@ fn spectral_radius(rhs: &mut EliminatedDynamics<'_>, t: f64, y: &[f64]) -> Optio
     Some((growth / MEASURED as f64).exp())
 }
 
-/// Runs the motion of a problem by Radau's method; returns the instant that it had to reach, s, and
-/// its solution.
-/// This instant is the end of the given run, or of the span if the given run used up its steps.
-/// `None` unless Radau's method arrives with far fewer steps and less work.
+/// Runs the motion of a problem by Radau's method, up to the end of the given run. If the given run used
+/// up its steps, the end of the span is taken instead. Returns this end, s, and the solution. `None`
+/// unless Radau's method arrives with far fewer steps and less work.
 fn measure_implicit_run(problem: &Problem<'_>, solution: &Solution) -> Result<Option<(f64, Solution)>, Error> {
     let scene = problem.scene;
     let is_given_up = matches!(solution.stop, Stop::StepLimit { .. });

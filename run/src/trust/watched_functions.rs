@@ -1,7 +1,6 @@
-//! Functions that a run of a scene watches: the conditions of the model's domain, and the events of
-//! the scene.
+//! Functions that a run of a scene watches: conditions of the model's domain, and events of the scene.
 //!
-//! The functions are compiled once for a scene and then bound to each problem.
+//! The functions are compiled once for a scene. They are then bound to each problem.
 
 use crate::code::{Code, CodePreparation, compile_tape, runnable_code};
 use crate::error::Error;
@@ -16,35 +15,33 @@ use tripos_derive::{Formulation, Model};
 use tripos_sim::{Direction, Dynamics, Effect, Event, EventFunction, InRanges};
 use tripos_traits::{Enclosure, Lengths, Scalar};
 
-/// Compiled functions that the runs of a scene watch, with the Newton–Euler equations for
-/// reactions.
-/// If a watched function mentions a reaction, these equations give the reaction in a run by any
-/// formulation.
+/// Compiled functions that the runs of a scene watch. If a function contains a reaction, the
+/// Newton–Euler equations give this reaction in a run by any formulation.
 #[derive(Clone)]
 pub struct WatchedFunctions {
-    /// Newton–Euler equations; `None` if no watched function needs a reaction.
+    /// Newton–Euler equations, which give the reactions; `None` if no watched function needs a reaction.
     code: Option<Code>,
     /// Conditions of the model's domain, followed by the events of the scene.
     watched: Vec<WatchedFunction>,
 }
 
-/// Watched function in the form in which it is computed.
+/// Watched function in its compiled form.
 #[derive(Clone)]
 enum WatchedFunction {
-    /// Function of parameters and the integrated state, as numbers and as intervals.
+    /// Function of the parameters and the integrated state, compiled for numbers and for intervals.
     OfState { tape: Tape, ranges: Tape<Enclosure> },
-    /// Function of parameters, q, q̇, u and reactions, which the running equations and the
-    /// Newton–Euler equations give.
+    /// Function of the parameters, q, q̇, u and reactions. The equations of the run give q, q̇ and u. The
+    /// Newton–Euler equations give the reactions.
     OfMotion { tape: Tape, needs_reactions: bool },
 }
 
 impl WatchedFunctions {
-    /// Compiles the watched functions of a scene for `model`: the mechanism's own model, or a
-    /// reduced model without reactions.
+    /// Compiles the watched functions of a scene. `model` is the mechanism's own model, or a reduced
+    /// model without reactions.
     ///
     /// # Errors
-    /// [`Error::Request`] if a watched reaction is not determined, or a symbol has no value during
-    /// a run.
+    /// [`Error::Request`] if a watched reaction is not determined, or if a symbol has no value during a
+    /// run. Also if a watched function contains a reaction and the scene has impacts.
     pub fn new(mechanism: &Mechanism, model: &Model, scene: &Scene, by: &EquationsOrigin) -> Result<Self, Error> {
         let domain = model.domain.iter().map(|c| (c.name.as_str(), c.positive));
         let watched = domain.chain(scene.events.iter().map(|e| (e.name.as_str(), e.function)));
@@ -71,7 +68,7 @@ impl WatchedFunctions {
             }
             list.push(match compile_function_of_state(model, scene, by, e) {
                 Ok(tape) => WatchedFunction::OfState { ranges: tape.to(), tape },
-                // The form with the whole motion also names the unknown symbol in its error.
+                // If a symbol is unknown here too, the error of this call names it.
                 Err(UnknownSymbol(_)) => compile_function_of_motion(model, e, name)?,
             });
         }
@@ -79,9 +76,10 @@ impl WatchedFunctions {
     }
 }
 
-/// Compiles a term as a function of parameters and the integrated state.
-/// The error is a symbol that this function cannot have: a reaction, or a rate if printed equations
-/// run, which have their own rates.
+/// Compiles an expression as a function of the parameters and the integrated state.
+///
+/// The error names a symbol that such a function cannot contain: a reaction, or a rate in a run by
+/// printed equations, which define their own rates.
 fn compile_function_of_state(
     model: &Model,
     scene: &Scene,
@@ -114,8 +112,8 @@ fn compile_function_of_state(
     Tape::stepwise(&arena, &[model.p(), variables, v].concat(), &steps, &[e])
 }
 
-/// Compiles a term as a function of parameters, q, q̇, u and reactions; `name` names the term in
-/// errors.
+/// Compiles an expression as a function of the parameters, q, q̇, u and reactions. `name` is the name of
+/// the expression in errors.
 fn compile_function_of_motion(model: &Model, e: Expr, name: &str) -> Result<WatchedFunction, Error> {
     let reactions: Vec<Expr> = model.reactions.iter().map(|r| r.symbol).collect();
     let needs_reactions = reactions.iter().any(|r| model.arena.mentions(e, *r));
@@ -126,9 +124,9 @@ fn compile_function_of_motion(model: &Model, e: Expr, name: &str) -> Result<Watc
     })
 }
 
-/// Binds the watched functions to a problem, as functions of the integrated state.
-/// A function without reactions is also given for intervals. The scene of the problem must have the
-/// conditions and events for which `balance` was compiled.
+/// Binds the watched functions to a problem, and returns them as events of the integrated state. A
+/// function without reactions is also given for intervals. `balance` must have been compiled for the
+/// conditions and events of the problem's scene.
 #[must_use]
 pub fn watched_events<'a>(problem: &'a Problem<'_>, balance: &'a WatchedFunctions) -> Vec<Event<'a>> {
     let Problem { model, scene, .. } = *problem;
@@ -148,7 +146,8 @@ pub fn watched_events<'a>(problem: &'a Problem<'_>, balance: &'a WatchedFunction
     watched.map(event).collect()
 }
 
-/// Function of (t, y) for a watched function, and the same function for intervals if there is one.
+/// Binds one watched function to a problem. Returns it as a function of (t, y), and the same function
+/// for intervals; `None` if it contains reactions or unknown rates.
 fn bind_watched_function<'a>(
     problem: &'a Problem<'_>,
     balance: &'a WatchedFunctions,
@@ -170,7 +169,7 @@ fn bind_watched_function<'a>(
     }
 }
 
-/// Function of the last inputs of a tape, whose first inputs are given.
+/// Makes a function of the last inputs of a tape. `inputs` are the values of the first inputs.
 fn watched_function_of_inputs<S: Numeric>(tape: &Tape<S>, mut inputs: Vec<S>) -> impl FnMut(&[S]) -> S + '_ {
     let (given, mut scratch) = (inputs.len(), Vec::new());
     move |rest: &[S]| {
@@ -182,8 +181,8 @@ fn watched_function_of_inputs<S: Numeric>(tape: &Tape<S>, mut inputs: Vec<S>) ->
     }
 }
 
-/// Function of (t, y) for a tape whose inputs are parameters, q, q̇, u and reactions.
-/// `code` holds the Newton–Euler equations that give the reactions; without it, reactions are NaN.
+/// Makes a function of (t, y) from a tape whose inputs are the parameters, q, q̇, u and reactions.
+/// `code` has the Newton–Euler equations, which give the reactions. Without it, reactions are NaN.
 fn function_along_motion<'a>(
     problem: &'a Problem<'_>,
     code: Option<&'a Code>,
@@ -202,8 +201,8 @@ fn function_along_motion<'a>(
         let q = problem.coordinates(y);
         let mut values = [p.as_slice(), &q, &q_dot, &u].concat();
         match &mut dynamics {
-            // At a state where the Newton–Euler equations are singular, there is no reaction. The
-            // value is then NaN, which the integrator reports.
+            // Where the Newton–Euler equations are singular, the reactions are not determined. The value
+            // is then NaN, which the integrator reports.
             Some(balance) => match balance.unknowns(&q, &u) {
                 Ok(x) => values.extend_from_slice(&x[speeds..]),
                 Err(_) => return f64::NAN,

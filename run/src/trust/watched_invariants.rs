@@ -1,8 +1,7 @@
-//! Quantities that are watched along a run in addition to its state.
+//! Quantities that are watched along a run in addition to its state: first integrals, determinants,
+//! condition numbers, and the divisors of the kinematic equations.
 //!
-//! These are first integrals, determinants, condition numbers and the divisors of the kinematic
-//! equations. Invariant: no watched quantity can stop a run or a page. A value that does not exist
-//! is NaN, and extremes ignore it.
+//! Invariant: no watched quantity can stop a run or a page. A value that does not exist is NaN.
 
 use crate::code::compile_tape;
 use crate::error::Error;
@@ -18,7 +17,8 @@ use tripos_derive::reduce::ReductionBasis;
 use tripos_sim::Solution;
 use tripos_traits::larger;
 
-/// First integral that is watched along a run: its kind, names and unit.
+/// First integral (a quantity that stays constant) that is watched along a run: its kind, name and
+/// unit.
 #[derive(Clone, Debug)]
 pub struct ConservedQuantity {
     /// Kind of the integral, such as energy or a momentum.
@@ -30,7 +30,7 @@ pub struct ConservedQuantity {
 }
 
 impl ConservedQuantity {
-    /// Describes a first integral, whose terms are in `arena`.
+    /// Describes a first integral. Its expression belongs to `arena`.
     fn new(model: &Model, arena: &Arena, integral: &Integral) -> Self {
         let unit = match model.unit_of(arena, integral.expression) {
             Some(unit) if unit == Unit::new(2, 1, -2) => "J".to_owned(),
@@ -53,8 +53,8 @@ impl fmt::Display for ConservedQuantity {
 pub struct Drift {
     /// First integral whose largest change is stated.
     pub integral: ConservedQuantity,
-    /// Largest absolute change of the integral from its first value over the samples of the run, in
-    /// its unit.
+    /// Largest absolute change of the integral from its first value over the samples of the run, in the
+    /// unit of the integral.
     pub change: f64,
 }
 
@@ -62,28 +62,27 @@ pub struct Drift {
 pub struct WatchedInvariants {
     /// Descriptions of the first integrals, in the order of the program's outputs.
     pub integrals: Vec<ConservedQuantity>,
-    /// Divisors of the kinematic equations, as text; a zero divisor makes the equations singular.
+    /// Divisors of the kinematic equations, as text. The equations are singular where a divisor is zero.
     pub divisors: Vec<String>,
-    /// Program for the first integrals, then the divisors, from parameters, coordinates and
+    /// Program that computes the first integrals, then the divisors, from the parameters, coordinates and
     /// generalized speeds.
     tape: Tape,
-    /// Program for the product, for each first integral, of its divisors that depend only on
-    /// parameters.
+    /// Program that computes one product for each first integral, from the parameters. Its factors are
+    /// the integral's divisors that depend only on parameters.
     divided: Tape,
 }
 
-/// Rounding error allowed in the evaluation of a first integral, in units of the double precision.
+/// Rounding error allowed in the value of a first integral, in units of the double precision.
 const ROUNDINGS: f64 = 64.0;
 
-/// Change of a first integral since the start of a run, at a single instant.
+/// Change of a first integral since the start of a run, at one instant.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Excursion {
     /// Instant at which the change is taken, s.
     pub t: f64,
     /// Absolute change of the integral since the start, in its unit.
     pub change: f64,
-    /// Ratio of this change to the change that allowed errors of the state can cause at this
-    /// instant.
+    /// Quotient of this change and the change that allowed errors of the state can cause at this instant.
     pub ratio: f64,
 }
 
@@ -93,19 +92,19 @@ pub struct InvariantValues {
     pub t: Vec<f64>,
     /// Values of each first integral at all samples, in its unit: one list for each integral.
     pub integrals: Vec<Vec<f64>>,
-    /// Determinant, at each sample, of the matrix A of the system A x = b that is solved for the
-    /// accelerations.
+    /// Determinant of the matrix A at each sample, where A x = b is the linear system that gives the
+    /// accelerations. Empty for reduced equations.
     pub determinant: Vec<f64>,
-    /// Reciprocal condition number, at each sample, of the matrix A with scaled rows and columns.
+    /// Reciprocal condition number of this matrix A, with scaled rows and columns, at each sample.
     pub condition: Vec<f64>,
-    /// Absolute values of each divisor of the kinematic equations at all samples: one list for each
+    /// Absolute values of the divisors of the kinematic equations at all samples: one list for each
     /// divisor.
     pub divisors: Vec<Vec<f64>>,
 }
 
 impl WatchedInvariants {
-    /// Compiles the first integrals of a model, whose terms are in `arena`, and the divisors of its
-    /// kinematic equations.
+    /// Compiles first integrals of a model, and the divisors of its kinematic equations. The expressions
+    /// of the integrals belong to `arena`.
     ///
     /// # Errors
     /// [`Error::Request`] if an integral or a divisor mentions a symbol without a value during a
@@ -122,8 +121,8 @@ impl WatchedInvariants {
         })
     }
 
-    /// Program for one product for each first integral: the product of its divisors that depend
-    /// only on parameters.
+    /// Compiles one product for each first integral: the product of its divisors that depend only on
+    /// parameters.
     ///
     /// # Errors
     /// `Error::Request` if a divisor mentions a symbol without a value during a run.
@@ -142,7 +141,7 @@ impl WatchedInvariants {
         compile_tape(&arena, &parameters, &products, "what a first integral divides by")
     }
 
-    /// For each first integral, true if it exists at the given parameters: it must not divide by
+    /// Tells for each first integral if it exists at the given parameters: true unless it divides by
     /// zero.
     #[must_use]
     pub fn integrals_exist(&self, parameters: &[f64]) -> Vec<bool> {
@@ -165,8 +164,7 @@ impl WatchedInvariants {
         Self::new(model, &basis.arena, &basis.integrals)
     }
 
-    /// Largest change along a run, for each first integral that exists at the parameters of the
-    /// problem.
+    /// Largest change along a run of each first integral that exists at the parameters of the problem.
     #[must_use]
     pub fn integral_drifts(&self, problem: &Problem<'_>, solution: &Solution) -> Vec<Drift> {
         let exist = self.integrals_exist(&problem.shown.parameters);
@@ -175,8 +173,8 @@ impl WatchedInvariants {
         changes.filter(|(_, exists)| *exists).map(|(found, _)| drift(found)).collect()
     }
 
-    /// Largest absolute change of each first integral from its first value over the samples of a
-    /// run, in its unit.
+    /// Largest absolute change of each first integral from its first value over the samples of a run, in
+    /// the unit of the integral.
     #[must_use]
     pub fn changes(&self, problem: &Problem<'_>, solution: &Solution) -> Vec<f64> {
         let n = self.integrals.len();
@@ -194,8 +192,8 @@ impl WatchedInvariants {
         largest
     }
 
-    /// Change of the first integral with the index `integral` from its first value, at each sample,
-    /// in its unit.
+    /// Change of the first integral with the index `integral` from its first value, at each sample, in
+    /// the unit of the integral.
     #[must_use]
     pub fn integral_changes(&self, problem: &Problem<'_>, solution: &Solution, integral: usize) -> Vec<f64> {
         let (mut scratch, mut out) = (Vec::new(), vec![f64::NAN; self.integrals.len() + self.divisors.len()]);
@@ -208,10 +206,9 @@ impl WatchedInvariants {
         values.iter().map(|x| x - values[0]).collect()
     }
 
-    /// Finds for each first integral the instant at which its change is largest relative to the
-    /// allowed change.
-    /// `allowance` gives the allowed error of a component of (q, u) from its index and value. At
-    /// most `samples` states are examined.
+    /// Finds for each first integral the instant at which its change is largest relative to the allowed
+    /// change. `allowance` gives the allowed error of a component of (q, u), from its index and value.
+    /// About `samples` states of the run are examined.
     pub fn worst_excursions(
         &self,
         problem: &Problem<'_>,
@@ -260,9 +257,8 @@ impl WatchedInvariants {
         worst
     }
 
-    /// Values of each first integral and absolute values of each divisor, at the given states (q,
-    /// u).
-    /// There is one list for each integral and one for each divisor.
+    /// Computes the first integrals and the absolute values of the divisors at the given states (q, u).
+    /// The first result has a list for each integral. The second result has a list for each divisor.
     #[must_use]
     pub fn invariants_along_states(&self, parameters: &[f64], states: &[Vec<f64>]) -> (Vec<Vec<f64>>, Vec<Vec<f64>>) {
         let mut list = vec![Vec::with_capacity(states.len()); self.integrals.len() + self.divisors.len()];
@@ -279,31 +275,32 @@ impl WatchedInvariants {
 }
 
 impl InvariantValues {
-    /// Least of `values`, which has one value for each sample, and its instant, s; `None` if every
-    /// value is NaN.
+    /// Finds the least number in `values`, which has one value for each sample. Returns it with its
+    /// instant, s. Values that are NaN are ignored; `None` if all are.
     #[must_use]
     pub fn least(&self, values: &[f64]) -> Option<(f64, f64)> {
         let pairs = values.iter().copied().zip(self.t.iter().copied()).filter(|(x, _)| !x.is_nan());
         pairs.min_by(|a, b| a.0.total_cmp(&b.0))
     }
 
-    /// Absolute determinant |det A| at each sample, divided by its value at the first sample.
+    /// Absolute determinant |det A| at each sample, divided by its value at the first sample. A is the
+    /// matrix of the linear system for the accelerations.
     #[must_use]
     pub fn relative_determinant(&self) -> Vec<f64> {
         let start = self.determinant.first().copied().unwrap_or(f64::NAN);
         self.determinant.iter().map(|det| (det / start).abs()).collect()
     }
 
-    /// Absolute change, at each sample, of the first integral with the index `integral` since the
-    /// first sample, in its unit.
+    /// Absolute change of the first integral with the index `integral` since the first sample, at each
+    /// sample, in the unit of the integral.
     #[must_use]
     pub fn changes(&self, integral: usize) -> Vec<f64> {
         let values = &self.integrals[integral];
         values.iter().map(|x| (x - values[0]).abs()).collect()
     }
 
-    /// Largest absolute change of each first integral over the samples, in its unit; NaN if a
-    /// sample has no value.
+    /// Largest absolute change of each first integral over the samples, in the unit of the integral. NaN
+    /// if a sample has no value.
     #[must_use]
     pub fn largest_changes(&self) -> Vec<f64> {
         (0..self.integrals.len()).map(|at| self.changes(at).into_iter().fold(0.0, larger)).collect()

@@ -1,4 +1,4 @@
-//! Arcs for coordinates that turn frames: each leads from an axis at angle zero to the axis in the
+//! Arcs for coordinates that turn frames. An arc leads from an axis at angle zero to the same axis in the
 //! drawn pose.
 
 use super::axes::{along_axis, are_axes_drawn};
@@ -12,36 +12,35 @@ use crate::pictures::view::space::{
 };
 use std::f64::consts::{PI, TAU};
 
-/// Radius of the first arc about a place, and increase of the radius for each further arc there,
-/// px.
+/// Radius of the first arc about a place, px, and increase of the radius for each further arc about the
+/// same place, px.
 const RADIUS: (f64, f64) = (36.0, 14.0);
-/// Angle below which an arc shows only the positive sense of an angle, rad.
+/// Absolute angle below which an arc shows only the positive sense of the angle, rad.
 const TINY: f64 = 0.12;
 /// Angle of an arc that shows only the positive sense, rad.
 const SENSE: f64 = 0.9;
 /// Length of the arrow tip of an arc, px.
 const TIP: f64 = 8.0;
-/// Least share of a vector's length that must be perpendicular to the axis of an angle, for the
-/// vector to show the angle.
+/// Least part of a vector perpendicular to the axis of an angle with which the vector can show the
+/// angle, as a fraction of the vector's length.
 const ACROSS: f64 = 0.7;
-/// Share of a vector's length along a basis vector above which the vector counts as parallel to the
-/// basis vector.
+/// Part of a vector along a basis vector from which on the vector counts as parallel to the basis
+/// vector, as a fraction of the vector's length.
 const ALONG: f64 = 0.95;
 
 /// Coordinate that is the angle of a frame about an axis of its parent frame.
 pub struct Angle {
-    /// Coordinate with its sign and zero in the formula of the angle.
+    /// Coordinate, with its sign and its zero in the formula of the angle.
     pub signed: SignedCoordinate,
     /// Index of the frame that the coordinate turns.
     pub frame: usize,
     /// Index of the parent frame, from which the frame is turned.
     pub parent: usize,
-    /// Index of the turn axis, 0 to 2, which both frames share.
+    /// Index of the axis of rotation, 0 to 2, the same in both frames.
     pub axis: usize,
 }
 
-/// Line whose rotation an arc shows: its origin in the inertial frame, and its direction in the
-/// turned frame.
+/// Line whose rotation an arc shows, with its origin and its direction.
 struct AngleLine {
     /// Origin of the line and centre of the arc, in the inertial frame, m.
     apex: Triple,
@@ -49,19 +48,20 @@ struct AngleLine {
     direction: Triple,
 }
 
-/// Component of a vector perpendicular to the axis of an angle.
+/// Component of a vector perpendicular to the axis of an angle, along a basis vector.
 struct AcrossAxis {
-    /// Nearest basis vector of the turned frame perpendicular to the axis, with its sign.
+    /// Basis vector of the turned frame, with a sign, that is perpendicular to the axis and closest to the
+    /// vector.
     direction: Triple,
     /// Length of the component perpendicular to the axis, m.
     length: f64,
-    /// Length of the component along the basis vector divided by the length of the vector.
+    /// Length of the component along this basis vector, divided by the length of the vector.
     share: f64,
 }
 
 impl Angle {
-    /// Angle that a coordinate is; `None` if the coordinate is not the angle of a frame about a
-    /// single axis.
+    /// Makes the angle that a coordinate is. `None` if the coordinate is not the angle of a frame about one
+    /// axis.
     pub fn of(subject: &SketchSubject<'_>, coordinate: usize) -> Option<Self> {
         let frames = 0..subject.pose.rotations.len();
         frames.into_iter().find_map(|frame| {
@@ -82,10 +82,10 @@ impl Angle {
         whole - TAU * ((whole + PI) / TAU).floor()
     }
 
-    /// Chooses the line whose rotation the arc shows.
-    /// It is the vector to a point placed in the turned frame, preferably along a basis vector.
-    /// Else it is the first vector in a frame that turns with the turned frame, if it is
-    /// perpendicular to the axis. Else it is the next basis vector, at the mass centre.
+    /// Chooses the line whose rotation the arc shows, in this order of preference:
+    /// - a vector to a point that is placed in the turned frame, preferably along a basis vector;
+    /// - the first vector in a frame that turns with the turned frame, if it is perpendicular to the axis;
+    /// - the next basis vector, at the mass centre.
     fn line_of_angle(&self, subject: &SketchSubject<'_>) -> AngleLine {
         let ways = |is_own: bool| {
             let list = subject.terms.links.points.iter().enumerate().filter_map(move |(point, link)| {
@@ -125,8 +125,8 @@ impl Angle {
         AngleLine { apex: subject.pose.points[body.map_or(0, |body| body.centre)], direction: next }
     }
 
-    /// Component of the vector `way` perpendicular to the axis; `None` if `way` is too close to the
-    /// axis.
+    /// Component of the vector `way` perpendicular to the axis. `None` if `way` is too close to the
+    /// direction of the axis.
     fn component_across_axis(&self, subject: &SketchSubject<'_>, way: Triple) -> Option<AcrossAxis> {
         let inside = rotate_vector_back(&subject.pose.rotations[self.frame], way);
         let (j, k) = ((self.axis + 1) % 3, (self.axis + 2) % 3);
@@ -147,12 +147,12 @@ pub fn axes_of_angles(subject: &SketchSubject<'_>, angles: &[Angle]) -> Vec<Trip
     angles.iter().map(|angle| angle.rotation_axis(subject)).collect()
 }
 
-/// Centres of the arcs drawn so far, on the sheet, px.
+/// Centres of the arcs that are drawn so far, px, in sheet coordinates.
 #[derive(Default)]
 pub struct Arcs(Vec<DrawingPoint>);
 
 impl Arcs {
-    /// Radius of the next arc about a centre, px; the centre is added to the list.
+    /// Radius of the next arc about a centre, px. Adds the centre to the list.
     fn radius(&mut self, at: DrawingPoint) -> f64 {
         let there = self.0.iter().filter(|spot| (spot[0] - at[0]).hypot(spot[1] - at[1]) < 8.0).count();
         self.0.push(at);
@@ -160,8 +160,8 @@ impl Arcs {
     }
 }
 
-/// Adds the arc of an angle to the sheet.
-/// Returns true if the arc shows the value of the angle, false if it shows only the positive sense.
+/// Adds the arc of an angle to the sheet. Returns true if the arc shows the value of the angle, and false
+/// if it shows only the positive sense.
 pub fn draw_angle_arc(subject: &SketchSubject<'_>, sheet: &mut Sheet, arcs: &mut Arcs, angle: &Angle) -> bool {
     let (arm, axis, extent) = (angle.line_of_angle(subject), angle.rotation_axis(subject), angle.angle_without_turns());
     let apex = subject.camera.project_point(arm.apex);
@@ -187,9 +187,9 @@ pub fn draw_angle_arc(subject: &SketchSubject<'_>, sheet: &mut Sheet, arcs: &mut
     is_open
 }
 
-/// Adds the name of the axis along which a reference line lies, if the axes of its frame are not
-/// drawn elsewhere.
-/// The line leads from `apex` to `to` on the sheet, and has the `direction` in the inertial frame.
+/// Adds the name of the axis along a reference line, unless the axes of its frame are drawn elsewhere. The
+/// line leads from the point `apex`, m, to the place `to`, px, on the sheet. It has the `direction` in the
+/// inertial frame.
 fn name_axis(
     subject: &SketchSubject<'_>,
     sheet: &mut Sheet,
@@ -199,7 +199,7 @@ fn name_axis(
     to: DrawingPoint,
 ) {
     let is_at_origin = length(subtract_vectors(apex, subject.pose.points[0])) < 1e-9;
-    // In a planar mechanism the inertial axes are easily followed.
+    // In a planar mechanism, the inertial axes are easily recognized.
     if frame == 0 && (is_at_origin || subject.is_planar)
         || are_axes_drawn(subject, frame)
         || subject.is_generated(frame)
@@ -219,8 +219,8 @@ fn name_axis(
     );
 }
 
-/// Adds one arc with the names of all coordinates that turn a frame together.
-/// The arc leads from an axis of the parent frame to the same axis of the frame.
+/// Adds one arc with the names of all coordinates that turn a frame together. The arc leads from an axis of
+/// the parent frame to the same axis of the frame.
 pub fn draw_common_arc(
     subject: &SketchSubject<'_>,
     sheet: &mut Sheet,
@@ -236,7 +236,7 @@ pub fn draw_common_arc(
     let place = subject.pose.points[body.map_or(0, |body| body.centre)];
     let apex = subject.camera.project_point(place);
     let radius = arcs.radius(apex) + 14.0;
-    // The axis that is turned the most is taken, without a turn close to 180°.
+    // The axis with the largest rotation is taken, except rotations close to 180°.
     let turn = |axis: usize| dot(before[axis], after[axis]).clamp(-1.0, 1.0).acos();
     let axis =
         (0..3).fold(0, |best, axis| if turn(axis) > turn(best) + 1e-6 && turn(axis) < 2.6 { axis } else { best });

@@ -1,4 +1,4 @@
-//! Outlines of solids on the sheet, drawn from back to front.
+//! Outlines of the solids of a mechanism on the sheet, drawn from back to front.
 
 use super::drawing_elements::{DrawingPoint, Mark, MarkRole, Path};
 use super::sheet::Sheet;
@@ -13,19 +13,19 @@ use crate::pictures::view::{Rotation, Solid, SolidForm, SolidPlace, Triple};
 const THIN: f64 = 2.2;
 /// Least radius of a drawn particle, px.
 const SMALL: f64 = 6.0;
-/// Radius of a drawn pin, px. A pin joins solids.
+/// Radius of a drawn pin, px. A pin is the mark of a joint.
 const PIN: f64 = 3.6;
-/// Length of a coil of a drawn spring, and half its width, px.
+/// Length of one coil of a drawn spring, px, and half the width of the spring, px.
 const SPRING: (f64, f64) = (11.0, 7.0);
-/// Width of the margin of a drawn ground plane around the solids above it, px.
+/// Margin of a drawn ground plane around the solids above it, px.
 const MARGIN: f64 = 26.0;
 
 /// Marks of a solid, with its place in the drawing order.
 struct SolidOutline {
-    /// Coordinate of the solid's centre towards the viewer, m. In a planar mechanism it is not
-    /// used.
+    /// Coordinate of the solid's centre along the direction to the viewer, m. It is not used in a planar
+    /// mechanism.
     depth: f64,
-    /// Rank among solids of equal depth: a lower rank is drawn first. The ground has rank 0.
+    /// Rank among solids of equal depth. A solid of lower rank is drawn first. The ground has rank 0.
     rank: u8,
     /// Marks of the solid: its outlines and areas.
     marks: Vec<Mark>,
@@ -45,7 +45,7 @@ pub fn draw_solids(subject: &SketchSubject<'_>, sheet: &mut Sheet) {
     }
 }
 
-/// Marks of a solid with its depth and rank; `None` for a ground plane that is not drawn.
+/// Makes the marks of a solid, with its depth and rank. `None` for a ground plane that is not drawn.
 fn solid_outline(subject: &SketchSubject<'_>, solid: &Solid) -> Option<SolidOutline> {
     let camera = &subject.camera;
     let is_particle = solid.body.is_some_and(|body| subject.mechanism.bodies[body].rigid.is_none());
@@ -97,13 +97,13 @@ pub fn solid_centre(subject: &SketchSubject<'_>, at: &SolidPlace) -> Triple {
     add_scaled_vector(subject.pose.points[at.point], 1.0, rotate_vector(&subject.pose.rotations[at.frame], at.position))
 }
 
-/// Axes of a solid as columns of a rotation matrix, in the inertial frame.
+/// Axes of a solid in the inertial frame, as the columns of a rotation matrix.
 fn solid_axes(subject: &SketchSubject<'_>, at: &SolidPlace) -> Rotation {
     product(&subject.pose.rotations[at.frame], &rotation_from_quaternion(at.turned))
 }
 
-/// Marks of a cylinder about a unit vector `axis`: far end, side and near end. `radius` and `long`,
-/// the length, are in m.
+/// Marks of a cylinder whose axis is the unit vector `axis`: its far end, side and near end. `radius` and
+/// the length `long` are in m.
 fn cylinder(subject: &SketchSubject<'_>, middle: Triple, axis: Triple, radius: f64, long: f64) -> Vec<Mark> {
     let camera = &subject.camera;
     let towards = dot(axis, camera.towards);
@@ -113,14 +113,14 @@ fn cylinder(subject: &SketchSubject<'_>, middle: Triple, axis: Triple, radius: f
     let [a, b] = [across[0], across[1]].map(|e| camera.project_point(e.map(|x| radius * x)));
     let end = |at: Triple| Mark::solid(MarkRole::Body, Path::ellipse(camera.project_point(at), a, b));
     let is_flat = camera.scale * long * (1.0 - towards * towards).max(0.0).sqrt() < 1.5;
-    // The visible side is bounded by lines along which the surface touches the direction of sight.
+    // The visible side ends at the lines where the surface is tangent to the direction of sight.
     let edge = unit_vector(cross(axis, camera.towards)).filter(|_| !is_flat);
     let Some(edge) = edge.map(|edge| edge.map(|x| radius * x)) else { return vec![end(near)] };
     let corners = [(far, 1.0), (near, 1.0), (near, -1.0), (far, -1.0)]
         .map(|(at, side)| camera.project_point(add_scaled_vector(at, side, edge)));
     vec![end(far), Mark::solid(MarkRole::Body, Path::polygon(&corners)), end(near)]
         .into_iter()
-        // In a view from the side, the ends of a cylinder are lines and are left out.
+        // In a view from the side, the ends of a cylinder are lines. They are left out.
         .filter(|mark| towards.abs() > 0.02 || mark.path.parts.len() == 3)
         .collect()
 }
@@ -168,9 +168,8 @@ fn spring_outline(a: DrawingPoint, b: DrawingPoint) -> Path {
     Path::line(&spots)
 }
 
-/// Marks of a ground plane: a line with hatching if the plane is seen edge-on, else a rectangle
-/// under the solids.
-/// Returns `None` if no solid touches the plane, or if the plane is seen from directly above.
+/// Marks of a ground plane: a line with hatching if the plane is seen edge-on, otherwise a rectangle under
+/// the solids. `None` if no solid touches the plane, or if the plane is seen from directly above.
 fn ground_outline(subject: &SketchSubject<'_>, at: &SolidPlace) -> Option<Vec<Mark>> {
     let camera = &subject.camera;
     let is_touched = subject.view.is_stated || subject.view.solids.iter().any(|solid| solid.touches.is_some());
@@ -206,8 +205,7 @@ fn ground_outline(subject: &SketchSubject<'_>, at: &SolidPlace) -> Option<Vec<Ma
     Some(vec![Mark::solid(MarkRole::Ground, Path::polygon(&corners))])
 }
 
-/// Least and greatest corner of the solids and points on the sheet, before it is scaled to its
-/// final size.
+/// Extent of the solids and points on the sheet at the camera's scale: the least and the greatest corner.
 pub fn bodies_extent(subject: &SketchSubject<'_>) -> (DrawingPoint, DrawingPoint) {
     let camera = &subject.camera;
     let mut all: Vec<(DrawingPoint, f64)> = Vec::new();
@@ -225,7 +223,7 @@ pub fn bodies_extent(subject: &SketchSubject<'_>) -> (DrawingPoint, DrawingPoint
             }
         }
     }
-    // Coordinates are measured from the origin, so points near it count.
+    // Coordinates are measured from the origin, so the points close to it must be visible.
     let is_told = |point: &Triple| length(*point) < 6.0 * subject.view.size;
     all.extend(
         subject.pose.points.iter().filter(|point| is_told(point)).map(|point| (camera.project_point(*point), 0.0)),
@@ -235,7 +233,7 @@ pub fn bodies_extent(subject: &SketchSubject<'_>) -> (DrawingPoint, DrawingPoint
     })
 }
 
-/// Vectors along rods and springs in the inertial frame, m; a view should show them as long as
+/// Vectors along rods and springs in the inertial frame, m. A good direction of view shows them as long as
 /// possible.
 pub fn vectors_along_rods(subject: &SketchSubject<'_>) -> Vec<Triple> {
     let ends = subject.view.solids.iter().filter_map(|solid| match solid.form {

@@ -4,9 +4,8 @@ use super::drawing_elements::DrawingPoint;
 use crate::pictures::view::Triple;
 use crate::pictures::view::space::{add_scaled_vector, cross, dot, subtract_vectors, unit_vector};
 
-/// Directions of an oblique view, degrees: angle about the vertical from the first horizontal axis,
-/// and elevation.
-/// In each of them, the first axis points to the lower left and the second to the right.
+/// Directions of an oblique view, degrees: angle about the vertical from the first horizontal axis, then
+/// elevation. In each view, the first axis points to the lower left and the second axis to the right.
 const OBLIQUE: [(f64, f64); 6] = [(32.0, 20.0), (50.0, 20.0), (22.0, 20.0), (60.0, 25.0), (40.0, 32.0), (68.0, 18.0)];
 
 /// Orthographic projection of the inertial frame onto the sheet.
@@ -23,10 +22,9 @@ pub struct Camera {
 }
 
 impl Camera {
-    /// Camera that looks along the normal of a plane, with the component of `up` in the plane
-    /// upwards on the sheet.
-    /// If `up` is along the normal, the second axis after that of the normal points upwards. The
-    /// scale is 1.
+    /// Makes a camera that looks along the normal of a plane. The component of `up` in the plane points
+    /// upwards on the sheet. If `up` is along the normal, another axis points upwards: the second after the
+    /// axis closest to the normal. The scale is 1.
     pub fn camera_along_normal(normal: Triple, up: Triple) -> Self {
         let inside = add_scaled_vector(up, -dot(up, normal), normal);
         let largest = (0..3).max_by(|a, b| normal[*a].abs().total_cmp(&normal[*b].abs())).unwrap_or(2);
@@ -38,9 +36,8 @@ impl Camera {
         Self { right: cross(up, normal), up, towards: normal, scale: 1.0 }
     }
 
-    /// Oblique camera from the side and above, chosen from six directions.
-    /// It shows rotations about the axes `turns` as open as possible, and the vectors `ways` as
-    /// long as possible.
+    /// Makes an oblique camera from the side and above, the best of six directions. It shows rotations about
+    /// the axes `turns` as open as possible, and the vectors `ways` as long as possible. The scale is 1.
     pub fn oblique_camera(up: Triple, turns: &[Triple], ways: &[Triple]) -> Self {
         let all = OBLIQUE.map(|(turn, height)| Self::camera_at_angles(up, turn.to_radians(), height.to_radians()));
         let worth = |camera: &Self| {
@@ -59,11 +56,11 @@ impl Camera {
         best
     }
 
-    /// Oblique camera at the angle `turn` about the vertical and the elevation `height`, rad.
+    /// Makes an oblique camera at the angle `turn` about the vertical and the elevation `height`, rad.
     fn camera_at_angles(up: Triple, turn: f64, height: f64) -> Self {
         let axis = (0..3).max_by(|a, b| up[*a].abs().total_cmp(&up[*b].abs())).unwrap_or(2);
         let mut first = [0.0; 3];
-        // The horizontal axes are the other two, in the order in which they and `up` are right-handed.
+        // The horizontal axes are the other two. With `up` as the third axis, they form a right-handed system.
         first[(axis + if up[axis] < 0.0 { 2 } else { 1 }) % 3] = 1.0;
         let first = unit_vector(add_scaled_vector(first, -dot(first, up), up)).unwrap_or([1.0, 0.0, 0.0]);
         let second = cross(up, first);
@@ -73,22 +70,23 @@ impl Camera {
         Self { right, up: cross(towards, right), towards, scale: 1.0 }
     }
 
-    /// Point on the sheet, px, of a place in the inertial frame, m.
+    /// Projects a place in the inertial frame, m, to a point on the sheet, px.
     pub fn project_point(&self, place: Triple) -> DrawingPoint {
         [self.scale * dot(self.right, place), -self.scale * dot(self.up, place)]
     }
 
-    /// Coordinate of a place in the inertial frame along the direction to the viewer, m.
+    /// Coordinate of a place in the inertial frame, m, along the direction to the viewer. It is larger for
+    /// closer places.
     pub fn depth(&self, place: Triple) -> f64 {
         dot(self.towards, place)
     }
 
-    /// Projection of a unit vector onto the sheet, without scale: its length is at most 1.
+    /// Projects a unit vector onto the sheet, without scale. Its length is then at most 1.
     pub fn project_direction(&self, direction: Triple) -> DrawingPoint {
         [dot(self.right, direction), -dot(self.up, direction)]
     }
 
-    /// Vector on the sheet, px, between two places in the inertial frame, m.
+    /// Projects the vector between two places in the inertial frame, m, to a vector on the sheet, px.
     pub fn project_vector(&self, from: Triple, to: Triple) -> DrawingPoint {
         self.project_point(subtract_vectors(to, from))
     }

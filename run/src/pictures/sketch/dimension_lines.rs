@@ -8,8 +8,8 @@ use super::sketch_subject::SketchSubject;
 use crate::pictures::view::Triple;
 use crate::pictures::view::space::{add_scaled_vector, length, subtract_vectors, transpose};
 
-/// Distance of a dimension line from the measured length, and length of its extension lines beyond
-/// it, px.
+/// Distance of a dimension line from the measured length, px, and length by which the extension lines
+/// continue beyond it, px.
 const AWAY: (f64, f64) = (30.0, 4.0);
 /// Length of the arrow tips of a dimension line, px.
 const TIP: f64 = 8.0;
@@ -20,7 +20,7 @@ const SENSE: f64 = 34.0;
 
 /// Coordinate that is a component of the position vector of a point, with its sign and zero.
 pub struct Length {
-    /// Coordinate with its sign and zero in the formula of the component.
+    /// Coordinate, with its sign and its zero in the formula of the component.
     pub signed: SignedCoordinate,
     /// Index of the point that the coordinate moves.
     pub point: usize,
@@ -29,7 +29,7 @@ pub struct Length {
 }
 
 impl Length {
-    /// Length that a coordinate is; `None` if the coordinate is not a component of a point's
+    /// Makes the length that a coordinate is. `None` if the coordinate is not a component of a point's
     /// position.
     pub fn of(subject: &SketchSubject<'_>, coordinate: usize) -> Option<Self> {
         (0..subject.pose.points.len()).find_map(|point| {
@@ -42,9 +42,8 @@ impl Length {
         })
     }
 
-    /// Ends of the measured length in the inertial frame, m, after the earlier components of the
-    /// position are added.
-    /// Returns `None` if the point has no position components.
+    /// Ends of the measured length in the inertial frame, m. The earlier components of the position vector
+    /// come before it. `None` if the point has no position components.
     fn ends(&self, subject: &SketchSubject<'_>) -> Option<[Triple; 2]> {
         let Components { from, frame, first } = subject.terms.components(self.point)?;
         let values = subject.terms.values(subject.p, subject.q);
@@ -54,8 +53,8 @@ impl Length {
         Some([self.signed.zero, self.signed.now].map(|value| add_scaled_vector(corner, value, axes[self.component])))
     }
 
-    /// Unit vector perpendicular to the length, away from the other components of the position.
-    /// Returns `None` if the dimension line is drawn directly between the ends.
+    /// Unit vector in the inertial frame along which the dimension line is moved, away from the other
+    /// components of the position. `None` if the dimension line is drawn directly between the ends.
     fn side_of_dimension_line(&self, subject: &SketchSubject<'_>) -> Option<Triple> {
         if !subject.is_planar {
             return None;
@@ -75,8 +74,8 @@ impl Length {
     }
 }
 
-/// Adds the dimension line of a length to the sheet.
-/// Returns true if the line shows the length, and false if only an arrow shows its positive sense.
+/// Adds the dimension line of a length to the sheet. Returns true if the line shows the length, and false
+/// if only an arrow shows its positive sense.
 pub fn draw_dimension_line(subject: &SketchSubject<'_>, sheet: &mut Sheet, lengths: &Length) -> bool {
     let Some([from, to]) = lengths.ends(subject) else { return false };
     let name = vec![LabelWord::Name(subject.mechanism.coordinates[lengths.signed.coordinate].name.clone())];
@@ -114,8 +113,8 @@ pub fn draw_dimension_line(subject: &SketchSubject<'_>, sheet: &mut Sheet, lengt
     true
 }
 
-/// Adds an arrow with a name, from a point of the sheet in the direction `seen`, in which a
-/// coordinate grows.
+/// Adds an arrow with a name that shows in which direction a coordinate grows. It begins near the point
+/// `from` of the sheet, px, and has the projected direction `seen`.
 fn draw_growth_arrow(
     subject: &SketchSubject<'_>,
     sheet: &mut Sheet,
@@ -131,8 +130,8 @@ fn draw_growth_arrow(
     sheet.request_label(MarkRole::Coordinate, name, at(10.0 + 0.6 * SENSE), Some([-way[1], way[0]]), 4.0);
 }
 
-/// Adds an arrow at the point that a coordinate moves the most. Returns false if the coordinate
-/// moves no point.
+/// Adds an arrow at the point that a coordinate moves the most. Returns false if the coordinate moves no
+/// point.
 pub fn draw_motion_arrow(subject: &SketchSubject<'_>, sheet: &mut Sheet, coordinate: usize) -> bool {
     let step = 1e-6 * (1.0 + subject.q[coordinate].abs());
     let mut q = subject.q.to_vec();
@@ -142,7 +141,7 @@ pub fn draw_motion_arrow(subject: &SketchSubject<'_>, sheet: &mut Sheet, coordin
         moved.points.iter().zip(&subject.pose.points).map(|(to, from)| subtract_vectors(*to, *from).map(|x| x / step));
     let ways: Vec<Triple> = ways.collect();
     let most = ways.iter().map(|way| length(*way)).fold(0.0, f64::max);
-    // The first of the points that move about equally far is taken.
+    // If several points move about equally far, the first is taken.
     let point = ways.iter().position(|way| length(*way) > 0.999 * most);
     let Some(point) = point.filter(|_| most.is_finite() && most > 1e-6 * subject.view.size) else { return false };
     let name = vec![LabelWord::Name(subject.mechanism.coordinates[coordinate].name.clone())];

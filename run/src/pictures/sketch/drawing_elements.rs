@@ -1,9 +1,9 @@
-//! Elements of a drawn sheet: labels, and marks, which are paths that each have a role.
+//! Elements of a drawn sheet: labels, and marks. A mark is a path with a role.
 
-/// Point on the sheet: distances to the right and down, px.
+/// Point on the sheet: distance to the right and distance down, px.
 pub type DrawingPoint = [f64; 2];
 
-/// Straight or curved part of a path; it begins at the end of the part before.
+/// Straight or curved part of a path. It begins at the end of the part before.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PathPart {
     /// Straight line to the given point of the sheet.
@@ -17,9 +17,9 @@ pub enum PathPart {
 pub struct Path {
     /// First point of the path on the sheet.
     pub from: DrawingPoint,
-    /// Parts of the path; each begins at the end of the part before.
+    /// Parts of the path. Each part begins at the end of the part before.
     pub parts: Vec<PathPart>,
-    /// True if the end of the path is joined to its beginning by a straight line.
+    /// True if a straight line joins the end of the path to its beginning.
     pub is_closed: bool,
 }
 
@@ -28,7 +28,7 @@ pub struct Path {
 pub enum MarkRole {
     /// Plane on which a body rolls or slides.
     Ground,
-    /// Line of the ground, with the hatching behind it.
+    /// Line of the ground, or its hatching.
     Support,
     /// Rigid body of the mechanism.
     Body,
@@ -70,22 +70,21 @@ impl MarkRole {
     ];
 }
 
-/// Ways of drawing a path of the sheet.
+/// Way of drawing a path of the sheet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PaintKind {
-    /// The line is drawn; the enclosed area stays empty.
+    /// The line is drawn. The enclosed area stays empty.
     Line,
     /// The enclosed area is filled with the colour of the line.
     Filled,
-    /// The line is drawn, and the enclosed area has the shade of the role, so that it hides marks
-    /// behind it.
+    /// The line is drawn, and the enclosed area has the shade of the role. The area hides marks behind it.
     Solid,
 }
 
 /// Path on the sheet, with its role and its way of drawing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mark {
-    /// Role of the mark, on which its colour and line depend.
+    /// Role of the mark. It decides the colour and the line of the mark.
     pub role: MarkRole,
     /// Way in which the path is drawn: as a line, filled, or solid.
     pub paint: PaintKind,
@@ -96,11 +95,11 @@ pub struct Mark {
 /// Part of the text of a label.
 #[derive(Clone, Debug, PartialEq)]
 pub enum LabelWord {
-    /// Name of the model, set as mathematics: `q1` becomes q with a subscript.
+    /// Name in the model, written as mathematics: `q1` becomes q with the subscript 1.
     Name(String),
-    /// Basis vector of a frame: name of the frame, and index of the axis from 0.
+    /// Basis vector of a frame, as the name of the frame and the index of the axis, from 0.
     Basis(String, usize),
-    /// Plain text, not set as mathematics.
+    /// Plain text, not written as mathematics.
     Plain(String),
     /// Minus sign before a basis vector.
     Minus,
@@ -115,33 +114,33 @@ pub struct Label {
     pub words: Vec<LabelWord>,
     /// Middle of the label's box on the sheet, px.
     pub at: DrawingPoint,
-    /// Width and height of the label's box, px, estimated because no font is available.
+    /// Width and height of the label's box, px. They are estimates, because no font is available.
     pub size: DrawingPoint,
 }
 
-/// Distance of the control points of a quarter circle of radius 1 from its ends.
+/// Distance of the control points from the ends of a Bézier curve that is a quarter of a circle of
+/// radius 1.
 const QUARTER: f64 = 0.552_284_749_830_793_4;
 
 impl Path {
-    /// Path of straight lines through the given points.
+    /// Makes a path of straight lines through the given points.
     pub(super) fn line(spots: &[DrawingPoint]) -> Self {
         let from = spots.first().copied().unwrap_or_default();
         Self { from, parts: spots.iter().skip(1).map(|spot| PathPart::Line(*spot)).collect(), is_closed: false }
     }
 
-    /// Closed path of a polygon with the given corners.
+    /// Makes the closed path of a polygon with the given corners.
     pub(super) fn polygon(corners: &[DrawingPoint]) -> Self {
         Self { is_closed: true, ..Self::line(corners) }
     }
 
-    /// Arc c + cos t · a + sin t · b of an ellipse, for t between `from` and `to`, rad; lengths in
-    /// px.
-    /// The vectors a and b are conjugate semi-diameters of the ellipse, which is the projection of
-    /// a circle in space.
+    /// Makes the arc c + cos t · a + sin t · b of an ellipse, for t between `from` and `to`, rad. Lengths are
+    /// in px. The vectors a and b are conjugate semi-diameters of the ellipse, which is the projection of a
+    /// circle in space.
     pub(super) fn arc(c: DrawingPoint, a: DrawingPoint, b: DrawingPoint, from: f64, to: f64) -> Self {
         let pieces = ((to - from).abs() / std::f64::consts::FRAC_PI_2).ceil().max(1.0);
         let step = (to - from) / pieces;
-        // 4/3 tan(step/4): the curve is within 3e-4 of the radius.
+        // 4/3 tan(step/4): the curve differs from the ellipse by less than 3e-4 of the radius.
         let handle = 4.0 / 3.0 * (step / 4.0).tan();
         let at = |t: f64| [0, 1].map(|i| c[i] + t.cos() * a[i] + t.sin() * b[i]);
         let slope = |t: f64| [0, 1].map(|i| t.cos() * b[i] - t.sin() * a[i]);
@@ -155,17 +154,18 @@ impl Path {
         Self { from: at(from), parts: parts.collect(), is_closed: false }
     }
 
-    /// Closed path of an ellipse about the centre c, with the conjugate semi-diameters a and b, px.
+    /// Makes the closed path of an ellipse with the centre c and the conjugate semi-diameters a and b, px.
     pub(super) fn ellipse(c: DrawingPoint, a: DrawingPoint, b: DrawingPoint) -> Self {
         Self { is_closed: true, ..Self::arc(c, a, b, 0.0, std::f64::consts::TAU) }
     }
 
-    /// Closed path of a circle about the centre c; the radius is in px.
+    /// Makes the closed path of a circle with the centre c. The radius is in px.
     pub(super) fn circle(c: DrawingPoint, radius: f64) -> Self {
         Self::ellipse(c, [radius, 0.0], [0.0, radius])
     }
 
-    /// Closed path around all points within `radius`, px, of the line from a to b.
+    /// Makes the closed path around all points whose distance from the line from a to b is at most `radius`,
+    /// px.
     pub(super) fn capsule(a: DrawingPoint, b: DrawingPoint, radius: f64) -> Self {
         let way = [b[0] - a[0], b[1] - a[1]];
         let long = way[0].hypot(way[1]);
@@ -192,7 +192,7 @@ impl Path {
         Self { from: moved(a, 0.0, 1.0), parts, is_closed: true }
     }
 
-    /// Last point of the path; the first point if the path has no parts.
+    /// Last point of the path, or its first point if it has no parts.
     pub(super) fn end(&self) -> DrawingPoint {
         match self.parts.last() {
             None => self.from,
@@ -200,8 +200,7 @@ impl Path {
         }
     }
 
-    /// Unit vector in which the path arrives at its end; it points to the right if the path has no
-    /// length.
+    /// Unit vector along the path at its end. It points to the right if the path has no length.
     pub(super) fn end_direction(&self) -> DrawingPoint {
         let end = self.end();
         let before = match self.parts.as_slice() {
@@ -212,7 +211,7 @@ impl Path {
         drawing_unit_vector([end[0] - before[0], end[1] - before[1]])
     }
 
-    /// Points along the path, at most `step` apart, px.
+    /// Points along the path, px, with distances of about `step` px or less.
     #[must_use]
     pub fn points_along_path(&self, step: f64) -> Vec<DrawingPoint> {
         let (mut list, mut at) = (vec![self.from], self.from);
@@ -229,7 +228,7 @@ impl Path {
                 }
             };
             let long = (to[0] - at[0]).hypot(to[1] - at[1]);
-            // An arc of a quarter is 1.11 times as long as its chord.
+            // A quarter of a circle is 1.11 times as long as its chord.
             let count = (1.2 * long / step).ceil().clamp(1.0, 2000.0);
             let shares = std::iter::successors(Some(1.0), |k| Some(k + 1.0)).take_while(|k| *k <= count);
             list.extend(shares.map(|k| of(k / count)));
@@ -240,43 +239,43 @@ impl Path {
 }
 
 impl Mark {
-    /// Mark of a line of the given role, without a filled area.
+    /// Makes the mark of a line with the given role, without a filled area.
     pub(super) fn line(role: MarkRole, path: Path) -> Self {
         Self { role, paint: PaintKind::Line, path }
     }
 
-    /// Mark of an outline that hides the marks behind it.
+    /// Makes the mark of an outline whose area hides the marks behind it.
     pub(super) fn solid(role: MarkRole, path: Path) -> Self {
         Self { role, paint: PaintKind::Solid, path }
     }
 
-    /// Mark of a filled circle about the point `at` of the sheet; the radius is in px.
+    /// Makes the mark of a filled circle with its centre at the point `at` of the sheet. The radius is in px.
     pub(super) fn dot(role: MarkRole, at: DrawingPoint, radius: f64) -> Self {
         Self { role, paint: PaintKind::Filled, path: Path::circle(at, radius) }
     }
 
-    /// Marks of a path and of an arrow tip at its end; `long` is the length of the tip, px.
+    /// Makes the marks of a path and of an arrow tip at its end. `long` is the length of the tip, px.
     pub(super) fn arrow(role: MarkRole, path: Path, long: f64) -> [Self; 2] {
         let tip = arrow_tip(role, path.end(), path.end_direction(), long);
         [Self::line(role, path), tip]
     }
 }
 
-/// Mark of an arrow tip that ends at `end` and points along the unit vector `heading`; `long` is
-/// its length, px.
+/// Makes the mark of an arrow tip that ends at `end` and points along the unit vector `heading`. `long` is
+/// the length of the tip, px.
 pub(super) fn arrow_tip(role: MarkRole, end: DrawingPoint, heading: DrawingPoint, long: f64) -> Mark {
     let at = |x: f64, y: f64| [end[0] - x * heading[0] - y * heading[1], end[1] - x * heading[1] + y * heading[0]];
     let corners = [end, at(long, 0.32 * long), at(0.8 * long, 0.0), at(long, -0.32 * long)];
     Mark { role, paint: PaintKind::Filled, path: Path::polygon(&corners) }
 }
 
-/// Unit vector along a vector on the sheet; it points to the right if the vector is zero.
+/// Unit vector along a vector on the sheet. It points to the right if the vector is zero.
 pub(super) fn drawing_unit_vector(way: DrawingPoint) -> DrawingPoint {
     let long = way[0].hypot(way[1]);
     if long > 1e-9 { way.map(|x| x / long) } else { [1.0, 0.0] }
 }
 
-/// Least and greatest corner of the box around marks and labels; `None` if there are none.
+/// Box around marks and labels: its least and its greatest corner. `None` if there are no marks and labels.
 pub(super) fn drawing_extent<'a>(
     marks: impl IntoIterator<Item = &'a Mark>,
     labels: &[Label],

@@ -1,5 +1,5 @@
-//! Drawn pose of a sketch: a start, in which angles and lengths that could not be seen get other
-//! values.
+//! Drawn pose of a sketch: the pose at a start, with other values for angles and lengths that could not be
+//! seen.
 
 use super::pose_formulas::PoseFormulas;
 use crate::code::compile_tape;
@@ -8,16 +8,16 @@ use crate::mechanism::Mechanism;
 use crate::pictures::view::space::length;
 use crate::pictures::view::{Configuration, Pose, Poses, View};
 
-/// Angles that replace values near 0 at the start, degrees, taken in turn.
+/// Angles that replace values close to 0 at the start, degrees, used in turn.
 pub(super) const ANGLES: [f64; 6] = [30.0, 40.0, 25.0, 50.0, 35.0, 45.0];
-/// Lengths that replace values near 0, or values too large for the sheet, relative to the size of
-/// the mechanism.
+/// Lengths that replace values close to 0, or values too large for the sheet. They are relative to the size
+/// of the mechanism, and used in turn.
 const LENGTHS: [f64; 3] = [0.8, 0.65, 0.5];
-/// Angle below which the arc of an angle cannot be seen, rad.
+/// Absolute angle below which the arc of an angle cannot be seen, rad.
 const UNSEEN_ANGLE: f64 = 0.14;
-/// Length, relative to the mechanism's size, below which its dimension line cannot be seen.
+/// Length below which its dimension line cannot be seen, relative to the size of the mechanism.
 const UNSEEN_SHARE: f64 = 0.06;
-/// Length, relative to the mechanism's size, above which the mechanism would be drawn too small.
+/// Length above which the mechanism would be drawn too small, relative to the size of the mechanism.
 const LARGEST_SHARE: f64 = 1.8;
 
 /// Coordinate that is drawn at another value than at the start.
@@ -41,8 +41,7 @@ pub struct CoordinateKinds {
 }
 
 impl CoordinateKinds {
-    /// Sorts the coordinates of a mechanism into angles and lengths; any other coordinate is in
-    /// neither list.
+    /// Sorts the coordinates of a mechanism into angles and lengths. Other coordinates are in neither list.
     pub fn new(mechanism: &Mechanism, terms: &PoseFormulas, at: Configuration<'_>) -> Self {
         let told = |term: usize, c: usize| terms.signed_coordinate(mechanism, at.parameters, at.q, term, c).is_some();
         let frames = 0..mechanism.frames.len();
@@ -58,7 +57,7 @@ impl CoordinateKinds {
     }
 }
 
-/// Values of the coordinates in the drawn pose, and their changes from the start `at`.
+/// Computes the values of the coordinates in the drawn pose, and the list of changes from the start `at`.
 /// The coordinates of a mechanism with loops stay unchanged.
 ///
 /// # Errors
@@ -79,7 +78,7 @@ pub fn drawn_coordinates(
     for (c, angle) in tiny.zip(ANGLES.iter().cycle()) {
         q[*c] = angle.to_radians().copysign(if start[*c] < 0.0 { -1.0 } else { 1.0 });
     }
-    // The size of the mechanism is measured without the lengths that only place it.
+    // The size of the mechanism is measured with all lengths at 0, because lengths only place the mechanism.
     let mut without = q.clone();
     kinds.lengths.iter().for_each(|c| without[*c] = 0.0);
     let pose = poses.pose_at(at.parameters, &without);
@@ -88,8 +87,7 @@ pub fn drawn_coordinates(
     let size = if reaches(&pose) > 1e-9 || view.size.to_bits() != 1.0_f64.to_bits() {
         view.size
     } else {
-        // If only lengths place a particle, the size of the mechanism is the largest of these
-        // lengths.
+        // If only lengths place a particle, the largest of these lengths is the size of the mechanism.
         let largest = kinds.lengths.iter().map(|c| start[*c].abs()).fold(0.0, f64::max);
         if largest > 0.0 { largest } else { 1.0 }
     };
@@ -120,14 +118,13 @@ fn round_drawn_length(x: f64) -> f64 {
     format!("{x:.1e}").parse().unwrap_or(x)
 }
 
-/// True if every frame and point has finite values, and the pose satisfies the conditions of the
-/// model's domain.
-/// Conditions that depend on more than the pose are ignored.
+/// True if every frame and point has finite values, and the pose satisfies the conditions of the model's
+/// domain. Conditions that depend on more than the pose are ignored.
 fn is_drawable_pose(mechanism: &Mechanism, poses: &Poses, p: &[f64], q: &[f64]) -> bool {
     let pose = poses.pose_at(p, q);
     let inputs = [mechanism.p(), mechanism.q()].concat();
     let is_inside = |positive| {
-        // Conditions on speeds or reactions say nothing about a pose.
+        // A condition on speeds or reactions cannot be checked by a pose, and is ignored.
         let Ok(tape) = compile_tape(&mechanism.arena, &inputs, &[positive], "a condition") else { return true };
         tape.evaluate(&[p, q].concat())[0] > 0.0
     };

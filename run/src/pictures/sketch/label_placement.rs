@@ -1,25 +1,24 @@
-//! Placement of labels: near the items that they name, clear of other labels, and crossing as few
-//! lines as possible.
+//! Placement of labels: close to the items that they name, apart from other labels, and across as few lines
+//! as possible.
 //!
-//! Each label has candidate places in rings about its anchor. The labels choose in turn, the needed
-//! ones first, and take the place with the lowest cost. Then each label chooses again, twice. Costs
-//! are rounded, so that machines whose last digits differ give the same places.
+//! Each label has candidate places in rings around its anchor. The labels choose in turn, needed labels
+//! first, and take the place of lowest cost. Then each label chooses again, twice. Costs are rounded, so
+//! that machines whose last digits differ choose the same places.
 
 use super::drawing_elements::{DrawingPoint, Label, LabelWord, Mark, MarkRole, Path, drawing_unit_vector};
 use tripos_derive::algebra::text::print::name_parts;
 
-/// Additional distances of a label's box from its anchor, px, one for each ring of candidate
-/// places.
+/// Additional distance of a label's box from its anchor, px, for each ring of candidate places.
 const RINGS: [f64; 10] = [0.0, 5.0, 11.0, 18.0, 27.0, 38.0, 52.0, 70.0, 92.0, 118.0];
 /// Number of candidate places in each ring, in equally spaced directions.
 const DIRECTIONS: usize = 24;
-/// Cost of a label that covers another label; it exceeds all other costs together.
+/// Cost of a label that covers another label. It is larger than all other costs together.
 const OVERLAP: f64 = 1e5;
-/// Cost of its best place above which an optional label is left out.
+/// Cost from which on an optional label is left out, even at its best place.
 const WORTH: f64 = 24.0;
 /// Distance between a label and its item from which on a leader line joins them, px.
 const LEADER: f64 = 24.0;
-/// Least distances of a label from another label, and from a line, px.
+/// Least distance of a label from another label, px, and least distance from a line, px.
 const CLEAR: (f64, f64) = (2.0, 1.0);
 /// Distance between the points by which a line is represented, px.
 const STEP: f64 = 2.5;
@@ -39,7 +38,7 @@ pub struct LabelRequest {
     pub towards: Option<DrawingPoint>,
     /// Least distance of the label from the anchor, px.
     pub gap: f64,
-    /// True if the label must be placed, false if it may be left out for lack of room.
+    /// True if the label must be placed; false if it may be left out for lack of room.
     pub is_needed: bool,
 }
 
@@ -57,7 +56,7 @@ fn label_width(words: &[LabelWord]) -> f64 {
     words.iter().map(of).sum::<f64>() + 1.0
 }
 
-/// Places all needed labels, and the optional labels that find room. Returns the labels and their
+/// Places all needed labels, and the optional labels for which there is room. Returns the labels and their
 /// leader lines.
 pub fn place_labels(wishes: &[LabelRequest], marks: &[Mark]) -> (Vec<Label>, Vec<Mark>) {
     let ink: Vec<(DrawingPoint, f64)> = marks.iter().flat_map(label_cost_of_mark).collect();
@@ -89,7 +88,7 @@ pub fn place_labels(wishes: &[LabelRequest], marks: &[Mark]) -> (Vec<Label>, Vec
     (labels, leaders)
 }
 
-/// Points of a mark's line, each with the cost of a label that covers it.
+/// Points along the line of a mark, each with the cost of a label that covers this point.
 fn label_cost_of_mark(mark: &Mark) -> Vec<(DrawingPoint, f64)> {
     let weight = match mark.role {
         MarkRole::Ground => 0.2,
@@ -102,8 +101,8 @@ fn label_cost_of_mark(mark: &Mark) -> Vec<(DrawingPoint, f64)> {
     mark.path.points_along_path(STEP).into_iter().map(|spot| (spot, weight)).collect()
 }
 
-/// Candidate places of a label, each with its cost without other labels. `size` is the size of its
-/// box, px.
+/// Candidate places of a label, each with its cost if there were no other labels. `size` is the size of the
+/// label's box, px.
 fn label_candidates(wish: &LabelRequest, size: DrawingPoint, ink: &[(DrawingPoint, f64)]) -> Vec<(DrawingPoint, f64)> {
     let half = size.map(|x| 0.5 * x);
     let mut list = Vec::with_capacity(RINGS.len() * DIRECTIONS);
@@ -112,11 +111,11 @@ fn label_candidates(wish: &LabelRequest, size: DrawingPoint, ink: &[(DrawingPoin
             let angle = std::f64::consts::TAU * direction as f64 / DIRECTIONS as f64;
             let way = [angle.cos(), -angle.sin()];
             let gap = wish.gap + further;
-            // The box touches the circle of this radius from outside.
+            // At this distance, the box touches the circle of radius `gap` from outside.
             let reach = gap + half[0] * way[0].abs() + half[1] * way[1].abs() - 0.3 * half[1].min(half[0]);
             let spot = [0, 1].map(|i| wish.anchor[i] + reach * way[i]);
             let turned = wish.towards.map_or(0.0, |to| 1.0 - to[0] * way[0] - to[1] * way[1]);
-            // There is more room along the sides of a box than at its corners.
+            // Above, below and beside the anchor there is more room than in the diagonal directions.
             let slanted = 0.4 * (way[0] * way[1]).abs();
             let on: f64 =
                 ink.iter().filter(|(at, _)| label_box_contains(spot, half, *at)).map(|(_, weight)| weight).sum();
@@ -130,18 +129,18 @@ fn label_candidates(wish: &LabelRequest, size: DrawingPoint, ink: &[(DrawingPoin
     list
 }
 
-/// True if a point is inside a box, or too close to it. The box has its middle at `middle` and half
-/// the size `half`.
+/// True if the point `at` is inside a box, or too close to it. The box has its middle at `middle` and half
+/// the size `half`, px.
 fn label_box_contains(middle: DrawingPoint, half: DrawingPoint, at: DrawingPoint) -> bool {
     (0..2).all(|i| (at[i] - middle[i]).abs() <= half[i] + CLEAR.1)
 }
 
-/// True if two boxes overlap or are too close; each box is given by its middle and its size.
+/// True if two boxes overlap or are too close. Each box is given by its middle and its size, px.
 fn label_boxes_overlap(a: (DrawingPoint, DrawingPoint), b: (DrawingPoint, DrawingPoint)) -> bool {
     (0..2).all(|i| (a.0[i] - b.0[i]).abs() < 0.5 * (a.1[i] + b.1[i]) + CLEAR.0)
 }
 
-/// Leader line from a label at `spot` to its anchor; `None` if the label is near its anchor.
+/// Leader line from a label at `spot` to its anchor; `None` if the label is close to its anchor.
 fn leader_line(wish: &LabelRequest, spot: DrawingPoint, size: DrawingPoint) -> Option<Mark> {
     let way = [wish.anchor[0] - spot[0], wish.anchor[1] - spot[1]];
     let towards = drawing_unit_vector(way);

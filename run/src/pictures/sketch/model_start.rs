@@ -7,12 +7,12 @@ use tripos_derive::diagnostic::Source;
 use tripos_derive::model::TIME;
 use tripos_derive::scene::load;
 
-/// Parameters and coordinates of a mechanism without a scene: the values of the model file, and all
-/// coordinates 0.
-/// The loops of a model are closed from a guess in which no coordinate is 0.
+/// Chooses the parameters and coordinates of a mechanism without a scene. The parameters have the values of
+/// the model file, and all coordinates are 0. If the model has loops, they are closed from a guess in
+/// which no coordinate is 0.
 ///
 /// # Errors
-/// [`Error::Request`] if a parameter has no value, or the loops cannot be closed from the guess.
+/// [`Error::Request`] if a parameter has no value, or if the loops cannot be closed from the guess.
 pub fn start_without_scene(mechanism: &Mechanism) -> Result<(Vec<f64>, Vec<f64>), Error> {
     let help = "give a scene, or --at with a state file, which gives it one";
     let value = |p: &tripos_derive::model::Parameter| {

@@ -1,5 +1,5 @@
-//! Formulas of the frames' rotations and the points' positions, from which the angle or length of a
-//! coordinate is read.
+//! Formulas for the rotations of the frames and the positions of the points. They show which angle or length
+//! a coordinate is.
 
 use crate::code::compile_tape;
 use crate::error::Error;
@@ -23,37 +23,37 @@ pub struct PoseFormulas {
     points: Vec<usize>,
 }
 
-/// Formula that is ± a coordinate plus a rest that does not depend on the coordinate.
+/// Formula that equals ± a coordinate plus a rest that does not depend on this coordinate.
 #[derive(Clone, Copy, Debug)]
 pub struct SignedCoordinate {
     /// Index of the generalized coordinate in the formula.
     pub coordinate: usize,
     /// Factor of the coordinate in the formula, 1 or −1.
     pub sign: f64,
-    /// Value of the formula if the coordinate is 0, rad or m.
+    /// Value of the formula at the value 0 of the coordinate, rad or m.
     pub zero: f64,
     /// Value of the formula in the drawn pose, rad or m.
     pub now: f64,
 }
 
-/// Rotation of a frame about a single axis of its parent.
+/// Rotation of a frame about one axis of its parent frame.
 pub struct FrameTurn {
-    /// Index of the parent frame, about whose axis the frame is turned.
+    /// Index of the parent frame. The frame is turned about an axis of it.
     pub parent: usize,
     /// Index of the axis of rotation in the parent frame, from 0 to 2.
     pub axis: usize,
-    /// Index, among all formulas, of the formula for the angle in rad.
+    /// Index of the formula for the angle, rad, among all formulas.
     pub term: usize,
 }
 
-/// Vector to a point from another point, in components of a frame.
+/// Vector from one point to another, in components of a frame.
 #[derive(Default)]
 pub struct Components {
     /// Index of the point from which the vector is measured.
     pub from: usize,
     /// Index of the frame in which the vector has its components.
     pub frame: usize,
-    /// Index of the formula of the first component; the other two follow.
+    /// Index of the formula for the first component. The other two components follow.
     pub first: usize,
 }
 
@@ -61,8 +61,8 @@ impl PoseFormulas {
     /// Compiles the formulas that place the frames and points of a mechanism.
     ///
     /// # Errors
-    /// [`Error::Request`] if a place depends on a symbol other than parameters and coordinates. No
-    /// loaded model has one.
+    /// [`Error::Request`] if a place depends on a symbol that is neither a parameter nor a coordinate. No
+    /// model that could be loaded has such a place.
     pub fn new(mechanism: &Mechanism) -> Result<Self, Error> {
         let links = FrameTree::of(mechanism);
         let inputs = [mechanism.p(), mechanism.q()].concat();
@@ -82,14 +82,14 @@ impl PoseFormulas {
         Ok(Self { tape, links, frames, points })
     }
 
-    /// Rotation of a frame about a single axis; `None` for a frame with nine cosines and for the
+    /// Rotation of a frame about one axis. `None` for a frame that is given by nine cosines, and for the
     /// inertial frame.
     pub fn turn(&self, frame: usize) -> Option<FrameTurn> {
         let (parent, axis) = self.links.frames[frame]?;
         Some(FrameTurn { parent, axis: axis?, term: self.frames[frame] })
     }
 
-    /// Components of the vector to a point; `None` for the origin.
+    /// Components of the vector to a point; `None` for the origin of the inertial frame.
     pub fn components(&self, point: usize) -> Option<Components> {
         let (from, frame) = self.links.points[point]?;
         Some(Components { from, frame, first: self.points[point] })
@@ -110,14 +110,13 @@ impl PoseFormulas {
         (self.frames[frame]..self.frames[frame] + count).any(|term| self.mentions(mechanism, term, coordinate))
     }
 
-    /// Values of all formulas at parameters `p` and coordinates `q`.
+    /// Values of all formulas at the parameters `p` and the coordinates `q`.
     pub fn values(&self, p: &[f64], q: &[f64]) -> Vec<f64> {
         self.tape.evaluate(&[p, q].concat())
     }
 
-    /// Reads a coordinate, with its sign, from the formula with the index `term`.
-    /// Returns `None` unless the formula is ± the coordinate plus a rest that does not depend on
-    /// the coordinate.
+    /// Reads a coordinate, with its sign, from the formula with the index `term`. `None` unless the formula
+    /// equals ± the coordinate plus a rest that does not depend on the coordinate.
     pub fn signed_coordinate(
         &self,
         mechanism: &Mechanism,

@@ -8,8 +8,8 @@ use super::label_placement::LabelRequest;
 pub struct Sheet {
     /// Marks on the sheet, from back to front.
     pub marks: Vec<Mark>,
-    /// Labels to be placed. Needed labels choose their places first, then the optional ones in the
-    /// order of the list.
+    /// Labels that are still to be placed. Needed labels choose their places first, then optional labels in
+    /// the order of the list.
     pub wishes: Vec<LabelRequest>,
 }
 
@@ -19,9 +19,8 @@ impl Sheet {
         self.marks.extend(marks);
     }
 
-    /// Requests a label that must be placed.
-    /// `anchor` is the named place and `gap` the least distance from it, px. `towards` is a
-    /// preferred direction; `None` for any.
+    /// Requests a label that must be placed. `anchor` is the named place on the sheet, and `gap` the least
+    /// distance from it, px. `towards` is a preferred direction; `None` allows any.
     pub fn request_label(
         &mut self,
         role: MarkRole,
@@ -33,9 +32,8 @@ impl Sheet {
         self.wishes.push(LabelRequest { role, words, anchor, towards, gap, is_needed: true });
     }
 
-    /// Requests a label that is placed only if there is room.
-    /// `anchor` is the named place, `towards` a preferred direction, and `gap` the least distance
-    /// in px.
+    /// Requests a label that is placed only if there is room. `anchor` is the named place on the sheet, and
+    /// `gap` the least distance from it, px. `towards` is a preferred direction; `None` allows any.
     pub fn request_optional_label(
         &mut self,
         role: MarkRole,

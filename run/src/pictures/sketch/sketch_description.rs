@@ -11,7 +11,7 @@ use crate::pictures::view::{Solid, SolidForm};
 use tripos_derive::model::{TIME, Unit};
 use tripos_derive::plain_text::with_significant_digits;
 
-/// Coordinate with the kind of mark that shows it on the sheet.
+/// Coordinate, with the mark that shows it on the sheet.
 pub struct MarkedCoordinate {
     /// Index of the generalized coordinate that is shown.
     pub coordinate: usize,
@@ -19,13 +19,13 @@ pub struct MarkedCoordinate {
     pub mark: CoordinateMark,
 }
 
-/// Kinds of marks that show coordinates.
+/// Kind of mark that shows a coordinate on the sheet.
 pub enum CoordinateMark {
-    /// Arc of an angle; false if it shows only the positive sense of the angle.
+    /// Arc of an angle. The flag is false if the arc shows only the positive sense of the angle.
     Arc(Angle, bool),
-    /// Dimension line of a length; false if only an arrow shows the positive sense of the length.
+    /// Dimension line of a length. The flag is false if only an arrow shows the positive sense of the length.
     Line(Length, bool),
-    /// Common arc of several coordinates that turn the frame with this index together.
+    /// Common arc of several coordinates that turn a frame together. The value is the index of this frame.
     Together(usize),
     /// Arrow at the point that the coordinate moves the most.
     Arrow,
@@ -62,8 +62,8 @@ fn describe_view_direction(subject: &SketchSubject<'_>) -> String {
     }
 }
 
-/// Name of the inertial axis along a direction, with its sign; `None` if no axis is parallel to the
-/// direction.
+/// Name of the inertial axis along a direction, with its sign, such as `-n3`. `None` if no axis is parallel
+/// to the direction.
 fn axis_of(subject: &SketchSubject<'_>, direction: Triple) -> Option<String> {
     let (axis, is_along) = along_axis(subject, 0, direction)?;
     let name = subject.mechanism.frames[0].name.to_lowercase();
@@ -95,7 +95,7 @@ fn describe_bodies(subject: &SketchSubject<'_>) -> Option<String> {
     (!all.is_empty()).then(|| format!("Drawn are {}.", all.join(", ")))
 }
 
-/// Sentence that tells for each coordinate what its mark shows; `None` without coordinates.
+/// Sentence that tells for each coordinate what its mark shows; `None` if there are no coordinates.
 fn describe_coordinates(subject: &SketchSubject<'_>, shown: &[MarkedCoordinate]) -> Option<String> {
     let one = |shown: &MarkedCoordinate| {
         let coordinate = &subject.mechanism.coordinates[shown.coordinate];
@@ -119,14 +119,13 @@ fn describe_coordinates(subject: &SketchSubject<'_>, shown: &[MarkedCoordinate])
     (!list.is_empty()).then(|| format!("{}.", list.join("; ")))
 }
 
-/// Sentence with the values of the coordinates in the drawn pose, and their original values if they
-/// differ.
-/// `of` names the original pose, such as the start of a scene.
+/// Sentence with the values of the coordinates in the drawn pose. If values were changed, it also gives the
+/// original values. `of` is the name of the original pose, such as the start of a scene.
 pub fn describe_pose_of_sketch(subject: &SketchSubject<'_>, changed: &[ChangedCoordinate], of: &str) -> String {
     let all = subject.mechanism.coordinates.iter().zip(subject.q).enumerate().filter(|(_, (c, _))| c.name != TIME);
     let value = |at: usize, x: f64| {
         let coordinate = &subject.mechanism.coordinates[at];
-        // Euler parameters are plain numbers; other plain coordinates are angles.
+        // Euler parameters have no unit, but are no angles. All other coordinates without unit are angles.
         let is_angle = coordinate.unit.is_plain() && Angle::of(subject, at).is_some();
         if is_angle {
             format!("{}°", digits(x.to_degrees()))
@@ -146,12 +145,12 @@ pub fn describe_pose_of_sketch(subject: &SketchSubject<'_>, changed: &[ChangedCo
     format!("Drawn{at}, to be seen; {of} has {}.", list.join(", "))
 }
 
-/// Unit as text that follows a number, with a space in front; empty for plain numbers.
+/// Text of a unit that follows a number, with a space in front; empty for numbers without unit.
 fn unit(unit: &Unit) -> String {
     if unit.is_plain() { String::new() } else { format!(" {unit}") }
 }
 
-/// Text of a number with three significant digits; numbers below 1e-9 in size are written as 0.
+/// Text of a number with three significant digits. Numbers with absolute values below 1e-9 become 0.
 fn digits(x: f64) -> String {
     let x = if x.abs() < 1e-9 { 0.0 } else { x };
     // Adding 0 turns -0 into 0.

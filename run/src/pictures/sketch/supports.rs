@@ -1,5 +1,4 @@
-//! Marks of the ground at joints: pins with their supports, rails of sliding points, and walls that
-//! hold springs.
+//! Marks of the ground at joints: supports of pins, rails of sliding points, and walls that hold springs.
 
 use super::drawing_elements::{DrawingPoint, Mark, MarkRole, Path, drawing_unit_vector};
 use super::sheet::Sheet;
@@ -8,9 +7,9 @@ use crate::pictures::view::space::{cross, length, subtract_vectors};
 use crate::pictures::view::{SolidForm, Triple};
 use tripos_derive::model::ReactionKind;
 
-/// Height of a pin over the ground, and half the width of its support mark, px.
+/// Height of a pin above the ground, px, and half the width of its support, px.
 const STAND: (f64, f64) = (13.0, 15.0);
-/// Distance between the lines of a hatching, and length of each line, px.
+/// Distance between the lines of a hatching, px, and length of each line, px.
 const HATCH: (f64, f64) = (5.5, 6.5);
 /// Length of a rail to each side of the sliding point, px.
 const RAIL: f64 = 62.0;
@@ -32,8 +31,8 @@ pub fn draw_supports(subject: &SketchSubject<'_>, sheet: &mut Sheet) {
     }
 }
 
-/// Indices of the points at which the ground holds the mechanism: joints, reactions, and fixed ends
-/// of rods and springs.
+/// Indices of the points where the ground holds the mechanism: joints, reactions, fixed ends of rods and
+/// springs, and fixed mass centres of rigid bodies.
 fn points_held_by_ground(subject: &SketchSubject<'_>) -> Vec<usize> {
     let mechanism = subject.mechanism;
     let hung = mechanism.carried.iter().filter(|joint| joint.on.is_none()).map(|joint| joint.point);
@@ -58,7 +57,8 @@ fn rod_and_spring_ends(subject: &SketchSubject<'_>) -> Vec<[usize; 2]> {
         .collect()
 }
 
-/// Sum of the unit vectors on the sheet from a point along the rods and springs that end in it.
+/// Sum of the unit vectors on the sheet along the rods and springs that end at a point. Each vector begins at
+/// the point.
 fn direction_of_rods(subject: &SketchSubject<'_>, point: usize) -> DrawingPoint {
     let mut sum = [0.0; 2];
     for [a, b] in rod_and_spring_ends(subject) {
@@ -74,8 +74,8 @@ fn direction_of_rods(subject: &SketchSubject<'_>, point: usize) -> DrawingPoint 
     sum
 }
 
-/// Marks of the support of a fixed point, on the side away from its rods; a wall if only springs
-/// end in the point.
+/// Marks of the support of a fixed point, on the side away from its rods. It is a wall if only springs end at
+/// the point.
 fn support_marks(subject: &SketchSubject<'_>, point: usize) -> Vec<Mark> {
     let (spot, leads) = (subject.spot(point), direction_of_rods(subject, point));
     let is_of_spring = |solid: &crate::pictures::view::Solid| match solid.form {
@@ -94,7 +94,7 @@ fn support_marks(subject: &SketchSubject<'_>, point: usize) -> Vec<Mark> {
         let ends = [-1.0, 1.0].map(|side| [spot[0] + side * 16.0 * behind[1], spot[1] - side * 16.0 * behind[0]]);
         return wall_marks(ends, behind);
     }
-    // The support is above a hanging mechanism, otherwise below.
+    // The support is above a mechanism that hangs down, and otherwise below.
     let down = if leads[1] > 0.35 { -1.0 } else { 1.0 };
     let foot = |side: f64| [spot[0] + side * 0.62 * STAND.1, spot[1] + down * STAND.0];
     let mut marks = vec![Mark::solid(MarkRole::Support, Path::polygon(&[spot, foot(1.0), foot(-1.0)]))];
@@ -104,7 +104,7 @@ fn support_marks(subject: &SketchSubject<'_>, point: usize) -> Vec<Mark> {
     marks
 }
 
-/// Unit vector along the line on which a point moves; `None` unless the point moves along a single
+/// Unit vector along the line on which a point moves. `None` if the point does not move along one straight
 /// line.
 fn rail_direction(subject: &SketchSubject<'_>, point: usize) -> Option<Triple> {
     let here = subject.pose.points[point];
@@ -115,8 +115,8 @@ fn rail_direction(subject: &SketchSubject<'_>, point: usize) -> Option<Triple> {
     ways.iter().all(is_along).then_some(way)
 }
 
-/// Marks of a rail beside the point that slides on it; empty if the rail is nearly perpendicular to
-/// the sheet.
+/// Marks of a rail beside the point that slides on it. Empty if the rail is nearly perpendicular to the
+/// sheet.
 fn rail_marks(subject: &SketchSubject<'_>, point: usize, way: Triple) -> Vec<Mark> {
     let camera = &subject.camera;
     let (spot, seen) = (subject.spot(point), camera.project_direction(way));
@@ -133,7 +133,7 @@ fn rail_marks(subject: &SketchSubject<'_>, point: usize, way: Triple) -> Vec<Mar
     wall_marks([at(-RAIL), at(RAIL)], below)
 }
 
-/// Marks of a wall: a line between two points of the sheet, with hatching on the side `behind`.
+/// Marks of a wall: a line between two points of the sheet, with hatching in the direction `behind`.
 pub fn wall_marks(ends: [DrawingPoint; 2], behind: DrawingPoint) -> Vec<Mark> {
     let [a, b] = ends;
     let way = [b[0] - a[0], b[1] - a[1]];

@@ -1,4 +1,4 @@
-//! Forms of the solids that represent a body.
+//! Shapes of the solids that represent a body.
 
 use super::homogeneous_solids::HomogeneousSolid;
 use super::solid::{SolidForm, SolidPlace};
@@ -7,14 +7,13 @@ use super::space::{
     unit_vector,
 };
 
-/// Greatest distance of points from a line, relative to the length of the line, at which they count
-/// as on one rod.
+/// Greatest distance of points from a line at which they count as on one rod, relative to the length of the
+/// line.
 pub const STRAIGHT: f64 = 0.15;
 
-/// Rods that join the points of a body: a single rod if all points lie on a line, else a rod from
-/// the mass centre to each.
-/// `centre` and `points` are indices of points. `places` are the points' positions from the mass
-/// centre, m.
+/// Makes rods that join the points of a body. If all points are close to one line, it is one rod. Otherwise
+/// a rod leads from the mass centre to each point. `centre` and `points` are indices of points. `places`
+/// are the positions of the points from the mass centre, m.
 pub fn body_rods(centre: usize, points: &[usize], places: &[Triple], radius: f64) -> Vec<SolidForm> {
     let all: Vec<(usize, Triple)> =
         points.iter().copied().zip(places.iter().copied()).chain([(centre, [0.0; 3])]).collect();
@@ -34,8 +33,8 @@ pub fn body_rods(centre: usize, points: &[usize], places: &[Triple], radius: f64
     points.iter().map(|point| SolidForm::Rod { ends: [centre, *point], radius }).collect()
 }
 
-/// Form of a homogeneous solid whose principal axes are the columns of `axes`; it is at least
-/// `thin` (m) thick.
+/// Makes the form of a homogeneous solid. Its principal axes are the columns of `axes`. Very thin solids are
+/// drawn thicker; `thin` is the least radius of a cylinder, m.
 pub fn homogeneous_form(at: SolidPlace, like: &HomogeneousSolid, axes: &Rotation, thin: f64) -> SolidForm {
     match *like {
         HomogeneousSolid::Sphere { radius } => SolidForm::Sphere { at, radius },

@@ -1,8 +1,8 @@
-//! Forces as arrows along a motion: weights, forces of the model file such as springs and dampers,
-//! and reactions.
+//! Forces as arrows along a motion: weights, reactions, and forces of the model file such as springs and
+//! dampers.
 //!
-//! Not shown on purpose: torques, potentials that are not forces at points, and the forces in
-//! closed contacts of a scene with impacts.
+//! Three kinds of loads are not shown: torques, potentials that are not forces at points, and the forces of
+//! closed contacts in a scene with impacts.
 
 use super::pose::Pose;
 use super::space::{Triple, length, rotate_vector};
@@ -21,60 +21,57 @@ use tripos_sim::Dynamics;
 /// Source of a force: gravity, the model file or constraints.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ForceSource {
-    /// Weight of a body, at its mass centre.
+    /// Weight of a body. It acts at the mass centre.
     Weight,
-    /// Force of the model file, or its opposite on the second body.
+    /// Force that the model file states, or its opposite on the second body.
     Applied,
-    /// Constraint force on the first of the two bodies that the constraint joins; the second body
-    /// has the opposite force.
+    /// Constraint force on the first of the two bodies that the constraint joins. The second body has the
+    /// opposite force.
     Reaction,
 }
 
-/// Force on a body during a motion, without its values.
+/// Force that acts on a body during a motion, without its values.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ForceArrow {
     /// Source of the force: gravity, the model file or a constraint.
     pub kind: ForceSource,
-    /// Name of the force. A force of the model file has its own name, and a weight has the name of
-    /// its body.
-    /// A reaction has the names of its components if the model file gives them, else the names of
+    /// Name of the force. A force of the model file has its own name, and a weight has the name of its body.
+    /// A reaction has the names of its components if the model file gives names. Otherwise it has the names of
     /// its body and point.
     pub name: String,
     /// Index of the body on which the force acts.
     pub body: usize,
     /// Index of the point at which the force acts.
     pub point: usize,
-    /// True if the force is the opposite of the force of the model file with this name.
+    /// True if this is the opposite of the model file's force with the same name.
     pub is_opposite: bool,
-    /// Index of the frame of the components from which the force is computed.
+    /// Index of the frame in which the components of the force are computed.
     frame: usize,
 }
 
 /// Forces of a mechanism along a motion, with their values.
 #[derive(Clone, Debug, Default)]
 pub struct ForceArrows {
-    /// Forces that are not zero throughout the motion: weights, forces of the model file and their
-    /// opposites, then reactions.
+    /// Forces that are not zero at every instant: weights, forces of the model file and their opposites, then
+    /// reactions.
     pub list: Vec<ForceArrow>,
-    /// Force vectors at each instant, N, in the inertial frame; at each instant in the order of
-    /// `list`.
+    /// Force vectors, N, in the inertial frame. There is one list for each instant, in the order of `list`.
     pub values: Vec<Vec<Triple>>,
     /// Names of the forces that are left out because they have no finite value at an instant.
     pub unknown: Vec<String>,
-    /// Usual magnitude of the forces, N, for the scale of arrows: the largest force exceeds it at a
-    /// tenth of the instants.
-    /// So a spike does not make other forces invisible. If this magnitude is 0, it is the overall
-    /// largest force.
+    /// Usual magnitude of the forces, N, which gives the scale of the arrows. The largest force exceeds it at
+    /// one tenth of the instants. So a short peak does not make other forces invisible. If this magnitude
+    /// is 0, it is the largest force of all instants.
     pub usual: f64,
     /// Reason why the reactions are missing; `None` if they are known or if there are none.
     pub without: Option<String>,
 }
 
 impl ForceArrows {
-    /// Ratio of the longest drawn arrow to the usual force; longer arrows are cut.
+    /// Length of the longest drawn arrow divided by the length for the usual force. Longer arrows are cut.
     pub const CUT: f64 = 2.5;
 
-    /// Force vector as drawn, N: unchanged, or shortened to [`Self::CUT`] times the usual force.
+    /// Force vector as it is drawn, N: unchanged, or shortened to [`Self::CUT`] times the usual force.
     #[must_use]
     pub fn drawn(&self, force: Triple) -> Triple {
         let cut = Self::CUT * self.usual / length(force);
@@ -87,23 +84,23 @@ impl ForceArrows {
         self.values.iter().flatten().map(|force| length(*force)).fold(0.0, f64::max)
     }
 
-    /// Copy of the forces that keeps only the instants with the indices `kept`.
+    /// Copies the forces, but keeps only the instants with the indices `kept`.
     #[must_use]
     pub fn at(&self, kept: &[usize]) -> Self {
         Self { values: kept.iter().map(|at| self.values[*at].clone()).collect(), ..self.clone() }
     }
 }
 
-/// Forces of a mechanism as functions of its state.
+/// Forces of a mechanism as compiled functions of its state.
 pub(super) struct ForceFunctions {
-    /// Forces whose values are computed, in the order of the program's outputs.
+    /// Forces whose values are computed, in the order of the outputs of `tape`.
     list: Vec<ForceArrow>,
-    /// Program for the components of all forces, N, from parameters, q, u and reactions.
+    /// Program that computes the components of all forces, N, from parameters, q, u and reactions.
     tape: Tape,
-    /// Newton–Euler equations, from which reactions follow; `None` if there are no reactions or
-    /// they cannot be found.
+    /// Newton–Euler equations, which give the reactions. `None` if there are no reactions, or if the reactions
+    /// cannot be computed.
     balance: Option<Code>,
-    /// Reason why reactions cannot be found; `None` if they can, or if there are none.
+    /// Reason why the reactions cannot be computed. `None` if they can, or if there are none.
     without: Option<String>,
 }
 
@@ -111,8 +108,8 @@ impl ForceFunctions {
     /// Compiles the weights, the forces of the model file and the reactions of a mechanism.
     ///
     /// # Errors
-    /// [`Error::Input`] if a force divides by a velocity that is zero; [`Error::Request`] if a
-    /// force depends on a symbol that has no value during a run.
+    /// [`Error::Input`] if a force divides by a velocity that is zero. [`Error::Request`] if a force depends on
+    /// a symbol that has no value during a run.
     pub(super) fn new(mechanism: &Mechanism, scene: &Scene) -> Result<Self, Error> {
         let model = &mechanism.model;
         let mut kinematics = Kinematics::new(model).map_err(|error| model.diagnose(&error))?;
@@ -175,8 +172,8 @@ impl ForceFunctions {
         })
     }
 
-    /// Computes the forces at states with their poses; each state is the coordinates q followed by
-    /// the generalized speeds u.
+    /// Computes the forces at the states of a motion. `seen` has pairs of a state and its pose. A state has the
+    /// coordinates q, followed by the generalized speeds u.
     ///
     /// # Errors
     /// [`Error::Request`] if the number of parameters does not fit the equations.
@@ -195,7 +192,7 @@ impl ForceFunctions {
         let mut at = |state: &[f64], pose: &Pose| {
             let (q, u) = state.split_at(n);
             let unknowns = balance.as_mut().and_then(|balance| balance.unknowns(q, u).ok());
-            // If the force balance is singular, the reactions are "not a number".
+            // If the Newton–Euler equations are singular, the reactions are NaN.
             let reactions = unknowns.map_or_else(|| vec![f64::NAN; count], |x| x[u.len()..].to_vec());
             let values = self.tape.evaluate(&[p, state, &reactions].concat());
             let own = values.chunks_exact(3).map(|each| [each[0], each[1], each[2]]);
@@ -218,8 +215,8 @@ impl ForceFunctions {
     }
 }
 
-/// Magnitude that the largest force exceeds at a tenth of the instants, N; the overall largest
-/// magnitude if it is 0.
+/// Magnitude, N, that the largest force exceeds at one tenth of the instants. If it is 0, the largest
+/// magnitude of all instants.
 fn usual_force(values: &[Vec<Triple>]) -> f64 {
     let largest = |now: &Vec<Triple>| now.iter().map(|force| length(*force)).fold(0.0, f64::max);
     let mut each: Vec<f64> = values.iter().map(largest).collect();
@@ -228,8 +225,8 @@ fn usual_force(values: &[Vec<Triple>]) -> f64 {
     if tenth > 0.0 { tenth } else { each.last().copied().unwrap_or_default() }
 }
 
-/// Newton–Euler equations of a mechanism with reactions. The error is the reason why reactions
-/// cannot be found.
+/// Newton–Euler equations of a mechanism, which give its reactions. The error is the reason why the
+/// reactions cannot be computed.
 fn force_arrow_equations(mechanism: &Mechanism, scene: &Scene) -> Result<Code, String> {
     if !scene.impacts.is_empty() {
         return Err("the forces of closed contacts are not part of the equations".to_owned());
@@ -238,9 +235,8 @@ fn force_arrow_equations(mechanism: &Mechanism, scene: &Scene) -> Result<Code, S
     balance.map_err(|error| format!("the Newton–Euler equations do not determine these forces: {error}"))
 }
 
-/// Groups the components of reaction forces that act between the same two places in the same frame.
-/// Returns the place, the index of the frame and the components of each force; reaction torques are
-/// left out.
+/// Joins the components of each reaction force, which act at the same place in the same frame. Returns for
+/// each force its place, the index of the frame, and its components. Reaction torques are left out.
 fn joined_reaction_forces(reactions: &[Reaction]) -> Vec<(ForcePlace, usize, Vec<&Reaction>)> {
     let mut list: Vec<(ReactionKind, usize, Vec<&Reaction>)> = Vec::new();
     for reaction in reactions {

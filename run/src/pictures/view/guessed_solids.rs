@@ -1,9 +1,9 @@
-//! Solids guessed from bodies, points and joints, for models whose file gives no shapes.
+//! Solids that are guessed from bodies, points and joints, for models whose file states no shapes.
 //!
 //! Points that are fixed in a body are found numerically, in configurations far from one another.
-//! The way in which the model file places them does not matter: a point belongs to every body in
-//! which it does not move. Rods join the points that are fixed in a body. The inertia decides
-//! between disks and boxes. A body rolls at a point that moves round it at a constant distance.
+//! The way in which the model file places a point does not matter: the point belongs to every body in
+//! which it does not move. Rods join the points that are fixed in a body. The inertia decides between
+//! disks and boxes. A body rolls at a point that moves around it at a constant distance.
 
 use super::View;
 use super::body_forms::{STRAIGHT, body_rods, homogeneous_form};
@@ -22,15 +22,15 @@ use tripos_derive::model::{Body, ForcePlace as Of, ReactionKind};
 
 /// Radius of a guessed rod, relative to the size of the mechanism.
 const ROD: f64 = 0.016;
-/// Tolerance up to which positions count as equal, m, for lengths of about 1 m.
+/// Distance up to which two positions count as equal, m, for mechanisms of about 1 m.
 const SAME: f64 = 1e-9;
 /// Greatest number of points whose paths are shown by default.
 const MOST_TRACED: usize = 3;
 
-/// Geometry of a mechanism's bodies, found numerically from poses.
+/// Geometry of the bodies of a mechanism, found numerically from poses.
 pub struct SolidGuess<'a> {
     mechanism: &'a Mechanism,
-    /// Poses far from one another; the first is the start.
+    /// Poses far from one another. The first pose is the start.
     poses: Vec<Pose>,
     /// Mass, homogeneous solid, fixed points and contact of each body.
     bodies: Vec<BodyGeometry>,
@@ -40,13 +40,12 @@ pub struct SolidGuess<'a> {
 struct BodyGeometry {
     /// Mass of the body, kg.
     mass: f64,
-    /// Homogeneous solid with the body's mass and inertia, and its principal axes as columns in the
-    /// body's frame.
-    /// `None` for a particle, and if no such solid exists.
+    /// Homogeneous solid with the mass and inertia of the body, and its principal axes as columns in the body's
+    /// frame. `None` for a particle, or if no such solid exists.
     like: Option<(HomogeneousSolid, Rotation)>,
     /// Indices of the points that are fixed in the body, other than its mass centre.
     attached: Vec<usize>,
-    /// Contact of a rolling or sliding body; `None` if no point runs round the body.
+    /// Contact of a rolling or sliding body with the ground; `None` if no point moves around the body.
     rim: Option<BodyContact>,
 }
 
@@ -55,15 +54,15 @@ struct BodyGeometry {
 struct BodyContact {
     /// Index of the point at which the body touches the ground.
     point: usize,
-    /// Distance of the contact from the body's axis, or from its centre for a ball, m.
+    /// Distance of the contact from the axis of the body, or from the centre of a ball, m.
     radius: f64,
     /// Position of the contact along the body's axis, from the mass centre, m.
     beside: f64,
 }
 
 impl<'a> SolidGuess<'a> {
-    /// Guesses the solids of a mechanism at the parameters of the configuration `at`; `moves` are
-    /// poses of its motion.
+    /// Guesses the solids of a mechanism at the parameters of the configuration `at`. `moves` are the poses of
+    /// its motion.
     ///
     /// # Errors
     /// `Error::Request` if a mass or an inertia cannot be evaluated.
@@ -94,8 +93,7 @@ impl<'a> SolidGuess<'a> {
         let flat = evaluate_parameters_only(self.mechanism, parameters, &terms, "an inertia")?;
         let tensor: Rotation = [0, 1, 2].map(|i| [0, 1, 2].map(|j| flat[3 * i + j]));
         let like = self.poses.first().and_then(|pose| {
-            // The product `turn` converts components in the inertia's frame to components in the
-            // body's frame.
+            // `turn` converts components in the frame of the inertia to components in the frame of the body.
             let turn = product(&transpose(&pose.rotations[*frame]), &pose.rotations[inertia.frame]);
             let (moments, axes) = principal_axes(&product(&product(&turn, &tensor), &transpose(&turn)));
             Some((homogeneous_solid(mass, moments)?, axes))
@@ -105,14 +103,14 @@ impl<'a> SolidGuess<'a> {
         Ok(BodyGeometry { mass, like, attached, rim: None })
     }
 
-    /// Positions of a point from a body's mass centre, in the body's frame, m, one for each pose.
+    /// Positions of a point from the mass centre of a body, in the body's frame, m: one for each pose.
     fn positions_in_body(&self, frame: usize, centre: usize, point: usize) -> impl Iterator<Item = Triple> + '_ {
         self.poses.iter().map(move |pose| {
             rotate_vector_back(&pose.rotations[frame], subtract_vectors(pose.points[point], pose.points[centre]))
         })
     }
 
-    /// True if a point is fixed in a body and does not coincide with its mass centre.
+    /// True if a point is fixed in a body, and is not at the mass centre of this body.
     fn is_attached(&self, frame: usize, centre: usize, point: usize) -> bool {
         let places: Vec<Triple> = self.positions_in_body(frame, centre, point).collect();
         let Some(first) = places.first() else { return false };
@@ -122,9 +120,8 @@ impl<'a> SolidGuess<'a> {
             && places.iter().all(|r| length(subtract_vectors(*r, *first)) <= SAME * (1.0 + apart))
     }
 
-    /// Removes points that a body shares with the body from which it is turned, except the nearest
-    /// point.
-    /// All of the shared points lie on the common axle.
+    /// Removes points that a body shares with a body from whose frame it is turned. The shared points lie on the
+    /// common axle, and only the point closest to the mass centre is kept.
     fn remove_shared_axle_points(&mut self, at: usize) {
         let frame_of = |body: &Body| body.rigid.as_ref().map(|(frame, _)| *frame);
         let Some(own) = frame_of(&self.mechanism.bodies[at]) else { return };
@@ -147,10 +144,9 @@ impl<'a> SolidGuess<'a> {
         }
     }
 
-    /// Finds the contact of a rolling or sliding body: a point where a force acts and that runs
-    /// round the body.
-    /// The point keeps its distance and its height along the axis. `None` if there is no such
-    /// point.
+    /// Finds the contact of a rolling or sliding body with the ground. It is a point at which a force acts, and
+    /// which moves around the body at a constant distance and a constant height along the axis. `None` if
+    /// there is no such point.
     fn find_body_contact(&self, at: usize, body: &Body) -> Option<BodyContact> {
         let (frame, _) = body.rigid.as_ref()?;
         let (like, axes) = self.bodies[at].like.as_ref()?;
@@ -173,7 +169,7 @@ impl<'a> SolidGuess<'a> {
         })
     }
 
-    /// Indices of the points at which forces and reactions act on the body with the index `body`.
+    /// Indices of the points at which forces or reactions act on the body with the index `body`.
     fn points_with_forces(&self, body: usize) -> Vec<usize> {
         let reactions = self.mechanism.reactions.iter().filter_map(|reaction| match reaction.kind {
             ReactionKind::Force { on, against } => Some([Some(on), against]),
@@ -186,7 +182,7 @@ impl<'a> SolidGuess<'a> {
         list
     }
 
-    /// Indices of the visible points: those of the stated solids, or if none are stated, those of
+    /// Indices of the visible points: the points of the stated solids or, if no solids are stated, the points of
     /// bodies and springs.
     pub fn visible_points(&self, stated: &[Solid]) -> Vec<usize> {
         let mut list: Vec<usize> = if stated.is_empty() {
@@ -209,7 +205,7 @@ impl<'a> SolidGuess<'a> {
         self.guessed_solids(0.0).iter().map(|solid| solid.form.reach()).fold(0.0, f64::max)
     }
 
-    /// Makes the guessed solids; `size` is the size of the mechanism, m.
+    /// Makes the guessed solids. `size` is the size of the mechanism, m.
     pub fn guessed_solids(&self, size: f64) -> Vec<Solid> {
         let mut list = Vec::new();
         for (at, (body, known)) in self.mechanism.bodies.iter().zip(&self.bodies).enumerate() {
@@ -235,8 +231,8 @@ impl<'a> SolidGuess<'a> {
         list
     }
 
-    /// Forms of a particle: a ball, and a rod if the particle keeps its distance from the point
-    /// that places it.
+    /// Makes the forms of a particle: a ball, and a rod if the particle keeps its distance from the point from
+    /// which it is placed.
     fn particle(&self, body: &Body, known: &BodyGeometry, size: f64) -> Vec<SolidForm> {
         let heaviest = self.bodies.iter().map(|known| known.mass).fold(0.0, f64::max);
         let share = if heaviest > 0.0 { (known.mass / heaviest).cbrt().clamp(0.5, 1.0) } else { 1.0 };
@@ -249,7 +245,7 @@ impl<'a> SolidGuess<'a> {
         forms
     }
 
-    /// True if two points keep a constant non-zero distance while the line between them turns.
+    /// True if two points keep a constant distance above zero while the line between them turns.
     fn is_rigid(&self, a: usize, b: usize) -> bool {
         let ways: Vec<Triple> =
             self.poses.iter().map(|pose| subtract_vectors(pose.points[b], pose.points[a])).collect();
@@ -259,7 +255,9 @@ impl<'a> SolidGuess<'a> {
         apart > SAME && turns && ways.iter().all(|way| (length(*way) - apart).abs() <= SAME * (1.0 + apart))
     }
 
-    /// Forms of a rigid body: a wheel, a bar, rods between its fixed points, or the homogeneous solid of its inertia.
+    /// Makes the forms of a rigid body: a wheel, a bar, rods between its fixed points, or the homogeneous solid with
+    /// its
+    /// inertia.
     fn body(&self, body: &Body, frame: usize, known: &BodyGeometry, size: f64) -> Vec<SolidForm> {
         let at = SolidPlace::at(frame, body.centre);
         let rod = ROD * size;
@@ -279,8 +277,8 @@ impl<'a> SolidGuess<'a> {
                 let way = dot(*r, line);
                 length(add_scaled_vector(*r, -way, line)) <= 0.02 * long && way.abs() <= 0.51 * long
             };
-            // If a cylinder is much longer than its fixed points suggest, the body is no rod: its
-            // mass is far out.
+            // If the cylinder is much longer than the distance of its fixed points, the body is no rod. Its mass is
+            // far from the mass centre.
             let ends = places.iter().map(|r| length(*r)).fold(0.0, f64::max);
             let is_as_long = places.is_empty() || *long <= 2.6 * ends;
             if is_as_long && places.iter().all(on_it) {
@@ -313,7 +311,7 @@ impl<'a> SolidGuess<'a> {
         forms
     }
 
-    /// Pins (balls) at the points where bodies meet one another or the ground.
+    /// Makes pins (balls) at the points where bodies meet one another or the ground.
     fn pins(&self, size: f64) -> Vec<Solid> {
         let mut list: Vec<usize> = Vec::new();
         for point in 0..self.mechanism.points.len() {
@@ -335,7 +333,7 @@ impl<'a> SolidGuess<'a> {
         list.into_iter().map(ball).collect()
     }
 
-    /// True if no coordinate moves the point: it has the same place in all poses.
+    /// True if no coordinate moves the point, so that it has the same place in all poses.
     fn is_fixed(&self, point: usize) -> bool {
         let first = self.poses.first().map(|pose| pose.points[point]);
         first.is_some_and(|first| {
@@ -343,8 +341,8 @@ impl<'a> SolidGuess<'a> {
         })
     }
 
-    /// Guesses the ground plane: bodies roll on it, or swing above it. `None` without contacts and
-    /// without gravity.
+    /// Guesses the ground plane. Bodies roll on it, or swing above it. `None` if there are no contacts and no
+    /// gravity.
     pub fn ground(&self, view: &View, motions: &[&[Pose]]) -> Option<Solid> {
         let pose = motions.first()?.first()?;
         let rims: Vec<Triple> = self.bodies.iter().filter_map(|known| Some(pose.points[known.rim?.point])).collect();
@@ -374,8 +372,8 @@ impl<'a> SolidGuess<'a> {
         Some(Solid { label: "ground".to_owned(), body: None, touches: None, form: SolidForm::Ground { at: place } })
     }
 
-    /// Indices of the points whose paths are shown: points of contact, else moving particles, else
-    /// a single mass centre.
+    /// Indices of the points whose paths are shown. They are the points of contact, otherwise the moving
+    /// particles, otherwise one mass centre.
     pub fn traced_points(&self) -> Vec<usize> {
         let rims = self.bodies.iter().filter_map(|known| known.rim.map(|rim| rim.point));
         let of = |is_rigid: bool| {
@@ -393,13 +391,13 @@ impl<'a> SolidGuess<'a> {
         list
     }
 
-    /// Pairs (frame, mass centre) of indices, one for each rigid body.
+    /// Axes to draw, one entry for each rigid body: the index of its frame and the index of its mass centre.
     pub fn body_axes(&self) -> Vec<(usize, usize)> {
         self.mechanism.bodies.iter().filter_map(|body| Some((body.rigid.as_ref()?.0, body.centre))).collect()
     }
 }
 
-/// Form of a wheel or a ball whose radius is that of its contact.
+/// Makes the form of a wheel or a ball. Its radius is the distance of its contact with the ground.
 fn wheel(at: SolidPlace, known: &BodyGeometry, rim: BodyContact) -> SolidForm {
     match &known.like {
         Some((HomogeneousSolid::Cylinder { axis, .. }, axes)) => {
@@ -412,8 +410,8 @@ fn wheel(at: SolidPlace, known: &BodyGeometry, rim: BodyContact) -> SolidForm {
     }
 }
 
-/// Coordinates with the number `at`, far from the start and from coordinates with other numbers.
-/// They use multiples of irrational numbers, so that they are the same on every machine.
+/// Makes coordinates far from the start, the same on every machine. Different numbers `at` give coordinates
+/// far from one another.
 fn distant_configuration(start: &[f64], at: usize) -> Vec<f64> {
     let step = |k: usize| ((k + 1) as f64 * 0.754_877_666 + (at + 1) as f64 * 0.569_840_291).fract();
     start.iter().enumerate().map(|(k, q)| q + 0.2 + 1.1 * step(k)).collect()

@@ -2,11 +2,11 @@
 
 use super::space::{IDENTITY, Rotation, Triple, product, transpose};
 
-/// Principal moments of a symmetric inertia tensor, ascending, kg m², and its principal axes as
-/// columns of a rotation.
+/// Computes the principal moments of a symmetric inertia tensor in ascending order, kg m², and its principal
+/// axes as the columns of a rotation matrix.
 ///
-/// The method is Jacobi's rotations (G. H. Golub & C. F. Van Loan, *Matrix Computations*, 4th
-/// edition (2013), § 8.5).
+/// The method is Jacobi's rotations. Source: G. H. Golub & C. F. Van Loan, *Matrix Computations*, 4th edition
+/// (2013), § 8.5.
 pub fn principal_axes(tensor: &Rotation) -> (Triple, Rotation) {
     let (mut a, mut axes) = (*tensor, IDENTITY);
     for _ in 0..30 {
@@ -28,14 +28,14 @@ pub fn principal_axes(tensor: &Rotation) -> (Triple, Rotation) {
     order.sort_by(|x, y| a[*x][*x].total_cmp(&a[*y][*y]));
     let columns = transpose(&axes);
     let mut sorted = order.map(|at| columns[at]);
-    // The axes are made right-handed.
+    // The third axis is reversed if needed, so that the axes are right-handed.
     if super::space::dot(super::space::cross(sorted[0], sorted[1]), sorted[2]) < 0.0 {
         sorted[2] = sorted[2].map(|x| -x);
     }
     (order.map(|at| a[at][at].max(0.0)), transpose(&sorted))
 }
 
-/// Homogeneous solid that has a given mass and given principal moments. Lengths are in m.
+/// Homogeneous solid that has a given mass and given principal moments of inertia. Lengths are in m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum HomogeneousSolid {
     /// Homogeneous sphere, for three equal principal moments.
@@ -43,7 +43,7 @@ pub enum HomogeneousSolid {
         /// Radius of the sphere, m.
         radius: f64,
     },
-    /// Cylinder about a principal axis, for two equal moments.
+    /// Cylinder about a principal axis, for two equal principal moments.
     Cylinder {
         /// Index of the principal axis along the cylinder, 0, 1 or 2.
         axis: usize,
@@ -52,18 +52,18 @@ pub enum HomogeneousSolid {
         /// Length of the cylinder along its axis, m.
         length: f64,
     },
-    /// Box along the principal axes, for three different moments.
+    /// Box along the principal axes, for three different principal moments.
     Box {
         /// Lengths of the box's edges along the three principal axes, m.
         size: Triple,
     },
 }
 
-/// Finds the homogeneous solid with a given mass, kg, and given principal moments, kg m²,
-/// ascending.
-/// The moments are 2/5 m r² for a sphere. They are ½ m r² about the axis of a cylinder, and
-/// m (3 r² + l²)/12 across it. They are m (b² + c²)/12 for a box. `None` for a body without mass or
-/// moments.
+/// Finds the homogeneous solid with a given mass, kg, and given principal moments in ascending order, kg m².
+/// `None` for a body without mass or moments.
+///
+/// The moments are 2/5 m r² for a sphere. For a cylinder they are ½ m r² about its axis, and
+/// m (3 r² + l²)/12 across it. They are m (b² + c²)/12 for a box.
 pub fn homogeneous_solid(mass: f64, [a, b, c]: Triple) -> Option<HomogeneousSolid> {
     if !(mass > 0.0 && c > 0.0 && c.is_finite() && mass.is_finite()) {
         return None;

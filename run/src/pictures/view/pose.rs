@@ -1,4 +1,4 @@
-//! Poses of a mechanism: the attitude of every frame and the position of every point in a configuration.
+//! Poses of a mechanism: the orientation of every frame and the position of every point in a configuration.
 
 use super::space::{
     IDENTITY, Rotation, Triple, add_scaled_vector, product, rotate_vector, rotation_about_axis, transpose,
@@ -19,39 +19,37 @@ pub struct Configuration<'a> {
     pub q: &'a [f64],
 }
 
-/// Attitudes and positions at one instant, relative to the inertial frame and its origin.
+/// Orientations of frames and positions of points at one instant, relative to the inertial frame and its origin.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pose {
-    /// Rotation matrix of each frame of the model: components in the inertial frame = rotation ·
-    /// components in the frame.
+    /// Rotation matrix of each frame of the model. It converts components in this frame to components in the
+    /// inertial frame.
     pub rotations: Vec<Rotation>,
     /// Position of each point of the model in the inertial frame, m.
     pub points: Vec<Triple>,
 }
 
 impl Pose {
-    /// True if every frame and point of the pose has finite values.
-    /// They may be missing if a run ends at a state in which a formula has no value.
+    /// True if every frame and point of the pose has finite values. Values may be missing if a run ends in a
+    /// state in which a formula has no value.
     pub(in crate::pictures) fn is_finite(&self) -> bool {
         self.points.iter().flatten().chain(self.rotations.iter().flatten().flatten()).all(|x| x.is_finite())
     }
 }
 
-/// Tree of the frames and points of a model, with the formulas that place each relative to its
-/// parent.
-/// Formulas are not multiplied out, so the cost of a long chain is the sum of the costs of its
+/// Tree of the frames and points of a model, with the formulas that place each of them relative to its
+/// parent. Formulas are not multiplied out. So the cost of a long chain is the sum of the costs of its
 /// links.
 #[derive(Clone, Debug)]
 pub struct FrameTree {
-    /// Formulas in parameters and coordinates: first those of the frames, then those of the points,
-    /// in order.
+    /// Formulas in parameters and coordinates: first the formulas of the frames, then those of the points, in
+    /// the order of the model.
     pub values: Vec<Expr>,
-    /// Parent of each frame, and the index of the axis of its rotation; `None` for the inertial
-    /// frame.
-    /// With an axis, the frame has one formula, the angle. Without an axis, it has nine cosines,
-    /// row by row.
+    /// Parent of each frame, and the index of its axis of rotation; `None` for the inertial frame. A frame with
+    /// an axis has one formula, the angle. A frame without an axis has nine formulas, its cosines row by row.
     pub frames: Vec<Option<(usize, Option<usize>)>>,
-    /// Parent of each point, and the frame of its three position components; `None` for the origin.
+    /// Parent of each point, and the frame of its three position components; `None` for the origin of the
+    /// inertial frame.
     pub points: Vec<Option<(usize, usize)>>,
 }
 
@@ -87,7 +85,7 @@ impl FrameTree {
 /// Compiled function that computes the poses of a model from parameters and coordinates.
 #[derive(Clone)]
 pub struct Poses {
-    /// Program for all formulas that place frames and points.
+    /// Program that computes all formulas for the places of frames and points.
     tape: Tape,
     /// Parents of the frames and points, in the order of the formulas.
     links: FrameTree,
@@ -97,15 +95,15 @@ impl Poses {
     /// Compiles the poses of a model.
     ///
     /// # Errors
-    /// [`Error::Request`] if a place depends on a symbol other than parameters and coordinates. No loaded model has
-    /// one.
+    /// [`Error::Request`] if a place depends on a symbol that is neither a parameter nor a coordinate. No model that
+    /// could be loaded has such a place.
     pub fn new(model: &Model) -> Result<Self, Error> {
         let links = FrameTree::of(model);
         let inputs = [model.p(), model.q()].concat();
         Ok(Self { tape: compile_tape(&model.arena, &inputs, &links.values, "the place of a frame or point")?, links })
     }
 
-    /// Computes the pose at parameters `p` and coordinates `q`, in the order of the model.
+    /// Computes the pose at the parameters `p` and the coordinates `q`, both in the order of the model.
     #[must_use]
     pub fn pose_at(&self, p: &[f64], q: &[f64]) -> Pose {
         let mut values = self.tape.evaluate(&[p, q].concat()).into_iter();

@@ -1,11 +1,10 @@
-//! Measures over many poses: the greatest distance between points, and the plane in which points
-//! stay.
+//! Measures over many poses: the greatest distance between points, and the plane in which points stay.
 
 use super::pose::Pose;
 use super::space::{IDENTITY, Triple, length, subtract_vectors};
 
-/// Greatest distance between two of the given points at one instant, m, over at most 16 of the
-/// poses.
+/// Greatest distance between two of the given points at one instant, m. At most 16 evenly spaced poses are
+/// examined.
 pub(super) fn diameter_over_poses(poses: &[Pose], points: &[usize]) -> f64 {
     let mut most: f64 = 0.0;
     for pose in evenly_spaced_poses(poses, 16) {
@@ -19,14 +18,13 @@ pub(super) fn diameter_over_poses(poses: &[Pose], points: &[usize]) -> f64 {
     most
 }
 
-/// Selects at most `count` evenly spaced poses; the first pose is always selected.
+/// Selects at most `count` evenly spaced poses. The first pose is always selected.
 pub(super) fn evenly_spaced_poses(poses: &[Pose], count: usize) -> impl Iterator<Item = &Pose> {
     poses.iter().step_by(poses.len().div_ceil(count).max(1))
 }
 
-/// Normal of a coordinate plane of the inertial frame parallel to which all given points move;
-/// `None` if there is none.
-/// `size` is the size of the mechanism, m.
+/// Finds a coordinate plane of the inertial frame parallel to which all given points move, and returns its
+/// unit normal. `None` if there is no such plane. `size` is the size of the mechanism, m.
 pub(super) fn plane_of_motion(poses: &[Pose], points: &[usize], size: f64) -> Option<Triple> {
     let stays = |axis: usize| {
         let moves = |point: &usize| {
@@ -35,7 +33,7 @@ pub(super) fn plane_of_motion(poses: &[Pose], points: &[usize], size: f64) -> Op
                 poses.iter().map(of).fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)));
             high - low > 1e-6 * size
         };
-        // A frame must turn only about the normal, or keep its attitude.
+        // Every frame must turn about the normal only, or keep its orientation.
         let turns = |frame: &usize| poses.iter().any(|pose| pose.rotations[*frame][axis][axis].abs() < 1.0 - 1e-6);
         let frames: Vec<usize> = (0..poses.first().map_or(0, |pose| pose.rotations.len())).collect();
         let still = frames.iter().filter(|frame| turns(frame)).all(|frame| keeps_attitude(poses, *frame));
@@ -48,7 +46,7 @@ pub(super) fn plane_of_motion(poses: &[Pose], points: &[usize], size: f64) -> Op
     }
 }
 
-/// True if a frame keeps its attitude in all poses.
+/// True if a frame keeps its orientation in all poses.
 fn keeps_attitude(poses: &[Pose], frame: usize) -> bool {
     let Some(first) = poses.first() else { return true };
     let apart = |pose: &Pose| {

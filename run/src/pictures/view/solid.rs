@@ -2,17 +2,16 @@
 
 use super::space::{Quaternion, Triple};
 
-/// Solid of a single colour that represents a body, a pin, a spring or the ground.
+/// Solid of one colour that represents a body, a pin, a spring or the ground.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solid {
-    /// Name of the shape in the model file, or of the body.
+    /// Name of the solid: the name of its shape in the model file, or of its body, point or force.
     pub label: String,
-    /// Index of the body to which the solid belongs, from 0; `None` for a solid of no body. Solids
-    /// of a body share a colour.
+    /// Index of the body to which the solid belongs, from 0; `None` if it belongs to no body. All solids of a
+    /// body have the same colour.
     pub body: Option<usize>,
-    /// Index of the point of contact whose distance determines the solid's radius, if the solid
-    /// rolls or slides.
-    /// `None` for any other solid, and if the model file states the radius.
+    /// Index of the point of contact, if the solid rolls or slides. The distance of this point gives the radius
+    /// of the solid. `None` for any other solid, or if the model file states the radius.
     pub touches: Option<usize>,
     /// Shape of the solid, with its place and size.
     pub form: SolidForm,
@@ -21,14 +20,14 @@ pub struct Solid {
 /// Shape, place and size of a drawn solid. Lengths are in m.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SolidForm {
-    /// Ball about a point, fixed in a frame so that its rotation can be seen.
+    /// Ball about a point, fixed in a frame, so that its rotation can be shown.
     Sphere {
-        /// Place of the sphere's centre and of the axes that turn with it.
+        /// Place of the centre of the sphere, and of the axes that rotate with it.
         at: SolidPlace,
         /// Radius of the sphere, m.
         radius: f64,
     },
-    /// Cylinder (or disk) about axis 3 of its place.
+    /// Cylinder or disk about axis 3 of its place.
     Cylinder {
         /// Place of the cylinder's centre and axes.
         at: SolidPlace,
@@ -44,26 +43,26 @@ pub enum SolidForm {
         /// Lengths of the box's edges along the three axes, m.
         size: Triple,
     },
-    /// Rod from one point to another; it follows them if their distance changes.
+    /// Rod from one point to another. It follows the points if their distance changes.
     Rod {
         /// Indices of the two points that the rod joins.
         ends: [usize; 2],
         /// Radius of the rod, m.
         radius: f64,
     },
-    /// Coil spring from one point to another, as long as their distance.
+    /// Coil spring from one point to another. Its length is the distance of the points.
     Spring {
         /// Indices of the two points that the spring joins.
         ends: [usize; 2],
     },
-    /// Unbounded plane, perpendicular to axis 3 of its place.
+    /// Unlimited plane, perpendicular to axis 3 of its place.
     Ground {
-        /// Place of a point of the plane, with its axes.
+        /// Place of one point of the plane, with its axes.
         at: SolidPlace,
     },
 }
 
-/// Position and attitude of a solid, fixed in a frame.
+/// Position and orientation of a solid that is fixed in a frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SolidPlace {
     /// Index of the frame in which the solid is fixed.
@@ -72,7 +71,7 @@ pub struct SolidPlace {
     pub point: usize,
     /// Position of the solid's centre from the point, in the frame, m.
     pub position: Triple,
-    /// Rotation of the solid's axes from the axes of the frame, as Euler parameters.
+    /// Rotation from the axes of the frame to the axes of the solid, as Euler parameters.
     pub turned: Quaternion,
 }
 
@@ -84,7 +83,7 @@ impl Solid {
 }
 
 impl SolidPlace {
-    /// Place with its centre in a point, and its axes along those of a frame.
+    /// Makes a place whose centre is a point, and whose axes are the axes of a frame. Both are given by index.
     #[must_use]
     pub fn at(frame: usize, point: usize) -> Self {
         Self { frame, point, position: [0.0; 3], turned: [1.0, 0.0, 0.0, 0.0] }
@@ -92,7 +91,7 @@ impl SolidPlace {
 }
 
 impl SolidForm {
-    /// Indices of the points at which the form is placed or ends.
+    /// Indices of the points from which the form is placed, or between which it extends.
     #[must_use]
     pub fn points(&self) -> Vec<usize> {
         match self {
@@ -118,8 +117,8 @@ impl SolidForm {
         }
     }
 
-    /// Greatest distance from the centre of the form to its surface, m: for a rod its radius, for a
-    /// spring or the ground 0.
+    /// Greatest distance from the centre of the form to its surface, m. For a rod it is the radius. For a spring
+    /// or the ground it is 0.
     #[must_use]
     pub fn reach(&self) -> f64 {
         match self {

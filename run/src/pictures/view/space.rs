@@ -1,13 +1,13 @@
 //! Arithmetic of vectors and rotations in three dimensions.
 
-/// Vector with three components, in m or without a unit.
+/// Vector with three components, in m or without unit.
 pub type Triple = [f64; 3];
 
-/// Rotation matrix by rows: components in one frame = rotation · components in another frame.
+/// Rotation matrix by rows. Its product with components in one frame gives the components in another frame.
 pub type Rotation = [Triple; 3];
 
-/// Euler parameters of a rotation by θ about a unit vector e: cos θ/2, then the three components of
-/// e sin θ/2.
+/// Euler parameters of a rotation by the angle θ about a unit vector e: cos θ/2, followed by the three
+/// components of e sin θ/2.
 pub type Quaternion = [f64; 4];
 
 /// Identity matrix: the rotation that changes nothing.
@@ -33,7 +33,7 @@ pub(crate) fn add_scaled_vector(a: Triple, k: f64, b: Triple) -> Triple {
     [a[0] + k * b[0], a[1] + k * b[1], a[2] + k * b[2]]
 }
 
-/// Place on the straight line from a to b; `share` is 0 at a and 1 at b.
+/// Place on the straight line from a to b. It is a if `share` is 0, and b if `share` is 1.
 pub(super) fn interpolate_place(a: Triple, b: Triple, share: f64) -> Triple {
     add_scaled_vector(a, share, subtract_vectors(b, a))
 }
@@ -43,8 +43,7 @@ pub(crate) fn length(a: Triple) -> f64 {
     dot(a, a).sqrt()
 }
 
-/// Unit vector along a vector; `None` for a vector of length zero or with a component that is not
-/// finite.
+/// Unit vector along a vector; `None` if the vector is zero or has a component that is not finite.
 pub(crate) fn unit_vector(a: Triple) -> Option<Triple> {
     let size = length(a);
     (size > 0.0 && size.is_finite()).then(|| a.map(|x| x / size))
@@ -55,12 +54,12 @@ pub(crate) fn rotate_vector(r: &Rotation, v: Triple) -> Triple {
     [dot(r[0], v), dot(r[1], v), dot(r[2], v)]
 }
 
-/// Product Rᵀ v of the inverse of a rotation matrix and a vector.
+/// Product Rᵀ v of the transpose of a rotation matrix and a vector: the inverse rotation.
 pub(crate) fn rotate_vector_back(r: &Rotation, v: Triple) -> Triple {
     rotate_vector(&transpose(r), v)
 }
 
-/// Transpose of a matrix; for a rotation matrix it is the inverse.
+/// Transpose of a matrix. For a rotation matrix it is the inverse.
 pub(crate) fn transpose(r: &Rotation) -> Rotation {
     [0, 1, 2].map(|i| [0, 1, 2].map(|j| r[j][i]))
 }
@@ -71,8 +70,8 @@ pub(crate) fn product(a: &Rotation, b: &Rotation) -> Rotation {
     [0, 1, 2].map(|i| [0, 1, 2].map(|j| dot(a[i], columns[j])))
 }
 
-/// Rotation matrix about a coordinate axis (0, 1 or 2) by an angle, rad.
-/// It converts components in the turned frame to components in the original frame.
+/// Rotation matrix about a coordinate axis (0, 1 or 2) by an angle, rad. It converts components in the turned
+/// frame to components in the original frame.
 pub(crate) fn rotation_about_axis(axis: usize, angle: f64) -> Rotation {
     let (sin, cos) = angle.sin_cos();
     let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
@@ -81,10 +80,10 @@ pub(crate) fn rotation_about_axis(axis: usize, angle: f64) -> Rotation {
     r
 }
 
-/// Euler parameters of a rotation matrix; the first is not negative.
+/// Computes the Euler parameters of a rotation matrix. The first parameter is not negative.
 ///
-/// The method divides by the largest of the four parameters (S. W. Shepperd, Quaternion from
-/// rotation matrix, *Journal of Guidance and Control* 1 (1978) 223-224).
+/// The method divides by the largest of the four parameters. Source: S. W. Shepperd, Quaternion from
+/// rotation matrix, *Journal of Guidance and Control* 1 (1978) 223-224.
 #[must_use]
 pub fn quaternion(r: &Rotation) -> Quaternion {
     let trace = r[0][0] + r[1][1] + r[2][2];
@@ -106,7 +105,7 @@ pub fn quaternion(r: &Rotation) -> Quaternion {
     q.map(|x| x / sign)
 }
 
-/// Rotation matrix from Euler parameters (cos θ/2 first) of length 1.
+/// Rotation matrix of the given Euler parameters, which have length 1; the first is cos θ/2.
 pub(in crate::pictures) fn rotation_from_quaternion([w, x, y, z]: Quaternion) -> Rotation {
     let column = |v: Triple| {
         // v + 2 w (e × v) + 2 e × (e × v).
@@ -116,7 +115,7 @@ pub(in crate::pictures) fn rotation_from_quaternion([w, x, y, z]: Quaternion) ->
     transpose(&[column([1.0, 0.0, 0.0]), column([0.0, 1.0, 0.0]), column([0.0, 0.0, 1.0])])
 }
 
-/// Rotation matrix whose third column is the unit vector `axis`.
+/// Makes a rotation matrix whose third column is the unit vector `axis`.
 pub(crate) fn rotation_to_axis(axis: Triple) -> Rotation {
     let least = (0..3).min_by(|a, b| axis[*a].abs().total_cmp(&axis[*b].abs())).unwrap_or(0);
     let first = unit_vector(cross(IDENTITY[least], axis)).unwrap_or(IDENTITY[0]);

@@ -1,4 +1,4 @@
-//! Solids of a mechanism that its model file states in the table `[shapes]`.
+//! Solids of a mechanism that the model file states in the table `[shapes]`.
 
 use super::evaluate_parameters_only;
 use super::solid::{Solid, SolidForm, SolidPlace};
@@ -8,10 +8,10 @@ use crate::mechanism::Mechanism;
 use tripos_derive::algebra::Expr;
 use tripos_derive::model::{Shape, ShapeForm};
 
-/// Thickness of a disk whose thickness is not stated, relative to its radius.
+/// Thickness of a disk whose thickness is not stated, as a fraction of its radius.
 const THIN: f64 = 0.04;
 
-/// Makes the solids of the table `[shapes]` of the model file, at given parameters.
+/// Makes the solids of the table `[shapes]` of the model file, at the given parameters.
 ///
 /// # Errors
 /// [`Error::Request`] if a length of a shape is not positive at these parameters.
@@ -31,14 +31,14 @@ pub fn stated_solids(mechanism: &Mechanism, parameters: &[f64]) -> Result<Vec<So
     Ok(list)
 }
 
-/// Terms for the position and size of each solid of `[shapes]`, each with its key.
-/// The keys `position` and `size` occur three times, `radius` and `length` once. Values that the
-/// model file does not state are left out.
+/// Lists the expressions for the position and size of each solid in the table `[shapes]`, each with its key.
+/// The keys `position` and `size` occur three times, `radius` and `length` once. Values that the model
+/// file does not state are left out.
 #[must_use]
 pub fn stated_solid_lengths(mechanism: &Mechanism) -> Vec<Vec<(&'static str, Expr)>> {
     let of = |shape: &Shape| {
         let position = shape.position.iter().map(|component| ("position", *component));
-        // A disk's thickness is the length of a cylinder.
+        // In this list, the thickness of a disk is the length of a cylinder.
         let of_cylinder = |key| match key {
             "thickness" => "length",
             other => other,
@@ -51,7 +51,10 @@ pub fn stated_solid_lengths(mechanism: &Mechanism) -> Vec<Vec<(&'static str, Exp
     mechanism.shapes.iter().flat_map(of).collect()
 }
 
-/// Checks that every length of a shape is positive and finite; else returns an `Error::Request`.
+/// Checks that every length of a shape is positive and finite.
+///
+/// # Errors
+/// `Error::Request` if a length is not positive and finite.
 fn check_shape_lengths(mechanism: &Mechanism, parameters: &[f64], shape: &Shape) -> Result<(), Error> {
     for (key, length) in shape.form.lengths() {
         let value = evaluate_parameters_only(mechanism, parameters, &[length], "a shape")?[0];
@@ -63,7 +66,7 @@ fn check_shape_lengths(mechanism: &Mechanism, parameters: &[f64], shape: &Shape)
     Ok(())
 }
 
-/// Forms of a shape at given parameters: a rod for each piece of a line, else a single form.
+/// Makes the forms of a shape at the given parameters: a rod for each piece of a line, otherwise one form.
 ///
 /// # Errors
 /// `Error::Request` if a size of the shape cannot be evaluated.
@@ -99,8 +102,8 @@ fn forms_of_shape(
     })
 }
 
-/// Place turned so that its axis 3 lies along an axis (0 to 2) of the frame; the axes keep their
-/// cyclic order.
+/// Turns a place so that its axis 3 lies along an axis (0 to 2) of the frame. The axes keep their cyclic
+/// order.
 fn place_with_axis(at: SolidPlace, axis: usize) -> SolidPlace {
     let mut columns: Rotation = [[0.0; 3]; 3];
     for (column, row) in [(0, (axis + 1) % 3), (1, (axis + 2) % 3), (2, axis)] {

@@ -1,5 +1,5 @@
-//! Motion of a mechanism for a view: poses and forces at so many instants that no difference from
-//! the run is visible.
+//! Motion of a mechanism for a view: poses and forces at enough instants that no difference from the run is
+//! visible.
 
 use super::force_arrows::{ForceArrows, ForceFunctions};
 use super::pose::{Pose, Poses};
@@ -13,19 +13,20 @@ use std::f64::consts::FRAC_PI_2;
 use tripos_derive::scene::{Integrator, Scene};
 use tripos_sim::Method;
 
-/// Number of evenly spaced instants in a run for a view, before the unneeded ones are left out.
+/// Number of evenly spaced instants of a run for a view, before unneeded instants are left out.
 const SAMPLES: usize = 6000;
-/// Greatest number of samples between a kept instant and the next.
+/// Greatest number of samples from one kept instant to the next.
 const LONGEST: usize = 60;
-/// Greatest invisible error of a position between two instants, relative to the mechanism's size.
+/// Greatest error of a position between two instants that cannot be seen, relative to the size of the
+/// mechanism.
 const UNSEEN_PLACE: f64 = 5e-4;
-/// Greatest invisible error of an attitude between two instants, rad.
+/// Greatest error of an orientation between two instants that cannot be seen, rad.
 const UNSEEN_ANGLE: f64 = 4e-3;
-/// Greatest invisible error of a force between two instants, relative to the usual force.
+/// Greatest error of a force between two instants that cannot be seen, relative to the usual force.
 const UNSEEN_FORCE: f64 = 2e-2;
-/// Angle between drawn and true attitude above which a rotation looks wrong, rad.
+/// Angle between drawn and true orientation from which on a rotation looks wrong, rad.
 const UNTRUE: f64 = 0.2;
-/// Greatest angle between two attitudes at which the shortest rotation is unique despite rounding
+/// Greatest angle between two orientations for which the shortest rotation is unique despite rounding
 /// errors, rad.
 const ONE_WAY: f64 = 3.0;
 
@@ -40,7 +41,7 @@ pub struct ViewMotion {
     pub poses: Vec<Pose>,
     /// Forces on the bodies at each instant of `t`, N.
     pub forces: ForceArrows,
-    /// Least and greatest value of each coordinate, then of each generalized speed.
+    /// Least and greatest value of each coordinate, followed by those of each generalized speed.
     pub ranges: Vec<(f64, f64)>,
     /// Sentence that says when, after how many steps and why the run ended.
     pub ending: String,
@@ -51,8 +52,8 @@ pub struct ViewMotion {
 }
 
 impl ViewMotion {
-    /// Runs a scene by full equations, and converts the run to a motion for a view.
-    /// `by` names the equations; `None` takes the first formulation of the model.
+    /// Runs a scene by full equations, and converts the run to a motion for a view. `by` names the equations;
+    /// `None` takes the first formulation of the model.
     ///
     /// # Errors
     /// Errors of [`crate::simulate()`].
@@ -100,10 +101,9 @@ impl ViewMotion {
         Ok(Self { title: run.by.title(), t, poses, forces, ranges, ending: run.ending.clone(), objections, failed })
     }
 
-    /// Keeps only the instants between which linear interpolation looks right, and at most `most`
-    /// of them.
-    /// `size` is the size of the mechanism, m. The second value is the factor by which tolerances
-    /// were widened to reach this number; 1 if they were not.
+    /// Thins the motion: keeps only instants between which linear interpolation looks right, and at most `most`
+    /// of them. `size` is the size of the mechanism, m. The second value is the factor by which the tolerances
+    /// were widened to reach this number. It is 1 if they were not widened.
     #[must_use]
     pub fn thin_motion(&self, size: f64, most: usize) -> (Self, f64) {
         let turns = self.poses.iter().map(|pose| pose.rotations.iter().map(quaternion).collect()).collect();
@@ -114,7 +114,7 @@ impl ViewMotion {
             looser *= 2.0;
             kept = self.kept_instants(&scale, looser);
         }
-        // If there are still too many instants, every n-th is kept.
+        // If there are still too many instants, only every n-th instant is kept.
         let step = kept.len().div_ceil(most.max(2)).max(1);
         let last = kept.last().copied();
         let kept: Vec<usize> = kept.into_iter().step_by(step).filter(|at| Some(*at) != last).chain(last).collect();
@@ -124,9 +124,8 @@ impl ViewMotion {
         (Self { t, poses, forces, ..self.clone() }, looser)
     }
 
-    /// Indices of the kept instants, with tolerances multiplied by `looser`.
-    /// Each is followed by the last instant up to which linear interpolation is close to all
-    /// instants between them.
+    /// Indices of the kept instants, with the tolerances multiplied by `looser`. The next kept instant is the last
+    /// one up to which linear interpolation is close to the motion at all instants between.
     fn kept_instants(&self, scale: &MotionScale, looser: f64) -> Vec<usize> {
         let last = self.t.len().saturating_sub(1);
         let mut kept: Vec<usize> = (!self.t.is_empty()).then_some(0).into_iter().collect();
@@ -142,8 +141,8 @@ impl ViewMotion {
         kept
     }
 
-    /// True if linear interpolation of places, attitudes and forces between two instants is close
-    /// to all instants between.
+    /// True if linear interpolation between two instants is close to the motion at all instants between. Points,
+    /// orientations and forces are compared.
     fn is_interpolated_well(
         &self,
         MotionScale { turns, size }: &MotionScale,
@@ -177,10 +176,10 @@ impl ViewMotion {
             })
     }
 
-    /// True if every frame turns correctly in `thin`, which has only some of the instants of this
-    /// motion.
-    /// In this motion, no frame may turn by more than a quarter turn between instants. The left-out
-    /// attitudes must be close to the uniform rotations between the kept ones.
+    /// True if every frame rotates correctly in the motion `thin`, which has only some instants of this motion.
+    ///
+    /// Between two instants of this motion, no frame may rotate by more than a quarter turn. The orientations
+    /// at left-out instants must be close to a uniform rotation between the kept instants.
     #[must_use]
     pub fn has_true_rotations(&self, thin: &Self) -> bool {
         let turns: Vec<Vec<Quaternion>> =
@@ -203,11 +202,11 @@ impl ViewMotion {
     }
 }
 
-/// Scales for measuring differences: attitudes of the frames, and size of the mechanism.
+/// Scales for the comparison of motions: the orientations of the frames, and the size of the mechanism.
 struct MotionScale {
-    /// Attitude of each frame at each instant, as Euler parameters: one list for each instant.
+    /// Orientation of each frame at each instant, as Euler parameters: one list for each instant.
     turns: Vec<Vec<Quaternion>>,
-    /// Size of the mechanism, m, to which position errors are relative.
+    /// Size of the mechanism, m. Errors of positions are relative to it.
     size: f64,
 }
 
@@ -221,14 +220,14 @@ fn value_ranges(states: &[Vec<f64>]) -> Vec<(f64, f64)> {
     (0..count).map(of).collect()
 }
 
-/// Angle between two attitudes, rad.
+/// Angle between two orientations, rad.
 fn attitude_angle(a: Quaternion, b: Quaternion) -> f64 {
     let cos: f64 = a.iter().zip(b).map(|(x, y)| x * y).sum();
     2.0 * cos.abs().min(1.0).acos()
 }
 
-/// Angle, rad, between the attitude x and the attitude at `share` (0 to 1) of the uniform rotation
-/// from a to b.
+/// Angle, rad, between the orientation x and an interpolated orientation. The latter is at the fraction `share`
+/// (0 to 1) of the uniform rotation from a to b.
 ///
 /// Source: K. Shoemake, Animating rotation with quaternion curves, *Computer Graphics* 19 (1985)
 /// 245-254, § 3.3.

@@ -3,8 +3,8 @@
 
 use tripos_derive::scene::ImpactContact;
 
-/// Change of a contact that ends a part of a run, or that begins at its end. The value is the index
-/// of the contact.
+/// Change of a contact at which a part of a run ends and the next part begins. The value of each
+/// variant is the index of the contact in the scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ContactChange {
     /// The gap of the contact falls to zero, so that the contact closes.
@@ -18,14 +18,15 @@ pub enum ContactChange {
     Sticks(usize),
     /// The slip velocity of the contact changes its sign.
     Reverses(usize),
-    /// The forces of the slipping contact are no longer determined (Painlevé's paradox).
+    /// The forces of the slipping contact are no longer determined by its friction (Painlevé's
+    /// paradox).
     Jams(usize),
-    /// The gap of the open contact has a minimum above zero. The contact itself does not change.
+    /// The gap of the open contact passes a minimum. The contact stays open.
     Nears(usize),
 }
 
 impl ContactChange {
-    /// Index of the contact, and index of the kind of change from 0 (closes) to 6 (nears).
+    /// Returns the index of the contact, and the index of the kind of change from 0 (closes) to 6 (nears).
     fn contact_and_kind(self) -> (usize, usize) {
         match self {
             Self::Closes(at) => (at, 0),
@@ -43,24 +44,24 @@ impl ContactChange {
         self.contact_and_kind().0
     }
 
-    /// Event number of the change, counted from 0 after the user's events, in a scene with `contacts`
-    /// contacts.
+    /// Number of the event that reports this change in a scene with `contacts` contacts. The user's
+    /// events are not counted: the first event of a contact has number 0.
     pub fn event_number(self, contacts: usize) -> usize {
         let (at, what) = self.contact_and_kind();
         what * contacts + at
     }
 
-    /// Finds the change that has the given event number, counted from 0 after the user's events.
-    /// `contacts` is the number of contacts in the scene, above zero. `None` if no change has this
-    /// number.
+    /// Finds the change of a contact that the event with the given number reports. The user's events are
+    /// not counted: the first event of a contact has number 0. `contacts` is the number of contacts in
+    /// the scene, above zero. `None` if no change has this number.
     pub fn from_event_number(event: usize, contacts: usize) -> Option<Self> {
         let at = event % contacts;
         let what = [Self::Closes, Self::Opens, Self::Slips, Self::Sticks, Self::Reverses, Self::Jams, Self::Nears];
         what.get(event / contacts).map(|what| what(at))
     }
 
-    /// Name of the event that reports the change: the contact's name, followed by the kind of change
-    /// unless it closes.
+    /// Name of the event that reports this change: the contact's name, then the kind of change, as in
+    /// `heel opens`. For a contact that closes it is the contact's name alone.
     pub fn name(self, impacts: &[ImpactContact]) -> String {
         let name = &impacts[self.contact()].name;
         let what = match self {

@@ -7,9 +7,9 @@ use tripos_sim::{ContactMode, EventRecord, Kind, Solution};
 use tripos_traits::Real;
 
 impl ContactRun<'_> {
-    /// Makes the events at the start of a run, `t` in s, in the state `y`. Each held contact gives an
-    /// event. Each held contact with friction gives another event that tells if it slips or sticks.
-    /// `base` is the number of other events.
+    /// Makes the event records at the start of a run, at `t` s in the state `y`. Each held contact gives
+    /// one record. A held contact with friction gives a second record, which tells if it slips or
+    /// sticks. `base` is the number of events that belong to no contact.
     pub(super) fn contact_change_records_at_start(
         &self,
         base: usize,
@@ -25,9 +25,9 @@ impl ContactRun<'_> {
             .collect()
     }
 
-    /// Replaces the events of contacts with friction that ended a part of a run. The new events tell
-    /// which modes, such as sticking, begin at that instant. `base` is the number of events that belong
-    /// to no contact.
+    /// Replaces the event records of contacts with friction at the end of the run `whole`. The old
+    /// records ended a part of the run. The new records tell which modes, such as sticking, begin then.
+    /// `base` is the number of events that belong to no contact.
     pub(super) fn replace_friction_events<S: Real>(
         &self,
         whole: &mut Solution<S>,
@@ -53,7 +53,7 @@ impl ContactRun<'_> {
     }
 
     /// Makes the event record of a contact's change at `t` s in the state `y`. `base` is the number of
-    /// other events.
+    /// events that belong to no contact.
     fn contact_change_record(
         &self,
         base: usize,
@@ -68,9 +68,9 @@ impl ContactRun<'_> {
     }
 }
 
-/// Compares the modes of a contact with friction before and after an instant, and returns the
-/// change that begins. `None` if the mode stays the same. A mode is `None` while the contact is not
-/// held closed.
+/// Compares the modes of a contact with friction before and after an instant, and returns the change
+/// of the contact that begins then. `None` if the mode stays the same. A mode of `None` means that
+/// the contact is not held closed.
 fn recorded_friction_change(
     contact: usize,
     before: Option<ContactMode>,

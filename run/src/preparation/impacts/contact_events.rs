@@ -1,5 +1,5 @@
-//! Events that end the parts of a run with contacts. Gaps close, normal forces fall to zero,
-//! tangential forces exceed friction, or slips end.
+//! Events that end a part of a run with contacts: a gap closes, a normal force falls to zero, a
+//! tangential force exceeds its friction limit, or a slip ends.
 
 use super::ContactRun;
 use super::contact_change::ContactChange;
@@ -8,14 +8,14 @@ use super::held_contacts::HeldContacts;
 use tripos_sim::{ContactMode, Direction, Effect, Event, InRanges, SimError};
 use tripos_traits::{Enclosure, Scalar};
 
-/// Absolute determinant above which the system for contact forces counts as regular, relative to
-/// its value without slip. Smaller determinants are rounding.
+/// Smallest absolute determinant at which the linear system for contact forces counts as regular,
+/// relative to its value without slip. A smaller determinant is a rounding error.
 const TOLD: f64 = 1e-9;
 
 impl ContactRun<'_> {
-    /// Lists the events to watch from the state `y` on while the contacts `kept` are held closed, each
-    /// with the change that it reports. `anew` makes the equations of motion with contact forces, once
-    /// for each event of a force.
+    /// Lists the events to watch from the state `y` on, while the contacts `kept` are held closed. Each
+    /// event comes with the change of a contact that it reports. `anew` makes the equations of motion
+    /// with contact forces. It is called once for each event that watches a force.
     ///
     /// # Errors
     /// `SimError` if `anew` cannot make the equations.
@@ -55,8 +55,8 @@ impl ContactRun<'_> {
         Ok(list)
     }
 
-    /// Makes the events for the minima of open gaps, for each contact that is not held closed. They
-    /// record and do not stop.
+    /// Makes the events that record the minima of open gaps, one for each contact that is not held
+    /// closed. Such an event does not stop the run.
     pub(super) fn gap_minimum_events(&self, kept: &HeldContacts) -> Vec<(ContactChange, Event<'_>)> {
         let contacts = self.contacts;
         let free = (0..contacts.impacts.len()).filter(|contact| kept.mode(*contact).is_none());
@@ -69,8 +69,8 @@ impl ContactRun<'_> {
         free.map(event).collect()
     }
 
-    /// Makes the event for the closing of a contact's gap, with enclosures, so that no closing inside a
-    /// step is missed.
+    /// Makes the event that stops the run when the gap of a contact closes. Enclosures (intervals that
+    /// contain the gap over a whole step) ensure that no closing inside a step is missed.
     fn gap_closing_event(&self, contact: usize) -> Event<'_> {
         let contacts = self.contacts;
         let p = contacts.parameters;
@@ -99,8 +99,8 @@ impl ContactRun<'_> {
         }
     }
 
-    /// Makes the event for the end of a contact's slip; `way` is the sign of the slip velocity. `None`
-    /// without friction.
+    /// Makes the event for the end of a contact's slip. `way` is the sign of the slip velocity. `None`
+    /// if the contact has no friction.
     fn slip_end_event(&self, contact: usize, way: f64) -> Option<(ContactChange, Event<'_>)> {
         let p = self.contacts.parameters;
         let (numbers, ranges) = self.contacts.slips[contact].as_ref()?;
@@ -123,8 +123,8 @@ impl ContactRun<'_> {
         Some((contact_change, Event { ranges, ..event }))
     }
 
-    /// Makes the event that ends a part of a run when a function falls below zero, and pairs it with
-    /// the change it reports.
+    /// Makes the event that ends a part of a run when a function falls below zero. Returns it with the
+    /// change of a contact that it reports.
     fn falling_event<'e>(
         &self,
         contact_change: ContactChange,
@@ -135,8 +135,8 @@ impl ContactRun<'_> {
     }
 }
 
-/// Lends an event of the caller to one part of a run, so that it can be used again in the next
-/// part.
+/// Makes an event for one part of a run that borrows the function of the caller's event `event`. The
+/// caller can use its event again in the next part.
 pub fn lend_event<'e>(event: &'e mut Event<'_>) -> Event<'e> {
     let function = &mut event.function;
     let ranges = event.ranges.as_mut().map(|ranges| {

@@ -11,21 +11,22 @@ use nalgebra::DVector;
 use tripos_derive::plain_text::{with_reliable_digits, with_significant_digits};
 use tripos_sim::{ContactMode, Failure, ImpactRecord, SimError};
 
-/// Instant at which contacts are closed and an impact or a change of held contacts is due, with its
-/// cause.
+/// Instant ("meeting") at which contacts are closed and an impact or a change of held contacts is due,
+/// with its cause.
 pub struct ImpactInstant<'m> {
-    /// Instant of the meeting, s.
+    /// Time of the instant, s.
     pub t: f64,
     /// Indices of all contacts that are closed at this instant.
     pub closed: &'m [usize],
     /// Contacts that were held closed until this instant, each with its mode.
     pub kept: &'m HeldContacts,
-    /// Change of a contact that caused the meeting; `None` at the start of the run.
+    /// Change of a contact that caused the impact or the new held contacts; `None` at the start of the
+    /// run.
     pub contact_change: Option<ContactChange>,
 }
 
 impl ImpactInstant<'_> {
-    /// Index of the contact that opens at the instant of the meeting; `None` if no contact opens.
+    /// Index of the contact that opens at this instant; `None` if no contact opens.
     fn opening_contact(&self) -> Option<usize> {
         match self.contact_change {
             Some(ContactChange::Opens(contact)) => Some(contact),
@@ -34,31 +35,34 @@ impl ImpactInstant<'_> {
     }
 }
 
-/// Meeting of contacts after the impact, if there was one, with the reference speeds for decisions.
+/// Closed contacts at an instant, after the impact if there was one, with the reference speeds that
+/// decide which velocities count as zero.
 pub struct ContactInstantAfterImpact<'m> {
-    /// The meeting itself: instant, closed contacts and cause.
+    /// Instant, with the closed contacts and the cause.
     pub meeting: &'m ImpactInstant<'m>,
     /// Change of each gap and slip velocity by the impacts, for all contacts; `None` without an impact.
     pub changes: Option<&'m DVector<f64>>,
     /// Reference speed of each gap and slip velocity: a velocity far below it counts as zero.
     pub scale: &'m DVector<f64>,
-    /// Size of each gap and slip velocity that accelerations remove within the shortest flight.
+    /// Size below which accelerations remove a gap or slip velocity within the shortest flight, for each
+    /// gap and slip direction of all contacts.
     pub slowest: &'m DVector<f64>,
-    /// Accelerations along the gap and slip directions of all contacts before the meeting.
+    /// Accelerations along the gap and slip directions of all contacts just before this instant.
     pub before: &'m DVector<f64>,
-    /// True if the forces of slipping contacts were about to grow without bound before the meeting.
+    /// True if the forces of slipping contacts were about to grow without bound before this instant.
     pub is_jamming: bool,
 }
 
 impl ContactInstantAfterImpact<'_> {
-    /// True if an impact changed a gap or slip velocity of the contact that has these rows.
+    /// True if an impact changed a gap or slip velocity of one contact. `rows` are the indices of the
+    /// gap and slip velocities of this contact.
     pub fn is_hit(&self, rows: &[usize]) -> bool {
         self.changes.is_some_and(|changes| rows.iter().any(|row| changes[*row] != 0.0))
     }
 }
 
-/// Contacts that are held closed after a meeting, and contacts whose next flight would be too short
-/// to resolve.
+/// Contacts that are held closed after an impact, and contacts whose next flight would be too short to
+/// resolve.
 struct SettledContacts {
     /// Contacts that are held closed, each with its mode.
     kept: HeldContacts,
@@ -69,11 +73,11 @@ struct SettledContacts {
     more: HeldContacts,
 }
 
-/// Largest number of impacts that may follow one another at one instant; more are an error.
+/// Largest number of impacts that may follow one another at one instant. More impacts are an error.
 const MOST: usize = 1_000;
 
 /// State after an instant at which contacts were closed and velocities may have jumped, and the
-/// contacts that are held.
+/// contacts that are held closed from then on.
 #[derive(Clone, Debug)]
 pub struct StateAfterImpact {
     /// State (q, v) after all impacts of the instant.
@@ -84,17 +88,18 @@ pub struct StateAfterImpact {
     pub kept: HeldContacts,
     /// Indices of the contacts that were closed at the instant.
     pub closed: Vec<usize>,
-    /// Contacts that had impulses together by the law of impact, a list for each impact of the instant.
-    /// An impact that closes a contact again causes a further impact. Empty if there was no impact.
+    /// Indices of the contacts that took part in each impact of the instant, one list for each impact.
+    /// An impact that closes a contact again causes a further impact at the same instant. Empty if there
+    /// was no impact.
     pub hits: Vec<Vec<usize>>,
-    /// Contacts whose last velocities were removed by impulses after the impacts, each with its mode in
-    /// these impulses.
+    /// Contacts whose remaining small velocities were removed by impulses after the impacts, each with
+    /// its mode during these impulses.
     pub rested: HeldContacts,
 }
 
 impl StateAfterImpact {
-    /// Result for a state at which no contact is closed: the state is unchanged, and no contact is
-    /// held.
+    /// Makes the result for a state at which no contact is closed: the state is unchanged, and no
+    /// contact is held.
     pub fn unchanged(y: &[f64]) -> Self {
         let none = HeldContacts::default;
         Self { y: y.to_vec(), record: None, kept: none(), closed: Vec::new(), hits: Vec::new(), rested: none() }
@@ -105,11 +110,11 @@ impl StateAfterImpact {
 struct ImpactResult {
     /// State after the impacts, with the total impulses and energies.
     blow: ImpulseEffect,
-    /// Indices of the contacts that took part, a list for each impact of the instant, as in
+    /// Indices of the contacts that took part, one list for each impact of the instant, as in
     /// [`StateAfterImpact::hits`].
     hits: Vec<Vec<usize>>,
-    /// Reference speed of each gap and slip velocity: the sizes of its terms before the impact, plus
-    /// the sizes of its changes by each impulse.
+    /// Reference speed of each gap and slip velocity. It is the sum of the absolute terms of this
+    /// velocity before the impact and of its absolute changes by the impulses.
     scale: DVector<f64>,
     /// Change of each gap and slip velocity of all contacts by all impulses.
     changes: DVector<f64>,
@@ -128,9 +133,9 @@ struct ImpulseEffect {
 }
 
 impl ContactRun<'_> {
-    /// Handles the contacts that are closed at an instant, in the state `y`. If a gap would close
-    /// further, there is an impact. Then the contacts that stay closed are found. The inner `Failure`
-    /// says why the run cannot go on.
+    /// Handles the contacts that are closed at the instant `meeting`, in the state `y`. Computes the
+    /// impact, if a gap would close further, and finds the contacts that stay closed. The inner
+    /// `Failure` says why the run cannot go on.
     ///
     /// # Errors
     /// `SimError` if the equations of motion cannot be made.
@@ -144,9 +149,9 @@ impl ContactRun<'_> {
         Ok(self.handle_closed_contacts_with(&mut free, &mut held, y, meeting))
     }
 
-    /// Handles the contacts that are closed at an instant, in the state `y`. `free` are the equations
-    /// without contact forces. `held` are those with the forces of the contacts that were held closed
-    /// until then.
+    /// Handles the contacts that are closed at the instant `meeting`, in the state `y`. `free` are the
+    /// equations without contact forces. `held` are the equations with the forces of the contacts that
+    /// were held closed until then.
     ///
     /// # Errors
     /// `Failure` if impulses or forces are undecided or not finite, or an impact would create energy.
@@ -198,10 +203,11 @@ impl ContactRun<'_> {
         Ok(StateAfterImpact { y: blow.y, record, kept, closed, hits, rested })
     }
 
-    /// Removes from `kept` the contacts whose forces would pull just after the instant `t`. An opening
-    /// is found as a force that falls to zero. A force that is zero already gives no such event, as
-    /// when two contacts open at one instant. So the forces are computed at two instants shortly later.
-    /// A contact opens now if its force is negative and growing.
+    /// Removes from `kept` the contacts whose forces would pull just after the instant `t`, s.
+    ///
+    /// An event finds an opening as a normal force that falls to zero, and misses a force that is zero
+    /// already. That happens when two contacts open at one instant. So the forces are computed at two
+    /// instants shortly later. A contact opens now if its force is negative there and still falls.
     ///
     /// # Errors
     /// `Failure` if the forces at `t` cannot be computed.
@@ -231,7 +237,7 @@ impl ContactRun<'_> {
         Ok(kept)
     }
 
-    /// Failure for an impact at `t` s that would create energy; `gained` is this energy, J.
+    /// Makes the failure for an impact at `t` s that would create energy. `gained` is this energy, J.
     fn energy_gain_failure(&self, t: f64, meeting: &ImpactInstant<'_>, gained: f64) -> Failure {
         let has_friction = meeting.closed.iter().any(|at| self.contacts.friction(*at).is_some());
         let why = if has_friction {
@@ -244,15 +250,15 @@ impl ContactRun<'_> {
         Failure { code: "impact", message: format!("the impact at t = {t} s would create energy, {gained} J: {why}") }
     }
 
-    /// Computes the impacts of contacts that are closed together at an instant, in the state `y`. All
-    /// impulses are zero if no gap closes. `slowest` are velocities that accelerations remove within
-    /// the shortest flight.
+    /// Computes the impacts of the contacts that are closed at the instant `meeting`, in the state `y`.
+    /// All impulses are zero if no gap closes. `slowest` are the velocities that accelerations remove
+    /// within the shortest flight.
     ///
-    /// By Newton's law, which reverses velocities, an opening contact takes no part. If an impact
-    /// closes such a contact, another impact follows at the same instant.
+    /// Newton's law of impact reverses velocities, so a contact that already opens takes no part. If an
+    /// impact closes such a contact, another impact follows at the same instant.
     ///
     /// # Errors
-    /// `Failure` if the impulses are undecided, never end, or would create energy.
+    /// `Failure` if the impulses are undecided or would create energy, or if impacts follow without end.
     fn compute_impacts(
         &self,
         y: &[f64],
@@ -311,7 +317,7 @@ impl ContactRun<'_> {
         }
     }
 
-    /// Failure for impacts of the closed contacts that follow one another at `t` s without end.
+    /// Makes the failure for impacts of the closed contacts that follow one another at `t` s without end.
     fn endless_impacts_failure(&self, t: f64, closed: &[usize]) -> Failure {
         let names: Vec<String> = closed.iter().map(|at| format!("`{}`", self.contacts.impacts[*at].name)).collect();
         let message = format!(
@@ -322,8 +328,8 @@ impl ContactRun<'_> {
         Failure { code: "impact", message }
     }
 
-    /// Finds the closed contacts that have no gap velocity and stay pushed together after an impact, in
-    /// the state `y`. Also finds the contacts whose next flight would be too short to resolve.
+    /// Finds the closed contacts that rest after an impact, in the state `y`: they have no gap velocity
+    /// and stay pushed together. Also finds the contacts whose next flight would be too short to resolve.
     ///
     /// # Errors
     /// `Failure` if the contact forces are undecided or not determined.
@@ -351,15 +357,14 @@ impl ContactRun<'_> {
             meeting.closed.iter().copied().filter(stays).partition(|at| is_still(at) || is_slow(at));
         let (modes, forces) = self.find_friction_modes(free, y, &now, &rest, met)?;
         let accelerations = &now.accelerations + &now.response.compliance * &forces;
-        // If friction increases the pressure as much as it is caused by it, the force grows without bound:
-        // no opening.
+        // Friction may press the contact as much as its own force does. Then the force grows without bound,
+        // and the contact does not open.
         let closes = |at: &usize| accelerations[normal(at)] < -NOTHING.sqrt() * now.accelerations.amax();
         if let Some(contact) = meeting.opening_contact().filter(|at| met.is_jamming && closes(at)) {
             return Err(self.jammed_contact_failure(contact, t));
         }
         let nothing = |at: &usize| NOTHING * now.accelerations.amax().max(now.sizes[normal(at)]);
-        // A contact that neither pushes nor opens is held closed too, if it has no slip velocity to
-        // restrain.
+        // A contact that neither pushes nor opens is also held closed, if it has no slip velocity.
         let lies = |at: &usize| self.contacts.rows[*at].len() == 1 && accelerations[normal(at)] <= nothing(at);
         let mut kept = HeldContacts::default();
         for (at, mode) in rest.iter().zip(modes) {
@@ -386,7 +391,7 @@ impl ContactRun<'_> {
     }
 
     /// Computes the impulses that remove the remaining velocities of the contacts `kept`, in the state
-    /// `y`. The flag is true if a contact slips that must not slip. `None` if these velocities are zero
+    /// `y`. The flag is true if a contact without slip was slipping. `None` if these velocities are zero
     /// already.
     ///
     /// # Errors
@@ -416,8 +421,8 @@ impl ContactRun<'_> {
         Ok(Some((apply_impulses(y, &response, self.contacts.spread_over_contact_rows(&some, &rows)), slipping)))
     }
 
-    /// Reference speed of each gap and slip velocity in the state `y`: the sum of the absolute parts by
-    /// each motion variable and by moving obstacles.
+    /// Computes the reference speed of each gap and slip velocity in the state `y`: the sum of its
+    /// absolute parts, one for each motion variable and one for moving obstacles.
     ///
     /// # Errors
     /// `Failure` if a permitted motion has no inertia.
@@ -433,8 +438,8 @@ impl ContactRun<'_> {
     }
 }
 
-/// Applies impulses along the gap and slip directions of all contacts to a state, and computes the
-/// energies.
+/// Applies impulses along the gap and slip directions of all contacts to the state `y`. Returns the
+/// new state, the lost energy, and the work of moving obstacles.
 fn apply_impulses(y: &[f64], response: &ImpulseResponse, impulses: DVector<f64>) -> ImpulseEffect {
     let mut after = y.to_vec();
     let changes = &response.changes * &impulses;
@@ -450,9 +455,10 @@ fn apply_impulses(y: &[f64], response: &ImpulseResponse, impulses: DVector<f64>)
     ImpulseEffect { y: after, impulses, loss, work }
 }
 
-/// Least energy, J, that impulses must add to a motion so that the gain is no rounding. It sums
-/// each impulse times a small fraction of the sizes of its velocities before and after. An elastic
-/// impact reverses velocities and gains nothing, so the sizes are added.
+/// Computes the least energy gain, J, that counts as a real gain of an impact and not as rounding.
+///
+/// It is the sum over all impulses: the impulse times a small fraction of the velocities before and
+/// after. Their sizes are added because an elastic impact reverses velocities and gains nothing.
 fn least_impact_energy_gain(response: &ImpulseResponse, impulses: &DVector<f64>, scale: &DVector<f64>) -> f64 {
     let (before, after) = (&response.velocities, &response.velocities + &response.compliance * impulses);
     let of = |row: usize| NOTHING.sqrt() * (before[row].abs() + after[row].abs()) + NOTHING * scale[row];

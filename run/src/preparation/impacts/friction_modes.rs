@@ -9,14 +9,14 @@ use nalgebra::DVector;
 use tripos_derive::plain_text::with_reliable_digits;
 use tripos_sim::{ContactMode, ContactSolution, Failure, UndecidedContacts};
 
-/// Time after an instant with several possible combinations of contact modes (sticking or
-/// slipping), at which these are compared. It is a multiple of the duration of the shortest flight.
+/// Time after which several possible combinations of contact modes (sticking or slipping) are
+/// compared. It is a multiple of the duration of the shortest flight.
 const AHEAD: f64 = 16384.0;
 
 impl ContactRun<'_> {
-    /// Accelerations along the gap and slip directions of all contacts just before an impact or change.
-    /// The forces of the contacts that were held closed are included. All are zero if none of these
-    /// contacts has friction.
+    /// Computes the accelerations along the gap and slip directions of all contacts just before an
+    /// impact or a change of a contact. They include the forces of the contacts that were held closed.
+    /// All are zero if none of these contacts has friction.
     ///
     /// # Errors
     /// `Failure` if the equations or the contact forces have no value.
@@ -34,8 +34,9 @@ impl ContactRun<'_> {
         Ok(free.accelerations + free.response.compliance * forces)
     }
 
-    /// Sign of the velocity at which a closed contact with friction slips after a meeting; `None` if it
-    /// does not slip or has no friction. `velocities` are the gap and slip velocities of all contacts.
+    /// Sign of the slip velocity of a closed contact just after an impact or a change of a contact.
+    /// `None` if the contact does not slip or has no friction. `velocities` are the gap and slip
+    /// velocities of all contacts.
     pub(super) fn slip_sign(
         &self,
         contact: usize,
@@ -54,9 +55,9 @@ impl ContactRun<'_> {
         (!is_still).then(|| velocity.signum())
     }
 
-    /// Finds the modes of the contacts `rest`, which are closed with no gap velocity. Also returns the
-    /// contact forces along the gap and slip directions of all contacts. Of several possible modes,
-    /// those that last are chosen.
+    /// Finds the modes of the closed contacts `rest`, which have no gap velocity. Also returns the
+    /// contact forces along the gap and slip directions of all contacts. If several combinations of
+    /// modes are possible, takes one that is still possible shortly later.
     ///
     /// # Errors
     /// [`Failure`] if Coulomb's law allows no mode, or modes with different motions.
@@ -103,7 +104,8 @@ impl ContactRun<'_> {
     }
 
     /// Extrapolates the state shortly after the instant `t`, to first order, under the given contact
-    /// forces. Returns the later instant, s, and the state there. `times` multiplies the interval.
+    /// forces. Returns the later instant, s, and the state then. `times` multiplies the interval between
+    /// the two instants.
     pub(super) fn state_shortly_ahead(
         &self,
         t: f64,
@@ -120,9 +122,10 @@ impl ContactRun<'_> {
         (t + ahead, y.iter().zip(&rates).map(|(y, rate)| y + ahead * rate).collect())
     }
 
-    /// Index of the first combination of modes in `found` that still satisfies the laws of contact
-    /// shortly later, under the accelerations in `then`. It is 0, the combination with the least
-    /// freedom, if none does. `slips` has the sign of slip for each contact of `rest`, or `None`.
+    /// Finds the first combination of modes in `found` that still satisfies the laws of contact shortly
+    /// later, under the accelerations in `then`. Returns its index. It is 0, the combination with the
+    /// least freedom, if no combination does. `slips` has the sign of slip of each contact in `rest`, or
+    /// `None`.
     fn lasting_mode_combination(
         &self,
         then: &ContactFreeMotion,
@@ -138,8 +141,8 @@ impl ContactRun<'_> {
             .unwrap_or(0)
     }
 
-    /// Failure for closed contacts whose modes or impulses are undecided at `t` s. `what` is the
-    /// message if no contact has friction.
+    /// Makes the failure for closed contacts whose modes or impulses are undecided at `t` s. `what`
+    /// begins the message if no contact has friction.
     pub(super) fn undecided_modes_failure(
         &self,
         t: f64,

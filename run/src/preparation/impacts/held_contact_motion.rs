@@ -1,10 +1,10 @@
 //! Motions in which contacts are held closed by contact forces.
 //!
-//! The forces λ of held contacts keep the gap and slip velocities of these contacts (their rows) at
-//! zero: G λ + a = 0. Here a are the accelerations of the rows without these forces. If a contact
-//! slips, its slip velocity is free. Friction enters the same system: −μ s times the normal force,
-//! with s the sign of the slip. The forces are added to the equations of motion as v̇ + M⁻¹ Wᵀ λ.
-//! Each step is corrected onto the closed gaps, like onto other constraints.
+//! The forces λ of held contacts keep the gap and slip velocities of these contacts at zero:
+//! G λ + a = 0. Here a are the rates of these velocities without the forces, and G λ is their change
+//! by the forces. If a contact slips, its slip velocity is free. Its friction enters the same system
+//! as −μ s times the normal force, where s is the sign of the slip. The forces change the equations
+//! of motion to v̇ + M⁻¹ Wᵀ λ. Each step is corrected so that the held gaps stay closed.
 
 use super::held_contacts::HeldContacts;
 use super::scene_contacts::{ContactRates, ImpulseResponse, SceneContacts};
@@ -27,10 +27,11 @@ pub struct ContactFreeMotion {
     pub rates: Vec<f64>,
     /// Accelerations along the gap and slip directions of all contacts, without contact forces.
     pub accelerations: DVector<f64>,
-    /// Sum of the absolute terms of each acceleration. An acceleration far below this sum counts as
-    /// zero.
+    /// Sum of the absolute terms of each acceleration in `accelerations`. An acceleration far below its
+    /// sum counts as zero.
     pub sizes: DVector<f64>,
-    /// Response of the velocities to impulses, and of the accelerations to forces, along the contacts.
+    /// Changes of the velocities by impulses along the contacts, equal to the changes of the
+    /// accelerations by forces along the contacts.
     pub response: ImpulseResponse,
 }
 
@@ -39,8 +40,9 @@ pub struct ContactFreeMotion {
 pub(super) const ROUNDED: f64 = 1e-12;
 
 impl ContactFreeMotion {
-    /// Reference force of a gap or slip direction: the force that cancels the acceleration if all its
-    /// terms had one sign.
+    /// Reference force of a gap or slip direction, for the decision which contact forces are rounding.
+    /// This force would cancel the acceleration if all terms of the acceleration had one sign. Zero if
+    /// no motion changes the velocity `row`.
     pub fn reference_contact_force(&self, row: usize) -> f64 {
         let g = self.response.compliance[(row, row)];
         if g > 0.0 { self.sizes[row] / g } else { 0.0 }
@@ -71,8 +73,8 @@ impl HeldContactEquations<'_> {
         self.forces_of(free, self.kept)
     }
 
-    /// Computes the forces along the gap and slip directions of all contacts, for the held contacts
-    /// `kept`.
+    /// Computes the forces of the contacts `kept`, as if these were held closed, along the gap and slip
+    /// directions of all contacts.
     ///
     /// # Errors
     /// [`Failure`] if a force is not finite.
@@ -88,8 +90,8 @@ impl HeldContactEquations<'_> {
         Ok(self.contacts.spread_over_contact_rows(&some, &rows))
     }
 
-    /// Normal force of a held contact plus a margin for rounding, in N if the gap is in m; negative if
-    /// the contact would pull. NaN if no force can be computed.
+    /// Normal force of a held contact plus a margin for rounding, in N if the gap is in m. Negative if
+    /// the contact would pull; NaN if no force can be computed.
     pub fn normal_force(&mut self, contact: usize, t: f64, y: &[f64]) -> f64 {
         let row = self.contacts.rows[contact][0];
         let force = self
@@ -98,8 +100,8 @@ impl HeldContactEquations<'_> {
         force.unwrap_or(f64::NAN)
     }
 
-    /// Friction limit μ N of a sticking contact minus the size of its tangential force; negative if the
-    /// contact must slip. NaN if no force can be computed.
+    /// Friction limit of a sticking contact, μ times the normal force, minus the size of its tangential
+    /// force. Negative if the contact must slip; NaN if no force can be computed.
     pub fn friction_margin(&mut self, contact: usize, t: f64, y: &[f64]) -> f64 {
         let mu = self.contacts.friction(contact).unwrap_or(0.0);
         let forces = self.motion_without_contact_forces(t, y).and_then(|free| self.forces(&free));
@@ -120,8 +122,8 @@ impl HeldContactEquations<'_> {
         response.map_or(f64::NAN, of)
     }
 
-    /// Power of the contact forces at a state, W: of moving obstacles and of friction. NaN if no force
-    /// can be computed.
+    /// Power of the contact forces at a state, W. It is the power of moving obstacles plus the power of
+    /// friction. NaN if no force can be computed.
     pub fn contact_force_power(&mut self, t: f64, y: &[f64]) -> f64 {
         let power = self.motion_without_contact_forces(t, y).and_then(|free| {
             let forces = self.forces(&free)?;

@@ -26,7 +26,7 @@ impl HeldContacts {
         self.which.iter().copied().zip(self.modes.iter().copied())
     }
 
-    /// Mode of a contact, such as sticking; `None` if the contact is open.
+    /// Mode of a contact, such as sticking; `None` if the contact is not held closed.
     pub fn mode(&self, contact: usize) -> Option<ContactMode> {
         self.iter().find(|(at, _)| *at == contact).map(|(_, mode)| mode)
     }
@@ -37,7 +37,7 @@ impl HeldContacts {
         self.modes.push(mode);
     }
 
-    /// Removes a contact from the held ones; does nothing if it is not held.
+    /// Removes a contact from the held contacts; does nothing if it is not held.
     pub fn remove(&mut self, contact: usize) {
         if let Some(at) = self.which.iter().position(|held| *held == contact) {
             self.which.remove(at);
@@ -45,8 +45,8 @@ impl HeldContacts {
         }
     }
 
-    /// Iterates over the held contacts that slip: the index of the contact, and the sign of its slip
-    /// velocity.
+    /// Iterates over the held contacts that slip. Each item is the index of the contact and the sign of
+    /// its slip velocity.
     pub fn slipping(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
         self.iter().filter_map(|(at, mode)| match mode {
             ContactMode::Slips(way) => Some((at, way)),
@@ -54,8 +54,8 @@ impl HeldContacts {
         })
     }
 
-    /// Indices of the gap and slip velocities that are held at zero. For a slipping contact, this is
-    /// only the gap velocity.
+    /// Indices of the gap and slip velocities that are held at zero. A slipping contact holds only its
+    /// gap velocity at zero.
     pub fn rows(&self, contacts: &SceneContacts<'_>) -> Vec<usize> {
         let held = |(at, mode): (usize, ContactMode)| {
             let rows = &contacts.rows[at];

@@ -7,13 +7,13 @@ use tripos_derive::plain_text::{with_reliable_digits, with_significant_digits};
 use tripos_sim::{ContactMode, Failure, Solution, Stop};
 use tripos_traits::Real;
 
-/// Determinant of the system for contact forces, relative to its value without slip, below which
-/// the forces count as growing without bound.
+/// Determinant of the linear system for contact forces below which the forces count as growing without
+/// bound. It is relative to the determinant without slip.
 pub const NEARLY: f64 = 1e-3;
 
 impl ContactRun<'_> {
-    /// Failure if a gap that should be open is negative at the end of a part of a run, so that events
-    /// missed its closing. `None` if no gap is.
+    /// Checks the gaps of all contacts that are not held, at the end of a part of a run. Returns a
+    /// failure if such a gap is negative, because its events missed the closing. `None` if no gap is.
     pub(super) fn missed_closing<S: Real>(&self, part: &Solution<S>, kept: &HeldContacts) -> Option<Failure> {
         let y_end = round_to_doubles(&part.y_end);
         let rates = self.contacts.rates(&y_end);
@@ -38,9 +38,9 @@ impl ContactRun<'_> {
         Some(Failure { code: "contact", message })
     }
 
-    /// Failure if a held contact with friction has left its mode at the end of a part, so that events
-    /// missed the change. Also the failure of its forces, if they cannot be computed. `None` if all
-    /// modes are kept.
+    /// Checks the modes of the held contacts with friction at the end of a part of a run. Returns a
+    /// failure if a contact has left its mode, because the events missed the change. Also returns a
+    /// failure if the contact forces cannot be computed. `None` if all modes are kept.
     pub(super) fn missed_friction_change<S: Real>(
         &self,
         part: &Solution<S>,
@@ -92,8 +92,8 @@ impl ContactRun<'_> {
         Some(Failure { code: "contact", message })
     }
 
-    /// Failure if a part of a run stopped early because the forces of slipping contacts grow without
-    /// bound. `None` if it stopped for another reason.
+    /// Finds if a part of a run stopped early because the forces of slipping contacts grow without
+    /// bound, and returns this failure. `None` if the part stopped for another reason.
     pub(super) fn missed_jamming<S: Real>(
         &self,
         part: &Solution<S>,
@@ -105,8 +105,8 @@ impl ContactRun<'_> {
         (determinant.abs() < NEARLY).then(|| self.jammed_contact_failure(first, part.t_end))
     }
 
-    /// Failure for a slipping contact whose forces are no longer determined from `t` s on (Painlevé's
-    /// paradox).
+    /// Makes the failure for a slipping contact whose forces are no longer determined from `t` s on
+    /// (Painlevé's paradox).
     pub(super) fn jammed_contact_failure(&self, contact: usize, t: f64) -> Failure {
         let (name, t) = (&self.contacts.impacts[contact].name, with_reliable_digits(t, None));
         let message = format!(

@@ -1,18 +1,18 @@
 //! Runs of scenes with contacts: bodies meet, bounce, stay in contact and separate again.
 //!
 //! A run consists of parts. Each part ends at an event: a gap closes, or a normal force falls to
-//! zero. The next part begins at that instant with the velocities that the law of impact gives, so
-//! no step crosses a jump. All contacts that are closed at one instant are solved together
+//! zero. The next part begins at that instant with the velocities from the law of impact, so no step
+//! crosses a jump. All contacts that are closed at one instant are solved together
 //! (`tripos_sim::ClosedContacts`). Closed contacts that would be pushed together are held closed by
 //! forces ([`held_contact_motion`]). A contact with friction is also held along its slip direction while it
-//! sticks ([`friction_modes`]). A new part begins when it starts or stops slipping.
+//! sticks ([`friction_modes`]). A new part begins when the contact starts or stops slipping.
 //!
-//! Ever shorter bounces would never end. So a contact is held closed if its next flight would be
-//! too short or too low. The limits are the fraction [`LEAST`] of the time scale, and the rounding
-//! of the gap.
+//! Ever shorter bounces would never end. So a contact is held closed if its next flight would be too
+//! short or too low. The shortest flight is the fraction [`LEAST`] of the time scale of the run. The
+//! lowest flight is the rounding error of the gap.
 //!
-//! The energy that impacts take is part of the work of the run, so T + V less the work is constant
-//! across them.
+//! The energy that impacts take is part of the work of the run. So the energy T + V less this work is
+//! constant across impacts.
 
 mod contact_change;
 mod contact_change_records;
@@ -45,20 +45,20 @@ use tripos_sim::{
 };
 use tripos_traits::{Method, Real};
 
-/// Function that computes the power of the loads, W, from an instant, s, and a state (q, v).
+/// Function that computes the power of the loads, W, at an instant, s, in a state (q, v).
 type Power<'a> = Box<dyn FnMut(f64, &[f64]) -> f64 + 'a>;
 
-/// Duration of the shortest flight, 2⁻³⁸, as a fraction of the time scale, the larger absolute end
-/// of the span. Instants are known to about 2⁻⁵⁰ of the time scale.
+/// Duration of the shortest flight between two impacts, 2⁻³⁸, as a fraction of the time scale. The
+/// time scale is the larger absolute end of the span. Instants are known to about 2⁻⁵⁰ of it.
 pub const LEAST: f64 = 1.0 / 274_877_906_944.0;
-/// Duration of a flight below which a part begins with a shorter step, as a fraction of the rest of
-/// the span. The height of the flight then exceeds the rounding of the solution inside the step.
+/// Duration of a flight below which a part of the run begins with a shorter step, as a fraction of
+/// the rest of the span. With this step, the height of the flight exceeds rounding inside the step.
 const SHORT: f64 = 1e-3;
 /// Fraction of its reference value up to which a velocity or an acceleration along a contact counts
 /// as zero.
 const NOTHING: f64 = 1e-10;
-/// Interval after the opening of a gap in which a minimum of the gap counts as rounding. It is a
-/// fraction of the instant or of 1 s, whichever is larger.
+/// Interval after the opening of a gap in which a minimum of this gap counts as rounding. It is a
+/// fraction of the instant in s, or of 1 s if that is larger.
 const OPENED: f64 = 1e-3;
 /// Overlap of two bodies that a run tolerates, relative to the size of the gap's terms.
 const OVERLAP: f64 = 1e-8;
@@ -74,9 +74,9 @@ pub struct ContactRun<'a> {
 }
 
 impl ContactRun<'_> {
-    /// Integrates from a start over its span, forward in time, in the number type `S` of the carrier. A
-    /// new part of the run begins at each change of a contact. A run that cannot continue stops with
-    /// the reason in its solution.
+    /// Integrates from a start over its span, forward in time, in the number type `S` of the carrier.
+    /// Each change of a contact begins a new part of the run. If a run cannot continue, its solution
+    /// ends there and gives the reason in `stop`.
     ///
     /// # Errors
     /// [`SimError`] if the run cannot begin: an empty span, or an option out of range.
@@ -148,8 +148,9 @@ impl ContactRun<'_> {
         Ok(whole)
     }
 
-    /// Handles the contacts at the start of a run, at `t` s in the state `y`. The inner `Failure`
-    /// refuses bodies that overlap. Bodies that touch may have an impact, be held together or separate.
+    /// Handles the contacts at the start of a run, at `t` s in the state `y`. Touching bodies may have an
+    /// impact, stay together or separate. The inner `Failure` says that bodies overlap, or why the run
+    /// cannot go on.
     ///
     /// # Errors
     /// `SimError` if the equations of motion cannot be made.
@@ -177,8 +178,8 @@ impl ContactRun<'_> {
         self.handle_closed_contacts(y, &ImpactInstant { t, closed: &closed, kept: &NONE, contact_change: None })
     }
 
-    /// Finds the state and the held contacts after a part of the run that ended with the given change,
-    /// at `t` s in `y`. The inner `Failure` says why the run cannot go on.
+    /// Finds the state and the held contacts after the change of a contact that ended a part of the run,
+    /// at `t` s in the state `y`. The inner `Failure` says why the run cannot go on.
     ///
     /// # Errors
     /// `SimError` if the equations of motion cannot be made.
@@ -280,7 +281,7 @@ impl ContactRun<'_> {
         Ok(part)
     }
 
-    /// Reports minima of gaps that are close to zero to the carrier, and removes the events of all
+    /// Reports to the carrier the minima of gaps that are close to zero. Then removes the events of all
     /// minima from a part of a run. The part began at `begun`, s, in the state `y`. `base` is the
     /// number of events that belong to no contact.
     fn report_gap_minima<S: Real>(
@@ -314,7 +315,7 @@ impl ContactRun<'_> {
 
     /// Duration, s, of the shortest flight of the contacts that open at the start `t` of a part of the
     /// run. A flight lasts from opening to closing. `None` if no contact opens, or the equations have
-    /// no value there.
+    /// no value at `t`.
     fn first_flight(&self, motion: &mut HeldContactEquations<'_>, t: f64, y: &[f64]) -> Option<f64> {
         let mut slopes = vec![0.0; y.len()];
         // The run itself reports equations that fail at its start.
@@ -331,9 +332,10 @@ impl ContactRun<'_> {
         free.filter_map(flight).reduce(f64::min)
     }
 
-    /// Removes the contacts' own events and projections from a part of a run. The part fails if a
-    /// contact changed unseen, or its state could not be kept on the held contacts. `base` is the
-    /// number of events that belong to no contact, `own` the number of constraints that belong to none.
+    /// Removes from a part of a run the contacts' events at the start and at poles, and the corrections
+    /// onto the held contacts. The part fails if its events missed a change of a contact, or if its
+    /// states could not be kept on the held contacts. `base` is the number of events, and `own` the
+    /// number of constraints, that belong to no contact.
     fn remove_contact_events_and_check<S: Real>(
         &self,
         part: &mut Solution<S>,
@@ -342,8 +344,8 @@ impl ContactRun<'_> {
         forces: &mut HeldContactEquations<'_>,
     ) {
         let kept = forces.kept;
-        // A function of a contact that is zero at the start gives no event, nor does a force that grows
-        // without bound.
+        // A contact function that is zero at the start is no event of the user. A force that grows without
+        // bound is none either.
         part.events.retain(|event| event.event < base || !matches!(event.kind, Kind::AtStart | Kind::Pole));
         let failure = if part.stop.is_failure() {
             self.missed_jamming(part, forces)
@@ -364,7 +366,7 @@ impl ContactRun<'_> {
         }
     }
 
-    /// Finds the change of a contact that ended the latest part of a run; `None` if it ended for
+    /// Finds the change of a contact that ended the latest part of a run. `None` if the part ended for
     /// another reason. `base` is the number of events that belong to no contact.
     fn terminal_contact_change<S>(&self, whole: &Solution<S>, base: usize) -> Option<ContactChange> {
         let Stop::Event { .. } = whole.stop else { return None };
@@ -374,7 +376,7 @@ impl ContactRun<'_> {
     }
 }
 
-/// Rounds a state to doubles; derivatives that accompany its numbers are dropped.
+/// Rounds a state to doubles. Derivatives that accompany its numbers are dropped.
 fn round_to_doubles<S: Real>(y: &[S]) -> Vec<f64> {
     y.iter().map(|y| y.to_f64()).collect()
 }

@@ -1,7 +1,7 @@
-//! Kinds of numbers in which a run with contacts is computed: plain doubles, or numbers with
-//! derivatives ("slopes").
+//! Number types in which a run with contacts is computed: plain doubles, or numbers with derivatives
+//! ("slopes").
 //!
-//! The values alone decide which contacts close, push and open. Slopes accompany the values and
+//! The values alone decide which contacts close, push and open. The slopes accompany the values and
 //! decide nothing.
 
 use super::contact_change::ContactChange;
@@ -11,23 +11,24 @@ use super::held_contacts::HeldContacts;
 use super::scene_contacts::SceneContacts;
 use tripos_sim::{RightHandSide, SimError};
 
-/// Function that makes the right-hand side of the equations of motion, without contact forces and
-/// new at each call.
+/// Function that makes the right-hand side of the equations of motion, without contact forces. Each
+/// call makes a new right-hand side.
 pub type Equations<'a> = dyn Fn() -> Result<Box<dyn RightHandSide<f64> + 'a>, SimError> + 'a;
 
-/// Instant of a run at which velocities jump, or the set of closed contacts changes, with the
-/// states on both sides.
+/// Instant of a run at which velocities jump or the set of held contacts changes, with the states just
+/// before and after it.
 pub struct ContactCrossing<'c> {
     /// Instant of the crossing, s.
     pub t: f64,
-    /// Change of a contact that ended the last part of the run; `None` at the start of the run.
+    /// Change of a contact that ended the part of the run before the crossing; `None` at the start of
+    /// the run.
     pub contact_change: Option<ContactChange>,
     /// Values of the state (q, v) just before the crossing.
     pub before: &'c [f64],
     /// Contacts that were held closed before the crossing, each with its mode, such as sticking.
     pub kept: &'c HeldContacts,
-    /// State just after the crossing, the impact if there was one, and the contacts that are held
-    /// closed from then on.
+    /// State just after the crossing. It contains the impact, if there was one, and the contacts that
+    /// are held closed from then on.
     pub after: &'c StateAfterImpact,
 }
 
@@ -42,7 +43,7 @@ pub struct GapMinimum {
     pub y: Vec<f64>,
 }
 
-/// Operations that a run with contacts needs of the number type `S` in which it is computed.
+/// Operations that a run with contacts needs for the number type `S` in which it is computed.
 pub trait NumberCarrier<S> {
     /// Makes the right-hand side of the equations of motion, with the forces of the held contacts
     /// `kept`.
@@ -51,22 +52,22 @@ pub trait NumberCarrier<S> {
     /// [`SimError`] if the right-hand side cannot be made.
     fn equations<'e>(&'e self, kept: &'e HeldContacts) -> Result<Box<dyn RightHandSide<S> + 'e>, SimError>;
 
-    /// Receives the instant, s, at which a step inside a part of the run ends; the last step of a part
-    /// is left out.
+    /// Receives the instant, s, at which a step of the run ends. The last step of a part of the run is
+    /// not reported.
     fn record_step_end(&self, _t: f64) {}
 
-    /// Upper limit of the minima of open gaps that are reported, relative to the size of the gap's
-    /// terms. `None` if no minima are reported.
+    /// Largest minimum of an open gap that is reported, relative to the size of the gap's terms. `None`
+    /// if no minima are reported.
     fn reported_gap_limit(&self) -> Option<f64> {
         None
     }
 
-    /// Receives a minimum of an open gap that is below the limit [`Self::reported_gap_limit`].
-    /// Derivatives may not exist beyond it.
+    /// Receives a minimum of an open gap that is below the limit [`Self::reported_gap_limit`]. Beyond
+    /// such a minimum, the derivatives of the run may not exist.
     fn record_gap_minimum(&self, _approach: &GapMinimum) {}
 
-    /// Returns the state just after a crossing, from the state `before` it: values, and slopes if the
-    /// numbers have them.
+    /// Returns the state just after a crossing. `before` is the state just before it. The result has
+    /// slopes if the numbers of `before` have them.
     fn state_after_crossing(&self, crossing: &ContactCrossing<'_>, before: &[S]) -> Vec<S>;
 }
 
@@ -74,7 +75,7 @@ pub trait NumberCarrier<S> {
 pub struct DoubleCarrier<'a> {
     /// Contacts of the scene, prepared for the integrated variables.
     pub contacts: &'a SceneContacts<'a>,
-    /// Function that makes the right-hand side without contact forces.
+    /// Function that makes the right-hand side of the equations of motion without contact forces.
     pub equations: &'a Equations<'a>,
 }
 

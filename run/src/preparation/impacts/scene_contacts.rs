@@ -1,11 +1,11 @@
-//! The contacts of a scene as numbers: gaps, velocities along the contacts, and the responses to
-//! impulses and forces.
+//! The contacts of a scene in numbers: gaps, gap velocities, slip velocities, and the changes of these
+//! velocities by impulses and forces.
 //!
-//! Each contact has one velocity of its gap, and may have slip velocities along it. These
-//! velocities are the rows of the contacts. All quantities refer to the permitted motions
-//! `q̇ = W u + w`. Impulses and forces act along the slopes of the row velocities in u. They change
-//! u by the inverse of the kinetic energy's matrix in u. So the constraints of the mechanism, such
-//! as loops and rolling, hold after an impact as before it, whichever variables are integrated.
+//! Each contact has one gap velocity, and may have slip velocities. Every such velocity is a row of
+//! the vectors and matrices here. All quantities refer to the permitted motions `q̇ = W u + w`. An
+//! impulse acts along the derivatives of a row velocity by u. It changes u by the inverse of the
+//! matrix of the kinetic energy in u. So the constraints of the mechanism, such as loops and rolling,
+//! also hold after an impact, in any variables.
 
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 use tripos_derive::Model;
@@ -17,10 +17,10 @@ use tripos_derive::scene::{ImpactContact, ImpactLaw};
 use tripos_sim::{ClosedContacts, ContactMode, Failure, UndecidedContacts};
 use tripos_traits::{Enclosure, Interval, Lengths, System};
 
-/// Gap up to which a contact counts as closed, relative to the size of the gap's terms.
+/// Largest gap at which a contact counts as closed, relative to the size of the gap's terms.
 const ROUNDINGS: f64 = 64.0 * f64::EPSILON;
 
-/// Least height of a flight between two closings that exceeds rounding, relative to the size of the
+/// Least height of a flight between two impacts that exceeds rounding, relative to the size of the
 /// gap's terms.
 const TOLD: f64 = 4096.0 * f64::EPSILON;
 
@@ -41,10 +41,10 @@ pub struct SceneContacts<'a> {
     /// Tape of the gap and slip velocities of all contacts, followed by their slopes along the state
     /// (q, v), row by row. Inputs: parameters, then state.
     pub rates: Tape,
-    /// Indices of the rows of each contact: the row of its gap velocity, followed by those of its slip
-    /// velocities. A contact with friction has one slip velocity.
+    /// Indices of the rows of each contact. The row of the gap velocity is followed by the rows of the
+    /// slip velocities. A contact with friction has one slip velocity.
     pub rows: Vec<Vec<usize>>,
-    /// Number of rows of all contacts: of gap and slip velocities together.
+    /// Number of rows: gap velocities and slip velocities of all contacts together.
     pub count: usize,
     /// Tapes of the slip velocity of each contact, in doubles and in enclosures; `None` without
     /// friction. Inputs: parameters, then state.
@@ -53,8 +53,8 @@ pub struct SceneContacts<'a> {
 
 /// Gap and slip velocities of all contacts at a state, with their slopes.
 pub struct ContactRates {
-    /// Velocities in the order of the contact rows: a gap velocity and its slip velocities for each
-    /// contact.
+    /// Gap and slip velocities of all contacts: for each contact its gap velocity, followed by its slip
+    /// velocities.
     pub values: DVector<f64>,
     /// Partial derivatives of the velocities by the state (q, v): a matrix row for each velocity.
     pub slopes: DMatrix<f64>,
@@ -62,33 +62,34 @@ pub struct ContactRates {
 
 /// Matrices at a state that relate generalized speeds, impulses of contacts and the kinetic energy.
 pub struct ContactOperators {
-    /// Change of the motion variables v per unit of each generalized speed, a column for each speed.
+    /// Change of the motion variables v per unit of each generalized speed: a column for each speed.
     pub basis: DMatrix<f64>,
-    /// Matrix W: gap and slip velocities per unit of each generalized speed, a row for each velocity.
+    /// Matrix W, the gap and slip velocities per unit of each generalized speed: a row for each velocity
+    /// and a column for each speed.
     pub of_u: DMatrix<f64>,
     /// Cholesky factor of M, the matrix of the kinetic energy in the generalized speeds.
     pub inertia: Cholesky<f64, Dyn>,
 }
 
-/// Response of velocities at a state to impulses along the contacts. A row is a gap or slip
-/// velocity of a contact.
+/// Gap and slip velocities of all contacts at a state, and their changes by impulses along the
+/// contacts.
 pub struct ImpulseResponse {
     /// Gap and slip velocities of all contacts before the impulses.
     pub velocities: DVector<f64>,
     /// Parts of the gap and slip velocities that remain if all generalized speeds are zero. Moving
     /// obstacles cause them.
     pub driven: DVector<f64>,
-    /// Change of the motion variables v per unit of impulse along each gap or slip direction, a column
+    /// Change of the motion variables v per unit of impulse along each gap or slip direction: a column
     /// for each direction.
     pub changes: DMatrix<f64>,
-    /// Matrix G: change of the gap and slip velocities per unit of impulse along each of their
-    /// directions; square.
+    /// Matrix G, the change of each gap and slip velocity (row) per unit of impulse along each gap or
+    /// slip direction (column). It is square.
     pub compliance: DMatrix<f64>,
 }
 
 impl<'a> SceneContacts<'a> {
-    /// Prepares the contacts of a scene for equations in the given kind of motion variables, speeds or
-    /// rates.
+    /// Prepares the contacts of a scene for equations of motion in the given motion variables:
+    /// generalized speeds or rates q̇.
     pub fn new(
         model: &Model,
         impacts: &'a [ImpactContact],
@@ -153,13 +154,13 @@ impl<'a> SceneContacts<'a> {
         if self.impacts[contact].friction.is_some() { ContactMode::Sticks } else { ContactMode::Pushes }
     }
 
-    /// Coefficient of restitution that Newton's law of impact applies to a contact. It is zero if its
-    /// gap opens at these gap and slip `velocities`.
+    /// Coefficient of restitution that Newton's law of impact uses for a contact. It is zero if the gap
+    /// does not close at the given gap and slip `velocities`.
     pub fn newton_restitution(&self, contact: usize, velocities: &DVector<f64>) -> f64 {
         if velocities[self.rows[contact][0]] < 0.0 { self.impacts[contact].restitution } else { 0.0 }
     }
 
-    /// Joins the parameters and a state, the inputs of a tape.
+    /// Joins the parameters and a state `y` into the inputs of a tape.
     fn inputs(&self, y: &[f64]) -> Vec<f64> {
         [self.parameters, y].concat()
     }
@@ -192,9 +193,9 @@ impl<'a> SceneContacts<'a> {
         }
     }
 
-    /// Size of the terms of which a gap is the sum, in the unit of the gap. Rounding errors of the gap
-    /// are fractions of it. It adds the terms of the coordinates and those of the computation, such as
-    /// lengths that cancel.
+    /// Size of the terms whose sum is the gap, in the unit of the gap. Rounding errors of the gap are
+    /// fractions of this size. It includes the terms of the coordinates and the intermediate results,
+    /// such as lengths that cancel.
     pub fn gap_term_size(&self, contact: usize, y: &[f64]) -> f64 {
         let of_coordinates: f64 =
             self.gap_slopes(y).row(contact).iter().zip(y).map(|(slope, q)| (slope * q).abs()).sum();
@@ -206,14 +207,14 @@ impl<'a> SceneContacts<'a> {
         if on_the_way.is_finite() { of_coordinates + on_the_way } else { of_coordinates }
     }
 
-    /// Largest gap at which a contact counts as closed: the rounding of the gap, plus its change within
-    /// `instant` s.
+    /// Largest gap at which a contact counts as closed, in the unit of the gap. It is the rounding error
+    /// of the gap plus the change of the gap within `instant` s.
     pub fn closing_gap(&self, contact: usize, y: &[f64], rates: &ContactRates, instant: f64) -> f64 {
         ROUNDINGS * self.gap_term_size(contact, y) + rates.values[self.rows[contact][0]].abs() * instant
     }
 
-    /// Velocity of a gap below which a flight under the given acceleration of the gap is too short.
-    /// Such a flight lasts at most `least` s, or rises no higher than the rounding of the gap.
+    /// Velocity of an opening gap up to which its flight is too short, under the given acceleration of
+    /// the gap. Such a flight lasts at most `least` s, or rises no higher than the rounding of the gap.
     pub fn shortest_flight_velocity(&self, contact: usize, y: &[f64], acceleration: f64, least: f64) -> f64 {
         let (height, a) = (TOLD * self.gap_term_size(contact, y), acceleration.abs());
         (0.5 * least * a).max((2.0 * a * height).sqrt())
@@ -225,11 +226,11 @@ impl<'a> SceneContacts<'a> {
         self.system.kinetic_energy(self.parameters, q, v)
     }
 
-    /// Computes the matrices that relate generalized speeds, impulses and the kinetic energy at a
-    /// state.
+    /// Computes the matrices at a state that relate generalized speeds, impulses of contacts and the
+    /// kinetic energy.
     ///
     /// # Errors
-    /// [`Failure`] if the kinetic energy is not positive definite: a permitted motion then has no
+    /// [`Failure`] if the kinetic energy is not positive definite, so that a permitted motion has no
     /// inertia.
     pub fn operators(&self, y: &[f64], rates: &ContactRates) -> Result<ContactOperators, Failure> {
         let n = self.coordinates();
@@ -254,8 +255,8 @@ impl<'a> SceneContacts<'a> {
         Ok(ContactOperators { basis, of_u, inertia })
     }
 
-    /// Computes the response of the velocities at a state to impulses along the gap and slip directions
-    /// of all contacts.
+    /// Computes the gap and slip velocities at a state, and their changes by impulses along the gap and
+    /// slip directions of all contacts.
     ///
     /// # Errors
     /// [`Failure`] if a permitted motion has no inertia.
@@ -274,15 +275,16 @@ impl<'a> SceneContacts<'a> {
         })
     }
 
-    /// Computes the motion variables v from the generalized speeds `u` at the coordinates `q`.
+    /// Computes the motion variables v for the generalized speeds `u` at the coordinates `q`.
     fn variables(&self, q: &[f64], u: &[f64]) -> DVector<f64> {
         let mut v = vec![0.0; self.system.lengths().variables];
         self.system.motion_variables(self.parameters, q, u, &mut v);
         DVector::from_vec(v)
     }
 
-    /// Matrix of the kinetic energy T in the generalized speeds, by second differences of T. T is
-    /// quadratic, so these are exact up to rounding. `rest` are the motion variables at zero speeds.
+    /// Computes the matrix of the kinetic energy T in the generalized speeds, by second differences of
+    /// T. These are exact up to rounding, because T is quadratic. `rest` are the motion variables at
+    /// zero speeds.
     fn inertia(&self, q: &[f64], basis: &DMatrix<f64>, rest: &DVector<f64>) -> DMatrix<f64> {
         let energy = |shift: DVector<f64>| self.system.kinetic_energy(self.parameters, q, (rest + shift).as_slice());
         let still = energy(DVector::zeros(rest.len()));
@@ -303,8 +305,8 @@ impl<'a> SceneContacts<'a> {
         })
     }
 
-    /// Builds the linear system of the given contacts, closed at one instant. Also returns the indices
-    /// of their rows (gap and slip velocities) among the rows of all contacts.
+    /// Builds the linear system for impulses or forces of the given contacts, which are closed at one
+    /// instant. Also returns the indices of their rows (gap and slip velocities) among all rows.
     pub fn closed_contact_system(
         &self,
         response: &ImpulseResponse,
@@ -323,9 +325,9 @@ impl<'a> SceneContacts<'a> {
         self.impacts.first().is_some_and(|impact| impact.law == ImpactLaw::Poisson)
     }
 
-    /// Computes the impulses along the rows of all contacts, for `contacts` that are closed together.
-    /// The scene's law of impact determines them from `velocities`, those of all rows before the
-    /// impact. Rows of other contacts get 0.
+    /// Computes the impulses of the contacts `contacts`, which are closed at one instant, by the scene's
+    /// law of impact. `velocities` are the gap and slip velocities of all contacts before the impact.
+    /// Returns the impulses along the rows of all contacts, with 0 for contacts that take no part.
     ///
     /// # Errors
     /// [`UndecidedContacts`] if no impulses separate the contacts, or if several sets of impulses do.
@@ -346,8 +348,8 @@ impl<'a> SceneContacts<'a> {
         Ok(self.spread_over_contact_rows(&some?, &rows))
     }
 
-    /// Spreads the values `some` of the rows `rows` over the rows of all contacts; every other row is
-    /// 0.
+    /// Spreads the values `some`, one for each index in `rows`, over the rows of all contacts. Every
+    /// other row is 0.
     pub fn spread_over_contact_rows(&self, some: &DVector<f64>, rows: &[usize]) -> DVector<f64> {
         let mut all = DVector::zeros(self.count);
         for (row, value) in rows.iter().zip(some.iter()) {
@@ -357,7 +359,7 @@ impl<'a> SceneContacts<'a> {
     }
 }
 
-/// Partial derivatives of a term by each symbol of a list.
+/// Computes the partial derivatives of the expression `e` by each symbol of a list.
 fn contact_partial_derivatives(arena: &mut Arena, e: Expr, symbols: &[Expr]) -> Vec<Expr> {
     symbols.iter().map(|symbol| Differential::partial(*symbol).apply(arena, e)).collect()
 }

@@ -1,5 +1,5 @@
-//! Runs by equations in chosen generalized speeds, and in the rates of all coordinates where these
-//! speeds fail.
+//! Runs by equations in chosen generalized speeds. Where these speeds do not determine the motion, the
+//! equations in the rates of all coordinates run instead.
 
 use super::{Power, Problem};
 use crate::code::Code;
@@ -9,17 +9,17 @@ use crate::preparation::speed_changes::{self, ChosenSpeedEquations, EnergyBalanc
 use tripos_sim::{Event, Options, Solution};
 
 impl<'a> Problem<'a> {
-    /// Adds equations in chosen generalized speeds, which run wherever these speeds determine the
-    /// motion. The problem's own equations must be in the rates of all coordinates, with multipliers;
-    /// they run elsewhere.
+    /// Adds equations in chosen generalized speeds, which are used wherever these speeds determine the
+    /// motion. Elsewhere the problem's own equations are used. These must be in the rates of all
+    /// coordinates, with multipliers.
     #[must_use]
     pub fn with_chosen_speeds(self, chosen: ChosenSpeedEquations<'a>) -> Self {
         Self { chosen: Some(chosen), ..self }
     }
 
-    /// Runs the scene by the problem's own equations alone. `None` if their speeds fail on the way, or
-    /// hardly determine the motion somewhere. `rates` are the equations in all rates, with which the
-    /// speeds are tested.
+    /// Runs the scene by the problem's own equations, in chosen speeds, alone. `None` if these speeds
+    /// fail on the way, or hardly determine the motion somewhere. `rates` are the equations in the rates
+    /// of all coordinates. They serve to test the speeds.
     ///
     /// # Errors
     /// `Error::Request` if the options or the start do not fit the equations.
@@ -43,9 +43,9 @@ impl<'a> Problem<'a> {
         run.map_err(|error| refused_scene_error(self.scene, &error))
     }
 
-    /// Runs the scene from `y0` = (q, q̇). The equations in chosen speeds run wherever the speeds
-    /// determine the motion, and the problem's own equations, in all rates, run elsewhere. Stores the
-    /// parts in all rates in `chosen`.
+    /// Runs the scene from `y0` = (q, q̇). The equations in chosen speeds are used wherever the speeds
+    /// determine the motion. Elsewhere the problem's own equations, in the rates of all coordinates,
+    /// are used. Stores the parts of the run in all rates in `chosen.changes`.
     ///
     /// # Errors
     /// `Error::Request` if the options or the start do not fit the equations.

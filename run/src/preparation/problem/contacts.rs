@@ -58,8 +58,7 @@ impl Problem<'_> {
         bouncing.run_with_impacts(carrier, start, options, events, power)
     }
 
-    /// Derivative of the integrated state with respect to time, y′, while the contacts in `kept` remain
-    /// closed.
+    /// Computes the rate of the integrated state, dy/dt, while the contacts in `kept` remain closed.
     ///
     /// # Errors
     /// [`Failure`] if the equations or the contact forces have no value at this state.
@@ -78,11 +77,10 @@ impl Problem<'_> {
     }
 }
 
-/// Checks that the equations and the way of integration allow the contacts of a scene. A scene
-/// without contacts passes.
+/// Checks that the equations and the way of integration allow contacts, if the scene has any.
 ///
 /// # Errors
-/// [`Error::Request`] with advice if they do not allow contacts.
+/// [`Error::Request`] with advice if the scene has contacts and they are not allowed.
 pub(super) fn check_contacts_allowed(scene: &Scene, by: &EquationsOrigin) -> Result<(), Error> {
     let how = &scene.integration;
     let (what, help) = if scene.impacts.is_empty() {

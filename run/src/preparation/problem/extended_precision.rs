@@ -8,8 +8,8 @@ use tripos_derive::scene::InitialMotion;
 use tripos_traits::{DoubleDouble, Scalar};
 
 impl Problem<'_> {
-    /// Parameters, and the integrated state at the start, both to 32 digits and without rounding to
-    /// doubles on the way.
+    /// Values of the parameters, and the integrated state at the start, both to 32 digits. No number is
+    /// rounded to a double.
     ///
     /// # Errors
     /// [`Error::Request`] if the definition of a speed contains a symbol that has no value at the
@@ -30,9 +30,9 @@ impl Problem<'_> {
         Ok((p, [q, v].concat()))
     }
 
-    /// Quantities that the scene shows at time `t`, s, and integrated state `y`, in twice the precision
-    /// of a double. They are coordinates and generalized speeds, or the scene's outputs for reduced
-    /// equations. `p` are the parameters.
+    /// Quantities that the scene shows at time `t`, s, in the integrated state `y`, to 32 digits. For
+    /// reduced equations they are the outputs of the scene. Otherwise they are the coordinates, followed
+    /// by the generalized speeds. `p` are the parameters.
     #[must_use]
     pub fn extended_state(&self, p: &[DoubleDouble], t: f64, y: &[DoubleDouble]) -> Vec<DoubleDouble> {
         let system = self.code.extended();
@@ -52,9 +52,9 @@ impl Problem<'_> {
         [q, u].concat()
     }
 
-    /// Quantities that the scene shows at time `t`, s, and an integrated state given in doubles. A
-    /// coordinate that is integrated as a distance from a singular surface keeps all digits of the
-    /// distance.
+    /// Quantities that the scene shows at time `t`, s, in an integrated state `y` given in doubles. A
+    /// coordinate that is integrated as a distance from a singular surface keeps all digits of this
+    /// distance. See [`Self::shown_state`].
     #[must_use]
     pub fn precise_state(&self, t: f64, y: &[f64]) -> Vec<DoubleDouble> {
         let wide = |list: Vec<f64>| list.into_iter().map(DoubleDouble::from_f64).collect::<Vec<_>>();

@@ -1,15 +1,15 @@
-//! Integration options for the parts of a run, and the joining of their solutions.
+//! Integration options for the parts of a run, and the joining of the solutions of the parts.
 
 use tripos_sim::projection::ProjectionReport;
 use tripos_sim::{Kind, Options, OutputOption, Solution};
 use tripos_traits::{AbsoluteTolerance, Method, System};
 
-/// Largest relative tolerance to which a smaller tolerance is widened.
+/// Largest relative tolerance up to which a smaller tolerance is widened.
 const COARSEST: f64 = 1e-3;
 
-/// Makes the options of a part of a run in the rates of all n coordinates. The absolute tolerance
-/// of each rate is the smallest tolerance of the speeds. DOP853 replaces methods that need Taylor
-/// series or Jacobians, which the equations in all rates do not have.
+/// Makes the options of a part of a run in the rates of all n coordinates. The absolute tolerance of
+/// each rate is the smallest tolerance of the speeds. DOP853 replaces methods that need Taylor series
+/// or Jacobians, because the equations in all rates do not have them.
 pub(super) fn part_options_in_rates(options: &Options, n: usize) -> Options {
     let mut options = options.clone();
     if let AbsoluteTolerance::Each(list) = &options.atol {
@@ -23,8 +23,8 @@ pub(super) fn part_options_in_rates(options: &Options, n: usize) -> Options {
     options
 }
 
-/// Multiplies the tolerances of integration options by `times`. The relative tolerance is widened
-/// to 1e-3 at most.
+/// Multiplies the tolerances of integration options by `times`. The relative tolerance is widened to
+/// at most 1e-3.
 pub(super) fn wider_part_options(options: &Options, times: f64) -> Options {
     let atol = match &options.atol {
         AbsoluteTolerance::Uniform(atol) => AbsoluteTolerance::Uniform(times * atol),
@@ -33,8 +33,8 @@ pub(super) fn wider_part_options(options: &Options, times: f64) -> Options {
     Options { rtol: options.rtol.max((times * options.rtol).min(COARSEST)), atol, ..options.clone() }
 }
 
-/// Makes the options for the rest of a run over `span`, after the part `done`: the instants still
-/// to come, and the steps that are left.
+/// Makes the options for the rest of a run over `span`, s, after its first part `done`. Only the later
+/// output instants remain, and only the steps that are left.
 #[must_use]
 pub fn options_for_next_part<S>(options: &Options, done: &Solution<S>, span: (f64, f64)) -> Options {
     let output = match &options.output {
@@ -50,8 +50,8 @@ pub fn options_for_next_part<S>(options: &Options, done: &Solution<S>, span: (f6
 }
 
 /// Appends the solution `leg` of the next part of a run to the solution `all` of the run so far.
-/// Times, states, work, events, warnings and counts are joined; the end and the reason of the stop
-/// are those of `leg`.
+/// Times, states, work, events, warnings and counts are joined. The end and the reason of the stop are
+/// those of `leg`.
 #[must_use]
 pub fn join_part_solutions<S>(mut all: Solution<S>, mut leg: Solution<S>, options: &Options) -> Solution<S> {
     let skipped = usize::from(!matches!(options.output, OutputOption::At(_)));
@@ -92,9 +92,9 @@ pub fn join_part_solutions<S>(mut all: Solution<S>, mut leg: Solution<S>, option
     }
 }
 
-/// Extends the projection report of a part in chosen speeds to the state and the constraints in all
-/// rates, with zeros. Both states begin with the same coordinates, and both lists of constraints
-/// begin alike.
+/// Converts the projection report of a part in chosen speeds to the state and the constraints in all
+/// rates. Missing entries are zero. Both states begin with the same coordinates, and both lists of
+/// constraints begin with the same constraints.
 pub(super) fn part_projection_in_rates(report: &ProjectionReport, rates: &dyn System<f64>) -> ProjectionReport {
     let wide = |list: &[f64], kept: usize, count: usize| {
         let mut list = list[..kept].to_vec();

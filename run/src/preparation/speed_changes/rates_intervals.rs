@@ -1,11 +1,11 @@
-//! Record of the parts of a run that are computed in the rates of all coordinates, and notes on
-//! them for the user.
+//! Parts of a run that are computed in the rates of all coordinates, and notes to the user about these
+//! parts.
 
 use tripos_derive::mechanics::EquationsOrigin;
 use tripos_derive::plain_text::{with_reliable_digits, with_significant_digits};
 
 /// Part of a run that is computed in the rates of all coordinates, because the chosen speeds do not
-/// determine the motion.
+/// determine the motion there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RatesInterval {
     /// Instant at which the part begins, s.
@@ -15,13 +15,13 @@ pub struct RatesInterval {
     /// True if the constraints were nearly dependent in this part, as in a singular pose of the
     /// mechanism.
     pub is_singular: bool,
-    /// Factor of at least 1 by which the tolerances were widened in this part.
+    /// Factor by which the tolerances were multiplied in this part, at least 1.
     pub coarser: f64,
 }
 
 /// Writes notes to the user about the parts of a run in the rates of all coordinates, the most
-/// important note first. `speeds` are the names of the chosen speeds; `by` names the equations in
-/// these speeds.
+/// important note first. `speeds` are the names of the chosen speeds. `by` is the origin of the
+/// equations in these speeds.
 pub fn notes_on_rates_intervals(changes: &[RatesInterval], speeds: &[String], by: &EquationsOrigin) -> Vec<String> {
     /// Greatest number of parts that the first note lists.
     const MOST: usize = 3;

@@ -1,4 +1,5 @@
-//! Windows of a run whose inputs are set from outside, and error estimates by a second run.
+//! Windows of a run whose inputs are set from outside, and error estimates by a second run. A window
+//! lasts from one instant at which inputs are set to the next.
 
 use super::{ControllerSample, InputDecision, SampledRun};
 use crate::code::CodeForm;
@@ -13,18 +14,17 @@ use tripos_derive::scene::Scene;
 use tripos_sim::{EventRecord, Method, Options, OutputOption, Solution, Stop};
 use tripos_traits::{AbsoluteTolerance, DoubleDouble, Scalar};
 
-/// Ratio of the tolerances of the second run to those of the first. The second run gives the
-/// errors.
+/// Ratio of the tolerances of the second run, which estimates the errors, to those of the first run.
 const FINER: f64 = 0.1;
-/// Relative and absolute tolerance of the second run, which gives the errors, if the first run has
-/// equal steps.
+/// Relative and absolute tolerance of the second run, which estimates the errors, if the first run has
+/// steps of equal length.
 const EQUAL: f64 = 1e-12;
-/// Longest step of the second run, which gives the errors, relative to the length of a window.
+/// Longest step of the second run, which estimates the errors, relative to the length of a window.
 /// The first run may take each window in a single step.
 const PART_OF_WINDOW: f64 = 0.4;
 
-/// Options of the second run, which gives the errors: finer than the options `first` of the first
-/// run.
+/// Makes the options of the second run, which estimates the errors. They are finer than the options
+/// `first` of the first run.
 pub fn finer_loop_options(first: &Options) -> Options {
     let step_limit = first.step_limit.saturating_mul(10);
     if first.step.is_some() {
@@ -38,20 +38,20 @@ pub fn finer_loop_options(first: &Options) -> Options {
     Options { rtol: FINER * first.rtol, atol, step_limit, output: OutputOption::Ends, ..first.clone() }
 }
 
-/// Closed loop of a mechanism and its controller: the problem, its inputs, and the instants at
-/// which they are set.
+/// Closed loop of a mechanism and its controller: the problem, its inputs, and the instants at which
+/// the controller sets them.
 pub struct ControlLoop<'a> {
     /// Problem of the whole run, with its scene and equations.
     pub problem: &'a Problem<'a>,
-    /// Compiled functions that the run watches: domain conditions and events.
+    /// Compiled functions that the run watches: conditions of the domain and events.
     pub balance: &'a WatchedFunctions,
-    /// Indices of the set inputs among the parameters.
+    /// Indices of the inputs that the controller sets, among the parameters.
     pub places: &'a [usize],
-    /// Names of the set inputs.
+    /// Names of the inputs that the controller sets.
     pub inputs: &'a [&'a str],
     /// Instants at which the controller sets the inputs, s.
     pub instants: &'a [f64],
-    /// Quantities that the scene shows, and that the controller receives.
+    /// Quantities that the scene shows. The controller receives them too.
     pub shown: &'a ShownQuantities,
 }
 
@@ -80,8 +80,8 @@ pub struct WindowedRun {
 }
 
 impl ControlLoop<'_> {
-    /// Runs through all windows from the integrated state `start`, with the options `how`.
-    /// Parameters that the controller does not set are those of the scene.
+    /// Runs through all windows from the integrated state `start`, with the options `how`. The inputs
+    /// come from the controller, and all other parameters from the scene.
     ///
     /// # Errors
     /// `Error` if a window cannot be run, or if the controller returns unsuitable values.
@@ -133,8 +133,8 @@ impl ControlLoop<'_> {
         }
     }
 
-    /// Runs one window from the integrated state `y`, with the options `how` of the whole run.
-    /// `steps` is the number of accepted and rejected steps so far, for the step limit.
+    /// Runs one window from the integrated state `y`, with the options `how` of the whole run. `steps`
+    /// is the number of accepted and rejected steps so far. It counts towards the step limit.
     ///
     /// # Errors
     /// `Error` if the window cannot be run.
@@ -163,10 +163,10 @@ impl ControlLoop<'_> {
         Ok(solution)
     }
 
-    /// Calls the controller at a sample, and checks the values that it returns.
+    /// Calls the controller with a sample, and checks the values that it returns.
     ///
     /// # Errors
-    /// `Error::Request` for a wrong number of values, or for a value that is not finite.
+    /// `Error::Request` if the number of values is wrong, or if a value is not finite.
     fn call_controller(
         &self,
         controller: &mut dyn FnMut(&ControllerSample<'_>) -> Vec<f64>,
@@ -184,8 +184,8 @@ impl ControlLoop<'_> {
         Ok(values)
     }
 
-    /// Makes the result of a run; the errors are its differences from a second run.
-    /// Without a second run, errors are `None`.
+    /// Makes the result of a run. The estimated errors are its differences from the second run. Without
+    /// a second run, they are `None`.
     pub fn sampled_run(&self, first: WindowedRun, second: Option<&WindowedRun>, form: CodeForm) -> SampledRun {
         let names = &self.shown.names;
         let mut decisions = first.decisions;
@@ -194,8 +194,8 @@ impl ControlLoop<'_> {
             for (own, other) in decisions.iter_mut().zip(&second.decisions) {
                 own.errors = Some(control_loop_errors(&own.values, &other.values));
             }
-            // An event that ends both runs has a different instant in each run. The wanted error is
-            // that of the state at the event.
+            // An event that ends both runs has a different instant in each run. The error of interest is the
+            // error of the state at the event.
             let as_far = decisions.len() == second.decisions.len();
             let both_ended = as_far && first.stop == second.stop && !first.stop.is_failure();
             errors_at_end = both_ended.then(|| control_loop_errors(&first.end, &second.end));
@@ -235,18 +235,18 @@ impl ControlLoop<'_> {
     }
 }
 
-/// Relative error that every value has at least: eight roundings.
+/// Least relative error of every value: eight rounding errors.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
-/// Estimated error of each value: its difference from a second run, plus rounding, in the value's
-/// unit.
+/// Estimated error of each value, in its unit: the difference from the value of a second run, plus
+/// rounding.
 fn control_loop_errors(own: &[f64], other: &[f64]) -> Vec<f64> {
     own.iter().zip(other).map(|(a, b)| (a - b).abs() + ROUNDING * a.abs()).collect()
 }
 
-/// Warning that fewer than three digits are correct, relative to the largest size of a value in the
-/// run, with the first instant of this; `None` if there are enough. A value that a controller brings
-/// to zero needs no digits of its own.
+/// Warning that a value has fewer than three correct digits, relative to its largest size in the run.
+/// It names the first such instant. `None` if all values have enough digits. A value that the
+/// controller brings to zero needs no digits of its own.
 fn few_digits_warning<'a>(
     names: &[String],
     sizes: &[f64],
@@ -266,8 +266,8 @@ fn few_digits_warning<'a>(
     ))
 }
 
-/// Warning that names the first shown quantity without a finite value, and its instant; `None` if
-/// all have values.
+/// Warning that names the first shown quantity without a finite value, and its instant. `None` if all
+/// values are finite.
 fn missing_value_warning<'a>(
     names: &[String],
     mut samples: impl Iterator<Item = (&'a f64, &'a Vec<f64>)>,

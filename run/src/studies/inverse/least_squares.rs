@@ -1,4 +1,4 @@
-//! Least squares to 32 digits, for linear systems with a matrix of any shape and rank.
+//! Least-squares solutions to 32 digits, for linear systems with a matrix of any shape and rank.
 
 use nalgebra::{DMatrix, DVector};
 use tripos_traits::DoubleDouble;
@@ -6,8 +6,8 @@ use tripos_traits::DoubleDouble;
 /// Fraction of the largest singular value below which a singular value counts as zero.
 const RANK: f64 = 1e-10;
 
-/// Solver of linear systems in the least-squares sense, by the pseudo-inverse of the matrix in
-/// double precision.
+/// Solver of linear systems in the least-squares sense. It uses the pseudo-inverse of the matrix in double
+/// precision.
 pub struct LeastSquaresSolver {
     /// Pseudo-inverse, with a row for each unknown and a column for each equation.
     inverse: DMatrix<f64>,
@@ -15,7 +15,7 @@ pub struct LeastSquaresSolver {
     rank: usize,
 }
 
-/// Least-squares solution of a linear system. If there are several, it has the least norm.
+/// Least-squares solution of a linear system. If there are several, it is the solution of least norm.
 pub struct LeastSquaresSolution {
     /// Values of the unknowns.
     pub x: Vec<DoubleDouble>,
@@ -45,8 +45,8 @@ impl LeastSquaresSolver {
         Self { inverse, rank }
     }
 
-    /// Solves the linear system for a right-hand side, with three steps of refinement that each add up
-    /// to sixteen digits. `rows` must be the matrix that was given to `new`.
+    /// Solves the linear system for a right-hand side, in three steps that each add up to sixteen digits.
+    /// `rows` must be the matrix that was given to `new`.
     pub fn solve(&self, rows: &[&[DoubleDouble]], right: &[DoubleDouble]) -> LeastSquaresSolution {
         let mut x = vec![DoubleDouble::from(0.0); self.inverse.nrows()];
         let left_of = |x: &[DoubleDouble]| -> Vec<DoubleDouble> {

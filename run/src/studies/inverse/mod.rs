@@ -4,8 +4,10 @@
 //! A motion needs generalized forces M u̇ − f along the speeds, in addition to all loads that the
 //! model states. The forcing f contains these loads with the wanted inputs at zero. Loads that are
 //! linear in the inputs r add B r to f. The inputs r are the least-squares solution with the least
-//! norm, and its residual is reported. Large mechanisms compute M u̇ − f by recursion (J. Y. S.
-//! Luh, M. W. Walker & R. P. C. Paul, ASME J. Dyn. Sys. Meas. Control 102 (1980) 69–76).
+//! norm, and its residual is reported.
+//!
+//! For large mechanisms, M u̇ − f is computed by recursion. Source: J. Y. S. Luh, M. W. Walker & R. P. C.
+//! Paul, ASME J. Dyn. Sys. Meas. Control 102 (1980) 69–76.
 
 mod least_squares;
 mod prescribed_motion;
@@ -24,12 +26,12 @@ use tripos_derive::plain_text::with_reliable_digits;
 use tripos_derive::scene::{Loops, MotionSample};
 use tripos_traits::DoubleDouble;
 
-/// Residual up to which inputs count as producing the forces, relative to the largest term of the
-/// forces.
+/// Residual up to which inputs count as producing the wanted forces, relative to the largest term of
+/// these forces.
 const LEFT: f64 = 1e-10;
 
-/// Inverse dynamics of a mechanism, prepared: computes the forces of a motion and the inputs that
-/// produce them.
+/// Inverse dynamics of a mechanism. It computes the forces that a motion needs, and the inputs that
+/// produce these forces.
 pub struct InverseDynamics {
     /// Names of the generalized speeds along which the forces act.
     pub speeds: Vec<String>,
@@ -37,36 +39,36 @@ pub struct InverseDynamics {
     pub inputs: Vec<String>,
     /// Indices of these inputs among the model's parameters.
     places: Vec<usize>,
-    /// Tape of the forces, followed by the matrix B row by row, in double precision. Inputs:
-    /// parameters, q, u and u̇.
+    /// Tape of the required forces, followed by the matrix B row by row, in double precision. B relates
+    /// forces and inputs. Arguments: parameters, q, u and u̇.
     tape: Tape,
-    /// Tape of the forces, followed by the matrix B row by row, to 32 digits. Inputs: parameters, q, u
-    /// and u̇.
+    /// Tape of the required forces, followed by the matrix B row by row, to 32 digits. B relates forces and
+    /// inputs. Arguments: parameters, q, u and u̇.
     wide: Tape<DoubleDouble>,
-    /// Loops of the model, to report how far a pose is from closing them.
+    /// Loops of the model. They tell how far a pose is from closing them.
     loops: Loops,
 }
 
 /// Generalized forces that a motion needs at an instant, and the inputs that produce them.
 #[derive(Clone, Debug)]
 pub struct RequiredForces {
-    /// Generalized forces M u̇ − f with the inputs at 0, for each speed. The unit is that of power
-    /// divided by that of the speed.
+    /// Generalized force M u̇ − f along each speed, with the inputs at 0. Its unit is the unit of power
+    /// divided by the unit of the speed.
     pub along: Vec<DoubleDouble>,
-    /// Inputs that produce the forces; of several solutions the one with the least norm. `None` if no
-    /// inputs produce the forces, or there are no inputs.
+    /// Inputs that produce the forces. If there are several solutions, the one of least norm. `None` if no
+    /// inputs produce the forces, or if there are no inputs.
     pub inputs: Option<Vec<f64>>,
-    /// Residual of the forces with the best inputs, for each speed.
+    /// Part of the force along each speed that the best inputs do not produce.
     pub left: Vec<f64>,
-    /// Number of independent force directions that the inputs can produce in this pose: the rank of B.
+    /// Number of independent directions of force that the inputs can produce in this pose: the rank of B.
     pub reached: usize,
     /// Largest absolute residual of a loop in the pose, in the unit of the loop.
     pub open: f64,
 }
 
 impl InverseDynamics {
-    /// Prepares the inverse dynamics of a model. `names` selects the inputs to compute, which may also
-    /// be parameters in which the loads are linear. If it is empty, all inputs of the model are
+    /// Prepares the inverse dynamics of a model. `names` are the inputs to compute. They may also be other
+    /// parameters in which the loads are linear. If the list is empty, all inputs of the model are
     /// computed.
     ///
     /// # Errors
@@ -106,7 +108,7 @@ impl InverseDynamics {
     }
 
     /// Computes the forces that a motion needs at an instant, and the inputs that produce them.
-    /// `parameters` are those of the model; the values of the wanted inputs among them do not matter.
+    /// `parameters` are in the order of the model. The values of the wanted inputs among them are ignored.
     ///
     /// # Errors
     /// [`Error::Stopped`] if a force has no finite value.
@@ -146,8 +148,8 @@ impl InverseDynamics {
     }
 }
 
-/// Error for forces that are not linear in one parameter, or contain a product of two; both are
-/// given by index.
+/// Makes the error for forces that are not linear in one parameter, or that contain a product of two
+/// parameters. Both are given by index.
 fn nonlinear_input_error(model: &Mechanism, at: usize, other: usize) -> Error {
     let [name, other] = [at, other].map(|at| &model.parameters[at].name);
     let what = if name == other {
@@ -158,8 +160,8 @@ fn nonlinear_input_error(model: &Mechanism, at: usize, other: usize) -> Error {
     Error::request(what, "name with --input parameters in which the loads are linear")
 }
 
-/// Indices of the named parameters among all parameters, or of all inputs of the model if `names`
-/// is empty.
+/// Finds the indices of the named parameters among all parameters. If `names` is empty, returns the
+/// indices of all inputs of the model.
 ///
 /// # Errors
 /// [`Error::Request`] if a name is unknown or given twice.

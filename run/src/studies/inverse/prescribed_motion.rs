@@ -1,9 +1,9 @@
-//! Motions given by formulas of the time t: closed poses, and the speeds and accelerations that
-//! follow from them.
+//! Motions given by formulas in the time t. Closed poses, speeds and accelerations are computed from the
+//! formulas.
 //!
-//! The rates q̇ = W u + w of the coordinates that have formulas give the speeds u. Their second
-//! derivatives, q̈ = W u̇ + (Ẇ u + ẇ), give u̇. If there are more such coordinates than speeds, the
-//! motion must satisfy the constraints. Otherwise it is refused.
+//! The equations q̇ = W u + w for the coordinates with formulas give the speeds u. The equations
+//! q̈ = W u̇ + (Ẇ u + ẇ) give u̇. If there are more such coordinates than speeds, the motion must satisfy
+//! the constraints. Otherwise it is refused.
 
 use super::least_squares::{LeastSquaresSolver, round_to_doubles};
 use crate::{Error, Mechanism};
@@ -15,14 +15,14 @@ use tripos_derive::plain_text::{with_reliable_digits, with_significant_digits};
 use tripos_derive::scene::{Formulas, Loops, Motion, MotionForm, MotionSample};
 use tripos_traits::DoubleDouble;
 
-/// Residual of the constraints up to which a given motion is accepted, relative to the largest
-/// given rate or to 1.
+/// Residual of the constraints up to which a given motion is accepted, relative to the largest given
+/// rate or to 1, whichever is larger.
 const BROKEN: f64 = 1e-9;
 
 /// Values of parameters, coordinates and generalized speeds at one instant, to 32 digits.
 #[derive(Clone, Copy)]
 struct MotionState<'a> {
-    /// Parameters, in the order of the model.
+    /// Values of the parameters, in the order of the model.
     p: &'a [DoubleDouble],
     /// Generalized coordinates q, in the order of the model.
     q: &'a [DoubleDouble],
@@ -30,8 +30,8 @@ struct MotionState<'a> {
     u: &'a [DoubleDouble],
 }
 
-/// Computes coordinates, speeds and accelerations of a given motion at each of its instants. A
-/// motion given by states is returned unchanged.
+/// Computes the coordinates, speeds and accelerations of a given motion at each of its instants. A motion
+/// that is given by states is returned unchanged.
 ///
 /// # Errors
 /// [`Error::Stopped`] if a formula has no value at an instant, if the formulas do not determine the
@@ -53,7 +53,7 @@ pub fn motion_samples(model: &Mechanism, motion: &Motion) -> Result<Vec<MotionSa
     Ok(list)
 }
 
-/// Motion that is given by formulas of time, compiled to tapes for evaluation.
+/// Motion that is given by formulas in the time, compiled to tapes.
 struct PrescribedMotion {
     /// Names of all coordinates, in the order of the model.
     names: Vec<String>,
@@ -63,17 +63,17 @@ struct PrescribedMotion {
     given: Vec<usize>,
     /// Indices of the coordinates without formulas, which the closed loops determine.
     free: Vec<usize>,
-    /// Tape of q, q̇ and q̈ of each coordinate with a formula. Inputs: parameters and t.
+    /// Tape of q, q̇ and q̈ of each coordinate with a formula. Inputs: parameters, then the time t.
     formulas: Tape<DoubleDouble>,
     /// Tape of q̇ and dq̇/dt of every coordinate, followed by W row by row. Inputs: parameters, q, u
     /// and u̇.
     rates: Tape<DoubleDouble>,
-    /// Loops of the model, to close its poses.
+    /// Loops of the model, which close the poses.
     loops: Loops,
 }
 
 impl PrescribedMotion {
-    /// Compiles the formulas of a motion, and the rates of the model's coordinates.
+    /// Compiles the formulas of a motion, and the rates of all coordinates of the model.
     ///
     /// # Errors
     /// `Error::Request` if a formula contains a symbol without a value.
@@ -108,11 +108,11 @@ impl PrescribedMotion {
         })
     }
 
-    /// Computes the motion at the instant `t`, s, with parameters `p`. The search for a closed pose
-    /// begins at `near`.
+    /// Computes the motion at the instant `t`, s, with the parameters `p`. The search for a closed pose
+    /// begins at the coordinates `near`.
     ///
     /// # Errors
-    /// `Error::Stopped` if the formulas give no motion at this instant.
+    /// `Error::Stopped` if the formulas determine no motion at this instant.
     fn sample_at(&self, p: &[DoubleDouble], t: f64, near: &[DoubleDouble]) -> Result<MotionSample, Error> {
         let stopped =
             |why: String| Error::Stopped(format!("no motion at t = {} s: {why}", with_reliable_digits(t, None)));
@@ -136,7 +136,7 @@ impl PrescribedMotion {
         Ok(MotionSample { t: Some(t), q, u, rates })
     }
 
-    /// Message that explains why the loops are not closed in the pose `q`.
+    /// Message that says why the loops are not closed in the pose `q`.
     fn open_loops_message(&self, p: &[DoubleDouble], q: &[DoubleDouble]) -> String {
         let names =
             |list: &[usize]| list.iter().map(|at| format!("`{}`", self.names[*at])).collect::<Vec<_>>().join(", ");
@@ -156,9 +156,9 @@ impl PrescribedMotion {
         )
     }
 
-    /// Finds the speeds u, or with `order` 1 their rates u̇, by least squares. The coordinates with
-    /// formulas must get the derivatives `wanted`: q̇, or q̈. `at` holds the pose and the speeds, which
-    /// are 0 if they are sought.
+    /// Finds the speeds u by least squares if `order` is 0, or their rates u̇ if it is 1. The coordinates
+    /// with formulas must get the derivatives `wanted`: q̇, or q̈. `at` is the pose with the speeds, which
+    /// must be 0 if the speeds themselves are unknown.
     ///
     /// # Errors
     /// `Error::Stopped` if the formulas do not determine all speeds, or break the constraints.

@@ -1,10 +1,10 @@
 //! Corners of a run: instants at which its equations have a jump or a kink, and the derivatives of
 //! these instants.
 //!
-//! If a varied number moves the instant of a jump, derivatives of the state jump there. Steps end
-//! at this instant, and the integrator adds the jump ([`tripos_sim::Corner`]). A moved kink causes
-//! no such jump. All other cases are refused: jumps without a derivative, and steps that cross the
-//! instant.
+//! If a varied number moves the instant of a jump, the derivatives of the state jump there. A step
+//! ends at this instant, and the integrator adds the jump ([`tripos_sim::Corner`]). A moved kink
+//! causes no such jump. Two cases are refused: a jump without a derivative, and steps of equal length
+//! that cross a moved instant.
 
 use super::varied_start::VariedStart;
 use crate::error::Error;
@@ -13,14 +13,14 @@ use crate::preparation::problem::Problem;
 use tripos_sim::{Corner, Options, SLOPE_DIRECTIONS};
 use tripos_traits::Tangent;
 
-/// Shift of an instant, relative to the instant plus 1 s, below which it counts as fixed. The shift
-/// is the derivative of the instant times the size of the varied number.
+/// Shift of an instant below which it counts as fixed, relative to the instant plus 1 s. The shift is
+/// the derivative of the instant by a varied number, times the size of this number.
 const MOVED: f64 = 1e-9;
 /// Relative difference below which two instants count as equal.
 const ONE: f64 = 64.0 * f64::EPSILON;
 
-/// Lists the corners of a run: the instants at which its equations have a jump or a kink. Each has
-/// its derivatives by the varied numbers.
+/// Lists the corners of a run: the instants at which its equations have a jump or a kink. Each corner
+/// has its derivatives by the varied numbers.
 pub fn corners<const K: usize>(problem: &Problem<'_>, parameters: &[Tangent<K>]) -> Vec<Corner> {
     let of = |(at, jumps): (Tangent<K>, bool)| {
         let mut moves = [0.0; SLOPE_DIRECTIONS];
@@ -30,11 +30,11 @@ pub fn corners<const K: usize>(problem: &Problem<'_>, parameters: &[Tangent<K>])
     problem.model.corner_instants(parameters).into_iter().map(of).collect()
 }
 
-/// Checks that the varied number `seed` does not move a jump or kink of the equations in a way
-/// without derivative.
+/// Checks that derivatives by the varied number `seed` exist although it may move jumps and kinks of the
+/// equations.
 ///
 /// # Errors
-/// [`Error::Request`] with the reason if there is no derivative.
+/// [`Error::Request`] with the reason if the derivatives do not exist.
 pub fn check_moved_corners(problem: &Problem<'_>, seed: &VariedStart, options: &Options) -> Result<(), Error> {
     let values = problem.scene.parameters.iter().zip(&seed.parameters);
     let parameters: Vec<Tangent<1>> = values.clone().map(|(p, by)| Tangent { value: *p, slopes: [*by] }).collect();
@@ -74,11 +74,11 @@ pub fn check_moved_corners(problem: &Problem<'_>, seed: &VariedStart, options: &
     Ok(())
 }
 
-/// Checks that contacts do not change at the instant of a jump of the drive, where their order
+/// Checks that contacts do not change at the instant of a jump of the drive. The order of the two events
 /// would not be known.
 ///
 /// # Errors
-/// Text that says why there is no derivative.
+/// Text that says why the derivative does not exist.
 pub fn check_no_corner(corners: &[Corner], crossing: &ContactCrossing<'_>) -> Result<(), String> {
     let t = crossing.t;
     let meets = |corner: &Corner| corner.jumps && (corner.at - t).abs() <= 64.0 * f64::EPSILON * t.abs();

@@ -1,20 +1,21 @@
-//! Derivatives by differences of numbers with 32 digits, accurate to double precision.
+//! Derivatives from differences of numbers with 32 digits, accurate to double precision.
 
 use tripos_traits::{DoubleDouble, Real, Scalar, larger};
 
-/// Step of a difference, relative to the size of the varied numbers. A rule of order 4 then has a
+/// Step of a difference, relative to the size of the varied numbers. A difference of order 4 then has a
 /// relative error of about STEP⁴ = 3e-21, and a rounding error of 1e-32/STEP.
 pub const STEP: f64 = 1.0 / 131_072.0;
 
-/// Central difference of order 4: pairs of a position in steps and twelve times its weight. M.
-/// Abramowitz & I. A. Stegun, *Handbook of Mathematical Functions* (1964), table 25.2.
+/// Central difference of order 4, as pairs: a position in steps, and twelve times its weight.
+///
+/// Source: M. Abramowitz & I. A. Stegun, *Handbook of Mathematical Functions* (1964), table 25.2.
 pub const CENTRAL: [(i32, i64); 4] = [(-2, 1), (-1, -8), (1, 8), (2, -1)];
 
-/// One-sided difference of order 4: pairs of a position in steps and twelve times its weight.
+/// One-sided difference of order 4, as pairs: a position in steps, and twelve times its weight.
 pub const FORWARD: [(i32, i64); 5] = [(0, -25), (1, 48), (2, -36), (3, 16), (4, -3)];
 
-/// Derivatives of several values, from their `list` at the positions of a difference rule with the
-/// given step.
+/// Computes the derivatives of several values by a difference with the given step. `list` has the values
+/// at each position of the rule.
 pub fn derivative_by_rule(list: &[Vec<DoubleDouble>], rule: &[(i32, i64)], step: DoubleDouble) -> Vec<f64> {
     let twelve = DoubleDouble::int(12) * step;
     let count = list.first().map_or(0, Vec::len);
@@ -28,12 +29,12 @@ pub fn derivative_by_rule(list: &[Vec<DoubleDouble>], rule: &[(i32, i64)], step:
     (0..count).map(|at| (sum(at) / twelve).to_f64()).collect()
 }
 
-/// Least size that a component of a state counts as having, in its unit. A state may pass through
-/// zero, but a length of interest is larger.
+/// Least size that is assumed for a component of a state, in its unit. A state may pass through zero,
+/// but a length of interest is larger.
 const FLOOR: f64 = 1e-6;
 
-/// Derivative of the vector function `of` at `x` along a direction, accurate to double precision.
-/// All components are NaN if the direction is not finite.
+/// Computes the derivative of the vector function `of` at `x` along a direction, accurate to double
+/// precision. All components are NaN if the direction is not finite.
 pub fn directional_difference(
     x: &[f64],
     direction: &[f64],

@@ -1,8 +1,8 @@
 //! Derivatives of the quantities that a run shows, from the derivatives of its states.
 //!
-//! Coordinates have the derivatives of the state, and so have speeds that are integrated. Every
-//! other quantity is a function of parameters and state. Its derivative in their direction is a
-//! difference in 32 digits ([`super::difference`]), so the quantity need not be defined twice.
+//! A coordinate has the derivative of its component of the state, and so has a speed that is
+//! integrated. Every other quantity is a function of parameters and state. Its derivative is a
+//! difference in 32 digits ([`super::difference`]), so the quantity need not be defined a second time.
 
 use super::difference::directional_difference;
 use crate::code::{Code, CodePreparation, compile_tape, runnable_code};
@@ -19,55 +19,56 @@ use tripos_sim::Dynamics;
 use tripos_sim::linear::{self, MatrixKind};
 use tripos_traits::{DoubleDouble, Lengths, Scalar};
 
-/// Differentiated quantities of a run: those that it shows, its energies, and the functions whose
-/// zeros are its events.
+/// Quantities of a run that are differentiated: the shown quantities, the energies, and the functions
+/// whose zeros are events.
 pub struct DifferentiableQuantities {
     /// Names of the quantities: coordinates, generalized speeds, other outputs, kinetic energy and
-    /// potential energy.
+    /// potential energy, in this order.
     pub names: Vec<String>,
     /// Units of the quantities, in the order of `names`; `None` if a unit is not known.
     pub units: Vec<Option<Unit>>,
-    /// Number of coordinates and generalized speeds, which are the first names.
+    /// Number of coordinates and generalized speeds together. They come first in `names`.
     states: usize,
-    /// Tape of the other outputs, followed by the watched functions: the conditions of the domain and
-    /// the scene's events.
+    /// Tape of the other outputs, followed by the watched functions. These are the conditions of the
+    /// domain and the functions of the scene's events.
     tape: Tape<DoubleDouble>,
     /// Number of outputs that are neither coordinates nor speeds.
     outputs: usize,
-    /// True if a quantity depends on accelerations.
+    /// True if an output or a watched function depends on accelerations.
     needs_accelerations: bool,
     /// Indices in [`ENERGIES`] of the energies that are inputs of the tape.
     energies: Vec<usize>,
-    /// Equations of the force balance; `None` if no quantity depends on a reaction.
+    /// Newton–Euler equations, which give the reactions; `None` if no quantity depends on a reaction.
     balance: Option<Code>,
 }
 
-/// State of a run at which derivatives are taken, with the reactions there if a quantity depends on
-/// them.
+/// State of a run at which derivatives are taken, with the reactions there if a quantity depends on a
+/// reaction.
 pub struct StateWithReactions<'a> {
     /// Scene with its equations of motion.
     problem: &'a Problem<'a>,
     /// Integrated state (q, v).
     y: &'a [f64],
-    /// Unknowns of the force balance, accelerations before reactions; empty if no quantity depends on
-    /// reactions.
+    /// Unknowns of the Newton–Euler equations: accelerations, then reactions. Empty if no quantity depends
+    /// on a reaction.
     reactions: Vec<f64>,
 }
 
-/// Derivatives of the shown and the watched quantities in a direction of parameters and state.
+/// Derivatives of the shown quantities and the watched functions, in a direction of parameters and
+/// state.
 pub struct QuantityDerivatives {
     /// Derivatives of the shown quantities, in the order of [`DifferentiableQuantities::names`].
     pub shown: Vec<f64>,
-    /// Derivatives of the watched functions, in the order of a run's events.
+    /// Derivatives of the watched functions: conditions of the domain, then events of the scene.
     pub watched: Vec<f64>,
 }
 
 impl DifferentiableQuantities {
-    /// Prepares the differentiated quantities for the runs of a scene.
+    /// Prepares the quantities of a scene's runs for derivatives.
     ///
     /// # Errors
-    /// [`Error`] if an output contains a symbol without a value, or the equations of the force balance
-    /// cannot be derived.
+    /// [`Error`] if an output contains a symbol without a value, or if the Newton–Euler equations are
+    /// needed and cannot be derived.
     pub fn new(mechanism: &Mechanism, scene: &Scene) -> Result<Self, Error> {
         let (model, arena) = (&mechanism.model, &mechanism.arena);
         let mut names = state_names(model);
@@ -110,8 +111,8 @@ impl DifferentiableQuantities {
         self.tape.outputs() - self.outputs
     }
 
-    /// Prepares the integrated state `y` at time `t`, s, for derivatives. Computes its reactions if a
-    /// quantity depends on them; they are NaN if the model does not determine them.
+    /// Prepares the integrated state `y` at time `t`, s, for derivatives. Computes the reactions there if
+    /// a quantity depends on a reaction. They are NaN if the model does not determine them.
     ///
     /// # Errors
     /// [`Error::Request`] if the number of parameters does not fit the equations.
@@ -134,8 +135,8 @@ impl DifferentiableQuantities {
         Ok(StateWithReactions { problem, y, reactions })
     }
 
-    /// Computes the derivatives of all quantities in a direction of parameters and of the integrated
-    /// state.
+    /// Computes the derivatives of all quantities in a direction, with components for the parameters and
+    /// the integrated state.
     pub fn quantity_derivatives(
         &self,
         place: &StateWithReactions<'_>,
@@ -153,16 +154,16 @@ impl DifferentiableQuantities {
         QuantityDerivatives { shown: all, watched }
     }
 
-    /// Derivatives of the state that are shown unchanged: of coordinates, and of speeds if these are
-    /// integrated.
+    /// Derivatives of the components of the state that are shown unchanged: the coordinates, and the
+    /// speeds if they are integrated.
     fn directly_shown_derivatives(&self, problem: &Problem<'_>, state: &[f64]) -> Vec<f64> {
         let is_rate = problem.by.formulation().is_some_and(Formulation::is_in_rates);
         let known = if is_rate { problem.model.coordinates.len() } else { self.states };
         state[..known].to_vec()
     }
 
-    /// Computes all quantities in 32 digits. `x` joins parameters, integrated state and unknowns of the
-    /// force balance.
+    /// Computes all quantities in 32 digits. `x` joins the parameters, the integrated state, and the
+    /// unknowns of the Newton–Euler equations.
     fn values(&self, problem: &Problem<'_>, x: &[DoubleDouble]) -> Vec<DoubleDouble> {
         let system = problem.code.extended();
         let Lengths { parameters, coordinates: n, speeds, .. } = system.lengths();
@@ -192,8 +193,8 @@ impl DifferentiableQuantities {
         state.iter().copied().chain(values).chain(own).chain(watched).collect()
     }
 
-    /// Derivatives of the unknowns x of the force balance A x = b in a direction, from A x′ = b′ − A′
-    /// x. They are NaN if A is singular; the list is empty without a force balance.
+    /// Derivatives of the unknowns x of the Newton–Euler equations A x = b in a direction, from
+    /// A x′ = b′ − A′ x. They are NaN if A is singular. Empty if no quantity depends on a reaction.
     fn reaction_derivatives(&self, place: &StateWithReactions<'_>, parameters: &[f64], state: &[f64]) -> Vec<f64> {
         let Some(balance) = &self.balance else { return Vec::new() };
         let (problem, system) = (place.problem, balance.extended());

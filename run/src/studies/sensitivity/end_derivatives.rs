@@ -1,5 +1,5 @@
-//! Derivatives of shown quantities at the end of a run, derivatives of its events' instants, and
-//! errors of both.
+//! Derivatives of the shown quantities at the end of a run, derivatives of the instants of its events,
+//! and estimated errors of the derivatives at the end.
 
 use super::corners::corners;
 use super::equations_with_slopes::{RunWithSlopes, SeededStart};
@@ -15,11 +15,11 @@ use tripos_traits::{Scalar, Tangent, larger};
 
 /// Derivatives at the end of a run by each varied number.
 pub struct EndDerivatives {
-    /// Derivatives of the shown quantities, a list for each varied number. They include the shift of
-    /// the end if an event ends the run.
+    /// Derivatives of the shown quantities, a list for each varied number. If an event ends the run, they
+    /// include the shift of this end.
     pub shown: Vec<Vec<f64>>,
-    /// Derivatives of the instant of the end by each varied number, s per unit; 0 unless an event ends
-    /// the run.
+    /// Derivative of the instant of the end by each varied number, s per unit. They are 0 unless an event
+    /// ends the run.
     pub t: Vec<f64>,
 }
 
@@ -58,7 +58,7 @@ pub fn end_derivatives(parts: &SensitivityInputs<'_>, carried: &RunWithSlopes) -
     Ok(EndDerivatives { shown, t })
 }
 
-/// Rates y′ of a state while the contacts `kept` are held closed.
+/// Computes the rates of the state, dy/dt, while the contacts `kept` are held closed.
 ///
 /// # Errors
 /// `Error::Stopped` if the contact forces have no value.
@@ -74,8 +74,8 @@ fn rates_at_end(parts: &SensitivityInputs<'_>, kept: &HeldContacts, t: f64, y: &
     Ok([q_dot, v_dot].concat())
 }
 
-/// Computes the derivatives of the instants of a run's events by each varied number. `t_end` holds
-/// the derivatives of the end. `None` for an event whose function does not cross zero.
+/// Computes the derivatives of the instants of a run's events by each varied number, s per unit. `t_end`
+/// are the derivatives of the end. `None` for an event whose function does not cross zero.
 ///
 /// # Errors
 /// `Error` if the rates, the contact forces or the reactions at an event have no value.
@@ -87,8 +87,8 @@ pub fn event_time_derivatives(
     carried.solution.events.iter().map(|event| event_time_derivative(parts, carried, t_end, event)).collect()
 }
 
-/// Computes the derivatives of the instant of one event by each varied number; `None` if its
-/// function does not cross zero, or the state there is not known.
+/// Computes the derivative of the instant of one event by each varied number, s per unit. `None` if its
+/// function does not cross zero, or if the state there is not known.
 fn event_time_derivative(
     parts: &SensitivityInputs<'_>,
     carried: &RunWithSlopes,
@@ -120,8 +120,8 @@ fn event_time_derivative(
 /// State (q, v) between two samples, and its derivatives, a list for each varied number.
 type StateWithSlopes = (Vec<f64>, Vec<Vec<f64>>);
 
-/// State and derivatives at the instant `t`, from a short run that begins at the last sample before
-/// it. `None` if this run does not reach the instant.
+/// Computes the state and its derivatives at the instant `t`, s, by a short run from the last sample
+/// before it. `None` if this run does not reach the instant.
 fn state_between_samples(
     parts: &SensitivityInputs<'_>,
     carried: &RunWithSlopes,
@@ -142,19 +142,19 @@ fn state_between_samples(
     Ok((run.solution.stop == Stop::End).then_some((run.solution.y_end, run.end)))
 }
 
-/// Least relative error that a derivative is assumed to have: eight roundings.
+/// Least relative error of every derivative: eight rounding errors.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
-/// Errors of the derivatives at the end, a list for each varied number, and a description of the
-/// second run.
+/// Estimated errors of the derivatives at the end, a list for each varied number, and a text about the
+/// second run. Both are `None` if no errors could be estimated.
 type Assessed = (Option<Vec<Vec<f64>>>, Option<String>);
 
-/// Estimates the errors of the derivatives at the end by a second run with other steps. Its start
-/// and parameters differ by one rounding. `None` if no second run comes to the same end. `starts`
-/// holds the derivatives of the start's state by each varied number.
+/// Estimates the errors of the derivatives at the end by a second run with other steps. Its start and
+/// parameters differ by one rounding. `None` if no second run comes to the same end. `starts` are the
+/// derivatives of the start's state, a list for each varied number.
 ///
-/// Differences shortly before the end count too: two motions that oscillate about each other agree
-/// now and then.
+/// Differences shortly before the end are included, because two motions that oscillate about each
+/// other agree now and then.
 ///
 /// # Errors
 /// [`Error`] if the second run is refused although the first was not.
@@ -187,8 +187,8 @@ pub fn end_derivative_errors(
         }
         let its = SensitivityInputs { problem: &beside, ..*parts };
         let theirs = end_derivatives(&its, &run)?.shown;
-        // A second run that nearly touches a contact, unlike the first, has no derivatives and says nothing
-        // about errors.
+        // A second run may nearly touch a contact although the first does not. It then has no derivatives,
+        // and says nothing about errors.
         let pairs = || own.shown.iter().flatten().zip(theirs.iter().flatten());
         if pairs().any(|(own, other)| other.is_nan() && !own.is_nan()) {
             continue;
@@ -211,12 +211,13 @@ pub fn end_derivative_errors(
     Ok((None, None))
 }
 
-/// Interval before and after a jump of derivatives in which samples are not compared, relative to
-/// the instant or to 1 s, whichever is larger.
+/// Interval before and after a jump of derivatives in which samples are not compared. It is a fraction
+/// of the instant in s, or of 1 s if that is larger.
 const BESIDE: f64 = 1e-6;
 
-/// Indices of at most two samples shortly before the end of a run, to compare with a second run.
-/// Samples next to a jump of derivatives are avoided, since the second run may jump later.
+/// Indices of at most two samples shortly before the end of a run, for comparison with a second run.
+/// Samples next to a jump of derivatives are avoided, because the second run may jump at another
+/// instant.
 fn samples_for_end_derivatives(parts: &SensitivityInputs<'_>, carried: &RunWithSlopes) -> Vec<usize> {
     let (t, t_end) = (&carried.solution.t, carried.solution.t_end);
     let p: Vec<Tangent<1>> = parts.problem.scene.parameters.iter().map(|p| Tangent::from_f64(*p)).collect();
@@ -247,7 +248,7 @@ fn derivatives_at_sample(
         .collect())
 }
 
-/// Absolute differences of two tables of derivatives, entry by entry.
+/// Absolute differences of two tables of derivatives of equal shape, entry by entry.
 fn end_derivative_differences(a: &[Vec<f64>], b: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let of = |a: &Vec<f64>, b: &Vec<f64>| a.iter().zip(b).map(|(a, b)| (a - b).abs()).collect();
     a.iter().zip(b).map(|(a, b)| of(a, b)).collect()

@@ -1,5 +1,4 @@
-//! Equations of motion in numbers that carry derivatives ("slopes"): compiled, or interpreted by
-//! tapes with slopes.
+//! Equations of motion in numbers that carry derivatives ("slopes"), compiled or interpreted.
 
 use super::contacts::contact_history::ContactHistory;
 use super::contacts::grazing_contacts;
@@ -25,8 +24,8 @@ use tripos_sim::{
 };
 use tripos_traits::{CompiledSystem, Derivative, InTangents, Method, Tangent};
 
-/// Equations of motion that compute rates together with their derivatives ("slopes") by varied
-/// numbers.
+/// Equations of motion that compute the rates of the state together with their derivatives ("slopes") by
+/// varied numbers.
 pub struct SlopeEquations {
     /// Equations of motion in double precision.
     pub code: Code,
@@ -37,8 +36,8 @@ pub struct SlopeEquations {
 }
 
 impl SlopeEquations {
-    /// Prepares the equations of a mechanism for an integrator. Compiled equations are used only if the
-    /// program also contains them with slopes, and the integrator needs no Taylor series. Otherwise the
+    /// Prepares the equations of a mechanism for an integrator. Compiled equations are used only if they
+    /// were also compiled with slopes, and if the integrator needs no Taylor series. Otherwise the
     /// equations are interpreted.
     ///
     /// # Errors
@@ -58,13 +57,12 @@ impl SlopeEquations {
         Ok(Self { code, one: OnceCell::new(), four: OnceCell::new() })
     }
 
-    /// True if Taylor coefficients can be computed together with slopes, which only interpreted
-    /// equations can.
+    /// True if the equations can compute Taylor coefficients with slopes. Only interpreted equations can.
     pub fn has_series(&self) -> bool {
         compiled_slope_functions(&self.code).is_none() && self.code.system().has_taylor()
     }
 
-    /// Functions that compute rates with the slopes by one varied number.
+    /// Functions that compute the rates with their slopes by one varied number.
     pub fn rates_with_one_slope(&self) -> SlopeFunctions<'_, 1> {
         match (&self.code, compiled_slope_functions(&self.code)) {
             (Code::Interpreted(system), _) => {
@@ -75,7 +73,7 @@ impl SlopeEquations {
         }
     }
 
-    /// Functions that compute rates with the slopes by four varied numbers.
+    /// Functions that compute the rates with their slopes by four varied numbers.
     fn rates_with_four_slopes(&self) -> SlopeFunctions<'_, 4> {
         match (&self.code, compiled_slope_functions(&self.code)) {
             (Code::Interpreted(system), _) => {
@@ -88,8 +86,8 @@ impl SlopeEquations {
 
     /// Makes a run together with its derivatives by each varied number of its start.
     ///
-    /// The results are the derivatives of the computed steps themselves. A run carries at most four
-    /// slopes. For more varied numbers, the run is repeated for each further four.
+    /// The results are the exact derivatives of the computed steps. A run carries at most four slopes.
+    /// With more varied numbers, the run is repeated for every further four.
     ///
     /// # Errors
     /// [`Error::Request`] if the run cannot begin, or there is no varied number.
@@ -120,8 +118,8 @@ impl SlopeEquations {
     }
 }
 
-/// Start of a run with derivatives: its span, its state, and the slopes of the state by each varied
-/// number.
+/// Start of a run with derivatives: its span, its state, and the derivatives ("slopes") of the state by
+/// each varied number.
 #[derive(Clone, Copy)]
 pub struct SeededStart<'a> {
     /// First and last instant of the run, s.
@@ -134,7 +132,7 @@ pub struct SeededStart<'a> {
     pub slopes: &'a [Vec<f64>],
 }
 
-/// A run with the slopes of its integrated states by each varied number.
+/// Run with the derivatives ("slopes") of its integrated states by each varied number.
 pub struct RunWithSlopes {
     /// Solution of the run in double precision, without slopes.
     pub solution: Solution,
@@ -163,8 +161,8 @@ fn compiled_slope_functions(code: &Code) -> Option<InTangents<'static>> {
     }
 }
 
-/// Makes a run in numbers with `K` slopes. Derivatives end early at an instant at which a gap only
-/// touches zero, if the varied number changes this gap.
+/// Makes a run in numbers with `K` slopes. If a gap only touches zero and a varied number changes this
+/// gap, the derivatives by this number end there.
 ///
 /// # Errors
 /// `Error::Request` if the run cannot begin.
@@ -182,7 +180,7 @@ fn run_slopes_with_touch_checks<const K: usize>(
     Ok(carried)
 }
 
-/// Ends the derivatives by those varied numbers that change a gap at its minimum of zero.
+/// Ends the derivatives by the varied numbers that change a gap at its minimum of zero.
 ///
 /// # Errors
 /// `Error` if the state at the minimum cannot be computed.
@@ -224,7 +222,7 @@ impl RunWithSlopes {
     }
 }
 
-/// Choice to list the gaps whose minimum is nearly zero, or to ignore them.
+/// Choice if gaps with a minimum of nearly zero are listed or ignored.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum TouchTreatment {
     /// The minima of gaps that are nearly zero are listed.
@@ -233,8 +231,8 @@ enum TouchTreatment {
     Ignored,
 }
 
-/// Makes a run in numbers with `K` slopes, by at most `K` varied numbers. The list contains the
-/// minima of gaps that are nearly zero; it is empty if `touches` asks for none.
+/// Makes a run in numbers with `K` slopes, by at most `K` varied numbers. Also returns the list of the
+/// gap minima that are nearly zero. It is empty if `touches` ignores them.
 ///
 /// # Errors
 /// `Error::Request` if the run cannot begin.
@@ -299,7 +297,7 @@ fn run_with_slopes<const K: usize>(
 /// Makes a run of a scene without contacts in numbers with `K` slopes.
 ///
 /// # Errors
-/// `Error::Request` if the accelerations are not eliminated, or the options do not fit.
+/// `Error::Request` if the accelerations are not eliminated, or if the options do not fit the equations.
 fn run_without_contacts<const K: usize>(
     problem: &Problem<'_>,
     (flow, series): SlopeFunctions<'_, K>,

@@ -1,4 +1,4 @@
-//! Motions with contacts held closed, in numbers that carry derivatives ("slopes").
+//! Equations of motion with held contacts, in numbers that carry derivatives ("slopes").
 //!
 //! Invariant: the values are those of [`crate::preparation::impacts::HeldContactEquations`], bit by
 //! bit. The slopes of the contact forces follow from the linear system for these forces
@@ -16,7 +16,7 @@ use tripos_derive::algebra::value::tape::Tape;
 use tripos_sim::{DynamicsWithTangents, Failure, RightHandSide};
 use tripos_traits::{Real, Scalar, Tangent};
 
-/// Gaps and velocities of contacts as tapes in numbers with `K` slopes.
+/// Gaps of contacts, and their gap and slip velocities, as tapes in numbers with `K` slopes.
 pub struct ContactTapes<const K: usize> {
     /// Tapes of the gap of each contact. Inputs: parameters, then coordinates.
     pub gaps: Vec<Tape<Tangent<K>>>,
@@ -25,39 +25,40 @@ pub struct ContactTapes<const K: usize> {
     pub rates: Tape<Tangent<K>>,
 }
 
-/// Equations of motion with the forces of held contacts, in numbers with `K` slopes.
+/// Equations of motion with the forces of held contacts, in numbers with `K` slopes (derivatives).
 pub struct HeldTangents<'a, const K: usize> {
     /// Equations of motion without contact forces, in numbers with slopes.
     pub rhs: DynamicsWithTangents<'a, K>,
     /// Equations of motion with the forces of held contacts, in double precision.
     pub held: HeldContactEquations<'a>,
-    /// Contacts of the scene in 32 digits, for derivatives.
+    /// Contacts of the scene, computed to 32 digits, for derivatives.
     pub wide: &'a PreciseContacts<'a>,
-    /// Gaps and velocities of the contacts with slopes.
+    /// Gaps of the contacts, and their gap and slip velocities, as tapes with slopes.
     pub tapes: &'a ContactTapes<K>,
-    /// Parameters, with their slopes by each varied number.
+    /// Values of the parameters, with their slopes by each varied number.
     pub parameters: &'a [Tangent<K>],
     /// Varied numbers, with the derivatives of parameters and coefficients by each.
     pub seeds: &'a [VariedStart],
-    /// Record in which early ends of derivatives are noted.
+    /// Record in which early ends of derivatives are entered.
     pub history: &'a RefCell<ContactHistory>,
 }
 
-/// Rounds a state to doubles; slopes are dropped.
+/// Rounds a state to doubles. The slopes of its numbers are dropped.
 pub fn round_to_doubles<S: Real>(y: &[S]) -> Vec<f64> {
     y.iter().map(|y| y.to_f64()).collect()
 }
 
-/// Slopes of a state by the varied number with index `at`.
+/// Slopes of a state by the varied number with the index `at`.
 pub fn slopes<S: Real>(y: &[S], at: usize) -> Vec<f64> {
     y.iter().map(|y| y.slope(at)).collect()
 }
 
 impl<const K: usize> HeldTangents<'_, K> {
-    /// Adds the changes that held contact forces cause, with their slopes, to the rates `dydt`.
+    /// Adds the forces of held contacts, with their slopes, to the rates `dydt`.
     ///
     /// # Errors
-    /// `Failure` if a force is not finite. A derivative without value only ends the derivatives.
+    /// `Failure` if a force is not finite. A missing derivative of a force is no failure: it ends the
+    /// derivatives.
     fn add_contact_forces(&mut self, t: f64, y: &[Tangent<K>], dydt: &mut [Tangent<K>]) -> Result<(), Failure> {
         let state = round_to_doubles(y);
         let free = self.held.motion_without_contact_forces(t, &state)?;
@@ -88,8 +89,8 @@ impl<const K: usize> HeldTangents<'_, K> {
         Ok(())
     }
 
-    /// Sets the slopes of the contacts' constraint values. These begin at index `own` of `values`; gaps
-    /// come before velocities.
+    /// Sets the slopes of the constraint values that belong to held contacts. These values begin at the
+    /// index `own` of `values`: first the gaps, then the velocities.
     fn set_constraint_slopes(&self, own: usize, y: &[Tangent<K>], values: &mut [Tangent<K>]) {
         let n = y.len() - self.held.contacts.system.lengths().variables;
         let of_gaps: Vec<Tangent<K>> = [self.parameters, &y[..n]].concat();

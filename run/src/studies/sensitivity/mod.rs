@@ -1,20 +1,21 @@
-//! Sensitivities: derivatives of the quantities that a run shows by parameters and by numbers of
-//! its start.
+//! Sensitivities: derivatives of the quantities that a run shows, by parameters and by numbers of the
+//! start.
 //!
 //! The run is made in numbers that carry derivatives, called slopes ([`tripos_traits::Tangent`]).
 //! The same equations, compiled or interpreted, compute y′ = f and s′ = f_y s + f_p in one call. So
 //! every integrator also computes the derivative of the steps that it takes. The run equals the run
-//! without sensitivities, bit by bit. Only the errors of the states determine the steps. A second
-//! run gives the errors of the derivatives, as it does for the states. Source: H. G. Bock,
-//! "Numerical treatment of inverse problems in chemical reaction kinetics", *Modelling of Chemical
-//! Reaction Systems* (1981), 102–125: internal numerical differentiation.
+//! without sensitivities bit by bit, because only the errors of the states determine the steps. A
+//! second run gives the errors of the derivatives, as it does for the states.
 //!
-//! If an event ends the run, its instant depends on the varied number:
+//! Source: H. G. Bock, "Numerical treatment of inverse problems in chemical reaction kinetics",
+//! *Modelling of Chemical Reaction Systems* (1981), 102–125: internal numerical differentiation.
+//!
+//! If an event ends the run, the instant of the end depends on the varied number:
 //! `dt/dp = −(g_y s + g_p)/(g_y f)`, with g = 0 at the event. The derivatives at the end then
 //! include the shift of the end: `s + f dt/dp`. Other events change no derivative of the state.
 //!
-//! A backward sweep computes the derivatives of one quantity at the end by many numbers at once:
-//! [`gradient`].
+//! A backward sweep computes the derivatives of one quantity at the end by many numbers at once
+//! ([`gradient`]).
 //!
 //! Reduced equations of a scene are not differentiated. They contain constants that would have to
 //! be differentiated too.
@@ -58,29 +59,29 @@ pub struct Sensitivities {
     /// Names of the differentiated quantities: coordinates, generalized speeds, other outputs of the
     /// scene, `kinetic_energy` and `potential_energy`.
     pub names: Vec<String>,
-    /// Unit of each derivative: a list for each of `by`, in the order of `names`. `None` if the unit of
-    /// an output is not known.
+    /// Units of the derivatives: a list for each number in `by`, in the order of `names`. `None` if the
+    /// unit of an output is not known.
     pub units: Vec<Vec<Option<String>>>,
-    /// Derivatives at the end of the run: a list for each of `by`, in the order of `names`. If an event
-    /// ends the run, they include the shift of the end; otherwise they hold at a fixed instant.
+    /// Derivatives at the end of the run: a list for each number in `by`, in the order of `names`. If an
+    /// event ends the run, they include the shift of the end. Otherwise they hold at a fixed instant.
     pub end: Vec<Vec<f64>>,
-    /// Estimated errors of the derivatives at the end, in the order of `end`; `None` if no second run
+    /// Estimated errors of the derivatives at the end, in the order of `end`. `None` if no second run
     /// comes to the same end.
     pub errors: Option<Vec<Vec<f64>>>,
-    /// Derivatives at fixed instants. Indices: number in `by`, sample, quantity in `names`. Empty if
-    /// not requested.
+    /// Derivatives at fixed instants, the samples. Indices: number in `by`, sample, quantity in `names`.
+    /// Empty if not requested.
     pub samples: Vec<Vec<Vec<f64>>>,
-    /// Derivative of the instant of the run's end by each of `by`, s per unit; 0 unless an event ends
-    /// the run.
+    /// Derivative of the instant of the run's end by each number in `by`, s per unit. They are 0 unless
+    /// an event ends the run.
     pub t_end: Vec<f64>,
-    /// Derivatives of the instant of each event of the run by each of `by`; `None` for an event that
-    /// does not cross zero.
+    /// Derivatives of the instant of each event by each number in `by`, s per unit. `None` for an event
+    /// whose function does not cross zero.
     pub events: Vec<Option<Vec<f64>>>,
-    /// Description of the second run that gave the errors; `None` if no second run comes to the same
-    /// end.
+    /// Text that describes the second run, which gave the errors. `None` if no second run comes to the
+    /// same end.
     pub assessed_by: Option<String>,
-    /// Instant and reason at which the derivatives by each of `by` end early; `None` if they reach the
-    /// end of the run.
+    /// Text with the instant and the reason at which the derivatives by each number in `by` end early.
+    /// `None` if they reach the end of the run.
     pub ended: Vec<Option<String>>,
 }
 
@@ -94,7 +95,7 @@ pub enum DerivativeInstants {
 }
 
 impl Sensitivities {
-    /// Derivative of the quantity `name` by the number `by`, at the end of the run.
+    /// Derivative of the quantity `name` by the varied number `by`, at the end of the run.
     ///
     /// # Errors
     /// [`Error::Request`] if no quantity or no varied number has the given name.
@@ -109,7 +110,7 @@ impl Sensitivities {
         Ok(self.end[by][place(&self.names, name, "nothing is differentiated that is called")?])
     }
 
-    /// Message about the first derivative at the end that has no finite value; `None` if all have one.
+    /// Message about the first derivative at the end without a finite value. `None` if all are finite.
     #[must_use]
     pub fn missing_derivative(&self) -> Option<String> {
         let found = self.end.iter().zip(&self.by).find_map(|(list, by)| {
@@ -124,14 +125,15 @@ impl Sensitivities {
     }
 }
 
-/// Runs a scene by full (not reduced) equations, together with the derivatives of its shown
-/// quantities by the named parameters and numbers of its start. `set` holds the names and values
-/// that differ from the scene file.
+/// Runs a scene by full (not reduced) equations, with the derivatives of its shown quantities by the
+/// numbers `names`. These are parameters and numbers of the start. `set` has the names and values of
+/// the numbers that differ from the scene file. `by` names the equations; `None` takes the first
+/// formulation of the model.
 ///
 /// # Errors
-/// [`Error::Input`] for a name that the scene does not have. [`Error::Request`] for equations or an
-/// integrator that cannot be differentiated, and for a number that moves a jump of the equations
-/// where there is no derivative. Otherwise the errors of [`crate::simulate`].
+/// [`Error::Input`] if the scene has no number with a given name. [`Error::Request`] if the equations or
+/// the integrator cannot be differentiated, or if a number moves a jump of the equations so that the
+/// derivative does not exist. Otherwise the errors of [`crate::simulate`].
 pub fn sensitivities(
     mechanism: &Mechanism,
     scene: &Scene,
@@ -206,12 +208,12 @@ pub fn sensitivities(
     })
 }
 
-/// Computes the derivatives of a run that changes its generalized speeds on the way, by differences
-/// of whole runs.
+/// Computes the derivatives of a run that changes its generalized speeds on the way, from differences
+/// with neighbouring runs.
 ///
 /// # Errors
-/// `Error::Request` if derivatives at samples are requested; `Error` if a neighbouring run cannot
-/// be made or ends otherwise.
+/// `Error::Request` if derivatives at samples are requested. `Error` if a neighbouring run cannot be
+/// made, or ends for another reason.
 fn sensitivities_by_differences(
     mechanism: &Mechanism,
     scene: &Scene,
@@ -247,13 +249,13 @@ fn sensitivities_by_differences(
     })
 }
 
-/// Inputs for the derivatives of a run: scene, equations, quantities and varied numbers.
+/// Inputs for the derivatives of a run: scene, equations, quantities, and varied numbers.
 struct SensitivityInputs<'a> {
     /// Scene with its equations of motion in double precision.
     problem: &'a Problem<'a>,
     /// Equations of motion in numbers with slopes (derivatives).
     equations: &'a SlopeEquations,
-    /// Differentiated quantities: those that the run shows, its energies, and its events' functions.
+    /// Quantities that are differentiated: shown quantities, energies, and the functions of events.
     quantities: &'a DifferentiableQuantities,
     /// Varied numbers, by which the derivatives are taken.
     seeds: &'a [VariedStart],
@@ -262,7 +264,7 @@ struct SensitivityInputs<'a> {
 /// Checks that the list of varied numbers is not empty and names no number twice.
 ///
 /// # Errors
-/// `Error::Request` otherwise.
+/// `Error::Request` if the list is empty or names a number twice.
 fn check_names(names: &[String]) -> Result<(), Error> {
     if names.is_empty() {
         let help = "name parameters or numbers of the start";
@@ -277,8 +279,8 @@ fn check_names(names: &[String]) -> Result<(), Error> {
 /// Checks that the equations and the integrator of a scene can be differentiated.
 ///
 /// # Errors
-/// `Error::Request` for reduced equations, quadrature, projection or a numeric solve for
-/// accelerations.
+/// `Error::Request` for reduced equations, quadrature, projection, or accelerations that are solved for
+/// numerically.
 fn check_differentiable_equations(scene: &Scene, by: Option<&EquationsName>) -> Result<(), Error> {
     let how = &scene.integration;
     let refuse = |what: &str, help: &str| Err(Error::request(what, help));
@@ -300,7 +302,7 @@ fn check_differentiable_equations(scene: &Scene, by: Option<&EquationsName>) -> 
     Ok(())
 }
 
-/// Notes to the user about the derivatives of a run, such as a number on which nothing depends.
+/// Notes to the user about the derivatives of a run, such as a number on which no shown value depends.
 fn notes(mechanism: &Mechanism, seeds: &[VariedStart], carried: &RunWithSlopes, end: &EndDerivatives) -> Vec<String> {
     let mut list = Vec::new();
     if mechanism.loops.is_empty() {
@@ -318,8 +320,8 @@ fn notes(mechanism: &Mechanism, seeds: &[VariedStart], carried: &RunWithSlopes, 
     list
 }
 
-/// Warning that derivatives may lack the effect of jumps of the equations at signs of states.
-/// `None` if the model has no such signs.
+/// Warning that derivatives may lack the effect of jumps where a sign of a state changes. `None` if the
+/// model contains no such sign.
 fn sensitivity_warning_at_signs(mechanism: &Mechanism) -> Option<String> {
     let list = mechanism.model.sign_arguments_of_states();
     let shown: Vec<String> = list.iter().map(|text| format!("`{text}`")).collect();
@@ -348,8 +350,8 @@ fn samples(parts: &SensitivityInputs<'_>, carried: &RunWithSlopes) -> Result<Vec
     Ok(lists)
 }
 
-/// Integration options of a short run from a sample to a later instant: the scene's, with only the
-/// ends kept.
+/// Integration options of a short run from a sample to a later instant. They are the scene's, with
+/// output at the ends only.
 fn short_sensitivity_run_options(parts: &SensitivityInputs<'_>) -> tripos_sim::Options {
     tripos_sim::Options { output: tripos_sim::OutputOption::Ends, ..integration_options(parts.problem.scene) }
 }

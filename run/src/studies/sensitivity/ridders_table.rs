@@ -3,7 +3,7 @@
 
 use tripos_traits::larger;
 
-/// Relative error of a derivative at which no shorter step is tried.
+/// Relative error of a derivative up to which it is accepted, so that no shorter step is tried.
 const EXACT: f64 = 1e-9;
 /// Number of successive steps without a smaller error after which no shorter step is tried.
 const IDLE_STEPS: usize = 3;
@@ -13,12 +13,12 @@ const MOST_EXTRAPOLATIONS: usize = 4;
 /// Central differences of one quantity with ever smaller steps, and their extrapolations to step 0.
 #[derive(Clone)]
 pub(super) struct RiddersTable {
-    /// Last difference, followed by its extrapolations with one, two and more of the differences
-    /// before.
+    /// Last difference, followed by its extrapolations. They use one, two and more of the differences
+    /// before it.
     last: Vec<f64>,
     /// Best derivative so far, with its estimated error.
     pub(super) best: (f64, f64),
-    /// Number of differences that were added since the best derivative was found.
+    /// Number of differences that were added after the best derivative was found.
     idle: usize,
 }
 
@@ -29,8 +29,8 @@ impl Default for RiddersTable {
 }
 
 impl RiddersTable {
-    /// Adds a difference whose step is half the step of the last one. `rounding` is the error of the
-    /// difference that the errors of both runs cause.
+    /// Adds a difference whose step is half the step of the last difference. `rounding` is the error of
+    /// the difference that the errors of both runs cause.
     pub(super) fn add(&mut self, difference: f64, rounding: f64) {
         let mut row = vec![difference];
         let mut factor = 1.0;
@@ -39,7 +39,7 @@ impl RiddersTable {
             factor *= 4.0;
             let shorter = row[row.len() - 1];
             let value = (factor * shorter - before) / (factor - 1.0);
-            // Extrapolation enlarges the errors of the runs to twice their size at most.
+            // Extrapolation enlarges the errors of the runs to at most twice their size.
             let error = 2.0 * rounding + larger((value - shorter).abs(), (value - before).abs());
             if error < self.best.1 {
                 self.best = (value, error);

@@ -1,13 +1,15 @@
-//! Derivatives of runs that change their generalized speeds on the way, as differences of whole
-//! runs.
+//! Derivatives of runs that change their generalized speeds on the way, from differences with
+//! neighbouring runs.
 //!
 //! Equations in chosen speeds carry derivatives along a run. Near a state where these speeds fail,
 //! the derivatives are divided by a number that vanishes there. The run itself passes such states
-//! in the rates of all coordinates. So it is repeated at finer tolerances, with the varied number
-//! above and below its value. Central differences with ever smaller steps are extrapolated to step
-//! 0, until rounding errors grow (C. J. F. Ridders, "Accurate computation of F'(x) and F'(x)
-//! F''(x)", *Advances in Engineering Software* 4 (1982) 75–76). A long run may depend on a number
-//! so strongly that no fixed step serves.
+//! in the rates of all coordinates. So the run is repeated at finer tolerances, with the varied
+//! number above and below its value. Central differences with ever smaller steps are extrapolated to
+//! step 0, until rounding errors grow. A long run may depend on a number so strongly that no fixed
+//! step serves.
+//!
+//! Source: C. J. F. Ridders, "Accurate computation of F'(x) and F'(x) F''(x)", *Advances in
+//! Engineering Software* 4 (1982) 75–76.
 
 use super::ridders_table::RiddersTable;
 use crate::error::Error;
@@ -19,24 +21,24 @@ use tripos_derive::model::Unit;
 use tripos_derive::scene::{ENERGIES, Scene, SceneNeighbours};
 use tripos_traits::{AbsoluteTolerance, DoubleDouble, Real, Scalar, larger};
 
-/// First step of the differences of runs, relative to the size of the varied number. Each further
-/// step is half as long.
+/// First change of the varied number in the differences of runs, relative to its size. Each further
+/// change is half as large.
 const STEP: f64 = 1.0 / 256.0;
-/// Greatest number of steps, each half as long as the last, in the differences of runs.
+/// Greatest number of changes of a varied number that are tried, each half as large as the last.
 const MOST_STEPS: usize = 14;
-/// Least size, in its own unit, that a varied number of the start counts as having. It also holds
-/// for a parameter that is zero. The step of any other parameter is relative to its own size.
+/// Least size, in its own unit, that is assumed for a varied number of the start, or for a parameter
+/// that is zero. The step of any other parameter is relative to its own size.
 const LEAST: f64 = 0.01;
-/// Factor from the tolerances of a run to those of the neighbouring runs whose differences give its
-/// derivatives.
+/// Factor from the tolerances of a run to the tolerances of the neighbouring runs, whose differences
+/// give its derivatives.
 const FINER: f64 = 0.01;
-/// Least tolerance to which neighbouring runs are tightened.
+/// Least tolerance of neighbouring runs, whose differences give derivatives.
 const FINEST: f64 = 1e-13;
 
-/// Text for the user that says how derivatives were found: by differences of runs.
+/// Text for the user that says how derivatives were found: by differences with neighbouring runs.
 pub const WORDS: &str = "differences with neighbouring runs, since this run changes its speeds";
 
-/// Request for derivatives by differences of runs: the quantities, the scene and the equations.
+/// Request for derivatives by differences of runs: the scene, its equations and the wanted quantities.
 pub struct RunDifferences<'a> {
     /// Mechanism of the scene.
     pub mechanism: &'a Mechanism,
@@ -60,13 +62,13 @@ pub struct DerivativesByDifferences {
     pub errors: Option<Vec<f64>>,
     /// Derivative of the instant at which the run ends, s per unit of the varied number.
     pub t_end: f64,
-    /// Derivatives of the instants of the run's events; `None` if a neighbouring run has a different
-    /// number of events.
+    /// Derivatives of the instants of the run's events, s per unit of the varied number. `None` if a
+    /// neighbouring run has a different number of events.
     pub events: Option<Vec<f64>>,
 }
 
-/// Results of one run that differences use: values and errors at its end, and the instants of its
-/// end and events.
+/// Results of one run that enter the differences of runs: the values at its end, their errors, and the
+/// instants of its end and events.
 struct RunResults {
     /// Values of the requested quantities at the end of the run.
     values: Vec<f64>,
@@ -79,11 +81,11 @@ struct RunResults {
 }
 
 impl RunDifferences<'_> {
-    /// Computes the derivatives of the given run by the number with the given name.
+    /// Computes the derivatives of the given run by the varied number with the given name.
     ///
     /// # Errors
-    /// [`Error::Input`] if the scene has no number of this name; [`Error::Stopped`] if neighbouring
-    /// runs end for another reason than this run.
+    /// [`Error::Input`] if the scene has no number of this name. [`Error::Stopped`] if a neighbouring run
+    /// ends for another reason than this run.
     pub fn differentiate_by(&self, name: &str, run: &Run) -> Result<DerivativesByDifferences, Error> {
         let mut nearby = SceneNeighbours::new(self.scene, self.mechanism, self.set, name)?;
         let (value, unit) = (nearby.value(), nearby.unit());
@@ -101,8 +103,8 @@ impl RunDifferences<'_> {
         let mut failure = None;
         for level in 0..MOST_STEPS {
             let step = size * STEP / f64::from(1 << level);
-            // A run with a large change may end for another reason, although a run with a small change does
-            // not.
+            // A run with a large change of the number may end for another reason, although a run with a small
+            // change does not.
             let (above, below) = match at(step).and_then(|above| Ok((above, at(-step)?))) {
                 Ok(pair) => pair,
                 Err(error) => {
@@ -124,8 +126,8 @@ impl RunDifferences<'_> {
                 let rounding = if at < quantities { larger(known(&above, at), known(&below, at)) } else { 0.0 };
                 table.add((pick(&above) - pick(&below)) / (2.0 * step), rounding / step);
             }
-            // A neighbouring run may lack an event, which then has no derivative. So only other quantities
-            // prolong the search.
+            // A neighbouring run may lack an event, and the derivative of this event then does not exist. So
+            // only the other quantities prolong the search.
             if tables[..=quantities].iter().all(RiddersTable::is_done) {
                 break;
             }
@@ -143,7 +145,7 @@ impl RunDifferences<'_> {
         })
     }
 
-    /// Runs a scene with a changed number, and returns the results that differences use.
+    /// Runs a scene with a changed number, and returns the results that enter the differences of runs.
     ///
     /// # Errors
     /// `Error::Stopped` if this run ends for another reason than the run `first`.

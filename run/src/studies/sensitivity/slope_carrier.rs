@@ -1,4 +1,4 @@
-//! Runs with contacts in numbers that carry derivatives ("slopes") by parameters and numbers of the
+//! Runs with contacts in numbers that carry derivatives ("slopes"), by parameters and by numbers of the
 //! start.
 
 use super::contacts::contact_history::{ContactChangeInstant, ContactHistory, end_derivatives};
@@ -15,41 +15,41 @@ use std::cell::RefCell;
 use tripos_sim::{Corner, DynamicsWithTangents, RightHandSide, SimError};
 use tripos_traits::{Flow, Real, Scalar, Series, Tangent};
 
-/// Functions that compute the rates of a state with slopes, and, if available, its Taylor
-/// coefficients with slopes.
+/// Functions that compute the rates of a state with slopes (derivatives), and its Taylor coefficients
+/// with slopes; `None` if these are not available.
 pub type SlopeFunctions<'a, const K: usize> = (&'a dyn Flow<Tangent<K>>, Option<&'a dyn Series<Tangent<K>>>);
 
-/// Carrier for runs with contacts in numbers with slopes by at most `K` varied numbers.
+/// Carrier that computes runs with contacts in numbers with slopes, by at most `K` varied numbers.
 pub struct SlopeCarrier<'a, const K: usize> {
     /// Scene with its equations of motion.
     pub problem: &'a Problem<'a>,
-    /// Functions that compute rates, and perhaps Taylor coefficients, with slopes.
+    /// Functions that compute rates with slopes, and Taylor coefficients with slopes if available.
     pub parts: SlopeFunctions<'a, K>,
-    /// Parameters, with their slopes by each varied number.
+    /// Values of the parameters, with their slopes by each varied number.
     pub parameters: &'a [Tangent<K>],
-    /// Varied numbers, with the derivatives of start and parameters by each.
+    /// Varied numbers, with the derivatives of the start and the parameters by each number.
     pub seeds: &'a [VariedStart],
     /// Instants at which a prescribed motion or force has a kink or a jump.
     pub corners: &'a [Corner],
     /// Contacts of the scene in double precision.
     pub contacts: &'a SceneContacts<'a>,
-    /// Contacts of the scene in 32 digits, for derivatives.
+    /// Contacts of the scene, computed to 32 digits, for derivatives.
     wide: PreciseContacts<'a>,
-    /// Gaps and velocities of the contacts as tapes with slopes.
+    /// Gaps of the contacts, and their gap and slip velocities, as tapes with slopes.
     tapes: ContactTapes<K>,
-    /// Upper limit of gap minima that count as touching, relative to the size of the gap's terms;
-    /// `None` if not watched.
+    /// Largest minimum of a gap that counts as touching, relative to the size of the gap's terms. `None`
+    /// if minima are not watched.
     pub near: Option<f64>,
-    /// Minima in time of gaps that are below the limit `near`.
+    /// Minima of gaps in time that are below the limit `near`.
     pub approaches: RefCell<Vec<GapMinimum>>,
-    /// Derivatives of the instants at which contacts changed so far, and ends of derivatives.
+    /// Changes of contacts so far, with the derivatives of their instants, and early ends of derivatives.
     pub history: RefCell<ContactHistory>,
 }
 
 impl<'a, const K: usize> SlopeCarrier<'a, K> {
-    /// Prepares a run of a problem with contacts. A gap below `near`, relative to the size of its
-    /// terms, counts as zero. Corners of the drive and touching gaps are ignored unless the fields
-    /// `corners` and `near` are set afterwards.
+    /// Prepares a run of a problem with contacts. A gap below `near`, relative to the size of its terms,
+    /// counts as zero. Corners of the drive and touching gaps are ignored unless the fields `corners`
+    /// and `near` are set afterwards.
     pub fn new(
         problem: &'a Problem<'a>,
         parts: SlopeFunctions<'a, K>,
@@ -67,8 +67,8 @@ impl<'a, const K: usize> SlopeCarrier<'a, K> {
     }
 }
 
-/// Derivative of the rates (q̇, v̇) at a state, without contact forces, along a direction of
-/// parameters and state.
+/// Computes the derivative of the rates (q̇, v̇), without contact forces, at a state `y` along a direction
+/// of parameters and state.
 pub fn rates_along<const K: usize>(
     problem: &Problem<'_>,
     flow: &dyn Flow<Tangent<K>>,

@@ -1,8 +1,8 @@
-//! Derivatives of the start of a run, and of its parameters, by one varied number of a scene.
+//! Derivatives of the start of a run, and of its parameters, by one varied number of the scene.
 //!
-//! A start may depend on a number in many ways: by formulas, by closed loops, or by speeds that
-//! rates determine. Its derivative is a difference of starts in 32 digits, of order 4 in the step.
-//! It has about 20 correct digits, so it is accurate to double precision.
+//! A start may depend on a number in many ways: by formulas, by closed loops, or by speeds that are
+//! computed from rates. Its derivative is a difference of starts in 32 digits, of order 4 in the step.
+//! This difference has about 20 correct digits, so the derivative is accurate to double precision.
 
 use super::contacts::held_contact_forces::VariedNumber;
 use super::difference::{CENTRAL, FORWARD, STEP, derivative_by_rule};
@@ -13,29 +13,29 @@ use tripos_derive::model::Unit;
 use tripos_derive::scene::{ImpactContact, Scene, SceneNeighbours};
 use tripos_traits::{DoubleDouble, Real, Scalar};
 
-/// Varied number of a scene, with the derivatives by it of the parameters and the start of a run.
+/// Varied number of a scene, with the derivatives of the parameters and of the start by this number.
 #[derive(Clone)]
 pub struct VariedStart {
     /// Name of the varied number.
     pub name: String,
     /// Unit of the varied number.
     pub unit: Unit,
-    /// Derivatives of the parameters with respect to the varied number, in the order of the model.
+    /// Derivatives of the parameters by the varied number, in the order of the model.
     pub parameters: Vec<f64>,
-    /// Derivatives of the integrated state (q, v) at the start with respect to the varied number.
+    /// Derivatives of the integrated state (q, v) at the start by the varied number.
     pub state: Vec<f64>,
-    /// Derivative of each contact's coefficient of restitution with respect to the varied number.
+    /// Derivative of each contact's coefficient of restitution by the varied number.
     pub restitutions: Vec<f64>,
-    /// Derivative of each contact's coefficient of friction with respect to the varied number; 0 for a
-    /// contact without friction.
+    /// Derivative of each contact's coefficient of friction by the varied number; 0 for a contact without
+    /// friction.
     pub frictions: Vec<f64>,
-    /// True if the scene's span of time changes with the varied number.
+    /// True if the span of the scene, its first or last instant, changes with the varied number.
     pub moves_span: bool,
 }
 
 impl VariedStart {
-    /// Computes the derivatives of start and parameters by the number with the given name. `set` holds
-    /// the names and values that differ from the scene file.
+    /// Computes the derivatives of the start and the parameters by the number with the given name. `set`
+    /// has the names and values of the numbers that differ from the scene file.
     ///
     /// # Errors
     /// [`Error::Input`] if the name is neither a parameter nor a number of the start, or if no
@@ -66,11 +66,11 @@ impl VariedStart {
         Ok(Self { name: name.to_owned(), unit, parameters, state, restitutions, frictions, moves_span })
     }
 
-    /// Checks that the number does not change a coefficient of friction from 0, where the direction of
-    /// friction is unknown.
+    /// Checks that the varied number does not raise a coefficient of friction from 0, where the direction
+    /// of friction is not known.
     ///
     /// # Errors
-    /// [`Error::Request`] with the reason if there is no derivative.
+    /// [`Error::Request`] with the reason if the derivative does not exist.
     pub fn check_friction_from_zero(&self, scene: &Scene) -> Result<(), Error> {
         let is_zero =
             |impact: &ImpactContact| impact.friction.as_ref().is_some_and(|friction| friction.coefficient == 0.0);
@@ -84,19 +84,20 @@ impl VariedStart {
         })
     }
 
-    /// Returns the number with the derivatives of the parameters and of the contacts' coefficients by
-    /// it.
+    /// Returns the varied number with the derivatives of the parameters and of the coefficients of
+    /// contacts.
     pub fn as_varied_number(&self) -> VariedNumber<'_> {
         let Self { name, parameters, restitutions, frictions, .. } = self;
         VariedNumber { name, parameters, restitutions, frictions }
     }
 }
 
-/// Scenes at the positions of a difference rule, and this rule as pairs of position and weight.
+/// Scenes at the positions of a difference rule, and this rule as pairs: a position in steps, and twelve
+/// times its weight.
 type NeighbouringScenes = (Vec<Scene>, &'static [(i32, i64)]);
 
 /// Makes the scenes at the positions of a difference rule. The rule is central, or one-sided if the
-/// number cannot be lowered. `at` makes the scene at a position, in steps.
+/// number cannot be lowered. `at` makes the scene for a given number of steps.
 ///
 /// # Errors
 /// `Error` if neither rule is possible.

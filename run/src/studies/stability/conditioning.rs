@@ -1,5 +1,5 @@
-//! Errors of the accelerations, and condition numbers of their matrices, along a passage near a
-//! singular surface. They show how many digits a numeric solve loses, and why.
+//! Errors of the accelerations along a passage near a singular surface, and condition numbers of their
+//! matrices. They show how many digits a numeric solution for the accelerations loses, and why.
 
 use super::findings::{ConditioningFinding, FindingRow, FindingTopic, Findings, StudyInputs};
 use super::passages::find_passage;
@@ -15,12 +15,12 @@ use tripos_derive::scene::{AccelerationSolution, Scene};
 use tripos_sim::{Dynamics, Options, OutputOption, linear};
 use tripos_traits::{DoubleDouble, Real, Scalar, System, larger};
 
-/// Number of examined distances from the singular surface per factor of ten.
+/// Number of examined states for each factor of ten in the distance from the singular surface.
 const PER_DECADE: usize = 6;
 
-/// State on a passage near a singular surface of the kinematic equations.
+/// State of a motion that passes near a singular surface of the kinematic equations.
 struct Waypoint {
-    /// Size of the divisor of the kinematic equations, which is zero on the surface.
+    /// Absolute value of the divisor of the kinematic equations, which is zero on the surface.
     divisor: f64,
     /// Generalized coordinates.
     q: Vec<f64>,
@@ -28,8 +28,8 @@ struct Waypoint {
     u: Vec<f64>,
 }
 
-/// Computes the accelerations u̇ at a state of a passage in twice the precision of a double.
-/// `system` are the equations.
+/// Computes the accelerations u̇ at a state of a passage, to 32 digits. `system` are the equations of
+/// motion.
 fn exact_accelerations(
     study: &StudyInputs<'_>,
     system: &dyn System<DoubleDouble>,
@@ -47,7 +47,7 @@ fn exact_accelerations(
 
 /// Error of the accelerations at a state of a passage, and condition numbers of their matrix.
 struct ExaminedConditioning {
-    /// Largest error of u̇ relative to the largest u̇; NaN if the linear system has no solution.
+    /// Largest error of u̇ relative to the largest u̇; NaN if the linear system for u̇ has no solution.
     error: f64,
     /// Condition number of the unscaled matrix.
     plain: f64,
@@ -55,8 +55,8 @@ struct ExaminedConditioning {
     scaled: f64,
 }
 
-/// Examines the accelerations of a case at a state of a passage. `exact` are the accelerations u̇
-/// in 32 digits.
+/// Computes the error of the accelerations by one case at a state of a passage, and the condition
+/// numbers. `exact` are the accelerations u̇ to 32 digits.
 ///
 /// # Errors
 /// `Error::Request` if the parameters do not fit the equations.
@@ -79,8 +79,7 @@ fn examine_conditioning(
             Err(_) => v_dot.fill(f64::NAN),
         },
     }
-    // The definitions of the speeds are evaluated in twice the precision of a double, so that they add
-    // no error.
+    // The definitions of the speeds are evaluated to 32 digits, so that they add no error.
     let wide = |list: &[f64]| list.iter().map(|x| DoubleDouble::from_f64(*x)).collect::<Vec<_>>();
     let mut u_dot = vec![DoubleDouble::int(0); place.u.len()];
     let mut exact_v = vec![DoubleDouble::int(0); v.len()];
@@ -95,9 +94,9 @@ fn examine_conditioning(
     Ok(ExaminedConditioning { error, plain, scaled: 1.0 / linear::reciprocal_condition(&matrix, n) })
 }
 
-/// Lists states along the first passage of that rung of the scene's ladder which comes nearest to
-/// the singular surface. There are at most `PER_DECADE` for each factor of ten of the divisor.
-/// Empty without a passage.
+/// Lists states along the passage that comes closest to the singular surface. It is the first passage of
+/// one variant (rung) of the scene's ladder. For each factor of ten of the divisor, there are at most
+/// `PER_DECADE` states. Empty if no rung has a passage.
 ///
 /// # Errors
 /// `Error` if the rungs cannot be run.
@@ -142,8 +141,8 @@ fn passage_states(study: &StudyInputs<'_>) -> Result<Vec<Waypoint>, Error> {
     Ok(list)
 }
 
-/// Curves of the four panels of the figure of condition numbers: a curve for each formulation in
-/// each panel.
+/// Curves of the figure of condition numbers, which has four panels. Each panel has a curve for each
+/// formulation.
 #[derive(Default)]
 struct ConditioningCurves {
     /// Errors of eliminated accelerations against the divisor of the kinematic equations.
@@ -159,8 +158,8 @@ struct ConditioningCurves {
 }
 
 impl ConditioningCurves {
-    /// Adds the curves of a case: points (divisor, value) of the errors and of both condition numbers.
-    /// Does nothing without points.
+    /// Adds the curves of a case: the errors and both condition numbers, as points (divisor, value). Does
+    /// nothing if there are no points.
     fn add(&mut self, case: &ChartCase, errors: Vec<(f64, f64)>, plain: Vec<(f64, f64)>, scaled: Vec<(f64, f64)>) {
         if errors.is_empty() {
             return;
@@ -180,9 +179,9 @@ impl ConditioningCurves {
     }
 }
 
-/// Examines the accelerations of all cases along a passage near a singular surface. Does nothing if
-/// the scene has no passage, or the model has no Lagrange's equations, which give the exact
-/// accelerations in 32 digits.
+/// Examines the accelerations by all cases along a passage near a singular surface. Does nothing if the
+/// scene has no passage. Also does nothing if the model has no Lagrange's equations, which give the
+/// exact accelerations to 32 digits.
 ///
 /// # Errors
 /// [`Error`] if the scene cannot be run.
@@ -203,7 +202,7 @@ pub fn study_conditioning(study: &StudyInputs<'_>, findings: &mut Findings) -> R
             let exact = exact_accelerations(study, lagrange.extended(), place);
             let ExaminedConditioning { error, plain: cond, scaled: equilibrated } =
                 examine_conditioning(case, case.code.extended(), &scene, place, &exact)?;
-            // An error below half a unit in the last place counts as 1e-17.
+            // Errors below 1e-17 are drawn at 1e-17, because a logarithmic axis has no zero.
             error_points.push((place.divisor, larger(error, 1e-17)));
             plain.push((place.divisor, cond));
             scaled.push((place.divisor, equilibrated));

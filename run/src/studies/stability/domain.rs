@@ -1,5 +1,4 @@
-//! Study of the domain of the equations: the conditions that stop a run where its equations no
-//! longer hold.
+//! Study of the domain of the equations: its conditions stop a run where the equations no longer hold.
 
 use super::findings::{FindingRow, FindingTopic, Findings, StudyInputs};
 use crate::code::{CodePreparation, runnable_code};
@@ -13,8 +12,8 @@ use tripos_derive::mechanics::EquationsOrigin;
 use tripos_derive::plain_text::{with_reliable_digits, with_significant_digits};
 use tripos_sim::{Method, Options, OutputOption, Stop};
 
-/// Runs a scene with and without the conditions of the model's domain, and records the difference.
-/// Does nothing if the model has no such conditions and the scene has no events.
+/// Runs a scene with and without the conditions of the model's domain, and records the difference. Does
+/// nothing if the model has no such conditions and the scene has no events.
 ///
 /// # Errors
 /// [`Error`] if the scene cannot be run.

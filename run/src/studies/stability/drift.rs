@@ -1,5 +1,5 @@
-//! Study of long runs by each integrator, in which conserved quantities drift without bound or stay
-//! bounded. Also studies tolerances finer than rounding.
+//! Study of long runs by each integrator: does the energy drift without bound, or does its error stay
+//! bounded? Also studies tolerances finer than rounding.
 
 use super::findings::{FindingRow, FindingTopic, Findings, StudyInputs};
 use crate::code::{CodePreparation, runnable_code};
@@ -15,13 +15,13 @@ use tripos_sim::error_growth::{Trend, drift_trend};
 use tripos_sim::{Method, Options, OutputOption};
 use tripos_traits::larger;
 
-/// Durations of a long run, in spans of the scene: for a quick study and for a full study.
+/// Durations of a long run, in spans of the scene: first for a quick study, then for a full study.
 const SPANS: [f64; 2] = [20.0, 200.0];
 /// Number of steps of a fixed-step run in each span of the scene.
 const FIXED: f64 = 400.0;
 
-/// Runs every integrator over many spans and records the drift of the energy. Does nothing if
-/// energy is not conserved; only tolerances are studied if the motion leaves its domain.
+/// Runs every integrator over many spans of the scene, and records the drift of the energy. Does nothing
+/// if energy is not conserved. If the motion leaves its domain, only tolerances are studied.
 ///
 /// # Errors
 /// [`Error`] if the scene cannot be run.
@@ -104,17 +104,17 @@ struct LongRun<'r> {
 }
 
 impl LongRun<'_> {
-    /// Makes the run with the given options, and adds its rows to the table, under the case name `how`.
+    /// Makes the run with the given options. Adds its rows to the table of findings, under the case `how`.
     ///
     /// # Errors
-    /// `Error::Request` if the options are invalid; `Error::Interrupted` if the observer ended the run.
+    /// `Error::Request` if the options are invalid. `Error::Interrupted` if the observer ended the run.
     fn energy_drift(&self, options: &Options, how: &str, findings: &mut Findings) -> Result<EnergyDrift, Error> {
         let Self { problem, y0, span, watch, energy } = *self;
         let run =
             problem.integrate_over(span, y0, options, &mut []).map_err(|e| refused_scene_error(problem.scene, &e))?;
         let run = require_uninterrupted(run)?;
         let drifts = watch.integral_changes(problem, &run, energy);
-        // A run that did not arrive has no trend.
+        // A run that did not reach its end has no trend.
         let word = match drift_trend(&drifts) {
             _ if run.stop.is_failure() => "stopped",
             Trend::Secular => "secular",
@@ -144,12 +144,12 @@ impl LongRun<'_> {
     }
 }
 
-/// Runs a problem with an absolute tolerance below the rounding of its variables, and with a larger
-/// tolerance for comparison. The small tolerance costs steps and improves nothing, so the run must
-/// warn.
+/// Runs a problem twice: with an absolute tolerance below the rounding of its variables, and with a
+/// larger tolerance for comparison. The small tolerance costs steps and improves nothing, so the run must
+/// give a warning.
 ///
 /// # Errors
-/// `Error::Request` if the options are invalid; `Error::Interrupted` if the observer ended a run.
+/// `Error::Request` if the options are invalid. `Error::Interrupted` if the observer ended a run.
 fn study_tolerance_below_rounding(
     study: &StudyInputs<'_>,
     problem: &Problem<'_>,

@@ -6,18 +6,18 @@ use crate::studies::figure::Figure;
 use tripos_derive::mechanics::EquationsOrigin;
 use tripos_derive::scene::{AccelerationSolution, Scene};
 
-/// Row of the table of findings: the value of a quantity, with the run in which it was found.
+/// Row of the table of findings: the value of one quantity, and the run that gave it.
 #[derive(Clone, Debug, Default)]
 pub struct FindingRow {
     /// Name of the study, such as `passage`.
     pub check: &'static str,
     /// Name of the equations of motion; empty if the value does not depend on them.
     pub formulation: String,
-    /// Name of the method that finds accelerations; empty if the value does not depend on it.
+    /// Name of the method that finds the accelerations; empty if the value does not depend on it.
     pub solve: &'static str,
     /// Name of the integrator; empty if the value does not depend on it.
     pub method: &'static str,
-    /// Least distance, instant or tolerance to which the value belongs, as text.
+    /// Case to which the value belongs, as text: a least distance, an instant or a tolerance.
     pub case: String,
     /// Name of the quantity, such as `energy drift`.
     pub quantity: &'static str,
@@ -29,12 +29,12 @@ pub struct FindingRow {
     pub remark: String,
 }
 
-/// Run past a singular surface, which gives a cell of the heat map.
+/// Run past a singular surface. It gives one cell of the heat map.
 #[derive(Clone, Debug)]
 pub struct PassageRun {
     /// Origin of the equations that were integrated.
     pub by: EquationsOrigin,
-    /// Name of the method that finds accelerations; `-` for quadrature.
+    /// Name of the method that finds the accelerations; `-` for quadrature.
     pub solve: &'static str,
     /// Name of the integrator.
     pub method: &'static str,
@@ -43,7 +43,8 @@ pub struct PassageRun {
     /// Least distance from the surface: the smallest absolute value of the divisor of the kinematic
     /// equations.
     pub least: f64,
-    /// Largest error of a compared quantity at the end of the run; `None` if the run stopped earlier.
+    /// Largest error of a compared quantity at the end of the run; `None` if the run stopped before its
+    /// end.
     pub error: Option<f64>,
     /// Number of accepted steps of the run.
     pub steps: u64,
@@ -58,7 +59,7 @@ pub struct PassageRun {
 pub enum FindingTopic {
     /// Passages near a singular surface of the kinematic equations.
     Passages,
-    /// Condition numbers of the matrices for accelerations along a passage.
+    /// Condition numbers of the matrices that give the accelerations, along a passage.
     Conditioning,
     /// Domain in which the equations describe the motion, and runs that leave it.
     Domain,
@@ -69,7 +70,7 @@ pub enum FindingTopic {
 }
 
 impl FindingTopic {
-    /// Name of the topic for a line of progress, such as `passages`.
+    /// Name of the topic, for a line of progress, such as `passages`.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -92,7 +93,7 @@ pub struct ConditioningFinding {
     pub solve: AccelerationSolution,
     /// Absolute value of the divisor of the kinematic equations at the state.
     pub divisor: f64,
-    /// Largest error of the accelerations u̇ against those in 32 digits, relative to the largest u̇.
+    /// Largest error of the accelerations u̇ compared with u̇ to 32 digits, relative to the largest u̇.
     pub error: f64,
     /// Condition number of the matrix after its rows and columns are scaled.
     pub equilibrated: f64,
@@ -101,14 +102,14 @@ pub struct ConditioningFinding {
 /// Variable that is integrated past a singular surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PassageVariable {
-    /// The coordinate itself, with its singular value on the surface.
+    /// The coordinate itself, such as an angle.
     Coordinate,
     /// Distance of the coordinate from its value on the surface, such as an angle minus 90°.
     Distance,
 }
 
 impl PassageVariable {
-    /// Name of the variable for tables.
+    /// Name of the variable, for tables.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -121,12 +122,12 @@ impl PassageVariable {
 /// Findings of all studies of a scene's limits.
 #[derive(Default)]
 pub struct Findings {
-    /// Rows of the table, a row for every value that was found.
+    /// Rows of the table of findings, one for every value that was found.
     pub rows: Vec<FindingRow>,
     /// Runs past singular surfaces, for the cells of the heat map.
     pub passages: Vec<PassageRun>,
-    /// Errors of accelerations and condition numbers along the narrowest passage, up to its least
-    /// distance.
+    /// Errors of accelerations and condition numbers at states along the closest passage, up to its least
+    /// distance from the singular surface.
     pub looked: Vec<ConditioningFinding>,
     /// True if the motion leaves the domain of its equations in a run.
     pub left_domain: bool,
@@ -134,8 +135,7 @@ pub struct Findings {
     pub figures: Vec<(&'static str, Figure)>,
     /// Conclusions of the studies, each a sentence.
     pub statements: Vec<Statement>,
-    /// Topic of the study that was interrupted, after which no study began. `None` if all were
-    /// completed.
+    /// Topic of the study that was interrupted. No later study began. `None` if all studies were completed.
     pub unfinished: Option<FindingTopic>,
 }
 

@@ -1,5 +1,5 @@
-//! Study of the growth of small errors: the horizon after which no correct digit is left, predicted
-//! and measured.
+//! Study of the growth of small errors. It predicts and measures the horizon: the instant after which no
+//! correct digit is left.
 
 use super::findings::{FindingRow, FindingTopic, Findings, StudyInputs};
 use crate::code::{CodePreparation, runnable_code};
@@ -16,13 +16,14 @@ use tripos_sim::work_precision::work_precision_error;
 use tripos_sim::{EliminatedDynamics, Method, Options, OutputOption};
 use tripos_traits::larger;
 
-/// Number of instants at which the errors of runs are measured against the reference.
+/// Number of instants at which the errors of runs are measured by the reference.
 const INSTANTS: u32 = 40;
-/// Tolerances of the runs whose horizons are predicted and measured.
+/// Relative and absolute tolerances of the runs whose horizons are predicted and measured. The horizon is
+/// the instant after which no correct digit is left.
 const TOLERANCES: [f64; 3] = [1e-4, 1e-7, 1e-10];
 
-/// Predicts the growth of an error by the linearized equations, and compares it with runs at three
-/// tolerances.
+/// Predicts the growth of errors by the linearized equations, and compares the prediction with runs at
+/// three tolerances. Does nothing if the accelerations are not eliminated.
 ///
 /// # Errors
 /// [`Error`] if the scene cannot be run.
@@ -59,7 +60,7 @@ pub fn study_growth(study: &StudyInputs<'_>, findings: &mut Findings) -> Result<
     )];
     for (at, tolerance) in TOLERANCES.into_iter().enumerate() {
         let (steps, errors) = errors_at_instants(&problem, &y0, tolerance, &times, &reference)?;
-        // Every step adds an error of its own, which the prediction takes into account.
+        // Every step adds an error of its own. The prediction takes this into account.
         let predicted = found.horizon(|t| tolerance * (steps * (t - from) / (to - from)).max(1.0));
         let lost = errors.iter().find(|(_, e)| *e >= 1.0).map(|(t, _)| *t);
         let remark = if lost.is_none() { "a digit is left to the end" } else { "first instant with an error of 1" };
@@ -98,11 +99,11 @@ pub fn study_growth(study: &StudyInputs<'_>, findings: &mut Findings) -> Result<
     Ok(())
 }
 
-/// Makes a run at the given tolerance. Returns the number of its steps, and a pair of instant, s,
-/// and error for each of `times`.
+/// Makes a run at the given tolerance. Returns the number of its steps, and the pairs of instant, s, and
+/// error for the instants `times` that it reached.
 ///
 /// # Errors
-/// `Error::Request` if the options are invalid; `Error::Interrupted` if the observer ended the run.
+/// `Error::Request` if the options are invalid. `Error::Interrupted` if the observer ended the run.
 fn errors_at_instants(
     problem: &Problem<'_>,
     y0: &[f64],

@@ -1,7 +1,7 @@
-//! Study of passages near a singular surface: the errors of every formulation and integrator, in
-//! the singular coordinate and in its distance from the surface.
+//! Study of passages near a singular surface: the errors by every formulation and integrator. The
+//! singular coordinate is integrated, or its distance from the surface.
 //!
-//! A scene's ladder is a list of variants of its start, called rungs, that pass ever closer to the
+//! A scene's ladder is a list of variants of its start, called rungs. They pass ever closer to the
 //! surface.
 
 use super::findings::{FindingRow, FindingTopic, Findings, PassageRun, PassageVariable, StudyInputs};
@@ -24,7 +24,7 @@ use tripos_sim::work_precision::{work_precision_error, work_precision_options};
 use tripos_sim::{Method, Options, OutputOption};
 use tripos_traits::larger;
 
-/// Integrators that are compared, each with a tolerance near the finest that it accepts.
+/// Integrators that are compared, each with a tolerance close to the finest that it accepts.
 const METHODS: [(Method, f64); 5] = [
     (Method::Dop853, 3e-14),
     (Method::Ode45, 1e-12),
@@ -32,24 +32,24 @@ const METHODS: [(Method, f64); 5] = [
     (Method::Gauss6, 1e-11),
     (Method::Rk4, 1e-12),
 ];
-/// Integrator and tolerance for a scene's reduced equations. Near the surface, their states have
-/// very different sizes and lose no digits. An absolute tolerance alone keeps the digits of all
-/// states.
+/// Integrator and tolerance for the scene's reduced equations. Near the surface, the states of these
+/// equations have very different sizes, and lose no digits. An absolute tolerance alone keeps the digits
+/// of all states.
 const OWN: MethodAtTolerance = MethodAtTolerance::Absolute(Method::Dop853, 1e-14);
 /// Number of integrators that a quick study compares.
 const QUICK: usize = 2;
 
 /// Passage of a motion near a singular surface of the kinematic equations.
 pub struct Passage {
-    /// Instant at which the motion is nearest to the surface, s.
+    /// Instant at which the motion is closest to the surface, s.
     pub t: f64,
-    /// Least distance from the surface: the absolute value of the divisor of the kinematic equations at
-    /// that instant.
+    /// Least distance from the surface, measured by the absolute value of the divisor of the kinematic
+    /// equations.
     pub least: f64,
 }
 
-/// Finds the first passage of a scene near a singular surface: a minimum of the absolute value of a
-/// divisor of the kinematic equations. `None` if there is no minimum, or the motion goes through
+/// Finds the first passage of a scene near a singular surface, where the absolute value of a divisor of
+/// the kinematic equations has a minimum. `None` if there is no such minimum, or if the motion crosses
 /// the surface.
 ///
 /// # Errors
@@ -72,7 +72,7 @@ pub fn find_passage(model: &Mechanism, scene: &Scene) -> Result<Option<Passage>,
     )?;
     let values: Vec<f64> =
         run.y.iter().map(|y| tape.evaluate(&[scene.parameters.clone(), problem.coordinates(y)].concat())[0]).collect();
-    // A motion that goes through the surface has no passage beside it.
+    // A motion that crosses the surface has no passage beside it.
     if values.iter().any(|v| *v > 0.0) && values.iter().any(|v| *v < 0.0) {
         return Ok(None);
     }
@@ -81,18 +81,19 @@ pub fn find_passage(model: &Mechanism, scene: &Scene) -> Result<Option<Passage>,
     Ok(least.map(|at| Passage { t: run.t[at], least: values[at] }))
 }
 
-/// Rung of the ladder: a variant of the scene, with the reference at its passage and at its end.
+/// Rung of the ladder: a variant of the scene, with reference states at its passage and at its end.
 struct Rung {
     /// Variant of the scene.
     scene: Scene,
-    /// Reference states in 32 digits at the passage and at the end.
+    /// Reference states to 32 digits, at the passage and at the end.
     reference: ReferenceSolution,
-    /// Least distance of the motion from the singular surface.
+    /// Least distance of the motion from the singular surface, measured by the divisor of the kinematic
+    /// equations.
     least: f64,
 }
 
-/// Runs all passages of the scene's ladder with every case and integrator, and records their
-/// errors. Does nothing if the scene has no passage near a singular surface.
+/// Runs all passages of the scene's ladder by every case and integrator, and records their errors. Does
+/// nothing if the scene has no passage near a singular surface.
 ///
 /// # Errors
 /// [`Error`] if the scene cannot be run.
@@ -131,7 +132,7 @@ pub fn study_passages(study: &StudyInputs<'_>, findings: &mut Findings) -> Resul
             distance,
             variable: distance.map_or(PassageVariable::Coordinate, |_| PassageVariable::Distance),
         };
-        // The list has only formulations that the model has.
+        // Only formulations that the model has are in the list.
         for case in full_equation_cases(model, &scene, PrintedEquationsChoice::LeftOut)?.0 {
             for (method, tolerance) in METHODS.into_iter().take(if study.quick { QUICK } else { METHODS.len() }) {
                 if case.can_run_with(method) {
@@ -173,18 +174,18 @@ pub fn study_passages(study: &StudyInputs<'_>, findings: &mut Findings) -> Resul
     Ok(())
 }
 
-/// Variable that is integrated in the runs of a row of the heat map.
+/// Variable that the runs of one row of the heat map integrate.
 #[derive(Clone, Copy)]
 struct IntegratedVariable {
-    /// Distance that the equations of the whole model use as a variable; `None` if they use the
-    /// coordinate.
+    /// Distance from the singular surface that the equations of the whole model use as a variable. `None`
+    /// if they use the coordinate itself.
     distance: Option<SingularDistance>,
     /// Kind of the variable, for tables.
     variable: PassageVariable,
 }
 
-/// Makes the run of a case on one rung, adds its rows to the findings, and returns its cell of the
-/// heat map.
+/// Runs a case on one rung of the ladder. Adds its rows to the findings, and returns its cell of the heat
+/// map.
 ///
 /// # Errors
 /// `Error` if the run cannot be made or is interrupted.
@@ -228,8 +229,8 @@ fn run_ladder_cell(
     let (mut t, mut y, mut steps, mut last) = (scene.span.0, start.clone(), 0, f64::NAN);
     let instants = rung.reference.times.iter().zip(&rung.reference.states);
     for (quantity, (next, state)) in ["error inside", "error at the end"].into_iter().zip(instants) {
-        // Quadrature starts anew for each part. It takes no steps that the first part could save, and a
-        // state inside the passage determines the energy to fewer digits.
+        // Quadrature starts again for each part. The first part would save no steps, and a state inside the
+        // passage gives the energy to fewer digits.
         if way == MethodAtTolerance::Quadrature {
             (t, y) = (scene.span.0, start.clone());
         }
@@ -260,7 +261,7 @@ fn run_ladder_cell(
     Ok(Cell::Value(last))
 }
 
-/// Result of a run over one part of a passage.
+/// Result of a run over one part of a passage: up to the closest point, or from there to the end.
 struct PassagePartResult {
     /// Code of the reason why the run stopped before the end of the part; `None` if it reached the end.
     stop: Option<String>,
@@ -299,8 +300,8 @@ fn run_passage_part(
     }
 }
 
-/// Adds two conclusions to the findings: the best and the worst run through the narrowest passage,
-/// and the uncertainty of the references.
+/// Adds two conclusions to the findings: the best and the worst run through the closest passage, and the
+/// uncertainty of the references.
 fn add_passage_summary(findings: &mut Findings, rungs: &[Rung]) {
     let Some(narrow) = rungs.iter().min_by(|a, b| a.least.total_cmp(&b.least)) else { return };
     let describe = |p: &PassageRun| format!("{}, {}, {}, in the {}", p.by.name(), p.solve, p.method, p.variable.name());

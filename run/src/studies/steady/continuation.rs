@@ -1,5 +1,5 @@
-//! Steady motion followed along a varied number: eigenvalues that cross the imaginary axis, and the
-//! end of the motion.
+//! Follows a steady motion along a varied number. Finds the eigenvalues that cross the imaginary axis,
+//! and the end of the motion.
 
 use super::SteadyProblem;
 use super::equilibrium_search::{ELSEWHERE, search_unknowns};
@@ -17,9 +17,9 @@ use tripos_traits::{DoubleDouble, Scalar};
 const HALVINGS: usize = 200;
 /// Relative width below which an interval is no longer halved.
 const WIDTH: f64 = 4.0 * f64::EPSILON;
-/// Relative difference up to which two crossings count as equal.
+/// Relative difference of two values of the varied number up to which two crossings count as equal.
 const SAME: f64 = 1e-9;
-/// Largest number of crossings that are found between two given values of the varied number.
+/// Largest number of crossings that are searched for between two given values of the varied number.
 const MOST_CROSSINGS: usize = 32;
 
 /// Steady motion at one value of the varied number.
@@ -31,7 +31,7 @@ pub struct ContinuationPoint {
     pub about: SteadyLinearSystem,
 }
 
-/// Kind of change of a steady motion between two values of the varied number.
+/// Kind of change of a steady motion along a varied number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CrossingKind {
     /// A real eigenvalue passes 0. Other steady motions branch off, or exchange stability with this
@@ -40,12 +40,12 @@ pub enum CrossingKind {
     /// A pair of complex eigenvalues passes the imaginary axis, and oscillations begin or cease to grow
     /// (E. Hopf).
     Pair,
-    /// The steady motion ends, where it meets another steady motion.
+    /// The steady motion ends, because it meets another steady motion.
     Fold,
 }
 
 impl CrossingKind {
-    /// Name of the kind for JSON and tables.
+    /// Name of the kind, for JSON and tables.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -68,7 +68,7 @@ pub struct StabilityCrossing {
     pub frequency: f64,
 }
 
-/// Steady motion along a varied number: its points, its changes of stability and its end.
+/// Steady motion followed along a varied number: its points, its changes of stability and its end.
 #[derive(Clone, Debug, Default)]
 pub struct Continuation {
     /// Points at the given values of the number, up to the end of the motion.
@@ -79,11 +79,11 @@ pub struct Continuation {
     pub ended: Option<String>,
 }
 
-/// Follows a steady motion over values of a number in the state file. `asked` reads the state file
-/// with a value of the number.
+/// Follows a steady motion over the values of a number in the state file. `asked` reads the state file
+/// with a given value of this number.
 ///
 /// # Errors
-/// `Error` if no steady motion is found at the first value, or the state file cannot be read with a
+/// `Error` if no steady motion is found at the first value, or if the state file cannot be read with a
 /// value.
 pub fn continue_steady_motion(
     model: &Mechanism,
@@ -95,11 +95,11 @@ pub fn continue_steady_motion(
     continue_prepared(model, &mut question, asked, values)
 }
 
-/// Follows a steady motion over values of a number, for a mechanism that is already prepared.
-/// `asked` reads the state file with a value of the number.
+/// Follows a steady motion over the values of a number in the state file, for a prepared mechanism.
+/// `asked` reads the state file with a given value of this number.
 ///
 /// # Errors
-/// `Error` if no steady motion is found at the first value, or the state file cannot be read with a
+/// `Error` if no steady motion is found at the first value, or if the state file cannot be read with a
 /// value.
 pub(super) fn continue_prepared(
     model: &Mechanism,
@@ -137,7 +137,7 @@ pub(super) fn continue_prepared(
     Ok(course)
 }
 
-/// Steady motion that is followed along a varied number: mechanism, unknowns and requests.
+/// Steady motion that is followed along a varied number: its mechanism, its equations and its unknowns.
 struct ContinuedMotion<'w> {
     /// Mechanism whose motion is followed.
     model: &'w Mechanism,
@@ -150,20 +150,20 @@ struct ContinuedMotion<'w> {
 }
 
 impl ContinuedMotion<'_> {
-    /// Finds the steady motion at a value of the number. The search begins at the steady motion `near`,
-    /// or at the guess.
+    /// Finds the steady motion at a value of the number, and its family of neighbouring steady motions.
+    /// The search begins at the steady motion `near`, or at the guess if this is `None`.
     ///
     /// # Errors
-    /// `Error` if no steady motion is found, or it has no linear system.
+    /// `Error` if no steady motion is found, or if it has no linear system.
     fn point(&mut self, value: f64, near: Option<&SteadyState>) -> Result<ContinuationPoint, Error> {
         self.point_with_family(value, near, FamilySearch::Sought)
     }
 
-    /// Finds the steady motion at a value of the number. `family` tells if neighbouring steady motions
-    /// are searched for too.
+    /// Finds the steady motion at a value of the number. The search begins at the steady motion `near`, or
+    /// at the guess if this is `None`. `family` tells if neighbouring steady motions are searched for.
     ///
     /// # Errors
-    /// `Error` if no steady motion is found, or it has no linear system.
+    /// `Error` if no steady motion is found, or if it has no linear system.
     fn point_with_family(
         &mut self,
         value: f64,
@@ -186,8 +186,8 @@ impl ContinuedMotion<'_> {
         })
     }
 
-    /// Last value of the number at which the steady motion is found. It lies between that of the point
-    /// `from` and the value `to`, at which no steady motion is found.
+    /// Finds the last value of the number at which the steady motion exists. This value lies between the
+    /// value at `from`, and `to`, where no steady motion is found.
     fn last_value_found(&mut self, from: &ContinuationPoint, to: f64) -> f64 {
         let (mut near, mut last, mut beyond) = (from.about.steady.clone(), from.value, to);
         for _ in 0..HALVINGS {
@@ -205,10 +205,10 @@ impl ContinuedMotion<'_> {
 
     /// Finds the eigenvalues that cross the imaginary axis between two points.
     ///
-    /// A real eigenvalue crosses where the product of all eigenvalues changes its sign, without those
-    /// of the family. This product is known even if eigenvalues near 0 are not. A pair crosses where
-    /// the number of growing eigenvalues changes by two. Two real eigenvalues that meet and become a
-    /// pair do not cross.
+    /// A real eigenvalue crosses where the product of all eigenvalues changes its sign. The zero
+    /// eigenvalues of the family of steady motions are left out of the product. Its sign is known even
+    /// if eigenvalues near 0 are not. A pair crosses where the number of growing eigenvalues changes by
+    /// two. Two real eigenvalues that meet and become a pair do not cross.
     ///
     /// # Errors
     /// `Error` if no steady motion is found between the points.
@@ -232,8 +232,8 @@ impl ContinuedMotion<'_> {
                 }
                 _ => (None, 0.0),
             };
-            // Next to a crossing, eigenvalues near 0 may be undecided in an interval. The changes at both of
-            // its ends are the same crossing.
+            // Next to a crossing, eigenvalues near 0 may be undecided in an interval of the number. The changes
+            // at both ends of this interval are the same crossing.
             let is_same = |known: &StabilityCrossing| (known.value - after.value).abs() <= SAME * after.value.abs();
             let kind = kind.filter(|_| !list.iter().any(is_same));
             list.extend(kind.map(|kind| StabilityCrossing { kind, value: after.value, frequency }));
@@ -242,9 +242,9 @@ impl ContinuedMotion<'_> {
         Ok(list)
     }
 
-    /// Finds, by halving the interval down to rounding, the first point at which the value of `what`
-    /// differs from that at `from`. Returns the last point before the difference, and the first point
-    /// with it.
+    /// Finds the first point after `from` at which the value of `what` differs from its value at `from`.
+    /// The interval up to `to` is halved down to rounding. Returns the last point before the change, and
+    /// the first point after it.
     ///
     /// # Errors
     /// `Error` if no steady motion is found between the points.
@@ -270,7 +270,7 @@ impl ContinuedMotion<'_> {
     }
 }
 
-/// Number of eigenvalues with a positive real part at a point, so that solutions grow.
+/// Number of growing modes at a point: eigenvalues with a positive real part.
 fn growing_mode_count(point: &ContinuationPoint) -> usize {
     let grows = |mode: &&Mode| mode.grows();
     point.about.modes.iter().filter(grows).count()

@@ -1,16 +1,16 @@
-//! Steady motion followed over two varied numbers: a grid of points and crossings.
+//! Follows a steady motion over a grid of two varied numbers.
 
 use super::SteadyProblem;
 use super::continuation::{Continuation, continue_prepared};
 use crate::{Error, Mechanism};
 use tripos_derive::scene::StateWithUnknowns;
 
-/// Steady motion over two varied numbers: it is followed along the first number for each value of
-/// the second.
+/// Steady motion over two varied numbers. It is followed along the first number for each value of the
+/// second number.
 #[derive(Clone, Debug)]
 pub struct ContinuationMap {
-    /// Values of the second number, each with the motion along the first, or the reason why there is
-    /// none.
+    /// Values of the second number, each with the motion along the first number, or the reason why no
+    /// motion is found.
     pub rows: Vec<(f64, Result<Continuation, Error>)>,
 }
 
@@ -18,8 +18,7 @@ pub struct ContinuationMap {
 /// second number. `asked` reads the state file with values of both numbers.
 ///
 /// # Errors
-/// `Error` if no value of the second number has a steady motion at the first value of the first
-/// number.
+/// `Error` if no value of the second number has a steady motion at the first value of the first number.
 pub fn continuation_map(
     model: &Mechanism,
     asked: &mut dyn FnMut(f64, f64) -> Result<StateWithUnknowns, Error>,

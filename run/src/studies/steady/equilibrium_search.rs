@@ -1,5 +1,4 @@
-//! Search for rest positions and steady motions near a guess, and from further starts around the
-//! guess.
+//! Search for rest positions and steady motions from a guess, and from further starts around it.
 
 use super::SteadyProblem;
 use super::force_balance::RestSearch;
@@ -12,25 +11,25 @@ use std::f64::consts::PI;
 use tripos_derive::scene::StateWithUnknowns;
 use tripos_traits::{DoubleDouble, Scalar};
 
-/// First 24 primes: the bases of the digits by which starts are spread (J. H. Halton, Numer. Math.
-/// 2, 1960).
+/// First 24 primes, the bases of the sequences by which starts are spread. Source: J. H. Halton, Numer.
+/// Math. 2, 1960.
 const PRIMES: [u64; 24] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53, 59, 61, 67, 71, 73, 79, 83, 89];
 
-/// Advice for the user if no steady motion is found.
+/// Advice to the user if no steady motion is found.
 pub(super) const ELSEWHERE: &str =
     "put the values that may change under [guess], begin from another state, or try more starts (--starts)";
 
-/// Steady motion that a search found, with its linear system if there is one.
+/// Steady motion that a search found, with its linear system or the reason why it has none.
 #[derive(Clone, Debug)]
 pub struct FoundMotion {
     /// State and velocities of the steady motion, with residuals.
     pub steady: SteadyState,
-    /// Linear system near the steady motion, or the reason why there is none.
+    /// Linear system near the steady motion, or the reason why it has none.
     pub about: Result<SteadyLinearSystem, Error>,
 }
 
-/// Selects the unknowns of a search: the states that the state file guesses. If it guesses none,
-/// they are all states if something moves at the guess, otherwise all coordinates.
+/// Selects the unknowns of a search. They are the states that the state file guesses. If it guesses
+/// none, all states are unknown if something moves at the guess, and otherwise all coordinates.
 #[must_use]
 pub fn search_unknowns(question: &SteadyProblem, asked: &StateWithUnknowns) -> Unknowns {
     let n = question.coordinates;
@@ -43,9 +42,9 @@ pub fn search_unknowns(question: &SteadyProblem, asked: &StateWithUnknowns) -> U
     Unknowns { states, moves }
 }
 
-/// Lists searches as pairs of guess and unknowns, in groups that are tried in turn until a group
-/// finds something. The first group is the request of the state file. If it is empty or only closes
-/// loops, a second group searches for the steady motion and for rest near the guess.
+/// Lists the searches to try, each a guess and its unknowns. They form groups, which are tried in turn
+/// until a group finds something. The first group is the request of the state file. If it is empty or
+/// only closes loops, a second group searches for the steady motion and for rest near the guess.
 fn searches_to_try(question: &SteadyProblem, asked: &StateWithUnknowns) -> Vec<Vec<(Vec<DoubleDouble>, Unknowns)>> {
     let n = question.coordinates;
     let mut groups = Vec::new();
@@ -65,9 +64,10 @@ fn searches_to_try(question: &SteadyProblem, asked: &StateWithUnknowns) -> Vec<V
     groups
 }
 
-/// Finds rest positions and, if something moves at the guess, steady motions. Newton's method
-/// begins at the guess and then at `starts` further starts around it. If the chosen speeds are
-/// singular, rest is found by the balance of forces along every permitted motion.
+/// Finds rest positions and, if something moves at the guess, steady motions.
+///
+/// Newton's method begins at the guess, and then at `starts` further starts around it. If the chosen
+/// speeds are singular, rest is found by the balance of forces along every permitted motion.
 ///
 /// # Errors
 /// [`Error`] if the model cannot be derived, or if no steady motion is found. The message states
@@ -116,7 +116,7 @@ pub fn find_equilibria(model: &Mechanism, asked: &StateWithUnknowns, starts: u64
     Ok(found)
 }
 
-/// True if a new steady motion is a known one moved along symmetries: the states that these do not
+/// True if a new steady motion equals a known one up to symmetries: all states that the symmetries do not
 /// shift are equal.
 fn is_shifted_equilibrium(model: &Mechanism, known: &FoundMotion, new: &Result<SteadyLinearSystem, Error>) -> bool {
     let (Ok(a), Ok(b)) = (&known.about, new) else { return false };
@@ -131,13 +131,13 @@ fn is_shifted_equilibrium(model: &Mechanism, known: &FoundMotion, new: &Result<S
 
 /// Range in which the starts of a search are spread around the guess.
 struct StartRange {
-    /// Largest shift of each state: a half turn for angles, otherwise twice the largest length or
-    /// speed.
+    /// Largest shift of each state from the guess. It is a half turn for angles, twice the longest length
+    /// for other coordinates, and twice the largest speed for speeds.
     reach: Vec<f64>,
 }
 
 impl StartRange {
-    /// Determines the range from the lengths among the parameters and the speeds of the guess.
+    /// Computes the range from the lengths among the parameters and from the speeds of the guess.
     fn new(model: &Mechanism, asked: &StateWithUnknowns) -> Self {
         let is_length = |at: usize| model.parameters[at].unit.is_length();
         let lengths = (0..model.parameters.len()).filter(|at| is_length(*at)).map(|at| asked.parameters[at].hi().abs());
@@ -149,8 +149,8 @@ impl StartRange {
         Self { reach: of_place.chain(speeds.iter().map(|_| 2.0 * most)).collect() }
     }
 
-    /// Start with the number `start`, from 1: the guess with its sought states shifted within their
-    /// range.
+    /// Makes the start with the number `start`, from 1: the guess with its unknown states `sought` shifted
+    /// within their range.
     fn spread_start(&self, guess: &[DoubleDouble], sought: &[usize], start: u64) -> Vec<DoubleDouble> {
         let mut x = guess.to_vec();
         for (place, at) in sought.iter().enumerate() {
@@ -161,7 +161,7 @@ impl StartRange {
     }
 }
 
-/// Number between 0 and 1 whose digits in the given base are those of `number` in reverse order.
+/// Number between 0 and 1 whose digits in the given base are the digits of `number` in reverse order.
 fn radical_inverse(mut number: u64, base: u64) -> f64 {
     let (mut value, mut digit) = (0.0, 1.0);
     while number > 0 {

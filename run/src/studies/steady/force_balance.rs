@@ -1,8 +1,8 @@
 //! Search for rest by the balance of forces along every motion that the constraints permit.
 //!
-//! In a dead point, the chosen generalized speeds do not move the mechanism. Their balance then
-//! holds trivially, and attracts Newton's method. The balance with multipliers has no dead points
-//! ([`tripos_derive::flow::RestBalance`]).
+//! In a dead point, the chosen generalized speeds do not move the mechanism. The balance along these
+//! speeds then holds trivially, and attracts Newton's method. The balance with multipliers has no
+//! dead points ([`tripos_derive::flow::RestBalance`]).
 
 use super::SteadyProblem;
 use super::singular_states::SingularStateTest;
@@ -13,7 +13,7 @@ use std::cell::OnceCell;
 use tripos_derive::flow::RestBalance;
 use tripos_traits::{DoubleDouble, Scalar};
 
-/// Search for rest by the balance of forces, prepared when it is first needed.
+/// Search for rest by the balance of forces. It is prepared when it is first needed.
 #[derive(Default)]
 pub(super) struct RestSearch {
     /// Prepared search; empty before the first use, and `None` if Lagrange's equations cannot be
@@ -21,18 +21,17 @@ pub(super) struct RestSearch {
     forces: OnceCell<Option<ForceBalance>>,
 }
 
-/// Search for states at which the forces balance. Its unknowns are coordinates and multipliers.
+/// Search for states at which the forces balance. The unknowns are the coordinates and multipliers.
 struct ForceBalance {
-    /// Equations of the balance; its states are coordinates followed by multipliers.
+    /// Equations of the balance. Their states are the coordinates, followed by the multipliers.
     question: SteadyProblem,
     /// Number of multipliers among the unknowns.
     multipliers: usize,
 }
 
 impl RestSearch {
-    /// Replaces the result `steady` of a search in the chosen speeds, if it is singular or failed. `x`
-    /// is the start of this search. Rest is then searched for by the balance of forces, first from the
-    /// result and then from the start.
+    /// Searches for rest by the balance of forces, if the result `steady` of a search in the chosen speeds
+    /// is singular or failed. Begins at this result, then at `x`, the start of that search.
     ///
     /// A regular result is returned unchanged. If no rest is found, the result is returned with the
     /// unbalanced forces.
@@ -65,7 +64,7 @@ impl RestSearch {
 }
 
 impl ForceBalance {
-    /// Prepares the balance of forces of a model; `None` if it cannot be derived.
+    /// Prepares the balance of forces of a model. `None` if Lagrange's equations cannot be derived.
     fn new(model: &Mechanism, question: &SteadyProblem) -> Option<Self> {
         let RestBalance { residuals: flow, multipliers, speeds } = RestBalance::new(model).ok()?;
         let program = flow.program(&[], &speeds).ok()?;
@@ -90,7 +89,7 @@ impl ForceBalance {
         Some(Self { question, multipliers })
     }
 
-    /// Finds the multipliers that balance the forces best at a state of the mechanism. Returns
+    /// Finds the multipliers that best balance the forces at a state `x` of the mechanism. Returns the
     /// coordinates and multipliers.
     fn with_balancing_multipliers(&self, x: &[DoubleDouble]) -> SteadyState {
         let n = self.question.coordinates;
@@ -99,14 +98,14 @@ impl ForceBalance {
         self.question.find_steady_state(&x, &Unknowns { states: (n..n + self.multipliers).collect(), moves: false })
     }
 
-    /// Forces that multipliers cannot balance at a state of the mechanism, each with the index of its
+    /// Forces that no multipliers balance at a state of the mechanism. Each comes with the index of its
     /// coordinate.
     fn unbalanced_forces(&self, steady: &SteadyState) -> Vec<(usize, f64)> {
         let left = self.with_balancing_multipliers(&steady.x).unbalanced;
         left.into_iter().filter(|(at, _)| *at < self.question.coordinates).collect()
     }
 
-    /// Finds rest from a state by changing the unknown coordinates; `None` if no rest is found.
+    /// Finds a rest position by changing the unknown coordinates of a state. `None` if none is found.
     fn find_rest(
         &self,
         model: &Mechanism,
@@ -134,7 +133,7 @@ impl ForceBalance {
 }
 
 impl SteadyProblem {
-    /// Makes the result of a search for rest at the state `x`, where forces balance along every
+    /// Makes the result of a search for rest at the state `x`, where the forces balance along every
     /// permitted motion. `by_forces` has the residuals of this balance.
     fn rest_at(&self, x: Vec<DoubleDouble>, by_forces: &SteadyState) -> SteadyState {
         SteadyState { x, along: self.rest_velocities(), by_time: self.by_time, ..by_forces.clone() }

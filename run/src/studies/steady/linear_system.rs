@@ -21,7 +21,7 @@ pub struct SteadyLinearSystem {
     pub all: Vec<String>,
     /// Index of the time t among the states; `None` if the model does not name the time.
     pub time: Option<usize>,
-    /// Steady motion about which the mechanism is linearised.
+    /// Steady motion near which the mechanism is linearised.
     pub steady: SteadyState,
     /// Symmetries along which the steady motion moves, each as a description and a rate.
     pub moves: Vec<(String, f64)>,
@@ -29,16 +29,16 @@ pub struct SteadyLinearSystem {
     pub inputs: Vec<String>,
     /// Names of the outputs of the linear system.
     pub outputs: Vec<String>,
-    /// Matrices of the linear system, and the states that they refer to.
+    /// Matrices of the linear system, and the indices of its states.
     pub system: QuotientSystem,
     /// Eigenvalues of the matrix A, with their multiplicities and errors.
     pub modes: Vec<Mode>,
     /// Stability of the steady motion, judged by the eigenvalues.
     pub stability: Stability,
-    /// Names of the states that distinguish the neighbouring steady motions, as many as their family
-    /// has parameters. Empty if no neighbouring steady motions were found.
+    /// Names of states whose values tell the neighbouring steady motions apart. Their number is the number
+    /// of parameters of the family of steady motions. Empty if no neighbouring steady motions were found.
     pub family: Vec<String>,
-    /// Number of independent directions that the matrix A maps to zero.
+    /// Number of independent directions of states that the matrix A maps to zero.
     pub still: usize,
     /// Dimension of the subspace of states that the inputs can reach.
     pub controllable: usize,
@@ -49,7 +49,7 @@ pub struct SteadyLinearSystem {
 }
 
 impl SteadyLinearSystem {
-    /// Iterates over the names and values of coordinates and speeds in the steady motion; the time is
+    /// Iterates over the coordinates and speeds of the steady motion, each as name and value. The time is
     /// left out.
     pub fn states(&self) -> impl Iterator<Item = (&str, f64)> + '_ {
         let all = self.all.iter().zip(&self.steady.x).enumerate().filter(|(at, _)| Some(*at) != self.time);
@@ -57,30 +57,29 @@ impl SteadyLinearSystem {
     }
 }
 
-/// Options of a linearisation about a steady motion.
+/// Options of a linearisation near a steady motion.
 #[derive(Clone, Debug, Default)]
 pub struct LinearisationOptions {
-    /// Names of the inputs of the linear system: inputs or other parameters of the model. If empty, all
-    /// inputs of the model.
+    /// Names of the inputs of the linear system: inputs or other parameters of the model. If the list is
+    /// empty, all inputs of the model are taken.
     pub inputs: Vec<String>,
     /// True if states that a symmetry shifts, such as cyclic coordinates, stay in the linear system.
     pub whole: bool,
-    /// True if a state that is not steady is accepted too. Only its loops are then closed, by the
-    /// sought coordinates.
+    /// True if a state that is not steady is accepted too. Its loops are then closed by changing the
+    /// unknown coordinates, and nothing else is solved for.
     pub as_is: bool,
 }
 
-/// Advice for the user if the state is not steady.
+/// Advice to the user if the state is not steady.
 const ASK: &str =
     "put the values that may change under [guess], or let `tripos equilibria` find a steady motion nearby";
 
-/// Linearises a mechanism about a steady motion near the requested state; the sought states are
-/// solved for.
+/// Linearises a mechanism near a steady motion at the requested state. The unknown states of the request
+/// are solved for.
 ///
 /// # Errors
-/// [`Error`] if the model cannot be derived or lacks an input, or if the state is singular.
-/// [`Error`] also if no steady state is found near the requested state, unless the options accept
-/// this.
+/// [`Error`] if the model cannot be derived or lacks a named input, or if the state is singular. Also if
+/// no steady state is found near the requested state, unless the options accept this.
 pub fn linearise(
     model: &Mechanism,
     asked: &StateWithUnknowns,
@@ -99,7 +98,7 @@ pub fn linearise(
     question.linear_system_near(model, steady, shifted)
 }
 
-/// Choice to search for steady motions beside a steady motion (its family), or not.
+/// Choice if the steady motions beside a steady motion (its family) are searched for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum FamilySearch {
     /// Neighbouring steady motions are searched for.
@@ -113,7 +112,7 @@ impl SteadyProblem {
     /// if the states that symmetries shift stay in the system.
     ///
     /// # Errors
-    /// [`Error::Stopped`] if loops are dependent in this pose, or a slope has no finite value.
+    /// [`Error::Stopped`] if loops are dependent in this pose, or if a slope is not finite.
     /// `Error::Request` if the equations are singular at the state.
     pub fn linear_system_near(
         &mut self,
@@ -124,12 +123,12 @@ impl SteadyProblem {
         self.linear_system_with_family(model, steady, shifted, FamilySearch::Sought)
     }
 
-    /// Computes the linear system near a steady motion, with or without a search for neighbouring
-    /// steady motions.
+    /// Computes the linear system near a steady motion, with its modes and stability. `family` tells if
+    /// neighbouring steady motions are searched for.
     ///
     /// # Errors
-    /// `Error::Stopped` for a singular pose or a slope without value; `Error::Request` for singular
-    /// equations.
+    /// `Error::Stopped` if loops are dependent in this pose, or if a slope is not finite.
+    /// `Error::Request` if the equations are singular at the state.
     pub(super) fn linear_system_with_family(
         &mut self,
         model: &Mechanism,
@@ -166,8 +165,8 @@ impl SteadyProblem {
     }
 }
 
-/// Indices, in ascending order, of rows that distinguish the columns of a matrix, as many as
-/// columns. Rows with large entries are preferred.
+/// Chooses as many rows of a matrix as it has columns, so that these rows distinguish the columns. Rows
+/// with large entries are preferred. Returns the indices in ascending order.
 fn distinguishing_rows(columns: &DMatrix<f64>) -> Vec<usize> {
     let mut left = columns.clone();
     let mut rows = Vec::new();
@@ -183,8 +182,8 @@ fn distinguishing_rows(columns: &DMatrix<f64>) -> Vec<usize> {
 }
 
 impl SteadyProblem {
-    /// Error that lists why a state is not steady: rates, forces and open loops. `help` is the advice
-    /// to the user.
+    /// Makes the error that lists why a state is not steady: rates, forces and open loops that are left.
+    /// `help` is the advice to the user.
     #[must_use]
     pub fn not_steady_error(&self, steady: &SteadyState, help: &str) -> Error {
         let rates = steady
@@ -207,8 +206,8 @@ impl SteadyProblem {
         }
     }
 
-    /// Symmetries along which a steady motion moves, each as a description and a rate; the shift of
-    /// time is left out.
+    /// Symmetries along which a steady motion moves, each as a description and a rate. The shift of time is
+    /// left out.
     fn motion_along_symmetries(&self, model: &Mechanism, steady: &SteadyState) -> Vec<(String, f64)> {
         let all = self.flow.symmetries.iter().zip(&steady.along).enumerate();
         let all = all.filter(|(at, _)| Some(*at) != self.by_time);

@@ -1,12 +1,13 @@
-//! Equilibria, steady motions and the linear systems near them, from the exact derivatives of a
-//! mechanism's equations in 32 digits.
+//! Equilibria, steady motions and the linear systems near them. They are computed in 32 digits from the
+//! exact derivatives of a mechanism's equations.
 //!
-//! A motion is steady if it moves along symmetries of the mechanism. Its rates are then a
-//! combination of the symmetries' directions ζ: `x' = f(x) = Σ c ζ(x)` ([`tripos_derive::flow`]).
-//! So every quantity that the symmetries leave unchanged is constant. Rest is the case c = 0.
+//! A motion is steady if it moves along symmetries of the mechanism. Its rates are then a combination
+//! of the directions ζ of the symmetries: `x' = f(x) = Σ c ζ(x)` ([`tripos_derive::flow`]). So every
+//! quantity that the symmetries leave unchanged is constant. Rest is the case c = 0.
+//!
 //! Differences d from a steady motion, in the frame that moves with it, obey
-//! `d' = (Df − Σ c Dζ) d`. States that the symmetries shift are left out (J. E. Marsden, Lectures
-//! on Mechanics, 1992, chapter 5: relative equilibria).
+//! `d' = (Df − Σ c Dζ) d`. States that the symmetries shift are left out. Source: J. E. Marsden,
+//! Lectures on Mechanics, 1992, chapter 5: relative equilibria.
 
 mod continuation;
 mod continuation_map;
@@ -59,20 +60,20 @@ pub struct SteadyProblem {
     pub coordinates: usize,
     /// Index of the time t among the states; `None` if the model does not name the time.
     pub(crate) time: Option<usize>,
-    /// Index of the shift of time among the symmetries, along which every state moves at the rate 1.
-    /// `None` if there is none.
+    /// Index of the shift of time among the symmetries. Along it, the time changes at the rate 1. `None`
+    /// if there is no such symmetry.
     pub(crate) by_time: Option<usize>,
     /// Names of the loops, with redundant loops last.
     loops: Vec<String>,
-    /// Flags for the states: true if the state is an angle.
+    /// Tells for each state if it is an angle.
     is_angle: Vec<bool>,
     /// Indices of the parameters that are inputs of the linear system.
     inputs: Vec<usize>,
     /// Names of the outputs of the linear system.
     outputs: Vec<String>,
-    /// Outputs as terms in states and parameters.
+    /// Outputs of the linear system as expressions in states and parameters.
     output_terms: Vec<Expr>,
-    /// Program that computes rates, loops, symmetries and outputs at a state, with their slopes.
+    /// Program that computes rates, loops, symmetries and outputs at a state, with their derivatives.
     program: Program,
     /// Test for states at which the equations of motion are singular.
     poles: singular_states::SingularStateTest,
@@ -83,8 +84,9 @@ pub struct SteadyProblem {
 }
 
 impl SteadyProblem {
-    /// Prepares a model with the parameters and outputs of a state file. `inputs` names the parameters
-    /// that are inputs of the linear system. If it is empty, all inputs of the model are.
+    /// Prepares a model for the search, with the parameters and outputs of a state file. `inputs` are the
+    /// names of the parameters that are inputs of the linear system. If the list is empty, all inputs of
+    /// the model are taken.
     ///
     /// # Errors
     /// [`Error`] if the model cannot be derived, depends on time, or lacks a named input or an output.
@@ -137,14 +139,14 @@ impl SteadyProblem {
         speeds || values.flow[..self.coordinates].iter().enumerate().any(goes_on)
     }
 
-    /// Replaces the values of the parameters, which are in the order of the model.
+    /// Replaces the values of the parameters. `parameters` are in the order of the model.
     pub fn set_parameters(&mut self, parameters: &[DoubleDouble]) {
         self.parameters = parameters.to_vec();
     }
 }
 
-/// Derives the equations of motion of a model for steady motions. They must not depend on time,
-/// though the model may name it.
+/// Derives the equations of motion of a model for steady motions. The equations must not depend on time,
+/// although the model may name it.
 ///
 /// # Errors
 /// [`Error`] if the model has no generalized speed, cannot be derived, or depends on time.
@@ -166,8 +168,8 @@ fn steady_flow(model: &Mechanism) -> Result<Flow, Error> {
     Err(Error::request(what, help))
 }
 
-/// Indices of the named parameters among all parameters, or of all inputs of the model if `names`
-/// is empty.
+/// Finds the indices of the named parameters among all parameters. If `names` is empty, returns the
+/// indices of all inputs of the model.
 ///
 /// # Errors
 /// `Error::Request` if the model has no parameter of a given name.

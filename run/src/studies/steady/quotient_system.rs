@@ -1,5 +1,4 @@
-//! Linear system near a steady motion, with closed loops and without the states that symmetries
-//! shift.
+//! Linear system near a steady motion whose loops are closed. States that symmetries shift are left out.
 
 use super::SteadyProblem;
 use super::spectra::wide_matrix::{WideMatrix, least_squares, null_space};
@@ -9,21 +8,21 @@ use nalgebra::{DMatrix, DVector};
 use tripos_derive::flow::FlowProgramResults;
 use tripos_traits::{DoubleDouble, Scalar};
 
-/// Fraction of the largest entry of a column below which a pivot shows that columns are dependent.
+/// Pivot up to which columns count as dependent, as a fraction of the largest entry of a column.
 const DEPENDENT: f64 = 1e-9;
 
-/// Linear system d' = A d + B r, y = C d + D r near a steady motion, for differences d of the kept
-/// states.
+/// Linear system d' = A d + B r, y = C d + D r near a steady motion. d are the differences of the kept
+/// states, r the inputs and y the outputs.
 #[derive(Clone, Debug)]
 pub struct QuotientSystem {
     /// Indices of the states that remain in the linear system.
     pub kept: Vec<usize>,
-    /// Indices of the states that the closed loops determine.
+    /// Indices of the states that are determined by closed loops, and left out of the linear system.
     pub closed: Vec<usize>,
     /// Indices of the states that symmetries shift and that are left out. No kept state depends on
     /// them.
     pub shifted: Vec<usize>,
-    /// Indices of the symmetries that shift the states `shifted`; no output depends on these shifts.
+    /// Indices of the symmetries that shift the states in `shifted`. No output depends on these shifts.
     pub(super) symmetries: Vec<usize>,
     /// Matrix A, square, with rows and columns in the order of `kept`.
     pub a: WideMatrix,
@@ -35,7 +34,7 @@ pub struct QuotientSystem {
     pub d: WideMatrix,
 }
 
-/// Choice to keep the states that symmetries shift in the linear system, or not.
+/// Choice if the states that symmetries shift stay in the linear system.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ShiftedStates {
     /// States that a symmetry shifts, such as cyclic coordinates, stay in the linear system.
@@ -46,10 +45,10 @@ pub enum ShiftedStates {
 
 impl SteadyProblem {
     /// Computes the linear system near a steady motion. `shifted` tells if states that symmetries shift
-    /// are kept.
+    /// stay in it.
     ///
     /// # Errors
-    /// `Error::Stopped` if a slope is not finite, or the loops are dependent in this pose.
+    /// `Error::Stopped` if a slope is not finite, or if the loops are dependent in this pose.
     pub(super) fn quotient(&self, steady: &SteadyState, shifted: ShiftedStates) -> Result<QuotientSystem, Error> {
         let sizes = self.program.sizes;
         let (values, slopes) = self.program.all_slopes(&self.wide, &self.parameters, &steady.x);
@@ -85,7 +84,7 @@ impl SteadyProblem {
             return Err(Error::Stopped("a slope is not a finite number at this state".to_owned()));
         }
         let (closed, symmetries) = all.with_closed_loops(&loops(by_state), &loops(by_input), &values.symmetries)?;
-        // A shift of time is no difference from the motion, even if differences along symmetries are kept.
+        // A shift of time is no difference from the motion. It is left out even if shifted states are kept.
         let left_out: Vec<usize> =
             (0..sizes.symmetries).filter(|at| shifted == ShiftedStates::LeftOut || Some(*at) == self.by_time).collect();
         Ok(closed.without_shifted_states(&symmetries, &left_out, self.coordinates))
@@ -93,8 +92,9 @@ impl SteadyProblem {
 }
 
 impl QuotientSystem {
-    /// Restricts the system and the symmetries to states with closed loops. `slopes` and `by_input` are
-    /// the slopes of the loops by states and by inputs. Returns the restricted system and symmetries.
+    /// Restricts the system and the symmetries to states with closed loops. `slopes` are the derivatives
+    /// of the loops by the states, and `by_input` those by the inputs. Returns the restricted system and
+    /// symmetries.
     ///
     /// # Errors
     /// `Error::Stopped` if the loops are dependent in this pose.
@@ -142,7 +142,7 @@ impl QuotientSystem {
     }
 
     /// Removes the states that symmetries shift, unless an output depends on them. `left_out` are the
-    /// indices of these symmetries, and `coordinates` is the number of coordinates among all states.
+    /// indices of these symmetries. `coordinates` is the number of coordinates among all states.
     fn without_shifted_states(self, symmetries: &WideMatrix, left_out: &[usize], coordinates: usize) -> Self {
         let every: Vec<usize> = (0..self.kept.len()).collect();
         let symmetries = &symmetries.submatrix(&every, left_out);
@@ -178,8 +178,8 @@ impl QuotientSystem {
         }
     }
 
-    /// Combinations of symmetries, as columns, on which no output depends at any time. They are the
-    /// largest subspace within ker C that A leaves invariant.
+    /// Finds the combinations of symmetries on which no output depends at any time, as columns. They are
+    /// the largest subspace of ker C that A maps into itself.
     fn unobserved_symmetries(&self, fields: &DMatrix<f64>) -> DMatrix<f64> {
         let count = fields.ncols();
         let seen = self.c.rounded();
@@ -216,8 +216,8 @@ fn identity(n: usize) -> WideMatrix {
     one
 }
 
-/// Product of a matrix and `hidden`, which combines its columns. A column that is not mixed keeps
-/// all of its digits.
+/// Product of the matrix `fields` and `hidden`, which combines its columns. A column that is not combined
+/// with others keeps all of its digits.
 fn combine_columns(fields: &WideMatrix, hidden: &DMatrix<f64>) -> WideMatrix {
     let wide = WideMatrix {
         rows: hidden.row_iter().map(|row| row.iter().map(|x| DoubleDouble::from_f64(*x)).collect()).collect(),
@@ -225,9 +225,9 @@ fn combine_columns(fields: &WideMatrix, hidden: &DMatrix<f64>) -> WideMatrix {
     WideMatrix::zeros(fields.rows.len(), hidden.ncols()).plus_product(1.0, fields, &wide)
 }
 
-/// Chooses rows and columns of a regular square submatrix of full rank, after columns are scaled to
-/// equal size. Rows of a group are chosen only after those of earlier groups. Returns the indices
-/// of rows and columns, paired by pivots.
+/// Chooses rows and columns of the largest regular square submatrix, after columns are scaled to equal
+/// size. Rows of a group are chosen only after the rows of earlier groups. Returns the indices of the
+/// rows, and the index of the column that belongs to each of them.
 pub fn quotient_pivots(matrix: &DMatrix<f64>, groups: &[&[usize]]) -> (Vec<usize>, Vec<usize>) {
     let mut left = matrix.clone();
     for mut column in left.column_iter_mut() {

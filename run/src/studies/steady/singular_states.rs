@@ -1,5 +1,5 @@
-//! Test for states at which the equations of a mechanism are singular. Either speeds do not
-//! determine the rates of coordinates, or a combination of speeds has no inertia.
+//! Test for states at which the equations of a mechanism are singular. There, the speeds do not
+//! determine the rates of the coordinates, or a combination of speeds has no inertia.
 
 use super::steady_state::SteadyState;
 use crate::Error;
@@ -13,25 +13,25 @@ use tripos_derive::flow::Flow;
 use tripos_derive::plain_text::with_significant_digits;
 use tripos_traits::DoubleDouble;
 
-/// Least accepted distance of a state from a zero of a divisor, relative to the state's size or to
-/// 1, whichever is larger. At a zero, Newton's method finds only a half or a third of the digits,
+/// Least accepted distance of a state from a zero of a divisor, relative to the size of the state or to
+/// 1, whichever is larger. At such a zero, Newton's method finds only a half or a third of the digits,
 /// and slopes grow without bound.
 const NEAR: f64 = 1e-7;
-/// An inertia on the diagonal of the mass matrix counts as zero in a state if it is at most this
-/// fraction of its value in a neighbouring state at the distance [`NEAR`]. An inertia that vanishes
-/// in a state grows with the square of the distance from that state.
+/// Fraction of its value in neighbouring states up to which an inertia counts as zero. The inertia is on
+/// the diagonal of the mass matrix, and the neighbouring states are at the distance [`NEAR`]. An inertia
+/// that vanishes in a state grows with the square of the distance from this state.
 const VANISHED: f64 = 1e-2;
-/// Least eigenvalue, in absolute value, of a mass matrix scaled to the diagonal 1; below it, the
-/// matrix is singular.
+/// Least absolute eigenvalue of a regular mass matrix that is scaled to the diagonal 1. A matrix with a
+/// smaller eigenvalue counts as singular.
 const SINGULAR: f64 = 1e-12;
 
-/// Divisors and mass matrix of a mechanism's equations, for the test of states.
+/// Divisors and mass matrix of a mechanism's equations, prepared to test states for singularity.
 pub(super) struct SingularStateTest {
     /// Formula of each divisor as text.
     divisors: Vec<String>,
     /// Names of the generalized speeds, for messages.
     speeds: Vec<String>,
-    /// Tape of the divisors, their slopes by all states, and the mass matrix row by row. Inputs:
+    /// Tape of the divisors, of their derivatives by all states, and of the mass matrix row by row. Inputs:
     /// parameters, then states.
     tape: Tape,
 }
@@ -57,11 +57,11 @@ impl SingularStateTest {
         })
     }
 
-    /// Returns an error for a state that is singular, or so near a singular state that slopes are
-    /// meaningless.
+    /// Refuses a state that is singular, or so close to a singular state that slopes have no meaning.
     ///
     /// # Errors
-    /// [`Error::Request`] that names the divisor that is zero, or the speeds without inertia.
+    /// [`Error::Request`] that names the divisor that is zero, or the speeds without inertia, if the state
+    /// is refused.
     pub(super) fn refuse_singular_state(&self, parameters: &[DoubleDouble], steady: &SteadyState) -> Result<(), Error> {
         let known: Vec<f64> = parameters.iter().chain(&steady.x).map(|x| x.hi()).collect();
         let values = self.tape.evaluate(&known);
@@ -84,8 +84,8 @@ impl SingularStateTest {
         self.require_inertia(inertia, &self.neighbouring_inertia(&known, parameters.len()))
     }
 
-    /// Largest absolute value of each diagonal entry of the mass matrix at neighbouring states, at the
-    /// distance [`NEAR`] along each state in turn. `known` has the parameters, `first` of them,
+    /// Largest absolute value of each diagonal entry of the mass matrix at neighbouring states. These
+    /// differ in one state each, by the distance [`NEAR`]. `known` has the parameters, `first` of them,
     /// followed by the states.
     fn neighbouring_inertia(&self, known: &[f64], first: usize) -> Vec<f64> {
         let n = self.speeds.len();
@@ -104,11 +104,11 @@ impl SingularStateTest {
         largest
     }
 
-    /// Returns an error for a singular mass matrix, given row by row. `beside` are its diagonal entries
-    /// at neighbouring states.
+    /// Refuses a singular mass matrix `inertia`, given row by row. `beside` are its diagonal entries at
+    /// neighbouring states.
     ///
     /// # Errors
-    /// `Error::Request` that names the speeds without inertia.
+    /// `Error::Request` that names the speeds without inertia, if the matrix is singular.
     fn require_inertia(&self, inertia: &[f64], beside: &[f64]) -> Result<(), Error> {
         let n = self.speeds.len();
         let size = |at: usize| inertia[at * n + at].abs().sqrt();

@@ -11,28 +11,29 @@ use tripos_derive::algebra::value::zero_test::{ZeroTest, zero_test};
 pub enum Stability {
     /// Small differences from the motion grow exponentially.
     Unstable,
-    /// No difference grows exponentially, but some grow like this power of t. Jordan blocks of
-    /// eigenvalues on the imaginary axis cause this.
+    /// No difference from the motion grows exponentially, but some differences grow like this power of t.
+    /// The cause are Jordan blocks of eigenvalues on the imaginary axis.
     Grows(usize),
     /// All small differences from the motion decay.
     Attracting,
-    /// All small differences decay, except those that lead to neighbouring steady motions, which were
-    /// found.
+    /// All small differences from the motion decay, except differences that lead to neighbouring
+    /// steady motions. Such motions were found.
     AttractingInFamily,
-    /// The state is at rest at a strict minimum of the energy, and motions near it stay near it
-    /// (Lagrange, Dirichlet).
+    /// The state is at rest at a strict minimum of the energy. Motions near it stay near it (Lagrange,
+    /// Dirichlet).
     Energy,
-    /// No difference grows to first order, but some do not decay. Terms of higher order decide.
+    /// No difference from the motion grows to first order, but some do not decay. Terms of higher order
+    /// decide.
     FirstOrder,
-    /// Rounding leaves undecided if an eigenvalue is on the imaginary axis, or coincides there with
-    /// another.
+    /// Rounding leaves open if an eigenvalue is on the imaginary axis, or if it coincides there with
+    /// another eigenvalue.
     Undecided,
-    /// The state is not steady, so that eigenvalues do not tell how motions near it continue.
+    /// The state is not steady, so its eigenvalues do not tell how motions near it continue.
     NotSteady,
 }
 
 impl Stability {
-    /// Name of the stability for JSON.
+    /// Name of the stability, for JSON.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -47,13 +48,13 @@ impl Stability {
         }
     }
 
-    /// Power of t by which differences grow; `None` if they do not grow like a power of t.
+    /// Power of t by which differences from the motion grow; `None` if they do not grow like a power of t.
     #[must_use]
     pub const fn growth_power(self) -> Option<usize> {
         if let Self::Grows(power) = self { Some(power) } else { None }
     }
 
-    /// Describes the stability in a sentence for the user.
+    /// Sentence for the user that describes the stability.
     #[must_use]
     pub fn stability_sentence(self) -> String {
         let text = match self {
@@ -84,8 +85,8 @@ impl Stability {
 }
 
 impl SteadyProblem {
-    /// Judges the stability of a steady motion by its eigenvalues. `family` is the number of parameters
-    /// of the family of neighbouring steady motions that was found.
+    /// Judges the stability of a steady motion by its eigenvalues. `family` is the number of parameters of
+    /// the family of neighbouring steady motions that were found.
     pub(super) fn judge_stability(
         &mut self,
         steady: &SteadyState,
@@ -113,8 +114,8 @@ impl SteadyProblem {
         }
     }
 
-    /// True if a mechanism without friction, drive and gyroscopic forces is at rest at a strict minimum
-    /// of its potential energy. This holds exactly if all eigenvalues are imaginary and none is 0.
+    /// True if a mechanism without friction, drive and gyroscopic forces is at rest at a strict minimum of
+    /// its potential energy. This is the case exactly if all eigenvalues are imaginary and none is 0.
     fn is_energy_minimum(&mut self, steady: &SteadyState, system: &QuotientSystem, modes: &[Mode]) -> bool {
         let [_, _, power] = self.flow.energies;
         let power = self.flow.without_definitions(&[power]);

@@ -1,4 +1,4 @@
-//! Conditions of rest and of steady motion in closed form: terms that must be zero, and exact
+//! Conditions of rest and of steady motion in closed form: expressions that must be zero, and exact
 //! solutions where algebra finds them.
 
 use super::steady_state::SteadyState;
@@ -11,11 +11,11 @@ use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::flow::Steadiness;
 use tripos_traits::DoubleDouble;
 
-/// Difference up to which a number and the value of a formula count as equal, relative to the
-/// number's size or to 1.
+/// Difference up to which a number and the value of a formula count as equal, relative to the number or
+/// to 1, whichever is larger.
 const NEAR: f64 = 1e-9;
 
-/// Formula as text in two notations: that of model files, and LaTeX.
+/// Formula as text in two notations: the notation of model files, and LaTeX.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Formula {
     /// Formula in the notation of model files.
@@ -33,19 +33,19 @@ pub struct NamedFormula {
     pub value: Formula,
 }
 
-/// Velocity along a symmetry of the mechanism, as a symbol in conditions of steady motion.
+/// Velocity along a symmetry of the mechanism, a symbol in the conditions of steady motion.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Velocity {
-    /// Symbol of the velocity. It is the name of a rate such as `q1'` if the velocity is the rate of a
-    /// coordinate.
+    /// Symbol of the velocity. If the velocity is the rate of a coordinate, it is the name of this rate,
+    /// such as `q1'`.
     pub name: String,
-    /// Description of the motion of the mechanism along the symmetry, in words.
+    /// Text that describes how the mechanism moves along the symmetry.
     pub along: String,
     /// True if the velocity is the rate of a coordinate; false if it has a symbol of its own.
     pub is_rate: bool,
 }
 
-/// Branch of solutions of the conditions of rest or steady motion, as formulas. Angles are
+/// Branch of the solutions of the conditions of rest or steady motion, as formulas. Angles are
 /// determined up to whole turns.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SolutionBranch {
@@ -55,16 +55,16 @@ pub struct SolutionBranch {
     pub needs: Vec<Formula>,
     /// Divisors of the formulas, which must not be 0.
     pub divided_by: Vec<Formula>,
-    /// Further terms that must be zero, but could not be solved.
+    /// Further expressions that must be zero, but could not be solved.
     pub left: Vec<Formula>,
-    /// Branch as terms in the arena, to evaluate it at numbers.
+    /// Branch as expressions in the arena, for evaluation at numbers.
     branch: Branch,
 }
 
 /// Conditions of rest, or of steady motion along symmetries, in closed form.
 #[derive(Clone, Debug)]
 pub struct Conditions {
-    /// True for conditions of rest, with all velocities 0; false for those of steady motion.
+    /// True for conditions of rest, with all velocities 0; false for conditions of steady motion.
     pub rest: bool,
     /// Velocities along the symmetries; empty for conditions of rest.
     pub along: Vec<Velocity>,
@@ -72,16 +72,16 @@ pub struct Conditions {
     pub speeds: Vec<NamedFormula>,
     /// Names of the velocities, coordinates and parameters to solve for, in the order of preference.
     pub unknowns: Vec<String>,
-    /// Terms that must be zero.
+    /// Expressions that must be zero.
     pub equations: Vec<Formula>,
     /// Number of further conditions that are too large to be readable.
     pub too_large: usize,
-    /// Divisors of the conditions. If a divisor is 0, the conditions say nothing.
+    /// Divisors of the conditions. The conditions do not hold where a divisor is 0.
     pub divided_by: Vec<Formula>,
-    /// Branches of solutions with all divisors different from 0, each proved by substitution. They are
-    /// all branches if `complete` is true.
+    /// Branches of solutions at which no divisor is 0. Each is proved by substitution. If `complete` is
+    /// true, there are no further branches.
     pub branches: Vec<SolutionBranch>,
-    /// True if the search for branches ended within its budget, so that none is missing.
+    /// True if the search for branches ended within its budget, so that no branch is missing.
     pub complete: bool,
     /// Symbols of the parameters, coordinates and velocities, in this order.
     symbols: Vec<Expr>,
@@ -90,20 +90,20 @@ pub struct Conditions {
 /// Conditions of rest and of steady motion of a mechanism, in closed form.
 #[derive(Clone)]
 pub struct SteadyConditions {
-    /// Conditions of rest, followed by those of steady motion if the mechanism has symmetries.
+    /// Conditions of rest, followed by conditions of steady motion if the mechanism has symmetries.
     pub list: Vec<Conditions>,
-    /// Arena with the terms of all branches.
+    /// Arena that contains the expressions of all branches.
     arena: Arena,
-    /// Flags for the coordinates: true if the coordinate is an angle.
+    /// Tells for each coordinate if it is an angle.
     is_angle: Vec<bool>,
 }
 
 /// Derives the conditions of rest and of steady motion in closed form, and solves them where exact
-/// algebra can. `asked` names the velocities, coordinates and parameters that are preferred as
-/// unknowns. Parameters are unknowns only if named.
+/// algebra can. `asked` are the names of the velocities, coordinates and parameters that are preferred
+/// as unknowns. A parameter is an unknown only if it is named.
 ///
 /// # Errors
-/// [`Error`] if the model cannot be derived, depends on time, or has no quantity with a name in
+/// [`Error`] if the model cannot be derived or depends on time, or if it has no quantity with a name in
 /// `asked`.
 pub fn conditions(model: &Mechanism, asked: &[String]) -> Result<SteadyConditions, Error> {
     let mut flow = super::steady_flow(model)?;
@@ -157,7 +157,7 @@ pub fn conditions(model: &Mechanism, asked: &[String]) -> Result<SteadyCondition
     Ok(SteadyConditions { list, arena: flow.arena, is_angle })
 }
 
-/// Writes a term as text in the notation of model files and in LaTeX.
+/// Writes an expression as text in the notation of model files and in LaTeX.
 fn condition_formula(arena: &Arena, e: Expr) -> Formula {
     Formula { text: print_text(arena, e), latex: latex(arena, e) }
 }
@@ -207,11 +207,11 @@ fn steady_solution_branch(arena: &mut Arena, branch: Branch) -> SolutionBranch {
     }
 }
 
-/// Conditions that apply to a given steady motion, and the branches of their solutions to which it
+/// Conditions that apply to a given steady motion, and the branches of solutions to which the motion
 /// belongs.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct BranchesAt {
-    /// Index in [`SteadyConditions::list`] of the conditions that apply.
+    /// Index of the conditions that apply, in [`SteadyConditions::list`].
     pub conditions: usize,
     /// Indices of the branches to which the motion belongs; empty if it belongs to none.
     pub branches: Vec<usize>,
@@ -219,8 +219,8 @@ pub struct BranchesAt {
 
 impl SteadyConditions {
     /// Finds the conditions that apply to a steady motion, and the branches to which it belongs. The
-    /// decision is numerical and proves nothing. `None` if there are no conditions for rest or for
-    /// steady motion, as needed.
+    /// decision is numerical and proves nothing. `None` if the list has no conditions of rest, or of steady
+    /// motion, for this motion.
     #[must_use]
     pub fn branches_at(&self, parameters: &[DoubleDouble], steady: &SteadyState) -> Option<BranchesAt> {
         let at = self.list.iter().position(|conditions| conditions.rest == steady.is_rest())?;
@@ -233,8 +233,8 @@ impl SteadyConditions {
         Some(BranchesAt { conditions: at, branches })
     }
 
-    /// True if the numerical values of a motion satisfy a branch of solutions, up to rounding. `values`
-    /// belong to the symbols of the conditions.
+    /// True if the numerical values of a motion satisfy a branch of solutions, up to rounding. `values` are
+    /// in the order of the symbols of the conditions.
     fn satisfies_branch(&self, conditions: &Conditions, branch: &Branch, values: &[DoubleDouble]) -> bool {
         let mut arena = self.arena.clone();
         let sides = branch.solved.iter().map(|relation| [condition_left_side(&mut arena, relation), relation.value]);

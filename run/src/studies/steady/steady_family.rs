@@ -1,5 +1,5 @@
-//! Search for steady motions beside a steady motion. They may exist if its linear system has an
-//! eigenvalue of 0.
+//! Search for steady motions beside a steady motion (its family). They may exist if its linear system
+//! has an eigenvalue of 0.
 
 use super::SteadyProblem;
 use super::quotient_system::QuotientSystem;
@@ -9,20 +9,20 @@ use super::steady_state::SteadyState;
 use nalgebra::{DMatrix, DVector};
 use tripos_traits::{DoubleDouble, Scalar};
 
-/// Distance at which neighbouring steady motions are searched for, relative to the size of the
-/// state or to 1.
+/// Distance at which neighbouring steady motions are searched for, relative to the size of the state or
+/// to 1, whichever is larger.
 const BESIDE: f64 = 1e-3;
 /// Largest residual of the balance that a neighbouring steady motion may have.
 const LEFT: f64 = 1e-20;
-/// Largest fraction of the initial distance by which Newton's method may move back towards the
-/// first steady motion.
+/// Largest distance by which Newton's method may move back towards the first steady motion, as a
+/// fraction of the initial distance from it.
 const BACK: f64 = 0.3;
 
 impl SteadyProblem {
-    /// Finds the directions, in the kept states of the linear system, in which neighbouring steady
-    /// motions were found by Newton's method. The columns are all `count` directions that A maps to
-    /// zero, or none. Each direction and their sum are tried both ways. For example, `q̈ = −q³` has no
-    /// steady motion beside `q = 0`.
+    /// Finds the directions in which neighbouring steady motions exist, by Newton's method. The rows are
+    /// the kept states of the linear system. The columns are all `count` directions that the matrix A maps
+    /// to zero, or none. Each direction, and the sum of all, is tried both ways. For example, `q̈ = −q³`
+    /// has no steady motion beside `q = 0`.
     pub(super) fn family_directions(
         &self,
         steady: &SteadyState,
@@ -62,8 +62,8 @@ impl SteadyProblem {
         found.is_steady() && found.residual <= LEFT.max(10.0 * steady.residual) && back <= BACK * way.norm()
     }
 
-    /// Extends a direction `way` of the kept states to a direction in the given states of the
-    /// mechanism. The slopes of the residual determine the other components. `None` if a slope is not
+    /// Extends a direction `way` of the kept states to a direction in the given states of the mechanism.
+    /// The derivatives of the residual determine the other components. `None` if a derivative is not
     /// finite.
     fn extended_direction(
         &self,

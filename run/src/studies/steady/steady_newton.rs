@@ -1,5 +1,5 @@
-//! Newton's method for steady states, at which all rates are along symmetries. Slopes are in double
-//! precision and residuals in 32 digits, so each step adds about fifteen digits.
+//! Newton's method for steady states, at which all rates are along symmetries. Derivatives are in double
+//! precision, and residuals in 32 digits. So each step adds about fifteen digits.
 
 use super::SteadyProblem;
 use super::spectra::wide_matrix::least_squares;
@@ -17,27 +17,27 @@ const STEPS: usize = 60;
 const HALVINGS: usize = 14;
 /// Fraction of the largest singular value below which a singular value counts as zero.
 const NOTHING: f64 = 1e-11;
-/// Relative size above which the direction of a symmetry counts as independent of those before it.
-/// The size is that of the remainder after its components along the other directions are removed.
+/// Relative size above which the direction of a symmetry counts as independent of the directions before
+/// it. The size is what remains after its components along these directions are removed.
 const INDEPENDENT: f64 = 1e-8;
-/// Residual below which numbers of 32 digits allow no improvement.
+/// Residual up to which numbers of 32 digits allow no further improvement.
 const EXACT: f64 = 1e-27;
 /// Largest change of an angle in one Newton step, rad.
 const MOST_TURN: f64 = 1.0;
-/// Ratio of successive changes above which convergence counts as slow; regular steps shrink much
+/// Ratio of two successive changes above which convergence counts as slow. Regular steps shrink much
 /// faster.
 const SLOW: f64 = 0.05;
-/// Unknowns of a search for a steady state: components of the state, and perhaps velocities along
-/// symmetries.
+/// Unknowns of a search for a steady state: components of the state, and velocities along symmetries if
+/// wanted.
 #[derive(Clone, Debug)]
 pub struct Unknowns {
     /// Indices of the components of the state that may change.
     pub states: Vec<usize>,
-    /// True if velocities along symmetries are unknown too; false for a search of rest.
+    /// True if velocities along symmetries are unknown too; false in a search for rest.
     pub moves: bool,
 }
 
-/// Unknowns of a solve by Newton's method, as indices.
+/// Unknowns of one solution by Newton's method, as indices.
 struct UnknownIndices {
     /// Indices of the unknown components of the state.
     states: Vec<usize>,
@@ -45,13 +45,13 @@ struct UnknownIndices {
     along: Vec<usize>,
 }
 
-/// Iterate of Newton's method, with its residuals.
+/// State during Newton's method, with its residuals.
 struct NewtonIterate {
     /// Values of the coordinates and generalized speeds.
     x: Vec<DoubleDouble>,
     /// Velocity along each symmetry.
     along: Vec<DoubleDouble>,
-    /// Rates, loop residuals and symmetry directions at this state.
+    /// Rates, loop residuals and directions of the symmetries at this state.
     values: FlowProgramResults<DoubleDouble>,
     /// Residuals of the rates, followed by the residuals of the loops.
     left: Vec<DoubleDouble>,
@@ -60,8 +60,8 @@ struct NewtonIterate {
 }
 
 impl NewtonIterate {
-    /// Evaluates the equations at a state, and computes the residuals for the given velocities along
-    /// symmetries.
+    /// Evaluates the equations at a state, and computes the residuals. `along` are the velocities along
+    /// the symmetries.
     fn new(question: &SteadyProblem, x: Vec<DoubleDouble>, along: Vec<DoubleDouble>) -> Self {
         let (values, _) = question.program.evaluate(&question.wide, &question.parameters, &x, &[]);
         let mut left = values.flow.clone();
@@ -74,13 +74,13 @@ impl NewtonIterate {
         Self { x, along, values, left, uncertain: 0.0 }
     }
 
-    /// Euclidean norm of the residual after each component is multiplied by its weight.
+    /// Euclidean norm of the residuals, each multiplied by its weight.
     fn residual_norm(&self, weights: &[f64]) -> f64 {
         self.left.iter().zip(weights).map(|(left, weight)| (left.hi() * weight).powi(2)).sum::<f64>().sqrt()
     }
 
-    /// Weights of the components of the residual. They are 0 from index `first` on. Components of large
-    /// rates get small weights, since such rates need no more digits than others.
+    /// Weights of the residuals, which are 0 from the index `first` on. Residuals of large rates get
+    /// small weights, because such rates need no more digits than others.
     fn residual_weights(&self, first: usize) -> Vec<f64> {
         let beside = |at: usize| self.values.flow.get(at).map_or(1.0, |rate| rate.hi().abs().max(1.0));
         (0..self.left.len()).map(|at| if at < first { 1.0 / beside(at) } else { 0.0 }).collect()
@@ -88,33 +88,33 @@ impl NewtonIterate {
 }
 
 impl SteadyProblem {
-    /// Finds a steady state near the guess `x`, by changing the given unknowns. If none is found, the
-    /// last iterate is returned with its residuals.
+    /// Finds a steady state near the guess `x`, by changing the given unknowns. If none is found, returns
+    /// the last state of Newton's method with its residuals.
     #[must_use]
     pub fn find_steady_state(&self, x: &[DoubleDouble], unknowns: &Unknowns) -> SteadyState {
         let others = (0..self.program.sizes.symmetries).filter(|at| Some(*at) != self.by_time);
         let all = if unknowns.moves { others.collect() } else { Vec::new() };
         let none = self.rest_velocities();
-        // First the velocities along symmetries are found that fit the guess best, so that the guess
-        // changes as little as possible.
+        // First, the velocities along symmetries that best fit the guess are found, so that the guess changes
+        // as little as possible.
         let carried = self.newton_improved(x, none.clone(), &UnknownIndices { states: Vec::new(), along: all.clone() });
         let near =
             self.newton_improved(x, carried.along, &UnknownIndices { states: unknowns.states.clone(), along: all });
         if !unknowns.moves {
             return self.steady_from_iterate(near);
         }
-        // If symmetries act alike at a state, as spin and turn of an upright top do, only the first of them
-        // is used.
+        // At some states, symmetries act alike, as spin and turn of an upright top do. Only the first of such
+        // symmetries is used.
         let along = self.independent(&near.values.symmetries);
         let settled = self.newton_improved(&near.x, none, &UnknownIndices { states: Vec::new(), along });
         self.steady_from_iterate(NewtonIterate { uncertain: near.uncertain, ..settled })
     }
 
-    /// Accepts the requested state without a search, with no velocity along symmetries. Only the sought
-    /// coordinates are changed, to close the loops.
+    /// Accepts the requested state without a search, with no velocity along symmetries. Only the unknown
+    /// coordinates of the request are changed, to close the loops.
     ///
     /// # Errors
-    /// [`Error::Request`] if the sought coordinates cannot close the loops.
+    /// [`Error::Request`] if the unknown coordinates cannot close the loops.
     pub(super) fn accept_state(&self, model: &Mechanism, asked: &StateWithUnknowns) -> Result<SteadyState, Error> {
         let (mut x, n) = (asked.x.clone(), self.coordinates);
         let free: Vec<usize> = asked.sought.iter().copied().filter(|at| *at < n).collect();
@@ -134,9 +134,9 @@ impl SteadyProblem {
         Err(Error::request(what, "give coordinates that close the loops, or list enough coordinates under [guess]"))
     }
 
-    /// Improves a guess by Newton's method as long as the residual falls: first with all loops, then
-    /// with the independent loops alone. Redundant loops are closed only to the digits of the file's
-    /// numbers.
+    /// Improves a guess by Newton's method as long as the residual falls: first with all loops, then with
+    /// the independent loops alone. Redundant loops can be closed only to the digits of the numbers in the
+    /// model file.
     fn newton_improved(
         &self,
         x: &[DoubleDouble],
@@ -152,7 +152,7 @@ impl SteadyProblem {
         self.newton_improved_partly(near, unknowns, sizes.states + sizes.ties)
     }
 
-    /// Improves a guess by Newton's method for the first `first` components of the residual.
+    /// Improves a guess by Newton's method, with only the first `first` residuals.
     fn newton_improved_partly(&self, guess: NewtonIterate, unknowns: &UnknownIndices, first: usize) -> NewtonIterate {
         let mut guess = guess;
         let weights = guess.residual_weights(first);
@@ -170,8 +170,8 @@ impl SteadyProblem {
         guess
     }
 
-    /// Makes a step of Newton's method, shortened if necessary; `None` if no fraction of the step
-    /// reduces the residual.
+    /// Makes a step of Newton's method, shortened if necessary. `None` if no fraction of the step reduces
+    /// the residual.
     fn newton_step(&self, guess: &NewtonIterate, unknowns: &UnknownIndices, weights: &[f64]) -> Option<NewtonIterate> {
         let mut jacobian = self.residual_slopes(guess, unknowns);
         jacobian.row_iter_mut().zip(weights).for_each(|(mut row, weight)| row *= *weight);
@@ -208,23 +208,23 @@ impl SteadyProblem {
         (0..self.program.sizes.symmetries).map(|at| DoubleDouble::int(i64::from(Some(at) == self.by_time))).collect()
     }
 
-    /// Indices of the symmetries whose directions at a state do not depend on those before them; the
-    /// shift of time is left out. `fields` holds the direction of each symmetry.
+    /// Indices of the symmetries whose directions do not depend on the directions before them. The shift of
+    /// time is left out. `fields` has the direction of each symmetry at a state.
     fn independent(&self, fields: &[Vec<DoubleDouble>]) -> Vec<usize> {
         let others: Vec<usize> = (0..fields.len()).filter(|at| Some(*at) != self.by_time).collect();
         let fields: Vec<&Vec<DoubleDouble>> = others.iter().map(|at| &fields[*at]).collect();
         independent_symmetries(&fields).into_iter().map(|place| others[place]).collect()
     }
 
-    /// Slopes of the residual at a steady state, a column for each unknown. The unknowns are the given
-    /// states, followed by the velocities along the symmetries that are independent at this state.
+    /// Derivatives of the residuals at a steady state, a column for each unknown. The unknowns are the
+    /// given states, followed by the velocities along the symmetries that are independent at this state.
     pub(super) fn residual_slopes_at(&self, steady: &SteadyState, states: &[usize]) -> DMatrix<f64> {
         let guess = NewtonIterate::new(self, steady.x.clone(), steady.along.clone());
         let along = self.independent(&guess.values.symmetries);
         self.residual_slopes(&guess, &UnknownIndices { states: states.to_vec(), along })
     }
 
-    /// Slopes of the residual at an iterate of Newton's method, a column for each unknown.
+    /// Derivatives of the residuals at a state of Newton's method, a column for each unknown.
     fn residual_slopes(&self, guess: &NewtonIterate, unknowns: &UnknownIndices) -> DMatrix<f64> {
         let sizes = self.program.sizes;
         let count = sizes.states + sizes.inputs;
@@ -244,7 +244,8 @@ impl SteadyProblem {
         })
     }
 
-    /// Makes the result of a search from its last iterate, with the residuals that are too large.
+    /// Makes the result of a search from the last state of Newton's method. Lists the residuals that are
+    /// too large.
     fn steady_from_iterate(&self, guess: NewtonIterate) -> SteadyState {
         let (rates, loops) = guess.left.split_at(self.program.sizes.states);
         let open = |size: f64, beside: f64| size.is_nan() || size.abs() > BALANCED * beside;
@@ -270,13 +271,14 @@ impl SteadyProblem {
     }
 }
 
-/// Largest difference of two states in any component, relative to the component's size or to 1.
+/// Largest difference of two states in any component, relative to the component or to 1, whichever is
+/// larger.
 fn largest_newton_change(a: &[DoubleDouble], b: &[DoubleDouble]) -> f64 {
     let one = |(a, b): (&DoubleDouble, &DoubleDouble)| (*a - *b).hi().abs() / a.hi().abs().max(1.0);
     a.iter().zip(b).map(one).fold(0.0, f64::max)
 }
 
-/// Indices of the vectors that do not depend linearly on the vectors before them.
+/// Indices of the vectors in `fields` that do not depend linearly on the vectors before them.
 fn independent_symmetries(fields: &[&Vec<DoubleDouble>]) -> Vec<usize> {
     let mut basis: Vec<DVector<f64>> = Vec::new();
     let mut list = Vec::new();

@@ -1,5 +1,5 @@
-//! Linear system near a steady motion with numbers kept as letters (symbols), such as the speed of
-//! a bicycle.
+//! Linear system near a steady motion in which some numbers stay symbols, called letters. An example is
+//! the speed of a bicycle.
 
 use super::SteadyProblem;
 use super::linear_system::SteadyLinearSystem;
@@ -13,37 +13,35 @@ use tripos_derive::flow::{LinearSystemError, OperatingPoint, StateElimination, S
 use tripos_derive::scene::StateWithUnknowns;
 use tripos_traits::DoubleDouble;
 
-/// Relative change of a sought state up to which its guess counts as exact for every value of the
-/// letters.
+/// Relative change of an unknown state up to which its guess counts as exact. The guess then holds for
+/// every value of the letters (numbers that stay symbols).
 const AS_GUESSED: f64 = 1e-12;
 
-/// Entry of a matrix of the linear system, as a function of the letters (numbers that are kept as
-/// symbols).
+/// Entry of a matrix of the linear system, as a function of the letters (numbers that stay symbols).
 #[derive(Clone, Debug, PartialEq)]
 pub enum SymbolicEntry {
-    /// Polynomial in the only letter: coefficients in ascending powers, from power 0.
+    /// Polynomial in the only letter. The coefficients are in ascending powers, from power 0.
     Polynomial(Vec<f64>),
-    /// Formula in the letters and the parameters.
+    /// Formula in the parameters and the letters (numbers that stay symbols).
     Formula(DisplayTree),
 }
 
-/// Matrices A, B, C and D of a linear system as functions of letters (numbers that are kept as
-/// symbols).
+/// Matrices A, B, C and D of a linear system, as functions of the letters (numbers that stay symbols).
 #[derive(Clone, Debug)]
 pub struct SymbolicLinearForm {
-    /// Names of the letters: the numbers that are kept as symbols.
+    /// Names of the letters (numbers that stay symbols).
     pub names: Vec<String>,
-    /// Entries of A, B, C and D in this order, each row by row.
+    /// Entries of the matrices A, B, C and D, in this order, each row by row.
     pub matrices: [Vec<Vec<SymbolicEntry>>; 4],
 }
 
-/// Computes the linear system near a steady motion with numbers kept as letters. `letters` names
-/// parameters, or numbers of the state file. The motion is proved to be steady for all values of
-/// the letters.
+/// Computes the linear system near a steady motion with some numbers as letters (symbols). `letters` are
+/// names of parameters, or of numbers in the state file. The motion is proved to be steady for all values
+/// of the letters.
 ///
 /// # Errors
-/// [`Error`] if a letter is unknown, if the motion is steady only for some values of the letters,
-/// or if a sought state is known only as a number.
+/// [`Error`] if a letter is unknown, if the motion is steady only for some values of the letters, or if
+/// an unknown state is known only as a number.
 pub fn symbolic_linear_system(
     model: &Mechanism,
     asked: &StateWithUnknowns,
@@ -90,7 +88,7 @@ pub fn symbolic_linear_system(
     Ok(SymbolicLinearForm { names: letters.to_vec(), matrices })
 }
 
-/// Error for a linear system that has no form in the given letters.
+/// Makes the error for a linear system that cannot be written in the given letters.
 fn no_symbolic_system_error(why: &LinearSystemError, letters: &[String]) -> Error {
     let letters = letters.join(", ");
     match why {
@@ -104,10 +102,10 @@ fn no_symbolic_system_error(why: &LinearSystemError, letters: &[String]) -> Erro
     }
 }
 
-/// Symbol of the letter with the given name: a parameter, or a number of the state file.
+/// Finds the symbol of the letter with the given name: a parameter, or a number of the state file.
 ///
 /// # Errors
-/// `Error::Request` if there is no such number.
+/// `Error::Request` if no parameter and no number of the state file has this name.
 fn find_letter_symbol(model: &Mechanism, asked: &StateWithUnknowns, name: &String) -> Result<Expr, Error> {
     let own = asked.names.iter().map(|own| (own.name.as_str(), own.symbol));
     let all: Vec<(&str, Expr)> = own.chain(model.parameters.iter().map(|p| (p.name.as_str(), p.symbol))).collect();
@@ -117,8 +115,8 @@ fn find_letter_symbol(model: &Mechanism, asked: &StateWithUnknowns, name: &Strin
     })
 }
 
-/// Makes an entry of a matrix from a term: a polynomial if possible in the only letter, otherwise a
-/// formula. `known` are values of the other symbols.
+/// Makes an entry of a matrix from the expression `e`. It is a polynomial in the only letter if possible,
+/// and otherwise a formula. `known` are the values of the other symbols.
 fn symbolic_entry(
     system: &mut SymbolicLinearSystem,
     e: Expr,
@@ -131,7 +129,8 @@ fn symbolic_entry(
 }
 
 impl SymbolicEntry {
-    /// True if the entry is 0 for every value of the letters. Always false for a formula.
+    /// True if the entry is a polynomial that is 0 for every value of the letter. Always false for a
+    /// formula.
     #[must_use]
     pub fn is_zero(&self) -> bool {
         matches!(self, Self::Polynomial(list) if list.iter().all(|c| c.abs() <= 0.0))
@@ -144,8 +143,8 @@ impl SymbolicEntry {
         text_of(&self.view(letter, &|x| x.to_string()))
     }
 
-    /// Makes a view of the entry that can be written in any notation. `letter` is the name of the
-    /// letter in a polynomial; `decimals` writes its coefficients' absolute values.
+    /// Makes a tree of the entry, which can be written in any notation. `letter` is the name of the letter
+    /// in a polynomial. `decimals` writes the absolute values of its coefficients.
     #[must_use]
     pub fn view(&self, letter: &str, decimals: &dyn Fn(f64) -> String) -> DisplayTree {
         let coefficients = match self {
@@ -171,8 +170,8 @@ impl SymbolicEntry {
 }
 
 impl SteadyProblem {
-    /// Choices of states and symmetries in the numeric linear system, which the symbolic elimination
-    /// must repeat.
+    /// Collects the states and symmetries that the numeric linear system eliminated. The symbolic
+    /// elimination must repeat the same choices.
     fn symbolic_elimination_choices(&self, found: &SteadyLinearSystem) -> StateElimination {
         let (values, _) = self.program.evaluate(&self.wide, &self.parameters, &found.steady.x, &[]);
         let carriers = found.steady.active_symmetries();

@@ -1,7 +1,7 @@
-//! Runs of a sweep that are computed at the same time in the lanes of vector registers.
+//! Runs of a sweep that are computed at the same time, in the lanes of vector registers.
 //!
-//! Invariant: the use of lanes for a point depends only on the point and the scene. The result of a
-//! point does not depend on the other points of its block. So a sweep divided into shards gives the
+//! Invariant: the point and the scene alone decide if a point of the sweep is run in lanes. The result of
+//! a point does not depend on the other points of its block. So a sweep divided into shards gives the
 //! same rows.
 
 use crate::code::Code;
@@ -14,10 +14,11 @@ use tripos_sim::batch::{self, BatchOutcome, BatchPlan, Trajectory, WatchedTrajec
 use tripos_sim::{EliminatedDynamics, Method, Options, OutputOption, Solution};
 use tripos_traits::{CompiledSystem, InLanes};
 
-/// Finds the equations that compute several runs of a sweep at once in lanes (of vector registers).
-/// `None` if the runs cannot use lanes. The equations must be compiled, with eliminated
-/// accelerations. The integrator must be DOP853 or Taylor's method with error control, without
-/// contacts, corrected constraints or corners.
+/// Finds the equations that compute several runs of a sweep at once in lanes of vector registers. `None`
+/// if the runs cannot use lanes.
+///
+/// The equations must be compiled, with eliminated accelerations. The integrator must be DOP853 or
+/// Taylor's method with error control. Contacts, constraints and corners are not allowed.
 pub fn lane_equations(
     model: &Model,
     scene: &Scene,
@@ -35,7 +36,7 @@ pub fn lane_equations(
     (has_method && plain).then_some(*lanes)
 }
 
-/// Run of one point of a sweep in lanes: its problem, start and integration plan.
+/// Request to run one point of a sweep in lanes: its problem, start and integration plan.
 pub struct LaneRequest<'s> {
     /// Scene of the point with its equations.
     problem: Problem<'s>,
@@ -46,7 +47,7 @@ pub struct LaneRequest<'s> {
 }
 
 impl<'s> LaneRequest<'s> {
-    /// Makes the request for a problem. `None` if the problem cannot start; its ordinary run then
+    /// Makes the request for a problem. `None` if the run cannot start. The ordinary run of the point then
     /// reports the reason.
     pub fn new(problem: Problem<'s>) -> Option<Self> {
         let scene: &Scene = problem.scene;
@@ -57,12 +58,12 @@ impl<'s> LaneRequest<'s> {
         finite.then_some(Self { problem, plan, start })
     }
 
-    /// Parameters and start of the run, as the batch integrator reads them.
+    /// Parameters and start of the run, in the form that the batch integrator reads.
     fn trajectory(&self) -> Trajectory<'_> {
         Trajectory { parameters: &self.problem.scene.parameters, start: &self.start }
     }
 
-    /// Events that the run watches, and its equations with their divisors.
+    /// Events that the run watches, and its equations, which give the divisors.
     fn watched_lane<'a>(&'a self, balance: &'a WatchedFunctions) -> WatchedTrajectory<'a> {
         let equations = EliminatedDynamics::new(self.problem.system(), &self.problem.scene.parameters);
         let equations = Box::new(equations.expect("only eliminated equations are had in lanes"));
@@ -70,8 +71,9 @@ impl<'s> LaneRequest<'s> {
     }
 }
 
-/// Runs requests in lanes; requests with equal plans run together. Returns a solution for each
-/// request, in order. `None` for an invalid plan, whose ordinary run then reports the reason.
+/// Runs requests in lanes. Requests with equal plans run together. Returns a solution for each request,
+/// in the order of the requests. `None` for an invalid plan. The ordinary run of the point then reports
+/// the reason.
 pub fn run_lanes(
     equations: InLanes<'_>,
     balance: &WatchedFunctions,
@@ -93,7 +95,7 @@ pub fn run_lanes(
     solutions
 }
 
-/// Converts the outcome of a run in lanes to a solution with two samples, its start and its end.
+/// Converts the outcome of a run in lanes to a solution with two samples: its start and its end.
 fn lane_solution(request: &LaneRequest<'_>, outcome: BatchOutcome) -> Solution {
     let BatchOutcome { t_end, y_end, stop, steps, rejected, evaluations, events } = outcome;
     debug_assert_eq!(request.plan.options().output, OutputOption::Ends);

@@ -1,9 +1,9 @@
-//! Work on many threads whose results are handed over in order.
+//! Work on many threads, whose results are handed over in order.
 //!
-//! Invariant: results are handed over one by one in the order of their blocks. No block begins that
-//! is more than a fixed number ahead of the next block to hand over. So the number of waiting
-//! results is bounded. The division into blocks depends on the clock, but no result depends on this
-//! division.
+//! Invariant: the results of blocks are handed over one by one, in the order of the blocks. A block does
+//! not begin if it is more than a fixed number ahead of the next block to hand over. So the number of
+//! waiting results is bounded. The division into blocks depends on the clock, but no result depends on
+//! this division.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -14,18 +14,17 @@ use std::time::{Duration, Instant};
 
 /// Greatest number of points in a block of a sweep.
 const LONGEST: u64 = 1024;
-/// Number of points in a block of a sweep before the first results arrive, while the duration of a
+/// Number of points in a block of a sweep until the first results arrive. Before that, the duration of a
 /// point is unknown.
 const FIRST: u64 = 1;
-/// Longest intended duration of a block of points. It is short, so that rows appear soon, and an
-/// interrupted sweep loses few of them.
+/// Intended duration of a block of points, at most. It is short, so that rows of the table appear soon,
+/// and an interrupted sweep loses few rows.
 const LASTING: Duration = Duration::from_secs(1);
-/// Largest number of blocks per thread that are being computed or wait to be handed over.
+/// Largest number of blocks per thread that are computed or wait to be handed over.
 const AHEAD: usize = 4;
 
-/// Calls `work` on blocks of the range `all`, with one worker per thread. Hands the results to
-/// `take` in the order of the blocks. An error of `take` sets `stop`, which `work` should watch,
-/// and ends all work.
+/// Calls `work` on blocks of the range `all`, with one worker per thread. Hands the results to `take` in
+/// the order of the blocks. An error of `take` ends all work: it sets `stop`, which `work` should watch.
 ///
 /// # Errors
 /// The error of `take`.
@@ -49,7 +48,7 @@ pub fn work_in_order<W: Send, T: Send, E>(
             let (tickets, send) = (&tickets, send.clone());
             scope.spawn(move || {
                 loop {
-                    // The lock is held while waiting: other workers that wait for the lock have no block to compute
+                    // The lock is held during the wait. Other workers that wait for the lock have no block to compute
                     // either.
                     let ticket = tickets.lock().unwrap_or_else(PoisonError::into_inner).recv();
                     let Ok((number, block)) = ticket else { return };
@@ -100,8 +99,8 @@ pub fn work_in_order<W: Send, T: Send, E>(
     })
 }
 
-/// Guard that reports a panic of its worker to the receiver. Otherwise the other threads would wait
-/// without end.
+/// Guard of a worker that reports its panic to the receiver. Without it, the other threads would wait
+/// forever.
 struct PanicGuard<'s, T>(&'s Sender<Option<T>>);
 
 impl<T> Drop for PanicGuard<'_, T> {
@@ -112,7 +111,7 @@ impl<T> Drop for PanicGuard<'_, T> {
     }
 }
 
-/// Remaining points of a range, which are cut into blocks of a suitable duration.
+/// Cutter of a range of points into blocks of a suitable duration.
 struct BlockCutter {
     /// Points that are not yet in a block.
     rest: Range<u64>,
@@ -125,8 +124,8 @@ struct BlockCutter {
 }
 
 impl BlockCutter {
-    /// Cuts off the next block; `None` if no points are left. Blocks get shorter towards the end, so that no thread
-    /// works alone for long.
+    /// Cuts off the next block; `None` if no points are left. Blocks become shorter towards the end, so
+    /// that no thread works alone for long.
     fn cut_block(&mut self) -> Option<Range<u64>> {
         let left = self.rest.end - self.rest.start;
         if left == 0 {
@@ -179,7 +178,8 @@ mod tests {
         assert_eq!(run(4, 2000, uneven), (5..2005).collect::<Vec<u64>>());
     }
 
-    /// Goal: the number of waiting results is bounded. Method: count the points that run while the first one lasts.
+    /// Goal: the number of waiting results is bounded. Method: count the points that run while the first
+    /// point still runs.
     #[test]
     fn no_thread_runs_far_ahead() {
         let (threads, first_done, furthest) = (4, AtomicBool::new(false), Mutex::new(0));

@@ -3,7 +3,7 @@
 use crate::error::Error;
 use std::ops::Range;
 
-/// Part of a sweep that is run separately: a contiguous range of its points.
+/// Part of a sweep that is run separately: a range of consecutive points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shard {
     /// Number of this part, counted from 1.
@@ -32,8 +32,8 @@ impl Shard {
         Ok(Self { part, of })
     }
 
-    /// Range of the shard's points, out of `count` points of the sweep. Consecutive shards have
-    /// consecutive ranges, whose lengths differ by at most one point.
+    /// Range of the points of this shard, in a sweep of `count` points. Consecutive shards have consecutive
+    /// ranges, whose lengths differ by at most one point.
     #[must_use]
     pub fn shard_points(self, count: u64) -> Range<u64> {
         let start = |part: u64| {

@@ -1,4 +1,4 @@
-//! Rows of the table that a sweep writes: a row for each point.
+//! Rows of the table that a sweep writes, one row for each point.
 
 /// Result of one point of a sweep, as a row of its table.
 pub struct SweepRow {
@@ -6,15 +6,15 @@ pub struct SweepRow {
     pub point: u64,
     /// Values of the varied quantities at the point, in the order of the grid.
     pub values: Vec<f64>,
-    /// Results at the end of the point's run, or the reason why it could not start.
+    /// Results at the end of the run of this point, or the reason why the run could not start.
     pub outcome: Result<RunEnd, String>,
 }
 
-/// Results of a run at its end, with counts and checks.
+/// Results of a run at its end, with the numbers of its steps and evaluations.
 pub struct RunEnd {
     /// Instant at which the run ended, s.
     pub t_end: f64,
-    /// Code of the reason why the run ended, as [`tripos_sim::Stop`] names it.
+    /// Code of the reason why the run ended, from [`tripos_sim::Stop`].
     pub stop: String,
     /// Reason why the run could not continue, or why its end has no value; `None` if the end is valid.
     pub failure: Option<String>,
@@ -27,15 +27,15 @@ pub struct RunEnd {
     pub rejected: u64,
     /// Number of evaluations of the right-hand side in the run.
     pub evaluations: u64,
-    /// Largest change of each first integral over the run, in its unit; in the order of the sweep's
-    /// conserved quantities.
+    /// Largest change of each conserved quantity over the run, in its unit. The order is that of the
+    /// sweep's conserved quantities.
     pub changes: Vec<f64>,
-    /// Number of correct decimal digits in every value at the end. `None` if it was not requested, or a
-    /// second run did not confirm the end.
+    /// Least number of correct decimal digits among the values at the end. `None` if it was not requested,
+    /// or if a second run did not confirm the end.
     pub digits: Option<f64>,
 }
 
-/// Entry in the column `stop` of the table for a point whose run could not start.
+/// Entry in the column `stop` of the table, for a point whose run could not start.
 pub const NO_START: &str = "no-start";
 
 impl SweepRow {

@@ -1,4 +1,4 @@
-//! Blocks of points of a sweep: each block is run by one thread.
+//! Runs of a sweep in blocks of points. Each block is run by one thread.
 
 use super::lanes::{self, LaneRequest};
 use super::sweep_row::{RunEnd, SweepRow};
@@ -23,18 +23,18 @@ use tripos_traits::InLanes;
 
 /// Data of a sweep that all its points and threads share.
 pub struct Sweep<'a> {
-    /// Mechanism of the varied scene, which all points share.
+    /// Mechanism of the scene, the same for all points.
     pub model: &'a Mechanism,
-    /// Scene as its file gives it, changed by the overrides.
+    /// Scene as its file states it, changed by the overrides.
     pub scene: &'a Scene,
     /// Grid of the quantities that vary, with their values.
     pub grid: &'a Grid,
-    /// Origin of the equations of motion of all runs.
+    /// Overrides that replace the integration settings of each point's scene.
     pub by: &'a EquationsOrigin,
     /// Overrides that replace integration settings of each point's scene.
     pub how: &'a Overrides,
-    /// First integrals whose changes each run reports; `None` if they were not proved, or the scene has
-    /// impacts.
+    /// First integrals whose changes are reported for each run. `None` if they were not proved, or if the
+    /// scene has impacts.
     pub watch: Option<WatchedInvariants>,
     /// Method that finds the accelerations: eliminated beforehand, or solved for numerically at each
     /// state.
@@ -61,11 +61,11 @@ pub struct Sweep<'a> {
 }
 
 impl<'a> Sweep<'a> {
-    /// Creates the sweep of a scene over a grid that was read for this scene. `how` must already have
-    /// changed the scene.
+    /// Prepares the sweep of a scene over a grid, which was read for this scene. The overrides `how` must
+    /// already be applied to the scene.
     ///
     /// # Errors
-    /// [`Error`] if no point can be run by these equations with the scene's integrator.
+    /// [`Error`] if these equations and the scene's integrator cannot run any point.
     pub fn new(
         model: &'a Mechanism,
         scene: &'a Scene,
@@ -111,14 +111,14 @@ impl<'a> Sweep<'a> {
         })
     }
 
-    /// True if T + V is constant in every run. No force without a potential does work, no constraint is
+    /// True if T + V is constant in every run: no force without a potential does work, no constraint is
     /// driven, and the scene has no impacts.
     fn conserves_energy(&self) -> bool {
         !self.code.system().has_power() && !self.model.is_driven() && self.scene.impacts.is_empty()
     }
 
-    /// Names of the quantities that are constant in each motion: the proved first integrals. For a
-    /// large model, they are not proved, and only the energy is named. Empty if nothing is constant.
+    /// Names of the quantities that are constant in each motion: the proved first integrals. If a model is
+    /// too large for the proof, only the energy is named. Empty if no quantity is constant.
     pub fn conserved_names(&self) -> Vec<&str> {
         match &self.watch {
             Some(watch) => watch.integrals.iter().map(|integral| integral.name.as_str()).collect(),
@@ -127,7 +127,7 @@ impl<'a> Sweep<'a> {
         }
     }
 
-    /// Creates the data that each thread needs for itself.
+    /// Makes a worker, which has the data that one thread needs for itself.
     ///
     /// # Errors
     /// [`Error`] if the text of the scene cannot be read again.
@@ -143,12 +143,13 @@ impl<'a> Sweep<'a> {
     }
 }
 
-/// Makes one step of a run from the scene's start. Returns the warnings that hold for every point.
+/// Tests the integrator with one step from the scene's start. Returns the warnings that hold for every
+/// point.
 ///
 /// # Errors
 /// `Error` if the integrator cannot run any point.
 fn try_sweep_step(problem: &Problem<'_>) -> Result<Vec<String>, Error> {
-    // The start of the scene file may be unsuitable for a run although the points are suitable.
+    // The start of the scene file may be unsuitable for a run although the points of the sweep are suitable.
     let Ok(y0) = problem.start() else { return Ok(Vec::new()) };
     let options = Options { step_limit: 1, ..integration_options_for_ends(problem.scene) };
     match problem.integrate(&y0, &options, &mut []) {
@@ -167,7 +168,7 @@ fn try_sweep_step(problem: &Problem<'_>) -> Result<Vec<String>, Error> {
 pub struct SweepWorker<'a> {
     /// Data that all threads share.
     sweep: &'a Sweep<'a>,
-    /// Scenes of all points, from the scene and the grid.
+    /// Reader that makes the scene of each point from the scene and the grid.
     family: Family<'a>,
     /// Equations that compute several runs at once in vector registers (lanes); `None` if the runs
     /// cannot use lanes.
@@ -175,10 +176,10 @@ pub struct SweepWorker<'a> {
 }
 
 impl SweepWorker<'_> {
-    /// Runs the points of a block. Returns a row for each point, in order, or fewer rows if the sweep
-    /// is stopped. `done` is called after each point.
+    /// Runs the points of a block. Returns one row for each point, in order, or fewer rows if the sweep is
+    /// stopped. `done` is called after each point.
     ///
-    /// Runs of a block may be computed together in lanes, but share no results.
+    /// The runs of a block may be computed together in lanes, but they share no results.
     pub fn run_block(&mut self, points: Range<u64>, done: &(impl Fn() + ?Sized)) -> Vec<SweepRow> {
         let read = |point: u64| {
             let (values, scene) = self.family.point(point);
@@ -206,8 +207,8 @@ impl SweepWorker<'_> {
         rows
     }
 
-    /// Computes the solutions of the scenes that can run together in lanes; `None` for each other
-    /// scene.
+    /// Computes the solutions of the scenes that can run together in lanes. `None` for a scene that
+    /// cannot.
     fn solve_in_lanes<'s>(&self, scenes: impl ExactSizeIterator<Item = Option<&'s Scene>>) -> Vec<Option<Solution>> {
         let mut solutions: Vec<Option<Solution>> = (0..scenes.len()).map(|_| None).collect();
         let Some(equations) = self.lanes else { return solutions };
@@ -229,8 +230,8 @@ impl SweepWorker<'_> {
         Problem::for_scene_of_many(inertia, model, scene, by, &self.sweep.code, Some(*solve))
     }
 
-    /// Runs the scene of a point and returns the results for its row. If `solution` is given, the run
-    /// is already made.
+    /// Runs the scene of a point, and returns the results for its row. If `solution` is given, it is used
+    /// and the scene is not run again.
     ///
     /// # Errors
     /// `Error` if the run cannot start.
@@ -253,8 +254,8 @@ impl SweepWorker<'_> {
         }
     }
 
-    /// Integration options of a point's run. Samples are kept only if correct digits are to be
-    /// determined.
+    /// Integration options for the run of a point. Samples are kept only if the number of correct digits
+    /// is wanted.
     fn options(&self, scene: &Scene) -> Options {
         if self.sweep.tells_digits { integration_options(scene) } else { integration_options_for_ends(scene) }
     }
@@ -280,7 +281,7 @@ impl SweepWorker<'_> {
         self.row_results(problem, &solution, digits.and_then(|digits| digits.digits_at_end_least()))
     }
 
-    /// Collects the results of a point's run at its end: shown quantities, changes of first integrals,
+    /// Collects the results of a point's run at its end: shown quantities, changes of conserved quantities,
     /// counts and failures. `digits` is the number of correct digits, if known.
     fn row_results(&self, problem: &Problem<'_>, solution: &Solution, digits: Option<f64>) -> Result<RunEnd, Error> {
         let changes = match &self.sweep.watch {
@@ -315,7 +316,8 @@ impl SweepWorker<'_> {
     }
 }
 
-/// Reason why a point has no run, as text for the row. Several errors are joined by semicolons.
+/// Reason why a point has no run, as text for its row. The texts of several errors are joined by
+/// semicolons.
 fn failure_reason(failure: &Error) -> String {
     match failure {
         Error::Input(diagnostics) => {

@@ -1,5 +1,5 @@
-//! Work on blocks of a range on the calling thread, with results handed over in order; for programs
-//! without threads.
+//! Work on blocks of a range in the calling thread, for programs without threads. Results are handed
+//! over in order.
 
 use std::ops::Range;
 use std::sync::atomic::AtomicBool;
@@ -7,8 +7,8 @@ use std::sync::atomic::AtomicBool;
 /// Number of points in a block of a sweep without threads.
 const BLOCK: u64 = 64;
 
-/// Calls `work` on blocks of the range `all` with the first of the workers, and hands the results
-/// to `take` in order. An error of `take` ends the work. Without workers, nothing is computed.
+/// Calls `work` on blocks of the range `all` with the first worker, and hands the results to `take` in
+/// order. An error of `take` ends the work. Without workers, nothing is computed.
 ///
 /// # Errors
 /// The error of `take`.

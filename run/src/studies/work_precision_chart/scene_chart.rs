@@ -1,5 +1,4 @@
-//! Complete work-precision chart of a scene: the span of the chart, the reference and the
-//! measurements.
+//! Complete work-precision chart of a scene: the span of the chart, the reference and the measurements.
 
 use super::{ChartPlan, ChartReference, Measurement, measure_cases};
 use crate::code::{CodePreparation, runnable_code};
@@ -19,31 +18,29 @@ use tripos_derive::scene::Scene;
 use tripos_sim::{Method, Options, OutputOption, Stop};
 use tripos_traits::Real;
 
-/// Complete work-precision chart of a scene: the measurements, and the reference by which they are
-/// judged.
+/// Complete work-precision chart of a scene: the measurements, with the reference that gives the errors.
 pub struct SceneChart {
     /// All measured points of the chart, in the order of the cases.
     pub list: Vec<Measurement>,
-    /// Reference solution, in higher precision, from which errors are measured.
+    /// Reference solution in higher precision, which gives the errors of the runs.
     pub reference: ReferenceSolution,
     /// First integrals of the motion, whose changes over each run are measured.
     pub watch: WatchedInvariants,
     /// Sentence that names the compared quantities; `None` if runs are compared in all states.
     pub compared: Option<String>,
-    /// Instant of the motion at which errors are measured, s.
+    /// Instant at which the errors are measured, s.
     pub until: f64,
-    /// Reason why errors are measured before the end of the scene; `None` if they are measured at its
-    /// end.
+    /// Reason why errors are measured before the end of the scene; `None` if they are measured at its end.
     pub cut: Option<String>,
-    /// Sentences that name each case which could not be charted, with the reason.
+    /// Cases that could not be measured: a sentence for each, with the reason.
     pub left_out: Vec<String>,
 }
 
 /// Measures the chart of a scene, up to the end of its span. If the motion leaves the domain of its
-/// equations or meets a terminal event before, the chart ends shortly before this instant.
+/// equations or meets a terminal event earlier, the chart ends shortly before that instant.
 ///
 /// # Errors
-/// [`Error`] if the scene cannot be run at all.
+/// [`Error`] if no equations of the scene can be run, or if its start is outside the domain.
 pub fn chart_scene(
     model: &Mechanism,
     scene: &Scene,
@@ -58,7 +55,7 @@ pub fn chart_scene(
     let mut compared = ComparedQuantities::new(model, &scene)?;
     let in_words = compared.in_words();
     if compared.is_empty() {
-        // Full states determine no requested output, so the states themselves are compared.
+        // States of the whole model determine no requested output, so the states themselves are compared.
         scene.states_outputs = false;
         compared = ComparedQuantities::new(model, &scene)?;
         cases.retain(|case| case.reduction.is_none());
@@ -95,7 +92,7 @@ pub fn chart_scene(
 }
 
 /// Finds the instant, s, at which the motion leaves the domain of its equations or meets a terminal
-/// event. `None` if it does neither before the end of the span.
+/// event. `None` if neither happens before the end of the span.
 ///
 /// # Errors
 /// `Error` if the scene cannot be run.

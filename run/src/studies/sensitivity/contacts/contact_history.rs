@@ -1,12 +1,11 @@
-//! Record of a run with derivatives: instants at which contacts change and derivatives jump,
-//! contacts held from then on, and early ends of derivatives.
+//! Record of the changes of contacts in a run with derivatives, and of early ends of the derivatives.
 
 use crate::preparation::impacts::{HeldContacts, NONE};
 use std::cell::RefCell;
 use std::fmt;
 use tripos_derive::plain_text::with_reliable_digits;
 
-/// Early end of the derivatives by a varied number, with its reason.
+/// Instant from which a run has no derivatives by one varied number, with the reason.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DerivativeEnd {
     /// Instant, s, from which there are no derivatives.
@@ -15,12 +14,13 @@ pub struct DerivativeEnd {
     pub why: String,
 }
 
-/// Instant at which contacts close, open, stick or slip, with the derivatives of this instant.
+/// Instant at which contacts close, open, stick or slip, with its derivatives by the varied numbers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ContactChangeInstant {
     /// Instant of the change of contacts, s.
     pub t: f64,
-    /// Derivative of the instant by each varied number, s per unit; NaN if it does not exist.
+    /// Derivative of the instant by each varied number, s per unit of the number. NaN if it does not
+    /// exist.
     pub moves: Vec<f64>,
     /// Contacts that are held closed from this instant on.
     pub kept: HeldContacts,
@@ -41,19 +41,21 @@ impl ContactHistory {
         Self { instants: Vec::new(), endings: vec![None; numbers] }
     }
 
-    /// Contacts that are held closed just after the instant `t`, s.
+    /// Contacts that are held closed just after the instant `t`, s. It is the last change of contacts up
+    /// to `t` that decides.
     pub fn held_contacts_after(&self, t: f64) -> &HeldContacts {
         self.instants.iter().rfind(|instant| instant.t <= t).map_or(&NONE, |instant| &instant.kept)
     }
 
-    /// Derivatives by each varied number of the instant `t`, at which contacts change. `None` if no
+    /// Derivatives of the instant `t`, at which contacts change, by each varied number. `None` if no
     /// contact changes at `t`.
     pub fn instant_derivatives(&self, t: f64) -> Option<&[f64]> {
         self.instants.iter().find(|instant| instant.t.total_cmp(&t).is_eq()).map(|instant| instant.moves.as_slice())
     }
 
-    /// Ends the derivatives by the varied number with index `number` at the instant `t`, s. Later
-    /// instants then have the derivative NaN. Does nothing if the derivatives have ended before.
+    /// Ends the derivatives by the varied number with the index `number` at the instant `t`, s. Later
+    /// instants of contact changes get the derivative NaN. Does nothing if the derivatives have ended
+    /// before.
     pub fn end(&mut self, number: usize, t: f64, why: String) {
         if self.endings[number].as_ref().is_some_and(|ending| ending.t <= t) {
             return;
@@ -71,8 +73,8 @@ impl ContactHistory {
     }
 }
 
-/// Ends the derivatives by the varied number with index `number` at the instant `t`, s, unless they
-/// have an end already.
+/// Ends the derivatives by the varied number with the index `number` at the instant `t`, s, unless they
+/// have ended already.
 pub fn end_derivatives(history: &RefCell<ContactHistory>, number: usize, t: f64, why: String) {
     let mut history = history.borrow_mut();
     history.endings[number].get_or_insert(DerivativeEnd { t, why });

@@ -1,5 +1,5 @@
-//! Functions of contacts that are zero at the instant of a change of contacts, and the derivatives
-//! of this instant.
+//! Functions of contacts that become zero at a change of contacts, such as a gap, and the derivatives
+//! of the instant of the change.
 
 use super::grazing_contacts;
 use super::held_contact_forces::VariedNumber;
@@ -7,18 +7,18 @@ use super::motion_before_crossing::{ContactFunction, ContactZero, GapBehaviour, 
 use super::precise_contacts::SMALL;
 use crate::preparation::impacts::{ContactChange, ContactCrossing};
 
-/// Functions of contacts that are zero at a change of contacts, and contacts that are touched
-/// without an impact.
+/// Functions of contacts that are zero at the instant of a change of contacts, and the contacts that
+/// are touched without an impact.
 pub struct ContactZeros<'c> {
     /// Motion just before the change.
     pub coming: MotionBeforeCrossing<'c>,
-    /// Function whose zero causes the change. `None` at the start of a run, and if contacts are only
+    /// Function whose zero causes the change. `None` at the start of a run, or if contacts are only
     /// touched.
     first: Option<ContactZero>,
-    /// Other functions that are zero at the same instant by coincidence. A varied number must move all
-    /// these zeros alike.
+    /// Other functions that are zero at the same instant by coincidence. Derivatives exist only by
+    /// numbers that move all these zeros alike.
     others: Vec<ContactZero>,
-    /// Indices of the contacts that are touched without a closing velocity.
+    /// Indices of the contacts that are touched without a closing velocity of the gap.
     touched: Vec<usize>,
 }
 
@@ -26,7 +26,7 @@ impl<'c> ContactZeros<'c> {
     /// Finds the functions of contacts that are zero at a change of contacts.
     ///
     /// # Errors
-    /// Text that says why there is no derivative by any number.
+    /// Text that says why the motion has no derivative by any number.
     pub fn new(coming: MotionBeforeCrossing<'c>) -> Result<Self, String> {
         let (list, touched) = find_contact_zeros(&coming)?;
         let mut list = list.into_iter();
@@ -34,14 +34,14 @@ impl<'c> ContactZeros<'c> {
         Ok(Self { coming, first, others: list.collect(), touched })
     }
 
-    /// True if several contacts change at the instant, or a contact is only touched. Each varied number
-    /// must then be checked.
+    /// True if several contacts change at the instant, or if a contact is only touched. The derivative by
+    /// each varied number must then be checked.
     pub fn needs_checks(&self) -> bool {
         !self.others.is_empty() || !self.touched.is_empty()
     }
 
-    /// Derivative of the instant of the change by the varied number; 0 at the start of a run. `state`
-    /// holds the derivatives of the state.
+    /// Derivative of the instant of the change by the varied number, s per unit; 0 at the start of a run.
+    /// `state` are the derivatives of the state by this number.
     ///
     /// # Errors
     /// Text that says why the derivative has no value.
@@ -49,11 +49,11 @@ impl<'c> ContactZeros<'c> {
         self.first.as_ref().map_or(Ok(0.0), |zero| Ok(self.coming.instant_derivative(zero, varied, state)?.by))
     }
 
-    /// Checks that the varied number moves all zeros of the instant alike, and does not change a gap
-    /// that is only touched.
+    /// Checks that the varied number moves all zeros at the instant alike, and does not change a gap that
+    /// is only touched. `state` are the derivatives of the state by this number.
     ///
     /// # Errors
-    /// Text that names the contacts and the number if there is no derivative.
+    /// Text that names the contacts and the number, if the derivative by this number does not exist.
     pub fn check_common_instant(&self, varied: &VariedNumber<'_>, state: &[f64]) -> Result<(), String> {
         let (wide, y) = (self.coming.wide, self.coming.crossing.before);
         self.touched
@@ -81,11 +81,11 @@ impl<'c> ContactZeros<'c> {
     }
 }
 
-/// Finds the functions that are zero at a change of contacts, with the cause of the change first.
-/// The second list has the contacts that are touched without a closing velocity.
+/// Finds the functions that are zero at a change of contacts, with the cause of the change first. The
+/// second list has the indices of the contacts that are touched without a closing velocity.
 ///
 /// # Errors
-/// Text that says why there is no derivative by any number.
+/// Text that says why the motion has no derivative by any number.
 fn find_contact_zeros(of: &MotionBeforeCrossing<'_>) -> Result<(Vec<ContactZero>, Vec<usize>), String> {
     let ContactCrossing { contact_change, kept, after, .. } = of.crossing;
     let Some(contact_change) = *contact_change else { return Ok((Vec::new(), Vec::new())) };

@@ -1,20 +1,23 @@
-//! Jumps of derivatives ("slopes") at instants at which velocities jump, or contacts open, close,
-//! stick or slip.
+//! Jumps of derivatives ("slopes") at instants at which velocities jump, or contacts open, close, stick
+//! or slip.
 //!
 //! At an instant t(p), the state goes from y⁻(t, p) to y⁺ = R(y⁻, p), and its rates go from f⁻ to
 //! f⁺. Slopes at a fixed instant go from s⁻ to s⁺ = R_y (s⁻ + f⁻ dt/dp) + R_p − f⁺ dt/dp. The
 //! instant has the derivative dt/dp = −(g_y s⁻ + g_p)/(g_y f⁻). Here g is the function that is zero
 //! at the instant: a gap, a force, a friction margin or a slip velocity ([`super::contact_zeros`]).
-//! Sources: M. A. Aizerman & F. R. Gantmakher, "On the stability of periodic motions", *Journal of Applied
-//! Mathematics and Mechanics* 22 (1958), 1065–1078; P. C. Müller, "Calculation of Lyapunov
-//! exponents for dynamic systems with discontinuities", *Chaos, Solitons & Fractals* 5 (1995),
-//! 1671–1681. The map is linear in s⁻ and p. Forward runs apply it to slopes, and a backward sweep
-//! applies its transpose.
+//! This map is linear in s⁻ and p. Forward runs apply it to slopes, and a backward sweep applies its
+//! transpose.
 //!
-//! R is differentiated while the sets of contacts that push, stick and slip stay the same. In three
-//! cases there is no derivative, and the reason is given. The sets may change with the varied
-//! number. Contacts that change together may change at different instants. Or contacts may close
-//! without a velocity.
+//! R is differentiated with fixed sets of pushing, sticking and slipping contacts. In three cases the
+//! derivative does not exist, and the reason is given:
+//! - the varied number changes these sets;
+//! - contacts that change together would change at different instants;
+//! - contacts close without a velocity.
+//!
+//! Sources: M. A. Aizerman & F. R. Gantmakher, "On the stability of periodic motions", *Journal of
+//! Applied Mathematics and Mechanics* 22 (1958), 1065–1078; P. C. Müller, "Calculation of Lyapunov
+//! exponents for dynamic systems with discontinuities", *Chaos, Solitons & Fractals* 5 (1995),
+//! 1671–1681.
 
 use super::contact_zeros::ContactZeros;
 use super::held_contact_forces::{HeldContactForces, NOTHING, RatesAlong, VariedNumber};
@@ -32,17 +35,17 @@ use tripos_sim::{ContactMode, Failure};
 /// held closed.
 pub type HeldRates<'c> = dyn Fn(&HeldContacts, f64, &[f64]) -> Result<Vec<f64>, Failure> + 'c;
 
-/// Change of contacts at an instant, prepared for derivatives in any direction.
+/// Change of contacts at one instant, prepared to compute its derivatives in any direction.
 pub struct CrossingDerivatives<'c> {
-    /// Contacts of the scene in 32 digits.
+    /// Contacts of the scene, computed to 32 digits.
     wide: &'c PreciseContacts<'c>,
     /// Instant, states and contacts of the change.
     crossing: &'c ContactCrossing<'c>,
-    /// Function for the derivative of the rates without contact forces.
+    /// Function that computes the derivative of the rates without contact forces.
     rates_along: &'c RatesAlong<'c>,
-    /// Functions of contacts that are zero at the instant.
+    /// Functions of contacts, such as gaps, that are zero at the instant.
     zeros: ContactZeros<'c>,
-    /// Impacts at the instant, split into steps of impulses in their order.
+    /// Impacts at the instant, split into strikes (steps of impulses), in their order.
     strikes: Vec<Strike>,
     /// Rates of the state after the change, with the forces of held contacts.
     rates: Vec<f64>,
@@ -50,24 +53,24 @@ pub struct CrossingDerivatives<'c> {
     forces: Option<HeldContactForces>,
 }
 
-/// Slopes in one direction after a change of contacts.
+/// Slopes (derivatives by one varied number) just after a change of contacts.
 pub struct SlopesAfterCrossing {
     /// Derivative of the instant of the change, s per unit of the varied number.
     pub later: f64,
     /// Slopes of the state just after the change.
     pub slopes: Vec<f64>,
-    /// Derivatives of the impulses of each strike (step of the impact), in their order.
+    /// Derivatives of the impulses of each strike (a step of the impact), in their order.
     changes: Vec<ContactForceDerivative>,
-    /// Slopes of the state before each strike (step of the impact).
+    /// Slopes of the state before each strike (a step of the impact), in their order.
     before: Vec<Vec<f64>>,
 }
 
 impl<'c> CrossingDerivatives<'c> {
-    /// Prepares a change of contacts for derivatives. `flow` computes the rates of the motion while
+    /// Prepares a change of contacts for derivatives. `flow` computes the rates of the state while
     /// contacts are held.
     ///
     /// # Errors
-    /// Text that says why there is no derivative by any number.
+    /// Text that says why the motion has no derivative by any number.
     pub fn new(
         wide: &'c PreciseContacts<'c>,
         crossing: &'c ContactCrossing<'c>,
@@ -100,12 +103,12 @@ impl<'c> CrossingDerivatives<'c> {
         })
     }
 
-    /// Computes the derivative of the instant, and the slopes of the state after the change of
-    /// contacts. `state` holds the slopes before it. Checks that the sets of pushing, sticking and
-    /// slipping contacts do not change with the number.
+    /// Computes the derivative of the instant of a change of contacts, and the slopes of the state after
+    /// it. `state` are the slopes before it. Checks that the varied number does not change the sets of
+    /// pushing, sticking and slipping contacts.
     ///
     /// # Errors
-    /// Text that says why there is no derivative by the varied number.
+    /// Text that says why the derivative by the varied number does not exist.
     pub fn slopes_after_crossing(&self, varied: &VariedNumber<'_>, state: &[f64]) -> Result<(f64, Vec<f64>), String> {
         self.check_start_gaps(varied, state)?;
         self.zeros.check_common_instant(varied, state)?;
@@ -115,14 +118,14 @@ impl<'c> CrossingDerivatives<'c> {
         Ok((across.later, across.slopes))
     }
 
-    /// True if several contacts hold the same motion. Then only numbers that move these contacts alike
-    /// have derivatives.
+    /// True if several contacts hold the same motion. Derivatives then exist only by numbers that move
+    /// these contacts alike.
     pub fn has_shared_motion(&self) -> bool {
         let before = &self.zeros.coming.forces;
         before.iter().chain(&self.forces).any(HeldContactForces::are_shared)
     }
 
-    /// True if only some numbers may have derivatives, so that each number must be checked.
+    /// True if the derivatives by some numbers may not exist, so that each number must be checked.
     pub fn needs_checks(&self) -> bool {
         let is_open = |strike: &Strike| {
             let compliance =
@@ -139,11 +142,11 @@ impl<'c> CrossingDerivatives<'c> {
             || !self.contacts_slipping_from_rest().is_empty()
     }
 
-    /// Takes slopes across the change of contacts, without a check that the sets of contacts stay the
-    /// same.
+    /// Computes the slopes after a change of contacts from the slopes before it. Does not check that the
+    /// sets of pushing, sticking and slipping contacts stay the same.
     ///
     /// # Errors
-    /// Text that names a value that does not exist.
+    /// Text that says which value does not exist.
     pub fn unchecked_slopes_after_crossing(
         &self,
         varied: &VariedNumber<'_>,
@@ -173,12 +176,12 @@ impl<'c> CrossingDerivatives<'c> {
         self.wide.contacts.rows[contact][0]
     }
 
-    /// Derivative of the impulses of a strike (step of an impact) if `grip` gives the held directions
-    /// and friction. `slopes` are those of the state before it. `last` is the derivative of the strike
-    /// before.
+    /// Derivative of the impulses of a strike (a step of an impact), if `grip` gives the held directions
+    /// and the friction. `slopes` are the slopes of the state before the strike. `last` is the
+    /// derivative of the strike before.
     ///
     /// # Errors
-    /// Text that says why there is no finite derivative.
+    /// Text that says why the derivative is not finite.
     fn strike_derivative(
         &self,
         strike: &Strike,
@@ -212,7 +215,7 @@ impl<'c> CrossingDerivatives<'c> {
                     + grip.friction_of_normal_forces(&before);
                 (nothing.add_scalar(1.0), nothing, friction)
             }
-            // The impulses are e Λ, with the impulses Λ of the strike before.
+            // The impulses are e Λ, where Λ are the impulses of the strike before.
             StrikeLaw::Return(of) => (nothing.clone(), nothing, e.component_mul(&before) + by_e.component_mul(of)),
         };
         let direction = ParameterStateDirection { parameters: varied.parameters, state: slopes };
@@ -220,7 +223,7 @@ impl<'c> CrossingDerivatives<'c> {
         self.wide.contact_force_derivative(&acting, &without, direction, &given).map_err(|failure| failure.message)
     }
 
-    /// Text that says that a small change of the varied number decides if a contact pushes or opens.
+    /// Text saying that a small change of the varied number decides if a contact pushes or opens.
     fn undecided_contact_message(&self, contact: usize, varied: &VariedNumber<'_>) -> String {
         format!(
             "whether the contact `{}` pushes or opens there depends on a small change of `{}`",
@@ -229,8 +232,8 @@ impl<'c> CrossingDerivatives<'c> {
         )
     }
 
-    /// Checks, at the start of a run, that the varied number neither opens a closed contact nor makes
-    /// bodies overlap.
+    /// Checks the contacts that are closed at the start of a run. The varied number must not change their
+    /// gaps, which would open a contact or make bodies overlap.
     ///
     /// # Errors
     /// Text that names the contact and the number.
@@ -255,11 +258,11 @@ impl<'c> CrossingDerivatives<'c> {
         Ok(())
     }
 
-    /// Checks that the varied number does not change which contacts take part in the impact, nor their
-    /// modes.
+    /// Checks that the varied number changes neither the set of contacts that take part in an impact, nor
+    /// their modes.
     ///
     /// # Errors
-    /// Text that says why there is no derivative.
+    /// Text that says why the derivative does not exist.
     fn check_impact_modes(&self, varied: &VariedNumber<'_>, across: &SlopesAfterCrossing) -> Result<(), String> {
         let largest = across.changes.iter().map(|change| change.size).fold(0.0, f64::max);
         for (at, (strike, change)) in self.strikes.iter().zip(&across.changes).enumerate() {
@@ -313,8 +316,7 @@ impl<'c> CrossingDerivatives<'c> {
         sticks.filter(|at| forces.is_at_limit(self.wide.contacts, *at)).collect()
     }
 
-    /// Indices of the contacts that begin to slip at the start of the run, with a slip velocity of
-    /// zero.
+    /// Indices of the contacts with a slip velocity of zero that begin to slip at the start of the run.
     fn contacts_slipping_from_rest(&self) -> Vec<usize> {
         let Some(forces) = self.forces.as_ref().filter(|_| self.crossing.contact_change.is_none()) else {
             return Vec::new();
@@ -330,12 +332,13 @@ impl<'c> CrossingDerivatives<'c> {
         slips.filter(is_still).collect()
     }
 
-    /// Checks that the varied number does not change which contacts are held. It must give no force to
-    /// a contact held without force. It must not make a contact slip that sticks at its limit, nor move
-    /// a contact that begins to slip from rest.
+    /// Checks that the varied number does not change the set of held contacts, nor their modes.
+    ///
+    /// It must give no force to a contact that is held without force. It must not make a contact slip
+    /// that sticks at its friction limit. It must not move a contact that begins to slip from rest.
     ///
     /// # Errors
-    /// Text that says why there is no derivative.
+    /// Text that says why the derivative does not exist.
     fn check_held_contacts(&self, varied: &VariedNumber<'_>, slopes: &[f64]) -> Result<(), String> {
         let Some(forces) = &self.forces else { return Ok(()) };
         let contacts = self.wide.contacts;

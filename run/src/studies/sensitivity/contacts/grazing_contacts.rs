@@ -1,10 +1,10 @@
 //! Contacts that are touched without an impact, where derivatives may end.
 //!
-//! A gap falls to zero and grows again. A neighbouring motion has an impact, or passes without
-//! contact. On the side without contact, derivatives are those of the flight. On the other side
-//! they grow as the inverse of the impact velocity. So a number that changes the gap at its minimum
-//! has no derivative from then on. At the minimum the gap is flat in time, so a number that changes
-//! its velocity has no derivative either. Derivatives by all other numbers go on.
+//! The gap of such a contact falls to zero and grows again. A neighbouring motion has an impact, or
+//! passes without contact. On the side without contact, the derivatives are those of the flight. On
+//! the other side they grow as the inverse of the impact velocity. So a number that changes the gap at
+//! its minimum has no derivatives from then on. Nor has a number that changes the velocity of the gap
+//! there. The derivatives by all other numbers go on.
 
 use super::held_contact_forces::VariedNumber;
 use super::precise_contacts::{ParameterStateDirection, PreciseContacts, SMALL};
@@ -13,20 +13,20 @@ use tripos_sim::Options;
 /// Largest minimum of a gap that counts as zero, in units of the run's relative tolerance times the
 /// size of the gap's terms.
 const TOLD: f64 = 8.0;
-/// Least relative tolerance that is assumed when minima of gaps are judged, because of rounding.
+/// Least relative tolerance that is assumed for the minima of gaps, because of rounding.
 const ROUNDING: f64 = 1e-13;
 
-/// Gap below which a contact counts as touched, relative to the size of the gap's terms. It is the
-/// error of the run.
+/// Gap below which a contact counts as touched, relative to the size of the gap's terms. It is the error
+/// that a run with these options may have.
 pub fn grazing_gap_limit(options: &Options) -> f64 {
     TOLD * options.rtol.max(ROUNDING)
 }
 
-/// Checks that the varied number changes neither the gap of a contact nor its velocity, at a
-/// minimum of zero in the state `y`. `state` holds the derivatives of the state.
+/// Checks the gap of a contact that is zero at its minimum, in the state `y`. The varied number must
+/// change neither this gap nor its velocity. `state` are the derivatives of the state by this number.
 ///
 /// # Errors
-/// Text that says why there is no derivative by the varied number.
+/// Text that says why the derivative by the varied number does not exist.
 pub fn check_grazing_gap(
     wide: &PreciseContacts<'_>,
     contact: usize,

@@ -8,29 +8,29 @@ use crate::preparation::impacts::{ContactOperators, HeldContacts, SceneContacts}
 use nalgebra::DVector;
 use tripos_sim::{ContactMode, Failure};
 
-/// Fraction of the size of its terms below which a contact force or velocity counts as zero.
+/// Fraction of the sizes of its terms below which a contact force or a velocity counts as zero.
 pub const NOTHING: f64 = 1e-9;
 
-/// Function that computes the derivative of the rates without contact forces, at a state along a
-/// direction.
+/// Function that computes the derivative of the rates (q̇, v̇), without contact forces, at a state (q, v)
+/// along a direction of parameters and state.
 pub type RatesAlong<'c> = dyn Fn(&[f64], ParameterStateDirection<'_>) -> Vec<f64> + 'c;
 
-/// Varied number of a scene, with the derivatives by it of the parameters and of the contacts'
-/// coefficients.
+/// Varied number of a scene, with the derivatives of parameters and of contact coefficients by this
+/// number.
 #[derive(Clone, Copy)]
 pub struct VariedNumber<'v> {
-    /// Name of the number for messages.
+    /// Name of the number, for messages.
     pub name: &'v str,
-    /// Derivatives of the parameters, in the order of the model.
+    /// Derivatives of the parameters by the number, in the order of the model.
     pub parameters: &'v [f64],
-    /// Derivatives of the coefficients of restitution, for each contact.
+    /// Derivative of the coefficient of restitution of each contact by the number.
     pub restitutions: &'v [f64],
-    /// Derivatives of the coefficients of friction, for each contact.
+    /// Derivative of the coefficient of friction of each contact by the number.
     pub frictions: &'v [f64],
 }
 
-/// Contacts that are held closed at a state, with their forces and the data for derivatives of
-/// these forces.
+/// Contacts that are held closed at a state, with their forces, prepared for derivatives of these
+/// forces.
 pub struct HeldContactForces {
     /// Held contacts, each with its mode.
     kept: HeldContacts,
@@ -38,7 +38,7 @@ pub struct HeldContactForces {
     y: Vec<f64>,
     /// Rates (q̇, v̇) of the state without contact forces.
     free: Vec<f64>,
-    /// Matrices at the state that relate speeds, impulses and kinetic energy.
+    /// Matrices at the state that relate generalized speeds, impulses of contacts and kinetic energy.
     operators: ContactOperators,
     /// Held gap and slip directions, and friction of slipping contacts.
     grip: HeldDirections,
@@ -46,13 +46,14 @@ pub struct HeldContactForces {
     along_rows: DVector<f64>,
     /// Accelerations along the gap and slip directions of all contacts, without contact forces.
     accelerations: DVector<f64>,
-    /// Indices of the held directions whose force is not determined.
+    /// Indices of the held directions whose force is not determined, because other contacts hold the same
+    /// motion.
     shared: Vec<usize>,
 }
 
 impl HeldContactForces {
-    /// Computes the forces of contacts that are held closed at a state `y`. `free` holds the rates of
-    /// the state without contact forces.
+    /// Computes the forces of the contacts `kept`, which are held closed, at a state `y`. `free` are the
+    /// rates of the state without contact forces.
     ///
     /// # Errors
     /// [`Failure`] if a force is not finite, or a permitted motion has no inertia.
@@ -72,28 +73,27 @@ impl HeldContactForces {
         Ok(Self { kept, y, free, operators, grip, along_rows, accelerations, shared })
     }
 
-    /// Square root of the compliance G of a gap or slip direction. A force times this root is
-    /// comparable between directions.
+    /// Square root of the compliance G of a gap or slip direction. Forces of several directions can be
+    /// compared after multiplication by their roots.
     pub fn compliance_root(&self, row: usize) -> f64 {
         let of_u = self.operators.of_u.row(row);
         (of_u * self.operators.inertia.solve(&of_u.transpose()))[0].sqrt()
     }
 
-    /// Largest acceleration along the held directions without forces, each divided by the root of its
-    /// compliance.
+    /// Largest absolute acceleration along the held directions without contact forces. Each acceleration
+    /// is divided by the root of its compliance.
     fn largest_scaled_acceleration(&self) -> f64 {
         let size = |row: &usize| self.accelerations[*row].abs() / self.compliance_root(*row);
         self.grip.rows.iter().map(size).fold(0.0, f64::max)
     }
 
-    /// True if the contact force along the direction `row` of a gap is zero or negative, up to
-    /// rounding.
+    /// True if the contact force along the gap direction `row` is zero or negative, up to rounding.
     pub fn is_force_zero(&self, row: usize) -> bool {
         self.along_rows[row] * self.compliance_root(row) <= NOTHING * self.largest_scaled_acceleration()
     }
 
-    /// True if the force of a sticking contact is at its friction limit, up to rounding. False without
-    /// friction.
+    /// True if the force of a sticking contact is at its friction limit, up to rounding. False if the
+    /// contact has no friction law.
     pub fn is_at_limit(&self, contacts: &SceneContacts<'_>, contact: usize) -> bool {
         let rows = &contacts.rows[contact];
         let Some(mu) = contacts.friction(contact) else { return false };
@@ -101,13 +101,13 @@ impl HeldContactForces {
         margin * self.compliance_root(rows[1]) <= NOTHING * self.largest_scaled_acceleration()
     }
 
-    /// True if the force along a held direction is not determined, since other contacts hold the same
-    /// motion.
+    /// True if the force along the held direction `row` is not determined, because other contacts hold
+    /// the same motion.
     pub fn is_shared(&self, row: usize) -> bool {
         self.shared.contains(&row)
     }
 
-    /// True if the force along any held direction is not determined, since several contacts hold the
+    /// True if the force along any held direction is not determined, because several contacts hold the
     /// same motion.
     pub fn are_shared(&self) -> bool {
         !self.shared.is_empty()
@@ -118,11 +118,11 @@ impl HeldContactForces {
         self.kept.iter()
     }
 
-    /// Derivative of the contact forces by the varied number. `state` holds the derivatives of the
-    /// state (q, v).
+    /// Computes the derivative of the contact forces by the varied number. `state` are the derivatives of
+    /// the state (q, v) by this number.
     ///
     /// # Errors
-    /// Text that says why there is no finite derivative.
+    /// Text that says why the derivative is not finite.
     pub fn force_derivative(
         &self,
         wide: &PreciseContacts<'_>,
@@ -139,8 +139,9 @@ impl HeldContactForces {
         wide.contact_force_derivative(&acting, &without, direction, &given).map_err(|failure| failure.message)
     }
 
-    /// Derivative of the friction margin μ N − |T| of a sticking contact, and the size of its terms. N
-    /// is the normal force, T the tangential force.
+    /// Derivative of the friction margin μ N − |T| of a sticking contact by the varied number, and the
+    /// size of the derivative's terms. N is the normal force, T the tangential force. `change` is the
+    /// derivative of the contact forces.
     pub fn friction_margin_derivative(
         &self,
         contacts: &SceneContacts<'_>,

@@ -1,5 +1,5 @@
-//! Gap and slip directions that contacts hold, and the friction of slipping contacts. Forces along
-//! held directions follow from the motion. Friction follows from the normal forces.
+//! Gap and slip directions along which contacts are held, and the friction of slipping contacts. Forces
+//! along held directions follow from the motion. Friction follows from the normal forces.
 
 use crate::preparation::impacts::{HeldContacts, SceneContacts};
 use nalgebra::{DMatrix, DVector};
@@ -10,7 +10,7 @@ const DEPENDENT: f64 = 1e-11;
 /// Fraction of the largest singular value below which a singular value may be rounding.
 const DOUBTFUL: f64 = 1e-9;
 
-/// Gap and slip directions in which contacts are held, and the friction of slipping contacts.
+/// Gap and slip directions along which contacts are held, and the friction of slipping contacts.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct HeldDirections {
     /// Indices of the held directions among the gap and slip directions of all contacts.
@@ -19,8 +19,8 @@ pub struct HeldDirections {
     pub slips: Vec<SlippingContact>,
 }
 
-/// Slipping contact: its tangential force is −μ s times its normal force, with the sign s of the
-/// slip velocity.
+/// Slipping contact, whose tangential force is −μ s times its normal force. s is the sign of its slip
+/// velocity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SlippingContact {
     /// Index of the contact, from 0.
@@ -35,25 +35,26 @@ pub struct SlippingContact {
     pub factor: f64,
 }
 
-/// Choice to hold the gap velocity of a contact, or not.
+/// Choice if the gap velocity of a contact is held.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum GapTreatment {
     /// The gap velocity of the contact is held.
     Held,
-    /// The gap velocity is free; only slip is held. The contact then has no normal impulse beyond a
-    /// given one.
+    /// The gap velocity is free, and only the slip velocity is held. The contact then has no normal
+    /// impulse except a given one.
     Free,
 }
 
 impl HeldDirections {
-    /// Held directions and friction of the contacts in `kept`, by the mode of each.
+    /// Makes the held directions and the friction of the contacts in `kept`, by the mode of each.
     pub fn of_held_contacts(contacts: &SceneContacts<'_>, kept: &HeldContacts) -> Self {
         let mut grip = Self::default();
         kept.iter().for_each(|(at, mode)| grip.add(contacts, at, mode, GapTreatment::Held));
         grip
     }
 
-    /// Held directions and friction of the contacts `which` in an impact, by the modes in `found`.
+    /// Makes the held directions and the friction of the contacts `which` in an impact. `found` are the
+    /// modes of these contacts.
     pub fn of_impact_modes(contacts: &SceneContacts<'_>, which: &[usize], found: &ContactSolution) -> Self {
         let mut grip = Self::default();
         let each = which.iter().zip(&found.modes).zip(&found.pushes);
@@ -63,7 +64,7 @@ impl HeldDirections {
         grip
     }
 
-    /// Adds the held directions and the friction of a contact in the given mode.
+    /// Adds the held directions and the friction of one contact in the given mode.
     fn add(&mut self, contacts: &SceneContacts<'_>, contact: usize, mode: ContactMode, gap: GapTreatment) {
         let rows = &contacts.rows[contact];
         let first = usize::from(gap == GapTreatment::Free);
@@ -79,7 +80,8 @@ impl HeldDirections {
     }
 
     /// Matrix that converts forces along the held directions to forces along the `count` directions of
-    /// all contacts, friction included. It has a column for each held direction.
+    /// all contacts, friction included. It has a row for each of these directions, and a column for
+    /// each held direction.
     pub fn held_force_spread(&self, count: usize) -> DMatrix<f64> {
         let mut all = DMatrix::zeros(count, self.rows.len());
         for (at, row) in self.rows.iter().enumerate() {
@@ -91,8 +93,8 @@ impl HeldDirections {
         all
     }
 
-    /// Derivative of the friction along all directions, if the coefficients of friction have the
-    /// derivatives `by`. `forces` contains the normal forces.
+    /// Derivative of the friction forces along all directions, if the coefficients of friction have the
+    /// derivatives `by`, one for each contact. `forces` contains the normal forces.
     pub fn friction_by_coefficients(&self, by: &[f64], forces: &DVector<f64>) -> DVector<f64> {
         let mut all = DVector::zeros(forces.len());
         for slip in &self.slips {
@@ -101,7 +103,7 @@ impl HeldDirections {
         all
     }
 
-    /// Friction along all directions that the given normal forces cause.
+    /// Friction forces along all directions that the normal forces in `given` cause.
     pub fn friction_of_normal_forces(&self, given: &DVector<f64>) -> DVector<f64> {
         let mut all = DVector::zeros(given.len());
         for slip in &self.slips {
@@ -110,8 +112,8 @@ impl HeldDirections {
         all
     }
 
-    /// Linear system for the forces along the held directions, from the compliance G of all directions.
-    /// It is scaled so that all directions are comparable.
+    /// Makes the linear system for the forces along the held directions from the compliance G of all
+    /// directions. It is scaled so that all directions are comparable.
     pub fn system(&self, compliance: &DMatrix<f64>) -> HeldDirectionSystem {
         let unit = |row: &usize| {
             let g = compliance[(*row, *row)];
@@ -124,8 +126,8 @@ impl HeldDirections {
     }
 }
 
-/// Linear system A λ + c = 0 for the forces λ along held directions, with their motion c without
-/// forces.
+/// Linear system A λ + c = 0 for the forces λ along held directions, where c is the motion of these
+/// directions without the forces.
 pub struct HeldDirectionSystem {
     /// Matrix A, with rows and columns scaled to comparable units.
     scaled: DMatrix<f64>,
@@ -135,20 +137,20 @@ pub struct HeldDirectionSystem {
 }
 
 impl HeldDirectionSystem {
-    /// Solves for the forces λ; if several exist, for the smallest in scaled units. `None` if they are
-    /// not finite.
+    /// Solves A λ + c = 0 for the forces λ. If several solutions exist, returns the smallest in scaled
+    /// units. `None` if the system or the solution is not finite.
     pub fn solve(&self, c: &DVector<f64>) -> Option<DVector<f64>> {
         self.solve_scaled(self.scaled.clone(), c)
     }
 
-    /// Solves Aᵀ x + c = 0; if several x exist, for the smallest in scaled units. `None` if it is not
-    /// finite.
+    /// Solves Aᵀ x + c = 0 for x. If several solutions exist, returns the smallest in scaled units. `None`
+    /// if the system or the solution is not finite.
     pub fn solve_transposed(&self, c: &DVector<f64>) -> Option<DVector<f64>> {
         self.solve_scaled(self.scaled.transpose(), c)
     }
 
-    /// Solves a linear system that is already scaled; if several solutions exist, for the smallest.
-    /// `None` if it is not finite.
+    /// Solves a linear system whose matrix is already scaled. If several solutions exist, returns the
+    /// smallest. `None` if the system is not finite.
     fn solve_scaled(&self, matrix: DMatrix<f64>, c: &DVector<f64>) -> Option<DVector<f64>> {
         if c.is_empty() {
             return Some(c.clone());
@@ -162,8 +164,8 @@ impl HeldDirectionSystem {
         Some(svd.solve(&-c, rounding).ok()?.component_mul(&self.unit))
     }
 
-    /// Flags for the held directions: true if the force is not determined, since other directions hold
-    /// the same motion.
+    /// Tells for each held direction if its force is not determined, because other directions hold the
+    /// same motion.
     pub fn undetermined_forces(&self) -> Vec<bool> {
         if self.unit.is_empty() || !self.scaled.iter().all(|x| x.is_finite()) {
             return vec![false; self.unit.len()];

@@ -1,5 +1,5 @@
-//! Impact as a sequence of strikes. A strike is a step of the impact whose impulses follow from the
-//! velocities before it, with a fixed set of contacts held.
+//! Splits an impact into a sequence of strikes. A strike is a step of the impact, with a fixed set of
+//! held contacts. Its impulses follow from the velocities before it.
 
 use super::held_contact_forces::NOTHING;
 use super::held_directions::HeldDirections;
@@ -7,42 +7,42 @@ use crate::preparation::impacts::{ContactCrossing, ContactOperators, HeldContact
 use nalgebra::DVector;
 use tripos_sim::{Failure, ImpactShare};
 
-/// Law that determines the impulses of a strike (step of an impact).
+/// Law that determines the impulses of a strike (a step of an impact).
 #[derive(Clone, Debug, PartialEq)]
 pub enum StrikeLaw {
-    /// Impulses remove 1 + e times the gap velocities, by Newton's law with the restitution e.
+    /// Newton's law: impulses change each gap velocity by 1 + e times its value, with the restitution e.
     Turn,
-    /// Impulses remove the velocities, in Poisson's law or to bring contacts to rest. The impulses
-    /// `given` along gaps cause friction too; `None` if there are none.
+    /// Impulses remove the velocities. This is the compression of Poisson's law, or brings contacts to
+    /// rest. Known impulses `given` along gaps cause friction too; `None` if there are none.
     Stop { given: Option<DVector<f64>> },
-    /// Impulses along gaps are e times those of the strike before, by Poisson's law. The value holds
-    /// these impulses.
+    /// Expansion of Poisson's law: impulses along gaps are e times those of the strike before. The value
+    /// has the impulses of the strike before.
     Return(DVector<f64>),
 }
 
-/// Strike: impulses of contacts at a state, with the law that determines them.
+/// Strike (a step of an impact): impulses of contacts at a state, with the law that determines them.
 pub struct Strike {
     /// State (q, v) before the impulses.
     pub y: Vec<f64>,
-    /// Matrices at this state that relate speeds, impulses and kinetic energy.
+    /// Matrices at this state that relate generalized speeds, impulses of contacts and kinetic energy.
     pub operators: ContactOperators,
     /// Law that determines the impulses.
     pub law: StrikeLaw,
-    /// Impulses along the gap and slip directions of all contacts.
+    /// Impulses of this strike along the gap and slip directions of all contacts.
     pub impulses: DVector<f64>,
-    /// Held directions, whose motion determines the impulses, and friction of slipping contacts.
+    /// Held directions, whose motion determines the impulses, and the friction of slipping contacts.
     pub grip: HeldDirections,
     /// Indices of the contacts that neither push nor open in this strike, up to rounding.
     pub undecided: Vec<usize>,
-    /// Indices of the contacts that take part by Newton's law although their gap velocity is zero. If
-    /// their gaps opened, they would take no part.
+    /// Indices of the contacts that take part by Newton's law although their gap velocity is zero. A
+    /// contact whose gap opens would take no part.
     pub resting: Vec<usize>,
-    /// Other sets of held directions and friction that give contacts with friction the same motion.
+    /// Other choices of held directions and friction that give the contacts the same motion.
     pub others: Vec<HeldDirections>,
 }
 
-/// Computes the strikes (steps of an impact) at a change of contacts, in their order. The last
-/// strike brings the contacts that are held afterwards to rest, even if they rest already.
+/// Computes the strikes (steps of an impact) at a change of contacts, in their order. The last strike
+/// brings to rest the contacts that are held afterwards, even if they are at rest already.
 ///
 /// # Errors
 /// [`Failure`] if impulses cannot be computed, or a permitted motion has no inertia.
@@ -71,15 +71,15 @@ pub fn strikes(contacts: &SceneContacts<'_>, crossing: &ContactCrossing<'_>) -> 
     Ok(made.list)
 }
 
-/// Vector over the gap and slip directions of all contacts. It has the value of `of` for a contact
-/// at its gap direction, and 0 at slip directions.
+/// Makes a vector over the gap and slip directions of all contacts. At the gap direction of a contact
+/// it has the value of `of` for this contact. At slip directions it is 0.
 pub fn vector_over_gap_rows(contacts: &SceneContacts<'_>, of: impl Fn(usize) -> f64) -> DVector<f64> {
     let mut all = DVector::zeros(contacts.count);
     contacts.rows.iter().enumerate().for_each(|(at, rows)| all[rows[0]] = of(at));
     all
 }
 
-/// Strikes (steps of an impact) that are made so far, and the state after them.
+/// Strikes (steps of an impact) that are computed so far, and the state after them.
 struct StrikeBuilder<'m> {
     /// Contacts of the scene.
     contacts: &'m SceneContacts<'m>,
@@ -90,7 +90,8 @@ struct StrikeBuilder<'m> {
 }
 
 impl StrikeBuilder<'_> {
-    /// Response of the gap and slip velocities to impulses, at the state after the strikes so far.
+    /// Response of the gap and slip velocities to impulses, at the state after the strikes so far. It
+    /// relates each velocity to each impulse.
     ///
     /// # Errors
     /// `Failure` if a permitted motion has no inertia.
@@ -98,8 +99,8 @@ impl StrikeBuilder<'_> {
         self.contacts.response(&self.y, &self.contacts.rates(&self.y))
     }
 
-    /// Adds a strike of the contacts `which`, whose impulses push and remove the velocities that the
-    /// law states.
+    /// Adds a strike of the contacts `which`. Its impulses push the contacts apart and remove the part of
+    /// the velocities that the law states.
     ///
     /// # Errors
     /// `Failure` if the impulses cannot be computed.
@@ -138,8 +139,8 @@ impl StrikeBuilder<'_> {
         self.add_strike(law, contacts.spread_over_contact_rows(&impulses, &rows), grip, undecided, Vec::new())
     }
 
-    /// Records, in the last strike, the contacts whose gap velocity was zero. A contact that was held
-    /// closed before is left out, since its velocity stays zero with any varied number.
+    /// Records in the last strike the contacts whose gap velocity was zero. Contacts that were held
+    /// closed before are left out, because no varied number changes their gap velocity.
     fn note_resting(&mut self, hit: &[usize], kept: &HeldContacts) {
         let contacts = self.contacts;
         let Some(strike) = self.list.last_mut() else { return };
@@ -152,8 +153,8 @@ impl StrikeBuilder<'_> {
         strike.resting = hit.iter().copied().filter(|at| kept.mode(*at).is_none() && rests(at)).collect();
     }
 
-    /// Adds the strike of Poisson's expansion, whose impulses along gaps are e times the last ones.
-    /// Returns these impulses.
+    /// Adds the strike of the expansion by Poisson's law. Its impulses along gaps are e times the impulses
+    /// of the strike before. Returns these impulses.
     ///
     /// # Errors
     /// `Failure` if a permitted motion has no inertia.
@@ -193,8 +194,8 @@ impl StrikeBuilder<'_> {
         )
     }
 
-    /// Adds a strike with known impulses, and applies these to the state. `undecided` and `others`
-    /// become the fields of the [`Strike`].
+    /// Adds a strike with known impulses, and applies these impulses to the state. `undecided` and
+    /// `others` become the fields of the [`Strike`].
     ///
     /// # Errors
     /// `Failure` if a permitted motion has no inertia.
@@ -217,7 +218,7 @@ impl StrikeBuilder<'_> {
     }
 }
 
-/// Failure for an impact whose impulses cannot be computed again.
+/// Makes the failure for an impact whose impulses cannot be computed a second time.
 fn unknown_strike_impulses_failure() -> Failure {
     Failure { code: "not-finite", message: "the impulses of an impact could not be computed a second time".to_owned() }
 }

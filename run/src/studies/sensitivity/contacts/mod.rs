@@ -1,4 +1,4 @@
-//! Derivatives of runs whose contacts close, open, slip and strike.
+//! Derivatives of runs whose contacts close, open, stick, slip or have impacts.
 
 pub(super) mod contact_history;
 pub(super) mod contact_zeros;

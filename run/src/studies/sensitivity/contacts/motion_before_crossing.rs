@@ -1,21 +1,22 @@
-//! Motion just before a change of contacts: which functions of contacts are zero there, and the
-//! derivatives of the instant at which one is.
+//! Motion just before a change of contacts: functions of contacts that become zero at the change, and
+//! the derivatives of its instant.
 
 use super::held_contact_forces::{HeldContactForces, NOTHING, RatesAlong, VariedNumber};
 use super::precise_contacts::{ParameterStateDirection, PreciseContacts, SMALL};
 use crate::preparation::impacts::ContactCrossing;
 use tripos_sim::ContactMode;
 
-/// Kind of function of the state that is zero at the instant at which a contact changes.
+/// Kind of function of the state that becomes zero at the instant at which a contact changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::studies::sensitivity) enum ContactFunction {
-    /// Gap of a contact, which closes.
+    /// Gap of a contact; the contact closes at its zero.
     Gap,
-    /// Normal force of a contact, which opens.
+    /// Normal force of a contact; the contact opens at its zero.
     Force,
-    /// Friction limit of a sticking contact minus the size of its tangential force.
+    /// Friction limit of a sticking contact minus the size of its tangential force; the contact slips at
+    /// its zero.
     Margin,
-    /// Slip velocity of a contact, whose slip ends or reverses.
+    /// Slip velocity of a contact; the slip ends or reverses at its zero.
     Slip,
 }
 
@@ -30,7 +31,7 @@ pub(in crate::studies::sensitivity) struct ContactZero {
     pub(in crate::studies::sensitivity) rate: f64,
 }
 
-/// Derivative of an instant by a varied number, and the size of the derivative's terms.
+/// Derivative of an instant by a varied number, and the sum of the sizes of its terms.
 #[derive(Clone, Copy)]
 pub(in crate::studies::sensitivity) struct InstantDerivative {
     /// Derivative of the instant, s per unit of the varied number.
@@ -39,11 +40,11 @@ pub(in crate::studies::sensitivity) struct InstantDerivative {
     pub(in crate::studies::sensitivity) size: f64,
 }
 
-/// Behaviour of a contact's gap at the instant at which it is zero.
+/// Behaviour of a contact's gap at an instant at which the gap is zero.
 pub(in crate::studies::sensitivity) enum GapBehaviour {
     /// The gap increases from zero.
     Opens,
-    /// The gap is at its minimum, up to the error of the run.
+    /// The gap has its minimum there, up to the error of the run.
     Touches,
     /// The gap closes with this negative rate, in its unit per s.
     Closes(f64),
@@ -51,11 +52,11 @@ pub(in crate::studies::sensitivity) enum GapBehaviour {
 
 /// Motion just before a change of contacts, with its rates and contact forces.
 pub struct MotionBeforeCrossing<'c> {
-    /// Contacts of the scene in 32 digits.
+    /// Contacts of the scene, computed to 32 digits.
     pub wide: &'c PreciseContacts<'c>,
     /// Instant, states and contacts of the change.
     pub crossing: &'c ContactCrossing<'c>,
-    /// Function for the derivative of the rates without contact forces.
+    /// Function that computes the derivative of the rates without contact forces.
     pub rates_along: &'c RatesAlong<'c>,
     /// Rates (q̇, v̇) before the change, with the forces of held contacts.
     pub rates: Vec<f64>,
@@ -75,7 +76,7 @@ impl MotionBeforeCrossing<'_> {
     }
 
     /// Kind of function whose zero makes a held contact change its mode. `None` if the contact does not
-    /// change, or changes only because other contacts do.
+    /// change its mode, or changes it only because other contacts change.
     pub(in crate::studies::sensitivity) fn changing_function(
         &self,
         contact: usize,
@@ -95,7 +96,7 @@ impl MotionBeforeCrossing<'_> {
         }
     }
 
-    /// Finds the behaviour of a contact's gap that is zero: it opens, touches or closes.
+    /// Finds if the gap of a contact, which is zero, opens, touches or closes.
     pub(in crate::studies::sensitivity) fn gap_behaviour(&self, contact: usize) -> GapBehaviour {
         let (contacts, y) = (self.wide.contacts, self.crossing.before);
         let slopes = contacts.gap_slopes(y);
@@ -114,11 +115,11 @@ impl MotionBeforeCrossing<'_> {
         GapBehaviour::Closes(rate)
     }
 
-    /// Makes the zero of a contact's function at the change, with the rate at which the function
-    /// crosses zero.
+    /// Makes the zero of a contact's function at the change, with the rate at which the function crosses
+    /// zero there.
     ///
     /// # Errors
-    /// Text that says why the function has no crossing, or its force is not determined.
+    /// Text that says that the function does not cross zero, or that its force is not determined.
     pub(in crate::studies::sensitivity) fn crossing_zero(
         &self,
         what: ContactFunction,
@@ -152,8 +153,8 @@ impl MotionBeforeCrossing<'_> {
         Ok(ContactZero { what, contact, rate })
     }
 
-    /// Derivative of a contact's function by the varied number, and the size of its terms. `state`
-    /// holds the derivatives of the state.
+    /// Derivative of a contact's function by the varied number, and the size of the derivative's terms.
+    /// `state` are the derivatives of the state by this number.
     ///
     /// # Errors
     /// Text that says why the derivative has no value.
@@ -183,8 +184,8 @@ impl MotionBeforeCrossing<'_> {
         })
     }
 
-    /// Derivative of the instant at which a function is zero by the varied number, and the size of its
-    /// terms.
+    /// Derivative by the varied number of the instant at which a function is zero, and the size of the
+    /// derivative's terms. `state` are the derivatives of the state by this number.
     ///
     /// # Errors
     /// Text that says why the derivative has no value.
@@ -199,7 +200,7 @@ impl MotionBeforeCrossing<'_> {
     }
 }
 
-/// Sum of terms, and the sum of their absolute values.
+/// Computes the sum of terms, and the sum of their absolute values.
 fn sum_and_size(terms: impl Iterator<Item = f64>) -> (f64, f64) {
     terms.fold((0.0, 0.0), |(sum, size), term: f64| (sum + term, size + term.abs()))
 }

@@ -1,12 +1,14 @@
 //! Derivatives of the impulses and forces of contacts with respect to parameters and state.
 //!
 //! Impulses or forces Λ follow from a linear system as long as the set of pushing contacts stays
-//! the same: M a − Wᵀ Λ = 0, and W a + c = 0 along the rows (gap and slip directions) that are
-//! held. Here c is the motion of these rows without Λ: accelerations, or the parts of velocities
-//! that impulses remove. With a and Λ known, their derivatives follow from those of the residuals,
-//! by the same matrices. Friction of slipping contacts is part of the system ([`super::held_directions`]).
-//! The derivatives of the residuals are differences in 32 digits ([`crate::studies::sensitivity::difference`]), so the
-//! definition of contacts need not be written twice.
+//! the same: M a − Wᵀ Λ = 0, and W a + c = 0 along the held gap and slip directions. Here a is the
+//! motion that Λ causes. c is the motion without Λ: accelerations, or the parts of velocities that
+//! impulses remove. With a and Λ known, their derivatives follow from the derivatives of the
+//! residuals, by the same matrices. Friction of slipping contacts is part of the system
+//! ([`super::held_directions`]).
+//!
+//! The derivatives of the residuals are differences in 32 digits
+//! ([`crate::studies::sensitivity::difference`]). So the contacts need not be defined a second time.
 
 use super::held_directions::HeldDirections;
 use crate::preparation::impacts::{ContactOperators, SceneContacts};
@@ -16,11 +18,10 @@ use tripos_derive::algebra::value::tape::Tape;
 use tripos_sim::Failure;
 use tripos_traits::{DoubleDouble, Lengths, Scalar, System};
 
-/// Fraction of the size of its terms below which the derivative of a contact quantity counts as
-/// zero.
+/// Fraction of the sizes of its terms below which the derivative of a contact quantity counts as zero.
 pub const SMALL: f64 = 1e-7;
 
-/// Contacts of a scene, with the equations of motion in 32 digits for differences.
+/// Contacts of a scene, with the equations of motion in 32 digits for differences of numbers.
 pub struct PreciseContacts<'a> {
     /// Contacts in double precision.
     pub contacts: &'a SceneContacts<'a>,
@@ -28,13 +29,14 @@ pub struct PreciseContacts<'a> {
     system: &'a dyn System<DoubleDouble>,
     /// Tapes of the gap of each contact. Inputs: parameters, then coordinates.
     gaps: Vec<Tape<DoubleDouble>>,
-    /// Tape of the gap and slip velocities, followed by their slopes. Inputs: parameters, then state.
+    /// Tape of the gap and slip velocities, followed by their derivatives by the state. Inputs:
+    /// parameters, then state.
     rates: Tape<DoubleDouble>,
     /// Gap below which a contact counts as touched, relative to the size of the gap's terms.
     pub near: f64,
 }
 
-/// Direction in parameters and integrated state along which a derivative is taken.
+/// Direction in the space of parameters and integrated state, along which a derivative is taken.
 #[derive(Clone, Copy)]
 pub struct ParameterStateDirection<'d> {
     /// Components of the direction for each parameter.
@@ -43,14 +45,14 @@ pub struct ParameterStateDirection<'d> {
     pub state: &'d [f64],
 }
 
-/// Motion c of the gap and slip directions of contacts without impulses or forces, and its
-/// derivative.
+/// Motion c of the gap and slip directions of contacts without impulses or forces, and its derivative
+/// along a direction.
 pub enum ForceFreeMotion<'c> {
-    /// Accelerations that the state's `rates` cause; `by` holds the derivatives of `rates` along a
-    /// direction.
+    /// Accelerations that the rates of the state, `rates`, cause. `by` are the derivatives of `rates`
+    /// along a direction.
     Accelerate { rates: &'c [f64], by: &'c [f64] },
-    /// Velocities times the factors `parts`, a factor for each gap or slip direction, which impulses
-    /// remove. `by` holds the derivatives of the factors along a direction.
+    /// Parts of the gap and slip velocities that impulses remove: each velocity times its factor in
+    /// `parts`. `by` are the derivatives of the factors along a direction.
     Move { parts: &'c [f64], by: &'c [f64] },
 }
 
@@ -58,38 +60,38 @@ pub enum ForceFreeMotion<'c> {
 pub struct ActingContacts<'c> {
     /// State (q, v).
     pub y: &'c [f64],
-    /// Matrices at the state that relate speeds, impulses and kinetic energy.
+    /// Matrices at the state that relate generalized speeds, impulses of contacts and kinetic energy.
     pub operators: &'c ContactOperators,
     /// Impulses or forces Λ along the gap and slip directions of all contacts.
     pub impulses: &'c DVector<f64>,
-    /// Held directions, whose Λ follows from the motion c, and friction that follows from Λ.
+    /// Held directions, whose motion c determines Λ, and the friction that follows from Λ.
     pub grip: &'c HeldDirections,
 }
 
-/// Derivative of impulses or forces Λ along a direction of parameters and state, and of the motion
-/// that Λ causes.
+/// Derivative of impulses or forces Λ along a direction of parameters and state, with the derivative of
+/// the motion that Λ causes.
 pub struct ContactForceDerivative {
     /// Derivative of Λ along each gap and slip direction of all contacts.
     pub impulses: DVector<f64>,
-    /// Derivative of the change that Λ causes in the motion variables (impulses) or in their rates
-    /// (forces).
+    /// Derivative of the motion that Λ causes: of the change of the motion variables by impulses, or of
+    /// the change of their rates by forces.
     pub variables: DVector<f64>,
-    /// Derivative of the change that Λ causes in the generalized speeds (impulses) or in their rates
-    /// (forces).
+    /// Derivative of the same motion in generalized speeds: of their change by impulses, or of the change
+    /// of their rates by forces.
     pub speeds: DVector<f64>,
-    /// Size of the terms of the derivative. It is the largest over the held directions, each divided by
+    /// Size of the terms of the derivative: the largest size over the held directions, each divided by
     /// the root of the direction's compliance.
     pub size: f64,
     /// True if dependent held directions would move differently, so that no impulses or forces can hold
-    /// them all.
+    /// all of them.
     pub is_apart: bool,
 }
 
 impl ContactForceDerivative {
-    /// Returns the derivative if all dependent contacts move alike.
+    /// Returns the derivative if contacts that depend on one another move alike.
     ///
     /// # Errors
-    /// Text that says why there is no derivative, if dependent contacts move differently.
+    /// Text that says why the derivative does not exist, if dependent contacts move differently.
     pub fn require_common_motion(self) -> Result<Self, String> {
         if self.is_apart { Err(APART.to_owned()) } else { Ok(self) }
     }
@@ -106,8 +108,8 @@ impl<'a> PreciseContacts<'a> {
         Self { contacts, system, gaps, rates: contacts.rates.to(), near }
     }
 
-    /// Derivative of a contact's gap along a direction at the state `y`, and the size of the
-    /// derivative's terms.
+    /// Derivative of a contact's gap along a direction at the state `y`, and the size of the derivative's
+    /// terms.
     pub fn gap_derivative(&self, contact: usize, y: &[f64], direction: ParameterStateDirection<'_>) -> (f64, f64) {
         let p = self.contacts.parameters;
         let n = self.system.lengths().coordinates;
@@ -117,7 +119,7 @@ impl<'a> PreciseContacts<'a> {
         (change, term_size(change, slopes.row(contact).iter().zip(direction.state).map(|(slope, d)| slope * d)))
     }
 
-    /// Derivative of the gap or slip velocity with index `row` along a direction at the state `y`, and
+    /// Derivative of the gap or slip velocity with the index `row` along a direction at the state `y`, and
     /// the size of the derivative's terms.
     pub fn velocity_derivative(&self, row: usize, y: &[f64], direction: ParameterStateDirection<'_>) -> (f64, f64) {
         let x = [self.contacts.parameters, y].concat();
@@ -128,8 +130,9 @@ impl<'a> PreciseContacts<'a> {
         (change, term_size(change, slopes.row(row).iter().zip(direction.state).map(|(slope, d)| slope * d)))
     }
 
-    /// Derivative of the impulses or forces Λ along a direction. The held directions of `acting`
-    /// determine Λ by the motion c. `given` is an additional known derivative of Λ, as of friction.
+    /// Computes the derivative of the impulses or forces Λ along a direction. The motion c of the held
+    /// directions of `acting` determines Λ. `given` is a known part of the derivative of Λ, such as the
+    /// part due to a coefficient of friction.
     ///
     /// # Errors
     /// `Failure` if the derivative is not finite.
@@ -178,8 +181,8 @@ impl<'a> PreciseContacts<'a> {
             let terms: f64 = of_u.row(*row).iter().zip(moved.iter()).map(|(of, moved)| (of * moved).abs()).sum();
             let whole: f64 = slopes.row(*row).iter().zip(own).map(|(slope, own)| (slope * own).abs()).sum();
             let g = compliance[(*row, *row)];
-            // Slopes have errors of integration. They count as the motion of the row times the largest relative
-            // change.
+            // Slopes of the state have errors of integration. Their size is estimated as the motion of the
+            // row times the largest relative change.
             let rounded = part * whole + ROUNDED * g.max(0.0).sqrt() * energy;
             let of_row = second[at].abs() + aside[*row].abs() + of_state + terms + rounded;
             size = size.max(if g > 0.0 { of_row / g.sqrt() } else { 0.0 });
@@ -190,9 +193,9 @@ impl<'a> PreciseContacts<'a> {
         Ok(ContactForceDerivative { impulses, variables, speeds: moved, size, is_apart })
     }
 
-    /// Computes three groups of values in 32 digits. The first are the residuals M a − Wᵀ Λ, the second
-    /// the residuals W a + c along the held directions. The third are the changes of the motion
-    /// variables by a. `x` joins parameters, state and the factors of c.
+    /// Computes the residuals of the linear system for Λ, in 32 digits: first M a − Wᵀ Λ, then W a + c
+    /// along the held directions. The changes of the motion variables by a follow. `x` joins the
+    /// parameters, the state and the factors of c.
     fn residuals(
         &self,
         x: &[DoubleDouble],
@@ -258,8 +261,8 @@ impl PreciseMotions<'_> {
         self.system.kinetic_energy(self.p, self.q, v)
     }
 
-    /// Change of the motion variables v if the generalized speeds change by `a`; `basis` has a column
-    /// for each speed.
+    /// Change of the motion variables v if the generalized speeds change by `a`. `basis` has a column for
+    /// each speed.
     fn motion_variable_change(&self, basis: &[Vec<DoubleDouble>], a: &DVector<f64>) -> Vec<DoubleDouble> {
         let mut out = vec![DoubleDouble::from_f64(0.0); self.system.lengths().variables];
         for (column, a) in basis.iter().zip(a.iter()) {
@@ -290,24 +293,24 @@ fn dot(a: &[DoubleDouble], b: &[DoubleDouble]) -> DoubleDouble {
     a.iter().zip(b).fold(DoubleDouble::from_f64(0.0), |sum, (a, b)| sum + *a * *b)
 }
 
-/// Fraction of the change of the whole motion that is always added to the size of a direction's
-/// terms. A smaller change is rounding.
+/// Fraction of the change of the whole motion that is always added to the size of a direction's terms.
+/// Smaller changes are rounding errors.
 const ROUNDED: f64 = 1e-5;
 
-/// Largest change of any component of `x` along a direction, relative to the size of the component
-/// or to 1.
+/// Largest change of a component of `x` along a direction, relative to the size of this component or to
+/// 1, whichever is larger.
 fn largest_relative_change(x: &[f64], direction: &[f64]) -> f64 {
     x.iter().zip(direction).map(|(x, d)| d.abs() / x.abs().max(1.0)).fold(0.0, f64::max)
 }
 
-/// Size of the terms of a derivative: the absolute `parts` that the state causes, plus the
-/// remainder that parameters cause.
+/// Size of the terms of a derivative `change`: the absolute `parts` that the state causes, plus the
+/// remainder that the parameters cause.
 fn term_size(change: f64, parts: impl Iterator<Item = f64>) -> f64 {
     let (sum, size) = parts.fold((0.0, 0.0), |(sum, size), part: f64| (sum + part, size + part.abs()));
     size + (change - sum).abs()
 }
 
-/// Failure for contact forces or impulses without a finite derivative.
+/// Makes the failure for contact forces or impulses without a finite derivative.
 fn missing_contact_derivative_failure() -> Failure {
     Failure { code: "not-finite", message: "the contact forces have no finite derivative".to_owned() }
 }

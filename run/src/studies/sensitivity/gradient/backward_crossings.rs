@@ -1,4 +1,5 @@
-//! Impacts and other changes of contacts in the backward sweep that computes a gradient.
+//! Impacts and other changes of contacts in the backward sweep. The sweep computes a gradient from the
+//! end of a run to its start.
 
 use super::recorded_steps::RecordedPart;
 use crate::preparation::impacts::{ContactCrossing, HeldContacts, SceneContacts};
@@ -12,7 +13,7 @@ use crate::studies::sensitivity::equations_with_slopes::SlopeEquations;
 use crate::studies::sensitivity::slope_carrier::rates_along;
 use tripos_sim::{Corner, ProductSums};
 
-/// Contacts of a scene, with the data for derivatives across their changes in a backward sweep.
+/// Contacts of a scene, prepared for derivatives across their changes in a backward sweep.
 pub struct BackwardCrossings<'a> {
     /// Scene with its equations of motion.
     pub problem: &'a Problem<'a>,
@@ -27,10 +28,10 @@ pub struct BackwardCrossings<'a> {
 }
 
 impl BackwardCrossings<'_> {
-    /// Prepares a change of contacts for derivatives and applies the function `of` to it.
+    /// Prepares a change of contacts for derivatives, and applies the function `of` to it.
     ///
     /// # Errors
-    /// [`DerivativeEnd`] with the instant and the reason if there is no derivative.
+    /// [`DerivativeEnd`] with the instant and the reason if the derivative does not exist.
     pub fn with_crossing<T>(
         &self,
         crossing: &ContactCrossing<'_>,
@@ -46,12 +47,13 @@ impl BackwardCrossings<'_> {
         known.map_err(|why| DerivativeEnd { t: crossing.t, why })
     }
 
-    /// Goes back across the change of contacts with which a part of a run begins. Replaces the weights
-    /// of the state after the change by those of the state before, and adds the shares of parameters
-    /// and coefficients. Returns true if each varied number must be checked for a derivative.
+    /// Goes back across the change of contacts with which a part of a run begins. Replaces the weights of
+    /// the state after the change by the weights of the state before it. Adds the contributions of the
+    /// parameters and coefficients to their sums. Returns true if the derivative by each varied number
+    /// must be checked.
     ///
     /// # Errors
-    /// [`DerivativeEnd`] with the instant and the reason if there is no derivative by any number.
+    /// [`DerivativeEnd`] with the instant and the reason if no derivative exists.
     pub fn pull_across_crossing(
         &self,
         part: &RecordedPart,

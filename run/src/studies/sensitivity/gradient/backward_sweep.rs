@@ -1,5 +1,5 @@
-//! Backward sweep through the recorded steps of a run, and across the changes of contacts between
-//! its parts.
+//! Backward sweep through the recorded steps of a run, from its end to its start, for a gradient. It
+//! also crosses the changes of contacts between the parts of the run.
 
 use super::backward_crossings::BackwardCrossings;
 use super::recorded_steps::{RecordedPart, RecordedRun};
@@ -21,15 +21,16 @@ use tripos_sim::{Options, RightHandSide};
 pub enum Target {
     /// Instant at which an event ends the run, s.
     End,
-    /// Shown quantity at the end; the value is its index in [`DifferentiableQuantities::names`].
+    /// Quantity shown at the end of the run. The value is its index in
+    /// [`DifferentiableQuantities::names`].
     Shown(usize),
 }
 
-/// Tapes, quantities and varied numbers that a backward sweep uses.
+/// Tapes, quantities and varied numbers that a backward sweep needs.
 pub struct SweepInputs<'a> {
-    /// Tapes of the equations, which are run backwards.
+    /// Tapes of the equations of motion, which the sweep runs backwards.
     pub tapes: &'a BackwardTapes,
-    /// Quantities at the end of the run.
+    /// Quantities at the end of the run that can be differentiated.
     pub quantities: &'a DifferentiableQuantities,
     /// Numbers by which derivatives are taken.
     pub numbers: &'a [VariedNumber],
@@ -37,28 +38,27 @@ pub struct SweepInputs<'a> {
     pub equations: Option<&'a SlopeEquations>,
 }
 
-/// Derivatives of the target of a sweep by the integrated state at the start of a run and by each
-/// parameter.
+/// Result of a backward sweep: derivatives of its target by the integrated state at the start of a run,
+/// and by each parameter. The target is the quantity whose gradient is computed.
 pub struct BackwardSweep {
-    /// Derivatives of the target by the state at the start, just after contacts have changed there.
+    /// Derivatives of the target by the state at the start, just after a change of contacts there.
     state: Vec<f64>,
-    /// Derivatives of the target by each parameter. With contacts, those by each coefficient of
-    /// restitution and then by each coefficient of friction follow.
+    /// Derivatives of the target by each parameter. In a scene with contacts, the derivatives by each
+    /// coefficient of restitution follow, then those by each coefficient of friction.
     parameters: Vec<f64>,
-    /// Largest number of states that the sweep stored at a time.
+    /// Largest number of states that the sweep stored at one time.
     pub states: usize,
-    /// Derivatives of the state at the start by each number, or the reason why there are none.
+    /// Derivatives of the state at the start by each number, or the reason why they do not exist.
     starts: Vec<Result<Vec<f64>, String>>,
-    /// Instant and reason at which the derivatives by all numbers end; `None` if the sweep reached the
-    /// start.
+    /// Instant from which no derivatives exist, and the reason. `None` if the sweep reached the start.
     pub ended: Option<DerivativeEnd>,
-    /// True if only some numbers may have derivatives, so that each number must be checked.
+    /// True if the derivatives by some numbers may not exist, so that each number must be checked.
     pub asks: bool,
 }
 
 impl BackwardSweep {
-    /// Derivative of the target by the number with index `at`, and the size of the terms of its sum.
-    /// Both are NaN if there is no derivative.
+    /// Derivative of the target by the number with the index `at`, and the sum of the sizes of its terms.
+    /// Both are NaN if the derivative does not exist.
     pub fn derivative_by(&self, at: usize, number: &VariedNumber) -> (f64, f64) {
         let (Ok(seed), Ok(start), None) = (&number.seed, &self.starts[at], &self.ended) else {
             return (f64::NAN, f64::NAN);
@@ -70,21 +70,20 @@ impl BackwardSweep {
         terms.fold((0.0, 0.0), |(sum, size), term| (sum + term, size + term.abs()))
     }
 
-    /// Reason why there is no derivative by the number with index `at`; `None` if no reason is known.
+    /// Reason why the derivative by the number with the index `at` does not exist. `None` if no reason is
+    /// known.
     pub fn missing_reason(&self, at: usize) -> Option<String> {
         self.starts[at].as_ref().err().cloned().or_else(|| self.ended.as_ref().map(DerivativeEnd::to_string))
     }
 }
 
-/// Sweeps backwards through the parts of a run, for the derivatives of the target by the start and
-/// the parameters.
+/// Sweeps backwards through the parts of a run. Computes the derivatives of the target by the start and
+/// by the parameters.
 ///
-/// If an event ended a part, its last step is repeated with its actual length by the integrator
-/// itself.
+/// If an event ended a part, the integrator itself repeats its last step with the actual length.
 ///
 /// # Errors
-/// [`Error::Interrupted`] if the observer ends the sweep; [`Error::Stopped`] if a value does not
-/// exist.
+/// [`Error::Interrupted`] if the observer ends the sweep. [`Error::Stopped`] if a value does not exist.
 pub fn sweep_backwards(
     problem: &Problem<'_>,
     through: &SweepInputs<'_>,
@@ -130,8 +129,8 @@ pub fn sweep_backwards(
 }
 
 impl BackwardSweep {
-    /// Begins a sweep: computes the derivatives of the run's start by each number, across a change of
-    /// contacts at the start.
+    /// Begins a sweep: computes the derivatives of the run's start by each number. They include a change
+    /// of contacts at the start.
     fn new(numbers: &[VariedNumber], crossings: Option<&BackwardCrossings<'_>>, run: &RecordedRun) -> Self {
         let mut asks = false;
         let begins = crossings.zip(run.parts.first().and_then(RecordedPart::crossing));
@@ -148,7 +147,7 @@ impl BackwardSweep {
         Self { state: Vec::new(), parameters: Vec::new(), states: 0, starts, ended: None, asks }
     }
 
-    /// Adds the derivatives of a part of the run; `before` is the number of parts before it.
+    /// Adds the derivatives of a part of the run. `before` is the number of parts before it.
     fn add_part_gradient(&mut self, part: tripos_sim::adjoint::Gradient, before: usize) {
         self.state = part.state;
         self.states = self.states.max(part.states + before);
@@ -158,7 +157,7 @@ impl BackwardSweep {
     }
 }
 
-/// Error for a sweep that could not reach the start of the run.
+/// Makes the error for a sweep that could not reach the start of the run.
 fn sweep_error(why: AdjointError) -> Error {
     match why {
         AdjointError::Interrupted => Error::Interrupted,
@@ -166,7 +165,7 @@ fn sweep_error(why: AdjointError) -> Error {
     }
 }
 
-/// End of a run, from which a backward sweep begins.
+/// End of a run, where a backward sweep begins.
 struct RunEnd<'a> {
     /// Instant at which the run ends, s.
     t: f64,
@@ -176,9 +175,9 @@ struct RunEnd<'a> {
     event: Option<usize>,
 }
 
-/// Derivatives of the target by the state at the end of a run, and its direct derivatives by the
-/// parameters. If an event g = 0 ends the run, they include the shift of the end, dt = −(g_y dy +
-/// g_p dp)/(g_y f).
+/// Computes the derivatives of the target by the state at the end of a run, and its direct derivatives
+/// by the parameters. If an event g = 0 ends the run, they include the shift of the end,
+/// dt = −(g_y dy + g_p dp)/(g_y f).
 ///
 /// # Errors
 /// `Error` if the rates or the reactions at the end cannot be computed.

@@ -1,16 +1,16 @@
 //! Gradient of a quantity at the end of a run: its derivatives by all parameters and all numbers of
 //! the start at once.
 //!
-//! The run equals the run without a gradient. Then its steps are repeated backwards, each
-//! transposed ([`tripos_sim::adjoint`]). The code of the run computes the rates. Tapes that are run
-//! backwards give products with the transposed derivatives of the rates. The start, and the
-//! quantity at the end, are differentiated as for forward derivatives. So the result equals forward
-//! derivatives along the same steps, but the number of varied numbers adds no cost. A second run
-//! with other steps, also swept backwards, gives the errors.
+//! The run is the same as without a gradient. Then a backward sweep repeats its steps from the end to
+//! the start, each step transposed ([`tripos_sim::adjoint`]). The code of the run computes the rates.
+//! Tapes that are run backwards give products with the transposed derivatives of the rates. The start
+//! and the quantity at the end are differentiated as for forward derivatives. So the result equals
+//! forward derivatives along the same steps, but its cost does not grow with the number of varied
+//! numbers. A second run with other steps, also swept backwards, gives the estimated errors.
 //!
-//! Across impacts and other changes of contacts, the sweep uses the transpose of the map for
-//! forward derivatives (`crossings`). While contacts are held closed, it uses the transpose of the
-//! map to their forces (`held_contacts`).
+//! Across impacts and other changes of contacts, the sweep uses the transpose of the map for forward
+//! derivatives (`backward_crossings`). While contacts are held closed, it uses the transpose of the
+//! map to their forces (`transposed_contact_forces`).
 //!
 //! Implicit methods and Taylor's method have no backward sweep here. DOP853 replaces them.
 
@@ -49,28 +49,29 @@ use tripos_sim::{Method, Options, SecondRun, Stop, TaylorSeries, second_runs};
 use tripos_traits::larger;
 use varied_numbers::{VariedNumber, varied_number_names, varied_numbers};
 
-/// A run of a scene with the gradient of one quantity at its end.
+/// Run of a scene with the gradient of one quantity at its end.
 pub struct Gradient {
     /// The run itself, equal bit by bit to the run without a gradient.
     pub run: Run,
-    /// Scene as it was run. Its integrator is DOP853 if the scene's own cannot be swept backwards.
+    /// Scene as it was run. Its integrator is DOP853 if the scene's own integrator cannot be swept
+    /// backwards.
     pub scene: Scene,
     /// Name of the differentiated quantity: an output, a coordinate, a generalized speed or an energy.
     /// It is `t` for the instant at which an event ends the run.
     pub of: String,
-    /// True if an event ends the run, so that the derivatives include the shift of the end. False if
-    /// they hold at a fixed instant.
+    /// True if an event ends the run. The derivatives then include the shift of the end. Otherwise they
+    /// hold at a fixed instant.
     pub is_total: bool,
     /// Derivatives of the quantity by each parameter and each number that the start states, in the
     /// order of the model.
     pub slopes: Vec<Slope>,
-    /// Names of the numbers on which the span of the run depends. Their derivatives are those at a
-    /// fixed instant.
+    /// Names of the numbers on which the span of the run depends. The derivatives by these numbers hold
+    /// at a fixed instant.
     pub moving_span: Vec<String>,
-    /// Description of the second run that gave the errors; `None` if no second run came to the same
-    /// end.
+    /// Text that describes the second run, which gave the errors. `None` if no second run came to the
+    /// same end.
     pub assessed_by: Option<String>,
-    /// Largest number of states that the backward sweep stored at a time.
+    /// Largest number of states that the backward sweep stored at one time.
     pub states: usize,
 }
 
@@ -79,8 +80,8 @@ pub struct Gradient {
 pub struct Slope {
     /// Name of the varied number.
     pub by: String,
-    /// Unit of the derivative; `None` if the unit of the quantity is unknown, or there is no
-    /// derivative.
+    /// Unit of the derivative. `None` if the unit of the quantity is not known, or if the derivative does
+    /// not exist.
     pub unit: Option<String>,
     /// Value of the derivative; NaN if it does not exist.
     pub value: f64,
@@ -91,7 +92,7 @@ pub struct Slope {
 }
 
 impl Gradient {
-    /// Finds the derivative by the number with the given name.
+    /// Finds the derivative by the varied number with the given name.
     ///
     /// # Errors
     /// [`Error::Request`] if there is no varied number of this name.
@@ -103,8 +104,8 @@ impl Gradient {
         })
     }
 
-    /// Message about the first derivative without a finite value that should exist, or about all if
-    /// none exists. `None` if all that should exist have a value.
+    /// Message about a derivative without a value. It names the first derivative that should have a finite
+    /// value and has none, or the first of all if no derivative exists. `None` if no value is missing.
     #[must_use]
     pub fn missing(&self) -> Option<String> {
         let first = self.slopes.first().filter(|_| self.slopes.iter().all(|slope| slope.missing.is_some()));
@@ -116,8 +117,9 @@ impl Gradient {
     }
 }
 
-/// Runs a scene by full (not reduced) equations, with the gradient of the quantity named `of` at
-/// the end of the run. `set` holds the names and values that differ from the scene file.
+/// Runs a scene by full (not reduced) equations, with the gradient of the quantity `of` at the end of
+/// the run. `set` has the names and values of the numbers that differ from the scene file. `by` names
+/// the equations; `None` takes the first formulation of the model.
 ///
 /// # Errors
 /// [`Error::Request`] if the scene shows no quantity of this name, or if the equations or the
@@ -197,8 +199,8 @@ pub fn gradient(
     Ok(Gradient { run, of: of.to_owned(), is_total, slopes, moving_span, assessed_by, states, scene })
 }
 
-/// Computes the gradient of a run that changes its generalized speeds on the way, by differences of
-/// whole runs.
+/// Computes the gradient of a run that changes its generalized speeds on the way, from differences with
+/// neighbouring runs.
 ///
 /// # Errors
 /// `Error::Request` if the scene shows no quantity named `of`.
@@ -244,8 +246,8 @@ fn gradient_by_differences(
     Ok(Gradient { run, of: of.to_owned(), is_total, slopes, moving_span, assessed_by, states: 0, scene })
 }
 
-/// Returns the scene with DOP853 if its integrator `own` cannot be swept backwards; the tolerances
-/// stay the same.
+/// Returns the scene with DOP853 in place of its integrator `own`, if `own` cannot be swept backwards.
+/// The tolerances stay the same.
 fn with_adjoint_method(scene: &Scene, own: Method) -> Scene {
     let mut scene = scene.clone();
     if !has_adjoint(own) {
@@ -254,12 +256,13 @@ fn with_adjoint_method(scene: &Scene, own: Method) -> Scene {
     scene
 }
 
-/// Advice that names the known name which is most similar to an unknown name.
+/// Advice that names the known name that is most similar to an unknown name.
 fn nearest<'n>(name: &str, known: impl Iterator<Item = &'n str>) -> String {
     tripos_derive::diagnostic::nearest_name_advice(name, known)
 }
 
-/// Finds the quantity at the end of a run that has the name `of`.
+/// Finds the quantity named `of` at the end of a run. The name `t` stands for the instant at which an
+/// event ends the run.
 ///
 /// # Errors
 /// `Error::Request` if the scene shows no quantity of this name.
@@ -282,8 +285,8 @@ fn unit(parts: &GradientInputs<'_>) -> Option<Unit> {
     }
 }
 
-/// Notes to the user about the gradient of a run, such as an integrator that was replaced. `own` is
-/// the scene's own.
+/// Notes to the user about the gradient of a run, such as an integrator that was replaced. `own` is the
+/// integrator of the scene file.
 fn notes(mechanism: &Mechanism, own: Method, scene: &Scene, numbers: &[VariedNumber]) -> Vec<String> {
     let mut list = Vec::new();
     if mechanism.loops.is_empty() {
@@ -307,7 +310,7 @@ fn moving_span(numbers: &[VariedNumber]) -> Vec<String> {
     moving.map(|number| number.name.clone()).collect()
 }
 
-/// Warnings that the derivatives by some numbers do not exist, a warning for each reason.
+/// Warnings about the derivatives that do not exist, one for each reason.
 fn missing_gradient_warnings(numbers: &[VariedNumber], missing: &[Option<String>]) -> Vec<String> {
     let mut list: Vec<(&String, Vec<String>)> = Vec::new();
     for (number, why) in numbers.iter().zip(missing).filter_map(|(number, why)| Some((number, why.as_ref()?))) {
@@ -321,7 +324,7 @@ fn missing_gradient_warnings(numbers: &[VariedNumber], missing: &[Option<String>
     list.into_iter().map(said).collect()
 }
 
-/// Quantity whose gradient is computed, and the tapes and numbers for it.
+/// Quantity whose gradient is computed, with the tapes and varied numbers for it.
 struct GradientInputs<'a> {
     /// Tapes, quantities and varied numbers of the backward sweep.
     through: SweepInputs<'a>,
@@ -329,23 +332,24 @@ struct GradientInputs<'a> {
     target: Target,
 }
 
-/// Gradient with its errors, and a description of the second run that gave the errors.
+/// Gradient with its estimated errors, and a text about the second run that gave the errors.
 struct AssessedGradient {
     /// Gradient of the run itself.
     own: BackwardSweep,
-    /// Estimated error for each varied number; `None` if no second run came to the same end.
+    /// Estimated error of the derivative by each varied number. `None` if no second run came to the same
+    /// end.
     errors: Option<Vec<f64>>,
-    /// Description of the second run; `None` if no second run came to the same end.
+    /// Text that describes the second run. `None` if no second run came to the same end.
     by: Option<String>,
-    /// Reason why there is no derivative by each number; `None` if it exists.
+    /// Reason why the derivative by each number does not exist; `None` if it exists.
     missing: Vec<Option<String>>,
 }
 
-/// Least error of a derivative, relative to the size of the terms in its sum: eight roundings.
+/// Least error of a derivative, relative to the sum of the sizes of its terms: eight rounding errors.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 impl GradientInputs<'_> {
-    /// Sweeps backwards through the recorded steps of a run, for the derivatives of the target.
+    /// Sweeps backwards through the recorded steps of a run, and returns the derivatives of the target.
     ///
     /// # Errors
     /// `Error::Interrupted` if the observer ends the sweep; `Error::Stopped` if a value does not exist.
@@ -353,11 +357,11 @@ impl GradientInputs<'_> {
         sweep_backwards(problem, &self.through, self.target, options, run)
     }
 
-    /// Finds the reason why there is no derivative by each number; `None` if it exists. If only some
-    /// numbers may have derivatives, a run with forward derivatives decides.
+    /// Finds for each number the reason why the derivative by it does not exist; `None` if it exists. If
+    /// the sweep cannot tell, a run with forward derivatives decides.
     ///
     /// # Errors
-    /// `Error` if this run cannot be made.
+    /// `Error` if the run with forward derivatives cannot be made.
     fn missing(&self, problem: &Problem<'_>, y0: &[f64], own: &BackwardSweep) -> Result<Vec<Option<String>>, Error> {
         let numbers = self.through.numbers;
         let mut list: Vec<Option<String>> = (0..numbers.len()).map(|at| own.missing_reason(at)).collect();
@@ -379,8 +383,8 @@ impl GradientInputs<'_> {
         Ok(list)
     }
 
-    /// Computes the gradient of a run, and its errors by a second run with other steps. The second
-    /// run's start and parameters differ by one rounding.
+    /// Computes the gradient of a run, and estimates its errors by a second run with other steps. The
+    /// start and the parameters of the second run differ by one rounding.
     ///
     /// # Errors
     /// `Error` if a run cannot be made or a sweep stops.
@@ -412,9 +416,9 @@ impl GradientInputs<'_> {
         Ok(AssessedGradient { own, errors: None, by: None, missing })
     }
 
-    /// Estimates the errors of a gradient from its differences to a second gradient. `part` is the
-    /// fraction of a difference that counts. Each entry has at least the median relative difference:
-    /// two motions that oscillate about each other may agree in an entry by chance.
+    /// Estimates the errors of a gradient from its differences to a second gradient. `part` is the factor
+    /// from a difference to the error. Each derivative gets at least the median of the relative
+    /// differences, because two motions that oscillate about each other may agree by chance.
     fn gradient_errors(&self, own: &BackwardSweep, other: &BackwardSweep, part: f64) -> Vec<f64> {
         let numbers = self.through.numbers.iter().enumerate();
         let pairs: Vec<_> =

@@ -1,4 +1,4 @@
-//! Run that records its steps and its changes of contacts, for a backward sweep.
+//! Run that records its steps and its changes of contacts, so that a backward sweep can repeat them.
 
 use crate::error::{Error, refused_scene_error};
 use crate::preparation::impacts::{
@@ -13,7 +13,7 @@ use tripos_sim::{
     AccompaniedRightHandSide, Event, LentRightHandSide, Options, RightHandSide, SimError, Solution, Stop, integrate,
 };
 
-/// Run with a record of its parts and their steps, for a backward sweep.
+/// Run with a record of its parts and their steps, which a backward sweep repeats.
 pub struct RecordedRun {
     /// Solution of the run.
     pub solution: Solution,
@@ -29,13 +29,14 @@ pub struct RecordedPart {
     pub t: f64,
     /// State (q, v) at the beginning of the part.
     pub y: Vec<f64>,
-    /// Change of contacts, or start, with which the part begins; `None` in a scene without contacts.
+    /// Change of contacts, or start of the run, with which the part begins. `None` in a scene without
+    /// contacts.
     pub begun: Option<RecordedCrossing>,
     /// Instants at which the steps of the part end, s.
     pub ends: Vec<f64>,
 }
 
-/// Copy of the change of contacts, or of the start, with which a part of a run begins.
+/// Change of contacts, or start of the run, with which a part of a run begins, as an owned copy.
 pub struct RecordedCrossing {
     /// Change of a contact that caused the new part; `None` at the start of the run.
     contact_change: Option<ContactChange>,
@@ -53,15 +54,16 @@ impl RecordedPart {
         self.begun.as_ref().map_or(&NONE, |begun| &begun.after.kept)
     }
 
-    /// Change of contacts with which the part begins; `None` if no contact is closed there.
+    /// Change of contacts with which the part begins. `None` in a scene without contacts, or if no
+    /// contact is closed at the beginning.
     pub fn crossing(&self) -> Option<ContactCrossing<'_>> {
         let RecordedCrossing { contact_change, before, kept, after } = self.begun.as_ref()?;
         let crossing = ContactCrossing { t: self.t, contact_change: *contact_change, before, kept, after };
         (!after.closed.is_empty()).then_some(crossing)
     }
 
-    /// Adds the end `t` of the last step, s, unless it is recorded already. The integrator does not
-    /// report this step, which ends the part at an event or at the end of the span.
+    /// Adds the end `t`, s, of the last step of the part, unless it is recorded already. The integrator
+    /// does not report a step that ends the part, at an event or at the end of the span.
     fn record_last_step(&mut self, t: f64) {
         let last = self.ends.last().unwrap_or(&self.t);
         if last.total_cmp(&t).is_ne() {
@@ -76,7 +78,7 @@ struct RecordingCarrier<'a> {
     doubles: DoubleCarrier<'a>,
     /// Parts that are recorded so far.
     parts: RefCell<Vec<RecordedPart>>,
-    /// Gap below which a minimum counts as near zero, relative to the size of the gap's terms.
+    /// Largest minimum of a gap that counts as near zero, relative to the size of the gap's terms.
     near: f64,
     /// True once a minimum of an open gap was near zero.
     is_near: Cell<bool>,
@@ -119,8 +121,8 @@ impl NumberCarrier<f64> for RecordingCarrier<'_> {
 }
 
 impl RecordedRun {
-    /// Makes the run of a problem from the integrated state `y0`, with the same steps as
-    /// [`Problem::solve`], and records the ends of its steps.
+    /// Makes the run of a problem from the integrated state `y0`, and records the ends of its steps. The
+    /// steps are those of [`Problem::solve`].
     ///
     /// # Errors
     /// [`Error::Request`] if the run cannot begin.
@@ -137,7 +139,7 @@ impl RecordedRun {
         Ok(run)
     }
 
-    /// Makes the run of a scene without contacts, which has one part.
+    /// Makes the run of a scene without contacts. The run has one part.
     ///
     /// # Errors
     /// `Error::Request` if the run cannot begin.
@@ -167,7 +169,7 @@ impl RecordedRun {
         Ok(Self { solution, parts: vec![part], is_near: false })
     }
 
-    /// Makes the run of a scene with contacts, with a part for each change of contacts.
+    /// Makes the run of a scene with contacts. Each change of a contact begins a new part.
     ///
     /// # Errors
     /// `Error::Request` if the run cannot begin.

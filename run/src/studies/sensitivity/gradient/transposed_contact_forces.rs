@@ -1,19 +1,19 @@
-//! Equations of motion with the forces of held contacts, and products with their transposed
-//! derivatives.
+//! Equations of motion with the forces of held contacts, and products with the transposed derivatives
+//! of these equations.
 //!
-//! Forces Λ add the rates B a to those of the motion variables. B holds the slopes of these
-//! variables by the speeds. The equations are M a = Wᵀ Λ, and W a + c = 0 along the held rows (gap
-//! and slip directions). Here c = S ẏ without forces, and S holds the slopes of the row velocities
-//! by the state.
+//! Forces Λ along the gap and slip directions ("rows") of contacts change the rates of the motion
+//! variables by B a. B is the derivative of the motion variables by the generalized speeds. The
+//! equations are M a = Wᵀ Λ, and W a + c = 0 along the held rows. Here c = S ẏ, with the rates ẏ
+//! without contact forces, and S is the derivative of the row velocities by the state.
 //!
-//! Let w be weights of the added rates, and b = Bᵀ w. Let `A = W M⁻¹ Wᵀ E`, where E adds the
-//! friction of slipping contacts. The derivative of w·B a is that of the residuals, with a and Λ
-//! constant: `z₁·∂(M a − Wᵀ Λ) + z₂·∂(W a + c) + w·∂(B a)`. Here `Aᵀ z₂ = −Eᵀ W M⁻¹ b` and
+//! Let w be weights of the added rates, and b = Bᵀ w. Let `A = W M⁻¹ Wᵀ E`, where E adds the friction
+//! of slipping contacts. The derivative of w·B a is a sum of derivatives at constant a and Λ:
+//! `z₁·∂(M a − Wᵀ Λ) + z₂·∂(W a + c) + w·∂(B a)`. Here `Aᵀ z₂ = −Eᵀ W M⁻¹ b` and
 //! `z₁ = −M⁻¹ (b + Wᵀ z₂)`.
 //!
-//! Each term is computed by running a tape backwards. M x·z uses the tape of the kinetic energy, a
-//! quadratic form. B x uses the tape of the motion variables. W and S use the tape of the row
-//! velocities.
+//! Each term is computed by running a tape backwards. The tape of the kinetic energy, a quadratic
+//! form, gives M x·z. The tape of the motion variables gives B x. The tape of the row velocities gives
+//! W and S.
 
 use super::transposed_products::{BackwardTapes, TransposedProducts};
 use crate::error::{Error, refused_scene_error};
@@ -24,17 +24,18 @@ use nalgebra::DVector;
 use tripos_derive::algebra::value::tape::{BackwardWorkspace, Tape};
 use tripos_sim::{Failure, ProductSums, RightHandSide, TransposedRightHandSide};
 
-/// Equations of motion for a backward sweep, with the forces of held contacts if there are any.
+/// Equations of motion for a backward sweep. They contain the forces of held contacts if there are any.
 pub struct TransposedMotion<'a> {
     /// Equations of motion without contact forces.
     free: TransposedProducts<'a>,
-    /// Held contacts and their data; `None` if no contact is held closed.
+    /// Held contacts, prepared for transposed products; `None` if no contact is held closed.
     held: Option<TransposedHeldContacts<'a>>,
-    /// Number of parameters, plus two coefficients (restitution and friction) for each contact.
+    /// Number of parameters, plus two coefficients (restitution and friction) for each contact of the
+    /// scene.
     parameters: usize,
 }
 
-/// All contacts of a scene, and those that are held closed.
+/// All contacts of a scene, and the list of the contacts that are held closed.
 #[derive(Clone, Copy)]
 pub struct ContactsAndHeld<'a> {
     /// All contacts of the scene.
@@ -43,19 +44,18 @@ pub struct ContactsAndHeld<'a> {
     pub kept: &'a HeldContacts,
 }
 
-/// Contacts that are held closed, with the data for products with the transposed derivatives of
-/// their forces.
+/// Contacts that are held closed, prepared for products with the transposed derivatives of their forces.
 struct TransposedHeldContacts<'a> {
     /// Equations of motion with the forces of the held contacts.
     held: HeldContactEquations<'a>,
-    /// Held gap and slip directions, and friction of slipping contacts.
+    /// Held gap and slip directions, and the friction of slipping contacts.
     grip: HeldDirections,
     /// Evaluator that runs tapes backwards.
     weights: TransposedContactTapes<'a>,
 }
 
-/// Evaluator that adds the derivatives of weighted sums of tape outputs, by running the tapes
-/// backwards.
+/// Evaluator that runs tapes backwards. It adds the derivatives of weighted sums of tape outputs to
+/// given sums.
 struct TransposedContactTapes<'a> {
     /// Tapes of the equations of motion.
     tapes: &'a BackwardTapes,
@@ -68,9 +68,9 @@ struct TransposedContactTapes<'a> {
 }
 
 impl<'a> TransposedMotion<'a> {
-    /// Prepares the equations of a problem, with the forces of held contacts if `contacts` is given. In
-    /// derivatives by parameters, the coefficients of restitution follow the parameters, and those of
-    /// friction come last.
+    /// Prepares the equations of a problem, with the forces of held contacts if `contacts` is given. The
+    /// derivatives by parameters then have more entries: by the coefficients of restitution, then by the
+    /// coefficients of friction.
     ///
     /// # Errors
     /// [`Error::Request`] if the accelerations are not eliminated.
@@ -162,8 +162,8 @@ impl TransposedRightHandSide for TransposedMotion<'_> {
 }
 
 impl TransposedHeldContacts<'_> {
-    /// Adds the derivatives of the rates that contact forces cause, weighted by `weights`, to `state`
-    /// and `parameters`. Returns the weights of the rates without contact forces.
+    /// Adds the derivatives of the rates that contact forces cause, weighted by `weights`, to the sums
+    /// `state` and `parameters`. Returns the weights of the rates without contact forces.
     ///
     /// # Errors
     /// `Failure` if the forces or their derivatives are not finite.
@@ -202,7 +202,7 @@ impl TransposedHeldContacts<'_> {
         for row in 0..contacts.count {
             let own = &mut of_contacts[contacts.count + row * y.len()..][..y.len()];
             for (j, own) in own.iter_mut().enumerate() {
-                // First the share of S in c = S ẏ, then those of W in −z₁·Wᵀ Λ and in z₂·W a.
+                // First the part of S in c = S ẏ, then the parts of W in −z₁·Wᵀ Λ and in z₂·W a.
                 *own = z2[row] * free.rates[j];
                 left[j] += z2[row] * slopes[(row, j)];
                 if let Some(j) = j.checked_sub(n) {
@@ -213,8 +213,8 @@ impl TransposedHeldContacts<'_> {
         let of_v = slopes.columns(n, basis.nrows());
         let of_motions = [(&a, of_rates + of_v.transpose() * &z2), (&z1, -(of_v.transpose() * &forces))];
         for slip in &self.grip.slips {
-            // Derivative of M a − Wᵀ Λ by a coefficient of friction: s Λₙ times the row of the slip velocity in
-            // W.
+            // Derivative of M a − Wᵀ Λ by a coefficient of friction: s Λₙ times the row of W that belongs to
+            // the slip velocity.
             let first = parameters.len() - contacts.impacts.len();
             parameters[first + slip.contact] +=
                 z1.dot(&of_u.row(slip.along).transpose()) * slip.way * forces[slip.normal];
@@ -231,14 +231,14 @@ impl TransposedHeldContacts<'_> {
 }
 
 impl TransposedContactTapes<'_> {
-    /// Adds the derivatives of a weighted sum of a tape's outputs to `state` and `parameters`. The
-    /// tape's inputs are parameters and state.
+    /// Adds the derivatives of a weighted sum of a tape's outputs to the sums `state` and `parameters`.
+    /// The inputs of the tape are the parameters and the state `y`.
     fn pull(&mut self, tape: &Tape, y: &[f64], weights: &[f64], (state, parameters): ProductSums<'_>) {
         self.add_pulled_weights(tape, y, &[], weights, (state, parameters));
     }
 
-    /// Adds the derivatives of a weighted sum of a tape's outputs to `state` and `parameters`. Returns
-    /// the derivatives by `more`, the last inputs of the tape.
+    /// Adds the derivatives of a weighted sum of a tape's outputs to the sums `state` and `parameters`.
+    /// Returns the derivatives by the values `more`, the last inputs of the tape.
     fn add_pulled_weights(
         &mut self,
         tape: &Tape,
@@ -258,8 +258,8 @@ impl TransposedContactTapes<'_> {
         rest.to_vec()
     }
 
-    /// Adds the derivatives of w·B x to `state` and `parameters`. B x are the motion variables of the
-    /// speeds x, minus those of zero speeds.
+    /// Adds the derivatives of w·B x to the sums `state` and `parameters`. B x are the motion variables at
+    /// the speeds x, minus the motion variables at zero speeds.
     fn pull_motion(&mut self, q: &[f64], x: &DVector<f64>, w: &DVector<f64>, (state, parameters): ProductSums<'_>) {
         let tapes = self.tapes;
         let still = vec![0.0; x.len()];
@@ -267,8 +267,8 @@ impl TransposedContactTapes<'_> {
         self.add_pulled_weights(&tapes.motions, q, &still, (-w).as_slice(), (state, parameters));
     }
 
-    /// Adds the derivatives of z·M x = T(x + z) − T(x) − T(z) + T(0) to `state` and `parameters`, with
-    /// the kinetic energy T. z is first scaled to the size of x.
+    /// Adds the derivatives of z·M x = T(x + z) − T(x) − T(z) + T(0) to the sums `state` and `parameters`,
+    /// where T is the kinetic energy. z is first scaled to the size of x.
     fn pull_inertia(&mut self, q: &[f64], x: &DVector<f64>, z: &DVector<f64>, (state, parameters): ProductSums<'_>) {
         let (size, own) = (x.norm(), z.norm());
         if !(size > 0.0 && own > 0.0) {

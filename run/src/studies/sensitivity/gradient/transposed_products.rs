@@ -1,5 +1,5 @@
-//! Equations of motion with products of their transposed derivatives. Code computes the rates, and
-//! tapes that are run backwards compute the products.
+//! Equations of motion, and products with their transposed derivatives. Code computes the rates. Tapes
+//! that are run backwards compute the products.
 
 use crate::code::{Code, compile_tape_with_steps, derive_or_read_equations};
 use crate::error::Error;
@@ -13,11 +13,10 @@ use tripos_derive::mechanics::{
 };
 use tripos_sim::{EliminatedDynamics, Failure, ProductSums, RightHandSide, TransposedRightHandSide};
 
-/// Tapes that a backward sweep runs backwards: rates, constraints, kinetic energy and motion
-/// variables.
+/// Tapes that a backward sweep runs backwards: rates, constraints, kinetic energy and motion variables.
 ///
-/// The inputs of rates, constraints and energy are parameters, coordinates and motion variables.
-/// The inputs of the motion variables are parameters, coordinates and generalized speeds.
+/// The inputs of the first three are the parameters, coordinates and motion variables. The inputs of
+/// the tape of the motion variables are the parameters, coordinates and generalized speeds.
 pub struct BackwardTapes {
     /// Tape of the rates q̇, followed by v̇.
     rates: Tape,
@@ -25,16 +24,17 @@ pub struct BackwardTapes {
     constraints: Option<Tape>,
     /// Tape of the kinetic energy, J.
     pub energy: Tape,
-    /// Tape of the motion variables v, from the generalized speeds.
+    /// Tape of the motion variables v, as functions of the generalized speeds.
     pub motions: Tape,
 }
 
 impl BackwardTapes {
-    /// Makes the tapes of a set of equations. Tapes of interpreted equations are copied. For compiled
-    /// equations, they are derived anew. `distance` is that of the scene from a singular surface.
+    /// Makes the tapes of a set of equations. The tapes of interpreted equations are copied. For compiled
+    /// equations, the tapes are derived again. `distance` is the scene's distance from a singular
+    /// surface.
     ///
     /// # Errors
-    /// [`Error`] if the equations cannot be derived, or not be solved for their accelerations.
+    /// [`Error`] if the equations cannot be derived, or cannot be solved for their accelerations.
     pub fn new(
         mechanism: &Mechanism,
         by: &EquationsOrigin,
@@ -78,11 +78,11 @@ impl BackwardTapes {
     }
 }
 
-/// Equations of motion at a problem's parameters, with products of their transposed derivatives.
+/// Equations of motion at the parameters of a problem, with products of their transposed derivatives.
 pub struct TransposedProducts<'a> {
     /// Right-hand side with eliminated accelerations.
     rhs: EliminatedDynamics<'a>,
-    /// Tapes that are run backwards.
+    /// Tapes of the equations of motion, which are run backwards.
     tapes: &'a BackwardTapes,
     /// Values of the parameters.
     parameters: &'a [f64],
@@ -107,8 +107,8 @@ impl<'a> TransposedProducts<'a> {
         Ok(Self { rhs, tapes, parameters, inputs, slopes, room: BackwardWorkspace::default() })
     }
 
-    /// Adds the derivatives of a weighted sum of a tape's outputs to `state` and `parameters`. The
-    /// tape's inputs are parameters and state.
+    /// Adds the derivatives of a weighted sum of a tape's outputs to the sums `state` and `parameters`.
+    /// The inputs of the tape are the parameters and the state `y`.
     fn pull_tape(&mut self, tape: &Tape, y: &[f64], weights: &[f64], (state, parameters): ProductSums<'_>) {
         self.inputs.clear();
         self.inputs.extend_from_slice(self.parameters);

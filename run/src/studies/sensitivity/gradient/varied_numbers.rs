@@ -1,5 +1,5 @@
-//! Numbers of a scene by which a gradient is taken: all parameters, and the numbers that the start
-//! states.
+//! Numbers of a scene by which a gradient is taken: all parameters, and the numbers that the scene
+//! states for its start.
 
 use crate::error::Error;
 use crate::preparation::problem::Problem;
@@ -16,12 +16,12 @@ use tripos_traits::Tangent;
 pub struct VariedNumber {
     /// Name of the number.
     pub name: String,
-    /// Derivatives of the parameters and the start by the number, or the reason why there are none.
+    /// Derivatives of the parameters and the start by the number, or the reason why they do not exist.
     pub seed: Result<VariedStart, String>,
 }
 
-/// Lists all numbers of a problem's scene by which a gradient is taken. `set` holds the names and
-/// values that differ from the scene file.
+/// Lists all numbers of a problem's scene by which a gradient is taken. `set` has the names and values
+/// of the numbers that differ from the scene file.
 pub fn varied_numbers(problem: &Problem<'_>, set: &[(String, f64)], options: &Options) -> Vec<VariedNumber> {
     let number = |name: String| {
         let seed = VariedStart::new(problem, set, &name);
@@ -36,8 +36,8 @@ pub fn varied_numbers(problem: &Problem<'_>, set: &[(String, f64)], options: &Op
 }
 
 /// Names of the parameters in the order of the model, followed by the coordinates and the rates or
-/// speeds that the start states. Numbers that follow from other numbers, as in closed loops, are
-/// left out.
+/// speeds that the scene states for its start. Numbers that are computed from other numbers, as in
+/// closed loops, are left out.
 pub fn varied_number_names(model: &Model, scene: &Scene) -> Vec<String> {
     let coordinates = || model.coordinates.iter().map(|c| c.name.clone()).filter(|name| name != TIME);
     let motion: Vec<String> = match &scene.exact.motion {
@@ -51,8 +51,8 @@ pub fn varied_number_names(model: &Model, scene: &Scene) -> Vec<String> {
     model.parameters.iter().map(|p| p.name.clone()).chain(start).collect()
 }
 
-/// Instants at which the equations of a problem jump, each with its derivatives by all parameters,
-/// s per unit.
+/// Lists the instants at which the equations of a problem jump, each with its derivatives by all
+/// parameters, s per unit.
 pub fn moved_jumps(problem: &Problem<'_>) -> Vec<MovingJump> {
     let parameters = &problem.scene.parameters;
     let mut list: Vec<MovingJump> = Vec::new();

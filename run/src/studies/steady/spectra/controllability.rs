@@ -7,13 +7,13 @@ use crate::Error;
 use nalgebra::DMatrix;
 use tripos_traits::DoubleDouble;
 
-/// Length of a unit vector, after its components along known directions are removed, up to which it
-/// counts as zero.
+/// Remaining length of a unit vector up to which it counts as zero, after its components along known
+/// directions are removed.
 const NOTHING: f64 = 1e-9;
 
-/// Computes the dimension of the subspace that the inputs reach: the rank of (B, A B, A² B, …)
-/// (Kalman's condition). It is found direction by direction, so that powers of A lose no digits.
-/// For (Aᵀ, Cᵀ) it is the dimension that the outputs show.
+/// Computes the dimension of the subspace of states that the inputs can reach: the rank of
+/// (B, A B, A² B, …) (Kalman's condition). For (Aᵀ, Cᵀ) it is the dimension that the outputs can
+/// distinguish. It is found direction by direction, so that powers of A lose no digits.
 #[must_use]
 pub fn controllable_dimension(a: &DMatrix<f64>, b: &DMatrix<f64>) -> usize {
     let mut basis: Vec<nalgebra::DVector<f64>> = Vec::new();
@@ -50,16 +50,16 @@ pub struct TransferFunction {
     pub output: usize,
     /// Coefficients of the numerator, with the highest power of s first.
     pub numerator: Vec<f64>,
-    /// Coefficients of the denominator, with the highest power of s first; this coefficient is 1.
+    /// Coefficients of the denominator, with the highest power of s first. The first coefficient is 1.
     pub denominator: Vec<f64>,
 }
 
-/// Computes the transfer functions of d' = A d + B r, y = C d + D r, from each input to each
-/// output. Each is (det(s − A + b c) − det(s − A))/det(s − A) plus an entry of D, with a column b
-/// of B and a row c of C.
+/// Computes the transfer functions of d' = A d + B r, y = C d + D r, from each input to each output.
+/// Each is (det(s − A + b c) − det(s − A))/det(s − A) plus an entry of D. Here b is a column of B, and
+/// c a row of C.
 ///
 /// # Errors
-/// [`Error::Stopped`] if eigenvalues cannot be computed.
+/// [`Error::Stopped`] if the eigenvalues cannot be computed.
 pub fn transfer_functions(
     a: &WideMatrix,
     b: &WideMatrix,
@@ -90,10 +90,10 @@ pub fn transfer_functions(
     Ok(list)
 }
 
-/// Coefficients of the characteristic polynomial det(s − A), with the highest power first.
+/// Coefficients of the characteristic polynomial det(s − A), with the highest power of s first.
 ///
 /// # Errors
-/// `Error::Stopped` if eigenvalues cannot be computed.
+/// `Error::Stopped` if the eigenvalues cannot be computed.
 fn characteristic_polynomial(a: &WideMatrix) -> Result<Vec<DoubleDouble>, Error> {
     let mut coefficients = vec![WideComplex::from_f64(1.0)];
     if !a.rows.is_empty() {

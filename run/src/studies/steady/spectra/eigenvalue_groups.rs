@@ -1,41 +1,46 @@
 //! Groups of eigenvalues that coincide.
 //!
-//! Rounding splits an eigenvalue of multiplicity k by the k-th root of the rounding. So two
-//! questions are asked about each set of eigenvalues. First, the eigenvalues coincide if the
-//! symmetric functions of their differences are zero up to rounding. These functions are the
-//! coefficients of the characteristic polynomial of their part of the Schur form. Second, the set
-//! is separate from the others if no error of the matrix moves an eigenvalue across a circle around
-//! it. This holds if `‖E‖ ‖(A − z)⁻¹‖ < 1` on the circle (L. N. Trefethen & M. Embree, *Spectra and
-//! Pseudospectra*, 2005, chapter 52).
+//! Rounding splits an eigenvalue of multiplicity k by the k-th root of the rounding error. So two
+//! questions are asked about each set of eigenvalues.
+//!
+//! First, do they coincide? They do if the symmetric functions of their differences are zero up to
+//! rounding. These functions are the coefficients of the characteristic polynomial of their part of
+//! the Schur form.
+//!
+//! Second, is the set separate from the other eigenvalues? It is if no error of the matrix moves an
+//! eigenvalue across a circle around the set. This holds if `‖E‖ ‖(A − z)⁻¹‖ < 1` on the circle, for
+//! an error E of the matrix A. Source: L. N. Trefethen & M. Embree, *Spectra and Pseudospectra*, 2005,
+//! chapter 52.
 
 use super::mode::Mode;
 use super::nilpotent_part::{NOT_ZERO, NilpotentPart, ZERO, ZeroDecision, spectral_projector};
 use super::schur_form::SchurForm;
 use super::wide_complex::WideComplex;
 
-/// Number of points on a circle around eigenvalues at which the inverse of A − z is computed.
+/// Number of points on a circle around eigenvalues at which the inverse of A − z is computed. A is the
+/// matrix.
 const AROUND: usize = 8;
 /// Largest number of radii, besides the first, that are tried for a circle around eigenvalues.
 const CIRCLES: usize = 4;
 
-/// Group of eigenvalues that coincide, or that the errors do not allow to separate.
+/// Group of eigenvalues that coincide, or that cannot be separated because of errors of the matrix.
 #[derive(Clone, Debug)]
 pub(in crate::studies::steady) struct EigenvalueGroup {
-    /// Indices of the eigenvalues on the diagonal of the Schur form.
+    /// Indices of the eigenvalues of the group on the diagonal of the Schur form.
     places: Vec<usize>,
     /// Mean of the eigenvalues of the group.
     mean: WideComplex,
     /// Possible error of the mean, in absolute value.
     off: f64,
-    /// Centre and radius of a circle that the eigenvalues of the group do not leave, if they may
-    /// coincide with other eigenvalues. `None` if no other eigenvalue can coincide with them.
+    /// Centre and radius of a circle that the eigenvalues of the group do not leave. `None` if no other
+    /// eigenvalue can coincide with them.
     doubt: Option<(WideComplex, f64)>,
 }
 
 impl EigenvalueGroup {
-    /// Computes the modes of this group of nearly equal eigenvalues: a single mode for the group, or
-    /// one for each eigenvalue if it is uncertain which eigenvalues coincide. `form` is the Schur form
-    /// of the whole matrix, `noise` its possible error, and `size` its norm.
+    /// Computes the modes of this group: one mode for the group, or one mode for each eigenvalue if it is
+    /// uncertain which eigenvalues coincide. `form` is the Schur form of the whole matrix, `noise` its
+    /// possible error, and `size` its norm.
     pub(in crate::studies::steady) fn modes(&self, form: &SchurForm, noise: f64, size: f64) -> Vec<Mode> {
         if let (Some(_), true) = (self.doubt, self.places.len() > 1) {
             let single = |at: &usize| Self { places: vec![*at], mean: form.t[*at][*at], ..self.clone() };
@@ -58,8 +63,8 @@ impl EigenvalueGroup {
         };
         let raw = [self.mean.re.hi(), self.mean.im.hi()];
         if let Some((centre, radius)) = self.doubt {
-            // An eigenvalue whose real part is surely not 0 decays or grows, even if it may coincide with
-            // others.
+            // An eigenvalue whose real part is surely not 0 surely decays or grows, even if it may coincide
+            // with others.
             let is_undecided = centre.re.hi().abs() <= radius || centre.re.hi() * raw[0] <= 0.0;
             return vec![mode(raw, radius + (self.mean - centre).norm(), is_undecided)];
         }
@@ -78,7 +83,7 @@ impl EigenvalueGroup {
     }
 }
 
-/// Unites groups from separate blocks of a matrix if their means are equal within their errors.
+/// Joins groups from separate blocks of a matrix if their means are equal within their errors.
 pub(in crate::studies::steady) fn unite_groups(groups: Vec<EigenvalueGroup>) -> Vec<EigenvalueGroup> {
     let mut list: Vec<EigenvalueGroup> = Vec::new();
     for mut group in groups {
@@ -105,7 +110,7 @@ pub(in crate::studies::steady) fn unite_groups(groups: Vec<EigenvalueGroup>) -> 
     list
 }
 
-/// Eigenvalues of a matrix with its Schur form, to be sorted into groups that coincide.
+/// Eigenvalues of a matrix, with its Schur form, that are not yet sorted into groups.
 pub(in crate::studies::steady) struct UngroupedSpectrum<'f> {
     /// Schur form of the matrix.
     pub(in crate::studies::steady) form: &'f SchurForm,
@@ -118,11 +123,11 @@ pub(in crate::studies::steady) struct UngroupedSpectrum<'f> {
 }
 
 impl UngroupedSpectrum<'_> {
-    /// Sorts the eigenvalues into groups that coincide. `first` is added to their indices.
+    /// Sorts the eigenvalues into groups that coincide. `first` is added to the indices of the eigenvalues.
     ///
-    /// A set of eigenvalues that do not coincide is split at the largest gap. Eigenvalues that an error
-    /// of the matrix may mix with others are in doubt. They stay in the smallest circle across which no
-    /// error moves an eigenvalue.
+    /// A set of eigenvalues that do not coincide is split at its largest gap. Eigenvalues that an error of
+    /// the matrix may mix with others are in doubt. They stay in the smallest circle across which no error
+    /// moves an eigenvalue.
     pub(in crate::studies::steady) fn groups(&self, first: usize) -> Vec<EigenvalueGroup> {
         let all: Vec<usize> = (0..self.values.len()).collect();
         let mut groups = Vec::new();
@@ -143,8 +148,8 @@ impl UngroupedSpectrum<'_> {
         groups
     }
 
-    /// Factor by which an error of the matrix grows in the mean of the eigenvalues with the given
-    /// indices.
+    /// Factor from an error of the matrix to the error of the mean of some eigenvalues. `places` are the
+    /// indices of these eigenvalues.
     fn mean_condition(&self, places: &[usize]) -> f64 {
         let many = places.len();
         let (norm, _) =
@@ -152,8 +157,8 @@ impl UngroupedSpectrum<'_> {
         norm / (many as f64).sqrt()
     }
 
-    /// Splits a set of eigenvalues in two at its largest gap: the longest link of the shortest tree
-    /// that connects them.
+    /// Splits a set of eigenvalues in two at its largest gap. This gap is the longest link of the shortest
+    /// tree that connects them.
     fn split_at_largest_gap(&self, places: &[usize]) -> [Vec<usize>; 2] {
         let between = |a: usize, b: usize| (self.values[a] - self.values[b]).norm();
         let mut tree = vec![(places[0], places[0], 0.0)];
@@ -175,8 +180,8 @@ impl UngroupedSpectrum<'_> {
         [near, far]
     }
 
-    /// Radius of a circle around the mean of eigenvalues, across which no error of the matrix moves an
-    /// eigenvalue. `None` if no circle is found.
+    /// Finds the radius of a circle around the mean of eigenvalues, across which no error of the matrix
+    /// moves an eigenvalue. `None` if no such circle is found.
     fn separating_radius(&self, places: &[usize], mean: WideComplex) -> Option<f64> {
         let distance = |at: &usize| (self.values[*at] - mean).norm();
         let inner = places.iter().map(distance).fold(0.0, f64::max);
@@ -198,7 +203,8 @@ impl UngroupedSpectrum<'_> {
         radii.into_iter().find(is_barrier)
     }
 
-    /// Frobenius norm of (T − z)⁻¹, with the upper triangular Schur form T; infinite at an eigenvalue.
+    /// Frobenius norm of (T − z)⁻¹, where T is the upper triangular Schur form. It is infinite if z is an
+    /// eigenvalue.
     fn resolvent_norm(&self, z: WideComplex) -> f64 {
         let (t, n) = (&self.form.t, self.form.t.len());
         let one = WideComplex::from_f64(1.0);

@@ -1,11 +1,11 @@
-//! Eigenvalues of small matrices in 32 digits, with multiplicity, growth, and the share of each
-//! state in them.
+//! Eigenvalues of small matrices in 32 digits, with their multiplicity, the growth of solutions, and
+//! the share of each state.
 //!
 //! Eigenvalues that coincide form groups ([`super::eigenvalue_groups`]). The nilpotent part of a group
-//! tells how solutions grow ([`super::nilpotent_part`]). Entries of a matrix that are exactly 0
-//! have no error. States are therefore split into blocks that do not act on one another in a
-//! circle. Each block is solved for separately, so an eigenvalue has only the error of its own
-//! block.
+//! tells how solutions grow ([`super::nilpotent_part`]). Entries of a matrix that are exactly 0 have no
+//! error. They split the states into blocks, so that states of different blocks do not act on each
+//! other both ways. The eigenvalues of each block are computed separately, and have only the error of
+//! their own block.
 
 use super::eigenvalue_groups::{UngroupedSpectrum, unite_groups};
 use super::mode::Mode;
@@ -19,13 +19,13 @@ use tripos_traits::{DoubleDouble, Scalar};
 
 /// Relative error that the entries of a matrix are assumed to have.
 const DIGITS: f64 = 1e-27;
-/// Fraction of the size of a matrix below which an entry counts as rounding.
+/// Fraction of the size of a matrix up to which an entry counts as a rounding error.
 const NOTHING: f64 = 1e-24;
 /// Rounding error of a computation in double precision, relative to the size of the matrix.
 const IN_DOUBLES: f64 = 1e-12;
 
-/// Computes the eigenvalues of a square matrix, with the largest real part first. The entries are
-/// known to 27 digits, and may have a further error of `uncertain` times the norm of the matrix.
+/// Computes the eigenvalues of a square matrix, sorted by real part with the largest first. The entries
+/// are known to 27 digits. They may have a further error of `uncertain` times the norm of the matrix.
 ///
 /// # Errors
 /// [`Error::Stopped`] if the eigenvalues cannot be computed.
@@ -61,9 +61,9 @@ pub fn eigenvalue_modes(a: &WideMatrix, uncertain: f64) -> Result<Vec<Mode>, Err
     Ok(list.into_iter().flat_map(|mode| std::iter::repeat_n(mode.clone(), mode.multiplicity)).collect())
 }
 
-/// True if eigenvalues fit their matrix within their errors and the matrix's error `noise`. Their
-/// sum must be the trace, their product the determinant, and A − λ must be singular for each
-/// eigenvalue λ.
+/// True if eigenvalues fit their matrix within their errors and the error `noise` of the matrix. Their
+/// sum must be the trace, and their product the determinant. A − λ must be singular for each eigenvalue
+/// λ.
 fn eigenvalues_fit_matrix(a: &WideMatrix, noise: f64, list: &[Mode]) -> bool {
     let n = a.rows.len();
     let rounded = a.rounded();
@@ -89,8 +89,8 @@ fn eigenvalues_fit_matrix(a: &WideMatrix, noise: f64, list: &[Mode]) -> bool {
     all().count() == n && is_sum && is_product && list.iter().all(is_root)
 }
 
-/// Determinant of a square matrix, by Gaussian elimination with row pivots in 32 digits; rounded to
-/// a double.
+/// Computes the determinant of a square matrix in 32 digits, by Gaussian elimination with row pivots.
+/// The result is rounded to a double.
 fn determinant(a: &WideMatrix) -> f64 {
     let mut rows = a.rows.clone();
     let mut product = DoubleDouble::int(1);
@@ -114,8 +114,8 @@ fn determinant(a: &WideMatrix) -> f64 {
     product.hi()
 }
 
-/// Splits states into sets that act on one another in a circle, by the entries of a matrix that are
-/// not exactly 0. The sets are ordered so that no set acts on a later set.
+/// Splits states into sets, by the entries of a matrix that are not exactly 0. All states of a set act
+/// on one another, directly or through others. The sets are ordered so that no set acts on a later set.
 fn coupled_state_blocks(a: &WideMatrix) -> Vec<Vec<usize>> {
     let n = a.rows.len();
     // Entry (i, j) is true if state j acts on state i, directly or through others.
@@ -136,8 +136,8 @@ fn coupled_state_blocks(a: &WideMatrix) -> Vec<Vec<usize>> {
     sets
 }
 
-/// Replaces the eigenvalues below the real axis by exact mirror images of those above it. Returns
-/// the list unchanged if the numbers of both differ.
+/// Replaces the eigenvalues below the real axis by exact mirror images of the eigenvalues above it.
+/// Returns the list unchanged if there are not as many below as above.
 fn exact_conjugate_pairs(modes: Vec<Mode>) -> Vec<Mode> {
     let count = |is_side: fn(f64) -> bool| -> usize {
         modes.iter().filter(|mode| is_side(mode.value[1])).map(|mode| mode.multiplicity).sum()
@@ -156,9 +156,9 @@ fn exact_conjugate_pairs(modes: Vec<Mode>) -> Vec<Mode> {
     list
 }
 
-/// Scales a matrix by powers of two to a similar matrix with rows and columns of comparable sizes.
-/// Also returns the possible error of each entry (B. N. Parlett & C. Reinsch, Numer. Math. 13,
-/// 1969). Entries that are not clearly larger than their uncertainty are ignored in the scaling.
+/// Scales a matrix by powers of two to a similar matrix with rows and columns of comparable sizes. Also
+/// returns the possible error of each entry. Entries that are not clearly larger than their uncertainty
+/// are ignored in the scaling. Source: B. N. Parlett & C. Reinsch, Numer. Math. 13, 1969.
 fn balance_matrix(a: &WideMatrix, uncertain: f64) -> (WideMatrix, DMatrix<f64>) {
     let rounded = a.rounded();
     let (size, off) = (rounded.norm(), uncertain * rounded.norm());

@@ -1,4 +1,4 @@
-//! Eigenvalues, modes and controllability of linear systems, in doubles and in wider numbers.
+//! Eigenvalues, modes and controllability of linear systems, in doubles and in 32 digits.
 
 pub(super) mod controllability;
 pub(super) mod eigenvalue_groups;

@@ -1,10 +1,12 @@
-//! Part of a Schur form that belongs to coinciding eigenvalues, and decisions if a quantity is 0 up
-//! to rounding.
+//! Part of a Schur form that belongs to coinciding eigenvalues, and the decision if a quantity is 0 up to
+//! rounding.
 //!
-//! The part, less its eigenvalue, is nilpotent. Its powers tell if solutions are bounded or grow
-//! like a power of t (F. R. Gantmacher, *The Theory of Matrices*, chapter VIII; J. H. Wilkinson,
-//! *The Algebraic Eigenvalue Problem*, 1965, chapter 2). A quantity that is neither clearly 0 nor
-//! clearly different from 0 is reported as undecided.
+//! The part minus its eigenvalue is nilpotent. Its powers tell if solutions are bounded or grow like a
+//! power of t. A quantity that is neither clearly 0 nor clearly different from 0 is reported as
+//! undecided.
+//!
+//! Sources: F. R. Gantmacher, *The Theory of Matrices*, chapter VIII; J. H. Wilkinson, *The Algebraic
+//! Eigenvalue Problem*, 1965, chapter 2.
 
 use super::schur_form::SchurForm;
 use super::wide_complex::WideComplex;
@@ -12,10 +14,10 @@ use tripos_traits::{DoubleDouble, Scalar};
 
 /// Multiple of its rounding error up to which a quantity counts as 0.
 pub(in crate::studies::steady) const ZERO: f64 = 1e3;
-/// Multiple of its rounding error from which a quantity counts as different from 0.
+/// Multiple of its rounding error from which on a quantity counts as different from 0.
 pub(in crate::studies::steady) const NOT_ZERO: f64 = 1e7;
-/// Fraction of the rounding error up to which coefficients count as 0 when eigenvalues are tested
-/// for coincidence. It is below 1, since most entries are known to more than 27 digits, and a
+/// Fraction of the rounding error up to which a coefficient counts as 0 in the test if eigenvalues
+/// coincide. It is below 1, because most entries are known to more than 27 digits, and because a
 /// coefficient contains squared differences.
 const SAME: f64 = 1e-3;
 
@@ -43,11 +45,11 @@ impl ZeroDecision {
     }
 }
 
-/// Part of a Schur form that belongs to eigenvalues which may coincide.
+/// Part of a Schur form that belongs to eigenvalues that may coincide.
 pub(in crate::studies::steady) struct NilpotentPart {
     /// Mean of the eigenvalues of the part.
     pub(in crate::studies::steady) mean: WideComplex,
-    /// Diagonal block of the Schur form, with the mean subtracted on its diagonal; row by row.
+    /// Diagonal block of the Schur form, row by row, with the mean subtracted on its diagonal.
     nilpotent: Vec<Vec<WideComplex>>,
 }
 
@@ -63,11 +65,11 @@ impl NilpotentPart {
         Self { mean, nilpotent }
     }
 
-    /// True if the eigenvalues coincide: the symmetric functions of their differences from the mean are
-    /// 0 up to rounding. `off` is the possible error of the part.
+    /// True if the eigenvalues coincide: all symmetric functions of their differences from the mean are 0
+    /// up to rounding. `off` is the possible error of the entries.
     pub(in crate::studies::steady) fn coincides(&self, off: f64) -> bool {
-        // Coefficients of the product of all (s − λ + mean). Those of the product of all (s + |λ − mean|)
-        // are at least as large.
+        // Coefficients of the product of all (s − λ + mean). In absolute value, they are at most the
+        // coefficients of the product of all (s + |λ − mean|).
         let mut coefficients = vec![WideComplex::from_f64(1.0)];
         for (at, row) in self.nilpotent.iter().enumerate() {
             coefficients.push(WideComplex::default());
@@ -90,8 +92,8 @@ impl NilpotentPart {
         norm(&self.nilpotent)
     }
 
-    /// Largest exponent for which a power of the nilpotent block is not 0, and a flag that is true if
-    /// this is sure. Entries of the block may have the error `off`.
+    /// Largest exponent for which the power of the nilpotent block is not 0. The flag is true if this
+    /// exponent is certain. Entries of the block may have the error `off`.
     pub(in crate::studies::steady) fn largest_nonzero_power(&self, off: f64) -> (usize, bool) {
         let many = self.nilpotent.len();
         let length = self.norm().max(off);
@@ -109,8 +111,8 @@ impl NilpotentPart {
         (many - 1, is_sure)
     }
 
-    /// Rank of the nilpotent block, by elimination with the largest pivots, and a flag that is true if
-    /// the rank is sure. Entries of the block may have the error `off`.
+    /// Rank of the nilpotent block, by elimination with the largest pivots. The flag is true if the rank
+    /// is certain. Entries of the block may have the error `off`.
     pub(in crate::studies::steady) fn rank(&self, off: f64) -> (usize, bool) {
         let mut left = self.nilpotent.clone();
         for rank in 0..left.len() {
@@ -147,11 +149,11 @@ fn matrix_product(a: &[Vec<WideComplex>], b: &[Vec<WideComplex>]) -> Vec<Vec<Wid
     a.iter().map(|row| (0..b.len()).map(|j| entry(row, j)).collect()).collect()
 }
 
-/// Norm of the projector P onto the eigenvectors of the first `many` eigenvalues of a Schur form,
-/// along those of the others. The second value are the shares |P_kk| of the states, scaled so that
-/// their sum is 1.
+/// Computes the norm of the projector P onto the eigenvectors of the first `many` eigenvalues of a Schur
+/// form, along the eigenvectors of the other eigenvalues. Also returns the shares |P_kk| of the states,
+/// scaled so that their sum is 1.
 ///
-/// P = Q (1 Z; 0 0) Qᴴ with T₁₁ Z − Z T₂₂ = T₁₂, which is solved column by column. Differences of
+/// P = Q (1 Z; 0 0) Qᴴ, where T₁₁ Z − Z T₂₂ = T₁₂ is solved for Z column by column. Differences of
 /// eigenvalues count as at least `noise`.
 pub(in crate::studies::steady) fn spectral_projector(form: &SchurForm, many: usize, noise: f64) -> (f64, Vec<f64>) {
     let (t, n) = (&form.t, form.t.len());

@@ -1,18 +1,18 @@
 //! Schur form A = Q T Qᴴ of a real matrix in 32 digits, with its eigenvalues in any order.
 //!
-//! The form is computed by the shifted QR iteration on a Hessenberg matrix (J. G. F. Francis,
-//! Comput. J. 4, 1961; J. H. Wilkinson, *The Algebraic Eigenvalue Problem*, 1965). A is changed
-//! only by rotations. So T belongs to a matrix that differs from A by about 1e-31 of its size.
+//! The form is computed by the shifted QR iteration on a Hessenberg matrix. A is changed only by
+//! rotations. So T belongs to a matrix that differs from A by about 1e-31 of its size. Sources:
+//! J. G. F. Francis, Comput. J. 4, 1961; J. H. Wilkinson, *The Algebraic Eigenvalue Problem*, 1965.
 
 use super::wide_complex::WideComplex;
 use super::wide_matrix::WideMatrix;
 use tripos_traits::{DoubleDouble, Scalar};
 
-/// Fraction of its diagonal neighbours below which an entry below the diagonal counts as 0.
+/// Fraction of its two diagonal neighbours up to which an entry below the diagonal counts as 0.
 const NOTHING: f64 = 1e-32;
 /// Largest number of steps of the QR iteration for each eigenvalue.
 const MOST_STEPS: usize = 200;
-/// Number of steps of the QR iteration after which an exceptional shift is used once.
+/// Number of steps of the QR iteration after which one exceptional shift is used.
 const UNUSUAL: usize = 12;
 
 /// Schur form A = Q T Qᴴ of a matrix, with a unitary Q and an upper triangular T.
@@ -39,7 +39,7 @@ impl Rotation {
         Self([[a.conj().scaled(inverse), b.conj().scaled(inverse)], [(-b).scaled(inverse), a.scaled(inverse)]])
     }
 
-    /// Replaces rows k and k + 1 of a matrix M by those of G M, from the column `from` on.
+    /// Replaces the rows k and k + 1 of a matrix M by the rows of G M, from the column `from` on.
     fn rotate_rows(&self, m: &mut [Vec<WideComplex>], k: usize, from: usize) {
         let (above, below) = m.split_at_mut(k + 1);
         for (x, y) in above[k][from..].iter_mut().zip(&mut below[0][from..]) {
@@ -47,7 +47,7 @@ impl Rotation {
         }
     }
 
-    /// Replaces columns k and k + 1 of a matrix M by those of M Gᴴ, in the first `rows` rows.
+    /// Replaces the columns k and k + 1 of a matrix M by the columns of M Gᴴ, in the first `rows` rows.
     fn rotate_columns(&self, m: &mut [Vec<WideComplex>], k: usize, rows: usize) {
         let [[a, b], [c, d]] = self.0.map(|row| row.map(WideComplex::conj));
         for row in &mut m[..rows] {
@@ -57,7 +57,7 @@ impl Rotation {
 }
 
 impl SchurForm {
-    /// Computes the Schur form of a square matrix; `None` if the iteration does not converge, or an
+    /// Computes the Schur form of a square matrix. `None` if the iteration does not converge, or if an
     /// entry is not finite.
     #[must_use]
     pub fn new(a: &WideMatrix) -> Option<Self> {
@@ -89,7 +89,7 @@ impl SchurForm {
         Some(form)
     }
 
-    /// Reduces T to a Hessenberg matrix: rotations remove the entries below its first subdiagonal.
+    /// Reduces T to a Hessenberg matrix: rotations make all entries below its first subdiagonal 0.
     fn reduce_to_hessenberg(&mut self) {
         let n = self.t.len();
         for column in 0..n.saturating_sub(2) {
@@ -103,8 +103,8 @@ impl SchurForm {
         }
     }
 
-    /// Applies a rotation G to rows and columns k and k + 1: T becomes G T Gᴴ, and Q becomes Q Gᴴ. Only
-    /// columns of T from `from` on, and its first `rows` rows, are changed.
+    /// Applies a rotation G to the rows and columns k and k + 1: T becomes G T Gᴴ, and Q becomes Q Gᴴ. Only
+    /// the columns of T from `from` on, and its first `rows` rows, are changed.
     fn apply_rotation(&mut self, rotation: &Rotation, k: usize, from: usize, rows: usize) {
         rotation.rotate_rows(&mut self.t, k, from);
         rotation.rotate_columns(&mut self.t, k, rows);
@@ -112,8 +112,8 @@ impl SchurForm {
         rotation.rotate_columns(&mut self.q, k, n);
     }
 
-    /// Finds the first index of the diagonal block of T that ends at `last`. The subdiagonal entry
-    /// before this block is negligible and is set to 0. `size` is the norm of the matrix.
+    /// Finds the first index of the diagonal block of T that ends at `last`. The subdiagonal entry before
+    /// this block is negligible, and becomes 0. `size` is the norm of the matrix.
     fn active_block_start(&mut self, last: usize, size: f64) -> usize {
         let t = &mut self.t;
         for k in (1..=last).rev() {
@@ -127,8 +127,8 @@ impl SchurForm {
         0
     }
 
-    /// Shift for a step of the QR iteration: the eigenvalue of the last 2 × 2 block that is nearest to
-    /// its last entry.
+    /// Shift for a step of the QR iteration. It is the eigenvalue of the last 2 × 2 block that is closest to
+    /// the last entry of this block.
     fn qr_shift(&self, last: usize) -> WideComplex {
         let t = &self.t;
         let (a, b, c, d) = (t[last - 1][last - 1], t[last - 1][last], t[last][last - 1], t[last][last]);
@@ -140,8 +140,8 @@ impl SchurForm {
         if larger.norm() > 0.0 { d - b * c / larger } else { d }
     }
 
-    /// Exceptional shift, no eigenvalue of the last 2 × 2 block, for an iteration that does not
-    /// converge.
+    /// Exceptional shift for an iteration that does not converge. It is no eigenvalue of the last 2 × 2
+    /// block.
     fn exceptional_shift(&self, last: usize) -> WideComplex {
         self.t[last][last] + WideComplex::from_f64(self.t[last][last - 1].norm())
     }
@@ -169,8 +169,8 @@ impl SchurForm {
         }
     }
 
-    /// Makes the Schur form of a matrix from the forms of its diagonal blocks. `blocks` are the indices
-    /// of the rows of each block. Entries to the left of a block must be 0.
+    /// Makes the Schur form of a matrix from the forms of its diagonal blocks. `blocks` are the row indices
+    /// of each block. Entries to the left of a block must be 0.
     #[must_use]
     pub fn from_diagonal_blocks(a: &WideMatrix, blocks: &[Vec<usize>], forms: &[Self]) -> Self {
         let n = a.rows.len();

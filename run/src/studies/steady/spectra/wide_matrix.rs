@@ -1,4 +1,4 @@
-//! Small dense matrices, in 32 digits for results, and in double precision for decisions and
+//! Small dense matrices: in 32 digits for results, and in double precision for decisions and
 //! corrections.
 
 use nalgebra::{DMatrix, DVector};
@@ -35,7 +35,7 @@ impl WideMatrix {
         Self { rows: rows.iter().map(|row| columns.iter().map(|column| self.rows[*row][*column]).collect()).collect() }
     }
 
-    /// Computes self + sign · a b, with matrices of fitting shapes.
+    /// Computes self + sign · a b. The matrices must have fitting shapes.
     #[must_use]
     pub fn plus_product(&self, sign: f64, a: &Self, b: &Self) -> Self {
         let sign = DoubleDouble::from_f64(sign);
@@ -62,8 +62,8 @@ impl WideMatrix {
         self.rows.iter().map(|row| row.iter().map(|x| x.hi()).collect()).collect()
     }
 
-    /// Solves self · X = right for the matrix X, by Gaussian elimination with row pivots; `None` if
-    /// self is singular.
+    /// Solves self · X = right for the matrix X, by Gaussian elimination with row pivots. `None` if self is
+    /// singular.
     #[must_use]
     pub fn solve(&self, right: &Self) -> Option<Self> {
         let n = self.rows.len();
@@ -90,9 +90,9 @@ impl WideMatrix {
     }
 }
 
-/// Finds the shortest vector x that minimizes |a x + r|, after the columns of a are scaled to equal
-/// size. Singular values below the fraction `relative` of the largest count as zero. `None` if an
-/// entry is not finite.
+/// Finds the shortest vector x that minimizes |a x + r|, after the columns of a are scaled to equal size.
+/// Singular values up to the fraction `relative` of the largest count as zero. `None` if an entry is
+/// not finite.
 pub fn least_squares(a: &DMatrix<f64>, r: &DVector<f64>, relative: f64) -> Option<DVector<f64>> {
     if a.ncols() == 0 || a.nrows() == 0 {
         return Some(DVector::zeros(a.ncols()));
@@ -109,8 +109,8 @@ pub fn least_squares(a: &DMatrix<f64>, r: &DVector<f64>, relative: f64) -> Optio
     Some(DVector::from_fn(found.len(), |j, _| found[j] / columns[j]))
 }
 
-/// Orthonormal basis, as columns, of all x with a x = 0. Singular values up to the fraction
-/// `relative` of the largest count as zero.
+/// Computes an orthonormal basis, as columns, of all vectors x with a x = 0. Singular values up to the
+/// fraction `relative` of the largest count as zero.
 pub fn null_space(a: &DMatrix<f64>, relative: f64) -> DMatrix<f64> {
     let n = a.ncols();
     if a.nrows() == 0 || n == 0 {
@@ -126,7 +126,7 @@ pub fn null_space(a: &DMatrix<f64>, relative: f64) -> DMatrix<f64> {
     if columns.is_empty() { DMatrix::zeros(n, 0) } else { DMatrix::from_columns(&columns) }
 }
 
-/// Orthonormal basis, as columns, of the `count` directions that a square matrix maps to the
+/// Computes an orthonormal basis, as columns, of the `count` directions that a square matrix maps to the
 /// shortest vectors.
 pub fn smallest_singular_directions(a: &DMatrix<f64>, count: usize) -> DMatrix<f64> {
     let svd = a.clone().svd(false, true);
