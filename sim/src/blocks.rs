@@ -1,11 +1,11 @@
 //! State vectors in blocks of a fixed number of components, padded with zeros.
 //!
-//! A loop over the components of a block has a known length and no bounds to check. The compiler turns
-//! it into vector instructions, and the stages of a block lie next to one another in memory.
+//! A loop over the components of a block has a known length and no bounds to check. The compiler turns such a loop into
+//! vector instructions. The stages of a block lie next to one another in memory.
 
 use tripos_traits::Real;
 
-/// Number of components in a block: the doubles in a register that every x86-64 and ARM processor has.
+/// Number of components in a block: the number of doubles in a register of every x86-64 and ARM processor.
 pub(crate) const LANES: usize = 2;
 
 /// Block of `LANES` neighbouring components of a state vector.
@@ -37,7 +37,7 @@ impl<S: Real> Blocks<S> {
     }
 }
 
-/// Test that many numbers are finite, at the cost of two operations for each. It holds sums of x − x,
+/// Test that all examined numbers are finite, at the cost of two operations for each number. It stores sums of x − x,
 /// which are 0 for finite numbers.
 #[derive(Clone, Copy)]
 pub(crate) struct FiniteTest(Block<f64>);
@@ -48,7 +48,7 @@ impl FiniteTest {
         Self([0.0; LANES])
     }
 
-    /// Examines the numbers of a block; the result of all blocks is read with `all`.
+    /// Examines the numbers of a block; [`FiniteTest::is_finite`] tells the result.
     #[inline]
     pub(crate) fn examine_block<S: Real>(&mut self, block: &Block<S>) {
         // x − x is 0, or not a number if x is infinite or not a number.

@@ -1,5 +1,5 @@
-//! Dense output of a step (the solution inside it): in the scalar type of the run, and rounded to `f64`
-//! for the search of events.
+//! Dense output of a step (the solution inside it), in the scalar type of the run or rounded to `f64` for the search of
+//! events.
 
 use tripos_traits::{Real, Scalar};
 
@@ -15,8 +15,8 @@ pub(crate) trait DenseStep {
     /// Degree of the dense output as a polynomial in the fraction of the step; `None` if it is no
     /// polynomial.
     fn degree(&self) -> Option<usize>;
-    /// Writes the coefficients of the dense output in powers of the fraction of the step, (degree + 1) × n
-    /// numbers. Row k has those of power k, an entry for each of the n components.
+    /// Writes the coefficients of the dense output in powers of the fraction of the step, (degree + 1) × n numbers. Row
+    /// k has the coefficients of power k, with an entry for each of the n components.
     fn dense_output_powers(&self, out: &mut [f64]);
     /// Time at the fraction `theta` of the step, s.
     fn time_at(&self, theta: f64) -> f64 {

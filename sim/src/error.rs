@@ -1,8 +1,8 @@
-//! Errors of the simulator: questions that make no sense, and right-hand sides that have no value.
+//! Errors of the simulator: runs that cannot start, and right-hand sides that have no value.
 //!
-//! Two kinds, kept apart: [`SimError`] is a question that makes no sense (nothing ran);
-//! [`Failure`] is a right-hand side that has no value at some state. The second is part of a run:
-//! it shortens the step, and ends the run as a [`crate::Stop`] when no shorter step helps.
+//! [`SimError`] means that the arguments of a run make no sense, so that nothing ran. [`Failure`] means that a
+//! right-hand side has no value at a state. A failure is part of a run: it shortens the step, and ends the run as a
+//! [`crate::Stop`] when no shorter step helps.
 
 use std::fmt;
 
@@ -11,14 +11,14 @@ use std::fmt;
 pub enum SimError {
     /// A list, such as the initial state or the parameters, has the wrong length.
     Length {
-        /// Content of the list in words, such as "absolute tolerances".
+        /// Name of the list in words, such as "absolute tolerances".
         what: &'static str,
         /// Number of entries that the list must have.
         expected: usize,
         /// Number of entries that the list has.
         found: usize,
     },
-    /// A start, a time or another number of the question is infinite or not a number.
+    /// A start, a time or another given number is infinite or not a number.
     NotFinite {
         /// Name of the number that is not finite.
         what: String,
@@ -30,7 +30,7 @@ pub enum SimError {
     },
     /// A tolerance is negative, not a number, or leaves a component without any tolerance.
     Tolerance {
-        /// Description of the wrong tolerance in words, as a whole message.
+        /// Message that describes the wrong tolerance.
         what: String,
     },
     /// An option of the run has a value outside its range.
@@ -62,13 +62,13 @@ pub enum SimError {
         /// Name of the integration method that cannot be used.
         method: &'static str,
     },
-    /// The method of a batch cannot integrate several trajectories in the lanes of vector registers, or not
-    /// these equations.
+    /// The method of a batch cannot integrate several trajectories in the lanes of vector registers, or cannot do so
+    /// for these equations.
     NoLanes {
         /// Name of the integration method that cannot be used.
         method: &'static str,
     },
-    /// A wanted output time lies outside the span, or before the output time that precedes it in the list.
+    /// A wanted output time lies outside the span, or before the previous output time in the list.
     OutputTime {
         /// Position of the output time in the list of output times, from 0.
         index: usize,
@@ -124,7 +124,7 @@ impl std::error::Error for SimError {}
 pub struct Failure {
     /// Short stable word that names the kind of failure for programs, such as `"singular"`.
     pub code: &'static str,
-    /// Sentence for people: the value that does not exist, and the place where it was needed.
+    /// Sentence for the user: the value that does not exist, and the place where it was needed.
     pub message: String,
 }
 

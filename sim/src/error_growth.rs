@@ -1,8 +1,7 @@
-//! Limits of runs: the growth of small errors, the time after which no correct digit is left, and the
-//! trend of a drift.
+//! Limits of runs: the growth of small errors, the time after which no correct digit is left, and the trend of a drift.
 //!
-//! Absent on purpose: models and references. Any right-hand side can be examined; with a Jacobian the
-//! results are more exact.
+//! Absent on purpose: models and references. Any right-hand side can be examined; with a Jacobian the results are more
+//! exact.
 
 use crate::driver::integrate::integrate;
 use crate::error::{Failure, SimError};
@@ -16,20 +15,19 @@ use tripos_traits::largest;
 pub struct ErrorGrowth {
     /// Times at which the growth is known, s.
     pub times: Vec<f64>,
-    /// Logarithm ln(|w(t)| / |w(t0)|) at each of the times, for a solution w of the linearized equations.
-    /// |w| is the largest
-    /// wᵢ| / (1 + |yᵢ|).
+    /// Logarithm ln(|w(t)| / |w(t0)|) at each of the times, for a solution w of the linearized equations. The size |w|
+    /// is the largest quotient |wᵢ| / (1 + |yᵢ|) of a component.
     pub logarithms: Vec<f64>,
-    /// Reason why the run ended that computed the growth.
+    /// Reason why the run that computed the growth ended.
     pub stop: Stop,
 }
 
 impl ErrorGrowth {
-    /// Time from which on errors have grown to 1 or more, s, so that no correct digit is left. `None` if
-    /// digits are left at the end of the run.
+    /// Time from which on the error is 1 or more, s, so that no correct digit is left. `None` if digits are left at the
+    /// end of the run.
     ///
-    /// `size(t)` is the relative error that the run has made up to time t, before it grows. Errors that
-    /// grow to 1 and shrink again, as near a singular surface, do not count.
+    /// `size(t)` is the relative error that the run has made up to time t, before it grows. Errors that grow to 1 and
+    /// shrink again, as near a singular surface, do not count.
     #[must_use]
     pub fn horizon(&self, size: impl Fn(f64) -> f64) -> Option<f64> {
         let lost = |(t, l): &(&f64, &f64)| size(**t).ln() + **l >= 0.0;
@@ -38,8 +36,8 @@ impl ErrorGrowth {
         self.times.get(first).copied()
     }
 
-    /// Rate of exponential growth of a small error, 1/s. It is the slope of ln |w| by least squares over
-    /// the second half of the times.
+    /// Rate of exponential growth of a small error, 1/s: the slope of ln |w|, fitted by least squares over the second
+    /// half of the times.
     #[must_use]
     pub fn rate(&self) -> f64 {
         let half = self.times.len() / 2;
@@ -47,8 +45,7 @@ impl ErrorGrowth {
     }
 }
 
-/// Slope of the straight line that fits the points (x, y) best by least squares. Not a number for fewer
-/// than two points.
+/// Slope of the straight line that fits the points (x, y) best by least squares. NaN for fewer than two points.
 #[must_use]
 pub fn least_squares_slope(x: &[f64], y: &[f64]) -> f64 {
     let n = x.len().min(y.len()) as f64;
@@ -78,7 +75,7 @@ pub fn error_growth(
     options: &Options,
 ) -> Result<ErrorGrowth, SimError> {
     let n = y0.len();
-    // Without states there is no error that could grow.
+    // A state without components has no error that could grow.
     if n == 0 {
         return Ok(ErrorGrowth { times: Vec::new(), logarithms: Vec::new(), stop: Stop::End });
     }
@@ -108,13 +105,13 @@ pub fn error_growth(
 
 /// Working space for the product J w of a Jacobian and a vector.
 struct JacobianProduct {
-    /// Jacobian ∂f/∂y, n² entries, row by row.
+    /// Jacobian ∂f/∂y, n² entries, row by row, for a state of n components.
     jacobian: Vec<f64>,
     /// Values of f at y + h w, for a central difference.
     ahead: Vec<f64>,
     /// Values of f at y − h w, for a central difference.
     behind: Vec<f64>,
-    /// State y ± h w, for a central difference.
+    /// State y + h w or y − h w, at which f is evaluated for a central difference.
     place: Vec<f64>,
 }
 
@@ -142,7 +139,7 @@ impl JacobianProduct {
             }
             return Ok(());
         }
-        // The third root of ε balances rounding against the curvature that a central difference leaves.
+        // The cube root of ε balances the rounding error against the truncation error of a central difference.
         let h = f64::EPSILON.cbrt() / size_of_growing_error(w, y).max(f64::MIN_POSITIVE);
         for (step, into) in [(h, &mut self.ahead), (-h, &mut self.behind)] {
             for ((place, y), w) in self.place.iter_mut().zip(y).zip(w) {
@@ -157,7 +154,7 @@ impl JacobianProduct {
     }
 }
 
-/// Largest quotient |wᵢ| / (1 + |yᵢ|): the measure of errors w of a state y.
+/// Size of an error w of a state y: the largest quotient |wᵢ| / (1 + |yᵢ|).
 fn size_of_growing_error(w: &[f64], y: &[f64]) -> f64 {
     largest(w.iter().zip(y).map(|(w, y)| w / (1.0 + y.abs())))
 }
@@ -186,7 +183,7 @@ mod tests {
     use super::*;
     use crate::right_hand_side::WithJacobian;
 
-    /// The saddle x'' = x/4 grows with the rate 1/2.
+    /// Truth: small errors at the saddle x'' = x/4 grow with the rate 1/2.
     #[test]
     fn a_saddle_grows_with_its_eigenvalue() {
         let rhs = |_t: f64, y: &[f64], dydt: &mut [f64]| {

@@ -7,8 +7,8 @@ use crate::blocks::LANES;
 use crate::error::SimError;
 use crate::warning::Warning;
 
-/// Smallest relative tolerance of a run in `f64`, 100 ε, as in `ode45`. Smaller ones are raised to it.
-/// Other scalar types have their own ε.
+/// Smallest relative tolerance of a run in `f64`, 100 ε, as in `ode45`. Smaller tolerances are raised to it. Other
+/// scalar types use their own ε.
 pub const SMALLEST_RTOL: f64 = 100.0 * f64::EPSILON;
 
 /// Norm that joins the weighted errors of all components of the state into one number.
@@ -18,9 +18,8 @@ pub(crate) enum Norm {
     /// atolᵢ / rtol) and compared with rtol. Without a relative tolerance it is divided by atolᵢ and
     /// compared with 1.
     Largest,
-    /// Root of the mean square of all weighted errors. As in Hairer's codes, error eᵢ is divided by atolᵢ +
-    /// rtol max(|yᵢ|,
-    /// yᵢ new|) and compared with 1.
+    /// Root of the mean square of all weighted errors. As in Hairer's codes, error eᵢ is divided by atolᵢ + rtol
+    /// max(|yᵢ|, |yᵢ new|) and compared with 1.
     MeanSquare,
 }
 
@@ -31,10 +30,10 @@ pub(crate) struct ErrorTest {
     norm: Norm,
     /// Largest norm of an error that passes the test, without unit.
     pub(crate) tolerance: f64,
-    /// Factor of the component's size |y| in the weight by which its error is divided.
+    /// Factor of the component's absolute value |y| in the weight by which its error is divided.
     relative: f64,
-    /// Part of each component's weight that does not depend on |y|, in the component's unit. Entries beyond
-    /// the state pad it to whole blocks.
+    /// Part of each component's weight that does not depend on |y|, in the component's unit. Padded with further
+    /// entries to whole blocks.
     absolute: Vec<f64>,
 }
 
@@ -79,8 +78,8 @@ impl ErrorTest {
         Ok((test, warning))
     }
 
-    /// Weighted norm of the error of a step from state `y` to `y_new`. An error of exactly 0 counts as 0,
-    /// even if the weight of its component is 0. Not a number if an error is not a number.
+    /// Weighted norm of the error of a step from state `y` to `y_new`. An error of exactly 0 counts as 0, even if the
+    /// weight of its component is 0. NaN if an error is NaN.
     pub(crate) fn norm<S: Real>(&self, error: &[S], y: &[S], y_new: &[S]) -> f64 {
         match self.norm {
             Norm::Largest => self.largest_weighted_error(error, y, y_new),
@@ -111,9 +110,8 @@ impl ErrorTest {
         norm
     }
 
-    /// Largest quotients |xᵢ| / wᵢ of two vectors x = `a` and x = `b` of finite numbers, with the weights w
-    /// at state `y`. Components of weight 0 are left out: the error of the step itself shows if they are
-    /// too large.
+    /// Largest quotients |xᵢ| / wᵢ for the two vectors x = `a` and x = `b` of finite numbers, with the weights w at
+    /// state `y`. Components of weight 0 are left out; the error test of the step itself detects if they are too large.
     pub(crate) fn largest_weighted_of_two<S: Real>(&self, a: &[S], b: &[S], y: &[S]) -> [f64; 2] {
         let mut norms = [0.0; 2];
         for (((a, b), y), absolute) in a.iter().zip(b).zip(y).zip(&self.absolute) {
@@ -127,14 +125,14 @@ impl ErrorTest {
         norms
     }
 
-    /// Largest quotient |y′ᵢ| / wᵢ of a derivative y′ and the error test's weights at state `y`, 1/s.
-    /// Components without a weight are left out, since the error test examines them after the first step.
+    /// Largest quotient |y′ᵢ| / wᵢ of a derivative y′ and the error test's weights at state `y`, 1/s. Components of
+    /// weight 0 are left out, since the error test examines them after the first step.
     pub(crate) fn slope_norm<S: Real>(&self, slope: &[S], y: &[S]) -> f64 {
         self.weighted_quotients(slope, y).fold(0.0, f64::max)
     }
 
-    /// Norm √Σᵢ (xᵢ / wᵢ)² of a vector `x` with the weights at state `y`: a sum, not a mean. Hairer's codes
-    /// choose the first step with it. Components without a weight are left out.
+    /// Norm √Σᵢ (xᵢ / wᵢ)² of a vector `x` with the weights w at state `y`: a sum, not a mean. Hairer's codes choose
+    /// the first step with this norm. Components of weight 0 are left out.
     pub(crate) fn weighted_root_sum<S: Real>(&self, x: &[S], y: &[S]) -> f64 {
         self.weighted_quotients(x, y).map(|q| q * q).sum::<f64>().sqrt()
     }
@@ -149,8 +147,8 @@ impl ErrorTest {
             .map(|(x, weight)| x / weight)
     }
 
-    /// Weight by which the error of component `i` of the state is divided, in its unit. `magnitude` is the
-    /// size |yᵢ| of the component.
+    /// Weight by which the error of component `i` of the state is divided, in the component's unit. `magnitude` is the
+    /// absolute value |yᵢ| of the component.
     pub(crate) fn weight(&self, i: usize, magnitude: f64) -> f64 {
         match self.norm {
             Norm::Largest => (self.relative * magnitude).max(self.absolute[i]),
@@ -158,8 +156,8 @@ impl ErrorTest {
         }
     }
 
-    /// Weights of a component of the state in N trajectories at once, for [`Norm::Largest`]. `absolute` is
-    /// the part of the weight that does not depend on the size `magnitude` of the component.
+    /// Weights of a component of the state in N trajectories at once, for [`Norm::Largest`]. `absolute` is the part of
+    /// the weight that does not depend on the component's absolute value `magnitude`.
     #[inline(always)]
     #[expect(clippy::inline_always, reason = "two operations, also inside code for wider registers")]
     pub(crate) fn weight_in_lanes<const N: usize>(&self, absolute: f64, magnitude: Lanes<N>) -> Lanes<N> {
@@ -189,7 +187,7 @@ impl ErrorTest {
         quotients.filter(|(_, q)| *q > 0.0).max_by(|(_, p), (_, q)| p.total_cmp(q)).map(|(i, _)| i)
     }
 
-    /// Parts of the components' weights that do not depend on |y|, in blocks like those of the state.
+    /// Parts of the components' weights that do not depend on |y|, in blocks like the blocks of the state.
     pub(crate) fn absolute_blocks(&self) -> &[[f64; LANES]] {
         self.absolute.as_chunks().0
     }
@@ -211,15 +209,14 @@ impl ErrorTest {
         weights
     }
 
-    /// Parts of the weights that do not depend on |y|, an entry for each component, with padding to whole
-    /// blocks at the end.
+    /// Parts of the weights that do not depend on |y|, with an entry for each component and padding to whole blocks at
+    /// the end.
     pub(crate) fn absolute_weights(&self) -> &[f64] {
         &self.absolute
     }
 }
 
-/// Returns the absolute tolerances as a list of `n` numbers. Error if a list of another length is
-/// given.
+/// Returns the absolute tolerances as a list of `n` numbers. Error if the given list has another length.
 fn tolerance_per_component(atol: &AbsoluteTolerance, n: usize) -> Result<Vec<f64>, SimError> {
     match atol {
         AbsoluteTolerance::Uniform(atol) => Ok(vec![*atol; n]),
@@ -238,8 +235,8 @@ fn check_relative(rtol: f64) -> Result<(), SimError> {
     Err(SimError::Tolerance { what: format!("relative tolerance {rtol} must be finite and not negative") })
 }
 
-/// Refuses an absolute tolerance of component `i` that is negative or not finite, or is 0 while the
-/// relative one is 0.
+/// Refuses the absolute tolerance of component `i` if it is negative or not finite, or if both it and the relative
+/// tolerance are 0.
 fn check_absolute(i: usize, atol: f64, rtol: f64) -> Result<(), SimError> {
     let what = if !(atol.is_finite() && atol >= 0.0) {
         format!("absolute tolerance {atol} of component {i} must be finite and not negative")

@@ -1,20 +1,18 @@
-//! Projection of the states of a run onto its invariants or its constraints, with a report of the
-//! corrections.
+//! Projection of the states of a run onto its invariants or its constraints, with a report of the corrections.
 //!
-//! After each accepted step the state is moved onto I_k(y) = I_k(y₀), or onto the constraints φ_k(y) =
-//! 0 of the equations, by the smallest correction in the norm of the tolerances. The method continues
-//! from the corrected state. The removed drift is added up with its sign, so that a projected run shows
-//! the drift of the method. E. Hairer, C. Lubich & G. Wanner, *Geometric Numerical Integration*, 2nd
-//! edition (2006), §IV.4.
+//! After each accepted step the state is moved onto I_k(y) = I_k(y₀), or onto the constraints φ_k(y) = 0 of the
+//! equations, by the smallest correction in the norm of the tolerances. The method continues from the corrected state.
+//! The removed drift is added up with its sign, so that a projected run shows the drift of the method. E. Hairer, C.
+//! Lubich & G. Wanner, *Geometric Numerical Integration*, 2nd edition (2006), §IV.4.
 //!
-//! If the state is (q, q̇) and its mass matrix M is known, corrections onto constraints are the
-//! smallest in the metric of M. First q is moved by M⁻¹ Gᵀ times multipliers, with G = ∂φ/∂q; then q̇
-//! is moved in the same way. The correction of q̇ then does no work on the motions that the constraints
-//! allow. Constraints that depend on others, everywhere or in a singular pose, are left out.
+//! If the state is (q, q̇) and its mass matrix M is known, corrections onto constraints are the smallest in the metric
+//! of M. First q is moved by M⁻¹ Gᵀ times multipliers, with G = ∂φ/∂q. Then q̇ is moved in the same way. The correction
+//! of q̇ does no work on the motions that the constraints allow. Constraints that depend on others, everywhere or in a
+//! singular pose, are left out.
 //!
-//! Events, and output at and inside a step, belong to the step before the correction at its end.
-//! Samples of a run on constraints are moved onto them, each separately. The last state, and all later
-//! steps, follow from the corrected state.
+//! Events, and output at and inside a step, belong to the step before the correction at its end. Samples of a run with
+//! constraints are moved onto the constraints one by one. The last state, and all later steps, follow from the
+//! corrected state.
 
 use tripos_traits::Real;
 
@@ -28,14 +26,12 @@ use crate::right_hand_side::RightHandSide;
 
 /// Largest number of Newton iterations for a correction that has not become as small as rounding.
 const ITERATIONS: u32 = 3;
-/// Largest number of Newton iterations once corrections are as small as the rounding of the largest
-/// component of the state. If that component is an angle of many turns, other components must take over
-/// its share of the correction.
+/// Largest number of Newton iterations once corrections are as small as the rounding of the largest component of the
+/// state. If that component is an angle of many turns, other components must then take over its part of the correction.
 const SETTLING: u32 = 8;
-/// Size below which a correction of the state counts as rounding, in units in the last place of the
-/// largest component.
+/// Size below which a correction of the state counts as rounding, in units in the last place of the largest component.
 const ROUNDING: f64 = 16.0;
-/// Fraction of the drift that may be left after the last Newton iteration; each iteration squares it.
+/// Fraction of the drift that may remain after the last Newton iteration. Each iteration squares the relative drift.
 const LEFT: f64 = 1e-3;
 
 /// Function `(t, y, values, gradients)` that writes m invariants I_k(y) and their m × n gradients
@@ -69,15 +65,15 @@ pub struct ProjectionReport {
     pub not_converged: u64,
     /// Sum Σ |correction| over all steps, for each component of the state, in its unit.
     pub moved: Vec<f64>,
-    /// Sum of the drift that corrections removed, Σ (value before − value after), for each invariant or
-    /// constraint, with its sign.
+    /// Signed sum of the drift that corrections removed, Σ (value before − value after), for each invariant or
+    /// constraint.
     pub removed: Vec<f64>,
-    /// Largest drift that a single correction removed, for each invariant or constraint, with its sign.
+    /// Largest drift that a single correction removed, with its sign, for each invariant or constraint.
     pub largest: Vec<f64>,
 }
 
 impl ProjectionReport {
-    /// Adds the report `next` of a run that continues the run of this report.
+    /// Adds the report `next` of the run that continues the run of this report.
     pub fn add(&mut self, next: &Self) {
         self.corrections += next.corrections;
         self.singular += next.singular;
@@ -95,7 +91,7 @@ impl ProjectionReport {
 pub(crate) enum ProjectionTarget<'p, 'a, S> {
     /// Invariants, which are kept at their values at the start of the run.
     Invariants(&'p mut Invariants<'a, S>),
-    /// Constraints of the equations, which are kept at zero. The number says how many there are.
+    /// Constraints of the equations, which are kept at zero. The field is their number.
     Constraints(usize),
 }
 
@@ -119,14 +115,14 @@ pub(crate) struct Projector<'p, 'a, S> {
     before: Vec<f64>,
     /// State that is being moved onto the invariants or constraints.
     y: Vec<S>,
-    /// True if the drift is no more than the rounding of the components of the state would cause.
+    /// True if the drift is as small as the rounding of the state's components would make it.
     is_near: bool,
     /// Mass matrix at the state, row by row; empty if the equations provide none.
     inertia: Vec<f64>,
     /// Gradients of the invariants or constraints, rounded to `f64`, m × n entries, row by row.
     slopes: Vec<f64>,
-    /// Right-hand sides of the linear conditions that a correction satisfies: the deviation of each
-    /// invariant or constraint.
+    /// Right-hand sides of the linear conditions that a correction satisfies: the deviation of each invariant or
+    /// constraint from its target.
     open: Vec<f64>,
     /// Correction that is subtracted from the state, n entries.
     correction: Vec<f64>,
@@ -141,7 +137,7 @@ pub(crate) struct Projector<'p, 'a, S> {
     pub(crate) report: ProjectionReport,
 }
 
-/// Class of the size of a correction of the state, in ascending order.
+/// Class of the size of a correction of the state, from the smallest to the largest.
 #[derive(PartialEq, PartialOrd)]
 enum CorrectionSize {
     /// The correction is no larger than the rounding errors with which the constraints are computed.
@@ -175,7 +171,7 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         };
         let (m, n) = (count, y0.len());
         let zeros = |n: usize| vec![S::from_f64(0.0); n];
-        // A run with fixed steps may have senseless tolerances: all components then count alike.
+        // A run with fixed steps may have invalid tolerances: all components then have the weight 1.
         let weights = ErrorTest::new::<S>(
             crate::methods::method_rules::method_norm(options.method),
             options.rtol,
@@ -215,9 +211,8 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         projector
     }
 
-    /// Moves the state `y` at time `t`, s, onto the invariants or constraints, and returns the moved state.
-    /// `None` if the state lies on them up to rounding, or if it cannot be moved; the report counts the
-    /// latter.
+    /// Moves the state `y` at time `t`, s, onto the invariants or constraints, and returns the moved state. `None` if
+    /// the state already lies on them up to rounding, or if it cannot be moved; the report counts failed attempts.
     pub(crate) fn project<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, y: &[S]) -> Option<&[S]> {
         match self.project_copy(rhs, t, y) {
             Ok(true) => {
@@ -231,16 +226,16 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         None
     }
 
-    /// Returns the state of a sample as it is shown. In a run with constraints it is moved onto them if
-    /// possible. In a run with invariants it is not moved, so that their drift is visible.
+    /// Returns the state of a sample for the output. In a run with constraints it is moved onto them if possible. In a
+    /// run with invariants it is not moved, so that their drift is visible.
     pub(crate) fn sample<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, y: Vec<S>) -> Vec<S> {
         let is_placed =
             matches!(self.onto, ProjectionTarget::Constraints(_)) && matches!(self.project_copy(rhs, t, &y), Ok(true));
         if is_placed { self.y.clone() } else { y }
     }
 
-    /// Moves a copy of the state `y` onto the invariants or constraints, into `self.y`. `Ok(false)` if it
-    /// was there up to rounding.
+    /// Moves a copy of the state `y` onto the invariants or constraints, and stores it in `self.y`. Returns false if
+    /// `y` already lies on them up to rounding.
     fn project_copy<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, y: &[S]) -> Result<bool, ProjectionFailure> {
         self.y.copy_from_slice(y);
         if self.values.is_empty() || self.measure_drift(rhs, t) {
@@ -252,9 +247,8 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         Ok(true)
     }
 
-    /// Corrects the derivatives that the numbers of the moved state carry, if its scalar has any.
-    /// Afterwards the constraints have derivative zero along each of them, and the change is the smallest
-    /// possible.
+    /// Corrects the derivatives that the numbers of the moved state carry, if its scalar has any. The constraints then
+    /// have the derivative zero along each direction, and the change is the smallest possible.
     fn project_slopes<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64) -> Result<(), ProjectionFailure> {
         for along in 0..S::SLOPES {
             self.open.clear();
@@ -267,9 +261,9 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         Ok(())
     }
 
-    /// Derivatives of the weighted sum `weights` · y of the last moved state by the drift of each
-    /// constraint. Entry k is `weights` times the correction for a drift of 1 in constraint k alone. This
-    /// is the transpose of [`Self::project_slopes`]. Not a number if no correction exists.
+    /// Derivatives of the weighted sum `weights` · y of the last moved state by the drift of each constraint. Entry k
+    /// is the product of `weights` with the correction for a drift of 1 in constraint k alone. This is the transpose of
+    /// [`Self::project_slopes`]. NaN if no correction exists.
     pub(crate) fn project_weights<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, weights: &[f64]) -> Vec<f64> {
         let count = self.values.len();
         let mut share = |k: usize| {
@@ -283,12 +277,11 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         (0..count).map(&mut share).collect()
     }
 
-    /// Computes the values, the gradients and the drift of the invariants or constraints at `self.y`. True
-    /// if the drift is only rounding.
+    /// Computes the values, the gradients and the drift of the invariants or constraints at `self.y`. Returns true if
+    /// the drift is only rounding.
     ///
-    /// Constraints are rounded as they are computed, not as their arguments are. The sine of an angle of a
-    /// thousand turns is as exact as that of a small angle, and the other coordinates can satisfy the
-    /// constraint.
+    /// The rounding error of a constraint is that of its value, not that of its arguments. The sine of an angle of a
+    /// thousand turns is as exact as that of a small angle, and the other coordinates can satisfy the constraint.
     fn measure_drift<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64) -> bool {
         match &mut self.onto {
             ProjectionTarget::Invariants(invariants) => {
@@ -312,14 +305,14 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         rounding
     }
 
-    /// Upper bound of the size of a component of the state that counts for rounding errors: 1 for
-    /// constraints, infinite for invariants.
+    /// Largest absolute value with which a component of the state counts in rounding errors: 1 for constraints,
+    /// infinite for invariants.
     fn largest_size_for_rounding(&self) -> f64 {
         if matches!(self.onto, ProjectionTarget::Constraints(_)) { 1.0 } else { f64::INFINITY }
     }
 
-    /// Moves `self.y` by Newton's method until the drift is rounding. Error if there is no correction, or
-    /// if too much drift is left.
+    /// Moves `self.y` by Newton's method until the drift is only rounding. Error if there is no correction, or if too
+    /// much drift remains.
     fn iterate<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64) -> Result<(), ProjectionFailure> {
         let mut is_settled = false;
         for iteration in 0..SETTLING {
@@ -336,8 +329,8 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         if near || is_settled || self.is_near { Ok(()) } else { Err(ProjectionFailure::NotConverged) }
     }
 
-    /// Computes the smallest correction that removes the deviations `open` of the invariants or
-    /// constraints, to first order. Error if the gradients are singular.
+    /// Computes the smallest correction that removes the deviations `open` of the invariants or constraints, to first
+    /// order. Error if the gradients are singular.
     fn correct<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64) -> Result<(), ProjectionFailure> {
         let n = self.y.len();
         self.slopes.clear();
@@ -355,7 +348,7 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         Ok(())
     }
 
-    /// Takes a step of Newton's method from `self.y`, and returns the class of size of its correction.
+    /// Takes a step of Newton's method from `self.y`, and returns the size class of its correction.
     fn step<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64) -> Result<CorrectionSize, ProjectionFailure> {
         self.open.clone_from(&self.drift);
         self.correct(rhs, t)?;
@@ -390,7 +383,7 @@ impl<'p, 'a, S: Real> Projector<'p, 'a, S> {
         Ok(())
     }
 
-    /// Adds the correction from the state `y` to `self.y` to the report.
+    /// Adds the correction that moved the state `y` to `self.y` to the report.
     fn report_correction(&mut self, y: &[S]) {
         self.report.corrections += 1;
         for ((moved, new), old) in self.report.moved.iter_mut().zip(&self.y).zip(y) {

@@ -1,12 +1,12 @@
-//! Right-hand sides f of equations y' = f(t, y) that a run integrates, with the functions that
-//! accompany them. Examples are the Jacobian ∂f/∂y, divisors, constraints and the power of forces.
+//! Right-hand sides f of equations y' = f(t, y) that a run integrates, with optional further functions: the Jacobian
+//! ∂f/∂y, divisors, constraints and the power of forces.
 
 use tripos_traits::{Lengths, Real, System};
 
 use crate::error::Failure;
 
-/// Right-hand side f of y' = f(t, y), with optional functions that accompany it. The time t is in s and
-/// always an `f64`; the state y has the scalar type `S` that the run computes in.
+/// Right-hand side f of y' = f(t, y), with optional further functions. The time t is in s and always an `f64`; the
+/// state y has the scalar type `S` of the run.
 ///
 /// Every closure `|t: f64, y: &[S], dydt: &mut [S]| -> Result<(), Failure>` is a right-hand side.
 pub trait RightHandSide<S = f64> {
@@ -17,25 +17,24 @@ pub trait RightHandSide<S = f64> {
     /// [`Failure`] if f has no value at (t, y).
     fn rhs(&mut self, t: f64, y: &[S], dydt: &mut [S]) -> Result<(), Failure>;
 
-    /// Writes the n × n Jacobian ∂f/∂y at (t, y) to `out`, row by row: `out[i * n + j]` is ∂fᵢ/∂yⱼ. `None`
-    /// if the Jacobian is not known, which rules out the implicit methods `gauss6` and `radau5`. The inner
-    /// error says that it has no value there.
+    /// Writes the n × n Jacobian ∂f/∂y at (t, y) to `out`, row by row: `out[i * n + j]` is ∂fᵢ/∂yⱼ. `None` if the
+    /// Jacobian is not known, which rules out the implicit methods `gauss6` and `radau5`. The inner error means that
+    /// the Jacobian has no value there.
     fn jacobian(&mut self, t: f64, y: &[S], out: &mut [S]) -> Option<Result<(), Failure>> {
         let _ = (t, y, out);
         None
     }
 
-    /// Writes Taylor coefficients of the solution that passes through the first row of `x` at time `t`, s.
-    /// Row k of `x` gets the coefficients of order k, (1/k!) dᵏy/dtᵏ, for k up to `order`; each row has the
-    /// length of the state. `None` if they are not known, which rules out [`crate::Method::Taylor`]. The
-    /// inner error says that they have no value there.
+    /// Writes Taylor coefficients of the solution that passes through the first row of `x` at time `t`, s. Row k of `x`
+    /// gets the coefficients of order k, (1/k!) dᵏy/dtᵏ, for k up to `order`; each row has the length of the state.
+    /// `None` if the coefficients are not known, which rules out [`crate::Method::Taylor`]. The inner error means that
+    /// they have no value there.
     fn taylor(&mut self, t: f64, order: usize, x: &mut [S]) -> Option<Result<(), Failure>> {
         let _ = (t, order, x);
         None
     }
 
-    /// Number of watched divisors: expressions by which f divides, and which can become zero at some
-    /// states.
+    /// Number of watched divisors: expressions by which f divides, and which may become zero at some states.
     fn divisor_count(&self) -> usize {
         0
     }
@@ -47,7 +46,7 @@ pub trait RightHandSide<S = f64> {
         let _ = (t, y, out);
     }
 
-    /// Returns the name of a divisor of f for people. `at` is the index of the divisor, from 0.
+    /// Returns the name of a divisor of f for messages. `at` is the index of the divisor, from 0.
     fn divisor_name(&self, at: usize) -> String {
         format!("divisor {at}")
     }
@@ -63,19 +62,19 @@ pub trait RightHandSide<S = f64> {
         let _ = (t, y, values, slopes);
     }
 
-    /// Writes the n × n mass matrix at (t, y) to `out`, row by row, if the state is (q, q̇) with n
-    /// coordinates q. Corrections of the state are then the smallest in the metric of this matrix. False if
-    /// there is no such matrix.
+    /// Writes the n × n mass matrix at (t, y) to `out`, row by row, if the state is (q, q̇) with n coordinates q.
+    /// Corrections of the state are then the smallest in the metric of this matrix. Returns false if there is no such
+    /// matrix.
     fn inertia(&mut self, t: f64, y: &[S], out: &mut Vec<f64>) -> bool {
         let _ = (t, y, out);
         false
     }
 
-    /// True if the run must end and other equations of the same motion must go on. The run ends with
+    /// True if the run must end because other equations of the same motion must continue it. The run ends with
     /// [`crate::Stop::HandedOver`].
     ///
-    /// With `Some(y)` the question is about the state y that a step has reached at time `t`, s. With `None`
-    /// it is about the start of a step to `t` that would lead across a zero of a divisor.
+    /// With `Some(y)` the question is about the state y that a step has reached at time `t`, s. With `None` it is about
+    /// the start of a step to `t` that would lead across a zero of a divisor.
     fn hands_over(&mut self, t: f64, y: Option<&[S]>) -> bool {
         let _ = (t, y);
         false
@@ -137,17 +136,17 @@ where
     }
 }
 
-/// Right-hand side with three optional functions of a run. They are a power to integrate, and two
-/// conditions under which other equations of the same motion take over.
+/// Right-hand side with three optional functions of a run: a power to integrate, and two conditions under which other
+/// equations of the same motion take over.
 pub struct AccompaniedRightHandSide<'a, S = f64> {
     /// Right-hand side f of the equations y' = f(t, y).
     pub rhs: &'a mut dyn RightHandSide<S>,
     /// Power at (t, y), W, whose integral is the work of the run; `None` if no work is wanted.
     pub power: Option<PowerAt<'a, S>>,
-    /// Condition under which the run ends and other equations go on, as [`RightHandSide::hands_over`].
+    /// Condition under which the run ends and other equations continue the motion, as in [`RightHandSide::hands_over`].
     /// `None` means never.
     pub over: Option<HandsOver<'a, S>>,
-    /// Condition under which other equations must make the last step, as [`RightHandSide::yields_step`]. `None`
+    /// Condition under which other equations must make the last step, as in [`RightHandSide::yields_step`]. `None`
     /// means never.
     pub yields: Option<Yields<'a, S>>,
 }
@@ -155,18 +154,18 @@ pub struct AccompaniedRightHandSide<'a, S = f64> {
 /// Function of time, s, and state that gives the power of forces, W.
 pub type PowerAt<'a, S = f64> = &'a mut dyn FnMut(f64, &[S]) -> f64;
 
-/// Function of time, s, and state. True if other equations must make the step that led there:
-/// [`RightHandSide::yields_step`].
+/// Function of time, s, and state, as [`RightHandSide::yields_step`]. True if other equations must make the step that
+/// led to this state.
 pub type Yields<'a, S = f64> = &'a mut dyn FnMut(f64, &[S]) -> bool;
 
-/// Function of time, s, and state. True if the run must end and other equations go on:
-/// [`RightHandSide::hands_over`].
+/// Function of time, s, and state, as [`RightHandSide::hands_over`]. True if the run must end and other equations must
+/// continue the motion.
 pub type HandsOver<'a, S = f64> = &'a mut dyn FnMut(f64, Option<&[S]>) -> bool;
 
-/// Right-hand side that is only borrowed by a run, so that the caller can use it again afterwards.
+/// Right-hand side that a run borrows, so that the caller can use it again afterwards.
 ///
-/// In `Lent(&mut f as &mut dyn RightHandSide<S>)` the type of f is erased. All methods are then
-/// compiled once, not once for every right-hand side, at the price of an indirect call.
+/// In `Lent(&mut f as &mut dyn RightHandSide<S>)` the type of f is erased. All methods are then compiled once, instead
+/// of once for every right-hand side, at the price of an indirect call.
 pub struct LentRightHandSide<'a, R: ?Sized>(pub &'a mut R);
 
 impl<S: Real, R: RightHandSide<S> + ?Sized> RightHandSide<S> for LentRightHandSide<'_, R> {
@@ -281,8 +280,8 @@ impl<S: Real> RightHandSide<S> for AccompaniedRightHandSide<'_, S> {
     }
 }
 
-/// Writes the constraint functions of a system at parameters `p` and state y = (q, v), and their
-/// slopes. `values` has an entry for each constraint; `slopes` has a row of y's length for each.
+/// Writes the constraint functions of a system at parameters `p` and state y = (q, v), and their slopes. `values` has
+/// an entry for each constraint; `slopes` has a row for each constraint, with the length of y.
 pub(crate) fn system_constraints<S: Real>(
     system: &dyn System<S>,
     p: &[S],
@@ -295,12 +294,12 @@ pub(crate) fn system_constraints<S: Real>(
     system.constraint_slopes(p, q, v, slopes);
 }
 
-/// Writes the n × n mass matrix of a system whose n variables are the rates q̇, with multipliers for
-/// its constraints. It is the upper left block of the system's matrix; `matrix` is working space for
-/// that matrix.
+/// Writes the n × n mass matrix of a system to `out`, row by row. The n variables of the system must be the rates q̇,
+/// with multipliers for its constraints. The mass matrix is the upper left block of the system's matrix; `matrix` is
+/// working space for that matrix.
 ///
-/// False, with nothing written, for any other system. In the equations of Newton and Euler, for
-/// example, reactions are unknowns and the matrix is no mass matrix.
+/// Returns false and writes nothing for any other system. In the equations of Newton and Euler, for example, reactions
+/// are unknowns and the matrix is no mass matrix.
 pub(crate) fn system_inertia<S: Real>(
     system: &dyn System<S>,
     p: &[S],

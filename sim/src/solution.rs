@@ -1,7 +1,7 @@
 //! Result of a run: samples, counts, events, and the reason why it ended.
 //!
-//! Invariant: (`t_end`, `y_end`) is the last point of the solution. No sample and no event lies beyond
-//! it, for any reason of the end.
+//! Invariant: (`t_end`, `y_end`) is the last point of the solution. No sample and no event lies beyond it, whatever the
+//! reason for the end of the run.
 
 use std::fmt;
 
@@ -18,7 +18,7 @@ use crate::warning::Warning;
 pub enum Stop {
     /// The run reached the end of its span.
     End,
-    /// An event that is terminal, which means that it ends runs, happened.
+    /// A terminal event happened, that is, an event that ends runs.
     Event {
         /// Name of the event that ended the run.
         name: String,
@@ -33,8 +33,7 @@ pub enum Stop {
         /// Name of the domain event whose condition does not hold at the start.
         name: String,
     },
-    /// The error of a step is above the tolerance, though the step is as small as rounding allows, 16 ulp
-    /// of t.
+    /// The error of a step is above the tolerance, although the step is as small as rounding allows, 16 ulp of t.
     StepTooSmall {
         /// Size of the smallest step that was tried, s.
         step: f64,
@@ -64,15 +63,15 @@ pub enum Stop {
     Failed(Failure),
     /// The `poll` function of the options asked to stop the run.
     Interrupted,
-    /// Other equations of the same motion must go on, by [`crate::RightHandSide::hands_over`] or
-    /// `RightHandSide::yields`.
+    /// Other equations of the same motion must continue it, by [`crate::RightHandSide::hands_over`] or
+    /// [`crate::RightHandSide::yields_step`].
     HandedOver,
 }
 
 impl Stop {
-    /// Stable text that names the reason for programs: `end`, `event:NAME`, `domain:NAME`,
-    /// `step-too-small`, `step-limit`, `not-finite`, `not-converged`, `singular`, `interrupted` or
-    /// `handed-over`. If the right-hand side failed, it is the code of its [`Failure`].
+    /// Stable text that identifies the reason for other programs: `end`, `event:NAME`, `domain:NAME`, `step-too-small`,
+    /// `step-limit`, `not-finite`, `not-converged`, `singular`, `interrupted` or `handed-over`. If the right-hand side
+    /// failed, it is the code of its [`Failure`].
     #[must_use]
     pub fn code(&self) -> String {
         match self {
@@ -145,14 +144,14 @@ pub struct Solution<S = f64> {
     pub t: Vec<f64>,
     /// States of the samples, one for each time in `t`.
     pub y: Vec<Vec<S>>,
-    /// Work of the forces from the start to each sample, J, including the work of impacts. Empty if the
-    /// equations state no power and there are no impacts.
+    /// Work of the forces from the start to each sample, J, including the work of impacts. Empty if the equations
+    /// define no power and there are no impacts.
     pub work: Vec<f64>,
     /// Time at which the solution ends, s.
     pub t_end: f64,
     /// State at the end of the solution, at time `t_end`.
     pub y_end: Vec<S>,
-    /// Work of the forces from the start to `t_end`, J; 0 if the equations state no power.
+    /// Work of the forces from the start to `t_end`, J; 0 if the equations define no power.
     pub work_end: f64,
     /// Number of accepted steps of the run.
     pub steps: u64,
@@ -202,11 +201,10 @@ impl<S: Clone> Solution<S> {
 }
 
 impl<S> Solution<S> {
-    /// Largest change of energy that the work does not account for, J. It is the largest change of E − W
-    /// since the first sample, over all samples and the end of the run.
+    /// Largest change of energy that is not explained by the work, J. It is the largest change of E − W since the first
+    /// sample, over all samples and the end of the run.
     ///
-    /// `at_samples` has the energy E at each sample, J, and `at_end` that at the end. Not a number if an
-    /// energy is not a number.
+    /// `at_samples` has the energy E at each sample, J, and `at_end` the energy at the end. NaN if an energy is NaN.
     pub fn energy_drift(&self, at_samples: impl IntoIterator<Item = f64>, at_end: f64) -> f64 {
         let work = self.work.iter().copied().chain(std::iter::repeat(0.0));
         let mut left = at_samples.into_iter().zip(work).map(|(energy, work)| energy - work).peekable();
@@ -215,7 +213,7 @@ impl<S> Solution<S> {
         left.chain([end]).map(|left| (left - start).abs()).fold(0.0, larger)
     }
 
-    /// Returns end time, number of steps and reason of the end, in words. `names` names the components of
+    /// Returns the end time, the number of steps and the reason of the end, in words. `names` names the components of
     /// the state, in order.
     #[must_use]
     pub fn described(&self, names: &[String]) -> String {
@@ -252,7 +250,7 @@ impl<S: Real> Solution<S> {
     }
 }
 
-/// Writes end time, number of steps and reason of the end: "stopped at t = 3.181 s after 412 steps (19
+/// Writes the end time, the number of steps and the reason of the end: "stopped at t = 3.181 s after 412 steps (19
 /// rejected): …".
 impl<S> fmt::Display for Solution<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

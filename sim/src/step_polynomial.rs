@@ -5,18 +5,17 @@ use tripos_traits::{Enclosure, Interval};
 
 use crate::dense_output::DenseStep;
 
-/// Polynomials of the solution inside a step, for the components of the state that event functions
-/// need.
+/// Polynomials of the solution inside a step, for the components of the state that event functions need.
 ///
-/// They are in τ = 2θ − 1 with the fraction θ of the step, so that |τ| ≤ 1 inside it. They differ from
-/// the dense output only by rounding, which `margins` bound.
+/// Their variable is τ = 2θ − 1, where θ is the fraction of the step, so that |τ| ≤ 1 inside it. They differ from the
+/// dense output only by rounding errors, for which `margins` has bounds.
 #[derive(Debug, Default)]
 pub(crate) struct StepPolynomial {
     /// Indices in the state of the components that have a polynomial, in ascending order.
     components: Vec<usize>,
     /// Number of components of the state.
     length: usize,
-    /// Coefficients of the powers of τ: row k has those of τᵏ, an entry for each of `components`.
+    /// Coefficients of the powers of τ. Row k has the coefficients of τᵏ, with an entry for each of `components`.
     rows: Vec<f64>,
     /// Bounds of the rounding errors of each component's value and of its derivative by the fraction θ of
     /// the step.
@@ -30,13 +29,13 @@ pub(crate) struct StepPolynomial {
 }
 
 impl StepPolynomial {
-    /// Creates polynomials for the components with these indices, of a state with `length` components. They
-    /// have no coefficients yet.
+    /// Creates polynomials without coefficients. `components` are the indices of the components that get a polynomial,
+    /// and `length` is the number of components of the state.
     pub(crate) fn new(components: Vec<usize>, length: usize) -> Self {
         Self { components, length, ..Self::default() }
     }
 
-    /// Copies the dense output of a step. False if the solution inside the step is no polynomial.
+    /// Copies the dense output of a step. Returns false if the solution inside the step is no polynomial.
     pub(crate) fn copy_dense_output(&mut self, step: &dyn DenseStep) -> bool {
         let Some(degree) = step.degree() else { return false };
         self.times = step.times();
@@ -59,16 +58,16 @@ impl StepPolynomial {
         true
     }
 
-    /// Range of the time, s, over the part of the step between the fractions `from` and `to`. The slope of
-    /// the result is the derivative by the fraction of the step.
+    /// Range of the time, s, between the fractions `from` and `to` of the step. The slope of the result is the
+    /// derivative by the fraction of the step.
     pub(crate) fn time(&self, from: f64, to: f64) -> Enclosure {
         let (start, end) = (Interval::point(self.times.0), Interval::point(self.times.1));
         let slope = end - start;
         Enclosure { value: start + Interval::new(from, to) * slope, slope }
     }
 
-    /// Writes the range of each component of the state between the fractions `from` and `to` of the step.
-    /// Slopes are derivatives by the fraction. Components without a polynomial are undefined intervals.
+    /// Writes the range of each component of the state between the fractions `from` and `to` of the step. Slopes are
+    /// derivatives by the fraction of the step. Components without a polynomial get undefined intervals.
     pub(crate) fn state(&mut self, from: f64, to: f64, out: &mut Vec<Enclosure>) {
         let (middle, radius) = (from + to - 1.0, to - from);
         let count = self.components.len();
@@ -82,11 +81,11 @@ impl StepPolynomial {
     }
 }
 
-/// Computes bounds of the rounding errors of `count` polynomials and of their slopes, for |θ| ≤ 1. Row
-/// k of `rows` has the coefficients of power k.
+/// Computes bounds of the rounding errors of `count` polynomials and of their slopes, for |θ| ≤ 1. Row k of `rows` has
+/// the coefficients of power k.
 ///
-/// Each operation of a shift, and of the method's own evaluation, counts ε times the numbers that it
-/// adds up.
+/// Each operation of a shift, and of the method's own evaluation, contributes ε times the absolute values of the
+/// numbers that it adds.
 fn rounding_margins_of_polynomials(rows: &[f64], count: usize, out: &mut Vec<[f64; 2]>) {
     let degree = (rows.len() / count.max(1)).saturating_sub(1) as f64;
     out.clear();
@@ -100,8 +99,8 @@ fn rounding_margins_of_polynomials(rows: &[f64], count: usize, out: &mut Vec<[f6
     }
 }
 
-/// Replaces the coefficients of p(x) by those of p(x + `by`), for `count` polynomials, by Horner's
-/// scheme. Row k of `rows` has the coefficients of power k.
+/// Replaces the coefficients of p(x) with those of p(x + `by`), for `count` polynomials, by Horner's scheme. Row k of
+/// `rows` has the coefficients of power k.
 fn shift_polynomials(rows: &mut [f64], count: usize, by: f64) {
     if by == 0.0 || count == 0 {
         return;
@@ -117,14 +116,14 @@ fn shift_polynomials(rows: &mut [f64], count: usize, by: f64) {
     }
 }
 
-/// Range of the polynomial Σ c_k (radius x)^k over |x| ≤ 1, and of its slope by the fraction θ of the
-/// step, with dx/dθ = 2/radius. The two margins bound the rounding errors and widen the ranges.
+/// Range of the polynomial Σ c_k (radius x)^k over |x| ≤ 1, and of its slope by the fraction θ of the step, where dx/dθ
+/// = 2/radius. The two margins bound the rounding errors and widen the ranges.
 fn range_of_polynomial<'c>(
     row: impl Iterator<Item = &'c f64>,
     radius: f64,
     [margin, slope_margin]: [f64; 2],
 ) -> Enclosure {
-    // Even powers are between 0 and 1, odd ones between −1 and 1.
+    // Even powers of x lie between 0 and 1, odd powers between −1 and 1.
     let (mut value, mut slope) = (TermBounds::default(), TermBounds::default());
     let (mut power, mut before) = (1.0, 0.0);
     for (k, c) in row.enumerate() {
@@ -135,7 +134,7 @@ fn range_of_polynomial<'c>(
     Enclosure { value: value.with_margin(margin), slope: slope.with_margin(slope_margin) }
 }
 
-/// Lower and upper bound of a sum of terms, each of which is known between bounds.
+/// Lower and upper bound of a sum of terms, from the bounds of each term.
 #[derive(Default)]
 struct TermBounds {
     /// Lower bound of the sum.
@@ -164,7 +163,7 @@ impl TermBounds {
 mod tests {
     use super::*;
 
-    /// Three components of degree 4 as a step would give them.
+    /// Step whose three components are polynomials of degree 4.
     struct Quartics([[f64; 5]; 3]);
 
     impl Quartics {
@@ -192,8 +191,8 @@ mod tests {
         }
     }
 
-    /// Goal: no value outside of its range, and no range much wider than the values. Method: parts of every width, at a
-    /// hundred points each.
+    /// Truth: no value lies outside its range, and no range is much wider than the values. Checked on parts of every
+    /// width, at a hundred points each.
     #[test]
     fn values_and_slopes_lie_in_their_ranges() {
         let step = Quartics([[1.0, -3.0, 2.0, 5.0, -4.0], [1e8, 1.0, 0.0, 0.0, 1e-3], [0.0, 0.0, 1.0, 0.0, 0.0]]);

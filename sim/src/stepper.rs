@@ -1,5 +1,5 @@
-//! Interface of a one-step method of integration to the driver of a run: a trial step, its error, and
-//! its dense output.
+//! Interface between a one-step method of integration and the driver of a run: a trial step, its error, and its dense
+//! output.
 
 use tripos_traits::Real;
 
@@ -25,8 +25,8 @@ pub(crate) enum StepFailure {
     },
 }
 
-/// Checks that all entries of a state or derivative are finite. The error has the index of the first
-/// entry that is not.
+/// Checks that all entries of a state or derivative are finite. The error has the index of the first entry that is not
+/// finite.
 pub(crate) fn check_finite<S: Real>(values: &[S]) -> Result<(), StepFailure> {
     match values.iter().position(|x| !x.to_f64().is_finite()) {
         Some(component) => Err(StepFailure::NotFinite { component }),
@@ -55,8 +55,8 @@ pub(crate) struct TrialStep {
 }
 
 impl TrialStep {
-    /// Signed distance from time `t` to the end of the step, s, computed in the scalar `S`. A scalar wider
-    /// than `f64` holds it without rounding.
+    /// Signed distance from time `t` to the end of the step, s, computed in the scalar `S`. A scalar wider than `f64`
+    /// represents it without rounding.
     pub(crate) fn exact_step_length<S: Real>(self, t: f64) -> S {
         S::from_f64(self.t_new) - S::from_f64(t)
     }
@@ -70,8 +70,8 @@ pub(crate) trait Stepper: Interpolant {
     fn start<R>(&mut self, rhs: &mut R, t: f64, y: &[Self::Real]) -> Result<(), StepFailure>
     where
         R: RightHandSide<Self::Real>;
-    /// Size of the next step, s, for a method that finds it before the step is tried, as Taylor's does.
-    /// `None` for a method that needs step control.
+    /// Size of the next step, s, for a method that knows it before the step is tried, as Taylor's method does. `None`
+    /// for a method that needs step control.
     fn proposal(&mut self, test: &ErrorTest) -> Option<f64> {
         let _ = test;
         None
@@ -82,8 +82,8 @@ pub(crate) trait Stepper: Interpolant {
     fn attempt<R>(&mut self, rhs: &mut R, trial: TrialStep, test: Option<&ErrorTest>) -> Result<f64, StepFailure>
     where
         R: RightHandSide<Self::Real>;
-    /// Evaluates the stages that only the dense output of the last tried step needs. False if f has no
-    /// value there; the dense output is then of lower order.
+    /// Evaluates the stages that only the dense output of the last tried step needs. Returns false if f has no value
+    /// there; the dense output is then of lower order.
     fn prepare_inside<R>(&mut self, rhs: &mut R) -> bool
     where
         R: RightHandSide<Self::Real>,
@@ -103,8 +103,8 @@ pub(crate) trait Stepper: Interpolant {
         let _ = rhs;
         Ok(())
     }
-    /// Continues from the state `y` at the current time, in place of the state that the last step reached.
-    /// Error if the derivative there has no finite value.
+    /// Continues from the state `y` at the current time instead of the state that the last step reached. Error if the
+    /// derivative there has no finite value.
     fn continue_from_moved_state<R>(&mut self, rhs: &mut R, y: &[Self::Real]) -> Result<(), StepFailure>
     where
         R: RightHandSide<Self::Real>,
@@ -112,8 +112,8 @@ pub(crate) trait Stepper: Interpolant {
         let t = self.span().0;
         self.start(rhs, t, y)
     }
-    /// Factor, at most 1, by which the next step must be smaller than the error of the last tried step
-    /// allows. It is below 1 if the equations of an implicit step were hard to solve.
+    /// Factor, at most 1, on the size that the error of the last tried step allows for the next step. It is below 1 if
+    /// the equations of an implicit step were hard to solve.
     fn next_step_margin(&self) -> f64 {
         1.0
     }

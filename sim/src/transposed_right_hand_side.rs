@@ -1,5 +1,5 @@
-//! Right-hand side that can multiply its transposed Jacobians by a vector, for gradients by the adjoint of
-//! a run.
+//! Right-hand side that can multiply its transposed Jacobians by a vector. The adjoint of a run needs the products for
+//! gradients.
 
 use crate::error::Failure;
 use crate::right_hand_side::RightHandSide;

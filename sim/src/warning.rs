@@ -5,8 +5,7 @@ use std::fmt;
 /// Warning about a run, with the numbers that its text shows. A warning does not stop the run.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Warning {
-    /// The relative tolerance was below 100 ε, with the ε of the run's scalar type, and was raised to 100
-    /// ε.
+    /// The relative tolerance was below 100 ε, where ε is that of the run's scalar type, and was raised to 100 ε.
     RtolRaised {
         /// Relative tolerance that the options ask for.
         from: f64,
@@ -30,20 +29,20 @@ pub enum Warning {
         /// Number of attempted steps in which this component had the largest weighted error.
         attempts: u64,
     },
-    /// Shorter steps often did not make the error smaller. The right-hand side f jumps, has kinks, or
-    /// contains noise of the size of the tolerance.
+    /// Shorter steps often did not reduce the error. The right-hand side f jumps, has kinks, or contains noise of the
+    /// size of the tolerance.
     NotSmooth {
         /// Time at which a shorter step first did not help, s.
         t: f64,
-        /// Number of repeated steps whose error did not fall, though they were shorter.
+        /// Number of shorter retries of a step whose error did not fall.
         retries: u64,
         /// Number of all attempted steps of the run.
         attempts: u64,
     },
-    /// The right-hand side has no value at a point that only the dense output of a step needs. Events and
-    /// output inside this step come from a cubic through the states and slopes of its ends.
+    /// The right-hand side has no value at a point that only the dense output of a step needs. Events and output inside
+    /// this step are taken from a cubic through the states and slopes at its ends.
     CoarseInside {
-        /// Start time of the first step whose dense output is such a cubic, s.
+        /// Start time of the first step whose dense output is a cubic for this reason, s.
         t: f64,
     },
     /// The search could not decide if an event function that ends runs crossed zero. The run went on.
@@ -68,8 +67,7 @@ impl Warning {
         out
     }
 
-    /// Writes the text of the warning to `f`. `who` gives the name of a component of the state from its
-    /// index.
+    /// Writes the text of the warning to `f`. `who` returns the name of a component of the state from its index.
     fn write_warning(&self, f: &mut impl fmt::Write, who: &dyn Fn(usize) -> String) -> fmt::Result {
         match self {
             Self::RtolRaised { from, to } => {

@@ -1,7 +1,7 @@
 //! Work–precision measurements: computing time of runs against their error.
 //!
-//! Each error is the largest |e| / (1 + |reference|) over all components. Absent on purpose: models,
-//! and the search for a reference.
+//! The error of a run is the largest |found − reference| / (1 + |reference|) over all components. Absent on purpose:
+//! models, and the search for a reference.
 
 #[cfg(feature = "clock")]
 use std::ops::ControlFlow;
@@ -36,8 +36,8 @@ impl TimeStatistics {
     }
 }
 
-/// Error of a state: the largest |found − reference| / (1 + |reference|) over all components, computed
-/// in double-double numbers. Not a number if a component is not a number, or if the lengths differ.
+/// Error of a state: the largest |found − reference| / (1 + |reference|) over all components, computed in double-double
+/// numbers. NaN if a component is NaN, or if the lengths differ.
 #[must_use]
 pub fn work_precision_error(found: &[DoubleDouble], reference: &[DoubleDouble]) -> f64 {
     if found.len() != reference.len() {
@@ -49,8 +49,8 @@ pub fn work_precision_error(found: &[DoubleDouble], reference: &[DoubleDouble]) 
 
 /// Options for a run of a method at a tolerance, over a span of `length` s.
 ///
-/// Relative and absolute tolerance are equal. A method without an error estimate takes equal steps of
-/// length/10 · tolerance^(1/order), so that its error falls about as the tolerance does.
+/// Relative and absolute tolerance are equal. A method without an error estimate takes equal steps of length/10 ·
+/// tolerance^(1/order), so that its error falls about in proportion to the tolerance.
 #[must_use]
 pub fn work_precision_options(method: Method, tolerance: f64, length: f64, step_limit: u64) -> Options {
     let order = method.order().filter(|_| !method.is_adaptive());
@@ -58,11 +58,10 @@ pub fn work_precision_options(method: Method, tolerance: f64, length: f64, step_
     Options { method, step, step_limit, output: OutputOption::Ends, ..Options::tolerances(tolerance, tolerance) }
 }
 
-/// Measures the time of each job `repeats` times, s. All jobs run once before any runs again, so that
-/// other load of the machine affects them alike. Returns a list of times for each job.
+/// Measures the time of each job `repeats` times, s. All jobs run once before any job runs again, so that other load of
+/// the machine affects them alike. Returns a list of times for each job.
 ///
-/// `after` is called after every single run. If it breaks, the measurement ends and that run does not
-/// count.
+/// `after` is called after every single run. If it breaks, the measurement ends, and that run is not counted.
 #[cfg(feature = "clock")]
 pub fn timed_in_turn(
     jobs: &mut [Box<dyn FnMut() + '_>],
@@ -84,8 +83,8 @@ pub fn timed_in_turn(
     all
 }
 
-/// Indices of the points (time in s, error) that no other point beats in both time and error, ordered
-/// by time. Points that are not finite are left out.
+/// Indices of the points (time in s, error) that no other point beats in both time and error, sorted by time. Points
+/// that are not finite are left out.
 #[must_use]
 pub fn work_precision_front(points: &[(f64, f64)]) -> Vec<usize> {
     let mut order: Vec<usize> =
@@ -123,7 +122,7 @@ mod tests {
     fn errors_are_relative_to_large_references_and_absolute_to_small_ones() {
         let wide = |list: &[f64]| list.iter().map(|x| DoubleDouble::from_f64(*x)).collect::<Vec<_>>();
         assert_eq!(work_precision_error(&wide(&[3.0, 0.5]), &wide(&[1.0, 0.0])), 1.0);
-        // Beyond the precision of a double: 1 + 1e-25 against 1.
+        // Numbers closer together than the precision of an `f64`: 1 + 1e-25 and 1.
         let close = [DoubleDouble::sum(1.0, 1e-25)];
         assert!((work_precision_error(&close, &wide(&[1.0])) / 0.5e-25 - 1.0).abs() < 1e-6);
         assert!(

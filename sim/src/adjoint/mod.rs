@@ -1,20 +1,19 @@
-//! Gradient of a function of a run's end state, by its start and its parameters, in a single backward
-//! sweep: a discrete adjoint.
+//! Gradient of a function of a run's end state, by the start state and the parameters. It is computed in a single
+//! backward sweep: a discrete adjoint.
 //!
-//! The run is a sequence of steps that were taken already. Each step is differentiated with its length
-//! held constant. Explicit Runge–Kutta steps are swept by their transposed stages, and the correction
-//! of their ends onto constraints by its transpose. Times at which the right-hand side jumps add a term
-//! if they depend on parameters.
+//! The run is a sequence of steps that were taken already. Each step is differentiated with its length held constant.
+//! The sweep applies the transposed stages of explicit Runge–Kutta steps. Where the end of a step was corrected onto
+//! constraints, it applies the transposed correction. Times at which the right-hand side jumps add a term if they
+//! depend on parameters.
 //!
 //! The result is the transpose of the derivatives that [`crate::DynamicsWithTangents`] carry forward along the same
-//! steps, to rounding. It costs the same for one parameter and for thousands. W. W. Hager, "Runge–Kutta
-//! methods in optimal control and the transformed adjoint system", Numer. Math. 87 (2000) 247–282.
+//! steps, to rounding. It costs the same for one parameter and for thousands. W. W. Hager, "Runge–Kutta methods in
+//! optimal control and the transformed adjoint system", Numer. Math. 87 (2000) 247–282.
 //!
-//! The sweep needs the states in reverse order. Only some of them are kept, and each segment between
-//! two kept states is stepped through once more. With segments that get shorter by a step each, √(2 N)
-//! states serve N steps. A. Griewank, "Achieving logarithmic growth of temporal and spatial complexity
-//! in reverse automatic differentiation", Optim. Methods Softw. 1 (1992) 35–54. The number of kept
-//! states changes no bit of the result.
+//! The sweep needs the states in reverse order. Only some of them are kept, and each segment between two kept states is
+//! stepped through once more. With segments that get shorter by one step each, √(2 N) states serve N steps. A.
+//! Griewank, "Achieving logarithmic growth of temporal and spatial complexity in reverse automatic differentiation",
+//! Optim. Methods Softw. 1 (1992) 35–54. The number of kept states changes no bit of the result.
 //!
 //! Absent on purpose: implicit steps, whose transposes need linear solves; and the choice of the steps.
 
@@ -41,8 +40,7 @@ pub struct RecordedSteps<'a> {
     pub ends: &'a [f64],
     /// Options of the run; its method, corners and tolerances are used.
     pub options: &'a Options,
-    /// Jumps of the right-hand side whose times depend on parameters; the times of all other jumps are
-    /// constant.
+    /// Jumps of the right-hand side whose times depend on parameters. The times of all other jumps are constant.
     pub moved: &'a [MovingJump],
 }
 
@@ -55,7 +53,7 @@ pub struct MovingJump {
     pub by: Vec<f64>,
 }
 
-/// Run that is prepared for a backward sweep: its steps, its end state and some of the states between.
+/// Run that is prepared for a backward sweep: its steps, its end state and some of its intermediate states.
 pub struct Adjoint<'a> {
     /// Record of the run that is swept backward: its start, steps and options.
     course: RecordedSteps<'a>,
@@ -63,7 +61,7 @@ pub struct Adjoint<'a> {
     rows: RungeKuttaCoefficients,
     /// Groups of steps between neighbouring corners, in order.
     stretches: Vec<StepsBetweenCorners>,
-    /// Index of the first step of each segment that is not swept yet, and the state at the start of that
+    /// Start of each segment of the run that is not swept yet: index of its first step, and state at the start of this
     /// step.
     kept: Vec<(usize, Vec<f64>)>,
     /// State at the end of the run, reached again by its steps.
@@ -118,10 +116,10 @@ impl std::error::Error for AdjointError {}
 struct StepsBetweenCorners {
     /// Index in the run, from 0, of the first step of this group of steps between two corners.
     first: usize,
-    /// Intervals of time in which the right-hand side is smooth for these steps.
+    /// Intervals between neighbouring corners of the right-hand side that contain the steps of this group.
     sides: IntervalsBetweenCorners,
-    /// Index in [`RecordedSteps::moved`] of the jump before the first step; `None` if no jump before it depends on
-    /// parameters.
+    /// Index in [`RecordedSteps::moved`] of the jump just before the first step; `None` if there is no jump there whose
+    /// time depends on parameters.
     jump: Option<usize>,
 }
 
@@ -141,8 +139,8 @@ pub fn has_adjoint(method: Method) -> bool {
     RungeKuttaCoefficients::of(method).is_some()
 }
 
-/// Lengths of segments, in steps, with which the backward sweep keeps the fewest states. Each segment
-/// is a step shorter than the segment before it; their sum is `steps`.
+/// Lengths of segments, in steps, with which the backward sweep keeps the fewest states. Each segment is one step
+/// shorter than the segment before it; the sum of all lengths is `steps`.
 #[must_use]
 pub fn adjoint_segments(steps: usize) -> Vec<usize> {
     let longest = (0..=steps).find(|k| k * (k + 1) / 2 >= steps).unwrap_or(steps);
@@ -156,8 +154,8 @@ pub fn adjoint_segments(steps: usize) -> Vec<usize> {
 }
 
 impl<'a> Adjoint<'a> {
-    /// Takes the steps of the run again, and keeps the state at the start of each segment. `segments` has
-    /// the lengths of the segments, whose sum must be the number of steps.
+    /// Takes the steps of the run again, and keeps the state at the start of each segment. `segments` gives the length
+    /// of each segment in steps; the sum must be the number of steps of the run.
     ///
     /// # Errors
     /// [`AdjointError`] with the reason.
@@ -238,7 +236,7 @@ impl<'a> Adjoint<'a> {
         &self.stretches[self.stretches.partition_point(|stretch| stretch.first <= step).saturating_sub(1)]
     }
 
-    /// Takes the step with this index from the state `y`, and writes its end state to `y`. True if that
+    /// Takes the step with this index from the state `y`, and writes its end state to `y`. Returns true if the end
     /// state was moved onto the constraints. Error if f has no value, or if the run is interrupted.
     fn step<R: TransposedRightHandSide>(
         &self,
@@ -260,8 +258,8 @@ impl<'a> Adjoint<'a> {
         Ok(moved.is_some())
     }
 
-    /// Takes the step with this index from the state `start` again, and turns the gradient by its end state
-    /// into the gradient by `start`. Derivatives by the parameters are added up.
+    /// Takes the step with this index from the state `start` again. Replaces the gradient by the step's end state with
+    /// the gradient by `start`, and adds the step's derivatives by the parameters to `gradient`.
     fn transposed_step<R: TransposedRightHandSide>(
         &self,
         under: &mut SweepData<'_, '_, R>,

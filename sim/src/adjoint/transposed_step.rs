@@ -1,10 +1,10 @@
 //! Step of an explicit Runge–Kutta method, and its transpose for the adjoint of a run.
 //!
-//! The step is kᵢ = f(t + cᵢ h, Yᵢ) with Yᵢ = y + h Σⱼ aᵢⱼ kⱼ, and y⁺ = y + h Σᵢ bᵢ kᵢ.
-//! Weights λ of y⁺ give those of kᵢ, from the last stage to the first: wᵢ = h bᵢ λ + h Σⱼ aⱼᵢ zⱼ
-//! with zᵢ = f_yᵀ wᵢ. The weights of y are λ + Σᵢ zᵢ; f_pᵀ wᵢ adds to those of the parameters. E.
-//! Hairer, C. Lubich & G. Wanner, *Geometric Numerical Integration*, 2nd edition (2006), §VI.1: the transpose of a
-//! method is that of its linear part.
+//! The step is kᵢ = f(t + cᵢ h, Yᵢ) with Yᵢ = y + h Σⱼ aᵢⱼ kⱼ, and y⁺ = y + h Σᵢ bᵢ kᵢ. The transposed step starts from
+//! weights λ of y⁺. They give the weights of kᵢ, from the last stage to the first: wᵢ = h bᵢ λ + h Σⱼ aⱼᵢ zⱼ with zᵢ =
+//! f_yᵀ wᵢ. The weights of y are λ + Σᵢ zᵢ, and each f_pᵀ wᵢ is added to the weights of the parameters. E. Hairer, C.
+//! Lubich & G. Wanner, *Geometric Numerical Integration*, 2nd edition (2006), §VI.1: the transpose of a method is that
+//! of its linear part.
 
 use crate::error::Failure;
 use crate::events::corners::BetweenCorners;
@@ -15,10 +15,10 @@ use crate::right_hand_side::RightHandSide;
 use crate::transposed_right_hand_side::TransposedRightHandSide;
 use tripos_traits::Method;
 
-/// Coefficients of a row that are not 0, each with the index of its stage, from 0.
+/// Nonzero coefficients aᵢⱼ of a row of a Runge–Kutta method, each with the index j of its stage, from 0.
 type NonzeroCoefficients = Vec<(usize, f64)>;
 
-/// Coefficients of an explicit Runge–Kutta method, without those that are 0.
+/// Coefficients of an explicit Runge–Kutta method; coefficients that are 0 are left out.
 pub(super) struct RungeKuttaCoefficients {
     /// Times cᵢ of the Runge–Kutta stages, as fractions of the step.
     c: Vec<f64>,
@@ -52,7 +52,7 @@ impl RungeKuttaCoefficients {
     }
 }
 
-/// Stages of the last step of a method, with the working space for the transposed step.
+/// Stages of the last step of an explicit Runge–Kutta method, with the working space for the transposed step.
 pub(super) struct Stages {
     /// States Yᵢ at which the stages of the last step were evaluated.
     points: Vec<Vec<f64>>,
@@ -60,12 +60,12 @@ pub(super) struct Stages {
     rates: Vec<Vec<f64>>,
     /// Weights wᵢ of the derivatives kᵢ in the transposed step.
     weights: Vec<Vec<f64>>,
-    /// Working space for the product zᵢ = f_yᵀ wᵢ of the transposed Jacobian and the weights of a stage.
+    /// Working space for the product zᵢ = f_yᵀ wᵢ of the transposed Jacobian with the weights of a stage.
     share: Vec<f64>,
 }
 
 impl Stages {
-    /// Creates the space for the stages of a method, for a state of `n` components.
+    /// Creates the space for the stages of a method, for states of `n` components.
     pub(super) fn new(rows: &RungeKuttaCoefficients, n: usize) -> Self {
         let zeros = || vec![vec![0.0; n]; rows.a.len()];
         Self { points: zeros(), rates: zeros(), weights: zeros(), share: vec![0.0; n] }
@@ -92,9 +92,9 @@ impl Stages {
         Ok(())
     }
 
-    /// Turns the weights `state` of the last step's end state into those of its start state, in place, and
-    /// adds to the weights of the parameters. `t` and `t_new` are the ends of the step, s. Error if the
-    /// Jacobians have no value.
+    /// Replaces the weights `state` of the last step's end state with the weights of its start state. Adds the step's
+    /// part to the weights `parameters`. `t` and `t_new` are the ends of the step, s. Error if the Jacobians have no
+    /// value.
     pub(super) fn transposed_step<R: TransposedRightHandSide>(
         &mut self,
         rows: &RungeKuttaCoefficients,
@@ -130,8 +130,7 @@ fn stage_time(t: f64, t_new: f64, part: f64) -> f64 {
     if crate::rounding::exactly_equal(part, 1.0) { t_new } else { t + part * (t_new - t) }
 }
 
-/// Adds h Σⱼ aⱼ kⱼ to the state `y`, with the coefficients aⱼ of a row and the derivatives kⱼ of the
-/// stages.
+/// Adds h Σⱼ aⱼ kⱼ to the state `y`. `row` has the coefficients aⱼ, and `rates` the derivatives kⱼ of the stages.
 fn add_stages(y: &mut [f64], h: f64, row: &NonzeroCoefficients, rates: &[Vec<f64>]) {
     for (i, y) in y.iter_mut().enumerate() {
         let sum: f64 = row.iter().map(|(stage, a)| a * rates[*stage][i]).sum();

@@ -1,9 +1,8 @@
-//! Step of DOP853 in all lanes of a vector register at once, each with a trajectory, a step size and an
-//! error of its own.
+//! Step of DOP853 in all lanes of a vector register at once. Each lane has its own trajectory, step size and error.
 //!
-//! The formulae, coefficients and errors are those of [`crate::methods::dop853`], in the same order of
-//! operations, so that a lane takes the steps that a single run takes, up to rounding. Invariant: the
-//! numbers of a lane depend on no other lane.
+//! The formulae, coefficients and errors are those of [`crate::methods::dop853`], in the same order of operations. A
+//! lane therefore takes the steps that a single run takes, up to rounding. Invariant: the numbers of a lane depend on
+//! no other lane.
 
 #![allow(clippy::inline_always, reason = "the instructions of a processor reach only what is inlined")]
 
@@ -25,18 +24,18 @@ const A: [[f64; STAGES]; STAGES] = {
     }
     a
 };
-/// Weights of the stages in the last four coefficients of the dense output.
+/// Weights of the stages in the last four coefficients of the dense output of DOP853.
 const DENSE: [[f64; STAGES]; 4] = [
     lane_row_with_zeros(PUBLISHED.dense[0]),
     lane_row_with_zeros(PUBLISHED.dense[1]),
     lane_row_with_zeros(PUBLISHED.dense[2]),
     lane_row_with_zeros(PUBLISHED.dense[3]),
 ];
-/// Weights of the stages in the error against a solution of order 5.
+/// Weights of the stages in the error estimate of DOP853 against a solution of order 5.
 const ERROR5: [f64; STAGES] = lane_row_with_zeros(PUBLISHED.error5);
 /// Weights of the stages in the solution of order 3, with which DOP853 estimates its error.
 const ERROR3: [f64; STAGES] = lane_row_with_zeros(PUBLISHED.error3);
-/// True for each stage of DOP853 that the solution of order 3, used for the error estimate, contains.
+/// Marks the stages of DOP853 with a nonzero weight in the solution of order 3, which serves the error estimate.
 const USED_BY_ERROR3: [bool; STAGES] = {
     let mut used = [false; STAGES];
     let mut entry = 0;
@@ -47,7 +46,7 @@ const USED_BY_ERROR3: [bool; STAGES] = {
     used
 };
 
-/// Row of coefficients with an entry for each stage, from the published entries that are not 0.
+/// Expands the nonzero entries of a published row of coefficients to a row with an entry for each stage.
 const fn lane_row_with_zeros(row: Row) -> [f64; STAGES] {
     let mut values = [0.0; STAGES];
     let mut entry = 0;
@@ -58,7 +57,7 @@ const fn lane_row_with_zeros(row: Row) -> [f64; STAGES] {
     values
 }
 
-/// Derivatives of all stages for a component of the state, in all lanes.
+/// Derivatives of a single component of the state at all stages, in all lanes.
 type Stages<const N: usize> = [Lanes<N>; STAGES];
 
 /// Method DOP853 in N lanes: the states of all lanes, and the stages of a step.
@@ -71,7 +70,7 @@ pub(super) struct Dop853<'a, const N: usize> {
     parameters: Vec<Lanes<N>>,
     /// States of the trajectories in all lanes at the start of the step.
     y: Vec<Lanes<N>>,
-    /// States at which a stage is evaluated; after the last stage, the states at the end of the step.
+    /// States at which the next stage is evaluated; after the last stage, the states at the end of the step.
     y_new: Vec<Lanes<N>>,
     /// Derivatives of the states in all lanes at the last evaluation of the equations.
     f: Vec<Lanes<N>>,
@@ -79,14 +78,15 @@ pub(super) struct Dop853<'a, const N: usize> {
     slope: Vec<Lanes<N>>,
     /// Derivatives of all stages, for each component of the state.
     k: Vec<Stages<N>>,
-    /// Sums, for each component, of the terms that are known before the last evaluation: of the next state
-    /// to evaluate, or of the new state and its two errors.
+    /// Partial sums over the known stages, for each component of the state. Before the last stage, entry 0 is for the
+    /// next state to evaluate. At the last stage, the three entries are for the new state and its error estimates of
+    /// order 5 and 3.
     before: Vec<[Lanes<N>; 3]>,
-    /// Mask of the lanes whose last step was accepted but is not copied to `y` yet: all bits of a lane, or
-    /// none.
+    /// Mask of the lanes whose last step was accepted but is not copied to `y` yet. All bits of such a lane are set;
+    /// the bits of other lanes are 0.
     accepted: [u64; N],
-    /// Error estimates of order 5 and 3, divided by the weights of the error test. They are stored, since
-    /// the compiler makes vector instructions of loops that end in stores.
+    /// Error estimates of order 5 and 3, divided by the weights of the error test. They are stored in memory, because
+    /// the compiler vectorizes loops that end in stores.
     quotients: Vec<[Lanes<N>; 2]>,
     /// States inside the step at which a stage of the dense output is evaluated.
     inner: Vec<Lanes<N>>,
@@ -127,8 +127,8 @@ impl<'a, const N: usize> Dop853<'a, N> {
         self.equations.rates(&self.parameters, q, v, q_dot, v_dot);
     }
 
-    /// Computes stages 1 to 11 of steps of signed sizes `h`, s. The derivative of the last stage is left in
-    /// `f`. A lane of `odd` becomes not a number if a state in it is not finite.
+    /// Computes stages 1 to 11 of steps of signed sizes `h`, s. Leaves the derivative of the last stage in `f`. Sets a
+    /// lane of `odd` to NaN if a state in that lane is not finite.
     ///
     /// `look` is called before each evaluation with the last derivatives and the next states.
     #[inline(always)]
@@ -148,8 +148,8 @@ impl<'a, const N: usize> Dop853<'a, N> {
         stages!(2 3 4 5 6 7 8 9 10 11);
     }
 
-    /// Copies the accepted steps to `y`, and writes the states of stage 1 to `y_new`, for steps of signed
-    /// sizes `h`, s.
+    /// Copies the accepted steps to `y`, and writes the states of stage 1 of the next steps to `y_new`. `h` are the
+    /// signed sizes of these steps, s.
     #[inline(always)]
     fn first_stage_point(&mut self, h: Lanes<N>, odd: &mut Lanes<N>) {
         let first = h * Lanes::from_f64(A[1][0]);
@@ -165,12 +165,10 @@ impl<'a, const N: usize> Dop853<'a, N> {
         self.accepted = [0; N];
     }
 
-    /// Writes the states y + h Σⱼ aᵢⱼ kⱼ of stage I to `y_new`. Stage I − 1 is in `f`, and is copied to its
-    /// place in `k`.
+    /// Writes the states y + h Σⱼ aᵢⱼ kⱼ of stage I to `y_new`. Copies stage I − 1 from `f` to its place in `k`.
     ///
-    /// All terms except the last were summed before stage I − 1 was evaluated. The terms of the next stage
-    /// are summed here, too: the processor works on them while it waits for the chain of operations of an
-    /// evaluation.
+    /// All terms except the last were summed before stage I − 1 was evaluated. The terms of the next stage are summed
+    /// here, too: the processor works on them while it waits for the evaluation of this stage.
     #[inline(always)]
     fn stage_point_in_lanes<const I: usize>(&mut self, h: Lanes<N>, odd: &mut Lanes<N>) {
         let last = h * Lanes::from_f64(A[I][I - 1]);
@@ -205,13 +203,13 @@ impl<'a, const N: usize> Dop853<'a, N> {
             (r[0], r[1], r[2], r[3]) = (*y, rise, bend, rise - h * k[END] - bend);
             for (r, d) in r[4..].iter_mut().zip(&DENSE) {
                 let term = h * combine_stages_in_lanes(d, &[true; STAGES], k, STAGES);
-                // Without a value at a point inside, the solution inside the step is of order 3.
+                // If a point inside the step has no value, the solution inside the step is of order 3.
                 *r = Lanes(term.0.map(|x| if x.is_finite() { x } else { 0.0 }));
             }
         }
     }
 
-    /// Computes stage I, which only the dense output needs, for steps of signed sizes `h`, s.
+    /// Computes stage I of steps of signed sizes `h`, s. Only the dense output needs this stage.
     #[inline(always)]
     fn inner_stage<const I: usize>(&mut self, h: Lanes<N>) {
         for ((inner, y), k) in self.inner.iter_mut().zip(&self.y).zip(&self.k) {
@@ -225,8 +223,8 @@ impl<'a, const N: usize> Dop853<'a, N> {
         }
     }
 
-    /// Writes the new states to `y_new`, and returns the error of each lane in the norm of the error test.
-    /// A lane of `odd` becomes not a number if its state is not finite.
+    /// Writes the new states to `y_new`, and returns the error of each lane in the norm of the error test. Sets a lane
+    /// of `odd` to NaN if the state in that lane is not finite.
     #[inline(always)]
     fn new_state_and_error(&mut self, h: Lanes<N>, test: &ErrorTest, odd: &mut Lanes<N>) -> [f64; N] {
         let zero = Lanes([0.0; N]);
@@ -300,7 +298,7 @@ impl<const N: usize> LaneMethod<N> for Dop853<'_, N> {
             },
         );
         let [finite, finite_end] = [odd, odd_end].map(|odd| odd.0.map(|x| !x.is_nan()));
-        // A run of one trajectory alone does not evaluate the end of a rejected step.
+        // A single run does not evaluate the right-hand side at the end of a rejected step.
         let passed = |l: usize| finite[l] && error[l] <= test.tolerance;
         let evaluations = std::array::from_fn(|l| END as u64 - u64::from(!passed(l)));
         Attempt { error, finite, finite_end, evaluations }

@@ -1,5 +1,5 @@
-//! Interface of a method that takes a step in all lanes of a vector register at once, a trajectory in
-//! each lane.
+//! Interface of an integration method that takes a step in all lanes of a vector register at once. Each lane has its
+//! own trajectory.
 //!
 //! Invariant: a lane computes the same numbers whatever the other lanes contain.
 
@@ -40,31 +40,30 @@ pub(super) trait LaneMethod<const N: usize> {
     /// [`LaneMethod::initial_rows`] computes.
     fn load(&mut self, lane: usize, parameters: &[f64], begun: &[f64]);
 
-    /// Sizes of the next steps of all lanes, s, for a method that finds them before the step is tried.
-    /// `None` for a method that needs step control.
+    /// Sizes of the next steps of all lanes, s, for a method that knows them before it tries the steps. `None` for a
+    /// method that needs step control.
     fn proposals(&mut self, test: &ErrorTest) -> Option<[f64; N]> {
         let _ = test;
         None
     }
     /// Tries a step of signed size `h`, s, in each lane.
     fn attempt(&mut self, h: [f64; N], test: &ErrorTest) -> Attempt<N>;
-    /// Repeats the last step of a lane, of signed size `h`, s, and returns the index of the component whose
-    /// number is the first that is not finite.
+    /// Repeats the last step of a lane, of signed size `h`, s. Returns the index of the first component of the state
+    /// that is not finite.
     fn first_not_finite(&mut self, lane: usize, h: [f64; N], test: &ErrorTest) -> usize;
-    /// Ends the step: lanes that are marked true continue from its end, the other lanes from its start.
+    /// Ends the step: lanes marked true continue from its end, the other lanes repeat it from its start.
     fn accept(&mut self, accepted: [bool; N]);
     /// Current state (q, v) of a lane.
     fn state(&self, lane: usize) -> Vec<f64>;
 
-    /// Evaluates the stages that only the dense output needs, for the last tried steps of signed sizes `h`,
-    /// s.
+    /// Evaluates the stages that only the dense output needs, for the last tried steps of signed sizes `h`, s.
     fn prepare_inside(&mut self, h: [f64; N]) {
         let _ = h;
     }
     /// Number of evaluations that [`LaneMethod::prepare_inside`] makes for each lane.
     const INSIDE: u64 = 0;
-    /// Writes the states at the start and at the end of the last tried step of a lane, before it is
-    /// accepted.
+    /// Writes the states at the start and at the end of a lane's last tried step to `out`. The step is not accepted
+    /// yet.
     fn ends(&self, lane: usize, out: &mut [Vec<f64>; 2]);
     /// Degree of the dense output as a polynomial in the fraction of the step.
     fn degree(&self) -> usize;
@@ -114,20 +113,20 @@ impl<M: LaneMethod<N>, const N: usize> Interpolant for LaneStep<'_, M, N> {
     }
 }
 
-/// Combines two vectors lane by lane: the number of `a` in lanes whose bits in `mask` are all set, that
-/// of `b` in the others.
+/// Combines two vectors lane by lane. A lane of the result is taken from `a` if all bits of that lane in `mask` are
+/// set, else from `b`.
 #[inline(always)]
 pub(super) fn select_lanes<const N: usize>(mask: [u64; N], a: Lanes<N>, b: Lanes<N>) -> Lanes<N> {
     Lanes(std::array::from_fn(|l| f64::from_bits(a.0[l].to_bits() & mask[l] | b.0[l].to_bits() & !mask[l])))
 }
 
-/// Bit mask of the lanes that are marked true: all bits are set in these, none in the other lanes.
+/// Bit mask of the lanes that are marked true: all bits of such a lane are set, the bits of other lanes are 0.
 pub(super) fn lane_mask<const N: usize>(marked: [bool; N]) -> [u64; N] {
     marked.map(|marked| if marked { u64::MAX } else { 0 })
 }
 
-/// Makes a lane of `odd` not a number if that lane of `x` is not finite. It adds 0 · x, which is 0 for
-/// finite x and not a number otherwise.
+/// Sets a lane of `odd` to NaN if that lane of `x` is not finite. Adds 0 · x, which is 0 for finite x and NaN
+/// otherwise.
 #[inline(always)]
 pub(super) fn mark_not_finite_lanes<const N: usize>(odd: &mut Lanes<N>, x: Lanes<N>) {
     *odd = x.mul_add(Lanes([0.0; N]), *odd);

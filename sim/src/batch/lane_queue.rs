@@ -14,13 +14,13 @@ use crate::solution::Stop;
 
 /// Trajectory that waits for a lane, with its initial rows from [`LaneMethod::initial_rows`].
 struct WaitingTrajectory<'w> {
-    /// Waiting trajectory with its step control and counts.
+    /// Trajectory that waits, with its step control and its counts of steps and evaluations.
     run: LaneRun<'w>,
     /// Initial rows: the state, its derivative, and further Taylor coefficients if the method has them.
     begun: Vec<f64>,
 }
 
-/// Data that all threads of a batch share: the trajectories and the settings of their integration.
+/// Data that all threads of a batch share: the trajectories and the settings of the integration.
 pub(super) struct BatchWork<'a, 'w> {
     /// Trajectories of the batch.
     pub(super) trajectories: &'a [Trajectory<'a>],
@@ -64,11 +64,11 @@ pub(super) fn run<'a, const N: usize>(
 }
 
 impl<M: LaneMethod<N>, const N: usize> QueueWorker<'_, '_, M, N> {
-    /// Loads the next trajectories into empty lanes. True if any lane has a trajectory afterwards.
+    /// Loads the next trajectories into the empty lanes. Returns true if a lane has a trajectory afterwards.
     fn fill(&mut self) -> bool {
         for l in 0..N {
             while self.lanes[l].is_none() {
-                // If none of the trajectories that were taken can start, further ones are taken.
+                // If no trajectory of the last batch taken from the queue can start, more trajectories are taken.
                 while self.ready.is_empty() && self.prepare() {}
                 let Some(WaitingTrajectory { run, begun }) = self.ready.pop_front() else { break };
                 if let Some(stop) = run.step_limit_reached(self.work.limit) {
@@ -83,8 +83,8 @@ impl<M: LaneMethod<N>, const N: usize> QueueWorker<'_, '_, M, N> {
         self.lanes.iter().any(Option::is_some)
     }
 
-    /// Takes up to N trajectories from the queue and chooses their first steps, all at once. True if the
-    /// queue was not empty.
+    /// Takes up to N trajectories from the queue, and chooses the first step of each of them. Returns false if the
+    /// queue was empty.
     fn prepare(&mut self) -> bool {
         let taken: Vec<usize> = std::iter::from_fn(|| (self.next)()).take(N).collect();
         let Some(&first) = taken.first() else { return false };
@@ -126,7 +126,7 @@ impl<M: LaneMethod<N>, const N: usize> QueueWorker<'_, '_, M, N> {
         true
     }
 
-    /// Adds a trajectory to those that wait for a lane, or ends it at once if it cannot start. `begun` are
+    /// Adds a trajectory to the list of those that wait for a lane, or ends it at once if it cannot start. `begun` are
     /// its initial rows.
     fn enqueue(&mut self, index: usize, pace: StepControl, begun: Vec<f64>) {
         let (t, n) = (pace.t0, self.method.states());
@@ -188,8 +188,8 @@ impl<M: LaneMethod<N>, const N: usize> QueueWorker<'_, '_, M, N> {
         }
     }
 
-    /// Searches the accepted steps of signed sizes `h`, s, for events and zeros of divisors that end
-    /// trajectories. Returns the end of the trajectory in each lane; `None` if it continues.
+    /// Searches the accepted steps of signed sizes `h`, s, for events and zeros of divisors that end a trajectory.
+    /// Returns the end of the trajectory in each lane; `None` if it continues.
     fn endings_inside_steps(&mut self, h: [f64; N], judged: &[LaneVerdict; N]) -> [Option<Ending>; N] {
         let mut looks = [false; N];
         for (l, run) in self.lanes.iter_mut().enumerate() {
@@ -210,7 +210,7 @@ impl<M: LaneMethod<N>, const N: usize> QueueWorker<'_, '_, M, N> {
     }
 }
 
-/// Numbers of the lane with index `l` in a list of vectors, one for each vector.
+/// Extracts the numbers of the lane with index `l`, one number from each vector of the list.
 fn values_of_lane<const N: usize>(values: &[Lanes<N>], l: usize) -> Vec<f64> {
     values.iter().map(|x| x.0[l]).collect()
 }

@@ -1,5 +1,5 @@
-//! Trajectory that is integrated in a lane: its step control and its counts, and the decision on each of
-//! its steps.
+//! Trajectory that is integrated in a lane: its step control, its counts, and the decision to accept or reject each
+//! step.
 
 use super::BatchOutcome;
 use super::lane_method::Attempt;
@@ -57,8 +57,8 @@ impl LaneRun<'_> {
         self.is_fresh = false;
     }
 
-    /// Moves the trajectory to the end of its step if that is accepted. The error is the reason to stop, at
-    /// the end of an accepted step, or at the start of a step that is given up.
+    /// Moves the trajectory to the end of its step if the step is accepted. The error is the reason to stop, at the end
+    /// of an accepted step or at the start of a step that is given up.
     pub(super) fn move_to_step_end(&mut self, judged: LaneVerdict) -> Result<(), Stop> {
         match judged {
             LaneVerdict::Again => Ok(()),
@@ -75,18 +75,18 @@ impl LaneRun<'_> {
     }
 }
 
-/// Decision on the step that a lane tried: accept it, try a smaller step, or end the trajectory.
+/// Decision on a step that was tried in a lane: accept it, try a smaller step, or end the trajectory.
 pub(super) enum LaneVerdict {
     /// The step is accepted; `last` is true if it reached the end of the span.
     Accepted { last: bool },
     /// The step is rejected and must be tried again with a smaller size.
     Again,
-    /// The trajectory ends at the start of the step, for this reason. In [`Stop::NotFinite`] the component
-    /// is set later.
+    /// The trajectory ends at the start of the step, for this reason. The component of [`Stop::NotFinite`] is set
+    /// later.
     GivenUp(Stop),
 }
 
-/// Decides on the step that a lane with index `l` tried, and counts the step.
+/// Decides on the step that was tried in the lane with index `l`, and counts the step.
 pub(super) fn judge_lane_run<const N: usize>(
     run: &mut LaneRun<'_>,
     l: usize,

@@ -125,8 +125,8 @@ pub fn integrate_batch(
     integrate_watched(equations, plan, trajectories, None)
 }
 
-/// Integrates all trajectories like [`integrate_batch`]. `watching` gives the events and divisors that are
-/// watched in each trajectory; `None` watches nothing.
+/// Integrates all trajectories like [`integrate_batch`]. `watching` gives the events and divisors to watch in each
+/// trajectory; `None` watches nothing.
 ///
 /// # Errors
 /// [`SimError`] in the cases in which [`integrate_batch`] returns it.
@@ -142,13 +142,13 @@ pub fn integrate_watched(
     }
 }
 
-/// Selects the equations that are evaluated in four lanes.
+/// Selects the functions of the equations that are evaluated in four lanes.
 fn equations_in_four_lanes(equations: InLanes<'_>) -> Equations<'_, 4> {
     Equations { rates: equations.four, series: equations.series }
 }
 
-/// Equations in eight lanes; `None` if the processor handles four lanes better, or if the equations or
-/// the method do not exist in eight.
+/// Selects the functions of the equations that are evaluated in eight lanes. `None` if the processor handles four lanes
+/// better, or if the equations or the method do not exist in eight.
 fn equations_in_eight_lanes<'a>(equations: InLanes<'a>, plan: &BatchPlan) -> Option<Equations<'a, 8>> {
     let rates = equations.widest().filter(|_| plan.method == Method::Dop853)?;
     Some(Equations { rates, series: None })
@@ -183,7 +183,7 @@ enum BatchMethod<'a, const N: usize> {
 }
 
 impl<'a, const N: usize> BatchMethod<'a, N> {
-    /// Selects the method of the plan. Error if it does not exist in lanes for these equations.
+    /// Selects the method of the plan. Error if these equations do not support the method in lanes.
     fn new(Equations { rates, series }: Equations<'a, N>, plan: &BatchPlan) -> Result<Self, SimError> {
         match (plan.method, series) {
             (Method::Dop853, _) => Ok(Self::Dop853(rates)),
@@ -194,8 +194,8 @@ impl<'a, const N: usize> BatchMethod<'a, N> {
         }
     }
 
-    /// Integrates trajectories until `next` returns `None` in place of the index of a trajectory. `done` is
-    /// called with each index and outcome.
+    /// Integrates trajectories until `next` returns `None` instead of the index of a trajectory. `done` is called with
+    /// each index and its outcome.
     fn run(
         self,
         work: &BatchWork<'_, '_>,
@@ -234,8 +234,8 @@ impl BatchOutcomes {
     }
 }
 
-/// Refuses a plan or trajectories that cannot be run. Returns the step control with which each
-/// trajectory begins, and the method.
+/// Refuses a plan or trajectories that cannot be run. Returns the step control with which each trajectory begins, and
+/// the method of integration.
 fn check_batch<'a, const N: usize>(
     equations: Equations<'a, N>,
     plan: &BatchPlan,

@@ -1,11 +1,12 @@
-//! Step of Taylor's method in all lanes of a vector register at once, each with a trajectory, a step
-//! size and an error of its own.
+//! Step of Taylor's method in all lanes of a vector register at once. Each lane has its own trajectory, step size and
+//! error.
 //!
-//! The order, the choice of steps, the errors and the compensated sums are those of
-//! [`crate::methods::taylor`], so that a lane takes the steps that a single run takes, up to rounding.
-//! Invariant: `x` has the coefficients at the start of the step, row k of order k, and `next` those at
-//! its end. If the highest coefficients of a lane are not finite, they are set to zero, and `usable` of
-//! the lane is the highest order below them.
+//! The order, the choice of steps, the errors and the compensated sums are those of [`crate::methods::taylor`]. A lane
+//! therefore takes the steps that a single run takes, up to rounding.
+//!
+//! Invariant: row k of `x` has the Taylor coefficients of order k at the start of the step, and row k of `next` those
+//! at its end. If the highest coefficients of a lane are not finite, they are set to zero. `usable` of the lane is the
+//! highest order below them.
 
 #![allow(clippy::inline_always, reason = "the instructions of a processor reach only what is inlined")]
 
@@ -42,14 +43,13 @@ pub(super) struct Taylor<'a, const N: usize> {
     next: Vec<Lanes<N>>,
     /// Highest order, in each lane, up to which all coefficients in `next` are finite.
     next_usable: [usize; N],
-    /// Rounding errors of the states at the start of the step, which are added in the next sum (compensated
-    /// summation).
+    /// Rounding errors of the states at the start of the step. The next sum adds them (compensated summation).
     carry: Vec<Lanes<N>>,
     /// Rounding errors of the states at the end of the step, for the sum of the next step (compensated
     /// summation).
     carry_new: Vec<Lanes<N>>,
-    /// Norms, in each lane, of the coefficients of the last two usable orders, over the weights of the
-    /// error test.
+    /// Norms of the Taylor coefficients of the last two usable orders in each lane, divided by the weights of the error
+    /// test.
     norms: [[f64; 2]; N],
     /// Working space for the recurrences of the Taylor coefficients.
     work: Vec<Lanes<N>>,
@@ -77,8 +77,8 @@ impl<'a, const N: usize> Taylor<'a, N> {
         }
     }
 
-    /// Writes the states y + Σ x_k hᵏ at the end of steps of signed sizes `h`, s, to `next`, and their
-    /// rounding errors to `carry_new`. A lane of `odd` becomes not a number if its state is not finite.
+    /// Writes the states y + Σ x_k hᵏ at the end of steps of signed sizes `h`, s, to `next`, and their rounding errors
+    /// to `carry_new`. Sets a lane of `odd` to NaN if the state in that lane is not finite.
     #[inline(always)]
     fn advance(&mut self, h: Lanes<N>, odd: &mut Lanes<N>) {
         let n = self.lengths.state();
@@ -95,8 +95,8 @@ impl<'a, const N: usize> Taylor<'a, N> {
         }
     }
 
-    /// Computes the Taylor coefficients at the end of the step from the states in the first row of `next`.
-    /// A lane of `odd` becomes not a number if its derivative is not finite.
+    /// Computes the Taylor coefficients at the end of the step from the states in the first row of `next`. Sets a lane
+    /// of `odd` to NaN if the derivative in that lane is not finite.
     fn expand(&mut self, odd: &mut Lanes<N>) {
         self.equations.series.taylor(&self.parameters, self.order, &mut self.next, &mut self.work);
         let n = self.lengths.state();
@@ -116,10 +116,9 @@ impl<'a, const N: usize> Taylor<'a, N> {
         }
     }
 
-    /// Jump of the derivative of the state, in each lane, where the tried step ends and the next
-    /// begins: the difference of the derivatives of the Taylor polynomials of both steps. The signed
-    /// step sizes `h`, s, scale the jump to an error of the state, as in [`crate::methods::taylor`].
-    /// Returns the norms of the error test.
+    /// Computes, in each lane, the jump of the derivative between the tried step and the next: the difference of the
+    /// derivatives of both Taylor polynomials. The signed step sizes `h`, s, scale the jump to an error of the state,
+    /// as in [`crate::methods::taylor`]. Returns the norms of the error test.
     #[inline(always)]
     fn jump(&self, test: &ErrorTest, h: Lanes<N>) -> [f64; N] {
         let n = self.lengths.state();
@@ -134,15 +133,14 @@ impl<'a, const N: usize> Taylor<'a, N> {
             let error = (sum - self.next[n + i]) * share;
             mark_not_finite_lanes(&mut odd, error);
             let magnitude = self.x[i].abs().larger_or_second(self.next[i].abs());
-            // An error of exactly 0 counts as 0 even if its weight is 0: the quotient, which is not a number, is
-            // ignored.
+            // An error of exactly 0 counts as 0 even if its weight is 0: the quotient is NaN then, and is ignored.
             norm = (error.abs() / test.weight_in_lanes(*absolute, magnitude)).larger_or_second(norm);
         }
         std::array::from_fn(|l| if odd.0[l].is_nan() { f64::NAN } else { norm.0[l] })
     }
 
-    /// Norms, in each lane, of the coefficients of the last two usable orders, over the weights of the
-    /// error test.
+    /// Computes, in each lane, the norms of the Taylor coefficients of the last two usable orders, divided by the
+    /// weights of the error test.
     #[inline(always)]
     fn norms_of_last_orders(&self, test: &ErrorTest) -> [[f64; 2]; N] {
         let n = self.lengths.state();
@@ -155,7 +153,8 @@ impl<'a, const N: usize> Taylor<'a, N> {
                 if is_whole { whole } else { Lanes(std::array::from_fn(own)) }
             };
             let (y, before, last) = (self.x[i], row(1), row(0));
-            // A component without a weight is left out here: the error of the step itself shows if it is too large.
+            // A component with the weight 0 is left out here. The error test of the step itself detects a too large
+            // error.
             let weight = test.weight_in_lanes(*absolute, y.abs());
             let inverse = Lanes(weight.0.map(|weight| if weight > 0.0 { 1.0 / weight } else { 0.0 }));
             norms[0] = (before.abs() * inverse).larger_or_second(norms[0]);
@@ -165,8 +164,8 @@ impl<'a, const N: usize> Taylor<'a, N> {
     }
 }
 
-/// Sum Σ x_k h^(k−1) over 1 ≤ k ≤ `order` for a component, whose coefficients are every n-th entry of
-/// `x`; `square` is h². Even and odd orders are summed separately, so that neither waits for the other.
+/// Sum Σ x_k h^(k−1) over 1 ≤ k ≤ `order` for a component, whose coefficients are every n-th entry of `x`. `square` is
+/// h². Even and odd orders are summed separately, so that neither sum waits for the other.
 #[inline(always)]
 fn polynomial<const N: usize>(x: &[Lanes<N>], n: usize, order: usize, h: Lanes<N>, square: Lanes<N>) -> Lanes<N> {
     let (mut odd, mut even) = (Lanes([0.0; N]), Lanes([0.0; N]));
@@ -183,8 +182,8 @@ fn polynomial<const N: usize>(x: &[Lanes<N>], n: usize, order: usize, h: Lanes<N
     even.mul_add(h, odd)
 }
 
-/// Sets to zero the coefficients of a lane above the highest order up to which they are finite. Returns
-/// this order, at least 1.
+/// Sets to zero all coefficients of a lane above the highest order up to which all are finite. Returns this order, at
+/// least 1.
 #[cold]
 fn cut_series_at_finite_order<const N: usize>(x: &mut [Lanes<N>], n: usize, order: usize, lane: usize) -> usize {
     let finite = |k: usize| x[k * n..(k + 1) * n].iter().all(|x| x.0[lane].is_finite());
@@ -250,7 +249,7 @@ impl<const N: usize> LaneMethod<N> for Taylor<'_, N> {
             #[inline(always)]
             || self.jump(test, Lanes(h)),
         );
-        // A run of one trajectory alone computes no coefficients after a step whose own terms are too large.
+        // A single run computes no coefficients after a step whose last terms are too large.
         let passed: [bool; N] = std::array::from_fn(|l| !odd.0[l].is_nan() && last_terms[l] <= test.tolerance);
         let error = |l: usize| if passed[l] { last_terms[l].max(jump[l] / ALLOWED_JUMP) } else { last_terms[l] };
         Attempt {

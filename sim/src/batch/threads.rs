@@ -10,15 +10,15 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use tripos_traits::InLanes;
 
-/// Integrates all trajectories on the threads of the current pool of `rayon`. The outcomes have the
-/// same bits as those of [`super::integrate_batch`], for any number of threads.
+/// Integrates all trajectories on the threads of the current pool of `rayon`. The outcomes have the same bits as those
+/// of [`super::integrate_batch`], for any number of threads.
 ///
-/// `progress` is called with the number of trajectories that have ended, by the thread that ends a
-/// trajectory, so possibly not in order.
+/// `progress` is called with the number of trajectories that have ended. The thread that ends a trajectory calls it, so
+/// that the numbers may arrive out of order.
 ///
 /// # Errors
-/// [`SimError`] if the plan is invalid; [`SimError::Trajectory`] for parameters or a start of the wrong
-/// length, or not finite.
+/// [`SimError`] if the plan is invalid; [`SimError::Trajectory`] for parameters or a start of the wrong length, or not
+/// finite.
 pub fn integrate_on_all_cores(
     equations: InLanes<'_>,
     plan: &BatchPlan,
@@ -41,7 +41,7 @@ fn run_on_all_threads<const N: usize>(
     let (pace, way) = check_batch(equations, plan, trajectories)?;
     let outcomes = Mutex::new(BatchOutcomes::new(trajectories.len()));
     let (taken, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
-    // All threads take from one queue, so that no thread has much work left when the others are done.
+    // All threads take trajectories from one queue, so that no thread has much work left when the others are done.
     let worker = || {
         let mut list = Vec::new();
         let mut next = || Some(taken.fetch_add(1, Ordering::Relaxed)).filter(|index| *index < trajectories.len());

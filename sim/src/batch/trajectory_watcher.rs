@@ -1,8 +1,7 @@
-//! Watcher of a trajectory in a batch: it examines each accepted step for events and for zeros of
-//! divisors.
+//! Watcher of a trajectory in a batch: it examines each accepted step for events and for zeros of divisors.
 //!
-//! The watcher gets the accepted step of its lane, as plain doubles, and decides as
-//! [`crate::integrate`] does. Invariant: the watcher changes no step.
+//! The watcher gets the accepted step of its lane as `f64` numbers, and decides as [`crate::integrate`] does.
+//! Invariant: the watcher changes no step.
 
 use super::lane_method::{LaneMethod, LaneStep};
 use crate::dense_output::{DenseStep, Interpolant};
@@ -15,15 +14,15 @@ use crate::solution::Stop;
 
 /// Equations and events that are watched in a trajectory of a batch.
 pub struct WatchedTrajectory<'w> {
-    /// Equations in plain doubles, whose divisors are watched; nothing else of them is evaluated, except f
-    /// near a divisor's zero.
+    /// Equations in `f64`, whose divisors are watched. Apart from the divisors, only f is evaluated, near a zero of a
+    /// divisor.
     pub equations: Box<dyn RightHandSide<f64> + 'w>,
     /// Events of the trajectory; they are recorded, or end the trajectory, as in [`crate::integrate`].
     pub events: Vec<Event<'w>>,
 }
 
-/// Function of the index of a trajectory that gives the equations and events to watch in it. It is
-/// called at the start of the trajectory.
+/// Function that gives the equations and events to watch in the trajectory with a given index. It is called at the
+/// start of the trajectory.
 pub type WatchOfTrajectory<'w> = dyn Fn(usize) -> WatchedTrajectory<'w> + 'w;
 
 /// End of a trajectory, inside a step or at its end.
@@ -38,7 +37,7 @@ pub(super) struct Ending {
 
 /// Watcher of a trajectory, with the data that it keeps from step to step.
 pub(super) struct TrajectoryWatcher<'w> {
-    /// Equations of the trajectory in plain doubles, whose divisors are watched.
+    /// Equations of the trajectory in `f64`, whose divisors are watched.
     equations: Box<dyn RightHandSide<f64> + 'w>,
     /// Guard that finds zeros of the divisors inside a step.
     guard: DivisorGuard<f64>,
@@ -66,8 +65,8 @@ impl<'w> TrajectoryWatcher<'w> {
         Ok(Self { equations, guard, watch, ends: [y.to_vec(), y.to_vec()], suspects: false })
     }
 
-    /// Examines the ends of an accepted step of a lane over `span`, s. True if its inside must be examined,
-    /// too, by [`TrajectoryWatcher::watch_step_inside`].
+    /// Examines the ends of an accepted step of a lane over `span`, s. Returns true if
+    /// [`TrajectoryWatcher::watch_step_inside`] must examine the inside of the step, too.
     pub(super) fn watch_step_ends<M: LaneMethod<N>, const N: usize>(
         &mut self,
         method: &M,

@@ -1,13 +1,12 @@
-//! Corrections of a state (q, q̇) that make its constraints zero and are the smallest in the metric of
-//! a mass matrix M.
+//! Corrections of a state (q, q̇) that make its constraints zero and are the smallest in the metric of a mass matrix M.
 //!
-//! The coordinates are corrected first, by M⁻¹ Gᵀ (G M⁻¹ Gᵀ)⁻¹ drift, with the slopes G of the
-//! constraints between coordinates. The rates follow, with the constraints that contain rates, whose
-//! drift the first correction has changed.
+//! The coordinates are corrected first, by M⁻¹ Gᵀ (G M⁻¹ Gᵀ)⁻¹ drift, with the slopes G of the constraints between
+//! coordinates. The rates are corrected next, by the constraints that contain rates; the first correction has changed
+//! the drift of these.
 //!
-//! A correction that is prepared at a state serves for any drift at that state and near it. It is
-//! created once and prepared again for each state, without an allocation. The factors for coordinates
-//! serve for rates, too, if slopes and metric are the same.
+//! A correction that is prepared at a state serves for any drift at that state and near it. It is created once and
+//! prepared again for each state, without an allocation. If slopes and metric are the same for rates and coordinates,
+//! the factors for the coordinates also serve for the rates.
 
 use crate::linear::least_vector_solver::LeastVectorSolver;
 use crate::linear::vector_arithmetic::dot;
@@ -17,15 +16,15 @@ use crate::linear::vector_arithmetic::dot;
 pub(crate) struct Correction {
     /// Indices of the coordinates that may be moved: all except the time.
     moved: Vec<usize>,
-    /// Indices, among all constraints, of those between coordinates, without rates q̇.
+    /// Indices, among all constraints, of the constraints between coordinates only, without rates q̇.
     of_places: Vec<usize>,
-    /// Indices, among all constraints, of those that contain rates q̇.
+    /// Indices, among all constraints, of the constraints that contain rates q̇.
     of_rates: Vec<usize>,
-    /// Slopes of the constraints between coordinates along the movable coordinates, row by row.
+    /// Slopes of the constraints between coordinates by the movable coordinates, row by row.
     places: Vec<f64>,
-    /// Slopes of the constraints that contain rates, along the rates of movable coordinates, row by row.
+    /// Slopes of the constraints that contain rates, by the rates of movable coordinates, row by row.
     rates: Vec<f64>,
-    /// Slopes of the constraints that contain rates, along the movable coordinates, row by row.
+    /// Slopes of the constraints that contain rates, by the movable coordinates, row by row.
     coupling: Vec<f64>,
     /// Mass matrix of the movable coordinates, row by row.
     inertia: Vec<f64>,
@@ -33,8 +32,8 @@ pub(crate) struct Correction {
     by_places: LeastVectorSolver,
     /// Solver for the smallest correction of the rates q̇.
     by_rates: LeastVectorSolver,
-    /// True if rates and coordinates have the same slopes and metric. Then `by_places` also corrects the
-    /// rates, and `by_rates` is not set.
+    /// True if the constraints on rates have the same slopes and metric as those on coordinates. Then `by_places` also
+    /// corrects the rates, and `by_rates` is not set.
     are_same: bool,
     /// Right-hand sides of the linear conditions of a correction: the drift that it must remove.
     sides: Vec<f64>,
@@ -42,7 +41,7 @@ pub(crate) struct Correction {
     q: Vec<f64>,
     /// Correction of the rates of the movable coordinates.
     v: Vec<f64>,
-    /// Correction of the whole state, 2n entries.
+    /// Correction of the whole state (q, q̇), 2n entries for n coordinates.
     whole: Vec<f64>,
 }
 
@@ -67,11 +66,10 @@ impl Correction {
         }
     }
 
-    /// Prepares corrections at a state with n coordinates. `inertia` is the n × n mass matrix, `gradients`
-    /// has 2n entries for each constraint, row by row.
+    /// Prepares corrections at a state with n coordinates. `inertia` is the n × n mass matrix. `gradients` has 2n
+    /// entries for each constraint, row by row. The coordinate with index `clock` is the time and is never moved.
     ///
-    /// The coordinate with index `clock` is the time and never moved. False if the mass matrix is not
-    /// positive definite on the motions that the constraints allow.
+    /// Returns false if the mass matrix is not positive definite on the motions that the constraints allow.
     pub(crate) fn set(&mut self, inertia: &[f64], gradients: &[f64], n: usize, clock: Option<usize>) -> bool {
         self.moved.clear();
         self.moved.extend((0..n).filter(|i| Some(*i) != clock));
@@ -111,8 +109,8 @@ impl Correction {
         }
     }
 
-    /// Returns the correction to subtract from the state (q, q̇), 2n entries, where `drift` has the value
-    /// of each constraint.
+    /// Returns the correction to subtract from the state (q, q̇), with 2n entries. `drift` has the value of each
+    /// constraint at that state.
     pub(crate) fn correction_of_drift(&mut self, drift: &[f64], n: usize) -> &[f64] {
         let length = self.moved.len();
         self.q.resize(length, 0.0);

@@ -1,18 +1,18 @@
-//! Equations of motion in all rates with the multipliers λ of their constraints, E q̈ − Aᵀλ = f and A
-//! q̈ = γ. They are solved at each state for any rank of A.
+//! Equations of motion in all rates with the multipliers λ of their constraints: E q̈ − Aᵀλ = f and A q̈ = γ. They are
+//! solved at each state for any rank of A.
 //!
-//! With the mass matrix E = L Lᵀ and z = Lᵀ q̈, the forces alone would give z = L⁻¹ f. The motion is
-//! this z without its part along the columns of L⁻¹ Aᵀ, which the constraints decide (F. E. Udwadia &
-//! R. E. Kalaba, *Analytical Dynamics* (1996), §3.3).
+//! With the mass matrix E = L Lᵀ and z = Lᵀ q̈, the forces alone would give z = L⁻¹ f. In the motion, the part of z
+//! along the columns of L⁻¹ Aᵀ is replaced by the one that the constraints require (F. E. Udwadia & R. E. Kalaba,
+//! *Analytical Dynamics* (1996), §3.3).
 //!
-//! No independent speeds are chosen, so that no choice can fail. Rows of A that depend on others,
-//! everywhere or in a singular pose, are left out. In a singular pose the motion continues by its
-//! inertia; no number that vanishes there is a divisor.
+//! No independent speeds are chosen, so that no choice can fail. Rows of A that depend on other rows, everywhere or in
+//! a singular pose, are left out. In a singular pose the motion continues by its inertia; no number that vanishes there
+//! is a divisor.
 //!
-//! Accelerations are those at the nearest state on the constraints, in the metric of E. Stages of a
-//! step are off the constraints by errors of low order, which near a singular pose would be divided by
-//! a vanishing number. On the constraints the accelerations of a regular motion are bounded up to the
-//! pose itself, so that steps can lead across it.
+//! Accelerations are those at the nearest state on the constraints, in the metric of E. Stages of a step are off the
+//! constraints by errors of low order, and near a singular pose these would be divided by a vanishing number. On the
+//! constraints the accelerations of a regular motion are bounded up to the singular pose itself, so that steps can lead
+//! across it.
 
 use tripos_traits::{Lengths, System};
 
@@ -23,10 +23,10 @@ use crate::linear::singular_value::least_singular_value;
 use crate::linear::vector_arithmetic::dot;
 use crate::right_hand_side::RightHandSide;
 
-/// Distance from dependent constraints below which no step may end, as a fraction of the largest
-/// distance in the run. The distance is [`DistancesFromSingularity::constraints`].
+/// Distance from dependent constraints below which no step may end, as a fraction of the largest distance in the run.
+/// The distance is [`DistancesFromSingularity::constraints`].
 const AVOIDED: f64 = 0.003;
-/// Size of a coordinate below which it counts as zero when neighbouring poses are chosen, in its unit.
+/// Absolute value of a coordinate below which neighbouring poses treat it as zero, in its unit.
 const SMALL: f64 = 1e-3;
 
 /// Right-hand side y' = (q̇, q̈) of equations of motion in all rates, with multipliers for their
@@ -51,11 +51,11 @@ pub struct Multipliers<'a> {
     placement: NearestState,
     /// Mass matrix E of the rates q̇, row by row.
     inertia: Vec<f64>,
-    /// Matrix A of the constraints A q̈ = γ, row by row.
+    /// Matrix A of the constraints A q̈ = γ on the accelerations, row by row.
     rows: Vec<f64>,
     /// Solver for the constraints A q̈ = γ in the metric of the mass matrix E.
     least: LeastVectorSolver,
-    /// Matrix J of the generalized speeds u = J q̇ + d, row by row, multiplied by L⁻ᵀ.
+    /// Matrix J of the generalized speeds u = J q̇ + d, row by row, multiplied by L⁻ᵀ, where E = L Lᵀ.
     forms: Vec<f64>,
     /// Largest length of each row of J so far, in the metric of E; empty before the first use.
     longest: Vec<f64>,
@@ -63,21 +63,19 @@ pub struct Multipliers<'a> {
     rest: Vec<f64>,
     /// Generalized speeds u at a pose if a single rate q̇ᵢ is 1 and the other rates are 0.
     along: Vec<f64>,
-    /// Rates q̇ of 0, an entry for each coordinate; working space for J.
+    /// Rates q̇ that are all 0, an entry for each coordinate; an argument for computing J.
     still: Vec<f64>,
 }
 
-/// Distances of a state from two singularities: a failure of the independent speeds, and dependent
-/// constraints.
+/// Distances of a state from two kinds of singularity: failing generalized speeds, and dependent constraints.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DistancesFromSingularity {
-    /// Smallest singular value of the matrix J of the generalized speeds, on the motions that the
-    /// constraints allow. It is between 0, where the speeds fail, and 1. Each row of J is first divided by
-    /// its largest length so far.
+    /// Smallest singular value of the matrix J of the generalized speeds, on the motions that the constraints allow. It
+    /// is between 0, where the speeds fail, and 1. Each row of J is first divided by its largest length so far.
     pub speeds: f64,
-    /// Smallest length of the part of a constraint's row that does not depend on the other rows, over the
-    /// largest length of that row so far. It is 0 in a singular pose, where rows vanish or depend on one
-    /// another.
+    /// Smallest relative length of the independent part of a constraint's row. The independent part does not depend on
+    /// the other rows; its length is divided by the largest length of that row so far. 0 in a singular pose, where rows
+    /// vanish or depend on one another.
     pub constraints: f64,
 }
 
@@ -131,13 +129,13 @@ impl<'a> Multipliers<'a> {
         least
     }
 
-    /// Smallest [`DistancesFromSingularity::constraints`] of all states so far: 0 at a singular pose, 1 at most.
+    /// Smallest [`DistancesFromSingularity::constraints`] of all states so far, from 0 (a singular pose) to 1.
     #[must_use]
     pub fn least_distance_from_dependence(&self) -> f64 {
         self.nearest
     }
 
-    /// Sets the solver `least` to the conditions A in the metric of E, both taken from `matrix`. False if a
+    /// Sets the solver `least` to the conditions A in the metric of E, both taken from `matrix`. Returns false if a
     /// motion that the conditions allow has no inertia.
     fn set_least(&mut self) -> bool {
         let (n, order) = (self.still.len(), self.forcing.len());
@@ -195,11 +193,10 @@ impl<'a> Multipliers<'a> {
         speeds.is_finite().then(|| DistancesFromSingularity { speeds, constraints: self.distance_from_dependence() })
     }
 
-    /// Records the lengths of the rows of J at poses near `q`. At `q` itself a row may vanish, as in a dead
-    /// point.
+    /// Records the lengths of the rows of J at poses near `q`. At `q` itself a row may vanish, as in a dead point.
     ///
-    /// For each pose a single coordinate is increased by half of its size, or by one half of its unit if it
-    /// is small.
+    /// In each of these poses a single coordinate is increased by half of its value. A coordinate near zero is
+    /// increased by one half of its unit.
     fn record_speed_rows_at_neighbours(&mut self, q: &[f64]) {
         self.longest = vec![0.0; self.rest.len()];
         let mut beside = q.to_vec();

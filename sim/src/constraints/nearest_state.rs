@@ -1,9 +1,8 @@
 //! Search for the nearest state (q, q̇) on the constraints, in the metric of the mass matrix.
 //!
-//! Newton's method finds the state with the slopes at its start; they are computed again if convergence
-//! is slow. A stage of a step is so near the constraints that few evaluations are enough. The result
-//! depends smoothly, and only, on the given state. The working space is made once for many states;
-//! nothing is allocated after that.
+//! Newton's method finds the state with the slopes at the given state; they are computed again if convergence is slow.
+//! A stage of a step is so near the constraints that few evaluations are enough. The result depends only on the given
+//! state, and smoothly. The working space is allocated once for many states.
 
 use tripos_traits::System;
 
@@ -12,9 +11,9 @@ use crate::right_hand_side;
 
 /// Largest number of Newton iterations in a search for a state on the constraints.
 const ITERATIONS: usize = 12;
-/// Size of a correction that counts as zero, in units in the last place of the largest component.
+/// Correction that counts as zero, in units in the last place of the largest component.
 const ROUNDING: f64 = 4.0;
-/// Ratio of successive Newton corrections above which new slopes are computed.
+/// Ratio of a Newton correction to the one before it, above which new slopes are computed.
 const SLOW: f64 = 0.1;
 
 /// Solver for the nearest state (q, q̇) on the constraints, with its working space.
@@ -82,7 +81,7 @@ impl NearestState {
             for (x, step) in self.placed.iter_mut().zip(step) {
                 *x -= step;
             }
-            // The next correction is expected to be smaller by this ratio, too.
+            // The ratio of successive corrections is expected to stay the same.
             let ratio = if last.is_finite() { most / last } else { 1.0 };
             if most * ratio <= ROUNDING * f64::EPSILON * size {
                 break;
@@ -92,9 +91,8 @@ impl NearestState {
         Some(())
     }
 
-    /// Computes values and slopes of the constraints and the mass matrix at the state `placed`, and
-    /// prepares corrections there. `None` if a number is not finite, or if the mass matrix is not positive
-    /// definite.
+    /// Computes the constraints, their slopes and the mass matrix at the state `placed`, and prepares corrections
+    /// there. `None` if a number is not finite, or if the mass matrix is not positive definite.
     fn evaluate_constraints(&mut self, system: &dyn System<f64>, parameters: &[f64]) -> Option<()> {
         let Self { correction, clock, values, slopes, matrix, inertia, placed } = self;
         right_hand_side::system_constraints(system, parameters, placed, values, slopes);

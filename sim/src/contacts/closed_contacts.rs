@@ -1,13 +1,13 @@
 //! Impulses of impacts and forces of closed contacts that push and never pull.
 //!
-//! Rows w of contacts are linear forms in the independent speeds u: w u is the velocity at which a
-//! contact opens, or the velocity at which it slips. The kinetic energy has the matrix M in u. Impulses
-//! Λ along the rows change u by M⁻¹ Wᵀ Λ and the velocities of contacts by G Λ, with G = W M⁻¹ Wᵀ.
+//! Each row w of a contact is a linear form in the independent speeds u: w u is the velocity at which the contact
+//! opens, or the velocity at which it slips. The kinetic energy has the matrix M in u. Impulses Λ along the rows change
+//! u by M⁻¹ Wᵀ Λ and the velocities of contacts by G Λ, with G = W M⁻¹ Wᵀ.
 //!
-//! A complementarity problem gives the impulses of all contacts that are closed together. Each contact
-//! pushes, or opens faster than its law asks for, never both. Friedrich Pfeiffer & Christoph Glocker,
-//! *Multibody Dynamics with Unilateral Contacts* (1996), chapter 8; for Newton's law in this form J. J.
-//! Moreau, *Unilateral contact and dry friction in finite freedom dynamics* (1988), §§ 3 and 5.
+//! A complementarity problem gives the impulses of all contacts that are closed together. Each contact either pushes,
+//! or opens faster than its law of impact asks for, never both. Friedrich Pfeiffer & Christoph Glocker, *Multibody
+//! Dynamics with Unilateral Contacts* (1996), chapter 8. For Newton's law in this form: J. J. Moreau, *Unilateral
+//! contact and dry friction in finite freedom dynamics* (1988), §§ 3 and 5.
 //!
 //! Absent on purpose: any knowledge of time, of steps and of models.
 
@@ -26,8 +26,8 @@ const NOTHING: f64 = 1e-10;
 pub struct ImpactRecord {
     /// Time of the impact, s.
     pub t: f64,
-    /// Contacts that had an impulse: the index of the contact and its normal impulse, in N s if the gap is
-    /// in m.
+    /// Contacts that had an impulse: the index of the contact and its normal impulse. The impulse is in N s if the gap
+    /// is in m.
     pub impulses: Vec<(usize, f64)>,
     /// State of the equations just before the impact.
     pub before: Vec<f64>,
@@ -43,7 +43,7 @@ pub struct ImpactRecord {
 /// Behaviour of a closed contact in an impact: it pushes, it opens, or it does neither.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ImpactShare {
-    /// The contact pushes: its normal impulse is above zero.
+    /// The contact pushes: its normal impulse is positive.
     Pushes,
     /// The contact opens, or opens faster than its law of impact asks for.
     Parts,
@@ -58,17 +58,15 @@ pub struct ClosedContacts {
     /// Matrix G = W M⁻¹ Wᵀ that gives the velocities of all contact rows by impulses along them. It has a
     /// row and a column for each row of W.
     pub compliance: DMatrix<f64>,
-    /// Indices in W of each contact's rows: the row of its gap, then those of its slips.
+    /// Indices of each contact's rows in W: first the row of its gap, then the rows of its slips.
     pub rows: Vec<Vec<usize>>,
-    /// Coefficient of friction of each contact; `None` without friction. A contact with friction has a
-    /// single slip.
+    /// Coefficient of friction of each contact; `None` without friction. A contact with friction has a single slip row.
     pub friction: Vec<Option<f64>>,
 }
 
 impl ClosedContacts {
-    /// Computes the impulses along all rows by Newton's law of impact. `velocities` are those of the rows
-    /// before the impact, and `restitution` has a coefficient for each contact. A contact that already
-    /// opens ignores its coefficient.
+    /// Computes the impulses along all rows by Newton's law of impact. `velocities` are the velocities of the rows
+    /// before the impact. `restitution` has a coefficient for each contact; a contact that already opens ignores it.
     ///
     /// # Errors
     /// [`UndecidedContacts`] if no impulses separate the bodies, or if Coulomb's law allows several motions.
@@ -86,12 +84,12 @@ impl ClosedContacts {
         self.contact_impulses(&wanted)
     }
 
-    /// Computes the impulses along all rows by Poisson's law of impact. `velocities` are those of the rows
+    /// Computes the impulses along all rows by Poisson's law of impact. `velocities` are the velocities of the rows
     /// before the impact, and `restitution` has a coefficient e for each contact.
     ///
-    /// A compression stops the contacts that close. An expansion follows with e times the impulses of the
-    /// compression, or more if a contact would still close. Friction obeys Coulomb's law in each of the two
-    /// phases, with the phase's impulses and the slip at its end.
+    /// A compression stops the contacts that close. In the expansion that follows, each contact gets e times its
+    /// impulse of the compression, or more if it would still close. Friction obeys Coulomb's law in each of the two
+    /// phases, with the impulses of the phase and the slip at its end.
     ///
     /// # Errors
     /// [`UndecidedContacts`], as for [`ClosedContacts::newton_impact`].
@@ -114,14 +112,14 @@ impl ClosedContacts {
         Ok(both + forces_of_least_freedom(more))
     }
 
-    /// Finds the impulses Λ along all rows of the contacts, where c are the velocities of the rows without
-    /// them. Along each gap Λ ≥ 0 and G Λ + c ≥ 0, and one of the two is 0.
+    /// Computes the impulses Λ along all rows of the contacts. `c` are the velocities of the rows without these
+    /// impulses. Along each gap Λ ≥ 0 and G Λ + c ≥ 0, and one of the two is 0.
     ///
-    /// Along the slips of contacts that push, G Λ + c = 0; with friction Coulomb's law holds for the slip G
-    /// Λ + c. If c are accelerations in place of velocities, Λ are forces of contacts that do not slip yet.
+    /// Along the slips of contacts that push, G Λ + c = 0; with friction, Coulomb's law holds for the slip velocity G Λ
+    /// + c. If `c` are accelerations instead of velocities, Λ are the forces of contacts that do not slip yet.
     ///
     /// # Errors
-    /// [`UndecidedContacts`] if there are no such Λ, or several that move differently.
+    /// [`UndecidedContacts`] if there are no such Λ, or several that give different motions.
     pub fn contact_impulses(&self, c: &DVector<f64>) -> Result<DVector<f64>, UndecidedContacts> {
         let count = self.rows.len();
         Ok(forces_of_least_freedom(self.contact_modes_under_given_impulses(
@@ -131,14 +129,13 @@ impl ClosedContacts {
         )?))
     }
 
-    /// Finds all combinations of modes that contacts can have under accelerations `c` of their rows, with
-    /// the contact forces. The combination of least freedom is first; all give the same motion.
+    /// Finds all combinations of modes that contacts can have under accelerations `c` of their rows, with the contact
+    /// forces. All combinations give the same motion; the one with the least freedom is first.
     ///
-    /// `slips` has the sign of the slip velocity of each contact, 1 or −1; `None` for a contact that does
-    /// not slip.
+    /// `slips` has the sign of the slip velocity of each contact, 1 or −1; `None` for a contact that does not slip.
     ///
     /// # Errors
-    /// [`UndecidedContacts`] if there is no combination, or if they move differently.
+    /// [`UndecidedContacts`] if there is no combination, or if combinations give different motions.
     pub fn contact_modes(
         &self,
         c: &DVector<f64>,
@@ -156,8 +153,8 @@ impl ClosedContacts {
         self.trial(&scaled, &unit, slips, &vec![0.0; slips.len()]).modes_agree(&c, modes, NOTHING * c.amax())
     }
 
-    /// Determinant of the linear system for the contact forces in these modes, in scaled units. Without
-    /// slip it is at least 0. If it is negative, contacts that slip have no forces, or several.
+    /// Determinant of the linear system for the contact forces in these modes, in scaled units. It is at least 0 if no
+    /// contact slips. If it is negative, the forces of slipping contacts do not exist or are not unique.
     #[must_use]
     pub fn contact_force_determinant(&self, modes: &[ContactMode]) -> f64 {
         let (scaled, unit) = self.scaled_compliance();
@@ -165,15 +162,14 @@ impl ClosedContacts {
         self.trial(&scaled, &unit, &none.0, &none.1).determinant(modes)
     }
 
-    /// Finds all combinations of modes under motions `c` of the rows, with their forces, if forces `given`
-    /// along the gaps act already. Friction acts on the sum of given and found forces.
+    /// Finds all combinations of modes under motions `c` of the rows, with their forces, if forces `given` already act
+    /// along the gaps. Friction acts on the sum of the given and the found forces.
     ///
-    /// `c` are accelerations, or velocities with impulses in place of forces. `slips` has the sign of the
-    /// slip velocity of each contact; `None` for a contact that does not slip. The combination of least
-    /// freedom is first.
+    /// `c` are accelerations, or velocities with impulses instead of forces. `slips` has the sign of the slip velocity
+    /// of each contact; `None` for a contact that does not slip. The combination with the least freedom is first.
     ///
     /// # Errors
-    /// [`UndecidedContacts`] if there is no combination, or if they move differently.
+    /// [`UndecidedContacts`] if there is no combination, or if combinations give different motions.
     pub fn contact_modes_under_given_impulses(
         &self,
         c: &DVector<f64>,
@@ -190,7 +186,7 @@ impl ClosedContacts {
         Ok(list)
     }
 
-    /// Creates the trial of modes of these contacts, in scaled units. `scaled` is G in these units, and
+    /// Creates the trial of modes of these contacts in scaled units. `scaled` is the matrix G in scaled units, and
     /// `unit` the unit of each row.
     fn trial<'t>(
         &'t self,
@@ -211,8 +207,8 @@ impl ClosedContacts {
         ModeTrial { g: scaled, touches: (0..self.rows.len()).map(touch).collect() }
     }
 
-    /// Behaviour of each contact under impulses that [`ClosedContacts::contact_impulses`] found. `c` are the velocities
-    /// of the rows before the impact.
+    /// Behaviour of each contact in an impact, from the impulses that [`ClosedContacts::contact_impulses`] found. `c`
+    /// are the velocities of the rows before the impact.
     #[must_use]
     pub fn impact_shares(&self, c: &DVector<f64>, impulses: &DVector<f64>) -> Vec<ImpactShare> {
         let (scaled, unit) = self.scaled_compliance();
@@ -228,8 +224,8 @@ impl ClosedContacts {
         self.rows.iter().map(share).collect()
     }
 
-    /// Finds forces Λ with G Λ + c = 0 along the rows that contacts in these modes must not move, and the
-    /// friction of those that slip. `None` if Λ is not finite.
+    /// Finds the forces Λ of contacts in given modes: G Λ + c = 0 along the rows that must not move, and friction along
+    /// the rows that slip. `None` if Λ is not finite.
     ///
     /// If rows depend on one another, Λ is the smallest solution, or a solution that friction can bear.
     #[must_use]
@@ -276,9 +272,9 @@ mod tests {
         assert_eq!(one.newton_impact(&-before, &[0.5]).unwrap()[0], 0.0, "what opens is left alone");
     }
 
-    /// Truth: of three equal masses in a row the first comes at 1, and the third leaves the second at 0.4. The second
-    /// meets the third all the same, and all three share one velocity. Newton's law asks nothing back of a contact that
-    /// opens before; a bound of −e γ⁻ below 0 would drive it in.
+    /// Truth: three equal masses stand in a row. The first comes at velocity 1, and the third leaves the second at 0.4.
+    /// The second still meets the third, and all three get the same velocity. Newton's law demands no rebound from a
+    /// contact that opens before the impact; a bound −e γ⁻ below 0 would make it close.
     #[test]
     fn what_opens_before_an_impact_is_not_driven_in() {
         let row = closed(&[2.0, -1.0, -1.0, 2.0], &[&[0], &[1]]);
@@ -287,9 +283,10 @@ mod tests {
         assert!(after[0].abs() < 1e-14 && after[1].abs() < 1e-14, "{after}");
     }
 
-    /// Truth: three equal masses in a row, the first at 1, with e = 1. Contacts 12 and 23 are closed: g₁' = u₂ − u₁ =
-    /// −1, g₂' = 0, G = [[2, −1], [−1, 2]]. Newton's law: ξ₁ = 0 and ξ₂ = 0 give G Λ = (2, 0), Λ = (4/3, 2/3), so u =
-    /// (−1/3, 2/3, 2/3): energy is kept. Poisson's law: compression Λ = (2/3, 1/3), which doubled is the same.
+    /// Truth: three equal masses in a row, the first at velocity 1, with e = 1. Contacts 12 and 23 are closed: g₁' = u₂
+    /// − u₁ = −1, g₂' = 0, G = [[2, −1], [−1, 2]]. Newton's law: ξ₁ = 0 and ξ₂ = 0 give G Λ = (2, 0) and Λ = (4/3,
+    /// 2/3). Then u = (−1/3, 2/3, 2/3), and the energy is kept. Poisson's law: the compression Λ = (2/3, 1/3), doubled,
+    /// is the same.
     #[test]
     fn three_masses_in_a_row_share_an_impact_as_moreau_has_it() {
         let row = closed(&[2.0, -1.0, -1.0, 2.0], &[&[0], &[1]]);
@@ -301,9 +298,9 @@ mod tests {
         }
     }
 
-    /// Truth: e = 1 at the contact that is hit, e = 0 at the other. Newton's law asks g₂' = 0 only. Poisson's lets the
-    /// second contact go on with half of it: compression (2/3, 1/3), expansion (2/3, 0), G (4/3, 1/3) + (−1, 0) = (4/3,
-    /// −2/3). The second still closes, and pushes 1/3 more.
+    /// Truth: e = 1 at the contact that is hit, e = 0 at the other. Newton's law demands g₂' = 0 only. Poisson's law
+    /// has the compression (2/3, 1/3) and the expansion (2/3, 0). Then G (4/3, 1/3) + (−1, 0) = (4/3, −2/3): the second
+    /// contact still closes, and pushes 1/3 more.
     #[test]
     fn poisson_pushes_again_where_expansion_leaves_something_closing() {
         let row = closed(&[2.0, -1.0, -1.0, 2.0], &[&[0], &[1]]);
@@ -312,8 +309,8 @@ mod tests {
         assert!((impulses[0] - 4.0 / 3.0).abs() < 1e-14 && (impulses[1] - 2.0 / 3.0).abs() < 1e-14, "{impulses}");
     }
 
-    /// Truth: with the masses of the tests before, a second contact that opens at 0.5 neither pushes nor opens after.
-    /// If it opens faster before, it opens after, too.
+    /// Truth: three equal masses in a row; the second contact opens at 0.5 before the impact. It neither pushes nor
+    /// opens after the impact. If it opens faster before the impact, it also opens after it.
     #[test]
     fn contacts_share_in_an_impact_by_pushing_or_parting_or_neither() {
         let row = closed(&[2.0, -1.0, -1.0, 2.0], &[&[0], &[1]]);
@@ -327,7 +324,8 @@ mod tests {
         assert_eq!(shares(&[-1.0, 0.5]), [ImpactShare::Pushes, ImpactShare::Neither]);
     }
 
-    /// Four legs of a table that falls flat: their rows are of rank 3, and the velocities after are told all the same.
+    /// Four legs of a table that falls flat: their rows have the rank 3, and the velocities after the impact are unique
+    /// all the same.
     #[test]
     fn rows_that_depend_on_one_another_have_impulses_of_least_size() {
         let ones = vec![1.0; 16];
@@ -337,7 +335,7 @@ mod tests {
         assert!((impulses.sum() - 1.5).abs() < 1e-14 && impulses.iter().all(|x| *x >= 0.0), "{impulses}");
     }
 
-    /// A wedge between walls that both close: nothing parts them.
+    /// A wedge between two walls that both close: no impulses separate the bodies, which is reported as an error.
     #[test]
     fn what_no_impulse_parts_is_said() {
         let wedged = closed(&[1.0, -1.0, -1.0, 1.0], &[&[0], &[1]]);
@@ -346,7 +344,7 @@ mod tests {
         );
     }
 
-    /// A contact that does not slip: a point mass that comes in at an angle leaves along the normal alone.
+    /// A contact without a slip row: a point mass that comes in at an angle is pushed along the normal alone.
     #[test]
     fn a_contact_without_slip_takes_the_velocity_along_it() {
         let rough = closed(&[0.5, 0.0, 0.0, 0.5], &[&[0, 1]]);
@@ -356,9 +354,9 @@ mod tests {
         assert!((after[0] - 0.5).abs() < 1e-14 && after[1].abs() < 1e-14, "{after}");
     }
 
-    /// Three contacts, of which the outer ones slip in opposite directions; entries of the matrix have very different
-    /// sizes, and its singular values are known to few digits. Truth: with the friction of each slip put in, the forces
-    /// along the gaps are the solution of three equations, and all of them push.
+    /// Three contacts, of which the outer two slip in opposite directions. The entries of the matrix have very
+    /// different sizes, and its singular values are known to few digits. Truth: with the friction of each slip
+    /// inserted, the forces along the gaps solve three equations, and all three are positive.
     #[test]
     fn contacts_with_entries_of_very_different_sizes_push_together() {
         let (a, b) = (0.000_100_996_633_714_906_53, 0.005_049_158_356_898_252);

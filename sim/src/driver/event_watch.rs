@@ -1,5 +1,4 @@
-//! Watch of the events of a run: examines each step, records the events in it and finds the first that
-//! ends the run.
+//! Watch of the events of a run: examines each step, records its events, and finds the first event that ends the run.
 
 use std::ops::{Deref, DerefMut};
 use tripos_traits::{Direction, Enclosure, Real};
@@ -78,8 +77,8 @@ impl<'w, 'e> EventWatch<'w, 'e> {
         }
     }
 
-    /// Evaluates the event functions at the start (t, y) of the run. Returns the reason to stop if a
-    /// function is not a number there, or if the start is outside a domain; else `None`.
+    /// Evaluates the event functions at the start (t, y) of the run. Returns the reason to stop if a function is not a
+    /// number there, or if the start is outside an event's domain; `None` if the run can start.
     pub(crate) fn start<S: Real>(&mut self, t: f64, y: &[S]) -> Option<Stop> {
         for (rounded, y) in self.y.iter_mut().zip(y) {
             *rounded = y.to_f64();
@@ -166,8 +165,7 @@ impl<'w, 'e> EventWatch<'w, 'e> {
         }
     }
 
-    /// Returns a warning for each event that might have ended the run, but whose zeros were not all
-    /// decided.
+    /// Returns a warning for each event that might have ended the run but whose zeros could not all be decided.
     pub(crate) fn warnings(&self) -> impl Iterator<Item = Warning> {
         self.events.iter().enumerate().filter(|(_, event)| event.effect != Effect::Record).filter_map(|(i, event)| {
             let mut places = self.records.iter().filter(|r| r.event == i && r.kind == Kind::Undecided);
@@ -211,7 +209,7 @@ fn event_counts(event: &Event<'_>, kind: Kind) -> bool {
 fn event_ends_run(event: &Event<'_>, found: Finding) -> bool {
     match found.kind {
         Kind::Rising | Kind::Falling => event.effect != Effect::Record,
-        // The function was positive and is negative, though it went through infinity.
+        // The function was positive and is negative now, although it went through infinity.
         Kind::Pole => event.effect == Effect::Domain && found.side < 0,
         Kind::Touch | Kind::AtStart | Kind::Undecided => false,
     }

@@ -1,4 +1,4 @@
-//! Integration of an initial value problem to a [`Solution`]: checks the arguments, selects the method
+//! Integration of an initial value problem, with a [`Solution`] as the result: checks the arguments, selects the method
 //! and runs it.
 
 use tripos_traits::Real;
@@ -22,24 +22,23 @@ use tripos_traits::Method;
 
 /// Integrates y' = f(t, y) from (t0, y0) to t1, which may lie before t0; `span` is (t0, t1), s.
 ///
-/// `rhs` is a closure `|t: f64, y: &[S], dydt: &mut [S]|` that writes f(t, y) to `dydt`, or another
-/// [`RightHandSide`]; both slices have the length of `y0`, and `dydt` comes with old contents. It may
-/// fail, or write numbers that are not finite: the step is then tried again with half its size. The run
-/// ends with that reason when the size is down to 16 ulp of t.
+/// `rhs` is a closure `|t: f64, y: &[S], dydt: &mut [S]|` that writes f(t, y) to `dydt`, or another [`RightHandSide`].
+/// Both slices have the length of `y0`, and `dydt` has old contents at the call. `rhs` may fail, or write numbers that
+/// are not finite: the step is then tried again with half its size. The run ends with that reason when the size is down
+/// to 16 ulp of t.
 ///
-/// The state is computed in the scalar `S`. Times, output times and errors are `f64`, and events look
-/// at the state rounded to `f64`; steps begin and end at times that are `f64` exactly, so that a wider
-/// scalar loses nothing.
+/// The state is computed in the scalar `S`. Times, output times and errors are `f64`, and events get the state rounded
+/// to `f64`. Steps begin and end at times that are `f64` exactly, so that a wider scalar loses nothing.
 ///
-/// If the right-hand side has constraints, the state is moved onto them after each step. The
-/// corrections are reported in [`Solution::projection`].
+/// If the right-hand side has constraints, the state is moved onto them after each step. The corrections are reported
+/// in [`Solution::projection`].
 ///
-/// The solution up to the end of the run is returned, for any reason of that end.
+/// The solution up to the end of the run is returned, whatever the reason for that end.
 ///
 /// # Errors
-/// [`SimError`] if nothing can be run: a span that is empty or not finite, a start that is not finite,
-/// tolerances or options out of range, output times outside the span. Also if the method lacks the
-/// fixed step, the Jacobian or the Taylor coefficients that it needs.
+/// [`SimError`] if nothing can be run: a span that is empty or not finite, a start that is not finite, tolerances or
+/// options out of range, output times outside the span. Also if the method lacks the fixed step, the Jacobian or the
+/// Taylor coefficients that it needs.
 pub fn integrate<S, R>(
     rhs: R,
     span: (f64, f64),

@@ -1,5 +1,5 @@
-//! Driver of a run: step sizes, samples, events, work and warnings of an integration, and the choice of
-//! a second run that measures its error.
+//! Driver of a run: step sizes, samples, events, work and warnings of an integration. Also chooses a second run that
+//! measures the error of the first.
 
 pub(crate) mod event_watch;
 pub(crate) mod integrate;

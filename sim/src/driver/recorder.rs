@@ -1,8 +1,8 @@
 //! Recorder of a run's samples: times, states and work.
 //!
-//! Invariant: memory does not grow with the number of steps. At most [`MOST`] points of steps are kept,
-//! unless their times were asked for. If there would be more, every second point is dropped, and only
-//! every second later point is taken.
+//! Invariant: memory does not grow with the number of steps. At most [`MOST`] points of steps are kept, unless their
+//! times were asked for. At this limit every second kept point is dropped, and from then on only every second point is
+//! taken.
 
 use tripos_traits::Real;
 
@@ -14,13 +14,13 @@ use crate::rounding::{exactly_equal, smallest_step_beyond_rounding};
 /// Largest number of points of steps that a recorder keeps; beyond it every second point is dropped.
 pub(crate) const MOST: usize = 200_000;
 
-/// Samples of a run so far, and the rule that decides which further samples are taken.
+/// Samples of a run so far, with the rule that decides which further points become samples.
 pub(crate) struct Recorder<'a, S> {
     /// Choice of the points of the run that are kept as samples.
     output: &'a OutputOption,
-    /// Index of the next time in the list of wanted output times, if there is such a list.
+    /// Index of the next wanted output time in the list of [`OutputOption::At`]; unused without such a list.
     next: usize,
-    /// Number n such that only every n-th point of the steps is kept.
+    /// Number n such that only every n-th point of the steps is kept as a sample.
     every: u64,
     /// Number of points of steps since the last point that was kept as a sample.
     passed: u64,
@@ -28,12 +28,12 @@ pub(crate) struct Recorder<'a, S> {
     pub(crate) t: Vec<f64>,
     /// States of the samples recorded so far, one for each time.
     pub(crate) y: Vec<Vec<S>>,
-    /// Work done up to each sample, J; empty if the equations state no power.
+    /// Work done up to each sample, J; empty if the equations define no power.
     pub(crate) work: Vec<f64>,
 }
 
-/// Function of a fraction of a step and the time there, s. Returns the state, and the work up to there,
-/// J, if it is recorded.
+/// Function that computes a sample from a fraction of a step and the time there, s. Returns the state and the work up
+/// to there, J; `None` for the work if it is not recorded.
 type Sampled<'a, S> = dyn FnMut(f64, f64) -> (Vec<S>, Option<f64>) + 'a;
 
 impl<'a, S: Real> Recorder<'a, S> {
@@ -67,7 +67,7 @@ impl<'a, S: Real> Recorder<'a, S> {
         self.push(t, y, work);
     }
 
-    /// Records the point at the fraction `theta` of a step, unless points are being left out to bound their
+    /// Records the point at the fraction `theta` of a step. Skips the point if points are being left out to bound their
     /// number.
     fn record_point(&mut self, step: &impl Interpolant<Real = S>, theta: f64, sampled: &mut Sampled<'_, S>) {
         self.passed += 1;
@@ -90,7 +90,8 @@ impl<'a, S: Real> Recorder<'a, S> {
         match self.output {
             OutputOption::Ends => false,
             OutputOption::Steps { refine } => *refine > 1,
-            // Times up to t_old are kept already, so that the next one only has to come before the end.
+            // Times up to t_old are kept already, so that only the next time has to be compared with the end of the
+            // step.
             OutputOption::At(times) => {
                 times.get(self.next).is_some_and(|t| (t_new - t) * (t_new - t_old).signum() > 0.0)
             }
@@ -124,8 +125,8 @@ impl<'a, S: Real> Recorder<'a, S> {
         }
     }
 
-    /// Replaces the derivatives that the states of samples at time `t`, s, carry by those of `y`. They jump
-    /// at `t`, and `y` has the values after the jump.
+    /// Replaces the derivatives of the samples at time `t`, s, with those of `y`. The derivatives jump at `t`, and `y`
+    /// has the values after the jump.
     pub(crate) fn record_jump_of_derivatives(&mut self, t: f64, y: &[S]) {
         if S::SLOPES == 0 {
             return;
@@ -150,7 +151,7 @@ impl<'a, S: Real> Recorder<'a, S> {
     }
 }
 
-/// Drops every second entry of a list; the first entry stays.
+/// Drops every second entry of a list, beginning with the second; the first entry stays.
 fn drop_every_second_record<T>(list: &mut Vec<T>) {
     let mut stays = false;
     list.retain(|_| {

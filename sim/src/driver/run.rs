@@ -1,7 +1,7 @@
 //! Driver of a run: a single loop for all methods.
 //!
-//! A method is a [`Stepper`], and [`super::step_control`] decides the sizes of its steps. The loop takes
-//! a step, lets the events examine it, records it, and stops at the first reason to end the run.
+//! A method is a [`Stepper`], and [`super::step_control`] decides the sizes of its steps. The loop takes a step,
+//! searches it for events, records it, and stops at the first reason to end the run.
 
 use super::event_watch::{EventWatch, Events};
 use super::recorder::Recorder;
@@ -20,14 +20,12 @@ use crate::stepper::{StepFailure, Stepper};
 use crate::warning::Warning;
 use tripos_traits::Real;
 
-/// Largest number of times that a step is shortened because the right-hand side must be avoided at its
-/// end.
+/// Largest number of attempts to shorten a step because the right-hand side must be avoided at its end.
 const MOST_AVOIDED: u32 = 4;
-/// Error that a step with an avoided end is assumed to have, as a multiple of the tolerance. It makes
-/// the step shorter.
+/// Error that is assumed for a step with an avoided end, as a multiple of the tolerance. It makes the step shorter.
 const SHORTER: f64 = 2.0;
 
-/// Difference of two fractions of a step below which they count as the same place.
+/// Difference of two fractions of a step below which the places inside the step count as the same.
 const ONE_PLACE: f64 = 1e-9;
 
 /// Objects that follow each step of a run: the recorder of samples, the projector onto constraints, and
@@ -38,7 +36,7 @@ struct Companions<'a, 'o, 'i, 'j, S> {
     /// Projector that moves the ends of steps onto constraints or invariants; `None` for a run without
     /// either.
     projector: Option<&'a mut Projector<'i, 'j, S>>,
-    /// Work of the forces so far; `None` if the right-hand side states no power.
+    /// Work of the forces so far; `None` if the right-hand side defines no power.
     work: Option<&'a mut Work<S>>,
 }
 
@@ -54,12 +52,12 @@ struct Run<'o, M> {
     steps: u64,
     /// Number of rejected attempted steps of the run so far.
     rejected: u64,
-    /// Signs that steps are doubtful, for warnings.
+    /// Signs of doubtful steps, from which warnings are made.
     doubts: StepWarnings,
 }
 
-/// Runs the method `stepper` from the start of the span and state `y0` to the end of the span, or to
-/// the first reason to stop. Returns the solution.
+/// Runs the method `stepper` from the start of the span, at state `y0`, to the end of the span or to the first reason
+/// to stop. Returns the solution.
 pub(crate) fn run_method<M, R>(
     stepper: M,
     mut pace: StepControl,
@@ -219,7 +217,8 @@ impl<M: Stepper> Run<'_, M> {
                 break Stop::Interrupted;
             }
         };
-        // Until a step is accepted, both ends are the start; afterwards `ends` begins with the current state.
+        // Until a step is accepted, both ends of `ends` are the start of the run; afterwards the first is the current
+        // state.
         y_end.copy_from_slice(self.stepper.ends().0);
         (stop, self.stepper.span().0)
     }
@@ -234,8 +233,8 @@ impl<M: Stepper> Run<'_, M> {
         }
     }
 
-    /// Takes a step, with as many attempts as it needs. True if it reached the end of the span. The error
-    /// is the reason to stop the run.
+    /// Takes a step, with as many attempts as it needs. Returns true if it reached the end of the span. The error is
+    /// the reason to stop the run.
     fn run_step<R>(&mut self, rhs: &mut R) -> Result<bool, Stop>
     where
         R: RightHandSide<M::Real>,
@@ -287,12 +286,12 @@ impl<M: Stepper> Run<'_, M> {
     }
 }
 
-/// Searches a step, whose dense output is prepared, for an event or a zero of a divisor that ends the
-/// run. Returns the fraction of the step and the reason to stop; `None` if the run goes on. The error
-/// is a failure of an event function.
+/// Searches a step for an event or a zero of a divisor that ends the run. The dense output of the step must be
+/// prepared. Returns the fraction of the step and the reason to stop; `None` if the run goes on. The error is a failure
+/// of an event function.
 ///
-/// `suspicious` is the guard of the divisors, or `None` if it suspects no zero in this step. If both
-/// lie at the same place, the event counts, since its name tells why the motion ends there.
+/// `suspicious` is the guard of the divisors, or `None` if it suspects no zero in this step. If an event and a zero of
+/// a divisor lie at the same place, the event counts, since its name tells why the motion ends there.
 pub(crate) fn run_end_inside_step<S, I, R>(
     step: &I,
     rhs: &mut R,
@@ -317,7 +316,7 @@ where
     }
 }
 
-/// Reason to stop a run whose smallest step had this trouble.
+/// Reason to stop a run whose step failed in this way even at the smallest size.
 fn stop_of_failed_run(trouble: StepFailure) -> Stop {
     match trouble {
         StepFailure::NotFinite { component } => Stop::NotFinite { component },

@@ -1,15 +1,13 @@
 //! Choice of a second run of the same motion, which measures the error of the first run.
 //!
-//! The second run has other steps: the difference of both runs is the error of the less exact run. A
-//! run that is ten times finer shows the whole error of the first run. A run that is ten times coarser
-//! shows its own error, which is larger.
+//! The two runs have different steps. Their difference is the error of the less exact run. A run that is ten times
+//! finer shows the whole error of the first run. A run that is ten times coarser shows its own error, which is larger.
 //!
-//! The finer run is chosen if it is known to cost no more than the first run did: another method at a
-//! tenth of the tolerances. The coarser run always costs less.
+//! The finer run is another method at a tenth of the tolerances. It is chosen if it is known to cost no more than the
+//! first run. The coarser run always costs less.
 //!
-//! Invariant: a second run never has the steps of the first, not even if both have the longest step,
-//! since equal steps make equal errors. Cost is counted in evaluations of the right-hand side, not
-//! timed.
+//! Invariant: a second run never has the same steps as the first, not even if both have the longest allowed step, since
+//! equal steps make equal errors. Cost is counted in evaluations of the right-hand side, not timed.
 
 use crate::error_test::SMALLEST_RTOL;
 use crate::methods::method_rules::method_rules;
@@ -21,9 +19,9 @@ use tripos_traits::{AbsoluteTolerance, Method};
 
 /// Factor by which the tolerances of a second run are finer or coarser than those of the first run.
 const TIMES: f64 = 10.0;
-/// Fraction of the difference from a coarser second run that counts as the first run's error. A tenth
-/// would be expected, but a motion may amplify both errors differently. With one half, 4 of 208 runs of
-/// gauss6 had ten times the stated error.
+/// Fraction of the difference from a coarser second run that counts as the first run's error. A tenth would be
+/// expected, but a motion may amplify the two errors differently. With the fraction one half, 4 of 208 runs of gauss6
+/// had more than ten times the stated error.
 const PART: f64 = 1.0;
 /// Largest tolerance at which `dop853` takes no more evaluations than a method of order 5 at ten times
 /// the tolerance. At this tolerance Taylor's method takes no more time than `dop853`.
@@ -42,12 +40,12 @@ const EQUAL: f64 = 1e-12;
 /// Second run of a motion, whose difference from the first run measures the error of the first.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SecondRun {
-    /// Options of the second run. Its output is that of the first run, and may be changed.
+    /// Options of the second run. Its output option is that of the first run, and may be changed.
     pub options: Options,
     /// Fraction of the difference of the two runs that counts as the error of the first run.
     pub part: f64,
-    /// True if the errors of the second run are smaller than those of the first. The second run then shows
-    /// the behaviour of the motion better.
+    /// True if the second run has smaller errors than the first. The second run then shows the behaviour of the motion
+    /// better.
     pub is_finer: bool,
     /// Description of the second run in words, such as "dop853 at a tenth of the tolerances".
     pub words: String,
@@ -62,9 +60,8 @@ pub enum TaylorSeries {
     Costly,
 }
 
-/// Lists the second runs that can measure the error of a run with these options, best first. If the
-/// first in the list ends early, the next can be tried. `solution` is the result of the run over
-/// `span`, s.
+/// Lists the second runs that can measure the error of a run with these options, best first. If the first of the list
+/// ends early, the next can be tried. `solution` is the result of the first run over `span`, s.
 #[must_use]
 pub fn second_runs(options: &Options, solution: &Solution, span: (f64, f64), series: TaylorSeries) -> Vec<SecondRun> {
     let method = options.method;
@@ -77,8 +74,8 @@ pub fn second_runs(options: &Options, solution: &Solution, span: (f64, f64), ser
     }
     match method {
         Method::Taylor => vec![finer_by(Method::Taylor, MOST)],
-        // Most motions are not stiff, and the implicit method takes several times as long for them. Its errors
-        // are far below the tolerances: DOP853 has errors as small only at much finer tolerances.
+        // Most motions are not stiff, and the implicit method takes several times as long for them. The errors of
+        // Gauss6 are far below the tolerances; DOP853 reaches them only at much finer tolerances.
         Method::Gauss6 => vec![first.finer_second_run(Method::Dop853, TIMES * TIMES, 0.5), first.coarser_second_run()],
         Method::Dop853 if is_cheap && series == TaylorSeries::Cheap => vec![finer_by(Method::Taylor, MOST)],
         Method::Ode45 | Method::Dopri5 if is_cheap => vec![finer_by(Method::Dop853, MOST)],
@@ -98,8 +95,8 @@ struct FirstRun<'a> {
 }
 
 impl FirstRun<'_> {
-    /// Makes the second run by `method` at tolerances `times` times finer. `cost` is its largest cost in
-    /// units of the first run.
+    /// Makes the second run by `method` at tolerances that are `times` times finer. `cost` is the largest allowed cost
+    /// of the second run, in units of the first run's cost.
     fn finer_second_run(&self, method: Method, times: f64, cost: f64) -> SecondRun {
         let first = self.options;
         let same = method == first.method;
@@ -122,8 +119,8 @@ impl FirstRun<'_> {
         SecondRun { options: self.limit_second_run(options, cost), part: 1.0, is_finer: true, words }
     }
 
-    /// Makes the second run by the first run's method at ten times the tolerances. If the first run has
-    /// equal steps, the steps are so much longer that they make ten times the error.
+    /// Makes the second run by the first run's method at ten times the tolerances. If the first run has equal steps,
+    /// the steps of the second are lengthened until they make ten times the error.
     fn coarser_second_run(&self) -> SecondRun {
         let first = self.options;
         let stretch = TIMES.powf(1.0 / f64::from(first.method.order().unwrap_or(8)));
@@ -171,7 +168,7 @@ impl FirstRun<'_> {
     }
 }
 
-/// Tolerance that decides most steps: the relative tolerance, or the smallest absolute one if that is
+/// Tolerance that decides most steps: the relative tolerance, or the smallest absolute tolerance if the relative one is
 /// zero.
 fn first_run_tolerance(options: &Options) -> f64 {
     if options.rtol > 0.0 { options.rtol } else { options.atol.smallest() }
@@ -207,7 +204,7 @@ mod tests {
         integrate(&mut rhs, (0.0, 40.0), &[2.5, 0.0], options, &mut []).unwrap()
     }
 
-    /// Methods that need no more than the right-hand side; 1e-13 is the reference.
+    /// Methods that need only the right-hand side; a run at the tolerance 1e-13 is the reference.
     #[test]
     fn a_second_run_tells_the_error_within_a_digit_and_costs_no_more() {
         let exact = run(&Options { method: Method::Dop853, ..Options::tolerances(1e-13, 1e-13) }).y_end;

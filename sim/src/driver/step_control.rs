@@ -1,4 +1,4 @@
-//! Step sizes of a run: equal steps, or steps as large as their error estimates allow.
+//! Step control of a run: equal steps, or steps as large as their error estimates allow.
 
 use tripos_traits::Real;
 
@@ -67,10 +67,9 @@ struct Adaptive {
     longest: f64,
     /// Smallest size of a step that is tried from the current time, s.
     smallest: f64,
-    /// Wanted size of the next step, s.
+    /// Proposed size of the next step, s, before the limits of the run are applied.
     size: f64,
-    /// Size that the trial step would have without a corner, s; `None` if the step does not have to end at
-    /// a corner.
+    /// Size that the trial step would have without a corner, s; `None` if the trial step does not end at a corner.
     cut: Option<f64>,
 }
 
@@ -128,11 +127,11 @@ impl StepControl {
         }
     }
 
-    /// Chooses the size of the first step from the state and its derivative `slope` at the start.
+    /// Chooses the size of the first step from the state `y` and its derivative `slope` at the start. A given size
     /// `initial`, s, has precedence.
     ///
-    /// Hairer's rules also need y' after a step of Euler's method. For them the signed size of that step,
-    /// s, is returned, and [`StepControl::correct_first_size`] must follow; `None` for other rules.
+    /// Hairer's rules also need y' after a step of Euler's method. For these rules the signed size of that step, s, is
+    /// returned, and [`StepControl::correct_first_size`] must be called next. `None` for other rules.
     pub(crate) fn first_size<S: Real>(&mut self, y: &[S], slope: &[S], initial: Option<f64>) -> Option<f64> {
         let (Kind::Adaptive(adaptive), Some(test)) = (&mut self.kind, &self.test) else { return None };
         let longest = adaptive.longest;
@@ -155,8 +154,8 @@ impl StepControl {
         None
     }
 
-    /// Corrects the size of the first step by `beyond`, which is y' after a step of Euler's method of size
-    /// `h`, s. `None` if y' has no value there.
+    /// Corrects the size of the first step. `beyond` is y' after a step of Euler's method of size `h`, s; `None` if y'
+    /// has no value there.
     pub(crate) fn correct_first_size<S: Real>(&mut self, y: &[S], slope: &[S], h: f64, beyond: Option<&Vec<S>>) {
         self.evaluations += 1;
         let (Kind::Adaptive(adaptive), Some(test)) = (&mut self.kind, &self.test) else { return };
@@ -167,9 +166,9 @@ impl StepControl {
         }
     }
 
-    /// Passes the corners of the right-hand side at time `t`, s; `None` if there are none. Returns the
-    /// derivatives of the time of a jump by the variables along which derivatives are taken; zeros if no
-    /// jump moves.
+    /// Passes all corners of the right-hand side up to time `t`, s. `None` if there are none. Else returns dt/dp of a
+    /// passed jump, where p are the variables along which derivatives are taken; zeros if no passed jump depends on
+    /// them.
     pub(crate) fn pass_corners(&mut self, t: f64) -> Option<[f64; SLOPE_DIRECTIONS]> {
         self.corners.pass_corners(t)
     }
@@ -201,7 +200,8 @@ impl StepControl {
                 let size = adaptive.size.min(adaptive.longest).max(adaptive.smallest);
                 let corner = self.corners.next_corner();
                 let end = corner.unwrap_or(self.t1);
-                // Stretch or shorten the step if the end is within its stretch.
+                // The step is stretched or shortened to end exactly at `end`, if the stretch allowed by the rules
+                // reaches it.
                 let ends = adaptive.rules.largest_stretch_of_step() * size >= (end - t).abs();
                 adaptive.cut = (ends && corner.is_some()).then_some(size);
                 self.last = ends && corner.is_none();
@@ -216,15 +216,15 @@ impl StepControl {
         TrialStep { h, t_new: t + h }
     }
 
-    /// Limits the size of the next step to the fraction `margin` of the size that error estimates allow.
+    /// Limits the size of the next step to the fraction `margin` of the size that the error estimates allow.
     pub(crate) fn limit_next_step(&mut self, margin: f64) {
         if let Kind::Adaptive(adaptive) = &mut self.kind {
             adaptive.control.margin = margin;
         }
     }
 
-    /// Decides on the trial step that began at time `t`, s, from the norm of its error; `None` if it has no
-    /// result. After [`Verdict::Again`] a smaller trial is set.
+    /// Decides on the trial step that began at time `t`, s. `error` is the norm of its error; `None` if the step has no
+    /// result. After [`Verdict::Again`] a smaller trial step is set.
     pub(crate) fn judge_step(&mut self, t: f64, error: Option<f64>) -> Verdict {
         let Kind::Adaptive(adaptive) = &mut self.kind else {
             return if error.is_some() { Verdict::Accepted { last: self.last } } else { Verdict::GiveUp };
@@ -248,16 +248,16 @@ impl StepControl {
     }
 }
 
-/// Smallest whole number of equal steps that are no longer than the wanted step. `quotient` is the span
-/// over the wanted step; if it is whole up to rounding, it is the result.
+/// Smallest number of equal steps that are no longer than the wanted step. `quotient` is the span divided by the wanted
+/// step; a quotient that is whole up to rounding is the result.
 fn equal_steps(quotient: f64) -> f64 {
     let nearest = quotient.round();
     let whole = (quotient - nearest).abs() <= 4.0 * f64::EPSILON * quotient;
     if whole { nearest.max(1.0) } else { quotient.ceil() }
 }
 
-/// Norm of y'', from y' at the start (`slope`) and y' after a step `h` of Euler's method (`beyond`).
-/// `None` if it is not finite.
+/// Estimated norm of y'', from y' at the start (`slope`) and y' after a step `h` of Euler's method (`beyond`). `None`
+/// if it is not finite.
 fn norm_of_second_derivative<S: Real>(beyond: &[S], h: f64, y: &[S], slope: &[S], test: &ErrorTest) -> Option<f64> {
     let change: Vec<S> = beyond.iter().zip(slope).map(|(after, before)| *after - *before).collect();
     let curvature = test.weighted_root_sum(&change, y) / h.abs();

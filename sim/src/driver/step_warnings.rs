@@ -1,8 +1,8 @@
-//! Signs that the steps of a run follow rounding errors, or kinks of the right-hand side f, and the
-//! warnings about them.
+//! Signs that the steps of a run follow rounding errors, or kinks of the right-hand side f, and the warnings about
+//! them.
 //!
-//! The examination is cheap. A relative tolerance is never below rounding, so that single steps are
-//! examined only in runs without a relative tolerance. Kinks of f are seen from rejected steps alone.
+//! The examination is cheap. A relative tolerance is never below rounding, so that the errors of single steps are
+//! examined only in runs without a relative tolerance. Kinks of f are detected from rejected steps alone.
 
 use tripos_traits::Real;
 
@@ -10,14 +10,13 @@ use crate::error_test::ErrorTest;
 use crate::stepper::Stepper;
 use crate::warning::Warning;
 
-/// Number of attempted steps that must show a sign of trouble before there is a warning; fewer do no
-/// harm.
+/// Number of attempted steps with a sign of trouble from which on there is a warning; fewer do no harm.
 const ENOUGH: u64 = 20;
-/// Number of attempted steps in which a single fruitless retry (a shorter step whose error did not
-/// fall) is normal. More retries mean that f is not smooth.
+/// Number of attempted steps among which one fruitless retry (a shorter step whose error did not fall) is normal. More
+/// retries mean that f is not smooth.
 ///
-/// Noise of the size of the tolerance causes a fruitless retry in 20 to 40 attempts, jumps of f in 5 to
-/// 20. Smooth equations cause one in 100 at tolerances of 1e-3, and fewer at smaller tolerances.
+/// Noise of the size of the tolerance causes a fruitless retry in 20 to 40 attempts, jumps of f in 5 to 20. Smooth
+/// equations cause one in 100 at tolerances of 1e-3, and fewer at smaller tolerances.
 const ONE_IN: u64 = 50;
 
 /// Signs that the steps of a run are doubtful, counted so far.
@@ -25,20 +24,19 @@ const ONE_IN: u64 = 50;
 pub(crate) struct StepWarnings {
     /// Number of attempted steps of the run so far, accepted or not.
     attempts: u64,
-    /// Attempts in which a tolerance was below rounding; `None` if there were none.
+    /// Data about the attempts in which a tolerance was below rounding; `None` if there were none.
     below: Option<ToleranceBelowRounding>,
-    /// Size, s, and error of the rejected attempt before the current one; `None` if that was not rejected
-    /// for its error.
+    /// Size, s, and error norm of the attempt before the current one, if its error was too large; else `None`.
     rejected: Option<(f64, f64)>,
     /// Time of the first retry whose error did not fall, s, and the number of such retries; `None` if there
     /// were none.
     fruitless: Option<(f64, u64)>,
-    /// Start time of the first step inside which f has no value, s; `None` if there was none.
+    /// Start time of the first step with a point inside at which f has no value, s; `None` if there was none.
     coarse: Option<f64>,
 }
 
-/// Attempted steps that a component decided whose allowed error is below its rounding. The data are
-/// those of the worst attempt.
+/// Record of attempted steps whose error norm was decided by a component with an allowed error below its rounding. The
+/// data are those of the worst attempt.
 #[derive(Clone, Debug)]
 struct ToleranceBelowRounding {
     /// Index in the state, from 0, of the component whose allowed error is below its rounding.
@@ -49,7 +47,7 @@ struct ToleranceBelowRounding {
     size: f64,
     /// Error of the component that the absolute tolerance allows, in its unit.
     allowed: f64,
-    /// Number of attempts that a component decided whose allowed error is below its rounding.
+    /// Number of attempts whose error norm was decided by a component with an allowed error below its rounding.
     attempts: u64,
 }
 
@@ -60,8 +58,8 @@ impl StepWarnings {
         let t = stepper.span().0;
         self.attempts += 1;
         if let Some((longer, before)) = self.rejected {
-            // A true error falls with a high power of the step; noise, or the effect of a jump, falls only with the
-            // step.
+            // A true error falls with a high power of the step. Noise, or the effect of a jump, falls at most in
+            // proportion to the step.
             let ratio = step / longer;
             if ratio <= 0.9 && error >= before * ratio * ratio {
                 self.fruitless.get_or_insert((t, 0)).1 += 1;
@@ -73,7 +71,7 @@ impl StepWarnings {
         }
     }
 
-    /// Counts an attempted step that has no error, so that it shows no sign.
+    /// Counts an attempted step that has no error estimate, and therefore shows no sign of trouble.
     pub(crate) fn note_trouble(&mut self) {
         self.attempts += 1;
         self.rejected = None;
@@ -85,8 +83,8 @@ impl StepWarnings {
         self.coarse.get_or_insert(stepper.span().0);
     }
 
-    /// Counts the attempt if the component with the largest weighted error has an allowed error below four
-    /// times its rounding.
+    /// Counts the attempt if a tolerance is below rounding: the component with the largest weighted error has an
+    /// allowed error below four times its rounding error.
     fn note_rounding<M: Stepper>(&mut self, stepper: &M, test: &ErrorTest) {
         let (y, y_new) = stepper.ends();
         let size = |i: usize| y[i].to_f64().abs().max(y_new[i].to_f64().abs());
@@ -105,7 +103,7 @@ impl StepWarnings {
         }
     }
 
-    /// Returns the warnings that the signs justify: tolerance below rounding, f not smooth, and a coarse
+    /// Returns the warnings that the counted signs justify: a tolerance below rounding, f not smooth, and a coarse
     /// solution inside a step.
     pub(crate) fn warnings<S: Real>(self) -> impl Iterator<Item = Warning> {
         let below = self.below.filter(|below| below.attempts >= ENOUGH);

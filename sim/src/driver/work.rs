@@ -1,9 +1,8 @@
-//! Work of the forces in a run: the integral of their power along the accepted steps. It has no effect
-//! on the steps.
+//! Work of the forces in a run: the integral of their power along the accepted steps. It has no effect on the steps.
 //!
-//! Gauss–Legendre quadrature on the dense output, from sample to sample: NIST Digital Library of
-//! Mathematical Functions, §3.5(v). With five points its error is of a higher order than that of every
-//! method except Taylor's, whose steps are a small part of the radius of convergence of its series.
+//! The integral is computed by Gauss–Legendre quadrature on the dense output, from sample to sample: NIST Digital
+//! Library of Mathematical Functions, §3.5(v). With five points its error is of a higher order than that of every
+//! method except Taylor's. The steps of Taylor's method are a small part of the radius of convergence of its series.
 
 use tripos_traits::Real;
 
@@ -30,7 +29,7 @@ pub(crate) struct Work<S> {
 }
 
 impl<S: Real> Work<S> {
-    /// Creates the work of a run at its start (t, y), 0 J. `None` if the right-hand side states no power.
+    /// Creates the work of a run at its start (t, y), 0 J. `None` if the right-hand side defines no power.
     pub(crate) fn new<R: RightHandSide<S>>(rhs: &mut R, t: f64, y: &[S]) -> Option<Self> {
         rhs.power(t, y).map(|_| Self { done: 0.0, up_to: 0.0, y: y.to_vec() })
     }
@@ -58,7 +57,7 @@ impl<S: Real> Work<S> {
         self.done
     }
 
-    /// Moves the work to the start of the next step, once the current step is integrated to its end.
+    /// Moves to the start of the next step. The power must be integrated to the end of the current step before.
     pub(crate) fn accept(&mut self) {
         self.up_to = 0.0;
     }
@@ -70,7 +69,7 @@ mod tests {
     use crate::{Event, Method, Options, OutputOption, integrate};
     use tripos_traits::Direction;
 
-    /// x″ = −x − c x′ with E = ½(x′² + x²): dE/dt = −c x′².
+    /// Truth: x″ = −x − c x′ with E = ½(x′² + x²) gives dE/dt = −c x′².
     #[test]
     fn the_energy_of_a_damped_oscillator_is_balanced_at_every_sample_and_its_end() {
         let c = 0.3;

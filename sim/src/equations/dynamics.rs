@@ -1,8 +1,8 @@
-//! Equations of motion as a right-hand side, by a linear system at each state: joins a [`System`] to
-//! the integrator.
+//! Equations of motion as a right-hand side: solves the linear system of a [`System`] for the accelerations at each
+//! state.
 //!
-//! The state is y = (q, v): generalized coordinates, then motion variables. Buffers are made once: for
-//! up to 12 unknowns a call allocates nothing.
+//! The state is y = (q, v): generalized coordinates, then motion variables. Buffers are allocated once: for up to 12
+//! unknowns an evaluation allocates nothing.
 
 use tripos_traits::System;
 
@@ -22,7 +22,8 @@ pub struct Dynamics<'a> {
     label: String,
     /// Matrix A of the linear system for accelerations and reactions, row by row.
     matrix: Vec<f64>,
-    /// Right-hand side b of the linear system A x = b; after its solution, accelerations and reactions x.
+    /// Right-hand side b of the linear system A x = b; after the solution its unknowns x: accelerations, then
+    /// reactions.
     unknowns: Vec<f64>,
 }
 
@@ -75,15 +76,15 @@ impl<'a> Dynamics<'a> {
     /// Joins generalized coordinates `q` and motion variables `v` to a state y = (q, v).
     ///
     /// # Errors
-    /// [`SimError::Length`] if `q` or `v` does not have the system's length.
+    /// [`SimError::Length`] if the length of `q` or `v` is not that of the system.
     pub fn state(&self, q: &[f64], v: &[f64]) -> Result<Vec<f64>, SimError> {
         check_dynamics_length("coordinates", self.system.lengths().coordinates, q)?;
         check_dynamics_length("motion variables", self.system.lengths().variables, v)?;
         Ok([q, v].concat())
     }
 
-    /// Splits a state y into generalized coordinates q and motion variables v. If y is too short, its
-    /// entries fill q first.
+    /// Splits a state y into generalized coordinates q and motion variables v. If y is too short, q gets its entries
+    /// first.
     #[must_use]
     pub fn split<'y>(&self, y: &'y [f64]) -> (&'y [f64], &'y [f64]) {
         y.split_at(self.system.lengths().coordinates.min(y.len()))
@@ -116,8 +117,8 @@ impl<'a> Dynamics<'a> {
         linear::reciprocal_condition(&self.matrix, self.system.lengths().unknowns())
     }
 
-    /// Determinant of the matrix A(q, v) of the equations of motion. Not a number if A is not finite, or if
-    /// `q` or `v` does not have the system's length.
+    /// Determinant of the matrix A(q, v) of the equations of motion. NaN if A is not finite, or if `q` or `v` does not
+    /// have the system's length.
     pub fn determinant(&mut self, q: &[f64], v: &[f64]) -> f64 {
         if self.check_lengths(q, v).is_err() {
             return f64::NAN;
@@ -126,8 +127,7 @@ impl<'a> Dynamics<'a> {
         linear::matrix_determinant(&self.matrix, self.system.lengths().unknowns())
     }
 
-    /// Total energy T + V of the system at (q, v), J; not a number if `q` or `v` does not have the system's
-    /// length.
+    /// Total energy T + V of the system at (q, v), J. NaN if `q` or `v` does not have the system's length.
     #[must_use]
     pub fn energy(&self, q: &[f64], v: &[f64]) -> f64 {
         if self.check_lengths(q, v).is_err() {
@@ -136,9 +136,8 @@ impl<'a> Dynamics<'a> {
         self.system.kinetic_energy(&self.parameters, q, v) + self.system.potential_energy(&self.parameters, q)
     }
 
-    /// Largest drift |E(t) − E(t0) − W(t)| of the energy E over the samples of a solution and its end, J. W
-    /// is the work that the solution states, and E(t0) the energy of the first sample. Not a number if an
-    /// energy is not a number.
+    /// Largest drift |E(t) − E(t0) − W(t)| of the energy E over the samples of a solution and its end, J. W is the work
+    /// that is recorded in the solution, and E(t0) the energy of the first sample. NaN if an energy is NaN.
     #[must_use]
     pub fn energy_drift(&self, solution: &Solution) -> f64 {
         let energy = |y: &Vec<f64>| {
@@ -162,8 +161,8 @@ impl<'a> Dynamics<'a> {
         }
     }
 
-    /// Creates the failure of a linear system that has no solution, with the entry that is not finite if
-    /// there is such an entry. The matrix and the forcing must still be unchanged.
+    /// Creates the failure of a linear system that has no solution. It names the entry that is not finite, if there is
+    /// one. The matrix and the forcing must still be unchanged.
     fn linear_system_failure(&self, why: UnsolvableSystem) -> Failure {
         let matrix = match self.shape() {
             MatrixKind::Symmetric => "mass matrix",
@@ -188,11 +187,10 @@ impl<'a> Dynamics<'a> {
     }
 }
 
-/// Right-hand side y' = (q̇, v̇) with accelerations from the linear system at each state; the time is
-/// not used.
+/// Right-hand side y' = (q̇, v̇) with accelerations from the linear system at each state; the time is not used.
 ///
-/// The Jacobian is that of the eliminated accelerations, which were solved for when the code was
-/// generated, if the system has these.
+/// The Jacobian is available if the system also has accelerations that were solved for when its code was generated. It
+/// is the Jacobian of these.
 impl RightHandSide<f64> for Dynamics<'_> {
     fn rhs(&mut self, _t: f64, y: &[f64], dydt: &mut [f64]) -> Result<(), Failure> {
         let (n, speeds) = (self.system.lengths().coordinates, self.system.lengths().variables);
@@ -244,7 +242,7 @@ impl RightHandSide<f64> for Dynamics<'_> {
     }
 }
 
-/// Failure for a state whose length does not fit the equations.
+/// Creates the failure for a state whose length does not fit the equations.
 fn wrong_dynamics_length() -> Failure {
     let message = "the state does not have the length of the equations".to_owned();
     Failure { code: "length", message }

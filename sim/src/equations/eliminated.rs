@@ -6,13 +6,12 @@ use tripos_traits::{Real, System};
 use crate::error::Failure;
 use crate::right_hand_side::RightHandSide;
 
-/// Right-hand side y' = (q̇, v̇) of equations whose accelerations v̇ were solved for in advance, in any
-/// kind of number. It calls [`System::derivative`] and has an exact Jacobian.
+/// Right-hand side y' = (q̇, v̇) of equations whose accelerations v̇ were solved for when their code was generated. It
+/// works for any scalar type, calls [`System::derivative`] and has an exact Jacobian.
 ///
-/// The state is y = (q, v), as for [`crate::Dynamics`], which solves the linear system at each state
-/// instead.
+/// The state is y = (q, v), as for [`crate::Dynamics`], which solves the linear system at each state instead.
 pub struct EliminatedDynamics<'a, S: Real = f64> {
-    /// Equations of motion whose accelerations were solved for in advance.
+    /// Equations of motion whose accelerations were solved for when their code was generated.
     system: &'a dyn System<S>,
     /// Values of the parameters, in the order of the model file.
     parameters: Vec<S>,
@@ -23,7 +22,7 @@ pub struct EliminatedDynamics<'a, S: Real = f64> {
 }
 
 impl<'a, S: Real> EliminatedDynamics<'a, S> {
-    /// Creates the right-hand side of a system, with `parameters` in the order of the model file. `None` if
+    /// Creates the right-hand side of a system, with `parameters` in the order of the model file. `None` if the
     /// accelerations were not solved for in advance, or if the number of parameters is wrong.
     #[must_use]
     pub fn new(system: &'a dyn System<S>, parameters: &[S]) -> Option<Self> {

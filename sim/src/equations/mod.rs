@@ -1,5 +1,5 @@
-//! Right-hand sides made of a model's equations of motion: solved at each state, eliminated in advance,
-//! or with derivatives.
+//! Right-hand sides made from a model's equations of motion: solved at each state, solved in advance, or with
+//! derivatives.
 
 pub(crate) mod dynamics;
 pub(crate) mod eliminated;

@@ -1,20 +1,18 @@
-//! Right-hand side of equations of motion whose numbers carry derivatives along several directions
-//! (dual numbers).
+//! Right-hand side of equations of motion whose numbers carry derivatives along several directions (dual numbers).
 //!
-//! Invariant: values have the same bits as those of [`crate::EliminatedDynamics`], so that a run takes
-//! the same steps. The derivatives of the rates f(y, p) are f_y s + f_p p′, by a single call of the
-//! equations' body. s are the derivatives of the state, and p′ those of the parameters.
+//! Invariant: values have the same bits as those of [`crate::EliminatedDynamics`], so that a run takes the same steps.
+//! A single call of the generated equations gives the derivatives of the rates f(y, p), which are f_y s + f_p p′. Here
+//! s are the derivatives of the state, and p′ those of the parameters.
 
 use tripos_traits::{Flow, Scalar, Series, System, Tangent};
 
 use crate::error::Failure;
 use crate::right_hand_side::RightHandSide;
 
-/// Right-hand side y' = (q̇, v̇) in numbers that carry derivatives along K directions, with the
-/// constraints of the equations. A run with it gives sensitivities.
+/// Right-hand side y' = (q̇, v̇) and constraints of a model, in numbers that carry derivatives along K directions. A
+/// run with it gives sensitivities.
 pub struct DynamicsWithTangents<'a, const K: usize> {
-    /// Equations in plain doubles, for divisors, slopes of constraints and the Jacobian, which carry no
-    /// derivatives.
+    /// Equations in `f64`, for values without derivatives: divisors, slopes of constraints and the Jacobian.
     system: &'a dyn System<f64>,
     /// Rates and constraints of the equations in numbers with derivatives.
     flow: &'a dyn Flow<Tangent<K>>,
@@ -28,7 +26,7 @@ pub struct DynamicsWithTangents<'a, const K: usize> {
     work: Vec<Tangent<K>>,
     /// Working space for the values of a state, without derivatives.
     state: Vec<f64>,
-    /// Working space for results in plain doubles, without derivatives.
+    /// Working space for results in `f64`, without derivatives.
     out: Vec<f64>,
 }
 
@@ -59,8 +57,7 @@ impl<'a, const K: usize> DynamicsWithTangents<'a, K> {
         })
     }
 
-    /// Evaluates a function `of` of the state in plain doubles, and writes the result to `out` with
-    /// derivatives of 0.
+    /// Evaluates a function `of` of the state in `f64`, and writes the result to `out` with derivatives of 0.
     fn without_tangents(
         &mut self,
         y: &[Tangent<K>],

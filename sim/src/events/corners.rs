@@ -1,10 +1,9 @@
-//! Corners of a right-hand side: times at which it has a kink or a jump. Steps end there, and each step
-//! sees only the right-hand side on its own side of the corner.
+//! Corners of a right-hand side: times at which it has a kink or a jump. Steps end there, and each step uses the
+//! right-hand side only on its own side of the corner.
 //!
-//! States may carry derivatives by variables p (dual numbers). If the time of a jump depends on p,
-//! these derivatives jump, too. Where the right-hand side jumps from f⁻ to f⁺ at t(p), the derivatives
-//! of the state y(t, p) change by (f⁻ − f⁺) dt/dp. At a kink, the derivatives of f are those on the
-//! side of the step.
+//! States may carry derivatives by variables p (dual numbers). If the time of a jump depends on p, these derivatives
+//! jump, too. Where the right-hand side jumps from f⁻ to f⁺ at time t(p), the derivatives of the state y(t, p) change
+//! by (f⁻ − f⁺) dt/dp. At a kink, a step uses the derivatives of f on its own side.
 
 use crate::error::Failure;
 use crate::right_hand_side::RightHandSide;
@@ -17,15 +16,14 @@ use tripos_traits::Real;
 pub struct Corner {
     /// Time at which the right-hand side has the kink or jump, s.
     pub at: f64,
-    /// True if the right-hand side jumps at the corner, false for a kink. At a jump a step evaluates f on
-    /// its own side, 8 ulp of t away.
+    /// True if the right-hand side jumps at the corner, false for a kink. At a jump a step evaluates f on the step's
+    /// own side, 8 ulp of t away.
     pub jumps: bool,
-    /// Derivative of the corner's time by each variable along which the numbers of the state carry
-    /// derivatives.
+    /// Derivative of the corner's time by each variable by which the numbers of the state carry derivatives.
     pub moves: [f64; SLOPE_DIRECTIONS],
 }
 
-/// Largest number of variables along which the numbers of a state can carry derivatives.
+/// Largest number of variables by which the numbers of a state can carry derivatives.
 pub const SLOPE_DIRECTIONS: usize = 4;
 
 impl Corner {
@@ -44,18 +42,18 @@ impl Corner {
     }
 }
 
-/// Intervals of time, around the current time of a run, in which a right-hand side has no jump or no
-/// corner.
+/// Intervals of time around the current time of a run: one without jumps of the right-hand side, and one without
+/// corners of any kind.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct IntervalsBetweenCorners {
-    /// Interval between the neighbouring jumps, s. Its ends are 8 ulp of t inside.
+    /// Interval between the neighbouring jumps, s. Each end is 8 ulp of t inside.
     pub(crate) values: (f64, f64),
-    /// Interval between the neighbouring corners of any kind, s. Its ends are 8 ulp of t inside. The
-    /// derivatives of f are smooth in it, too.
+    /// Interval between the neighbouring corners of any kind, s. Each end is 8 ulp of t inside. The derivatives of f
+    /// are smooth in it, too.
     pub(crate) slopes: (f64, f64),
 }
 
-/// Corners in a run, and the number of corners that the run has passed.
+/// Corners of a run's right-hand side, and the number of corners that the run has passed.
 #[derive(Clone, Default)]
 pub(crate) struct Corners {
     /// Corners in the order in which the run meets them.
@@ -78,16 +76,16 @@ impl Corners {
         Self { all, toward, end: t1, behind: 0 }
     }
 
-    /// Marks all corners up to time `t`, s, as passed, with those beyond it by less than the smallest step.
-    /// `None` if there are none. Returns the derivatives of the time of a jump by the variables of the
-    /// state; zeros if no jump depends on them.
+    /// Marks all corners up to time `t`, s, as passed; corners beyond `t` by less than the smallest step count, too.
+    /// `None` if none is newly passed. Else returns the derivatives dt/dp of a passed jump's time by the variables p of
+    /// the state; zeros if no passed jump depends on p.
     pub(crate) fn pass_corners(&mut self, t: f64) -> Option<[f64; SLOPE_DIRECTIONS]> {
         let passed = self.passed_corners(t);
         let moved = passed.iter().find(|corner| corner.jumps && corner.moves.iter().any(|by| *by != 0.0));
         (!passed.is_empty()).then(|| moved.map_or([0.0; SLOPE_DIRECTIONS], |corner| corner.moves))
     }
 
-    /// Marks all corners up to time `t`, s, as passed, with those beyond it by less than the smallest step.
+    /// Marks all corners up to time `t`, s, as passed; corners beyond `t` by less than the smallest step count, too.
     /// Returns the newly passed corners.
     pub(crate) fn passed_corners(&mut self, t: f64) -> &[Corner] {
         let before = self.behind;
@@ -112,10 +110,10 @@ impl Corners {
         }
     }
 
-    /// Interval between the neighbouring corners for which `is_meant` is true, s. Its ends are half the
-    /// smallest step inside; infinite if there is no corner on a side.
+    /// Interval between the neighbouring corners for which `is_meant` is true, s. Each end is half the smallest step
+    /// inside; infinite if there is no such corner on a side.
     fn interval_between_corners(&self, is_meant: impl Fn(&Corner) -> bool) -> (f64, f64) {
-        // Farther from the corner than the rounding error of an argument such as `k*t - a`.
+        // The distance from the corner exceeds the rounding error of an argument such as `k*t - a`.
         let beside = |corner: &Corner, toward: f64| corner.at + toward * smallest_step_beyond_rounding(corner.at) / 2.0;
         let (behind, ahead) = self.all.split_at(self.behind);
         let behind = behind.iter().rfind(|corner| is_meant(corner)).map(|corner| beside(corner, self.toward));
@@ -125,19 +123,19 @@ impl Corners {
     }
 }
 
-/// Right-hand side that is smooth between two neighbouring corners. At a jump it has the value just
-/// inside the interval, at a kink the derivatives just inside.
+/// Right-hand side that is smooth between two neighbouring corners. At a jump it has the value just inside the
+/// interval, at a kink the derivatives just inside the interval.
 pub(crate) struct BetweenCorners<'a, R, S> {
     /// Right-hand side that has corners in time.
     rhs: &'a mut R,
     /// Index of the component of the state that is the time; `None` if there is none.
     clock: Option<usize>,
-    /// Intervals of time in which the right-hand side is smooth: between jumps, and between corners of any
-    /// kind.
+    /// Intervals of time in which the right-hand side is smooth: between neighbouring jumps, and between neighbouring
+    /// corners of any kind.
     sides: IntervalsBetweenCorners,
     /// Copy of a state, with its time component moved into the interval.
     state: Vec<S>,
-    /// Working space for values computed inside the interval, whose derivatives are used.
+    /// Working space for values that are computed inside the interval only for their derivatives.
     beside: Vec<S>,
 }
 
@@ -148,20 +146,20 @@ impl<'a, R, S: Real> BetweenCorners<'a, R, S> {
         Self { rhs, clock, sides, state: Vec::new(), beside: Vec::new() }
     }
 
-    /// Replaces the intervals in which the right-hand side is smooth by those between two other corners.
+    /// Sets the intervals in which the right-hand side is smooth to those between other corners.
     pub(crate) fn set_corner_intervals(&mut self, sides: IntervalsBetweenCorners) {
         self.sides = sides;
     }
 
-    /// Calls `question` with the right-hand side, a time and a state. Time and the state's time component
-    /// are first moved into the interval between jumps.
+    /// Calls `question` with the right-hand side, a time and a state. Moves the time, and the state's time component,
+    /// into the interval between jumps before.
     #[inline]
     fn evaluate_beside_corner<T>(&mut self, t: f64, y: &[S], question: impl FnOnce(&mut R, f64, &[S]) -> T) -> T {
         self.evaluate_inside_corners(self.sides.values, t, y, question)
     }
 
-    /// Calls `question` with the right-hand side, a time and a state. Time and the state's time component
-    /// are first moved into `interval`, s.
+    /// Calls `question` with the right-hand side, a time and a state. Moves the time, and the state's time component,
+    /// into `interval`, s, before.
     #[inline]
     fn evaluate_inside_corners<T>(
         &mut self,
@@ -182,9 +180,9 @@ impl<'a, R, S: Real> BetweenCorners<'a, R, S> {
         question(self.rhs, inside, &self.state)
     }
 
-    /// Replaces the derivatives that `values` carry by those on this side of a corner, if `t` or the
-    /// state's time component lies outside the interval between corners. `again` computes the values a
-    /// second time, inside.
+    /// Replaces the derivatives that `values` carry if `t` or the state's time component lies outside the interval
+    /// between corners. The new derivatives are those inside the interval; `again` computes the values a second time
+    /// there.
     #[inline]
     fn turn(&mut self, t: f64, y: &[S], values: &mut [S], again: impl FnOnce(&mut R, f64, &[S], &mut [S])) {
         let (low, high) = self.sides.slopes;
@@ -202,8 +200,8 @@ impl<'a, R, S: Real> BetweenCorners<'a, R, S> {
 }
 
 impl<R: RightHandSide<S>, S: Real> BetweenCorners<'_, R, S> {
-    /// Moves to the intervals after a corner at time `t`, s. The derivatives that the state `y` carries
-    /// change if the corner is a jump whose time has derivatives `moves`.
+    /// Moves to the intervals after a corner at time `t`, s. `moves` are the derivatives of the corner's time; at a
+    /// jump they change the derivatives that the state `y` carries.
     pub(crate) fn pass_jump(
         &mut self,
         sides: IntervalsBetweenCorners,
@@ -224,7 +222,7 @@ impl<R: RightHandSide<S>, S: Real> BetweenCorners<'_, R, S> {
         }
     }
 
-    /// Computes y′ = f(t, y), rounded to `f64`; not a number if f has no value.
+    /// Computes y′ = f(t, y), rounded to `f64`; NaN if f has no value.
     fn rates(&mut self, t: f64, y: &[S]) -> Vec<f64> {
         let mut rates = vec![S::from_f64(0.0); y.len()];
         match self.rhs(t, y, &mut rates) {
@@ -235,16 +233,14 @@ impl<R: RightHandSide<S>, S: Real> BetweenCorners<'_, R, S> {
 }
 
 impl<R: TransposedRightHandSide> BetweenCorners<'_, R, f64> {
-    /// Adds f_yᵀ w and f_pᵀ w to the two vectors of `to`, as
-    /// [`TransposedRightHandSide::add_transposed_product`] does, for the smooth
-    /// right-hand side between corners. Error if the Jacobians have no value.
+    /// Adds f_yᵀ w and f_pᵀ w to the two vectors of `to`, for the smooth right-hand side between corners and w =
+    /// `weights`. It calls [`TransposedRightHandSide::add_transposed_product`]. Error if the Jacobians have no value.
     pub(crate) fn pull(&mut self, t: f64, y: &[f64], weights: &[f64], to: ProductSums<'_>) -> Result<(), Failure> {
         self.evaluate_inside_corners(self.sides.slopes, t, y, |rhs, t, y| rhs.add_transposed_product(t, y, weights, to))
     }
 
-    /// Adds φ_yᵀ w and φ_pᵀ w to the two vectors of `to`, as
-    /// [`TransposedRightHandSide::add_transposed_constraint_product`] does, for the
-    /// constraints between corners. w are `shares`. Error if the Jacobians have no value.
+    /// Adds φ_yᵀ w and φ_pᵀ w to the two vectors of `to`, for the constraints φ between corners and w = `shares`. It
+    /// calls [`TransposedRightHandSide::add_transposed_constraint_product`]. Error if the Jacobians have no value.
     pub(crate) fn pull_constraints(
         &mut self,
         t: f64,
@@ -258,8 +254,7 @@ impl<R: TransposedRightHandSide> BetweenCorners<'_, R, f64> {
     }
 }
 
-/// Replaces the derivatives that `numbers` carry by those of the numbers `of`; their values are not
-/// changed.
+/// Replaces the derivatives that `numbers` carry with those of the numbers `of`. The values are not changed.
 pub(crate) fn replace_slopes<S: Real>(numbers: &mut [S], of: &[S]) {
     for (number, of) in numbers.iter_mut().zip(of) {
         for at in 0..S::SLOPES {

@@ -1,16 +1,13 @@
-//! Guard of the divisors of equations, so that no step leads across a place where the equations have no
-//! value.
+//! Guard of the divisors of equations, so that no step leads across a place where the equations have no value.
 //!
-//! Invariant: the steps are those of a run without a guard, up to the step in which a divisor changes
-//! its sign. The divisors are evaluated once for each accepted step; zeros inside it are found on the
-//! dense output.
+//! Invariant: the steps are those of a run without a guard, up to the step in which a divisor changes its sign. The
+//! divisors are evaluated once for each accepted step; zeros inside the step are found on the dense output.
 //!
-//! A divisor may touch zero without a change of sign, such as the distance of two points that meet. The
-//! run ends there if f jumps, as a force along the line between the points does. It goes on if f is
-//! continuous.
+//! A divisor may touch zero without a change of sign, such as the distance of two points that meet. The run ends there
+//! if f jumps, as a force along the line between the points does. The run goes on if f is continuous.
 //!
-//! The guard can miss a divisor that reaches zero and turns back within a step, if the divisor did not
-//! move towards zero in the step before.
+//! The guard can miss a divisor that reaches zero and turns back within a step, if the divisor did not move towards
+//! zero in the step before.
 
 use tripos_traits::{Real, larger};
 
@@ -29,19 +26,18 @@ pub(crate) struct DivisorZero {
 
 /// Distances from a zero of a divisor at which the size of f is examined, as fractions of a step.
 const NEAR: [f64; 3] = [1e-4, 1e-8, 1e-12];
-/// Distances from a zero of a divisor at which f is compared on both sides, as fractions of a step. If
-/// f jumps, the change of f does not shrink from the first distance to the second.
+/// Two distances from a zero of a divisor at which f is compared on both sides, as fractions of a step. If f jumps, the
+/// change of f is as large at the second distance as at the first.
 const SIDES: [f64; 2] = [1e-4, 1e-6];
-/// Largest value of a divisor that counts as touching zero, as a fraction of its value at the ends of
-/// the step. The divisor may be a square.
+/// Largest value of a divisor that counts as touching zero, as a fraction of its value at the ends of the step. It is
+/// small because a divisor may be the square of a distance.
 const TOUCHED: f64 = 1e-12;
-/// Smallest change of f across a zero of a divisor that counts as a jump, as a fraction of the largest
-/// component of f. Rounding errors over the divisor stay below it.
+/// Smallest change of f across a zero of a divisor that counts as a jump, as a fraction of the largest component of f.
+/// The quotient of rounding errors and a divisor stays below it.
 const JUMP: f64 = 1e-7;
-/// Factor by which f may be larger near a zero of a divisor than elsewhere in the step, if it is
-/// bounded there.
+/// Factor by which f may be larger near a zero of a divisor than elsewhere in the step to count as bounded there.
 const LARGE: f64 = 100.0;
-/// Smallest size with which a component of f is compared, as a fraction of the largest component.
+/// Smallest size with which a component of f is compared, as a fraction of the largest component of f.
 const SMALL: f64 = 1e-9;
 
 /// Guard of a run's divisors, with their values at the ends of the last two steps.
@@ -49,7 +45,7 @@ pub(crate) struct DivisorGuard<S> {
     /// Values of the divisors at the start of the previous step, at the start of the current step, and at
     /// its end.
     values: [Vec<f64>; 3],
-    /// Signed length of the previous step, s; `None` in the first step.
+    /// Signed length of the previous step, s; `None` if the current step is the first.
     before: Option<f64>,
     /// Working space for the values of the divisors.
     out: Vec<S>,
@@ -75,8 +71,8 @@ impl<S: Real> DivisorGuard<S> {
         self.out.is_empty()
     }
 
-    /// Evaluates the divisors at the end of an accepted step. True if a divisor may have been zero inside
-    /// the step.
+    /// Evaluates the divisors at the end of an accepted step. Returns true if a divisor may have been zero inside the
+    /// step.
     pub(crate) fn suspects_divisor_zero<R: RightHandSide<S>>(
         &mut self,
         rhs: &mut R,
@@ -110,8 +106,8 @@ impl<S: Real> DivisorGuard<S> {
         self.before = Some(length);
     }
 
-    /// True if the divisor with index `at` changed its sign over the step of this signed length, s. Also
-    /// true if a linear continuation of the previous step would have changed it.
+    /// True if the divisor with index `at` changed its sign over the step of this signed length, s. Also true if the
+    /// divisor would have changed its sign by a linear continuation of the previous step.
     fn is_suspect(&self, at: usize, length: f64) -> bool {
         let [before, start, end] = [0, 1, 2].map(|k| self.values[k][at]);
         if start == 0.0 || start.is_nan() || end.is_nan() {
@@ -154,11 +150,11 @@ impl<S: Real> DivisorGuard<S> {
         (there <= start.abs().max(end.abs()) || there.is_nan()).then_some(theta)
     }
 
-    /// True if the motion can pass a zero of a divisor at the fraction `zero` of the step. There f is as
-    /// large as elsewhere in the step, and does not jump.
+    /// True if the motion can pass a zero of a divisor at the fraction `zero` of the step: near it f is as large as
+    /// elsewhere in the step, and does not jump.
     ///
-    /// The dividend is then zero, too. That needs exact zeros, such as a speed that no force changes: an
-    /// error of the dividend would be divided as well.
+    /// The dividend is zero there, too. It must be exactly zero, such as a speed that no force changes, because an
+    /// error of the dividend would be divided by a vanishing divisor.
     fn motion_passes_zero<R: RightHandSide<S>>(
         &mut self,
         rhs: &mut R,
@@ -208,7 +204,7 @@ impl<S: Real> DivisorGuard<S> {
 mod tests {
     use crate::{Failure, Method, Options, RightHandSide, Stop, integrate};
 
-    /// x′ = v/x with v′ = 1/4, which divides by x.
+    /// Equations x′ = v/x and v′ = 1/4, which divide by x.
     struct Point;
 
     impl RightHandSide for Point {
@@ -227,8 +223,8 @@ mod tests {
         }
     }
 
-    /// With v = x/2 at the start x = −1 + t/2: 0/0 at t = 2. With v lower by 1e-9, x² = (1 − t/2)² −
-    /// 2e-9 t: there is no motion beyond t = 2 − 9e-5.
+    /// Truth: with v = x/2 at the start, the motion is x = −1 + t/2, and the rate is 0/0 at t = 2. With v lower by
+    /// 1e-9, x² = (1 − t/2)² − 2e-9 t: there is no motion beyond t = 2 − 9e-5.
     #[test]
     fn a_run_ends_where_a_divisor_changes_its_sign() {
         for method in [Method::Ode45, Method::Dopri5, Method::Dop853] {
@@ -240,7 +236,7 @@ mod tests {
         }
     }
 
-    /// A closure that divides by its first variable.
+    /// Right-hand side from a closure that divides by the first component of the state.
     struct Watched<F>(F);
     impl<F: FnMut(f64, &[f64], &mut [f64]) -> Result<(), Failure>> RightHandSide for Watched<F> {
         fn rhs(&mut self, t: f64, y: &[f64], out: &mut [f64]) -> Result<(), Failure> {
@@ -254,7 +250,7 @@ mod tests {
         }
     }
 
-    /// Without anything to divide, x = 1 − t passes 0: the speed is 0 exactly.
+    /// Truth: x = 1 − t passes the zero of its divisor if the dividend is exactly 0, and ends there if it is 1e-9.
     #[test]
     fn what_passes_with_bounded_rates_goes_on() {
         let rhs = |_t: f64, y: &[f64], out: &mut [f64]| {
@@ -267,8 +263,8 @@ mod tests {
             assert_eq!(run.stop == Stop::End, passes, "{:?}", run.stop);
         }
     }
-    /// A mass is pulled by k (d − l) towards a point at the distance d, which is a divisor. The force jumps where the
-    /// mass comes to the point, and every method reports it. With l = 0 the mass passes through.
+    /// Truth: a mass is pulled by k (d − l) towards a point at the distance d, which is a divisor. The force jumps when
+    /// the mass comes to the point, and every method reports it. With l = 0 the mass passes through.
     #[test]
     fn a_force_along_a_distance_that_vanishes_ends_the_run() {
         struct Spring(f64);
@@ -299,7 +295,8 @@ mod tests {
         }
     }
 
-    /// The first step has none before it that it could go on like: its own ends must tell.
+    /// Truth: the first step leads across a zero. No step before it warns of the zero, so that the divisor's values at
+    /// its own ends must.
     #[test]
     fn a_first_step_that_leads_across_ends_the_run_inside_it() {
         let rhs = |_t: f64, y: &[f64], out: &mut [f64]| {

@@ -1,7 +1,7 @@
 //! Memory of an event function from step to step: its value and its sign at the start of a step.
 //!
-//! Invariant: `EventMemory::side` is the side of zero on which the function was last known to be. Every
-//! change of sign against it is reported exactly once. See [`crate::events`] for the conventions.
+//! Invariant: `EventMemory::side` is the sign of the event function when it was last known not to be zero. Every change
+//! from this sign to the opposite sign is reported exactly once. See [`crate::events`] for the conventions.
 
 use super::Kind;
 use super::event_findings::{Finding, Findings};
@@ -22,13 +22,13 @@ pub(crate) struct EventMemory {
     /// Sign that is assumed for an event function that is zero at the start of the run: 1 for a domain
     /// event, else 0.
     pub(crate) side_at_zero: Sign,
-    /// Start time of the run, s, if the event function is zero there and the run is still within rounding
-    /// of it; else `None`.
+    /// Start time of the run, s, while the run is within rounding of this time and the event function was zero there;
+    /// else `None`.
     pub(crate) zero_at: Option<f64>,
 }
 
 impl EventMemory {
-    /// Updates the memory to the last of a step's samples.
+    /// Updates the memory from the last sample of a step.
     pub(crate) fn move_on(&mut self, nodes: &[Node]) {
         self.begun = true;
         if let Some(end) = nodes.last() {
@@ -36,14 +36,14 @@ impl EventMemory {
         }
     }
 
-    /// Updates the memory to the end of a step in which the event function had the sign `side`, with an
-    /// unknown value.
+    /// Updates the memory to the end of a step in which the event function always had the sign `side`. Its value is not
+    /// known then; ±1 is stored.
     pub(crate) fn stay_on_side(&mut self, side: Sign) {
         (self.begun, self.side, self.sign, self.value) = (true, side, side, f64::from(side));
     }
 
-    /// Sets the memory to the first sample of a run, whose sign is `first`. If it is zero, that is reported
-    /// in `findings`.
+    /// Sets the memory to the first sample of a run, whose sign is `first`. A zero at the start is reported in
+    /// `findings`.
     pub(crate) fn begin(&mut self, first: Sign, findings: &mut Findings) {
         self.side = first;
         if first == 0 {

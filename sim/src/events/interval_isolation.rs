@@ -1,10 +1,9 @@
-//! Division of a step into parts on which interval arithmetic decides the behaviour of an event
-//! function.
+//! Division of a step into parts on which interval arithmetic decides the behaviour of an event function.
 //!
-//! A part is halved until one of four conditions holds. The range of the function excludes 0, so that
-//! it has no zero in the part. The range of its slope excludes 0, so that it has at most one zero. The
-//! part is as narrow as [`isolation_resolution`]. The range is no wider than rounding makes it. Work is counted:
-//! a part that is not decided after [`MOST`] ranges stays open.
+//! A part is halved until one of four conditions holds. The range of the function excludes 0, so that it has no zero in
+//! the part. The range of its slope excludes 0, so that it has at most one zero. The part is as narrow as
+//! [`isolation_resolution`]. The range is no wider than rounding makes it. The number of ranges is limited: a part that
+//! is not decided after [`MOST`] ranges stays open.
 
 use tripos_traits::{Enclosure, Interval};
 
@@ -18,8 +17,8 @@ use crate::step_polynomial::StepPolynomial;
 const NARROW: f64 = 1.0 / 1_099_511_627_776.0;
 /// Largest number of ranges that are computed in a step for a single event.
 const MOST: u32 = 4096;
-/// Number of ranges after which the search examines if the event function is zero within rounding at
-/// all undecided parts, and gives up if it is.
+/// Number of ranges after which the search tests if the event function is zero within rounding at all undecided parts.
+/// If it is, the search gives up.
 const ENOUGH: u32 = 128;
 
 /// Known behaviour of an event function on a part of a step.
@@ -30,7 +29,7 @@ pub(crate) enum Known {
     /// The function is finite, and only rises or only falls. It has a single zero if its signs at the ends
     /// of the part differ, else none.
     Monotone,
-    /// The behaviour is not known, and halving the part would not decide it.
+    /// The behaviour is not known, and halving the part would not reveal it.
     Unknown,
     /// The behaviour is not decided yet: the part must be halved.
     Open,
@@ -58,15 +57,15 @@ pub(crate) struct Ranges<'p, 'f> {
 }
 
 impl Ranges<'_, '_> {
-    /// Range of the event function between the fractions `from` and `to` of the step, and range of its
-    /// derivative by the fraction.
+    /// Range of the event function between the fractions `from` and `to` of the step, with the range of its derivative
+    /// by the fraction of the step.
     pub(crate) fn range_over_part(&mut self, from: f64, to: f64) -> Enclosure {
         self.polynomial.state(from, to, self.y);
         (self.function)(self.polynomial.time(from, to), self.y)
     }
 
-    /// Width of the event function's range at the fraction `theta` of the step, which rounding alone
-    /// causes; 0 if it is infinite.
+    /// Width of the event function's range at the fraction `theta` of the step, caused by rounding alone; 0 if it is
+    /// infinite.
     pub(crate) fn rounding_spread(&mut self, theta: f64) -> f64 {
         let width = self.range_over_part(theta, theta).value.width();
         if width.is_finite() { width } else { 0.0 }
@@ -77,14 +76,14 @@ impl Ranges<'_, '_> {
 pub(crate) struct Isolation {
     /// Parts of the step in order, each with the known behaviour of the event function.
     pub(crate) parts: Vec<Part>,
-    /// First fraction of the step at which the event function has no value; `None` if it has values
-    /// everywhere. No part begins there or later.
+    /// First fraction of the step at which the event function has no value; `None` if it has values everywhere. All
+    /// parts begin before it.
     pub(crate) cut: Option<f64>,
 }
 
 impl Isolation {
-    /// Fractions of the step at which parts begin or end, in order, before the fraction at which the
-    /// function has no value.
+    /// Ends of all parts as fractions of the step, in order. Fractions from which on the function has no value are left
+    /// out.
     pub(crate) fn ends(&self) -> impl Iterator<Item = f64> {
         let ends = self.parts.first().map(|part| part.from).into_iter().chain(self.parts.iter().map(|part| part.to));
         ends.filter(|theta| self.cut.is_none_or(|cut| *theta < cut))
@@ -100,8 +99,8 @@ impl Isolation {
     }
 }
 
-/// Width of the narrowest part of a step over `span`, s, that the search for events halves no more, as
-/// a fraction of the step. It is 2⁻⁴⁰, or 8 ε of the time over the length of the step if that is more.
+/// Width below which a part of a step over `span`, s, is not halved any more, as a fraction of the step. It is 2⁻⁴⁰, or
+/// 8 ε of the time divided by the length of the step if that is more.
 pub(crate) fn isolation_resolution(span: (f64, f64)) -> f64 {
     let (start, end) = span;
     NARROW.max(8.0 * f64::EPSILON * start.abs().max(end.abs()) / (end - start).abs())
@@ -140,14 +139,14 @@ struct IsolationSearch<'s, 'p, 'r, 'q, 'f> {
     probe: &'s mut Probe<'p>,
     /// Event function along the step, evaluated on ranges by interval arithmetic.
     ranges: &'r mut Ranges<'q, 'f>,
-    /// Width of the narrowest part that is halved no more, as a fraction of the step.
+    /// Width at which a part is not halved any more, as a fraction of the step.
     narrow: f64,
     /// Number of ranges of the event function that were computed so far.
     spent: u32,
     /// First fraction of the step at which the event function has no value; infinite if it has values
     /// everywhere.
     cut: f64,
-    /// True once the search has examined if the event function is zero at all undecided parts.
+    /// True once the search has tested if the event function is zero at all undecided parts.
     steady: bool,
 }
 
@@ -166,10 +165,10 @@ impl IsolationSearch<'_, '_, '_, '_, '_> {
         Part { from, to, known }
     }
 
-    /// Finds the behaviour of the event function on a part by g(x) = g(m) + g'(ξ) (x − m), with the middle
-    /// m. `over` has the ranges of g and g' on the part.
+    /// Finds the behaviour of the event function g on a part by g(x) = g(m) + g'(ξ) (x − m), with the middle m. `over`
+    /// has the ranges of g and g' on the part.
     ///
-    /// The overestimate of this form falls with the square of the width.
+    /// The overestimate of the range by this form falls with the square of the part's width.
     fn judge_about_middle(&mut self, from: f64, to: f64, over: Enclosure) -> Known {
         let middle = f64::midpoint(from, to);
         if over.value.is_undefined() && self.probe.event_value(middle).is_nan() {

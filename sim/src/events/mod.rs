@@ -56,25 +56,24 @@ pub enum Effect {
     /// The equations hold only while the event function is positive: a crossing ends the run with
     /// [`crate::Stop::LeftDomain`].
     ///
-    /// A negative value at the start ends the run with [`crate::Stop::StartsOutside`], before any step. A
-    /// start at exactly zero is watched from the next instant on.
+    /// A negative value at the start ends the run with [`crate::Stop::StartsOutside`], before any step. If the value is
+    /// exactly zero at the start, the run begins and the function is watched from the next instant on.
     Domain,
 }
 
 /// Event function g(t, y) of the time t, s, and the state y. Its zeros are the events.
 pub type EventFunction<'a> = Box<dyn FnMut(f64, &[f64]) -> f64 + 'a>;
 
-/// Event function g in interval arithmetic. The arguments are the ranges of time, s, and of each
-/// component of the state, with their slopes by a single variable; the result is the range of g and of
-/// its slope.
+/// Event function g in interval arithmetic. The arguments are the ranges of the time, s, and of each component of the
+/// state, each with its slope by the fraction of the step. The result is the range of g and of its slope.
 pub type RangeFunction<'a> = Box<dyn FnMut(Enclosure, &[Enclosure]) -> Enclosure + 'a>;
 
 /// Event function in interval arithmetic, with the components of the state that it depends on.
 pub struct InRanges<'a> {
     /// Event function g, evaluated on ranges of time and state by interval arithmetic.
     pub function: RangeFunction<'a>,
-    /// Indices of the state's components on which the function depends; only their ranges are computed.
-    /// `None` means all components.
+    /// Indices of the components of the state on which the function depends; the ranges of other components are not
+    /// computed. `None` means all components.
     pub components: Option<Vec<usize>>,
 }
 
@@ -85,8 +84,8 @@ pub struct Event<'a> {
     /// Event function g(t, y). It is called at many points of a step, out of order, and should be smooth
     /// near its zeros.
     pub function: EventFunction<'a>,
-    /// Event function in interval arithmetic, with which no crossing is missed; `None` means that the
-    /// function is sampled.
+    /// Event function in interval arithmetic, with which no crossing is missed. `None`: the function is sampled
+    /// instead.
     pub ranges: Option<InRanges<'a>>,
     /// Direction of the crossings that count: rising, falling or either.
     pub direction: Direction,
@@ -115,8 +114,8 @@ impl<'a> Event<'a> {
         Self { effect: Effect::Terminal, ..Self::recorded(name, direction, function) }
     }
 
-    /// Creates a domain event: the equations hold while `function` is positive, and the run ends where it
-    /// becomes negative.
+    /// Creates a domain event: the equations hold while `function` is positive, and the run ends when it becomes
+    /// negative.
     pub fn domain(name: impl Into<String>, function: impl FnMut(f64, &[f64]) -> f64 + 'a) -> Self {
         Self { effect: Effect::Domain, ..Self::recorded(name, Direction::Falling, function) }
     }
@@ -167,8 +166,8 @@ pub enum Kind {
     AtStart,
     /// The event function changed its sign through infinity.
     Pole,
-    /// The event function comes so close to zero, or varies so fast, that a crossing is not decided. The
-    /// limit is rounding, or the allowed number of ranges.
+    /// The event function comes so close to zero, or varies so fast, that the search cannot decide about a crossing.
+    /// The limit is rounding, or the allowed number of ranges.
     Undecided,
 }
 

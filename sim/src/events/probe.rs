@@ -17,13 +17,13 @@ pub(crate) struct Probe<'p> {
 }
 
 impl Probe<'_> {
-    /// Value of the event function at the fraction `theta` of the step; it may be not a number.
+    /// Value of the event function at the fraction `theta` of the step; it may be NaN.
     pub(crate) fn event_value(&mut self, theta: f64) -> f64 {
         self.step.interpolate(theta, self.y);
         (self.function)(self.step.time_at(theta), self.y)
     }
 
-    /// Rounding error of a time within the step, s: 4 ε of the larger of the step's times.
+    /// Rounding error of a time within the step, s: 4 ε of the start or end time, whichever is larger.
     pub(crate) fn rounding_of_time(&self) -> f64 {
         let (start, end) = self.step.times();
         4.0 * f64::EPSILON * start.abs().max(end.abs())

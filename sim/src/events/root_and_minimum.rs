@@ -19,19 +19,18 @@ fn value_or_error(f: &mut impl FnMut(f64) -> f64, x: f64) -> Result<f64, NotANum
     if y.is_nan() { Err(NotANumber { at: x }) } else { Ok(y) }
 }
 
-/// Finds a zero of `f` between two points with values of opposite sign, to within `tolerance` or the
-/// spacing of numbers. Returns the end of the final bracket at which |f| is smaller. Error if a value
-/// is not a number.
+/// Finds a zero of `f` between two points with values of opposite sign, to within `tolerance` or the spacing of `f64`
+/// numbers. Returns the end of the final bracket at which |f| is smaller. Error if a value is not a number.
 ///
-/// Bisection safeguards a secant through the bracket's ends with the Illinois modification; infinite
-/// values only bisect. G. Dahlquist & Å. Björck, *Numerical Methods* (1974), §6.4.
+/// Bisection safeguards a secant through the bracket's ends with the Illinois modification; infinite values are only
+/// bisected. G. Dahlquist & Å. Björck, *Numerical Methods* (1974), §6.4.
 pub(crate) fn root_in_bracket(
     f: &mut impl FnMut(f64) -> f64,
     mut a: Point,
     mut b: Point,
     tolerance: f64,
 ) -> Result<f64, NotANumber> {
-    // Weights of the ends in the secant: halved while only the other end keeps moving.
+    // Weights of the ends in the secant. A weight is halved while only the other end moves.
     let (mut weight_a, mut weight_b) = (1.0, 1.0);
     let mut moved_a = None;
     for iteration in 0..200 {
@@ -61,10 +60,10 @@ pub(crate) fn root_in_bracket(
     Ok(if a.1.abs() < b.1.abs() { a.0 } else { b.0 })
 }
 
-/// Finds a minimum of `f` between `low` and `high`, and returns its point. The search ends early once a
-/// value is below `enough`. Error if a value is not a number.
+/// Finds a minimum of `f` between `low` and `high`, and returns the point (x, f(x)). The search ends early once a value
+/// is below `enough`. Error if a value is not a number.
 ///
-/// Golden sections with a parabola through the three best points where it helps; R. P. Brent,
+/// The method is golden sections, with a parabola through the three best points where it helps; R. P. Brent,
 /// *Algorithms for Minimization without Derivatives* (1973), ch. 5.
 pub(crate) fn minimum(
     f: &mut impl FnMut(f64) -> f64,
@@ -73,7 +72,7 @@ pub(crate) fn minimum(
     enough: f64,
 ) -> Result<Point, NotANumber> {
     const GOLDEN: f64 = 0.381_966_011_250_105_1;
-    // Half of the digits, as far as a smooth minimum has them; in a narrow interval more of them count.
+    // A smooth minimum is known to half of the digits; in a narrow interval more digits count.
     let narrow = 1e-6 * (high - low);
     let start = low + GOLDEN * (high - low);
     let mut x = (start, value_or_error(f, start)?);
@@ -139,7 +138,7 @@ mod tests {
             x.cos() - x
         };
         let x = root_in_bracket(&mut f, (0.0, 1.0), (1.0, 1_f64.cos() - 1.0), 0.0).unwrap();
-        // The fixed point of cosine; 2 ε since x and cos x are each rounded.
+        // The fixed point of the cosine; the tolerance is 2 ε, since x and cos x are each rounded.
         assert!((x - 0.739_085_133_215_160_6).abs() < 2.0 * f64::EPSILON, "{x}");
         assert!(calls < 30, "{calls}");
     }
@@ -167,7 +166,7 @@ mod tests {
     fn a_minimum_is_found_to_half_the_digits() {
         let mut f = |x: f64| (x - 0.3).powi(2) + (x - 0.3).powi(4);
         let (x, y) = minimum(&mut f, 0.0, 1.0, -1.0).unwrap();
-        // The square root of ε, since the function is flat there.
+        // The tolerance is the square root of ε, since the function is flat at its minimum.
         assert!((x - 0.3).abs() < 2e-8, "{x}");
         assert!(y < 1e-15, "{y}");
     }

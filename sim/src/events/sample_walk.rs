@@ -8,22 +8,22 @@ use super::probe::Probe;
 use super::root_and_minimum::{self, NotANumber};
 use super::samples::{Node, sign_or_zero};
 
-/// Distances from a zero at which the sign of the event function is examined, as fractions of a step:
-/// 2⁻²⁰, 2⁻¹⁴ and 2⁻⁸.
+/// Distances beyond a zero at which the sign of the event function is examined, as fractions of a step: 2⁻²⁰, 2⁻¹⁴ and
+/// 2⁻⁸.
 pub(crate) const LADDER: [f64; 3] = [1.0 / 1_048_576.0, 1.0 / 16_384.0, 1.0 / 256.0];
-/// Factor by which an event function is larger where it changes sign than at the ends of the bracket,
-/// if it does so through infinity.
+/// Factor that separates a pole from a zero: at a pole the event function is larger by this factor than at the ends of
+/// the bracket.
 const BEYOND: f64 = 4.0;
 
-/// Doubt whether an event function reached zero and returned between two neighbouring samples.
+/// Possibility that an event function reached zero and returned between two neighbouring samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Doubt {
     /// The function certainly did not reach zero.
     None,
-    /// The minimum of |g| between the samples decides if it reached zero.
+    /// The function may have reached zero: the minimum of |g| between the samples decides.
     Dip,
-    /// The minimum of |g| between the samples decides if it is at zero or beyond. If it is above zero, the
-    /// place is undecided.
+    /// The function may have reached zero: the minimum of |g| between the samples decides. A minimum above zero leaves
+    /// the place undecided.
     Unknown,
 }
 
@@ -39,8 +39,8 @@ pub(crate) fn walk_over_samples(
     tolerance: f64,
     findings: &mut Findings,
 ) -> Result<(), NotANumber> {
-    // Last sample that is clearly on a side, and the first zero sample after it. Zeros at the start of the step were
-    // reported at the end of the step before.
+    // `clear` is the last sample that is clearly on a side of zero, and `zeros` the first zero sample after it. Zeros
+    // at the start of the step were reported at the end of the step before.
     let mut clear: Option<usize> = None;
     let mut zeros: Option<usize> = None;
     for (k, node) in nodes.iter().enumerate() {
@@ -66,11 +66,10 @@ pub(crate) fn walk_over_samples(
     Ok(())
 }
 
-/// Finds the change of sign between samples `low` and `high`. It is a pole if the function grows
-/// towards it. Error if a value is not a number.
+/// Finds the change of sign between samples `low` and `high`. It is a pole if the function grows towards the change.
+/// Error if a value is not a number.
 ///
-/// If both values have the same sign before rounding, the change counts as being at the last sample
-/// before `high`.
+/// If both values have the same sign before rounding, the change is placed at the last sample before `high`.
 fn walk_across_zero(
     probe: &mut Probe<'_>,
     nodes: &[Node],
@@ -89,8 +88,8 @@ fn walk_across_zero(
     Ok(if grown { Finding { kind: Kind::Pole, ..crossing } } else { crossing })
 }
 
-/// Follows |g| to its minimum between two samples on the same side of zero. Adds two crossings, a
-/// touch, an undecided place or nothing to `findings`. Error if a value is not a number.
+/// Finds the minimum of |g| between two samples on the same side of zero. Adds two crossings, a touch, an undecided
+/// place or nothing to `findings`. Error if a value is not a number.
 fn walk_past_minimum(
     probe: &mut Probe<'_>,
     [a, b]: [Node; 2],
@@ -116,8 +115,8 @@ fn walk_past_minimum(
     Ok(())
 }
 
-/// Reports an event function that is zero from the first of `zeros` to the last sample of the step. It
-/// is a touch if the function returns to its side shortly after the step, else a crossing.
+/// Creates the finding for an event function that is zero at the samples `zeros` up to the end of the step. It is a
+/// touch if the function returns to its side shortly after the step, else a crossing.
 fn walk_onto_zero(probe: &mut Probe<'_>, zeros: &[Node], memory: &mut EventMemory, tolerance: f64) -> Finding {
     let end = zeros.last().map_or(1.0, |n| n.theta);
     let mut sides = LADDER.iter().map(|d| sign_or_zero(probe.event_value(end + d), tolerance));
@@ -128,7 +127,7 @@ fn walk_onto_zero(probe: &mut Probe<'_>, zeros: &[Node], memory: &mut EventMemor
         return Finding { theta: nearest, kind: Kind::Touch, side: memory.side };
     }
     memory.side = -memory.side;
-    // A function that stays at zero arrived at the first zero sample.
+    // If the function stays at zero, the crossing is at the first zero sample.
     let theta = if beyond.is_some() { nearest } else { zeros[0].theta };
     crossing_to(memory.side, theta)
 }

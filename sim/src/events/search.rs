@@ -12,8 +12,8 @@ use super::samples::{
     Node, hidden_extrema, sample_nearest_to_zero, samples_are_far_from_zero, samples_may_hide_zero, sign_of_sample,
 };
 
-/// Fraction of a step over which the slope of an event function at the step's ends is taken. It is the
-/// root of ε, within which a smooth function cannot turn by more than rounding.
+/// Fraction of a step used to measure the slope of an event function at the step's ends. It is √ε, within which a
+/// smooth function cannot turn by more than rounding.
 const DELTA: f64 = 1.0 / 67_108_864.0;
 /// Number of equal intervals between the samples of an event function in a step.
 const INTERVALS: u32 = 8;
@@ -54,7 +54,7 @@ fn search_by_ranges(probe: &mut Probe<'_>, memory: &mut EventMemory, ranges: &mu
     findings
 }
 
-/// Doubt about a zero on a part of the step on which this behaviour of the event function is known.
+/// Possibility of a hidden zero on a part of the step with this known behaviour of the event function.
 fn doubt_about_part(known: Known) -> Doubt {
     match known {
         Known::Clear(_) | Known::Monotone => Doubt::None,
@@ -63,8 +63,8 @@ fn doubt_about_part(known: Known) -> Doubt {
     }
 }
 
-/// Reports all parts of a step that stayed undecided as a single undecided event, at their smallest
-/// sample. `None` if there are none; parts that begin and end at zero do not count.
+/// Reports all parts of a step that stayed undecided as a single undecided event, at the sample with the smallest |g|.
+/// `None` if there are none; parts that begin and end at zero do not count.
 fn undecided_event(isolation: &Isolation, nodes: &[Node], memory: &EventMemory) -> Option<Finding> {
     let parts = isolation.parts.iter().zip(nodes.windows(2)).filter(|(part, _)| part.known == Known::Open);
     let ends = parts.filter(|(_, ends)| ends.iter().any(|n| n.sign != 0)).flat_map(|(_, ends)| ends);
@@ -72,7 +72,7 @@ fn undecided_event(isolation: &Isolation, nodes: &[Node], memory: &EventMemory) 
     Some(Finding { theta: near.theta, kind: Kind::Undecided, side: memory.side })
 }
 
-/// Searches a step for the zeros of an event function from samples of it.
+/// Searches a step for the zeros of an event function by sampling it.
 fn search_by_samples(probe: &mut Probe<'_>, memory: &mut EventMemory) -> Findings {
     let mut findings = Findings::default();
     let nodes = &mut samples_to_search(probe, memory, &mut findings);
@@ -123,8 +123,8 @@ fn add_samples_to_search(
     }
 }
 
-/// True if the samples show beyond doubt that the event function had no zero in the step. `scale` is
-/// the largest |g| of the samples.
+/// True if the samples prove that the event function had no zero in the step. `scale` is the largest |g| of the
+/// samples.
 fn needs_no_search(nodes: &[Node], memory: &EventMemory, scale: f64) -> bool {
     if samples_are_far_from_zero(nodes) && nodes[0].sign == memory.side {
         return true;
@@ -134,7 +134,7 @@ fn needs_no_search(nodes: &[Node], memory: &EventMemory, scale: f64) -> bool {
     same_side && end_is_clear && !(1..nodes.len()).any(|k| samples_may_hide_zero(nodes, k))
 }
 
-/// Separates zeros of the event function from rounding, then finds its zeros by a walk over the
+/// Determines up to which size values of the event function count as zero, then finds its zeros by a walk over the
 /// samples. `scale` is the largest |g| of the samples. Error if a value is not a number.
 fn search_among_samples(
     probe: &mut Probe<'_>,
@@ -160,11 +160,11 @@ fn search_among_samples(
     walk_over_samples(probe, nodes, &doubt, memory, tolerance, findings)
 }
 
-/// Sets the signs of samples of an event function; values up to `tolerance` count as zero.
+/// Sets the signs of samples of an event function; absolute values up to `tolerance` count as zero.
 ///
-/// The time at which a run starts is uncertain by rounding. During that time the function changes by
-/// `slope`, its derivative by the fraction of the step. So a run that begins where an event ended
-/// another run begins at zero.
+/// The start time of a run is uncertain by rounding. Within this uncertainty the function changes by its derivative
+/// `slope` by the fraction of the step, times the uncertain fraction. A run that begins where an event ended another
+/// run therefore begins at zero.
 fn set_signs_before_search(
     probe: &Probe<'_>,
     nodes: &mut [Node],
@@ -186,8 +186,8 @@ fn set_signs_before_search(
     }
 }
 
-/// Sets the signs of the first samples to zero, as long as rounding cannot separate them from the start
-/// of a run that begins at a zero.
+/// Sets the signs of the first samples to zero if the run began at a zero and rounding cannot separate the times of the
+/// samples from the start.
 fn set_start_signs_before_search(probe: &Probe<'_>, nodes: &mut [Node], memory: &mut EventMemory) {
     let Some(zero_at) = memory.zero_at else { return };
     let (end, instant) = (probe.step.times().1, probe.rounding_of_time());

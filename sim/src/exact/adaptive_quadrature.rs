@@ -1,14 +1,13 @@
-//! Adaptive Gauss–Legendre quadrature: integrals of smooth functions, and of even periodic functions,
-//! to rounding.
+//! Adaptive Gauss–Legendre quadrature to rounding accuracy, for integrals of smooth functions and of even periodic
+//! functions.
 
 use super::trigonometry::nearest_whole;
 use tripos_traits::Real;
 
-/// Number of points of the Gauss–Legendre rule. With 20 points a panel that resolves the function to 1
-/// % gives 30 digits.
+/// Number of points of the Gauss–Legendre rule. If a panel resolves the function to 1 %, 20 points give 30 digits.
 const POINTS: i64 = 20;
-/// Largest number of halvings of panels in an integral. Near a pole at a distance d an integral takes a
-/// few times log₂(1/d).
+/// Largest number of halvings of panels in an integral. An integral over a path at distance d from a pole takes a few
+/// times log₂(1/d) halvings.
 const HALVINGS_LIMIT: usize = 300;
 
 /// Adaptive Gauss–Legendre quadrature on panels (subintervals). The worst panel is halved until its
@@ -17,7 +16,7 @@ const HALVINGS_LIMIT: usize = 300;
 /// Davis & Rabinowitz, *Methods of Numerical Integration* §2.7; DLMF 3.5(v).
 #[derive(Clone, Debug)]
 pub(super) struct Quadrature<S> {
-    /// Points between 0 and 1 with their weights; the rule from −1 to 1 is symmetric about 0.
+    /// Positive points of the rule from −1 to 1, each with its weight; the rule is symmetric about 0.
     points: Vec<(S, S)>,
 }
 
@@ -41,7 +40,7 @@ impl<S: Real> Panel<S> {
 }
 
 impl<S: Real> Quadrature<S> {
-    /// Computes the points and weights of the rule in the scalar `S`.
+    /// Computes the points and weights of the Gauss–Legendre rule in the scalar `S`.
     pub(super) fn new() -> Self {
         Self { points: (1..=POINTS / 2).map(adaptive_gauss_point_and_weight).collect() }
     }
@@ -52,7 +51,7 @@ impl<S: Real> Quadrature<S> {
         for _ in 0..HALVINGS_LIMIT {
             let size: f64 = panels.iter().map(|panel| panel.total().to_f64().abs()).sum();
             let worst = (0..panels.len()).max_by(|&i, &j| panels[i].error.total_cmp(&panels[j].error)).unwrap_or(0);
-            // A value that is not a number is not improved by halving; it ends the loop too.
+            // NaN is not improved by halving, so that it ends the loop, too.
             if panels[worst].error.is_nan() || panels[worst].error <= 16.0 * S::EPSILON * size {
                 break;
             }
@@ -71,7 +70,7 @@ impl<S: Real> Quadrature<S> {
         Panel { a, b, halves, error: (halves[0] + halves[1] - whole).to_f64().abs() }
     }
 
-    /// Integral of f from `a` to `b` by a single application of the rule.
+    /// Integral of f from `a` to `b` by a single application of the Gauss–Legendre rule.
     fn apply_rule(&self, f: &impl Fn(S) -> S, a: S, b: S) -> S {
         let (middle, half) = ((a + b) / S::int(2), (b - a) / S::int(2));
         let sum = self.points.iter().fold(S::int(0), |sum, &(point, weight)| {
@@ -81,13 +80,13 @@ impl<S: Real> Quadrature<S> {
     }
 }
 
-/// Computes the i-th largest zero x of the Legendre polynomial P_n by Newton's method, with its weight
-/// 2/((1 − x²) P_n′(x)²) in the rule.
+/// Computes the i-th largest zero x of the Legendre polynomial P_n by Newton's method, with its weight 2/((1 − x²)
+/// P_n′(x)²) in the Gauss–Legendre rule.
 fn adaptive_gauss_point_and_weight<S: Real>(i: i64) -> (S, S) {
     let one = S::int(1);
     let guess = (core::f64::consts::PI * (i as f64 - 0.25) / (POINTS as f64 + 0.5)).cos();
     let mut x = S::from_f64(guess);
-    // The guess has 3 digits, and each step doubles them.
+    // The guess has 3 digits, and each Newton step doubles their number.
     for _ in 0..6 {
         let (value, slope) = legendre_value_and_slope(x);
         x = x - value / slope;
@@ -109,7 +108,7 @@ fn legendre_value_and_slope<S: Real>(x: S) -> (S, S) {
     (value, slope)
 }
 
-/// Integral from 0 of an even function that repeats with `period`. The integral over a whole period is
+/// Integral of an even function that repeats with `period`, from 0 to any x. The integral over a whole period is
 /// computed once.
 #[derive(Clone, Debug)]
 pub(super) struct PeriodicIntegral<S> {
@@ -122,7 +121,7 @@ pub(super) struct PeriodicIntegral<S> {
 }
 
 impl<S: Real> PeriodicIntegral<S> {
-    /// Creates the integral of the function 0.
+    /// Creates the integral of the function that is 0 everywhere.
     pub(super) fn zero_integral() -> Self {
         let zero = S::int(0);
         Self { quadrature: Quadrature { points: Vec::new() }, period: zero, over_period: zero }
@@ -139,7 +138,7 @@ impl<S: Real> PeriodicIntegral<S> {
     /// Integral of f from 0 to x. `f` must be the function that was given to [`PeriodicIntegral::new`].
     pub(super) fn integral_to(&self, f: impl Fn(S) -> S, x: S) -> S {
         let zero = S::int(0);
-        // A motion that takes for ever to repeat has no whole period.
+        // An infinite period has no whole periods to count.
         let n = if self.period.to_f64().is_finite() { nearest_whole(x / self.period) } else { zero };
         let rest = self.quadrature.integrate(f, zero, if n == zero { x } else { x - n * self.period });
         if n == zero { rest } else { n * self.over_period + rest }

@@ -6,8 +6,8 @@
 use super::trigonometry::nearest_whole;
 use tripos_traits::Real;
 
-/// Largest number of steps of the arithmetic–geometric mean. No precision takes so many, since each
-/// step doubles the digits.
+/// Largest number of steps of the arithmetic–geometric mean. No scalar type needs so many, since each step doubles the
+/// digits.
 const STEPS_LIMIT: usize = 40;
 
 /// Elliptic functions of one parameter m = k² in [0, 1].
@@ -37,7 +37,7 @@ struct Step<S> {
     mean: S,
     /// Geometric mean bₙ before step n of the arithmetic–geometric mean.
     geometric: S,
-    /// Ratio cₙ₊₁/aₙ₊₁ of step n of the arithmetic–geometric mean, with cₙ₊₁ = (aₙ − bₙ)/2.
+    /// Ratio cₙ₊₁/aₙ₊₁ of step n of the arithmetic–geometric mean, where cₙ₊₁ = (aₙ − bₙ)/2.
     ratio: S,
 }
 
@@ -55,19 +55,18 @@ pub struct JacobiValues<S> {
 }
 
 impl<S: Real> Elliptic<S> {
-    /// Creates the elliptic functions of the parameter m from 0 to 1. For other m all results are not a
-    /// number.
+    /// Creates the elliptic functions of a parameter m from 0 to 1. For other m all results are NaN.
     #[must_use]
     pub fn new(m: S) -> Self {
         Self::with_complement(m, S::int(1) - m)
     }
 
-    /// Creates the elliptic functions from the parameter m and its complement 1 − m, whose digits matter
-    /// near m = 1. For m outside 0 to 1 all results are not a number.
+    /// Creates the elliptic functions from the parameter m and its complement 1 − m, whose digits matter near m = 1.
+    /// For m outside 0 to 1 all results are NaN.
     #[must_use]
     pub fn with_complement(m: S, complement: S) -> Self {
         let zero = S::int(0);
-        // For m outside [0, 1], or not a number, all results are not a number.
+        // For m outside [0, 1], or NaN, all results are NaN.
         let complement = if m >= zero && complement >= zero { complement } else { S::from_f64(f64::NAN) };
         let steps = if complement > zero { mean_steps(complement) } else { Vec::new() };
         Self { parameter: m, complement, steps }
@@ -87,12 +86,12 @@ impl<S: Real> Elliptic<S> {
 
     /// Arithmetic–geometric mean of 1 and √(1 − m); 0 for m = 1.
     fn mean(&self) -> S {
-        // Without steps the mean is 0 for m = 1, or not a number.
+        // Without steps the mean is 0 for m = 1, or NaN.
         self.steps.last().map_or(self.complement, |step| step.mean)
     }
 
-    /// Computes Jacobi's functions sn, cn, dn and the amplitude am of the argument u. Their absolute error
-    /// is that of u, so at least |u| EPSILON.
+    /// Computes Jacobi's functions sn, cn, dn and the amplitude am of the argument u. Their absolute error is the error
+    /// of u, which is at least |u| EPSILON.
     #[must_use]
     pub fn jacobi_functions(&self, u: S) -> JacobiValues<S> {
         if self.steps.is_empty() {
@@ -120,10 +119,10 @@ impl<S: Real> Elliptic<S> {
         })
     }
 
-    /// Jacobi's functions for m = 1: sn = tanh u, cn = dn = 1/cosh u, am the Gudermannian of u. Not a
-    /// number for an invalid m.
+    /// Jacobi's functions for m = 1: sn = tanh u, cn = dn = 1/cosh u, and am is the Gudermannian of u. NaN for an
+    /// invalid m.
     fn jacobi_of_parameter_one(&self, u: S) -> JacobiValues<S> {
-        // The complement is 0 or not a number.
+        // The complement is 0 or NaN, so that an invalid m gives NaN.
         let u = u + self.complement;
         let [one, two] = [1, 2].map(S::int);
         let sech = one / u.cosh();
@@ -153,8 +152,8 @@ impl<S: Real> Elliptic<S> {
     }
 }
 
-/// Steps of the arithmetic–geometric mean of 1 and √`complement`, until further changes are below
-/// rounding.
+/// Steps of the arithmetic–geometric mean of 1 and √`complement`, until further changes are below rounding. None for an
+/// invalid complement.
 fn mean_steps<S: Real>(complement: S) -> Vec<Step<S>> {
     let two = S::int(2);
     let (mut a, mut b) = (S::int(1), complement.sqrt());
@@ -163,7 +162,8 @@ fn mean_steps<S: Real>(complement: S) -> Vec<Step<S>> {
         let (mean, difference) = ((a + b) / two, (a - b) / two);
         let ratio = difference / mean;
         steps.push(Step { mean, geometric: b, ratio });
-        // The next ratio, by which mean and amplitude would still change, is a quarter of the square of this ratio.
+        // The next ratio would be a quarter of the square of this ratio; it bounds the remaining change of mean and
+        // amplitude.
         if ratio.to_f64().powi(2) <= S::EPSILON / 16.0 {
             break;
         }

@@ -4,15 +4,13 @@ use super::elliptic::Elliptic;
 use super::trigonometry::arctangent_of_two;
 use tripos_traits::Real;
 
-/// Exact solution of Euler's equations I₁ ω₁′ = (I₂ − I₃) ω₂ ω₃ and cyclic. It is the angular
-/// velocity, along its principal axes, of a free rigid body, or of a body held at its mass centre.
+/// Exact solution of Euler's equations I₁ ω₁′ = (I₂ − I₃) ω₂ ω₃ and cyclic. It is the angular velocity, along its
+/// principal axes, of a free rigid body, or of a body held at its mass centre.
 ///
-/// The axes are ordered as a, b, c by rising or falling moments, such that ω never leaves one side of
-/// c. Then ω_a = A cn u, ω_b = B sn u, ω_c = C dn u, u = rate · t + u₀. A symmetric body is the case m
-/// = 0.
+/// The axes are named a, b, c in the order of rising or falling moments, such that ω_c never changes its sign. Then ω_a
+/// = A cn u, ω_b = B sn u, ω_c = C dn u, with u = rate · t + u₀. A symmetric body is the case m = 0.
 ///
-/// Landau & Lifshitz, *Mechanics* §37; Whittaker, *Analytical Dynamics of Particles and Rigid Bodies*
-/// §69.
+/// Landau & Lifshitz, *Mechanics* §37; Whittaker, *Analytical Dynamics of Particles and Rigid Bodies* §69.
 #[derive(Clone, Debug)]
 pub struct FreeBody<S> {
     /// Kind of the motion of the angular velocity, with its constants.
@@ -45,8 +43,8 @@ struct PeriodicRotation<S> {
 }
 
 impl<S: Real> FreeBody<S> {
-    /// Exact motion of a body with the positive principal moments `inertia`, kg m², from the angular
-    /// velocity `omega_0` along the principal axes, rad/s.
+    /// Creates the exact motion of a body with the positive principal moments `inertia`, kg m². `omega_0` is the
+    /// angular velocity along the principal axes at t = 0, rad/s.
     #[must_use]
     pub fn new(inertia: [S; 3], omega_0: [S; 3]) -> Self {
         let rising = rising_order(inertia);
@@ -82,7 +80,7 @@ impl<S: Real> PeriodicRotation<S> {
         let zero = S::int(0);
         let [i_a, i_b, i_c] = axes.map(|axis| inertia[axis]);
         let [w_a, w_b, w_c] = axes.map(|axis| omega_0[axis]);
-        // |2 T I_c − L²| and |L² − 2 T I_a|, by terms of one sign.
+        // |2 T I_c − L²| and |L² − 2 T I_a|, as sums whose terms have the same sign.
         let from_c = (i_a * (i_c - i_a) * w_a * w_a + i_b * (i_c - i_b) * w_b * w_b).abs();
         let from_a = (i_b * (i_b - i_a) * w_b * w_b + i_c * (i_c - i_a) * w_c * w_c).abs();
         let [ab, bc, ac] = [i_b - i_a, i_c - i_b, i_c - i_a].map(S::abs);
@@ -93,7 +91,7 @@ impl<S: Real> PeriodicRotation<S> {
         }
         let excess = momentum_excess_over_middle_axis(inertia, omega_0, axes).abs();
         let elliptic = Elliptic::with_complement(ab * from_c / whole, ac * excess / whole);
-        // ω_c keeps its sign. With A > 0, Euler's equations ask that −A I_a rate = ±(I_b − I_c) B C.
+        // ω_c keeps its sign. With A > 0, Euler's equations require −A I_a rate = ±(I_b − I_c) B C.
         let sign_b = w_c.sign() * handedness(axes) * (i_c - i_a).sign();
         let size_a = (from_c / (i_a * ac)).sqrt();
         let size_b = (from_c / (i_b * bc)).sqrt() * sign_b;
@@ -115,8 +113,8 @@ impl<S: Real> PeriodicRotation<S> {
     }
 }
 
-/// Difference L² − 2 T I_b of angular momentum L and kinetic energy T, with the middle moment I_b. Its
-/// sign decides which outer axis the angular velocity circles about.
+/// Difference L² − 2 T I_b of angular momentum L and kinetic energy T, with the middle moment I_b. Its sign decides
+/// about which outer axis the angular velocity circles.
 fn momentum_excess_over_middle_axis<S: Real>(inertia: [S; 3], omega: [S; 3], [a, b, c]: [usize; 3]) -> S {
     let of = |axis: usize| inertia[axis] * (inertia[axis] - inertia[b]) * omega[axis] * omega[axis];
     of(c) + of(a)

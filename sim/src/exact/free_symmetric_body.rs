@@ -13,28 +13,26 @@ pub struct BodyStart<S> {
     pub nutation: S,
     /// Spin angle φ, rad: the angle of the body about its axis, from the line of nodes.
     pub spin_angle: S,
-    /// Angular velocity, rad/s, in three components. Along the line of nodes it is θ′. Across the line of
-    /// nodes and the body's axis it is ψ′ sin θ. Along the axis it is φ′ + ψ′ cos θ.
+    /// Angular velocity, rad/s, in three components: θ′ along the line of nodes, ψ′ sin θ across the line of nodes and
+    /// the body's axis, and φ′ + ψ′ cos θ along the body's axis.
     pub angular_velocity: [S; 3],
 }
 
-/// Exact motion of a symmetric rigid body without torque, in Euler's angles ψ, θ, φ about any fixed
-/// axes. The nutation θ need not be steady.
+/// Exact motion of a symmetric rigid body without torque, in Euler's angles ψ, θ, φ about any fixed axes. The nutation
+/// θ need not be steady.
 ///
-/// The angular momentum H is fixed, and so is ω₃ along the body's axis e. With the transverse moment I₁ and the
-/// axial moment I₃, ω = H/I₁ + (1 − I₃/I₁) ω₃ e. The body turns about e at the rate (1 − I₃/I₁)
-/// ω₃, while e turns about H at |H|/I₁.
+/// The angular momentum H is fixed, and so is ω₃ along the body's axis e. With the transverse moment I₁ and the axial
+/// moment I₃, ω = H/I₁ + (1 − I₃/I₁) ω₃ e. The body turns about e at the rate (1 − I₃/I₁) ω₃, while e turns about H at
+/// |H|/I₁.
 ///
-/// The product of the start's quaternion and that of the turn gives the angles, continuous in time. Its
-/// parts z = cos ½θ e^{i(ψ+φ)/2} and w = sin ½θ e^{i(ψ−φ)/2} both go round ellipses about 0. If the
-/// axis passes exactly through ±n₃, one of the ellipses is a segment: θ is reflected there, and ψ and φ
-/// do not jump by π.
+/// The product of two quaternions, that of the start and that of the turn, gives the angles, continuous in time. Its
+/// parts z = cos ½θ e^{i(ψ+φ)/2} and w = sin ½θ e^{i(ψ−φ)/2} both go round ellipses about 0. If the body's axis passes
+/// exactly through ±n₃, one of the ellipses is a segment: θ is reflected there, and ψ and φ do not jump by π.
 ///
-/// Landau & Lifshitz, *Mechanics* §33 and §35; Whittaker, *Analytical Dynamics of Particles and Rigid
-/// Bodies* §§8, 69.
+/// Landau & Lifshitz, *Mechanics* §33 and §35; Whittaker, *Analytical Dynamics of Particles and Rigid Bodies* §§8, 69.
 #[derive(Clone, Debug)]
 pub struct FreeSymmetricBody<S> {
-    /// Rate Ω = |H|/I₁ of the axis about the angular momentum H, rad/s.
+    /// Rate Ω = |H|/I₁ at which the body's axis turns about the angular momentum H, rad/s.
     rate: S,
     /// Direction H/|H| of the angular momentum in the fixed axes; 0 for a body at rest.
     direction: [S; 3],
@@ -42,13 +40,13 @@ pub struct FreeSymmetricBody<S> {
     axial: S,
     /// Rate (1 − I₃/I₁) ω₃ at which the body turns about its axis relative to the rotation about H, rad/s.
     spin: S,
-    /// Ellipse that cos ½θ e^{i(ψ+φ)/2}, a part of the body's quaternion, goes round.
+    /// Ellipse of the part z = cos ½θ e^{i(ψ+φ)/2} of the body's quaternion, in the complex plane.
     z: SymmetricBodyEllipse<S>,
-    /// Ellipse that sin ½θ e^{i(ψ−φ)/2}, a part of the body's quaternion, goes round.
+    /// Ellipse of the part w = sin ½θ e^{i(ψ−φ)/2} of the body's quaternion, in the complex plane.
     w: SymmetricBodyEllipse<S>,
 }
 
-/// Ellipse cos s · a + sin s · b in the plane of complex numbers.
+/// Ellipse cos s · a + sin s · b in the complex plane.
 #[derive(Clone, Debug)]
 struct SymmetricBodyEllipse<S> {
     /// Point of the ellipse at s = 0: real and imaginary part.
@@ -60,7 +58,7 @@ struct SymmetricBodyEllipse<S> {
 }
 
 impl<S: Real> FreeSymmetricBody<S> {
-    /// Exact motion of a body from its state `start` at t = 0. `transverse` and `axial` are its positive
+    /// Creates the exact motion of a body from its state `start` at t = 0. `transverse` and `axial` are its positive
     /// moments of inertia about the mass centre, kg m².
     #[must_use]
     pub fn new(transverse: S, axial: S, start: BodyStart<S>) -> Self {
@@ -120,8 +118,8 @@ impl<S: Real> FreeSymmetricBody<S> {
     }
 }
 
-/// Three unit vectors, in the fixed axes: along the line of nodes, across it and the body's axis, and
-/// along the body's axis. Angles are in rad.
+/// Three unit vectors in the fixed axes: along the line of nodes, perpendicular to it and the body's axis, and along
+/// the body's axis. Angles are in rad.
 fn symmetric_body_axes<S: Real>(precession: S, nutation: S) -> [[S; 3]; 3] {
     let ((sin_p, cos_p), (sin_n, cos_n)) = (precession.sin_cos(), nutation.sin_cos());
     [[cos_p, sin_p, S::int(0)], [-sin_p * cos_n, cos_p * cos_n, sin_n], [sin_p * sin_n, -cos_p * sin_n, cos_n]]
@@ -135,8 +133,8 @@ impl<S: Real> SymmetricBodyEllipse<S> {
         (x * x + y * y).sqrt()
     }
 
-    /// Argument (angle) of the ellipse's point at s, both in rad, continuous in s. Half a turn of s is half
-    /// a turn of the argument, in the same or the opposite direction.
+    /// Argument (angle) of the ellipse's point at s, both in rad, continuous in s. When s grows by half a turn, the
+    /// argument changes by half a turn in the same or the opposite direction.
     fn argument_at(&self, s: S) -> S {
         let [[a1, a2], [b1, b2]] = [self.a, self.b];
         let (cross, dot, square) = (a1 * b2 - a2 * b1, a1 * b1 + a2 * b2, a1 * a1 + a2 * a2);

@@ -31,26 +31,25 @@ pub struct TopStart<S> {
     pub spin: S,
 }
 
-/// Exact motion of a symmetric heavy top in Euler's angles: precession φ about the upward vertical,
-/// nutation θ from it, spin ψ about the axis (rotations z–x–z).
+/// Exact motion of a symmetric heavy top in Euler's angles (rotations z–x–z): precession φ about the upward vertical,
+/// nutation θ from it, spin ψ about the axis.
 ///
-/// θ is exact by elliptic functions; φ and ψ are integrals of functions of θ, taken to rounding. The constants of
-/// the motion are the energy ½ I₁(θ′² + φ′² sin² θ) + ½ I₃ ω₃² + M g l cos θ, p_φ = I₁ φ′
-/// sin² θ + I₃ ω₃ cos θ and p_ψ = I₃ ω₃. If a top passes exactly through the vertical (p_φ = ±p_ψ),
-/// θ ≥ 0 is reflected there, and φ does not jump by π.
+/// θ is exact by elliptic functions; φ and ψ are integrals of functions of θ, computed to rounding. The constants of
+/// the motion are the energy ½ I₁(θ′² + φ′² sin² θ) + ½ I₃ ω₃² + M g l cos θ, p_φ = I₁ φ′ sin² θ + I₃ ω₃ cos θ and p_ψ
+/// = I₃ ω₃. If a top passes exactly through the vertical (p_φ = ±p_ψ), θ ≥ 0 is reflected there, and φ does not jump by
+/// π.
 ///
-/// Whittaker, *Analytical Dynamics of Particles and Rigid Bodies* §71; Landau & Lifshitz, *Mechanics*
-/// §35 problem 1.
+/// Whittaker, *Analytical Dynamics of Particles and Rigid Bodies* §71; Landau & Lifshitz, *Mechanics* §35 problem 1.
 #[derive(Clone, Debug)]
 pub struct HeavyTop<S> {
-    /// Motion of the nutation, and the precession that follows from it.
+    /// Motion of the nutation θ, with the precession φ.
     polar: PolarAngle<S>,
     /// Constant part ω₃ (1 − I₃/I₁) of the rate ψ′ of the spin angle, rad/s.
     free_spin: S,
 }
 
 impl<S: Real> HeavyTop<S> {
-    /// Exact motion of the top `top` from its state `start` at t = 0.
+    /// Creates the exact motion of the top `top` from its state `start` at t = 0.
     #[must_use]
     pub fn new(top: Top<S>, start: TopStart<S>) -> Self {
         let ratio = top.axial / top.transverse;
@@ -76,7 +75,7 @@ impl<S: Real> HeavyTop<S> {
         self.polar.angle(t)
     }
 
-    /// Rate θ′ of the nutation at time t, s, in rad/s; not a number if the axis is vertical.
+    /// Rate θ′ of the nutation at time t, s, in rad/s; NaN if the axis is vertical.
     #[must_use]
     pub fn nutation_rate(&self, t: S) -> S {
         self.polar.angle_rate(t)

@@ -1,8 +1,8 @@
-//! Motions known in closed form, against which integrators are checked.
+//! Motions known in closed form, with which integrators are checked.
 //!
-//! Each type is one motion from one start, with its position and rate at any instant, before or after the start.
-//! Generic over the scalar: in [`tripos_traits::DoubleDouble`] they give about 30 digits, so that the error measured is
-//! the integrator's.
+//! Each type is one motion from one start, with its position and rate at any instant, before or after the start. The
+//! types are generic over the scalar: in [`tripos_traits::DoubleDouble`] they give about 30 digits, so that a measured
+//! difference is the integrator's error.
 //!
 //! ```
 //! use tripos_sim::exact::Pendulum;
@@ -14,11 +14,11 @@
 //! assert_eq!(format!("{:.16}", pendulum.angle(one)), "1.6022489019279172e0");
 //! ```
 //!
-//! Conventions: angles in rad, time in s from the start, other units those of the arguments. The parameter of elliptic
-//! functions is m = k². Data without such a motion (a negative moment of inertia, m > 1) give "not a number", never a
-//! panic.
+//! Conventions: angles are in rad, and times in s from the start; other quantities have the units of the arguments. The
+//! parameter of elliptic functions is m = k². Data without such a motion (a negative moment of inertia, m > 1) give
+//! NaN, never a panic.
 //!
-//! Absent on purpose: frames, points and models. The motions are compared with those of a model, so they know none.
+//! Absent on purpose: frames, points and models, so that the motions are independent of the models that they check.
 
 mod adaptive_quadrature;
 mod elliptic;

@@ -4,12 +4,12 @@ use super::elliptic::Elliptic;
 use super::trigonometry::{arctangent_of_two, nearest_whole, root_of_positive};
 use tripos_traits::Real;
 
-/// Exact motion of a plane pendulum, θ″ = −(g/l) sin θ. The angle θ, rad, is counted from the hanging
-/// position, and over full turns.
+/// Exact motion of a plane pendulum, θ″ = −(g/l) sin θ. The angle θ, rad, is measured from the hanging position and
+/// grows over full turns.
 ///
-/// Let w = √(g/l), and κ = sin²(θ₀/2) + (ω₀/2w)² the energy over 2 w². The pendulum swings for κ < 1:
-/// sin(θ/2) = √κ sn(w t + u₀; m = κ). It turns over for κ > 1: θ/2 = am(√κ w t + u₀; m = 1/κ). At κ = 1
-/// it climbs for ever. A compound pendulum has g/l = M g s/I with I about the pivot.
+/// Let w = √(g/l), and let κ = sin²(θ₀/2) + (ω₀/2w)² be the energy over 2 w². The pendulum swings for κ < 1: sin(θ/2) =
+/// √κ sn(w t + u₀; m = κ). It turns over for κ > 1: θ/2 = am(√κ w t + u₀; m = 1/κ). At κ = 1 it climbs for ever. For a
+/// compound pendulum g/l = M g s/I, with the moment of inertia I about the pivot.
 ///
 /// Whittaker, *Analytical Dynamics of Particles and Rigid Bodies* §44; DLMF 22.19(i).
 #[derive(Clone, Debug)]
@@ -27,7 +27,7 @@ pub struct Pendulum<S> {
 /// Kind of the motion of a pendulum.
 #[derive(Clone, Debug)]
 enum Motion<S> {
-    /// Swing about the angle 2π · `turns`. `modulus` is √κ = sin(θ_max/2), with the largest angle θ_max
+    /// The pendulum swings about the angle 2π · `turns`. `modulus` is √κ = sin(θ_max/2), with the largest angle θ_max
     /// from there.
     Libration { modulus: S, turns: S },
     /// The pendulum makes full turns in the same direction.
@@ -35,7 +35,7 @@ enum Motion<S> {
 }
 
 impl<S: Real> Pendulum<S> {
-    /// Exact motion from the angle `theta_0`, rad, and the rate `omega_0`, rad/s, at t = 0. `stiffness` is
+    /// Creates the exact motion from the angle `theta_0`, rad, and the rate `omega_0`, rad/s, at t = 0. `stiffness` is
     /// g/l > 0, 1/s².
     #[must_use]
     pub fn new(stiffness: S, theta_0: S, omega_0: S) -> Self {
@@ -82,7 +82,7 @@ impl<S: Real> Pendulum<S> {
         }
     }
 
-    /// Period of a whole swing, or of a full turn, s; infinite on the border between both kinds of motion.
+    /// Period of a swing to both sides, or of a full turn, s; infinite on the border between both kinds of motion.
     #[must_use]
     pub fn period(&self) -> S {
         let quarters = match self.motion {

@@ -1,21 +1,20 @@
-//! Exact polar angle θ of a symmetric top or a spherical pendulum, which moves as in one dimension, and
-//! the precession φ.
+//! Exact polar angle θ of a symmetric top or a spherical pendulum, and the precession φ. θ moves like a system with one
+//! degree of freedom.
 //!
-//! u = cos θ obeys  u′² = f(u) = (1 − u²)(α − β u) − (a − b u)²  with β = 2 M g l/I, a = p_φ/I and
-//! b = p_ψ/I. Between its zeros −1 ≤ u₁ ≤ u₂ ≤ 1 ≤ u₃:  u = u₁ + (u₂ − u₁) sn²,  m = (u₂
-//! − u₁)/(u₃ − u₁). The precession is φ′ = (a − b u)/(1 − u²) = ½(a + b)/(1 + u) + ½(a − b)/(1
-//! − u), integrated numerically over each kind of pole.
+//! u = cos θ obeys  u′² = f(u) = (1 − u²)(α − β u) − (a − b u)²  with β = 2 M g l/I, a = p_φ/I and b = p_ψ/I. The
+//! motion lies between the zeros −1 ≤ u₁ ≤ u₂ ≤ 1 of f, and the third zero is u₃ ≥ 1:  u = u₁ + (u₂ − u₁) sn²,  m = (u₂
+//! − u₁)/(u₃ − u₁). The precession has two parts with a pole each: φ′ = (a − b u)/(1 − u²) = ½(a + b)/(1 + u) + ½(a −
+//! b)/(1 − u). They are integrated numerically, one by one.
 //!
-//! Whittaker, *Analytical Dynamics of Particles and Rigid Bodies* §71; Landau & Lifshitz, *Mechanics*
-//! §35.
+//! Whittaker, *Analytical Dynamics of Particles and Rigid Bodies* §71; Landau & Lifshitz, *Mechanics* §35.
 
 use super::adaptive_quadrature::PeriodicIntegral;
 use super::elliptic::{Elliptic, JacobiValues};
 use super::trigonometry::{arctangent_of_two, root_of_positive};
 use tripos_traits::Real;
 
-/// Largest number of steps of Newton's method for the largest zero of a cubic. Each step reduces the
-/// distance by a third at least.
+/// Largest number of steps of Newton's method for the largest zero of a cubic. Each step reduces the distance from the
+/// zero by at least a third.
 const NEWTON_LIMIT: usize = 400;
 
 /// Initial values and constants that determine the motion of the polar angle θ and the precession φ.
@@ -40,8 +39,7 @@ pub(super) struct PolarAngle<S> {
     elliptic: Elliptic<S>,
     /// Rate of the argument rate · (t + lead) of the elliptic functions, 1/s.
     rate: S,
-    /// Time from the nearest instant at which u = cos θ is lowest to t = 0, s; negative if that instant
-    /// comes after.
+    /// Time from the nearest instant with the lowest u = cos θ to t = 0, s; negative if that instant comes after t = 0.
     lead: S,
     /// Lowest value u₁ of u = cos θ in the motion.
     lowest: S,
@@ -58,7 +56,7 @@ pub(super) struct PolarAngle<S> {
 }
 
 impl<S: Real> PolarAngle<S> {
-    /// Exact motion of the polar angle and the precession from these initial values at t = 0.
+    /// Creates the exact motion of the polar angle and the precession from these initial values at t = 0.
     pub(super) fn new(start: PolarStart<S>) -> Self {
         let momenta = half_momenta(start);
         let zeros = Zeros::new(start, momenta);
@@ -87,8 +85,7 @@ impl<S: Real> PolarAngle<S> {
         polar
     }
 
-    /// Time from the nearest instant with the lowest u = cos θ to the start, s; negative if that instant
-    /// comes after.
+    /// Time from the nearest instant with the lowest u = cos θ to t = 0, s; negative if that instant comes after t = 0.
     fn time_from_lowest(&self, zeros: &Zeros<S>, theta_rate: S) -> S {
         if self.span == S::int(0) {
             return S::int(0);
@@ -98,13 +95,12 @@ impl<S: Real> PolarAngle<S> {
         let cn = root_of_positive(zeros.to_highest);
         let cn = if theta_rate > S::int(0) { -cn } else { cn };
         let phase = arctangent_of_two(sn, cn);
-        // The phase is reduced to the range next to 0, since sn² repeats after 2 K.
+        // The phase is reduced to the range around 0, since sn² repeats after 2 K.
         let phase = if phase > S::pi() / S::int(2) { phase - S::pi() } else { phase };
         self.elliptic.incomplete_integral(phase) / self.rate
     }
 
-    /// Period of θ, s. It is infinite if θ is constant without being stable, or approaches the vertical for
-    /// ever.
+    /// Period of θ, s. It is infinite if θ is constant at an unstable equilibrium, or approaches the vertical for ever.
     pub(super) fn period(&self) -> S {
         S::int(2) * self.elliptic.quarter_period() / self.rate
     }
@@ -119,7 +115,7 @@ impl<S: Real> PolarAngle<S> {
         ]
     }
 
-    /// Jacobi's functions at this time from an instant with the lowest u = cos θ, s.
+    /// Jacobi's functions at a time, s, that is counted from an instant with the lowest u = cos θ.
     fn jacobi(&self, time_from_lowest: S) -> JacobiValues<S> {
         self.elliptic.jacobi_functions(self.rate * time_from_lowest)
     }
@@ -141,7 +137,7 @@ impl<S: Real> PolarAngle<S> {
         S::int(2) * arctangent_of_two(below.sqrt(), above.sqrt())
     }
 
-    /// Rate θ′ = −u′/sin θ of the polar angle at time t, s, in rad/s; not a number at θ = 0 and θ = π.
+    /// Rate θ′ = −u′/sin θ of the polar angle at time t, s, in rad/s; NaN at θ = 0 and θ = π.
     pub(super) fn angle_rate(&self, t: S) -> S {
         let at = self.jacobi(t + self.lead);
         let (above, below) = self.distances_of_cosine_from_one(&at);
@@ -153,22 +149,22 @@ impl<S: Real> PolarAngle<S> {
         self.rate_of_part(0, t + self.lead) + self.rate_of_part(1, t + self.lead)
     }
 
-    /// Two parts of the precession φ(t) − φ(0), rad, whose sum it is: those with the pole at u = −1 and at
-    /// u = 1.
+    /// Two parts of the precession, rad, with the sum φ(t) − φ(0). The first has its pole at u = −1, the second at u =
+    /// 1.
     pub(super) fn parts_of_precession(&self, t: S) -> [S; 2] {
         let now = self.precession_integrals(t + self.lead);
         [now[0] - self.at_start[0], now[1] - self.at_start[1]]
     }
 
-    /// Integrals of both parts of φ′ from an instant with the lowest u = cos θ over `time`, s, in rad.
+    /// Integrals of both parts of φ′, rad, from an instant with the lowest u = cos θ over `time`, s.
     fn precession_integrals(&self, time: S) -> [S; 2] {
         [0, 1].map(|part| self.parts[part].integral_to(|time| self.rate_of_part(part, time), time))
     }
 
-    /// Rate of a part of the precession, rad/s: ½(a + b)/(1 + u) for part 0, ½(a − b)/(1 − u) for part 1.
-    /// The time, s, is counted from an instant with the lowest u.
+    /// Rate of a part of the precession, rad/s: ½(a + b)/(1 + u) for part 0, ½(a − b)/(1 − u) for part 1. The time, s,
+    /// is counted from an instant with the lowest u.
     fn rate_of_part(&self, part: usize, time_from_lowest: S) -> S {
-        // A part of the precession whose momentum is 0 is 0 everywhere, also at its pole.
+        // A part of the precession whose momentum is 0 is 0 at all times, also at its pole.
         if self.momenta[part] == S::int(0) {
             return S::int(0);
         }
@@ -186,8 +182,8 @@ fn half_momenta<S: Real>(start: PolarStart<S>) -> [S; 2] {
     [about_vertical + start.spin * cos * cos, about_vertical - start.spin * sin * sin]
 }
 
-/// Zeros u₁ ≤ u₂ ≤ u₃ of the cubic f(u), as differences from the start u₀ and from ±1. All are computed
-/// without cancellation.
+/// Zeros u₁ ≤ u₂ ≤ u₃ of the cubic f(u), stored as differences from the start u₀ and from ±1. All differences are
+/// computed without cancellation.
 struct Zeros<S> {
     /// Difference u₁ − u₀ ≤ 0 of the lowest zero of the cubic f(u) from the start u₀ = cos θ.
     to_lowest: S,
@@ -202,7 +198,7 @@ struct Zeros<S> {
 }
 
 impl<S: Real> Zeros<S> {
-    /// Computes the zeros from the initial values and the half sums ½(a ± b) of the momenta, 1/s.
+    /// Computes the zeros of the cubic f(u) from the initial values and the half sums ½(a ± b) of the momenta, 1/s.
     fn new(start: PolarStart<S>, momenta: [S; 2]) -> Self {
         let [zero, two] = [0, 2].map(S::int);
         let (sin, cos) = (start.theta / two).sin_cos();
@@ -233,7 +229,7 @@ impl<S: Real> Zeros<S> {
 
     /// Sets the distances 1 + u₁ and 1 − u₂, from `above` = 1 + u₀ and `below` = 1 − u₀.
     ///
-    /// By f(∓1) = −(a ± b)² they are quotients. As differences they would lose their digits for a top that
+    /// They are computed as quotients, by f(∓1) = −(a ± b)². As differences they would lose their digits for a top that
     /// nearly passes through the vertical.
     fn with_distances_from_one(self, beta: S, momenta: [S; 2], above: S, below: S) -> Self {
         let [zero, four] = [0, 4].map(S::int);
@@ -253,12 +249,12 @@ impl<S: Real> Zeros<S> {
     }
 }
 
-/// Differences u₁ − u₀ and u₂ − u₀ of the two lower zeros from the start. They follow from `third` = u₃
-/// − u₀ and from the coefficients of f(u₀ + v)/β.
+/// Computes the differences u₁ − u₀ and u₂ − u₀ of the two lower zeros from the start. The arguments are the
+/// coefficients of f(u₀ + v)/β and `third` = u₃ − u₀.
 fn inner_zeros_of_cubic<S: Real>([c_0, _, c_2]: [S; 3], third: S) -> [S; 2] {
     let [zero, two] = [0, 2].map(S::int);
-    // The zeros follow from their sum and their product. The product is not positive, so that the radicand
-    // below is a sum of two terms that are not negative.
+    // The zeros follow from their sum and their product. The product is at most 0, so that the radicand below is a sum
+    // of two terms that are not negative.
     let half_sum = -(c_2 + third) / two;
     let product = if c_0 == zero { zero } else { -c_0 / third };
     let root = (half_sum * half_sum - product).sqrt();
@@ -271,8 +267,8 @@ fn inner_zeros_of_cubic<S: Real>([c_0, _, c_2]: [S; 3], third: S) -> [S; 2] {
     }
 }
 
-/// Coefficients c₀, c₁, c₂ of f(1 + v)/β = v³ + c₂ v² + c₁ v + c₀, from `below` = 1 − u₀. The
-/// zeros u₂ and u₃ can be close only near 1, and as distances from 1 they are not.
+/// Coefficients c₀, c₁, c₂ of f(1 + v)/β = v³ + c₂ v² + c₁ v + c₀, from `below` = 1 − u₀. The zeros u₂ and u₃ can be
+/// close only near 1; their distances from 1 are not close.
 fn coefficients_from_top<S: Real>(start: PolarStart<S>, momenta: [S; 2], below: S) -> [S; 3] {
     let PolarStart { theta, theta_rate, phi_rate, beta, spin } = start;
     let two = S::int(2);
@@ -301,8 +297,8 @@ fn coefficients_from_start<S: Real>(start: PolarStart<S>) -> [S; 3] {
     [c_0, c_1, c_2].map(|c| c / beta)
 }
 
-/// Largest zero of the cubic v³ + c₂ v² + c₁ v + c₀ with real zeros, by Newton's method from above,
-/// where it converges steadily.
+/// Largest zero of the cubic v³ + c₂ v² + c₁ v + c₀, whose zeros must be real. Newton's method finds it from above,
+/// where it converges monotonically.
 fn largest_zero_of_cubic<S: Real>([c_0, c_1, c_2]: [S; 3]) -> S {
     // Fujiwara's bound (1916): no zero has a larger absolute value.
     let sizes = [c_2.to_f64().abs(), c_1.to_f64().abs().sqrt(), c_0.to_f64().abs().cbrt()];

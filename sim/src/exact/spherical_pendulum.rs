@@ -3,23 +3,22 @@
 use super::polar_angle::{PolarAngle, PolarStart};
 use tripos_traits::Real;
 
-/// Exact motion of a spherical pendulum: a particle on a massless rod about a fixed point, under
-/// gravity. θ is the angle from the *upward* vertical, so that the particle hangs at θ = π, and φ is
-/// the azimuth about it, with φ = 0 at t = 0.
+/// Exact motion of a spherical pendulum: a particle on a massless rod about a fixed point, under gravity. θ is the
+/// angle from the *upward* vertical, so that the particle hangs at θ = π. φ is the azimuth about this vertical, with φ
+/// = 0 at t = 0.
 ///
-/// Equation: θ″ = φ′² sin θ cos θ + (g/l) sin θ. The constants of the motion are φ′ sin² θ and
-/// ½(θ′² + φ′² sin² θ) + (g/l) cos θ. The pendulum is a heavy top without axial inertia.
+/// Equation: θ″ = φ′² sin θ cos θ + (g/l) sin θ. The constants of the motion are φ′ sin² θ and ½(θ′² + φ′² sin² θ) +
+/// (g/l) cos θ. The pendulum is a heavy top without axial inertia.
 ///
-/// Whittaker, *Analytical Dynamics of Particles and Rigid Bodies* §55; Landau & Lifshitz, *Mechanics*
-/// §14 problem 1.
+/// Whittaker, *Analytical Dynamics of Particles and Rigid Bodies* §55; Landau & Lifshitz, *Mechanics* §14 problem 1.
 #[derive(Clone, Debug)]
 pub struct SphericalPendulum<S> {
-    /// Motion of the angle θ, and the azimuth that follows from it.
+    /// Motion of the angle θ, with the azimuth φ.
     polar: PolarAngle<S>,
 }
 
 impl<S: Real> SphericalPendulum<S> {
-    /// Exact motion from the angle θ, rad, and the rates θ′ and φ′, rad/s, at t = 0. `stiffness` is g/l >
+    /// Creates the exact motion from the angle θ, rad, and the rates θ′ and φ′, rad/s, at t = 0. `stiffness` is g/l >
     /// 0, 1/s².
     #[must_use]
     pub fn new(stiffness: S, theta: S, theta_rate: S, phi_rate: S) -> Self {
@@ -27,8 +26,8 @@ impl<S: Real> SphericalPendulum<S> {
         Self { polar: PolarAngle::new(PolarStart { theta, theta_rate, phi_rate, beta: two * stiffness, spin: zero }) }
     }
 
-    /// Cosine cos θ of the angle from the upward vertical at time t, s: the height in units of the length
-    /// of the rod.
+    /// Cosine of the angle θ from the upward vertical at time t, s. It is the height of the particle in units of the
+    /// length of the rod.
     #[must_use]
     pub fn cosine(&self, t: S) -> S {
         self.polar.cosine(t)
@@ -40,8 +39,7 @@ impl<S: Real> SphericalPendulum<S> {
         self.polar.angle(t)
     }
 
-    /// Rate θ′ of the angle from the upward vertical at time t, s, in rad/s; not a number if the rod is
-    /// vertical.
+    /// Rate θ′ of the angle from the upward vertical at time t, s, in rad/s; NaN if the rod is vertical.
     #[must_use]
     pub fn angle_rate(&self, t: S) -> S {
         self.polar.angle_rate(t)

@@ -10,7 +10,7 @@ pub(super) fn arctangent_of_two<S: Real>(y: S, x: S) -> S {
     if x == zero && y == zero {
         return zero;
     }
-    // The quotient that is at most 1 is used.
+    // The larger of |x| and |y| is the divisor, so that the quotient is at most 1.
     if y.abs() > x.abs() {
         return S::pi() / two * y.sign() - (x / y).atan();
     }
@@ -29,7 +29,7 @@ pub(super) fn nearest_whole<S: Real>(x: S) -> S {
     S::from_f64(x.to_f64().round())
 }
 
-/// Square root of x; 0 if rounding left x below 0.
+/// Square root of x; 0 if rounding errors have made x negative.
 pub(super) fn root_of_positive<S: Real>(x: S) -> S {
     if x < S::int(0) { S::int(0) } else { x.sqrt() }
 }

@@ -4,12 +4,12 @@
 use nalgebra::DMatrix;
 use tripos_traits::largest;
 
-/// Reciprocal condition number 1 / (‖A‖₁ ‖A⁻¹‖₁) of a matrix after scaling. Every row, then every
-/// column, is divided by its largest entry. `a` holds n² entries, row by row. 0 for a singular matrix
-/// or a matrix that is not finite.
+/// Reciprocal condition number 1 / (‖A‖₁ ‖A⁻¹‖₁) of a matrix after scaling: every row, then every column, is divided by
+/// its largest entry. `a` holds n² entries, row by row. 0 for a singular matrix, or a matrix with an entry that is not
+/// finite.
 ///
-/// The scaling removes the choice of units, so that the number measures nearness to a singular matrix.
-/// It takes an explicit inverse: it is for messages and charts, not for every step.
+/// The scaling removes the choice of units, so that the number measures nearness to a singular matrix. It computes an
+/// explicit inverse, and is meant for messages and charts, not for every step.
 #[must_use]
 pub fn reciprocal_condition(a: &[f64], n: usize) -> f64 {
     if a.len() != n * n || n == 0 || !a.iter().all(|x| x.is_finite()) {
@@ -32,9 +32,8 @@ pub fn reciprocal_condition(a: &[f64], n: usize) -> f64 {
     if reciprocal.is_finite() { reciprocal } else { 0.0 }
 }
 
-/// Reciprocal condition number 1 / (‖A‖₁ ‖A⁻¹‖₁) of a matrix without scaling, which depends on the
-/// choice of units. `a` holds n² entries, row by row. 0 for a singular matrix or a matrix that is not
-/// finite.
+/// Reciprocal condition number 1 / (‖A‖₁ ‖A⁻¹‖₁) of a matrix without scaling; it depends on the choice of units. `a`
+/// holds n² entries, row by row. 0 for a singular matrix, or a matrix with an entry that is not finite.
 #[must_use]
 pub fn plain_reciprocal_condition(a: &[f64], n: usize) -> f64 {
     if a.len() != n * n || n == 0 || !a.iter().all(|x| x.is_finite()) {
@@ -46,7 +45,7 @@ pub fn plain_reciprocal_condition(a: &[f64], n: usize) -> f64 {
     if reciprocal.is_finite() { reciprocal } else { 0.0 }
 }
 
-/// Matrix norm ‖A‖₁: the largest sum of absolute values of a column.
+/// Matrix norm ‖A‖₁: the largest sum of the absolute values in a column.
 fn one_norm(matrix: &DMatrix<f64>) -> f64 {
     largest(matrix.column_iter().map(|column| column.iter().map(|x| x.abs()).sum()))
 }

@@ -19,9 +19,9 @@ impl LeastVectorSolver {
         Self { metric: Metric::new(), conditions: LinearConditions::new() }
     }
 
-    /// Sets the metric of the mass matrix `inertia`, `length` × `length` entries row by row, and the
-    /// conditions. Each condition is a row of `rows` with `length` entries. False if the matrix is not
-    /// positive definite on the vectors that the rows leave free.
+    /// Sets the conditions, and the metric of the mass matrix `inertia`, which has `length` × `length` entries, row by
+    /// row. Each condition is a row of `rows` with `length` entries. Returns false if the matrix is not positive
+    /// definite on the vectors that the rows leave free.
     pub(crate) fn set(&mut self, inertia: &[f64], length: usize, rows: &[f64]) -> bool {
         let is_definite = self.metric.set_inertia(inertia, length, rows);
         if is_definite {
@@ -30,11 +30,11 @@ impl LeastVectorSolver {
         is_definite
     }
 
-    /// Sets conditions, and the metric of a mass matrix to which inertia is added along the rows of these
-    /// conditions. The measure of dependence among rows then means the same at all states.
+    /// Sets the conditions, and the metric of a mass matrix to which inertia is added along their rows. The measure of
+    /// dependence among rows then means the same at all states.
     ///
-    /// `inertia` has `length` × `length` entries, `rows` has `length` for each condition. False if the
-    /// matrix is not positive definite on the vectors that the rows leave free.
+    /// `inertia` has `length` × `length` entries, and `rows` has `length` entries for each condition. Returns false if
+    /// the matrix is not positive definite on the vectors that the rows leave free.
     pub(crate) fn set_heavier(&mut self, inertia: &[f64], length: usize, rows: &[f64]) -> bool {
         let is_definite = self.metric.set_inertia_with_added_mass(inertia, length, rows);
         if is_definite {

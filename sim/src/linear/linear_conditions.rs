@@ -1,20 +1,19 @@
-//! Linear conditions in a metric: the smallest vector that satisfies them, the part of another vector
-//! that they leave free, and the conditions that depend on others.
+//! Linear conditions in a metric: the smallest vector that satisfies them, the part of another vector that they leave
+//! free, and the conditions that depend on other conditions.
 //!
-//! A metric M = L Lᵀ makes x into z = Lᵀ x, whose plain length is that of x in the metric. Rows G of
-//! conditions G x = d become the columns of L⁻¹ Gᵀ. The method of Gram and Schmidt finds orthonormal
-//! axes for them. It takes the rows in the order of their relative remainders, the largest first (P.
-//! Businger & G. H. Golub, Numer. Math. 7 (1965) 269–276). So the units of rows do not matter, and the
-//! remainder of a row measures its distance from depending on the rows before it.
+//! A metric M = L Lᵀ turns x into z = Lᵀ x, whose Euclidean length is the length of x in the metric. The rows G of
+//! conditions G x = d become the columns of L⁻¹ Gᵀ. The method of Gram and Schmidt finds orthonormal axes for them. It
+//! takes the rows in the order of their relative remainders, the largest first (P. Businger & G. H. Golub, Numer. Math.
+//! 7 (1965) 269–276). The units of rows therefore do not matter. The remainder of a row measures its distance from
+//! depending on the rows taken before it.
 //!
-//! Conditions are created once and set again for each state, without an allocation. Vectors lie in a
-//! single list, one after another.
+//! Conditions are created once and set again for each state, without an allocation. Vectors lie in a single list, one
+//! after another.
 
 use super::metric::Metric;
 use super::vector_arithmetic::{axpy, dot, normalize_vector};
 
-/// Largest remainder of a row after projection on the other rows, over its length, with which it counts
-/// as dependent.
+/// Relative remainder of a row, after projection on the rows taken before it, up to which the row counts as dependent.
 pub(crate) const DEPENDENT: f64 = 1e-8;
 
 /// Linear conditions G x = d in a metric, with orthonormal axes for their rows.
@@ -24,22 +23,22 @@ pub(crate) struct LinearConditions {
     length: usize,
     /// Rows G of the conditions in the metric M = L Lᵀ: each is multiplied by L⁻¹.
     forms: Vec<f64>,
-    /// Remainder of each row of `forms`, without its part along the axes found so far.
+    /// Remainder of each row of `forms`: the row without its components along the axes found so far.
     rest: Vec<f64>,
     /// Orthonormal axes, one vector for each condition that is kept as independent.
     axes: Vec<f64>,
-    /// Indices of the independent rows, which are kept, in the order in which they were taken.
+    /// Indices of the independent rows, in the order in which they were taken.
     kept: Vec<usize>,
-    /// Indices of the rows of conditions that are not kept, since they depend on others.
+    /// Indices of the rows that are not kept as independent.
     open: Vec<usize>,
-    /// Components of each kept row along the axes up to its own axis: lists of 1, 2, 3 … numbers in this
-    /// order.
+    /// Components of each kept row along the axes up to its own axis: lists of 1, 2, 3 … numbers in the order of
+    /// `kept`.
     along: Vec<f64>,
     /// Working space for the components of a vector along the axes of the conditions.
     shares: Vec<f64>,
     /// Length of each condition's row in the metric.
     pub(crate) sizes: Vec<f64>,
-    /// Length of each row's remainder, without its part along the rows that were taken before it.
+    /// Length of each row's remainder, without its components along the rows that were taken before it.
     pub(crate) left: Vec<f64>,
 }
 
@@ -60,8 +59,8 @@ impl LinearConditions {
         }
     }
 
-    /// Sets the conditions to these rows, which lie one after another, in a metric. A row counts as
-    /// dependent and is left out if its remainder beside the rows before it is at most `dependent` times
+    /// Sets the conditions to these rows, which lie one after another, in a metric. A row counts as dependent and is
+    /// left out if the length of its remainder, after projection on the rows before it, is at most `dependent` times
     /// its length.
     pub(crate) fn set(&mut self, metric: &Metric, rows: &[f64], dependent: f64) {
         self.length = metric.length.max(1);
@@ -85,8 +84,8 @@ impl LinearConditions {
         }
     }
 
-    /// Position in `open` of the row with the largest remainder over its length; `None` if no ratio is
-    /// above `dependent`.
+    /// Position in `open` of the row with the largest relative remainder; `None` if no relative remainder is above
+    /// `dependent`.
     fn most_independent_row(&self, dependent: f64) -> Option<usize> {
         // A row of zeros is no condition.
         let part = |row: usize| if self.sizes[row] > 0.0 { self.left[row] / self.sizes[row] } else { 0.0 };
@@ -94,8 +93,8 @@ impl LinearConditions {
         parts.max_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, most)| *most > dependent).map(|(place, _)| place)
     }
 
-    /// Keeps the row at this position in `open`: makes an axis of its remainder, and subtracts this axis
-    /// from the remainders of the other open rows.
+    /// Keeps the row at this position in `open`: makes an axis from its remainder, and removes this axis from the
+    /// remainders of the other open rows.
     fn keep_row(&mut self, place: usize) {
         let (n, row) = (self.length, self.open.remove(place));
         let known = self.axes.len();
@@ -161,7 +160,7 @@ mod tests {
         conditions
     }
 
-    /// The least vector x that meets conditions.
+    /// Smallest vector x that satisfies the conditions with the right-hand sides `sides`.
     fn least(metric: &Metric, conditions: &mut LinearConditions, sides: &[f64]) -> Vec<f64> {
         let mut x = vec![0.0; 3];
         conditions.add_least_vector(sides, &mut x);
@@ -174,7 +173,7 @@ mod tests {
         a.len() == b.len() && a.iter().zip(b).all(|(a, b)| (a - b).abs() < most)
     }
 
-    /// Truth: of all corrections that meet G x = d the one with the least xᵀ M x is M⁻¹ Gᵀ (G M⁻¹ Gᵀ)⁻¹ d.
+    /// Truth: of all corrections x with G x = d, the one with the smallest xᵀ M x is M⁻¹ Gᵀ (G M⁻¹ Gᵀ)⁻¹ d.
     #[test]
     fn the_least_correction_is_that_of_the_multipliers() {
         let m = [4.0, 1.0, 0.0, 1.0, 3.0, -1.0, 0.0, -1.0, 2.0];
@@ -187,7 +186,7 @@ mod tests {
         assert!(conditions.is_independent() && near(&found, &truth, 1e-15), "{found:?} {truth:?}");
     }
 
-    /// M⁻¹ Gᵀ (G M⁻¹ Gᵀ)⁻¹ d by inverses.
+    /// Computes M⁻¹ Gᵀ (G M⁻¹ Gᵀ)⁻¹ d with explicit inverses.
     fn by_multipliers(m: &[f64], g: &[f64], d: [f64; 2]) -> Vec<f64> {
         use nalgebra::{DMatrix, DVector};
         let (m, g) = (DMatrix::from_row_slice(3, 3, m), DMatrix::from_row_slice(2, 3, g));
@@ -197,8 +196,8 @@ mod tests {
         x.iter().copied().collect()
     }
 
-    /// A third row that is a difference of two others, in another unit, changes nothing; an earlier setting leaves no
-    /// trace.
+    /// A third row that is a combination of the two others, in another unit, changes nothing. Conditions that are set
+    /// again keep nothing from the earlier setting.
     #[test]
     fn a_row_that_follows_from_others_is_left_out() {
         let g = [1.0, 2.0, 0.5, 0.0, 1.0, -1.0, 1e6, 1e6, 1.5e6];
@@ -215,14 +214,14 @@ mod tests {
         assert!(near(&z, &other, 1e-14) && dot(&z, &z) > 0.1, "{z:?} {other:?}");
     }
 
-    /// A zero mass is no hindrance along a motion that a row prevents, but is one along a free motion.
+    /// A zero mass is allowed along a motion that a row prevents, and refused along a free motion.
     #[test]
     fn a_massless_link_is_held_by_its_row() {
         let m = [2.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0];
         let held = [1.0, 0.0, -1.0];
         let metric = of_inertia(&m, &held).unwrap();
         let x = least(&metric, &mut conditions(&metric, &held), &[1.0]);
-        // All of it is the link's, which nothing resists.
+        // The massless link makes the whole correction, since no inertia resists it.
         assert!((x[0] - x[2] - 1.0).abs() < 1e-14 && x[0].abs() < 1e-14 && !metric.is_plain(), "{x:?}");
         assert!(of_inertia(&m, &[1.0, 0.0, 0.0]).is_none());
     }

@@ -6,8 +6,8 @@ use nalgebra::{Const, DMatrix, DVector, DimMin, SMatrix, SVector};
 /// Kind of a matrix, which selects its factorization.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum MatrixKind {
-    /// Symmetric matrix, positive definite unless nearly singular. Cholesky's factorization is tried first,
-    /// then LU. Far from singular, only an indefinite matrix needs LU.
+    /// Symmetric matrix, positive definite unless nearly singular. Cholesky's factorization is tried first, then LU.
+    /// Apart from nearly singular matrices, only an indefinite matrix needs LU.
     Symmetric,
     /// Square matrix of any kind, which is solved by LU with partial pivoting.
     General,
@@ -23,15 +23,13 @@ pub enum UnsolvableSystem {
     Singular,
 }
 
-/// Solves the linear system A x = b. `a` holds A row by row, with b.len()² entries; the solution
-/// replaces `b`.
+/// Solves the linear system A x = b. `a` holds A row by row, with b.len()² entries; the solution replaces `b`.
 ///
-/// The residual is small whenever the solution exists; the error can be as large as ε / rcond(A), see
+/// The residual is small whenever the solution exists. The error can be as large as ε / rcond(A), see
 /// [`super::reciprocal_condition`].
 ///
 /// # Errors
-/// [`UnsolvableSystem`] if there is no finite solution, or if `a` has the wrong length; `b` then has no
-/// meaning.
+/// [`UnsolvableSystem`] if there is no finite solution, or if `a` has the wrong length; `b` then has no meaning.
 pub fn solve_linear_system(a: &[f64], b: &mut [f64], shape: MatrixKind) -> Result<(), UnsolvableSystem> {
     if a.len() != b.len() * b.len() {
         return Err(UnsolvableSystem::Singular);
@@ -58,8 +56,8 @@ pub fn solve_linear_system(a: &[f64], b: &mut [f64], shape: MatrixKind) -> Resul
     if solved && b.iter().all(|x| x.is_finite()) { Ok(()) } else { Err(UnsolvableSystem::Singular) }
 }
 
-/// Solves a linear system of order N, known at compile time, on the stack; the solution replaces `b`.
-/// False if a pivot is zero.
+/// Solves a linear system of order N, known at compile time, on the stack; the solution replaces `b`. Returns false if
+/// a pivot is zero.
 fn solve_on_stack<const N: usize>(a: &[f64], b: &mut [f64], shape: MatrixKind) -> bool
 where
     Const<N>: DimMin<Const<N>, Output = Const<N>>,
@@ -81,7 +79,7 @@ where
     solved
 }
 
-/// Solves a linear system of any order; the solution replaces `b`. False if a pivot is zero.
+/// Solves a linear system of any order; the solution replaces `b`. Returns false if a pivot is zero.
 fn solve_dynamic(a: &[f64], b: &mut [f64], shape: MatrixKind) -> bool {
     let matrix = DMatrix::from_row_slice(b.len(), b.len(), a);
     let mut x = DVector::from_column_slice(b);
@@ -100,8 +98,8 @@ fn solve_dynamic(a: &[f64], b: &mut [f64], shape: MatrixKind) -> bool {
     solved
 }
 
-/// Determinant of a matrix of order `n`, by LU. `a` holds n² entries, row by row. Not a number if the
-/// length is wrong or an entry is not finite.
+/// Determinant of a matrix of order `n`, by LU. `a` holds n² entries, row by row. NaN if the length is wrong or an
+/// entry is not finite.
 #[must_use]
 pub fn matrix_determinant(a: &[f64], n: usize) -> f64 {
     if a.len() != n * n || !a.iter().all(|x| x.is_finite()) {
@@ -114,7 +112,7 @@ pub fn matrix_determinant(a: &[f64], n: usize) -> f64 {
 mod tests {
     use super::*;
 
-    /// Row by row, a positive definite matrix: 1 / (i + j + 1) + [i = j].
+    /// Entries of a positive definite matrix, row by row: 1 / (i + j + 1), plus 1 on the diagonal.
     fn shifted_hilbert(n: usize) -> Vec<f64> {
         (0..n * n)
             .map(|k| {
@@ -124,7 +122,8 @@ mod tests {
             .collect()
     }
 
-    /// Every static order and two dynamic ones; 1e-13 since the condition number is below 4.
+    /// Systems of every order that is solved on the stack, and of larger orders. The tolerance is 1e-13, since the
+    /// condition number is below 4.
     #[test]
     fn systems_of_every_order_are_solved() {
         for n in 1..=15 {

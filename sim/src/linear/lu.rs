@@ -1,7 +1,7 @@
 //! LU factors of a dense matrix in any scalar, real or complex, with partial pivoting.
 //!
-//! They serve the linear systems of implicit steps, whose order is up to three times the state's
-//! length. Nothing is allocated after `new`.
+//! They solve the linear systems of implicit steps, whose order is up to three times the length of the state. Nothing
+//! is allocated after `new`.
 
 use std::ops::{Add, Div, Mul, Sub};
 
@@ -26,12 +26,11 @@ impl<S: Real> Entry for S {
     }
 }
 
-/// Square matrix of order n; its LU factors after a call of `factor`.
+/// Square matrix of order n. After a call of `factor` it holds the LU factors.
 pub(crate) struct Lu<S> {
     /// Order n of the square matrix.
     n: usize,
-    /// Entries of the matrix, row by row. After the factorization: U, and below the diagonal the
-    /// multipliers L.
+    /// Entries of the matrix, row by row. After the factorization: U, and the multipliers L below the diagonal.
     pub(crate) entries: Vec<S>,
     /// Index of the row that was exchanged with row i when column i was eliminated, for each i.
     pivots: Vec<usize>,
@@ -43,7 +42,7 @@ impl<S: Entry> Lu<S> {
         Self { n, entries: vec![S::zero(); n * n], pivots: vec![0; n] }
     }
 
-    /// Replaces the entries of the matrix by its LU factors. False if a pivot is 0 or not finite.
+    /// Replaces the entries of the matrix with its LU factors. Returns false if a pivot is 0 or not finite.
     pub(crate) fn factor(&mut self) -> bool {
         let n = self.n;
         for column in 0..n {
@@ -98,7 +97,7 @@ impl<S: Entry> Lu<S> {
 mod tests {
     use super::*;
 
-    /// A matrix whose pivots lie off the diagonal; 1e-14 since its condition number is below 30.
+    /// Matrix whose pivots lie off the diagonal. The tolerance is 1e-14, since its condition number is below 30.
     #[test]
     fn a_system_that_needs_pivots_is_solved() {
         let a = [0.0, 2.0, 1.0, 1.0, -2.0, -3.0, -1.0, 1.0, 2.0_f64];

@@ -1,13 +1,12 @@
-//! Metric by which the length of a vector is measured: weights, or a mass matrix with its Cholesky
-//! factor.
+//! Metric by which the length of a vector is measured: weights, or a mass matrix with its Cholesky factor.
 //!
-//! A metric M = L Lᵀ makes x into z = Lᵀ x, whose plain length is that of x in the metric. It is created
-//! once and set again for each state, without an allocation.
+//! A metric M = L Lᵀ turns x into z = Lᵀ x, whose Euclidean length is the length of x in the metric. It is created once
+//! and set again for each state, without an allocation.
 
 use super::vector_arithmetic::{axpy, dot, scale_vector_components};
 
-/// Smallest pivot in the Cholesky factors of a positive definite mass matrix, as a fraction of the
-/// diagonal entry. A smaller pivot is rounding.
+/// Smallest pivot of a positive definite mass matrix in its Cholesky factorization, as a fraction of the diagonal
+/// entry. A smaller pivot counts as rounding.
 const CLEAR: f64 = 1e-13;
 
 /// Kind of a metric: by weights, or by a mass matrix.
@@ -26,7 +25,7 @@ pub(crate) struct Metric {
     kind: Kind,
     /// Number of components of the vectors that are measured.
     pub(super) length: usize,
-    /// Weights of the components; or L row by row, with the reciprocals of its diagonal.
+    /// Weights of the components; or the Cholesky factor L, row by row, with the reciprocals of its diagonal.
     entries: Vec<f64>,
     /// Copy of the mass matrix with added inertia, row by row.
     heavier: Vec<f64>,
@@ -46,11 +45,11 @@ impl Metric {
         self.length = self.entries.len();
     }
 
-    /// Sets the metric of a mass matrix, `length` × `length` entries row by row. `rows` are the rows of
-    /// conditions. False if a motion that the rows allow has no inertia.
+    /// Sets the metric of a mass matrix, `length` × `length` entries row by row. `rows` are the rows of conditions.
+    /// Returns false if a motion that the rows allow has no inertia.
     ///
-    /// The matrix may be singular along motions that the rows prevent. Massless links are then given an
-    /// inertia there, which changes no motion that the rows allow.
+    /// The matrix may be singular along motions that the rows prevent. Inertia is then added there, which changes no
+    /// motion that the rows allow.
     pub(crate) fn set_inertia(&mut self, matrix: &[f64], length: usize, rows: &[f64]) -> bool {
         self.length = length;
         self.kind = Kind::Inertia { is_plain: true };
@@ -60,11 +59,11 @@ impl Metric {
         self.set_inertia_with_added_mass(matrix, length, rows)
     }
 
-    /// Sets the metric of a mass matrix, `length` × `length` entries row by row, and always adds inertia
-    /// along the rows of conditions. False if a motion that the rows allow has no inertia.
+    /// Sets the metric of a mass matrix, `length` × `length` entries row by row, and always adds inertia along the rows
+    /// of conditions. Returns false if a motion that the rows allow has no inertia.
     ///
-    /// Motions that the rows allow keep their inertia. Lengths of rows stay bounded if the prevented
-    /// motions have none.
+    /// Motions that the rows allow keep their inertia. The lengths of the rows stay bounded even if the motions that
+    /// they prevent have no inertia.
     pub(crate) fn set_inertia_with_added_mass(&mut self, matrix: &[f64], length: usize, rows: &[f64]) -> bool {
         self.length = length;
         self.kind = Kind::Inertia { is_plain: false };
@@ -87,8 +86,8 @@ impl Metric {
         self.kind != Kind::Inertia { is_plain: false }
     }
 
-    /// Multiplies a linear form, such as a force or a row of conditions, by L⁻¹ in place. Its dot products
-    /// with z = Lᵀ x are those of the form with x.
+    /// Multiplies a linear form, such as a force or a row of conditions, by L⁻¹ in place. The dot product of the result
+    /// with z = Lᵀ x is that of the form with x.
     pub(crate) fn form_in_metric(&self, form: &mut [f64]) {
         if self.kind == Kind::Weights {
             return scale_vector_components(form, &self.entries);
@@ -98,8 +97,8 @@ impl Metric {
         }
     }
 
-    /// Replaces z by x = L⁻ᵀ z in place, with the factor L of the metric M = L Lᵀ. In a metric of weights
-    /// each component is multiplied by its weight.
+    /// Replaces z with x = L⁻ᵀ z in place, with the factor L of the metric M = L Lᵀ. In a metric of weights each
+    /// component is multiplied by its weight.
     pub(crate) fn vector_from_metric(&self, z: &mut [f64]) {
         if self.kind == Kind::Weights {
             return scale_vector_components(z, &self.entries);
@@ -112,8 +111,8 @@ impl Metric {
     }
 }
 
-/// Computes the Cholesky factor L of a matrix, row by row, with the reciprocals of its diagonal. False
-/// if the matrix is not positive definite by more than rounding.
+/// Computes the Cholesky factor L of a matrix, row by row, with the reciprocals of its diagonal. Returns false if the
+/// matrix is not positive definite by more than rounding.
 fn cholesky_factor(matrix: &[f64], length: usize, lower: &mut Vec<f64>) -> bool {
     lower.clear();
     lower.extend_from_slice(matrix);
@@ -125,7 +124,7 @@ fn cholesky_factor(matrix: &[f64], length: usize, lower: &mut Vec<f64>) -> bool 
         }
         let entry = row[i];
         let left = entry - dot(&row[..i], &row[..i]);
-        // Not a number counts as indefinite.
+        // NaN counts as indefinite.
         if !(left > 0.0 && left > CLEAR * entry) {
             return false;
         }

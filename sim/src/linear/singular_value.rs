@@ -1,17 +1,16 @@
-//! Least singular value of a set of vectors, which measures their nearness to linear dependence.
+//! Smallest singular value of a set of vectors, which measures their nearness to linear dependence.
 //!
-//! The vectors are rotated, two at a time, until all are orthogonal: their lengths are then the
-//! singular values (M. R. Hestenes, J. SIAM 6 (1958) 51–90). Small ones are found as exactly as large
-//! ones, and nothing is allocated.
+//! The vectors are rotated, two at a time, until all are orthogonal: their lengths are then the singular values (M. R.
+//! Hestenes, J. SIAM 6 (1958) 51–90). Small singular values are found as exactly as large ones, and nothing is
+//! allocated.
 
 use super::vector_arithmetic::dot;
 
 /// Largest number of rounds over all pairs of vectors in the search for singular values.
 const ROUNDS: usize = 30;
 
-/// Least singular value of the matrix whose rows are these vectors. They lie one after another, each
-/// with `length` entries, and are overwritten. Not a number if an entry is not a number; infinite if
-/// there are no vectors.
+/// Smallest singular value of the matrix whose rows are these vectors. They lie one after another, each with `length`
+/// entries, and are overwritten. NaN if an entry is NaN; infinite if there are no vectors.
 pub(crate) fn least_singular_value(vectors: &mut [f64], length: usize) -> f64 {
     let count = vectors.len() / length.max(1);
     for _ in 0..ROUNDS {
@@ -30,12 +29,12 @@ pub(crate) fn least_singular_value(vectors: &mut [f64], length: usize) -> f64 {
     sizes.fold(f64::INFINITY, |least, size| if size < least || size.is_nan() { size } else { least })
 }
 
-/// Rotates two vectors in their plane until they are orthogonal. False, with nothing changed, if they
-/// already were, or if an entry is not a number.
+/// Rotates two vectors in their plane until they are orthogonal. Returns false and changes nothing if they already were
+/// orthogonal, or if an entry is NaN.
 fn rotate_to_orthogonal(a: &mut [f64], b: &mut [f64]) -> bool {
     let (aa, bb, ab) = (dot(a, a), dot(b, b), dot(a, b));
     let bound = f64::EPSILON * (aa * bb).sqrt();
-    // Vectors with an entry that is not a number are left as they are.
+    // Vectors with an entry NaN are left unchanged.
     if ab.abs() <= bound || ab.is_nan() || bound.is_nan() {
         return false;
     }
@@ -54,7 +53,8 @@ mod tests {
     use super::*;
     use nalgebra::DMatrix;
 
-    /// Against another way to the same number, and one known: vectors at an angle φ have the least value √2 sin(φ/2).
+    /// The smallest singular value equals that of another algorithm. Truth: √2 sin(φ/2) for two unit vectors at an
+    /// angle φ.
     #[test]
     fn the_least_singular_value_is_that_of_another_algorithm() {
         let mut seed = 1_u64;

@@ -12,7 +12,7 @@ pub(super) fn axpy(a: f64, x: &[f64], y: &mut [f64]) {
     }
 }
 
-/// Scales a vector to the length 1, in place; a vector of zeros becomes not a number.
+/// Scales a vector to the length 1, in place. A vector of zeros becomes NaN.
 pub(super) fn normalize_vector(x: &mut [f64]) {
     let size = dot(x, x).sqrt();
     for x in x {
@@ -20,7 +20,7 @@ pub(super) fn normalize_vector(x: &mut [f64]) {
     }
 }
 
-/// Multiplies each component of `x` by the component of `by`, in place.
+/// Multiplies each component of `x` by the same component of `by`, in place.
 pub(super) fn scale_vector_components(x: &mut [f64], by: &[f64]) {
     for (x, by) in x.iter_mut().zip(by) {
         *x *= by;

@@ -1,11 +1,11 @@
 //! Steps of the method DOP853: Dormand–Prince 8(5,3) with a dense output of order 7.
 //!
-//! Invariant: `k[b][0]` is block b of the derivative at (t, y). After a trial step that passed its
-//! error test, `k[b][12]` is the derivative at its end. If the driver moves the state there before the
-//! next step, that derivative is computed only once the dense output is needed.
+//! Invariant: `k[b][0]` is block b of the derivative at (t, y). After a trial step that passed its error test,
+//! `k[b][12]` is the derivative at its end. If the driver may move the state there, this derivative is computed only
+//! when the dense output needs it.
 //!
-//! A step allocates nothing. The formulae are those of E. Hairer, S. P. Nørsett & G. Wanner, *Solving
-//! Ordinary Differential Equations I* (1993), §II.5 (error) and §II.6 (dense output).
+//! A step allocates nothing. The formulae are those of E. Hairer, S. P. Nørsett & G. Wanner, *Solving Ordinary
+//! Differential Equations I* (1993), §II.5 (error) and §II.6 (dense output).
 
 use std::array::from_fn;
 
@@ -19,14 +19,13 @@ use crate::error_test::ErrorTest;
 use crate::right_hand_side::RightHandSide;
 use crate::stepper::{StepFailure, Stepper, TrialStep, check_finite};
 
-/// Number of stages of DOP853: 12 of the step, one at its end, and three that only the dense output
-/// needs.
+/// Number of stages of DOP853: 12 of the step, one at the end of the step, and three that only the dense output needs.
 pub(crate) const STAGES: usize = 16;
-/// Row of the coefficients that give the new state, and index of the stage that is evaluated there.
+/// Index of the row of coefficients that gives the new state, and of the stage that is evaluated at this state.
 pub(crate) const END: usize = 12;
 
-/// True for each stage j that row i of the coefficients uses. It is known at compile time, so that
-/// unused stages cost nothing.
+/// Marks the stages j that row i of the coefficients uses. The table is known at compile time, so that unused stages
+/// cost nothing.
 pub(crate) const USED: [[bool; STAGES]; STAGES] = {
     let mut used = [[false; STAGES]; STAGES];
     let mut i = 0;
@@ -36,10 +35,10 @@ pub(crate) const USED: [[bool; STAGES]; STAGES] = {
     }
     used
 };
-/// True for each stage of DOP853 that its error estimate of order 5 uses.
+/// Marks the stages that the order-5 error estimate of DOP853 uses.
 pub(crate) const USED_BY_ERROR: [bool; STAGES] = dop853_stages_used_by(PUBLISHED.error5);
 
-/// Marks the stages that a row of coefficients uses.
+/// Marks the stages that a row of coefficients of DOP853 uses.
 const fn dop853_stages_used_by(row: Row) -> [bool; STAGES] {
     let mut used = [false; STAGES];
     let mut entry = 0;
@@ -50,18 +49,18 @@ const fn dop853_stages_used_by(row: Row) -> [bool; STAGES] {
     used
 }
 
-/// The same number twice, as a vector register of two numbers needs it; no instruction has to copy it.
+/// Same number twice, as an operand for a vector register of two numbers. No instruction has to copy it.
 type TwoCopies<S> = [S; 2];
 
 /// Published coefficients of DOP853 in the scalar of the run.
 struct Coefficients<S> {
     /// Coefficients aᵢⱼ of the stages, each written twice for vector registers.
     a: [[TwoCopies<S>; STAGES]; STAGES],
-    /// Weights of the stages in the error of DOP853 against a solution of order 5.
+    /// Weights of the stages in the error estimate of DOP853 against a solution of order 5.
     error5: [TwoCopies<S>; STAGES],
-    /// Weights of the stages in the solution of order 3, which the error estimate of DOP853 uses.
+    /// Weights of the stages in the solution of order 3, which serves the error estimate of DOP853.
     error3: [TwoCopies<S>; STAGES],
-    /// Weights of the stages in the last four coefficients of the dense output.
+    /// Weights of the stages in the last four coefficients of the dense output of DOP853.
     dense: [[TwoCopies<S>; STAGES]; 4],
 }
 
@@ -77,7 +76,7 @@ impl<S: Real> Coefficients<S> {
     }
 }
 
-/// Row of coefficients with an entry for each stage, from the published entries that are not 0.
+/// Expands the nonzero entries of a published row of coefficients to a row with an entry for each stage.
 fn coefficient_row<S: Real>(entries: Row) -> [TwoCopies<S>; STAGES] {
     let mut values = [[S::from_f64(0.0); 2]; STAGES];
     for (stage, decimal) in entries {
@@ -98,18 +97,18 @@ pub(crate) struct Dop853<S> {
     y: Blocks<S>,
     /// State at which a stage is evaluated; after the last stage, the state at the end of the step.
     y_new: Blocks<S>,
-    /// Derivative that the right-hand side gave last.
+    /// Derivative at the last evaluation of the right-hand side.
     f: Blocks<S>,
-    /// Derivatives of all stages: for each block of components a list of the stages.
+    /// Derivatives of all stages, for each block of components of the state.
     k: Vec<[Block<S>; STAGES]>,
     /// Eight coefficients of the dense output, for each block of components.
     dense: Vec<[Block<S>; 8]>,
     /// State at which a stage of the dense output is evaluated.
     inner: Blocks<S>,
-    /// Error estimates of order 5 and 3, divided by the weights of the error test. They are stored, since
-    /// the compiler makes vector instructions of loops that end in stores.
+    /// Error estimates of order 5 and 3, divided by the weights of the error test. They are stored in memory, because
+    /// the compiler vectorizes loops that end in stores.
     quotients: Vec<[Block<f64>; 2]>,
-    /// True if the driver may move the state after each step: then only the moved state needs a derivative.
+    /// True if the driver may move the state after each step: only the moved state then needs a derivative.
     moves: bool,
     /// True if the derivative at the end of the last tried step is known.
     has_end: bool,
@@ -139,8 +138,8 @@ impl<S: Real> Dop853<S> {
         }
     }
 
-    /// Evaluates stage I at time `t`, s: f(t + c_I h, y + h Σ_j a_Ij k_j), with the step `h`, s. The result
-    /// stays in `self.f` until the next stage takes it. Error if a number is not finite or f has no value.
+    /// Evaluates stage I at time `t`, s: f(t + c_I h, y + h Σ_j a_Ij k_j), with the step `h`, s. Leaves the result in
+    /// `self.f`, from which the next stage copies it. Error if a number is not finite or f has no value.
     #[inline]
     fn stage<const I: usize, R: RightHandSide<S>>(&mut self, rhs: &mut R, h: S, t: f64) -> Result<(), StepFailure> {
         let row = &self.coefficients.a[I];
@@ -152,8 +151,8 @@ impl<S: Real> Dop853<S> {
         rhs.rhs(t, self.y_new.components_of_blocks(), self.f.components_mut()).map_err(StepFailure::Failed)
     }
 
-    /// Evaluates stage I, which only the dense output needs, for the step `h`, s. Error if a number is not
-    /// finite or f has no value.
+    /// Evaluates stage I of a step `h`, s; only the dense output needs this stage. Error if a number is not finite or f
+    /// has no value.
     fn inner_stage<const I: usize, R: RightHandSide<S>>(&mut self, rhs: &mut R, h: S) -> Result<(), StepFailure> {
         let row = &self.coefficients.a[I];
         let finite = advance::<S, I>(row, h, &self.y, &mut self.k, &self.f, &mut self.inner);
@@ -165,15 +164,15 @@ impl<S: Real> Dop853<S> {
         rhs.rhs(t, self.inner.components_of_blocks(), self.f.components_mut()).map_err(StepFailure::Failed)
     }
 
-    /// Evaluates f at time `t`, s, and state `y_new`, and stores it as this stage. Error if f has no finite
-    /// value there.
+    /// Evaluates f at time `t`, s, and state `y_new`, and stores the result as the stage with index `stage`. Error if f
+    /// has no finite value there.
     fn evaluate<R: RightHandSide<S>>(&mut self, rhs: &mut R, stage: usize, t: f64) -> Result<(), StepFailure> {
         self.evaluations += 1;
         rhs.rhs(t, self.y_new.components_of_blocks(), self.f.components_mut()).map_err(StepFailure::Failed)?;
         self.store_stage(stage)
     }
 
-    /// Stores the last value of the right-hand side as this stage. Error if it is not finite.
+    /// Stores the last derivative, in `self.f`, as the stage with index `stage`. Error if it is not finite.
     fn store_stage(&mut self, stage: usize) -> Result<(), StepFailure> {
         let mut finite = FiniteTest::new();
         for (k, f) in self.k.iter_mut().zip(&self.f.blocks) {
@@ -183,8 +182,8 @@ impl<S: Real> Dop853<S> {
         if finite.is_finite() { Ok(()) } else { Err(self.not_finite(&self.y_new)) }
     }
 
-    /// Error that names the first component that is not finite, in the last derivative, or else in the
-    /// state `point`.
+    /// Creates the error that names the first component that is not finite, in the last derivative or else in the state
+    /// `point`.
     #[cold]
     fn not_finite(&self, point: &Blocks<S>) -> StepFailure {
         let checks =
@@ -192,11 +191,10 @@ impl<S: Real> Dop853<S> {
         checks.err().unwrap_or(StepFailure::NotFinite { component: 0 })
     }
 
-    /// Computes the state at the end of the step `h`, s, and its error |h| e₅² / √(e₅² + 0.01 e₃²). e₅ and
-    /// e₃ are the norms of the differences from solutions of order 5 and 3.
+    /// Computes the state at the end of the step `h`, s, and its error |h| e₅² / √(e₅² + 0.01 e₃²). e₅ and e₃ are the
+    /// norms of the differences from solutions of order 5 and 3.
     ///
-    /// The error shrinks like h⁸, as that of the method does. The first result tells if all numbers are
-    /// finite.
+    /// The error falls like h⁸, as the error of the method does. The first result tells if all numbers are finite.
     fn new_state_and_error(&mut self, h: S, test: &ErrorTest) -> (FiniteTest, f64) {
         let (b, e5, e3) = (&self.coefficients.a[END], &self.coefficients.error5, &self.coefficients.error3);
         let (mut finite, mut sum5, mut sum3) = (FiniteTest::new(), [0.0; LANES], [0.0; LANES]);
@@ -232,11 +230,11 @@ pub(crate) fn dop853_error(h: f64, sum5: f64, sum3: f64, n: usize) -> f64 {
     let both = sum5 + 0.01 * sum3;
     let both = if both > 0.0 { both } else { 1.0 };
     let error = h.abs() * sum5 / (both * n.max(1) as f64).sqrt();
-    // Sums that overflow are errors beyond any tolerance.
+    // Sums that overflow mean an error beyond any tolerance.
     if error.is_nan() { f64::INFINITY } else { error }
 }
 
-/// Sum Σⱼ aⱼ kⱼ for a block of components, over stage 0 and the used stages before `end`.
+/// Sum Σⱼ aⱼ kⱼ for a block of components, over stage 0 and those stages before `end` that the row uses.
 #[inline(always)]
 #[expect(clippy::inline_always, reason = "with the stages known, the loops below become straight vector code")]
 fn combination<S: Real>(a: &[TwoCopies<S>], used: &[bool; STAGES], k: &[Block<S>; STAGES], end: usize) -> Block<S> {
@@ -249,11 +247,10 @@ fn combination<S: Real>(a: &[TwoCopies<S>], used: &[bool; STAGES], k: &[Block<S>
     sum
 }
 
-/// Writes the state y + h Σⱼ aᵢⱼ kⱼ of row I to `out`, and tells if it is finite. Stage I − 1 is still
-/// in `f`, and is copied to `k`.
+/// Writes the state y + h Σⱼ aᵢⱼ kⱼ of row I to `out`, and tests if it is finite. Copies stage I − 1 from `f` to `k`.
 ///
-/// Every row uses the stage before it, so that a stage that is not finite shows in the state. Stage I −
-/// 1 is added last: it is known late, and two operations after it the state is complete.
+/// Every row uses the stage before it, so that a stage that is not finite makes the state not finite. Stage I − 1 is
+/// added last, because it is known last: only two operations then remain.
 #[inline]
 fn advance<S: Real, const I: usize>(
     a: &[TwoCopies<S>; STAGES],
@@ -361,8 +358,8 @@ impl<S: Real> Stepper for Dop853<S> {
     fn prepare_inside<R: RightHandSide<S>>(&mut self, rhs: &mut R) -> bool {
         let h = S::from_f64(self.t_new) - S::from_f64(self.t);
         self.has_end = self.has_end || self.evaluate(rhs, END, self.t_new).is_ok();
-        // If the derivative at the end does not exist, the last stage of the step replaces it: it is evaluated
-        // near the end.
+        // If the derivative at the end does not exist, the last stage of the step replaces it; its point is near the
+        // end.
         let end = if self.has_end { END } else { END - 1 };
         let mut stages = || {
             self.inner_stage::<13, R>(rhs, h)?;

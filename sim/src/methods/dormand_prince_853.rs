@@ -9,13 +9,13 @@
 
 use tripos_traits::Real;
 
-/// Published coefficient of a method: its decimal text, with more digits than an `f64` holds, and the
-/// nearest `f64`.
+/// Published coefficient of a method: its decimal text, which has more digits than an `f64` holds, and the nearest
+/// `f64`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Decimal {
     /// Coefficient as published, in decimal notation with all digits.
     pub text: &'static str,
-    /// Coefficient rounded to `f64` by the compiler, so that the text need not be read at run time.
+    /// Coefficient rounded to `f64` by the compiler, so that the text is not parsed at run time.
     pub value: f64,
 }
 
@@ -27,7 +27,7 @@ impl Decimal {
     }
 }
 
-/// Coefficients of a row that are not 0, each with the index of its stage, from 0.
+/// Nonzero coefficients of a row, each with the index of its stage, from 0.
 pub type Row = &'static [(usize, Decimal)];
 
 macro_rules! row {
@@ -36,20 +36,18 @@ macro_rules! row {
     };
 }
 
-/// Coefficients of Dormand & Prince's method of order 8 as Hairer and Wanner complete it, with all
-/// digits.
+/// Coefficients of Dormand & Prince's method of order 8 with the additions of Hairer and Wanner, with all digits.
 ///
-/// Stages 0 to 11 make the step; stage 12 is f at the new state; stages 13 to 15 serve the dense
-/// output.
+/// Stages 0 to 11 make the step; stage 12 is f at the new state; stages 13 to 15 serve the dense output.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Published853 {
     /// Times cᵢ of the Runge–Kutta stages, as fractions of the step.
     pub c: [f64; 16],
     /// Runge–Kutta coefficients aᵢⱼ of the stages; row 12 has the weights bⱼ of the new state.
     pub a: [Row; 16],
-    /// Weights of the stages in the error against a solution of order 5.
+    /// Weights of the stages in the error estimate against a solution of order 5.
     pub error5: Row,
-    /// Weights of the stages in a solution of order 3, with which the new state is compared.
+    /// Weights of the stages in a solution of order 3, with which the new state is compared for the error estimate.
     pub error3: Row,
     /// Weights of the stages in the last four coefficients of the dense output.
     pub dense: [Row; 4],

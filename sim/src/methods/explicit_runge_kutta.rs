@@ -12,11 +12,11 @@ use crate::error_test::ErrorTest;
 use crate::right_hand_side::RightHandSide;
 use crate::stepper::{StepFailure, Stepper, TrialStep, check_finite, evaluate};
 
-/// Kind of the step length h by which a method multiplies derivatives.
+/// Kind of the step length h by which a Runge–Kutta method multiplies the derivatives of its stages.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum StepLength {
-    /// Step length as it was chosen, before t + h was rounded, as in `ode45`. A scalar wider than `f64` takes
-    /// [`StepLength::Exact`] instead, since the difference would be its largest error.
+    /// Step length as it was chosen, before t + h was rounded, as in `ode45`. A scalar wider than `f64` uses
+    /// [`StepLength::Exact`] instead, since the rounding of t + h would be its largest error.
     Chosen,
     /// Difference of the times at the end and at the start of the step.
     Exact,
@@ -38,7 +38,7 @@ pub(crate) struct ExplicitRungeKutta<T, const S: usize> {
     y_new: Vec<T>,
     /// Derivatives kᵢ of the S stages of the step.
     k: [Vec<T>; S],
-    /// Working space for weighted sums of the stages; after an attempt, the error estimate over h.
+    /// Working space for weighted sums of the stages; after an attempt, the error estimate divided by h.
     sum: Vec<T>,
     /// Number of calls of the right-hand side so far.
     evaluations: u64,
@@ -61,8 +61,8 @@ impl<T: Real, const S: usize> ExplicitRungeKutta<T, S> {
         }
     }
 
-    /// Evaluates f at time `t`, s, and state `y_new`, and stores it as this stage. Error if a number is not
-    /// finite or f has no value.
+    /// Evaluates f at time `t`, s, and state `y_new`, and stores the result as the stage with index `stage`. Error if a
+    /// number is not finite or f has no value.
     fn evaluate<R: RightHandSide<T>>(&mut self, rhs: &mut R, stage: usize, t: f64) -> Result<(), StepFailure> {
         check_finite(&self.y_new)?;
         self.evaluations += 1;

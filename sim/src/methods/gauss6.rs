@@ -1,16 +1,14 @@
 //! Gauss–Legendre collocation with three stages, the method `gauss6`: order 6, implicit, symplectic.
 //!
-//! The polynomial u of degree 3 with u(t) = y satisfies the equations at three points inside the step,
-//! the zeros of Legendre's polynomial. The new state is u(t + h), and u is also the dense output, of
-//! order 3 only. Quadratic invariants are conserved to rounding, and the energy of a mechanical system
-//! stays within a band with equal steps. E. Hairer, C. Lubich & G. Wanner, *Geometric Numerical
-//! Integration*, 2nd edition (2006), §II.1, §IV.2, §VIII.6.
+//! The polynomial u of degree 3 with u(t) = y satisfies the equations at three points inside the step, the zeros of
+//! Legendre's polynomial. The new state is u(t + h), and u is also the dense output, of order 3 only. Quadratic
+//! invariants are conserved to rounding. With equal steps, the energy of a mechanical system stays within a band. E.
+//! Hairer, C. Lubich & G. Wanner, *Geometric Numerical Integration*, 2nd edition (2006), §II.1, §IV.2, §VIII.6.
 //!
-//! The unknowns are the derivatives k₁, k₂, k₃ at the three points. They are found by Newton's method
-//! with the Jacobian at the start of the step. It does not stop at a tolerance, but when rounding lets
-//! the changes shrink no further: an error left over would act like a force and let the invariants
-//! drift. For the same reason the rounding error of a sum y + h Σ b k is added in the next step
-//! (compensated summation).
+//! The unknowns are the derivatives k₁, k₂, k₃ at the three points. They are found by Newton's method with the Jacobian
+//! at the start of the step. It does not stop at a tolerance, but when rounding lets the changes shrink no further: a
+//! remaining error would act like a force and let the invariants drift. For the same reason the rounding error of a sum
+//! y + h Σ b k is added in the next step (compensated summation).
 
 use tripos_traits::{Real, largest};
 
@@ -21,8 +19,8 @@ use crate::linear::lu::Lu;
 use crate::right_hand_side::RightHandSide;
 use crate::stepper::{StepFailure, Stepper, TrialStep, check_finite, evaluate};
 
-/// Number of iterations of Newton's method after which a step is given up. Each gains several digits,
-/// or the step is too long.
+/// Number of iterations of Newton's method after which a step is given up. Each iteration gains several digits unless
+/// the step is too long.
 const ITERATIONS: u32 = 30;
 
 /// Coefficients of Gauss's method with three stages: the nodes ½ − s, ½, ½ + s with s = √15 / 10, and
@@ -58,19 +56,19 @@ impl<S: Real> Nodes<S> {
 /// Derivative u' of a component inside a step, as a polynomial: `middle` + 2 `first` τ + 3 `second` τ².
 /// τ is the fraction of the step, counted from its middle.
 struct GaussSlope<S> {
-    /// Value of the derivative u' at the middle of the step.
+    /// Value of the derivative u' in the middle of the step.
     middle: S,
-    /// Half of the coefficient of τ in the derivative polynomial u', with τ counted from the middle of the
-    /// step.
+    /// Half of the coefficient of τ in the derivative polynomial u'. τ is the fraction of the step, counted from its
+    /// middle.
     first: S,
-    /// Third of the coefficient of τ² in the derivative polynomial u', with τ counted from the middle of
-    /// the step.
+    /// Third of the coefficient of τ² in the derivative polynomial u'. τ is the fraction of the step, counted from its
+    /// middle.
     second: S,
 }
 
 impl<S: Real> GaussSlope<S> {
-    /// Derivative polynomial through the values k₁, k₂, k₃ at the nodes, whose outer distance from the
-    /// middle is `s`.
+    /// Creates the derivative polynomial through the values k₁, k₂, k₃ at the nodes. `s` is the distance of the outer
+    /// nodes from the middle, as a fraction of the step.
     fn slope_through_nodes(s: S, [k1, k2, k3]: [S; 3]) -> Self {
         let first = (k3 - k1) / (S::int(4) * s);
         let second = ((k1 - k2) + (k3 - k2)) / (S::int(6) * s * s);
@@ -83,16 +81,15 @@ impl<S: Real> GaussSlope<S> {
         self.middle + tau * (S::int(2) * self.first + S::int(3) * self.second * tau)
     }
 
-    /// Increment (u − y) / h of a component at the fraction `theta` of the step: the integral of u' from
-    /// the start.
+    /// Increment (u − y) / h of a component up to the fraction `theta` of the step: the integral of u' from the start
+    /// of the step.
     fn integral(&self, theta: S) -> S {
         let tau = theta - S::ratio(1, 2);
         let square = tau * tau;
         theta * self.middle + (square - S::ratio(1, 4)) * self.first + (square * tau + S::ratio(1, 8)) * self.second
     }
 
-    /// Coefficients of θ, θ² and θ³ in the increment (u − y) / h of a component, with the fraction θ of the
-    /// step.
+    /// Coefficients of θ, θ² and θ³ in the increment (u − y) / h of a component. θ is the fraction of the step.
     fn powers(&self) -> [S; 3] {
         let half = S::ratio(3, 2) * self.second;
         [self.middle - self.first + S::ratio(3, 4) * self.second, self.first - half, self.second]
@@ -121,7 +118,7 @@ pub(crate) struct Gauss6<S> {
     k: Vec<S>,
     /// Derivatives at the three nodes of the previous step, 3n entries.
     k_before: Vec<S>,
-    /// Signed length of the previous step, s; `None` in the first step.
+    /// Signed length of the previous step, s; `None` if the current step is the first.
     h_before: Option<S>,
     /// Derivative f at the start of the step.
     slope: Vec<S>,
@@ -139,7 +136,7 @@ pub(crate) struct Gauss6<S> {
     point: Vec<S>,
     /// Largest absolute value of each component so far, by which rounding is measured.
     magnitudes: Vec<f64>,
-    /// Scale of each component, with which Newton's changes are compared.
+    /// Scale of each component, by which Newton's changes are divided before they are compared.
     scales: Vec<f64>,
     /// Number of calls of the right-hand side so far.
     evaluations: u64,
@@ -176,16 +173,17 @@ impl<S: Real> Gauss6<S> {
         }
     }
 
-    /// Derivative polynomial of component `i` inside a step, from the derivatives `k` at the nodes.
+    /// Derivative polynomial u' of component `i` inside a step, from the derivatives `k` at the nodes.
     fn slope_of_component(&self, k: &[S], i: usize) -> GaussSlope<S> {
         let n = self.y.len();
         GaussSlope::slope_through_nodes(self.nodes.s, [k[i], k[n + i], k[2 * n + i]])
     }
 
-    /// Sets the first values of the derivatives k for Newton's method, for a step of `h` s, by continuing
-    /// the polynomial of the previous step.
+    /// Sets the initial values of the derivatives k for Newton's method, for a step of `h` s. They continue the
+    /// polynomial of the previous step.
     ///
-    /// They are f at the start if there is no previous step, or if the step is more than twice as long.
+    /// The initial values are f at the start of the step if there is no previous step, or if the step is more than
+    /// twice as long.
     fn predict_gauss_stages(&mut self, h: S) {
         let n = self.y.len();
         let ratio = self.h_before.map(|before| h / before).filter(|r| r.to_f64() <= 2.0);
@@ -197,7 +195,7 @@ impl<S: Real> Gauss6<S> {
         }
     }
 
-    /// Evaluates the Jacobian, if needed, and factors Newton's matrix I − h A ⊗ ∂f/∂y for a step of `h` s.
+    /// Evaluates the Jacobian if it is not known, and factors Newton's matrix I − h A ⊗ ∂f/∂y for a step of `h` s.
     /// Error if the Jacobian has no finite value or the matrix is singular.
     fn prepare_newton<R: RightHandSide<S>>(&mut self, rhs: &mut R, h: S) -> Result<(), StepFailure> {
         let n = self.y.len();
@@ -245,7 +243,7 @@ impl<S: Real> Gauss6<S> {
             let scales = self.scales.iter().cycle();
             let sizes = self.residual.iter().zip(scales).map(|(d, scale)| (h * *d).to_f64().abs() / scale);
             let change = largest(sizes);
-            // A change that no longer shrinks is rounding if it is small, and divergence if it is not.
+            // A change that no longer shrinks is a rounding error if it is small, and divergence otherwise.
             let at_rounding = change == 0.0 || (change >= last && last <= S::EPSILON.sqrt());
             if at_rounding {
                 return Ok(());
@@ -284,10 +282,10 @@ impl<S: Real> Gauss6<S> {
         Ok(())
     }
 
-    /// Sets the scale of each component, with which Newton's changes are compared. It is the component's
-    /// largest size so far, or its change in the step of `h` s if that is larger.
+    /// Sets the scale of each component, by which Newton's changes are divided. It is the component's largest absolute
+    /// value so far, or its change in the step of `h` s if that is larger.
     ///
-    /// A component that has always been zero has the largest scale of all.
+    /// A component that has always been zero has the largest scale of all components.
     fn set_scales(&mut self, h: S) {
         let middle = &self.k[self.y.len()..];
         for ((scale, magnitude), k) in self.scales.iter_mut().zip(&self.magnitudes).zip(middle) {
@@ -314,15 +312,14 @@ impl<S: Real> Gauss6<S> {
         }
     }
 
-    /// Estimates the error of the step of `h` s, in the norm of the error test, from the defects f − u' at
-    /// its ends. Collocation does not satisfy the equations there.
+    /// Estimates the error of the step of `h` s, in the norm of the error test, from the defects f − u' at its ends.
+    /// Collocation does not satisfy the equations there.
     ///
-    /// A defect d is of order h³, so that e₄ = h d₀ / 20 is of order h⁴ (¹⁄₂₀ is c₁ c₂ c₃, the
-    /// weight of the third divided difference in it). Two vectors are of order h⁵: h (d₀ + d₁) / 20, whose
-    /// leading terms cancel, and h² J d₀ / 20. The first misses linear equations, since the defect is then a
-    /// multiple of Legendre's polynomial and the sum is 0; the second misses terms of time alone. Their absolute
-    /// values are added, e₅, and combined with e₄ as in DOP853: e₅² / √(e₅² + 0.01 e₄²), of order
-    /// h⁶, while the method's own error is of order h⁷.
+    /// A defect d is of order h³, so that e₄ = h d₀ / 20 is of order h⁴ (¹⁄₂₀ is c₁ c₂ c₃, the weight of the third
+    /// divided difference in it). Two vectors are of order h⁵: h (d₀ + d₁) / 20, whose leading terms cancel, and h² J
+    /// d₀ / 20. The first vanishes for linear equations, since the defect is then a multiple of Legendre's polynomial.
+    /// The second misses terms that depend on the time alone. The sum of their absolute values is e₅. It is combined
+    /// with e₄ as in DOP853: e₅² / √(e₅² + 0.01 e₄²), of order h⁶, while the method's own error is of order h⁷.
     fn gauss_error(&mut self, h: S, test: &ErrorTest) -> f64 {
         let n = self.y.len();
         let (zero, one, factor) = (S::int(0), S::int(1), h * S::ratio(1, 20));
@@ -346,7 +343,7 @@ impl<S: Real> Gauss6<S> {
     }
 }
 
-/// Error of a step whose right-hand side provides no Jacobian.
+/// Creates the error of a step whose right-hand side provides no Jacobian.
 fn no_jacobian() -> StepFailure {
     let message = "the right-hand side has no Jacobian here".to_owned();
     StepFailure::Failed(Failure { code: "no-jacobian", message })

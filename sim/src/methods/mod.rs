@@ -1,5 +1,4 @@
-//! Integration methods: a trial step of each method, its error and its dense output, with the options
-//! of a run.
+//! Integration methods, each with its trial step, its error estimate and its dense output, and the options of a run.
 
 pub(crate) mod dop853;
 pub(crate) mod dop853_dense_output;

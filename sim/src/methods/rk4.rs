@@ -1,9 +1,9 @@
-//! Classical Runge–Kutta method of order 4, with the cubic through the ends of a step as its dense
-//! output.
+//! Classical Runge–Kutta method of order 4. Its dense output is the cubic through the states and derivatives at the
+//! ends of a step.
 //!
-//! W. Kutta, "Beitrag zur näherungsweisen Integration totaler Differentialgleichungen", Z. Math. Phys.
-//! 46 (1901) 435–453. The stages are k₁ = f(t, y), k₂ = f(t + h/2, y + h/2 k₁), k₃ = f(t + h/2, y + h/2
-//! k₂) and k₄ = f(t + h, y + h k₃). The new state is y + h/6 (k₁ + 2 k₂ + 2 k₃ + k₄).
+//! W. Kutta, "Beitrag zur näherungsweisen Integration totaler Differentialgleichungen", Z. Math. Phys. 46 (1901)
+//! 435–453. The stages are k₁ = f(t, y), k₂ = f(t + h/2, y + h/2 k₁), k₃ = f(t + h/2, y + h/2 k₂) and k₄ = f(t + h, y +
+//! h k₃). The new state is y + h/6 (k₁ + 2 k₂ + 2 k₃ + k₄).
 
 use tripos_traits::Real;
 
@@ -35,15 +35,15 @@ impl<S: Real> Rk4<S> {
         Self { t: 0.0, t_new: 0.0, y: zeros(), y_new: zeros(), k: [(); 5].map(|()| zeros()), evaluations: 0 }
     }
 
-    /// Evaluates f at time `t`, s, and state `y_new`, and stores it as this stage. Error if a number is not
-    /// finite or f has no value.
+    /// Evaluates f at time `t`, s, and state `y_new`, and stores the result as the stage with index `stage`. Error if a
+    /// number is not finite or f has no value.
     fn evaluate<R: RightHandSide<S>>(&mut self, rhs: &mut R, stage: usize, t: f64) -> Result<(), StepFailure> {
         check_finite(&self.y_new)?;
         self.evaluations += 1;
         evaluate(rhs, t, &self.y_new, &mut self.k[stage])
     }
 
-    /// Writes the next state to evaluate, y + h k with the derivative k of the stage, to `y_new`.
+    /// Writes the next state to evaluate, y + h k, to `y_new`. k is the derivative of the stage with index `stage`.
     fn next_rk4_point(&mut self, stage: usize, h: S) {
         for ((y_new, y), k) in self.y_new.iter_mut().zip(&self.y).zip(&self.k[stage]) {
             *y_new = *y + h * *k;

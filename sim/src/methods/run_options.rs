@@ -12,8 +12,9 @@ use crate::events::corners::Corner;
 /// Lowest and highest order that can be chosen for Taylor's method.
 pub(crate) const ORDERS: (usize, usize) = (2, 60);
 
-/// Options of a run: method, tolerances, step sizes, corners and output. The default is that of scene
-/// files: `ode45` to [`RTOL`] and [`AbsoluteTolerance::default`], with a limit of a million steps.
+/// Options of a run: method, tolerances, step sizes, corners and output. The default is that of scene files: `ode45`
+/// with the relative tolerance [`RTOL`] and the absolute tolerance [`AbsoluteTolerance::default`], and at most a
+/// million steps.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
     /// Method of integration of the run.
@@ -27,25 +28,25 @@ pub struct Options {
     /// Largest size of a step, s. `None` allows a tenth of the span for `ode45` and `taylor`, and the span
     /// for other methods. Steps are never limited to less than 16 ulp of t.
     pub max_step: Option<f64>,
-    /// Size of the first step to try, s; `None` chooses it from the derivative at the start. Taylor's
-    /// method, which proposes its steps, may take a shorter step.
+    /// Size of the first step to try, s; `None` chooses it from the derivative at the start. Taylor's method, which
+    /// proposes its own steps, may take a shorter step.
     pub initial_step: Option<f64>,
-    /// Size of equal steps, s; `None` lets error estimates choose the steps. The span is divided into the
+    /// Size of equal steps, s; `None` means that error estimates determine the steps. The span is divided into the
     /// smallest number of equal steps that are no longer than this size.
     ///
-    /// With equal steps errors are not estimated, and tolerances, `max_step` and `initial_step` are
-    /// ignored. A step that fails ends the run.
+    /// With equal steps errors are not estimated, and tolerances, `max_step` and `initial_step` are ignored. A step
+    /// that fails ends the run.
     pub step: Option<f64>,
     /// Order of [`Method::Taylor`], from 2 to 60; other methods ignore it. `None` derives it from the
     /// relative tolerance, or from the smallest absolute tolerance if the relative one is 0.
     pub order: Option<usize>,
     /// Largest number of attempted steps, accepted and rejected together.
     pub step_limit: u64,
-    /// Times at which the right-hand side has a kink or a jump, in any order. A step ends at each of them
-    /// inside the span, so that no step goes across. Equal steps ignore corners.
+    /// Times at which the right-hand side has a kink or a jump, s, in any order. A step ends at each of these times
+    /// inside the span, so that no step leads across one. Equal steps ignore corners.
     pub corners: Vec<Corner>,
-    /// Index of the state's component that is the time itself; `None` if there is none. Near a jump this
-    /// component is kept on the step's side of the jump, like the time.
+    /// Index of the component of the state that is the time itself; `None` if there is none. Near a jump this component
+    /// is kept on the step's side of the jump, like the time.
     pub clock: Option<usize>,
     /// Choice of the points of the solution that are kept.
     pub output: OutputOption,
@@ -74,8 +75,8 @@ impl Default for Options {
 }
 
 impl Options {
-    /// Default options with these tolerances. The absolute tolerance is a single number, or a list with a
-    /// number for each component of the state.
+    /// Default options with these tolerances. The absolute tolerance is a single number, or a list with a number for
+    /// each component of the state.
     ///
     /// ```
     /// use tripos_sim::{Method, Options};
@@ -90,11 +91,11 @@ impl Options {
 /// Choice of the points of a solution that are kept.
 #[derive(Clone, Debug, PartialEq)]
 pub enum OutputOption {
-    /// The start, then `refine` points for each step, evenly spaced in time: the end of the step, and
-    /// points inside it from the dense output. `ode45` uses 4.
+    /// The start, then `refine` points for each step, evenly spaced in time: the end of the step, and points inside it
+    /// from the dense output. `ode45` uses 4.
     ///
-    /// If there would be more than 200 000 points, every second point is dropped, as often as needed:
-    /// memory does not grow with the number of steps.
+    /// At 200 000 points, every second point is dropped, as often as needed: memory does not grow with the number of
+    /// steps.
     Steps {
         /// Number of points for each step, at least 1; with 1 only the end of each step is kept.
         refine: usize,
@@ -106,8 +107,8 @@ pub enum OutputOption {
     Ends,
 }
 
-/// Function that follows a run and can interrupt it. It is called with the time, s, that each accepted
-/// step has reached, and answers if the run goes on.
+/// Function that follows a run and can interrupt it. It is called after each accepted step with the time reached, s,
+/// and decides if the run goes on.
 ///
 /// The steps are the same for any answers. A run that is interrupted ends with
 /// [`Stop::Interrupted`](crate::Stop::Interrupted), and the solution up to that time.
@@ -120,7 +121,7 @@ impl Poll {
         Self(Arc::new(function))
     }
 
-    /// True if the poll ends the run, which has reached time `t`, s; false if there is no poll.
+    /// Calls the poll of a run that has reached time `t`, s. True if the poll ends the run; false if there is no poll.
     pub(crate) fn ends(poll: Option<&Self>, t: f64) -> bool {
         poll.is_some_and(|poll| (poll.0)(t).is_break())
     }
@@ -139,7 +140,8 @@ impl PartialEq for Poll {
     }
 }
 
-/// Refuses a span, a start or options with which no run is possible. Tolerances are checked elsewhere.
+/// Refuses a span, a start or options with which no run is possible. The tolerances are checked when the error test is
+/// created.
 pub(crate) fn check_options<S: Real>(span: (f64, f64), y0: &[S], options: &Options) -> Result<(), SimError> {
     check_span(span, y0)?;
     check_step_options(span, options)?;
@@ -167,8 +169,7 @@ pub(crate) fn check_span<S: Real>(span: (f64, f64), y0: &[S]) -> Result<(), SimE
     Ok(())
 }
 
-/// Refuses output that a run over `span`, s, cannot have: no points for a step, or times outside the
-/// span or out of order.
+/// Refuses impossible output of a run over `span`, s: no points for a step, or times outside the span or out of order.
 pub(crate) fn check_output(span: (f64, f64), output: &OutputOption) -> Result<(), SimError> {
     match output {
         OutputOption::Steps { refine: 0 } => Err(SimError::Option { name: "refine", must: "at least 1" }),

@@ -1,20 +1,20 @@
 //! Coefficients of explicit Runge–Kutta methods (Butcher tableaux) as data.
 //!
-//! Invariant: coefficients are stored as the fractions they are published as, and rounded once. The
-//! order conditions can therefore be tested exactly, and another number type can round them better.
-//! Absent on purpose: any arithmetic of a step; that is [`super::explicit_runge_kutta`].
+//! Invariant: coefficients are stored as the published fractions, and rounded once. The order conditions can therefore
+//! be tested exactly, and a more precise scalar type can round them better. Absent on purpose: the arithmetic of a
+//! step, which is in [`super::explicit_runge_kutta`].
 
 use tripos_traits::Real;
 
 /// Exact fraction, as numerator and denominator.
 pub type Fraction = (i64, i64);
 
-/// Butcher tableau of an explicit embedded Runge–Kutta pair with S stages and a dense output of degree
-/// 4. The last stage is evaluated at the new state ("first same as last").
+/// Butcher tableau of an explicit embedded Runge–Kutta pair with S stages and a dense output of degree 4. The last
+/// stage is evaluated at the new state ("first same as last").
 ///
-/// Stage i is kᵢ = f(t + cᵢ h, y + h Σⱼ aᵢⱼ kⱼ) with cᵢ = Σⱼ aᵢⱼ; the new state is that of the
-/// last stage; the error estimate is h Σ eᵢ kᵢ. For θ in \[0, 1\] the solution inside the step is y(t + θ h) =
-/// y + h Σ kᵢ (dᵢ₀ θ + dᵢ₁ θ² + dᵢ₂ θ³ + dᵢ₃ θ⁴).
+/// Stage i is kᵢ = f(t + cᵢ h, y + h Σⱼ aᵢⱼ kⱼ) with cᵢ = Σⱼ aᵢⱼ. The new state is the point of the last stage, and the
+/// error estimate is h Σ eᵢ kᵢ. For θ in \[0, 1\] the solution inside the step is y(t + θ h) = y + h Σ kᵢ (dᵢ₀ θ + dᵢ₁
+/// θ² + dᵢ₂ θ³ + dᵢ₃ θ⁴).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Tableau<const S: usize> {
     /// Order of the solution at the end of the step.
@@ -26,7 +26,7 @@ pub struct Tableau<const S: usize> {
     /// Coefficients aᵢⱼ of the stages, strictly lower triangular; the last row has the weights of the new
     /// state.
     pub a: [[Fraction; S]; S],
-    /// Weights eᵢ of the stages in the error: those of the new state minus those of the embedded solution.
+    /// Weights eᵢ of the stages in the error estimate: weights of the new state minus weights of the embedded solution.
     pub error: [Fraction; S],
     /// Coefficients dᵢ₀ … dᵢ₃ of the dense output, for each stage i.
     pub dense: [[Fraction; 4]; S],
@@ -62,7 +62,7 @@ fn round<T: Real>((numerator, denominator): Fraction) -> T {
     T::ratio(numerator, denominator)
 }
 
-/// Exact sum of the fractions of a row; numerators and denominators stay small enough for 128 bits.
+/// Exact sum of the fractions of a row. Numerators and denominators are small enough for 128 bits.
 fn sum_of_tableau_row(row: &[Fraction]) -> Fraction {
     let (mut n, mut d) = (0_i128, 1_i128);
     for &(numerator, denominator) in row {

@@ -1,12 +1,11 @@
 //! Taylor's method: the solution inside a step is the Taylor polynomial at its start.
 //!
-//! Invariant: `x` has the coefficients at (t, y) row by row, row k of order k; after a trial step that
-//! passed its error test `next` has those at its end. The coefficients come from the right-hand side,
-//! by recurrence. The order is fixed for a run and follows from its tolerance. The length of a step
-//! follows from the last two coefficients before the step is taken, so that steps are hardly ever
-//! rejected. The same polynomial is the dense output. A. Jorba & M. Zou, "A software package for the
-//! numerical integration of ODEs by means of high-order Taylor methods", Experimental Mathematics 14
-//! (2005) 99–117, §3.
+//! Invariant: row k of `x` has the coefficients of order k at (t, y). After a trial step that passed its error test,
+//! `next` has those at its end. The right-hand side computes the coefficients by recurrence. The order is fixed for a
+//! run and follows from its tolerance. The length of a step follows from the last two coefficients before the step is
+//! taken, so that steps are hardly ever rejected. The same polynomial is the dense output. A. Jorba & M. Zou, "A
+//! software package for the numerical integration of ODEs by means of high-order Taylor methods", Experimental
+//! Mathematics 14 (2005) 99–117, §3.
 //!
 //! The rounding error of a step's sum of terms is added in the next step (compensated summation).
 
@@ -18,25 +17,25 @@ use crate::error_test::ErrorTest;
 use crate::right_hand_side::RightHandSide;
 use crate::stepper::{StepFailure, Stepper, TrialStep, check_finite};
 
-/// Increase of the order of Taylor's method per unit of −ln(tolerance). Jorba and Zou have ½, from a
-/// cost of order p²; here the part of the cost that grows so is small.
+/// Increase of the order of Taylor's method per unit of −ln(tolerance). Jorba and Zou use ½, since their cost grows
+/// with the square of the order. Here only a small part of the cost grows like that.
 const ORDERS_PER_DIGIT: f64 = 0.7;
 
-/// Largest allowed jump of the derivative between the Taylor polynomials of two steps, as an error over
-/// the allowed error.
+/// Largest allowed jump of the derivative between the Taylor polynomials of two steps, expressed as an error and
+/// divided by the allowed error.
 ///
-/// The jump contains the first term that was cut off, which a good step leaves below the allowed error,
-/// and all later terms.
+/// The jump contains all terms from the first one that was cut off. A good step leaves that first term below the
+/// allowed error.
 pub(crate) const ALLOWED_JUMP: f64 = 10.0;
 
-/// Order of Taylor's method for a run: that of the options, or else the order that reaches the
-/// tolerance at the least cost.
+/// Order of Taylor's method for a run: the order of the options, or else the order that reaches the tolerance at the
+/// lowest cost.
 ///
 /// The relative tolerance decides, or the smallest absolute tolerance if the relative one is 0.
 pub(crate) fn taylor_order(options: &Options) -> usize {
     let tolerance = if options.rtol > 0.0 { options.rtol } else { options.atol.smallest() };
     let wanted = 2.0 - ORDERS_PER_DIGIT * tolerance.clamp(f64::MIN_POSITIVE, 0.1).ln();
-    // The cast number is neither negative nor large.
+    // The number that is cast is neither negative nor large.
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 3 and 500")]
     let order = wanted.ceil() as usize;
     options.order.unwrap_or(order).clamp(ORDERS.0, ORDERS.1)
@@ -60,20 +59,19 @@ pub(crate) struct Taylor<S> {
     next: Vec<S>,
     /// Highest order up to which all coefficients in `next` are finite.
     next_usable: usize,
-    /// Rounding errors of the state at the start of the step, which are added in the next sum (compensated
-    /// summation).
+    /// Rounding errors of the state at the start of the step. The next sum adds them (compensated summation).
     carry: Vec<S>,
     /// Rounding errors of the state at the end of the step, for the sum of the next step (compensated
     /// summation).
     carry_new: Vec<S>,
-    /// Norms of the coefficients of the last two usable orders, over the weights of the error test.
+    /// Norms of the Taylor coefficients of the last two usable orders, divided by the weights of the error test.
     norms: [f64; 2],
     /// Jump of the derivative at the end of the last tried step, expressed as an error of the state.
     jump: Vec<S>,
     /// Number of calls for Taylor coefficients so far.
     evaluations: u64,
-    /// True if the driver may move the state after each step. A trial step then computes only the
-    /// derivative at its end.
+    /// True if the driver may move the state after each step. A trial step then computes only the derivative at its
+    /// end, no higher coefficients.
     moved: bool,
 }
 
@@ -99,15 +97,15 @@ impl<S: Real> Taylor<S> {
         }
     }
 
-    /// Computes the Taylor coefficients up to `order` at time `t`, s, from the state in the first row of
-    /// `next`. Error if they are not known, or if the derivative is not finite.
+    /// Computes the Taylor coefficients up to `order` at time `t`, s, from the state in the first row of `next`. Error
+    /// if the right-hand side does not know them, or if the derivative is not finite.
     fn taylor_coefficients_at_end<R: RightHandSide<S>>(
         &mut self,
         rhs: &mut R,
         t: f64,
         order: usize,
     ) -> Result<(), StepFailure> {
-        // The derivative alone costs little, as it needs no sums.
+        // The derivative alone costs little, since it needs no sums of products of coefficients.
         self.evaluations += u64::from(order > 1);
         match rhs.taylor(t, order, &mut self.next[..(order + 1) * self.n]) {
             Some(outcome) => outcome.map_err(StepFailure::Failed)?,
@@ -139,19 +137,19 @@ impl<S: Real> Taylor<S> {
         }
     }
 
-    /// Larger of the last two terms of the Taylor polynomial after `h` seconds, over the weights of the
-    /// error test.
+    /// Larger of the last two terms of the Taylor polynomial after `h` seconds, divided by the weights of the error
+    /// test.
     fn last_terms(&self, h: f64) -> f64 {
         let [before, last] = self.norms;
         let power = taylor_step_power(h, self.usable - 1);
         (before * power).max(last * (power * h))
     }
 
-    /// Norm of the jump of the state's derivative at the end of a step of `h` s, between the Taylor
-    /// polynomial of the step and that of the next step. The jump is expressed as the error of the
-    /// state that a term of the next order would make.
+    /// Norm of the jump of the state's derivative at the end of a step of `h` s, between the Taylor polynomial of the
+    /// step and that of the next step. The jump is expressed as the error of the state that a term of the next order
+    /// would make.
     ///
-    /// It matters if the last terms happen to vanish: of x'' = −x³ through x = 0 only every fourth term is
+    /// The jump reveals an error if the last terms happen to vanish. For x'' = −x³ at x = 0, only every fourth term is
     /// not zero.
     fn jump_of_taylor_derivative(&mut self, test: &ErrorTest, h: S) -> f64 {
         let n = self.n;
@@ -175,9 +173,8 @@ pub(crate) fn taylor_step_power(h: f64, n: usize) -> f64 {
     h.powi(i32::try_from(n).unwrap_or(i32::MAX))
 }
 
-/// Size of a step, s, after which the terms of the last two orders are as large as the tolerance
-/// allows. `norms` are the weighted norms of their coefficients; `order` is the higher of the two
-/// orders.
+/// Size of a step, s, at which the larger of the last two terms equals the allowed error. `norms` are the weighted
+/// norms of the coefficients of these two orders; `order` is the higher order.
 pub(crate) fn proposed_taylor_step_size(norms: [f64; 2], order: usize, tolerance: f64) -> f64 {
     let [before, last] = norms.map(|norm| norm / tolerance);
     // The term of order k is as large as the allowed error after norm^(−1/k) seconds.
@@ -187,8 +184,8 @@ pub(crate) fn proposed_taylor_step_size(norms: [f64; 2], order: usize, tolerance
     size * (1.0 - 1e-9)
 }
 
-/// Writes Σ x_k h^(k−1) over 1 ≤ k ≤ `order` to `out`, for each of `n` polynomials. Row k of `x` has
-/// the coefficients of order k.
+/// Writes Σ x_k h^(k−1) over 1 ≤ k ≤ `order` to `out`, for each of `n` polynomials. Row k of `x` has the coefficients
+/// of order k.
 fn polynomial<S: Real>(x: &[S], n: usize, order: usize, h: S, out: &mut [S]) {
     let mut at = 0;
     while at < n {
@@ -201,8 +198,8 @@ fn polynomial<S: Real>(x: &[S], n: usize, order: usize, h: S, out: &mut [S]) {
     }
 }
 
-/// Evaluates Σ x_k h^(k−1) for `N` of the `n` polynomials, from index `at` on, and returns N. Even and
-/// odd orders are summed separately, so that neither waits for the other.
+/// Writes Σ x_k h^(k−1) to `out` for `N` of the `n` polynomials, from index `at` on, and returns N. Even and odd orders
+/// are summed separately, so that neither sum waits for the other.
 #[inline]
 fn taylor_polynomial_block<S: Real, const N: usize>(
     x: &[S],

@@ -5,17 +5,15 @@ use tripos_traits::System;
 use super::quadrature_error::{NoQuadrature, StretchObstacle};
 use crate::rounding::exactly_equal;
 
-/// Largest number of iterations in the search for a turning point; each at least halves a bracket or
-/// the last step.
+/// Largest number of iterations in the search for a turning point. Each iteration at least halves the bracket or the
+/// last step.
 const ITERATIONS: u32 = 2000;
 /// Largest number of steps in the search for a turning point. The first step is a millionth of the size
 /// of the coordinate.
 const SEARCH: u32 = 100;
-/// Largest number of steps in the search for a turning point along a coordinate after whose period
-/// everything repeats.
+/// Largest number of steps in the search for a turning point along a periodic coordinate.
 const SEARCH_OF_TURN: u32 = 1000;
-/// Number of samples in a period of the coordinate among which the least kinetic energy is first
-/// sought.
+/// Number of samples in a period of the coordinate, among which the search for the least kinetic energy begins.
 const SAMPLES: u32 = 64;
 
 /// System with one degree of freedom, with the energy of the start of its motion.
@@ -29,14 +27,13 @@ pub(super) struct Energy<'a> {
     pub(super) start: f64,
     /// Kinetic energy T₀ at the start of the motion, J.
     pub(super) kinetic: f64,
-    /// Sign of k in q′ = k v, 1 or −1, for the coordinate q and the generalized speed v.
+    /// Sign of k in q′ = k v, 1 or −1, where q is the coordinate and v the generalized speed.
     pub(super) orientation: f64,
-    /// Length of the coordinate after which the system repeats, such as 2π of an angle; `None` if it does
-    /// not.
+    /// Period of the coordinate, after which the system repeats, such as 2π for an angle; `None` if there is none.
     pub(super) repeats: Option<f64>,
 }
 
-/// Point where the kinetic energy of a rotating motion is least: the crest of the potential energy.
+/// Point of least kinetic energy of a rotating motion: the crest of the potential energy.
 pub(super) struct LeastKineticEnergy {
     /// Coordinate at which the kinetic energy of the rotating motion is least.
     pub(super) at: f64,
@@ -58,7 +55,7 @@ impl std::fmt::Debug for Equations<'_> {
 }
 
 impl<'a> Energy<'a> {
-    /// True if the coordinate rises at this value `v` of the generalized speed.
+    /// True if the coordinate rises when the generalized speed is `v`.
     pub(super) fn rises(&self, v: f64) -> bool {
         self.orientation * v > 0.0
     }
@@ -100,20 +97,19 @@ impl<'a> Energy<'a> {
         self.system.0.potential_slope(&self.p, a, b)
     }
 
-    /// Kinetic energy T at the coordinate `q`, J: T₀ − (q − q₀) V\[q₀, q\]. It is −∞ if that is not a
-    /// number, so that the coordinate counts as beyond a barrier.
+    /// Kinetic energy T at the coordinate `q`, J: T₀ − (q − q₀) V\[q₀, q\]. It is −∞ if this is not a number, so that
+    /// the coordinate counts as lying beyond a barrier.
     pub(super) fn kinetic_energy_left(&self, q: f64) -> f64 {
         let left = self.kinetic - (q - self.start) * self.potential_slope(self.start, q);
         if left.is_finite() { left } else { f64::NEG_INFINITY }
     }
 
-    /// Coordinate of the turning point above the start (`side` 1) or below it (−1). `None` if the search
+    /// Finds the coordinate of the turning point above the start (`side` 1) or below it (−1). `None` if the search
     /// meets no turning point. Error if the motion may creep to an equilibrium.
     ///
-    /// Each step of the search goes no farther than to the zero of the parabola (or line) that T looks
-    /// like, and no more than twice as far as the step before. So it does not leap over a narrow barrier
-    /// unless T shows nothing of it. If the motion repeats after a length of the coordinate, the search
-    /// covers one such length, in small steps.
+    /// Each step of the search ends at most at the zero of the parabola (or line) that approximates T, and is at most
+    /// twice as long as the step before. The search therefore does not leap over a narrow barrier unless T shows no
+    /// sign of it. Along a periodic coordinate, the search covers one period in small steps.
     pub(super) fn turning_point(&self, side: f64) -> Result<Option<f64>, NoQuadrature> {
         let mut step = self.start.abs().clamp(1e-6, 1.0) / 1_048_576.0;
         let mut good = self.start;
@@ -122,7 +118,7 @@ impl<'a> Energy<'a> {
             if fall > 0.0 {
                 return self.checked_turning_point(self.start, side).map(Some);
             }
-            // The start is the other turning point; next to it there is kinetic energy.
+            // The start is the other turning point; close to it there is kinetic energy.
             while self.kinetic_energy_left(self.start + side * step) <= 0.0 {
                 step *= 0.5;
                 if exactly_equal(self.start + side * step, self.start) {
@@ -158,8 +154,8 @@ impl<'a> Energy<'a> {
         Ok(None)
     }
 
-    /// True if the motion rests at its start. The start is an equilibrium, or so near to a stable
-    /// equilibrium, and so slow, that only rounding would move it.
+    /// True if the motion rests at its start: the start is an equilibrium, or so slow and so near to a stable
+    /// equilibrium that only rounding would move it.
     pub(super) fn motion_rests(&self) -> bool {
         let (q, blur) = (self.start, 8.0 * f64::EPSILON * self.start.abs());
         if self.kinetic <= 0.0 && self.potential_slope(q, q).abs() <= 0.0 {
@@ -169,11 +165,11 @@ impl<'a> Energy<'a> {
         below <= 0.0 && above >= 0.0 && self.kinetic <= 0.25 * (above - below) * blur
     }
 
-    /// Finds the point of least kinetic energy within a `length` of the coordinate, after which the system
-    /// repeats. `side` is the direction of the motion, 1 or −1.
+    /// Finds the point of least kinetic energy within a period `length` of the coordinate. `side` is the direction of
+    /// the motion, 1 or −1.
     ///
-    /// A minimum that the samples miss costs more panels, but no accuracy. The inner error is a barrier, if
-    /// no kinetic energy is left at the minimum: the motion turns before it.
+    /// A minimum that the samples miss costs more panels, but no accuracy. The inner error is a barrier: no kinetic
+    /// energy is left at the minimum, and the motion turns before it.
     pub(super) fn least_kinetic_energy(
         &self,
         length: f64,
@@ -184,7 +180,7 @@ impl<'a> Energy<'a> {
             .min_by(|a, b| self.kinetic_energy_left(place(*a)).total_cmp(&self.kinetic_energy_left(place(*b))))
             .unwrap_or_default();
         let (mut a, mut b) = (place(lowest + 1), place(lowest) + side * length / f64::from(SAMPLES));
-        // V rises before the crest and falls behind it, seen in the direction of the motion.
+        // Along the motion, V rises before the crest and falls after it.
         let climb = |q: f64| side * self.potential_slope(q, q);
         let mut at = place(lowest);
         if climb(a) > 0.0 && climb(b) < 0.0 {
@@ -193,7 +189,7 @@ impl<'a> Energy<'a> {
                 if climb(at) > 0.0 { a = at } else { b = at }
             }
         }
-        // A crest beyond the start is replaced by the equal place one length before it.
+        // A crest beyond the start is replaced by the equivalent point one period before it.
         if side * (at - self.start) > 0.0 {
             at -= side * length;
         }
@@ -226,8 +222,8 @@ impl<'a> Energy<'a> {
         self.checked_turning_point(self.zero_of_kinetic_energy(good, bad), side)
     }
 
-    /// Zero of the kinetic energy between a coordinate `good`, where it is positive, and a coordinate
-    /// `bad`, where it is not. Newton's method in the bracket finds it.
+    /// Finds the zero of the kinetic energy between a coordinate `good`, where it is positive, and a coordinate `bad`,
+    /// where it is not. The method is Newton's, within a bracket.
     fn zero_of_kinetic_energy(&self, mut good: f64, mut bad: f64) -> f64 {
         let mut x = middle_of_energy_bracket(good, bad);
         let mut before = (bad - good).abs();
@@ -258,8 +254,8 @@ impl<'a> Energy<'a> {
         good
     }
 
-    /// Accepts a turning point `at` if the motion certainly turns there: within the rounding error of the
-    /// point, the force pushes back. Otherwise it is an error.
+    /// Returns the turning point `at` if the motion certainly turns there: within the rounding error of the point, the
+    /// force pushes back. Otherwise returns an error.
     fn checked_turning_point(&self, at: f64, side: f64) -> Result<f64, NoQuadrature> {
         let force = self.potential_slope(at, at);
         let blur = 4.0 * f64::EPSILON * (at.abs() + self.kinetic / force.abs());

@@ -1,8 +1,7 @@
-//! Integrands at the points of a panel: one by one, or as many at once as fill a register of the
+//! Evaluation of integrands at the points of a panel: one by one, or as many at once as fit into a register of the
 //! processor.
 //!
-//! Invariant: all widths compute the same formulas; only products that lanes fuse differ by their
-//! rounding.
+//! Invariant: all register widths compute the same formulas; results differ only by the rounding of fused products.
 
 #![allow(clippy::inline_always, reason = "the instructions of a processor reach only what is inlined")]
 
@@ -12,14 +11,14 @@ use super::quadrature_error::StretchObstacle;
 use super::stretch_variable::{Anchor, StretchVariable};
 use tripos_traits::{AtPoints, Integrands, Lanes, Scalar, lane_width};
 
-/// Values of the integrands at the points of a panel, a subinterval of a stretch of the motion.
+/// Values of the integrands at the points of a panel (a subinterval of a stretch of the motion).
 pub(super) struct Samples {
     /// Coordinate q at each point of the panel.
     places: Series,
     /// Absolute value of the generalized speed v at each point of the panel.
     speeds: Series,
-    /// Values of dt/dw at the points, then the integrands of the other coordinates while q rises, then
-    /// those while q falls.
+    /// Values of dt/dw at the points, then the integrands of the other coordinates while q rises, then their integrands
+    /// while q falls.
     pub(super) values: Vec<Series>,
 }
 
@@ -31,7 +30,7 @@ impl Samples {
     }
 }
 
-/// Panel that is to be sampled: a subinterval of a stretch of the motion.
+/// Panel (a subinterval of a stretch of the motion) that is to be sampled.
 #[derive(Clone, Copy)]
 pub(super) struct Panel<'a> {
     /// Equations with the energy of the motion.
@@ -53,13 +52,13 @@ pub(super) trait Sampler {
     /// # Errors
     /// [`StretchObstacle`] with the first point at which there is no kinetic energy, or no finite rate.
     fn integrands_while_rising(&mut self, panel: &Panel<'_>, samples: &mut Samples) -> Result<(), StretchObstacle>;
-    /// Evaluates the integrands while the coordinate q falls, at the points at which
-    /// [`Sampler::integrands_while_rising`] was called last.
+    /// Evaluates the integrands while the coordinate q falls, at the points of the last call of
+    /// [`Sampler::integrands_while_rising`].
     fn integrands_while_falling(&mut self, energy: &Energy<'_>, samples: &mut Samples);
 }
 
-/// Creates the evaluator with the widest vector lanes that the equations provide and this processor
-/// handles best. `q` are the coordinates at the start.
+/// Creates the evaluator with the widest vector lanes that the equations support and that this processor handles best.
+/// `q` are the coordinates at the start.
 pub(super) fn integrand_sampler<'a>(energy: &'a Energy<'_>, q: &[f64]) -> Box<dyn Sampler + 'a> {
     match energy.system.0.at_points() {
         Some(AtPoints { eight, .. }) if lane_width() == 8 => Box::new(LaneSampler::<Lanes<8>>::new(eight, energy, q)),
@@ -68,7 +67,7 @@ pub(super) fn integrand_sampler<'a>(energy: &'a Energy<'_>, q: &[f64]) -> Box<dy
     }
 }
 
-/// Fixed number of doubles, as a plain number or in vector lanes.
+/// Number type that holds a fixed number of doubles: one as a plain number, or several in vector lanes.
 trait PackedSamples: Scalar {
     /// Number of doubles in a value of this type.
     const WIDTH: usize;
@@ -134,7 +133,7 @@ impl<'a, S: PackedSamples> LaneSampler<'a, S> {
         Self { equations, p: all(&energy.p), q: all(q), rates: all(q) }
     }
 
-    /// Evaluates the integrands at the points of the panel from index `at` on, while q rises.
+    /// Evaluates the integrands while q rises, at the points of the panel from index `at` on.
     #[inline(always)]
     fn rising_integrands_at(&mut self, panel: &Panel<'_>, samples: &mut Samples, at: usize) {
         let Panel { energy, chart, anchor, from, half } = *panel;
@@ -158,7 +157,7 @@ impl<'a, S: PackedSamples> LaneSampler<'a, S> {
         }
     }
 
-    /// Evaluates the integrands at the points from index `at` on, while q falls.
+    /// Evaluates the integrands while q falls, at the points from index `at` on.
     #[inline(always)]
     fn falling_integrands_at(&mut self, energy: &Energy<'_>, samples: &mut Samples, at: usize) {
         let here = at..at + S::WIDTH;

@@ -4,14 +4,13 @@ use std::sync::OnceLock;
 
 use tripos_traits::{DoubleDouble, Lanes, Real, Scalar};
 
-/// Number of points of the Gauss–Legendre rule, and of terms of a series.
+/// Number of points of the Gauss–Legendre rule, and number of terms of a Legendre series.
 pub(super) const POINTS: usize = 24;
 
 /// Half of the number of points of the Gauss–Legendre rule.
 const HALF: usize = POINTS / 2;
 
-/// Function on a panel: its values at the points of the rule, or its coefficients of Legendre
-/// polynomials.
+/// Function on a panel, stored as its values at the points of the rule or as its Legendre coefficients.
 pub(super) type Series = [f64; POINTS];
 
 /// Values P₀(x) … P_n(x) of Legendre polynomials at a point x, with n = [`POINTS`].
@@ -22,17 +21,16 @@ pub(super) type LegendreValues = [f64; POINTS + 1];
 pub(super) struct LegendreRule {
     /// Points of the rule, the zeros of P_n, in increasing order.
     pub(super) points: Series,
-    /// Shares (k + ½) wᵢ P_k(xᵢ) of point i in the coefficients of a series, in row i: first for even k,
-    /// then for odd k. They multiply the sum (even k) or difference (odd k) of the values at point i and at
-    /// the opposite point.
+    /// Factors (k + ½) wᵢ P_k(xᵢ) of point i in the coefficients of a series, in row i: first for even k, then for odd
+    /// k. They multiply the sum (even k) or difference (odd k) of the values at point i and at the opposite point.
     shares: [[[f64; HALF]; 2]; HALF],
     /// Factors (2 k + 1)/(k + 1) and k/(k + 1) of the recurrence of Legendre polynomials, for each k.
     recurrence: [[f64; 2]; POINTS],
 }
 
 impl LegendreRule {
-    /// Returns the rule that the whole program uses. Its points and weights are computed at the first call,
-    /// in 32 digits.
+    /// Returns the rule that the whole program shares. Its points and weights are computed in 32 digits at the first
+    /// call.
     pub(super) fn shared_rule() -> &'static Self {
         static RULE: OnceLock<LegendreRule> = OnceLock::new();
         RULE.get_or_init(Self::new)
@@ -48,7 +46,7 @@ impl LegendreRule {
         for i in 0..HALF {
             let guess = (std::f64::consts::PI * (i as f64 + 0.75) / (POINTS as f64 + 0.5)).cos();
             let mut x = DoubleDouble::from_f64(-guess);
-            // Newton's method: the guess has 3 digits, and each step doubles them.
+            // Newton's method: the guess has 3 digits, and each step doubles their number.
             for _ in 0..5 {
                 let p = legendre_values(x);
                 x = x - p[POINTS] / legendre_slope(x, &p);
@@ -64,7 +62,7 @@ impl LegendreRule {
         rule
     }
 
-    /// Coefficients c_k of the Legendre series Σ c_k P_k through these values at the points.
+    /// Coefficients c_k of the Legendre series Σ c_k P_k that takes these values at the points of the rule.
     pub(super) fn coefficients(&self, values: &Series) -> Series {
         let (even, odd) = Lanes::<4>::dispatch(
             #[inline(always)]
@@ -73,7 +71,8 @@ impl LegendreRule {
         std::array::from_fn(|k| if k % 2 == 0 { even[k / 2] } else { odd[k / 2] })
     }
 
-    /// Coefficients of the even and of the odd Legendre polynomials through these values at the points.
+    /// Coefficients of the even and of the odd Legendre polynomials in the series that takes these values at the points
+    /// of the rule.
     #[inline(always)]
     #[expect(clippy::inline_always, reason = "the instructions of a processor reach only what is inlined")]
     fn even_and_odd_coefficients(&self, values: &Series) -> ([f64; HALF], [f64; HALF]) {
@@ -142,8 +141,8 @@ fn legendre_values(x: DoubleDouble) -> [DoubleDouble; POINTS + 1] {
     p
 }
 
-/// Slope P_n′(x) of the last Legendre polynomial, from the values `p` of all of them, by (x² − 1) P_n′
-/// = n (x P_n − P_{n−1}).
+/// Slope P_n′(x) of the last Legendre polynomial, by (x² − 1) P_n′ = n (x P_n − P_{n−1}). `p` has the values of all
+/// polynomials at `x`.
 fn legendre_slope(x: DoubleDouble, p: &[DoubleDouble; POINTS + 1]) -> DoubleDouble {
     DoubleDouble::from_f64(POINTS as f64) * (x * p[POINTS] - p[POINTS - 1]) / (x * x - DoubleDouble::int(1))
 }
@@ -152,8 +151,8 @@ fn legendre_slope(x: DoubleDouble, p: &[DoubleDouble; POINTS + 1]) -> DoubleDoub
 mod tests {
     use super::*;
 
-    /// A polynomial of degree 23 is its own series, and its integral that of the polynomial: x²³ over 24 terms of size
-    /// 1.
+    /// Truth: a polynomial of degree 23 equals its series, and its integral equals the series of the integral. The
+    /// tested polynomial is x²³, whose series has 24 terms of size 1.
     #[test]
     fn series_of_a_polynomial_and_of_its_integral_are_exact() {
         let rule = LegendreRule::shared_rule();

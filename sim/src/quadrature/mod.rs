@@ -1,18 +1,17 @@
 //! Motion of one degree of freedom by quadrature instead of stepping.
 //!
-//! With the energy h = ½ m(q) v² + V(q) and q′ = k(q) v, time is an integral over the coordinate, dt =
-//! dq/(k √(2 (h − V)/m)). So is every other coordinate whose rate depends on q and v alone. The
-//! integrals are taken once, as series of Legendre polynomials on panels that are halved until all
-//! series are resolved to rounding. The state at any instant follows by one inversion. Whole periods
-//! are added exactly: errors grow only by the rounding error of the period.
+//! With the energy h = ½ m(q) v² + V(q) and q′ = k(q) v, time is an integral over the coordinate, dt = dq/(k √(2 (h −
+//! V)/m)). Every other coordinate whose rate depends on q and v alone is an integral, too. The integrals are computed
+//! once, as series of Legendre polynomials on panels (subintervals) that are halved until all series are resolved to
+//! rounding. The state at any instant then follows by one inversion. Whole periods are added exactly: errors grow only
+//! by the rounding error of the period.
 //!
-//! Invariants: the integrands are smooth where the motion turns, since each stretch is half a swing in
-//! a variable that makes them smooth. The difference h − V is never computed from nearly equal
-//! energies: it is the divided difference of V times the distance from a turning point
-//! ([`tripos_traits::System::potential_slope`]).
+//! Invariants: the integrands are smooth where the motion turns, since each stretch is half a swing in a variable that
+//! makes them smooth. The difference h − V is never computed from nearly equal energies: it is the divided difference
+//! of V times the distance from a turning point ([`tripos_traits::System::potential_slope`]).
 //!
-//! Absent on purpose: friction, forces that depend on time, and unlimited work. A motion that a stated
-//! number of panels does not resolve is refused with its reason.
+//! Absent on purpose: friction, forces that depend on time, and unlimited work. A motion that is not resolved by the
+//! allowed number of panels is refused with its reason.
 
 mod energy;
 mod integrand_sampler;

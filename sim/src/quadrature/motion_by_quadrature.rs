@@ -1,5 +1,5 @@
-//! Motion of a system with one degree of freedom by quadrature: its kind, its state at any time, and the
-//! equations to which quadrature applies.
+//! Motion of a system with one degree of freedom by quadrature: its kind, its state at any time, and a check that
+//! quadrature applies to the equations.
 
 use tripos_traits::{Lengths, System};
 
@@ -51,7 +51,7 @@ pub struct MotionByQuadrature<'a> {
     start: Vec<f64>,
     /// Rates q′ at the start, n entries.
     rates: Vec<f64>,
-    /// Turning points below and above the start; `None` if none is known.
+    /// Coordinates of the turning points below and above the start; `None` if no turning point is known.
     turns: [Option<f64>; 2],
     /// Kind of the motion, with its integrated stretches.
     pub(super) course: MotionKind,
@@ -91,13 +91,13 @@ impl<'a> MotionByQuadrature<'a> {
         Ok(motion)
     }
 
-    /// Finds the kind of the motion and integrates it up to these times from the start, s. Error if the
+    /// Determines the kind of the motion, and integrates the motion up to these times from the start, s. Error if the
     /// integrals are not resolved.
     fn follow_motion(&mut self, times: &[f64]) -> Result<(), NoQuadrature> {
         let n = self.start.len() - 1;
         let (q, v) = (&self.start[..n], self.start[n]);
         let mut scratch = Scratch::new(&self.energy, q);
-        // Each round either meets a turning point that the searches missed, or is the last round.
+        // Each round either meets a turning point that the searches missed, or is the last.
         loop {
             self.course = MotionKind::new(&self.energy, q, v, &mut self.turns, &mut scratch)?;
             let mut follow = || {
@@ -128,9 +128,9 @@ impl<'a> MotionByQuadrature<'a> {
         Ok(())
     }
 
-    /// Integrates an unbounded motion from the earliest to the latest of these times, s from the start. A
-    /// motion between two turning points, or a rotation ([`System::coordinate_period`]), is known at all
-    /// times.
+    /// Integrates an unbounded motion from the earlier to the later of the times `t0` and `t1`, s from the start. A
+    /// motion between two turning points, or a rotation ([`System::coordinate_period`]), is known at all times without
+    /// this call.
     ///
     /// # Errors
     /// [`NoQuadrature`] if the integrals are not resolved up to these times.
@@ -141,8 +141,8 @@ impl<'a> MotionByQuadrature<'a> {
         }
     }
 
-    /// Values of coordinate 0 at the turning points below and above the start; `None` if there is none.
-    /// Those of an unbounded motion are known only as far as it was followed.
+    /// Values of coordinate 0 at the turning points below and above the start; `None` if there is none. Turning points
+    /// of an unbounded motion are known only within the integrated part.
     #[must_use]
     pub fn turning_points(&self) -> (Option<f64>, Option<f64>) {
         let [low, high] = self.turns;
@@ -158,20 +158,18 @@ impl<'a> MotionByQuadrature<'a> {
     /// State (q, v) of the motion `t` seconds after the start, or before it if `t` is negative.
     ///
     /// # Errors
-    /// [`NoQuadrature::Uncovered`] for an unbounded motion at a time to which [`Self::cover`] has not
-    /// followed it.
+    /// [`NoQuadrature::Uncovered`] for an unbounded motion that is not integrated up to this time by [`Self::cover`].
     pub fn state(&self, t: f64) -> Result<Vec<f64>, NoQuadrature> {
         let mut y = vec![0.0; self.start.len()];
         self.state_into(t, &mut y)?;
         Ok(y)
     }
 
-    /// Writes the state (q, v) of the motion `t` seconds after the start to `y`, one entry more than there
-    /// are coordinates.
+    /// Writes the state (q, v) of the motion `t` seconds after the start to `y`. It has one entry more than there are
+    /// coordinates.
     ///
     /// # Errors
-    /// [`NoQuadrature::Uncovered`] for an unbounded motion at a time to which [`Self::cover`] has not
-    /// followed it.
+    /// [`NoQuadrature::Uncovered`] for an unbounded motion that is not integrated up to this time by [`Self::cover`].
     pub fn state_into(&self, t: f64, y: &mut [f64]) -> Result<(), NoQuadrature> {
         y.copy_from_slice(&self.start);
         if t == 0.0 {

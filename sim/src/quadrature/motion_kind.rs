@@ -1,19 +1,18 @@
-//! Whole motion of one degree of freedom by quadrature, composed of stretches that the motion passes in
-//! both directions.
+//! Whole motion of one degree of freedom by quadrature, composed of stretches (integrated parts) that the motion passes
+//! in both directions.
 
 use super::energy::{Energy, LeastKineticEnergy};
 use super::quadrature_error::{NoQuadrature, StretchObstacle};
 use super::stretch::{Goal, PanelPlace, Scratch, Stretch};
 use super::stretch_variable::StretchVariable;
 
-/// Largest number of panels (subintervals) of a stretch between two turning points, with rejected
-/// attempts.
+/// Largest number of panels (subintervals) of a stretch between two turning points; rejected attempts count, too.
 const PANELS_OF_SWING: u32 = 2000;
-/// Largest number of panels (subintervals) of a stretch that has no second end.
+/// Largest number of panels (subintervals) of a stretch without a known second end.
 const PANELS: u32 = 20_000;
-/// Number of panels in which a motion without a known turning point is searched for one.
+/// Number of panels for which a motion without a known turning point is followed to find one.
 const EXPLORED: usize = 100;
-/// Largest number of turning points that the search may miss and the motion may meet.
+/// Largest number of turning points that the search may miss and the integration may then meet.
 const MISSED_LIMIT: u32 = 16;
 
 /// Kind of a motion of one degree of freedom, with its integrated stretches. Times τ, s, are counted
@@ -25,10 +24,11 @@ pub(super) enum MotionKind {
     /// The motion oscillates between two turning points. The first half starts from the lower turning point
     /// (τ = 0), the second from the upper.
     Swing { halves: Box<[Stretch; 2]> },
-    /// The coordinate rotates in one direction, and the motion repeats after the signed `length` of it.
+    /// The coordinate rotates in one direction, and the motion repeats after the signed period `length` of the
+    /// coordinate.
     ///
-    /// The first half goes from the coordinate of least kinetic energy (τ = 0) half way on. The second goes
-    /// from the next such coordinate half way back.
+    /// The first half goes from the coordinate of least kinetic energy (τ = 0) half a period forward. The second half
+    /// goes from the next such coordinate half a period back.
     Rotation { halves: Box<[Stretch; 2]>, length: f64, rising: bool },
     /// The motion comes to a single turning point (τ = 0) and goes back.
     Return { track: Box<Stretch> },
@@ -37,8 +37,8 @@ pub(super) enum MotionKind {
     Pass { tracks: Box<[Stretch; 2]>, rising: bool },
 }
 
-/// Point of a motion by quadrature at an instant: the stretch, the point on it, and data that turn
-/// integrals along the stretch into integrals along the motion.
+/// Point of a motion by quadrature at an instant: the stretch and the point on it. Further data convert integrals along
+/// the stretch to integrals along the motion.
 pub(super) struct MotionPoint<'c> {
     /// Stretch (integrated part of the motion) on which the point lies.
     pub(super) track: &'c Stretch,
@@ -50,23 +50,22 @@ pub(super) struct MotionPoint<'c> {
     turns: f64,
     /// Coordinate of the motion minus the coordinate of the point on the stretch.
     pub(super) shift: f64,
-    /// True if q both rises and falls in a period.
+    /// True if the coordinate q both rises and falls within a period.
     returns: bool,
     /// Both stretches of a period; `None` for a motion without a period.
     halves: Option<&'c [Stretch; 2]>,
-    /// True if the first half is passed completely; the point is then counted back from the end of the
-    /// second.
+    /// True if the first half of the period is completely passed. The point is then counted back from the end of the
+    /// second half.
     whole: bool,
-    /// Sign, 1 or −1, with which integrals along the stretch count.
+    /// Sign of the integrals along the stretch in those along the motion, 1 or −1.
     sign: f64,
 }
 
 impl MotionKind {
-    /// Finds the kind of the motion from the start of `energy`, where the coordinates are `q` and the speed
-    /// is `v`.
+    /// Determines the kind of the motion from the start of `energy`, with the coordinates `q` and the speed `v`.
     ///
-    /// `turns` are the turning points below and above the start, if known; turning points that the motion
-    /// meets are added. Error if the integrals are not resolved.
+    /// `turns` are the turning points below and above the start, if known. Turning points that the motion meets are
+    /// added to it. Error if the integrals are not resolved.
     pub(super) fn new(
         energy: &Energy<'_>,
         q: &[f64],
@@ -112,8 +111,8 @@ impl MotionKind {
         Err(NoQuadrature::Unresolved { at: energy.start, panels: PANELS_OF_SWING })
     }
 
-    /// Creates the oscillation between two turning points, with integrated stretches for `n` coordinates.
-    /// Error if a stretch is not resolved or meets a barrier.
+    /// Creates the oscillation between the turning points `low` and `high`, with integrated stretches for `n`
+    /// coordinates. Error if a stretch is not resolved or meets a barrier.
     fn oscillation(
         energy: &Energy<'_>,
         n: usize,
@@ -135,8 +134,8 @@ impl MotionKind {
         Ok(Self::Swing { halves })
     }
 
-    /// Creates the motion that rotates with the speed `v` at the start, and repeats after `length` of the
-    /// coordinate. The inner error is a barrier, or a stretch that is not resolved.
+    /// Creates the motion that rotates with the speed `v` at the start, and repeats after `length` of the coordinate.
+    /// The inner error is a barrier, or a stretch that is not resolved.
     fn rotation(
         energy: &Energy<'_>,
         n: usize,
@@ -164,8 +163,8 @@ impl MotionKind {
         Ok(Ok(Self::Rotation { halves, length: side * length, rising }))
     }
 
-    /// Time τ of the start of the motion, s. `v` is the speed at the start. Error if the stretch to it is
-    /// not resolved.
+    /// Time τ of the start of the motion, s. `v` is the speed at the start. Error if the stretch up to the start is not
+    /// resolved.
     pub(super) fn time_of_start(
         &mut self,
         energy: &Energy<'_>,
@@ -196,8 +195,8 @@ impl MotionKind {
         }
     }
 
-    /// Follows a motion without a known turning point for some panels, to find a narrow barrier that the
-    /// search missed. The barrier is the error.
+    /// Follows a motion without a known turning point for a number of panels, to find a narrow barrier that the search
+    /// missed. A found barrier is returned as the error.
     pub(super) fn search_missed_turning_point(
         &mut self,
         energy: &Energy<'_>,
@@ -209,14 +208,14 @@ impl MotionKind {
             Self::Pass { tracks, .. } => &mut tracks[0],
         };
         match track.extend(energy, scratch, Goal::Panels(EXPLORED), PANELS) {
-            // This follows the motion farther than was asked for, so that unresolved panels are no error.
+            // The motion is followed here farther than requested, so that unresolved panels are no error.
             Err(StretchObstacle::Unresolved(_)) | Ok(()) => Ok(()),
             barrier => barrier,
         }
     }
 
-    /// Integrates the stretches as far as the time τ, s, needs. Error if they are not resolved or meet a
-    /// barrier.
+    /// Integrates the stretches as far as needed to know the motion at the time τ, s. Error if they are not resolved or
+    /// meet a barrier.
     pub(super) fn integrate_to_time(
         &mut self,
         energy: &Energy<'_>,
@@ -295,8 +294,8 @@ impl MotionKind {
         }
     }
 
-    /// Point at the time τ, s, of a motion without a period, on this stretch. `None` if the stretch is not
-    /// integrated so far.
+    /// Point of a motion without a period at the time τ, s, on this stretch. `None` if the stretch is not integrated up
+    /// to there.
     fn point_without_period(track: &Stretch, tau: f64, rising: bool) -> Option<MotionPoint<'_>> {
         if track.times.len() < 2 || tau.abs() > track.duration() {
             // A stretch without panels is used only at τ = 0.
@@ -316,8 +315,8 @@ impl MotionKind {
         })
     }
 
-    /// Times τ at which panels (subintervals) meet, s, in ascending order. They are those of a single
-    /// period if there is a period.
+    /// Times τ at which panels (subintervals) meet, s, in ascending order. If the motion has a period, only the times
+    /// of one period.
     pub(super) fn nodes(&self) -> Vec<f64> {
         let mut nodes: Vec<f64> = match self {
             Self::Rest => Vec::new(),
@@ -350,8 +349,8 @@ impl MotionKind {
     }
 }
 
-/// Adds to `turns` the turning point between the start and a barrier that the motion met. Error for a
-/// stretch that is not resolved by `panels` panels.
+/// Adds to `turns` the turning point between the start and a barrier that the motion met. Error if the obstacle is a
+/// stretch that `panels` panels do not resolve.
 pub(super) fn add_turning_point_of_motion(
     energy: &Energy<'_>,
     turns: &mut [Option<f64>; 2],
@@ -367,8 +366,8 @@ pub(super) fn add_turning_point_of_motion(
     }
 }
 
-/// Adds to `turns` the turning point before a barrier that a motion without a known end met. Error for
-/// a stretch that is not resolved.
+/// Adds to `turns` the turning point before a barrier that a motion without a known end met. Error if the obstacle is a
+/// stretch that is not resolved.
 pub(super) fn add_far_turning_point_of_motion(
     energy: &Energy<'_>,
     turns: &mut [Option<f64>; 2],
@@ -378,8 +377,8 @@ pub(super) fn add_far_turning_point_of_motion(
 }
 
 impl MotionPoint<'_> {
-    /// Integral of the rate of coordinate `i` ≥ 1 from τ = 0 to this instant. `count` is the number of
-    /// coordinates other than coordinate 0.
+    /// Integral of the rate of coordinate `i` ≥ 1 along the motion, from τ = 0 to this instant. `count` is the number
+    /// of coordinates other than coordinate 0.
     pub(super) fn integral_along_motion(&self, i: usize, count: usize) -> f64 {
         let along = |rising: bool| if rising { i } else { i + count };
         let own = self.track.value(&self.found, along(self.rising));

@@ -4,10 +4,10 @@ use std::fmt;
 
 use crate::error::SimError;
 
-/// Reason why a stretch of the motion is not integrated to its end.
+/// Obstacle because of which a stretch of the motion is not integrated to its end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum StretchObstacle {
-    /// The motion meets a coordinate, which is given, at which there is no kinetic energy.
+    /// The motion meets this coordinate, at which there is no kinetic energy.
     Barrier(f64),
     /// The quadrature needs too many panels (subintervals) near this coordinate.
     Unresolved(f64),
@@ -25,28 +25,28 @@ pub enum NoQuadrature {
     },
     /// The equations do not provide the divided difference of their potential energy.
     NoPotentialSlope,
-    /// A rate depends on a coordinate other than coordinate 0, so that it is no integrand along the motion
-    /// of coordinate 0.
+    /// A rate depends on a coordinate other than coordinate 0. It can therefore not be integrated along the motion of
+    /// coordinate 0.
     NotQuadrature {
         /// Index of the coordinate on which a rate depends, from 0.
         coordinate: usize,
     },
-    /// The start is not regular. The inertia in the kinetic energy is not positive, or the rate of
-    /// coordinate 0 is 0, or a value is not finite.
+    /// The start is not regular: the inertia in the kinetic energy is not positive, the rate of coordinate 0 is 0 for
+    /// any speed, or a value is not finite.
     Irregular,
-    /// The energy is, up to rounding, that of an equilibrium that the motion approaches for ever.
+    /// The energy is, up to rounding, that of an equilibrium, which the motion approaches for ever.
     Asymptotic {
         /// Value of coordinate 0 at the equilibrium that the motion approaches.
         at: f64,
     },
-    /// The integrands vary too fast for the limit on panels (subintervals), or have no value.
+    /// The integrands vary too fast for the allowed number of panels (subintervals), or have no value.
     Unresolved {
         /// Value of coordinate 0 near which the integrands are not resolved.
         at: f64,
         /// Largest number of panels (subintervals of the quadrature) that was allowed.
         panels: u32,
     },
-    /// The motion is unbounded, and was not followed up to the wanted time.
+    /// The motion is unbounded, and was not integrated up to the wanted time.
     Uncovered {
         /// Wanted time from the start, s.
         t: f64,

@@ -1,5 +1,4 @@
-//! Run of a system with one degree of freedom by quadrature, with the same output and events as a run
-//! by steps.
+//! Run of a system with one degree of freedom by quadrature. Its output and events are like those of a run by steps.
 
 use tripos_traits::System;
 
@@ -13,17 +12,16 @@ use crate::methods::run_options::{self, Options, OutputOption, Poll};
 use crate::rounding::exactly_equal;
 use crate::solution::{Solution, Stop};
 
-/// Computes the motion from y0 = (q, v) over `span`, s, by quadrature, with a result like that of
-/// [`crate::integrate`]. `p` are the parameters.
+/// Computes the motion from y0 = (q, v) over `span`, s, by quadrature, with a result like that of [`crate::integrate`].
+/// `p` are the parameters.
 ///
-/// Of the options, only `output`, `step_limit` and `poll` are used. Steps are those of the panels
-/// (subintervals of the quadrature): they count in the result, and [`OutputOption::Steps`] refines them.
-/// Events are located on them as on steps of a method, and may end the run. The state contains all
-/// coordinates; see [`MotionByQuadrature::new`] for the demands on the equations.
+/// Of the options, only `output`, `step_limit` and `poll` are used. A step is a panel (a subinterval of the
+/// quadrature): panels are counted as steps in the result, and [`OutputOption::Steps`] refines them. Events are located
+/// inside them as inside the steps of a method, and may end the run. The state contains all coordinates; see
+/// [`MotionByQuadrature::new`] for the requirements on the equations.
 ///
 /// # Errors
-/// [`NoQuadrature`] if the arguments are invalid ([`NoQuadrature::Question`]), or if quadrature gives
-/// no motion.
+/// [`NoQuadrature`] if the arguments are invalid ([`NoQuadrature::Question`]), or if quadrature gives no motion.
 pub fn run_by_quadrature(
     system: &dyn System<f64>,
     p: &[f64],
@@ -94,7 +92,7 @@ impl QuadratureRun<'_> {
         recorder: &mut Recorder<'_, f64>,
     ) -> Stop {
         let forward = span.1 > span.0;
-        // Steps are needed only if there are events, or if the output asks for each step.
+        // Steps are needed only for events, or if the output asks for each step.
         let all = !watch.is_empty() || matches!(options.output, OutputOption::Steps { .. });
         let mut nodes = PanelTimes::new(self.motion, if all { span.1 - span.0 } else { 0.0 });
         let mut step =
@@ -106,7 +104,7 @@ impl QuadratureRun<'_> {
             }
             let from = step.span.1;
             let next = if all { nodes.next_panel_time(from - self.t0).map(|t| self.t0 + t) } else { None };
-            // If a node differs from the end of the span only by rounding, the rest of the span is no step.
+            // A node at or beyond the end of the span ends no step: the last step ends exactly at the end of the span.
             let inside = |t: &f64| if forward { *t > from && *t < span.1 } else { *t < from && *t > span.1 };
             let to = next.filter(inside).unwrap_or(span.1);
             step.advance(to);
@@ -135,9 +133,8 @@ impl QuadratureRun<'_> {
 
 /// Times at which panels (subintervals of the quadrature) meet, in the order of the run.
 struct PanelTimes {
-    /// Times τ, s, at which panels meet: those within one period of the motion, or all of them if the
-    /// motion does not repeat. They are counted from an origin of the motion, not from the start of the
-    /// run.
+    /// Times τ, s, at which panels meet: those within one period of the motion, or all if the motion does not repeat.
+    /// They are counted from an origin of the motion, not from the start of the run.
     times: Vec<f64>,
     /// Period of the motion, s; `None` if it does not repeat.
     period: Option<f64>,
@@ -152,12 +149,12 @@ struct PanelTimes {
 }
 
 impl PanelTimes {
-    /// Lists the times at which the panels of a motion meet, in the direction of the signed length
-    /// `span`, s; the list is empty if `span` is 0.
+    /// Lists the times at which the panels of a motion meet, in the direction of the signed length `span`, s. The list
+    /// is empty if `span` is 0.
     fn new(motion: &MotionByQuadrature<'_>, span: f64) -> Self {
         let forward = span >= 0.0;
         let mut times = if exactly_equal(span, 0.0) { Vec::new() } else { motion.course.nodes() };
-        // Panels of both directions of a swing, and of both halves, may end at one time.
+        // Panels of both directions of a swing, or of both halves, may end at the same time.
         times.dedup_by(|a, b| (*a - *b).abs() <= 1e-9 * motion.course.period().unwrap_or(0.0));
         if !forward {
             times.reverse();
@@ -167,8 +164,8 @@ impl PanelTimes {
         Self { times, period, lead: motion.lead, forward, at: 0, turns }
     }
 
-    /// Time from the start, s, at which the next two panels after the time `t` from the start meet;
-    /// `None` if no later panels meet.
+    /// Time at which the next two panels after the time `t` meet; `None` if no later panels meet. Both times are in s
+    /// from the start of the run.
     fn next_panel_time(&mut self, t: f64) -> Option<f64> {
         loop {
             if self.at >= self.times.len() {
@@ -185,7 +182,7 @@ impl PanelTimes {
     }
 }
 
-/// Part of the motion between two times, in the form of a step of a method.
+/// Part of the motion between two times, with the interface of a step of a method.
 struct QuadratureStep<'m> {
     /// Motion of one degree of freedom that quadrature gives.
     motion: &'m MotionByQuadrature<'m>,
@@ -198,7 +195,7 @@ struct QuadratureStep<'m> {
 }
 
 impl QuadratureStep<'_> {
-    /// Replaces the step by the next, from its end to the time `to`, s.
+    /// Replaces the step with the next one, from the end of this step to the time `to`, s.
     fn advance(&mut self, to: f64) {
         let mut old = std::mem::take(&mut self.ends.0);
         old.clone_from(&self.ends.1);
@@ -209,7 +206,7 @@ impl QuadratureStep<'_> {
         self.ends.1 = new;
     }
 
-    /// Writes the state at time `t`, s, to `y`; not a number if the motion is not known there.
+    /// Writes the state at time `t`, s, to `y`; NaN if the motion is not known there.
     fn state_at(&self, t: f64, y: &mut [f64]) {
         if self.motion.state_into(t - self.t0, y).is_err() {
             y.fill(f64::NAN);
@@ -236,14 +233,14 @@ impl Interpolant for QuadratureStep<'_> {
         }
     }
 
-    /// Returns `None`: time is a series in the coordinate, and the coordinate is no polynomial in time.
+    /// Returns `None`: the time is a series in the coordinate, but the coordinate is no polynomial in time.
     fn degree_of_dense_output(&self) -> Option<usize> {
         None
     }
 
     fn coefficients(&self, _put: impl FnMut(usize, usize, f64)) {}
 
-    /// State at time `t`, s. The fraction `theta` is not used: in a long step it would be less exact.
+    /// State at time `t`, s. The fraction `theta` is not used, since it would be less exact in a long step.
     fn sample(&self, _theta: f64, t: f64) -> Vec<f64> {
         let mut y = vec![0.0; self.ends.0.len()];
         self.state_at(t, &mut y);

@@ -1,9 +1,9 @@
-//! Stretch of a motion by quadrature, integrated once: time and the other coordinates as Legendre
-//! series on panels.
+//! Stretch of a motion by quadrature, integrated once: the time and the other coordinates as Legendre series on panels
+//! (subintervals).
 //!
-//! Each stretch is measured by a variable w in which the motion is smooth at turning points. With T =
-//! (dq/dw)² G the speed is |dq/dw| √(2 G/m), and dt/dw = 1/(|k| √(2 G/m)). G never vanishes, and is
-//! computed as a divided difference of V, so that it keeps its digits near a turning point.
+//! The variable w of a stretch is chosen so that the motion is smooth in w at turning points. With T = (dq/dw)² G the
+//! speed is |dq/dw| √(2 G/m), and dt/dw = 1/(|k| √(2 G/m)). G never vanishes, and is computed as a divided difference
+//! of V, so that it keeps its digits near a turning point.
 
 use super::energy::Energy;
 use super::integrand_sampler::{Panel, Sampler, Samples, integrand_sampler};
@@ -12,63 +12,63 @@ use super::quadrature_error::StretchObstacle;
 use super::stretch_variable::{Anchor, Place, StretchVariable};
 use tripos_traits::largest;
 
-/// Size of the last terms with which a Legendre series counts as resolved, over its largest term:
-/// rounding errors of the integrand.
+/// Relative size of the last terms up to which a Legendre series counts as resolved; the largest term is 1. It is the
+/// rounding error of the integrand.
 const RESOLVED: f64 = 16.0 * f64::EPSILON;
-/// Relative rounding errors of an integrand for which no panel is made narrower. They have both signs,
-/// and hardly add up.
+/// Relative rounding error of an integrand that is accepted without a narrower panel. Such errors have both signs and
+/// hardly add up.
 const HARMLESS: f64 = 1e-14;
-/// Distance of a singularity from the middle of a panel, in half-widths, at which a series of
-/// [`POINTS`] terms is resolved. The terms fall like ρ^−k, with ρ = z + √(z² − 1) at the distance z.
+/// Distance of a singularity from the middle of a panel, in half-widths, from which on a series of [`POINTS`] terms is
+/// resolved. The terms fall like ρ^−k, with ρ = z + √(z² − 1) at the distance z.
 const FAR_ENOUGH: f64 = 2.7;
 
 /// Number of panels for which a stretch reserves memory.
 const ROOM: usize = 12;
 
-/// Goal of the integration of a stretch: how far it must go.
+/// Point up to which a stretch is integrated.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Goal {
-    /// Integrate exactly to this value of the variable w, at which the stretch ends.
+    /// Integrates exactly to this value of the variable w, at which the stretch ends.
     End(f64),
-    /// Integrate the stretch at least to this value of its variable w.
+    /// Integrates the stretch at least to this value of its variable w.
     Variable(f64),
-    /// Integrate the stretch by at least this many panels (subintervals).
+    /// Integrates the stretch by at least this many further panels (subintervals).
     Panels(usize),
-    /// Integrate at least to this time from the start of the stretch, s.
+    /// Integrates at least to this time from the start of the stretch, s.
     Time(f64),
 }
 
 /// Stretch of a motion by quadrature with its panels, the subintervals of the variable w.
 ///
-/// Functions of w have numbers: 0 is the time; then come the integrals of the other coordinates' rates
-/// while q rises, then those while q falls.
+/// Several functions of w are integrated, and have an index. Index 0 is the time. Then come the integrals of the other
+/// coordinates' rates while q rises, then those while q falls.
 #[derive(Clone, Debug)]
 pub(super) struct Stretch {
     /// Map from the variable w of the stretch to the coordinate q.
     pub(super) chart: StretchVariable,
     /// Number of functions that are integrated along the stretch.
     functions: usize,
-    /// Relative error of the integrands that the rounding of the turning points causes.
+    /// Relative error of the integrands that is caused by the rounding of the turning points.
     noise: f64,
-    /// Values of w at which panels begin or end, with the start and the end of the stretch.
+    /// Values of w at which panels meet, with the start and the end of the stretch.
     ends: Vec<f64>,
     /// Times from the start of the stretch at the values in `ends`, s.
     pub(super) times: Vec<f64>,
     /// Values of all functions at the values in `ends`, one end after the other.
     sums: Vec<f64>,
-    /// Legendre series of each panel: that of dt/dξ, with ξ from −1 to 1 in the panel, then those of all
+    /// Legendre series of each panel: first that of dt/dξ, with ξ from −1 to 1 in the panel, then those of all
     /// functions.
     series: Vec<f64>,
-    /// Anchor of the kinetic energy: the end of the last panel. `None` at the start, and for lines and
-    /// crests.
+    /// Point from which the kinetic energy is computed: the end of the last panel. `None` at the start, and for
+    /// stretches of the kinds line and crest.
     ///
-    /// Far from a turning point that is near a pole, V\[end, q\] is a difference of large terms. From panel
-    /// to panel it is not.
+    /// Far from a turning point that is near a pole, V\[end, q\] is a difference of large terms. The difference from
+    /// panel to panel is not.
     anchor: Option<Anchor>,
     /// Width of the next panel to try, in the variable w of the stretch.
     width: f64,
-    /// Two numbers for each function: relative rounding errors that narrower panels did not reduce, and the
-    /// level of error at which a panel was last rejected.
+    /// Two numbers for each function: the relative rounding error that narrower panels did not reduce, and the error
+    /// level at which a panel was last rejected.
     floors: Vec<[f64; 2]>,
     /// Number of panels (subintervals of the stretch) that were tried.
     pub(super) attempts: u32,
@@ -76,7 +76,7 @@ pub(super) struct Stretch {
     pub(super) rejected: u32,
 }
 
-/// Working space for panels: the evaluator of the integrands, its values and their series.
+/// Working space for panels: the evaluator of the integrands, with their values and their series.
 pub(super) struct Scratch<'a> {
     /// Evaluator of the integrands.
     sampler: Box<dyn Sampler + 'a>,
@@ -96,8 +96,8 @@ impl<'a> Scratch<'a> {
 }
 
 impl Stretch {
-    /// Creates a stretch without panels for this number of coordinates. `width` is the width in w of the
-    /// first panel to try, and `noise` the relative error of the integrands.
+    /// Creates a stretch without panels for this number of coordinates. `width` is the width in w of the first panel to
+    /// try, and `noise` is the relative error of the integrands.
     pub(super) fn new(chart: StretchVariable, coordinates: usize, noise: f64, width: f64) -> Self {
         let functions = 2 * coordinates - 1;
         Self {
@@ -131,8 +131,8 @@ impl Stretch {
         self.times[self.times.len() - 1]
     }
 
-    /// Adds panels to the stretch until the goal is reached. Error if `limit` attempts in all do not
-    /// resolve the integrands, or if there is no kinetic energy.
+    /// Adds panels to the stretch until the goal is reached. Error if the integrands are not resolved within `limit`
+    /// attempts in all, or if there is no kinetic energy at a point.
     pub(super) fn extend(
         &mut self,
         energy: &Energy<'_>,
@@ -151,7 +151,7 @@ impl Stretch {
             if reached && self.times.len() > 1 {
                 return Ok(());
             }
-            // A narrow last panel would cost as much as a wide panel, so that it is joined to this panel.
+            // A narrow last panel would cost as much as a wide panel, so that it is merged with this one.
             let width = if left < 1.25 * self.width { left } else { self.width };
             let to = if left < 1.25 * self.width { from + left } else { from + width };
             self.attempts += 1;
@@ -162,8 +162,8 @@ impl Stretch {
         }
     }
 
-    /// Tries a panel of the variable w from `from` to `to`, and adds it if all functions are resolved.
-    /// Error if a point has no kinetic energy or no finite rate.
+    /// Tries the panel from `from` to `to` of the variable w, and adds it if all functions are resolved. Error if a
+    /// point has no kinetic energy or no finite rate.
     fn try_panel(
         &mut self,
         energy: &Energy<'_>,
@@ -175,8 +175,8 @@ impl Stretch {
         let half = 0.5 * (to - from);
         let panel = Panel { energy, chart: self.chart, anchor: self.anchor, from, half };
         scratch.sampler.integrands_while_rising(&panel, &mut scratch.samples)?;
-        // Integrands while q falls cost as much again. They are sampled only if the rising ones do not show that the
-        // panel is too wide.
+        // Integrands while q falls cost as much again. They are sampled only if the integrands while q rises do not
+        // show that the panel is too wide.
         let rest = self.functions / 2;
         let mut nearest = f64::INFINITY;
         for function in 0..self.functions {
@@ -211,8 +211,8 @@ impl Stretch {
         Ok(())
     }
 
-    /// Computes the Legendre series of a function on a panel of half-width `half`. Returns the ratio of the
-    /// next width to this width; below 1 the panel is too wide and must be rejected.
+    /// Computes the Legendre series of a function on a panel of half-width `half`. Returns the ratio of the next
+    /// panel's width to this width. A ratio below 1 means that the panel is too wide and must be rejected.
     fn judge_series(&mut self, rule: &LegendreRule, scratch: &mut Scratch<'_>, function: usize, half: f64) -> f64 {
         let c = rule.coefficients(&scratch.samples.values[function]);
         scratch.series[function] = c;
@@ -233,19 +233,18 @@ impl Stretch {
         let decay = -(last / size).max(1e-18).ln() / (POINTS as f64 - 1.5);
         let z = decay.cosh();
         if resolved {
-            // The singularity is assumed to lie before this panel. For the next panel, a width further on, it is a
-            // width farther away.
+            // The singularity is assumed to lie before this panel. It is farther from the next panel, by one width.
             (0.95 * (z + 1.0) / (FAR_ENOUGH - 1.0)).max(1.0)
         } else {
             (0.9 * (z - 1.0) / (FAR_ENOUGH - 1.0)).min(0.7)
         }
     }
 
-    /// Judges a series whose terms no longer fall, with last terms of the relative size `level`. Returns
-    /// the ratio of the next width to this width; below 1 the panel must be rejected.
+    /// Judges a series whose terms no longer fall; `level` is the relative size of its last terms. Returns the ratio of
+    /// the next panel's width to this width. A ratio below 1 means that the panel must be rejected.
     ///
-    /// The terms are rounding errors of the equations, unless a narrower panel has far smaller ones, as
-    /// where energies cancel.
+    /// The terms are rounding errors of the equations, unless a narrower panel has far smaller terms, as where energies
+    /// cancel.
     fn judge_noise(&mut self, function: usize, level: f64) -> f64 {
         let [floor, before] = &mut self.floors[function];
         if level <= HARMLESS.max(2.0 * *floor) {
@@ -259,7 +258,7 @@ impl Stretch {
         0.25
     }
 
-    /// Point of the stretch at `time`, s, from its start.
+    /// Point of the stretch at `time`, s, counted from the start of the stretch.
     pub(super) fn stretch_point_at_time(&self, time: f64) -> PanelPlace {
         let panel = self.times.partition_point(|t| *t <= time).min(self.times.len() - 1).max(1) - 1;
         let wanted = time - self.times[panel];
@@ -268,7 +267,7 @@ impl Stretch {
         let mut x = (wanted / rate[0] - 1.0).clamp(-1.0, 1.0);
         let (mut low, mut high) = (-1.0, 1.0);
         let mut p = rule.values(x);
-        // Newton's method in a bracket; the time grows with ξ.
+        // Newton's method within a bracket; the time grows with ξ.
         for _ in 0..60 {
             let excess = dot_of_legendre_series(integral, &p) - wanted;
             if excess > 0.0 {
@@ -283,7 +282,7 @@ impl Stretch {
             let newton = x - step > low && x - step < high;
             x = if newton { x - step } else { 0.5 * (low + high) };
             p = rule.values(x);
-            // The error after this step is the square of the step.
+            // The error after this step is about the square of the step.
             if newton && step.abs() <= 1e-9 {
                 break;
             }
@@ -299,7 +298,7 @@ impl Stretch {
         self.stretch_point_in_panel(panel, x, LegendreRule::shared_rule().values(x))
     }
 
-    /// Point at ξ = `x`, from −1 to 1, in this panel, with the Legendre polynomials there.
+    /// Point at ξ = `x`, from −1 to 1, in the panel with this index. `polynomials` are the Legendre polynomials at ξ.
     fn stretch_point_in_panel(&self, panel: usize, x: f64, polynomials: LegendreValues) -> PanelPlace {
         let (from, to) = (self.ends[panel], self.ends[panel + 1]);
         PanelPlace { panel, w: from + 0.5 * (1.0 + x) * (to - from), polynomials }
@@ -311,14 +310,13 @@ impl Stretch {
         half / dot_of_legendre_series(self.rate(at.panel), &at.polynomials[..POINTS])
     }
 
-    /// Value of a function at a point of the stretch; it is 0 at the start of the stretch.
+    /// Value of an integrated function at a point of the stretch; it is 0 at the start of the stretch.
     pub(super) fn value(&self, at: &PanelPlace, function: usize) -> f64 {
         self.sums[at.panel * self.functions + function]
             + dot_of_legendre_series(self.integral(at.panel, function), &at.polynomials)
     }
 
-    /// Time from the start of the stretch (the integrated part of the motion) to its point at the variable
-    /// `w`, s.
+    /// Time at the point with the variable `w`, s, counted from the start of the stretch.
     pub(super) fn time_at(&self, w: f64) -> f64 {
         self.value(&self.stretch_point_at_variable(w), 0)
     }
@@ -328,11 +326,10 @@ impl Stretch {
         self.chart.start().1 > 0.0
     }
 
-    /// Variable w of the motion's start on this stretch; `None` if the start lies on the other half of the
-    /// motion.
+    /// Variable w of the motion's start on this stretch; `None` if the start lies on the other half of the motion.
     ///
-    /// Near the turning point w follows from T₀ = (dq/dw)² G. The difference of coordinates would keep only
-    /// half of its digits.
+    /// Near the turning point, w is computed from T₀ = (dq/dw)² G. The difference of coordinates would keep only half
+    /// of its digits.
     pub(super) fn variable_of_start(&self, energy: &Energy<'_>) -> Option<f64> {
         let (end, side) = self.chart.start();
         let offset = (side * (energy.start - end)).max(0.0);
@@ -353,26 +350,27 @@ impl Stretch {
             StretchVariable::Root { .. } => Some(reach.unwrap_or_else(|| (2.0 * offset).sqrt())),
             StretchVariable::Line { .. } => Some(0.0),
             StretchVariable::Crest { width, .. } => {
-                // A start in the middle of a period belongs to at least one of its halves, in spite of rounding.
+                // The start, in the middle of a period, must belong to at least one half in spite of rounding.
                 let half = self.chart.at(self.end()).offset;
                 (offset <= half * (1.0 + 1e-9)).then(|| (offset / width).asinh().min(self.end()))
             }
         }
     }
 
-    /// Coefficients of all Legendre series of this panel: dt/dξ, then the integrated functions.
+    /// Coefficients of all Legendre series of the panel with this index: first of dt/dξ, then of the integrated
+    /// functions.
     fn panel_series(&self, panel: usize) -> &[f64] {
         let length = POINTS + self.functions * (POINTS + 1);
         &self.series[panel * length..(panel + 1) * length]
     }
 
-    /// Coefficients of the Legendre series of dt/dξ in this panel.
+    /// Coefficients of the Legendre series of dt/dξ in the panel with this index.
     fn rate(&self, panel: usize) -> &[f64] {
         &self.panel_series(panel)[..POINTS]
     }
 
-    /// Coefficients of the Legendre series of a function in this panel, one more than those of its
-    /// integrand.
+    /// Coefficients of the Legendre series of an integrated function in a panel. There is one coefficient more than for
+    /// the integrand.
     fn integral(&self, panel: usize, function: usize) -> &[f64] {
         &self.panel_series(panel)[POINTS + function * (POINTS + 1)..][..=POINTS]
     }

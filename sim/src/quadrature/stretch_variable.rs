@@ -6,19 +6,19 @@
 use super::energy::Energy;
 use tripos_traits::Scalar;
 
-/// Map from the variable w ≥ 0, by which a stretch of the motion is integrated, to the coordinate q.
-/// `end` is q at w = 0, and `side` is 1 or −1, the sign of dq/dw.
+/// Map from the variable w ≥ 0 to the coordinate q, for the integration of a stretch. `end` is q at w = 0, and `side`
+/// is the sign of dq/dw, 1 or −1.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum StretchVariable {
-    /// From a turning point halfway to the other turning point, `length` away: q = end + side · length ·
+    /// Starts at a turning point and leads halfway to the other turning point, `length` away: q = end + side · length ·
     /// sin²(w/2).
     Arc { end: f64, side: f64, length: f64 },
-    /// From the only turning point of the motion: q = end + side · w²/2.
+    /// Starts at the only turning point of the motion: q = end + side · w²/2.
     Root { end: f64, side: f64 },
-    /// From a coordinate that is not a turning point: q = end + side · w.
+    /// Starts at a coordinate that is not a turning point: q = end + side · w.
     Line { end: f64, side: f64 },
-    /// From the coordinate of the least kinetic energy, `kinetic`, J: q = end + side · width · sinh w.
-    /// dt/dw stays regular, however little kinetic energy is left there.
+    /// Starts at the coordinate of the least kinetic energy, `kinetic`, J: q = end + side · width · sinh w. dt/dw stays
+    /// regular, however little kinetic energy is left there.
     Crest { end: f64, side: f64, width: f64, kinetic: f64 },
 }
 
@@ -34,7 +34,7 @@ pub(super) struct Place<S = f64> {
 }
 
 impl StretchVariable {
-    /// Computes the point of the stretch (the integrated part of the motion) at its variable `w`.
+    /// Computes the point of the stretch at its variable `w`.
     #[inline(always)]
     pub(super) fn at<S: Scalar>(&self, w: S) -> Place<S> {
         let (half, (end, side)) = (S::from_f64(0.5), self.start());
@@ -62,11 +62,11 @@ impl StretchVariable {
         (end, side)
     }
 
-    /// Kinetic energy over the square of the slope, T/(dq/dw)², at a point of the stretch. `slope(a, b)` is
-    /// the divided difference V\[a, b\] of the potential energy.
+    /// Quotient T/(dq/dw)² of the kinetic energy and the square of the slope, at a point of the stretch. `slope(a, b)`
+    /// is the divided difference V\[a, b\] of the potential energy.
     ///
-    /// From a turning point it is −V\[end, q\] over the distance from the other turning point (2 if there
-    /// is none). From a crest both parts of T are positive.
+    /// From a turning point it is −V\[end, q\] divided by the distance from the other turning point (2 if there is
+    /// none). From a crest both parts of T are positive.
     #[inline(always)]
     pub(super) fn kinetic_energy_over_slope_squared<S: Scalar>(
         &self,
@@ -87,8 +87,8 @@ impl StretchVariable {
         }
     }
 
-    /// Kinetic energy T, J, at a point of the stretch, computed from the anchor; `None` computes it from
-    /// the start of the stretch. `slope(a, b)` is the divided difference V\[a, b\] of the potential energy.
+    /// Kinetic energy T, J, at a point of the stretch, computed from the anchor; `None` computes it from the start of
+    /// the stretch. `slope(a, b)` is the divided difference V\[a, b\] of the potential energy.
     #[inline(always)]
     pub(super) fn kinetic_energy_at<S: Scalar>(
         &self,
@@ -118,16 +118,16 @@ pub(super) struct Anchor {
     pub(super) offset: f64,
     /// Kinetic energy at the coordinate `q`, J.
     pub(super) kinetic: f64,
-    /// Sum of the energies that were added up to the anchor, J, each with its rounding error.
+    /// Sum of the kinetic energies at all anchors so far, J; it measures the rounding error of `kinetic`.
     added: f64,
 }
 
 impl Anchor {
-    /// Creates the anchor at the end of a panel, a subinterval of the stretch. `kinetic` is the energy
-    /// there, J, computed from the anchor `before`.
+    /// Creates the anchor at the end of a panel, a subinterval of the stretch. `kinetic` is the kinetic energy there,
+    /// J, computed from the anchor `before`.
     ///
-    /// Energies that are larger than the remaining sum leave their rounding errors in it. Then the energy
-    /// is counted from the start of the motion, if the kinetic energy there is smaller.
+    /// Energies that are larger than their sum leave their rounding errors in it. The kinetic energy is then computed
+    /// from the start of the motion again, if the kinetic energy there is smaller.
     pub(super) fn next_anchor(before: Option<Self>, energy: &Energy<'_>, end: &Place, kinetic: f64) -> Self {
         let added = before.map_or(0.0, |before| before.added + before.kinetic) + kinetic;
         let Place { q, offset, .. } = *end;

@@ -1,21 +1,18 @@
-//! Coulomb's law of friction for contacts that push and never pull: the modes (sticking, slipping,
-//! opening) in which they move together.
+//! Coulomb's law of friction for contacts that push and never pull: the modes (sticking, slipping, opening) that closed
+//! contacts can have together.
 //!
-//! A contact with friction has a row along its gap and a row along its slip. While it slips, at a
-//! velocity of the sign s, its force along the slip is −μ s λ_n. The force along the gap then stands in
-//! both rows of the linear system for all forces, and that system is not symmetric. While the contact
-//! sticks, both rows have no motion, and |λ_t| ≤ μ λ_n.
+//! A contact with friction has a row along its gap and a row along its slip. While it slips, at a velocity of the sign
+//! s, its force along the slip is −μ s λ_n. The force along the gap then appears in both rows of the linear system for
+//! all forces, and that system is not symmetric. While the contact sticks, both rows have no motion, and |λ_t| ≤ μ λ_n.
 //!
-//! The modes of several contacts are found by a trial of all combinations. Pivoting would end in the
-//! first solution that it meets. With friction there may be no solution, or several that move
-//! differently (P. Painlevé, "Sur les lois du frottement de glissement", *Comptes Rendus* 121 (1895),
-//! 112–115; P. Lötstedt, "Coulomb friction in two-dimensional rigid body systems", *Zeitschrift für
-//! Angewandte Mathematik und Mechanik* 61 (1981), 605–615; F. Génot & B. Brogliato, "New results on
-//! Painlevé paradoxes", *European Journal of Mechanics A/Solids* 18 (1999), 653–677):
-//! [`UndecidedContacts`] reports these cases.
+//! The modes of several contacts are found by a trial of all combinations. Pivoting would end at the first solution
+//! found. With friction there may be no solution, or several with different motions; [`UndecidedContacts`] reports
+//! these cases. P. Painlevé, "Sur les lois du frottement de glissement", *Comptes Rendus* 121 (1895), 112–115. P.
+//! Lötstedt, "Coulomb friction in two-dimensional rigid body systems", *Zeitschrift für Angewandte Mathematik und
+//! Mechanik* 61 (1981), 605–615. F. Génot & B. Brogliato, "New results on Painlevé paradoxes", *European Journal of
+//! Mechanics A/Solids* 18 (1999), 653–677.
 //!
-//! Absent on purpose: any knowledge of time, of steps and of models; any choice between motions that
-//! differ.
+//! Absent on purpose: any knowledge of time, of steps and of models; any choice between different motions.
 
 mod mode_trial;
 
@@ -75,9 +72,9 @@ impl fmt::Display for ContactMode {
 pub struct ContactSolution {
     /// Mode of each closed contact, in the order of the contacts.
     pub modes: Vec<ContactMode>,
-    /// True for each contact that has a force along its gap in addition to the force that was given.
+    /// True for each contact that has a force along its gap besides the given force.
     pub pushes: Vec<bool>,
-    /// Forces along all rows of contacts, in N where the gap is in m; in an impact impulses, in N s.
+    /// Forces along all rows of contacts, in N if the gap is in m; in an impact impulses, in N s.
     pub forces: DVector<f64>,
 }
 
@@ -91,11 +88,11 @@ pub enum UndecidedContacts {
     Several([Vec<ContactMode>; 2]),
 }
 
-/// Checks that all solutions that were found have the same motion of the rows. Returns them by freedom,
-/// smallest first. `size` is the size of the motion without contact forces.
+/// Checks that all found solutions have the same motion of the rows. Returns them sorted by freedom, the least freedom
+/// first. `size` is the size of the motion without contact forces.
 ///
 /// # Errors
-/// [`UndecidedContacts`] if there are no solutions, or if they move differently.
+/// [`UndecidedContacts`] if there are no solutions, or if they give different motions.
 pub(crate) fn agreed_contact_motion(
     found: Vec<(ContactSolution, DVector<f64>)>,
     size: f64,

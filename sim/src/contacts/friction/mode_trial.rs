@@ -4,15 +4,14 @@
 use super::{ContactMode, ContactSolution};
 use nalgebra::{DMatrix, DVector, Dyn, SVD};
 
-/// Singular value that counts as rounding, as a fraction of the largest singular value.
+/// Relative size of a singular value below which it counts as rounding; the largest singular value is 1.
 const DEPENDENT: f64 = 1e-11;
-/// Smallest weight of a friction force when dependent forces are shared out, as a fraction of the
-/// largest weight.
+/// Smallest weight of a friction force when dependent forces share a load, as a fraction of the largest weight.
 const LIGHT: f64 = 1e-6;
-/// Factor on the weights of friction forces if friction could not bear its share of dependent forces.
-/// Friction then takes no more than needed.
+/// Factor on the weights of friction forces if friction could not bear its share of a load. Friction then takes only
+/// the force that no gap can take.
 const FAINT: f64 = 1e-3;
-/// Number of iterative refinements of a solution by singular values.
+/// Number of iterative refinements of a least-squares solution that is found by singular values.
 const REFINEMENTS: usize = 2;
 
 /// Closed contact in a trial of modes, in the scaled units of its rows.
@@ -30,12 +29,12 @@ pub(crate) struct TriedContact<'t> {
 
 /// Contacts that are closed together, for a trial of their modes.
 ///
-/// Their rows move by G λ + c. Under forces λ these are accelerations, after impulses λ velocities; c
-/// is the motion without them.
+/// The motion of their rows is G λ + c, where c is the motion without the forces λ. If λ are forces, the motion is an
+/// acceleration; if λ are impulses, it is a velocity.
 pub(crate) struct ModeTrial<'t> {
     /// Matrix G of the motion of all rows by forces or impulses, scaled so that its diagonal is 1.
     pub g: &'t DMatrix<f64>,
-    /// Contacts that are closed at the same instant.
+    /// Contacts that are closed at the same instant, in the scaled units of their rows.
     pub touches: Vec<TriedContact<'t>>,
 }
 
@@ -43,7 +42,7 @@ pub(crate) struct ModeTrial<'t> {
 /// force and the ratio to the unknown force.
 type UnknownForce = (usize, Option<(usize, f64)>);
 
-/// Mode of a contact in a trial, and whether an unknown force acts along its gap.
+/// Mode that is tried for a contact, and whether an unknown force acts along its gap.
 #[derive(Clone, Copy)]
 struct ModeChoice {
     /// Mode that is tried for the contact.
@@ -108,7 +107,7 @@ impl ModeTrial<'_> {
         list
     }
 
-    /// Forces along all rows for contacts in given modes; `None` if they are not finite.
+    /// Forces along all rows for contacts in given modes; `None` if a force is not finite.
     pub(crate) fn forces_in_modes(&self, c: &DVector<f64>, modes: &[ContactMode]) -> Option<DVector<f64>> {
         self.forces(c, &choices_of_modes(modes))
     }
@@ -149,8 +148,8 @@ impl ModeTrial<'_> {
         })
     }
 
-    /// Forces along all rows for the chosen modes, such that G λ + c is 0 along the rows that must not
-    /// move. `None` if they are not finite.
+    /// Computes the forces along all rows for the chosen modes, such that G λ + c is 0 along the rows that must not
+    /// move. `None` if a force is not finite.
     fn forces(&self, c: &DVector<f64>, chosen: &[ModeChoice]) -> Option<DVector<f64>> {
         let unknown = self.unknown_contact_forces(chosen);
         let mut forces = self.friction_of_given_forces(chosen);
@@ -171,7 +170,8 @@ impl ModeTrial<'_> {
         {
             values = weighted_least_forces(&part, &sides, &weights)?;
             if !self.friction_bears_forces(chosen, &unknown, &values) {
-                // A force along a gap alone may prevent a motion that a force along a slip can prevent, too.
+                // A motion along a slip can be prevented by a force along that slip; a force along a gap may prevent it
+                // alone.
                 let mut faint = weights;
                 let along = faint.iter_mut().zip(&unknown).filter(|(_, (row, _))| !self.is_gap(*row));
                 along.for_each(|(weight, _)| *weight *= FAINT);
@@ -206,7 +206,7 @@ impl ModeTrial<'_> {
         list
     }
 
-    /// Friction forces along slips that the given forces along gaps cause, an entry for each row.
+    /// Friction forces along slips that the given forces along gaps cause, with an entry for each row.
     fn friction_of_given_forces(&self, chosen: &[ModeChoice]) -> DVector<f64> {
         let mut forces = DVector::zeros(self.g.nrows());
         for (touch, choice) in self.touches.iter().zip(chosen) {
@@ -231,8 +231,7 @@ impl ModeTrial<'_> {
         self.touches.iter().any(|touch| touch.rows[0] == row)
     }
 
-    /// True if friction can bear the forces `values` along the slips of all contacts that stick: |λ_t| ≤ μ
-    /// λ_n.
+    /// True if friction can bear the forces `values` along the slips of all contacts that stick: |λ_t| ≤ μ λ_n.
     fn friction_bears_forces(&self, chosen: &[ModeChoice], unknown: &[UnknownForce], values: &DVector<f64>) -> bool {
         let force = |row: usize| unknown.iter().position(|(other, _)| *other == row).map_or(0.0, |at| values[at]);
         let bears = |touch: &TriedContact<'_>| touch.friction.unwrap_or(0.0) * (force(touch.rows[0]) + touch.given);
@@ -240,11 +239,11 @@ impl ModeTrial<'_> {
         sticking.map(|(touch, _)| touch).all(|touch| force(touch.rows[1]).abs() <= bears(touch))
     }
 
-    /// Weights with which dependent unknown forces share the load, an entry for each unknown. `None` if
+    /// Weights with which dependent unknown forces share a load, with an entry for each unknown force. `None` if
     /// friction bears no force.
     ///
-    /// A force along a slip is weighted by the force that friction can bear. No contact then slips while
-    /// others could bear more.
+    /// The weight of a force along a slip is the force that friction can bear there. No contact then slips while others
+    /// could bear more.
     fn weights_of_contact_forces(
         &self,
         chosen: &[ModeChoice],
@@ -266,14 +265,13 @@ impl ModeTrial<'_> {
 }
 
 impl TriedContact<'_> {
-    /// Friction force along the slip for a unit of force along the gap. `way` is the sign of the slip
-    /// velocity.
+    /// Friction force along the slip per unit of force along the gap. `way` is the sign of the slip velocity.
     fn friction_force_per_normal_force(&self, way: f64) -> f64 {
         -self.friction.unwrap_or(0.0) * way
     }
 }
 
-/// Choices for given modes: each contact that stays closed has an unknown force along its gap.
+/// Choices for given modes, in which each contact that stays closed has an unknown force along its gap.
 fn choices_of_modes(modes: &[ContactMode]) -> Vec<ModeChoice> {
     modes.iter().map(|mode| ModeChoice { mode: *mode, pushes: mode.is_held() }).collect()
 }
@@ -287,11 +285,11 @@ fn weighted_least_forces(a: &DMatrix<f64>, b: &DVector<f64>, weights: &DVector<f
     Some(refined_least_forces(&svd, &scaled, b, rounding)?.component_mul(weights))
 }
 
-/// Least-squares solution x of A x = b of the smallest length, by the singular values of A above
-/// `rounding`. `None` if the solver fails.
+/// Least-squares solution x of A x = b with the smallest length, by the singular values of A above `rounding`. `None`
+/// if the solver fails.
 ///
-/// The solution is refined by its residuals. If entries of A have very different sizes, singular values
-/// and vectors may be known to ten digits only.
+/// The solution is refined with its residuals. If entries of A have very different sizes, singular values and vectors
+/// may be accurate to ten digits only.
 fn refined_least_forces(
     svd: &SVD<f64, Dyn, Dyn>,
     a: &DMatrix<f64>,

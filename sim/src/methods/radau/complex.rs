@@ -45,8 +45,8 @@ impl<S: Real> Mul for Complex<S> {
     }
 }
 
-/// Division by R. L. Smith's formula, Comm. ACM 5 (1962) 435. It takes no square of the divisor, which may overflow
-/// while the quotient does not.
+/// Division by R. L. Smith's formula, Comm. ACM 5 (1962) 435. It avoids the square of the divisor, which may overflow
+/// although the quotient does not.
 impl<S: Real> Div for Complex<S> {
     type Output = Self;
     fn div(self, other: Self) -> Self {
@@ -88,7 +88,8 @@ mod tests {
         assert_eq!(large / large, number(1.0, 0.0));
     }
 
-    /// Pivots off the diagonal, and complex ones; 1e-14 since the entries are small whole numbers.
+    /// System with pivots off the diagonal and complex pivots. The tolerance is 1e-14, since the entries are small
+    /// whole numbers.
     #[test]
     fn a_complex_system_is_solved() {
         let a = [number(0.0, 0.0), number(2.0, 1.0), number(1.0, -3.0), number(0.0, 1.0)];

@@ -1,18 +1,15 @@
-//! Radau IIA with three stages, the method `radau5`: order 5, implicit, A- and L-stable, for stiff
-//! equations.
+//! Radau IIA with three stages, the method `radau5`: order 5, implicit, A- and L-stable, for stiff equations.
 //!
-//! The polynomial u of degree 3 with u(t) = y satisfies the equations at the three zeros of Radau's
-//! polynomial, of which the last is the end of the step; u is also the dense output, of order 3. Fast
-//! decaying parts of the solution vanish in a step of any length, so that the motion alone limits the
-//! steps.
+//! The polynomial u of degree 3 with u(t) = y satisfies the equations at the three zeros of Radau's polynomial, of
+//! which the last is the end of the step. u is also the dense output, of order 3. Fast decaying parts of the solution
+//! vanish in a step of any length, so that the motion alone limits the steps.
 //!
-//! The method, its error and its step control are those of E. Hairer's code RADAU5: E. Hairer & G.
-//! Wanner, *Solving Ordinary Differential Equations II. Stiff and Differential-Algebraic Problems*, 2nd
-//! edition (1996), §IV.8.
+//! The method, its error estimate and its step control are those of the code RADAU5: E. Hairer & G. Wanner, *Solving
+//! Ordinary Differential Equations II. Stiff and Differential-Algebraic Problems*, 2nd edition (1996), §IV.8.
 //!
-//! Invariant: `z` has the differences between the stages of the last tried step and its start, all
-//! components of the first stage first; `inside` has their polynomial. Newton's method, and the data
-//! that it keeps from step to step, is in [`radau_newton`].
+//! Invariant: `z` has the differences between the stages of the last tried step and its start, all components of the
+//! first stage first; `inside` has their polynomial. Newton's method, with the data that it keeps from step to step, is
+//! in [`radau_newton`].
 
 mod complex;
 mod radau_coefficients;
@@ -40,10 +37,11 @@ pub(crate) struct Radau5<S> {
     scheme: Scheme<S>,
     /// Newton's method, which solves the equations of the three stages.
     newton: Newton<S>,
-    /// Factor by which the accepted error estimate may exceed the tolerance: see the function
+    /// Factor by which an accepted error estimate may exceed the tolerance, from the function
     /// [`radau_error_allowance`].
     leeway: f64,
-    /// Tolerance that decides most steps: the relative one, or the smallest absolute one if that is zero.
+    /// Tolerance that decides most steps: the relative tolerance, or the smallest absolute tolerance if the relative
+    /// one is zero.
     tolerance: f64,
     /// Time at the start of the step, s.
     t: f64,
@@ -55,8 +53,7 @@ pub(crate) struct Radau5<S> {
     y_new: Vec<S>,
     /// Differences Z between the three stages and `y`, 3n entries: all components of the first stage first.
     z: Vec<S>,
-    /// Transformed stage differences W = (T⁻¹ ⊗ I) Z, 3n entries, in which the equations of a step
-    /// separate.
+    /// Transformed stage differences W = (T⁻¹ ⊗ I) Z, 3n entries. In these variables the equations of a step separate.
     w: Vec<S>,
     /// Derivatives f at the three stages, 3n entries.
     f: Vec<S>,
@@ -65,7 +62,7 @@ pub(crate) struct Radau5<S> {
     inside: Vec<S>,
     /// Coefficients of the dense output of the previous step, 3n entries.
     before: Vec<S>,
-    /// Signed length of the previous step, s; `None` in the first step.
+    /// Signed length of the previous step, s; `None` if the current step is the first.
     h_before: Option<S>,
     /// Derivative f at the start of the step.
     slope: Vec<S>,
@@ -114,8 +111,8 @@ impl<S: Real> Radau5<S> {
         }
     }
 
-    /// Sets the first values of Z for Newton's method, for a step of `h` s, by continuing the polynomial of
-    /// the previous step. They are 0 if there is no previous step.
+    /// Sets the initial values of Z for Newton's method, for a step of `h` s. They continue the polynomial of the
+    /// previous step, and are 0 if there is no previous step.
     fn predict_radau_stages(&mut self, h: S) {
         let n = self.y.len();
         let Some(before) = self.h_before else { return self.z.fill(S::int(0)) };
@@ -128,8 +125,8 @@ impl<S: Real> Radau5<S> {
         }
     }
 
-    /// Solves the equations of the step from the predicted values of Z, to the accuracy `aim`. Error if
-    /// Newton's method does not converge or f has no value.
+    /// Solves the equations of the step to the accuracy `aim`, from the predicted values of Z. Error if Newton's method
+    /// does not converge or f has no value.
     fn solve_radau_stages<R: RightHandSide<S>>(
         &mut self,
         rhs: &mut R,
@@ -157,11 +154,12 @@ impl<S: Real> Radau5<S> {
         })
     }
 
-    /// Sets the weights of the components in Newton's method, and returns the accuracy to which the
-    /// equations of the step are solved.
+    /// Sets the weights of the components in Newton's method, and returns the accuracy to which the equations of the
+    /// step are solved.
     ///
-    /// With an error test, weights are allowed errors, and a small fraction of them must be reached.
-    /// Without a test, weights are sizes of the components, and rounding must be reached.
+    /// With an error test, the weights are the allowed errors, and the remaining error must be a small fraction of
+    /// them. Without a test, the weights are the sizes of the components, and the remaining error must be as small as
+    /// rounding.
     fn radau_accuracy(&mut self, h: S, test: Option<&ErrorTest>) -> NewtonAccuracy {
         let n = self.y.len();
         for i in 0..n {
@@ -170,7 +168,7 @@ impl<S: Real> Radau5<S> {
             self.newton.weights[i] = match test {
                 Some(test) => {
                     let weight = self.leeway * test.weight(i, size);
-                    // A component at 0 without an absolute tolerance is measured by its change in the step.
+                    // The weight of a component at 0 without an absolute tolerance follows from its change in the step.
                     if weight > self.leeway * f64::MIN_POSITIVE { weight } else { self.leeway * test.weight(i, moved) }
                 }
                 None => self.magnitudes[i].max(moved),
@@ -191,12 +189,11 @@ impl<S: Real> Radau5<S> {
         NewtonAccuracy { enough: part.max(rounding), rounding: rounding.min(1.0), iterations: ITERATIONS }
     }
 
-    /// Estimates the error of the step of `h` s, in the norm of the error test: (γ/h − J)⁻¹ (f₀ + Σ eᵢ
-    /// Zᵢ / h), with the derivative f₀ at the start. It is of order h⁴ and bounded for equations of any
-    /// stiffness.
+    /// Estimates the error of the step of `h` s, in the norm of the error test: (γ/h − J)⁻¹ (f₀ + Σ eᵢ Zᵢ / h), with
+    /// the derivative f₀ at the start. The estimate is of order h⁴ and bounded for equations of any stiffness.
     ///
-    /// If it is too large at a start or after a failure, f₀ is taken at the state moved by the estimate.
-    /// Components that decay at once then do not count.
+    /// If it is too large in the first step or after a failure, f₀ is taken at the state moved by the estimate.
+    /// Components that decay at once then have no effect on the estimate.
     fn error<R: RightHandSide<S>>(&mut self, rhs: &mut R, h: S, test: &ErrorTest) -> f64 {
         let n = self.y.len();
         let defects = |z: &[S], i: usize, weights: &[S; 3]| dot(weights, &[z[i], z[n + i], z[2 * n + i]]) / h;
@@ -225,9 +222,9 @@ impl<S: Real> Radau5<S> {
 
 /// Factor by which the error estimate of an accepted step may exceed the tolerance.
 ///
-/// The estimate is of order h⁴, and the error at the end of a run, of order h⁵, shall be about the
-/// tolerance: so ½ rtol^(4/5) replaces rtol. RADAU5 uses 0.1 rtol^(2/3), with which errors outgrow the
-/// tolerance tenfold every six digits.
+/// The estimate is of order h⁴, but the error at the end of a run is of order h⁵ and shall be about the tolerance.
+/// Therefore ½ rtol^(4/5) replaces rtol. RADAU5 uses 0.1 rtol^(2/3), with which the ratio of error to tolerance grows
+/// tenfold every six digits.
 fn radau_error_allowance(tolerance: f64) -> f64 {
     0.5 * tolerance.powf(-0.2)
 }
@@ -276,8 +273,8 @@ impl<S: Real> Stepper for Radau5<S> {
         self.restart_at(rhs, t, y)
     }
 
-    /// Continues from a state that the driver has moved. The Jacobian is kept, since its age decides when
-    /// it is replaced. The polynomial of the last step is kept, too, since it only predicts.
+    /// Continues from a state that the driver has moved. The Jacobian is kept, since its age decides when it is
+    /// replaced. The polynomial of the last step is kept, too, since it only serves as a prediction.
     fn continue_from_moved_state<R: RightHandSide<S>>(&mut self, rhs: &mut R, y: &[S]) -> Result<(), StepFailure> {
         self.restart_at(rhs, self.t, y)
     }
@@ -308,7 +305,7 @@ impl<S: Real> Stepper for Radau5<S> {
         }
         check_finite(&self.y_new)?;
         let Some(test) = test else {
-            // Only the sizes of later changes depend on this slope.
+            // This derivative only affects the sizes of later changes.
             self.slope_new.copy_from_slice(&self.f[2 * n..]);
             return Ok(0.0);
         };
@@ -321,8 +318,7 @@ impl<S: Real> Stepper for Radau5<S> {
         Ok(error)
     }
 
-    /// Factor of RADAU5 on the size of the next step: the more iterations a step took, the smaller the
-    /// factor.
+    /// Factor of RADAU5 on the size of the next step. It falls with the number of Newton iterations that the step took.
     fn next_step_margin(&self) -> f64 {
         let (most, taken) = (f64::from(2 * ITERATIONS), f64::from(self.newton.taken));
         ((1.0 + most) / (taken + most)).min(1.0)
@@ -358,7 +354,7 @@ impl<S: Real> Stepper for Radau5<S> {
 }
 
 impl<S: Real> Radau5<S> {
-    /// Sets the method to the state `y` at time `t`, s, and evaluates the derivative there. Error if it has
+    /// Sets the method to the state `y` at time `t`, s, and evaluates the derivative there. Error if the derivative has
     /// no finite value.
     fn restart_at<R: RightHandSide<S>>(&mut self, rhs: &mut R, t: f64, y: &[S]) -> Result<(), StepFailure> {
         self.t = t;

@@ -1,16 +1,15 @@
 //! Coefficients of Radau IIA with three stages, in any scalar, computed from the published formulae.
 //!
-//! B = A⁻¹ has the real eigenvalue γ and the pair α ± iβ; T⁻¹ B T = \[γ; (α, −β; β, α)\] separates the
-//! 3n equations of a step into n real and n complex equations. E. Hairer & G. Wanner, *Solving Ordinary
-//! Differential Equations II*, 2nd edition (1996), §IV.5 (the method), §IV.8 (the transformation and
-//! the error).
+//! B = A⁻¹ has the real eigenvalue γ and the pair α ± iβ. T⁻¹ B T = \[γ; (α, −β; β, α)\] separates the 3n equations of
+//! a step into n real and n complex equations. E. Hairer & G. Wanner, *Solving Ordinary Differential Equations II*, 2nd
+//! edition (1996), §IV.5 (the method), §IV.8 (the transformation and the error).
 
 use tripos_traits::Real;
 
 use super::complex::Complex;
 use crate::linear::lu::Entry;
 
-/// Matrix of order 3, row by row.
+/// Matrix of order 3, as a list of its three rows.
 pub(super) type Matrix<E> = [[E; 3]; 3];
 
 /// Nodes, eigenvalues and transformations of Radau IIA with three stages.
@@ -26,8 +25,8 @@ pub(super) struct Scheme<S> {
     pub(super) t: Matrix<S>,
     /// Inverse of the transformation T.
     pub(super) t_inverse: Matrix<S>,
-    /// Matrix that gives the coefficients of θ, θ² and θ³ of a polynomial that is 0 at θ = 0, from its
-    /// values at the nodes.
+    /// Matrix that computes the coefficients of θ, θ² and θ³ of a polynomial from its values at the nodes. The
+    /// polynomial is 0 at θ = 0.
     pub(super) powers: Matrix<S>,
     /// Weights of the three stage differences in the error estimate of a Radau step.
     pub(super) error: [S; 3],
@@ -40,7 +39,8 @@ impl<S: Real> Scheme<S> {
         let one = S::int(1);
         let c = [(S::int(4) - root) / S::int(10), (S::int(4) + root) / S::int(10), one];
         let b = inverse_of_order_3(&radau_matrix());
-        // det(z I − A⁻¹) = z³ − 9 z² + 36 z − 60: the denominator of the stability function, read backwards.
+        // det(z I − A⁻¹) = z³ − 9 z² + 36 z − 60: the denominator of the stability function with its coefficients in
+        // reverse order.
         let real = radau_root_of_cubic([S::int(-60), S::int(36), S::int(-9)], S::from_f64(3.637_834_252_744_496));
         let alpha = (S::int(9) - real) / S::int(2);
         let pair = Complex { re: alpha, im: (real * (real - S::int(9)) + S::int(36) - alpha * alpha).sqrt() };
@@ -74,8 +74,8 @@ pub(super) fn radau_matrix<S: Real>() -> Matrix<S> {
     ]
 }
 
-/// Root of z³ + a₂ z² + a₁ z + a₀ near `z`, an `f64` that is a root to rounding. Each of three Newton
-/// steps doubles the digits.
+/// Root of z³ + a₂ z² + a₁ z + a₀ near `z`, which is the root rounded to `f64`. Three Newton steps each double the
+/// number of digits.
 fn radau_root_of_cubic<S: Real>([a0, a1, a2]: [S; 3], mut z: S) -> S {
     for _ in 0..3 {
         let value = ((z + a2) * z + a1) * z + a0;
@@ -85,8 +85,8 @@ fn radau_root_of_cubic<S: Real>([a0, a1, a2]: [S; 3], mut z: S) -> S {
     z
 }
 
-/// Eigenvector of B for this eigenvalue, scaled to the last entry 1. It is orthogonal to the first two
-/// rows of B − λ.
+/// Eigenvector of B for this eigenvalue, scaled so that the last entry is 1. It is orthogonal to the first two rows of
+/// B − λ.
 fn eigenvector<E: Entry>(b: &Matrix<E>, eigenvalue: E) -> [E; 3] {
     let (mut first, mut second) = (b[0], b[1]);
     first[0] = first[0] - eigenvalue;
@@ -127,7 +127,7 @@ mod tests {
         entries.map(|(a, b)| (*a - *b).to_f64().abs()).fold(0.0, f64::max)
     }
 
-    /// 100 ε in each scalar: entries are below 10.
+    /// The tolerance is 100 ε of each scalar, since the entries are below 10.
     fn is_taken_apart<S: Real>() {
         let Scheme { real, pair: Complex { re, im }, t, t_inverse, .. } = Scheme::<S>::new();
         let (zero, found) = (S::int(0), product(&t_inverse, &product(&inverse_of_order_3(&radau_matrix()), &t)));
@@ -141,8 +141,9 @@ mod tests {
         is_taken_apart::<DoubleDouble>();
     }
 
-    /// C(3), B(5): Σⱼ aᵢⱼ cⱼᵏ⁻¹ = cᵢᵏ/k for k ≤ 3, and Σ bⱼ cⱼᵏ⁻¹ = 1/k for k ≤ 5, b the last row. They make the order
-    /// 5 (Hairer & Wanner II, theorem 5.1), and fail for k = 6. In 32 digits.
+    /// The simplifying assumptions C(3) and B(5): Σⱼ aᵢⱼ cⱼᵏ⁻¹ = cᵢᵏ/k for k ≤ 3, and Σ bⱼ cⱼᵏ⁻¹ = 1/k for k ≤ 5, where
+    /// b is the last row. They give the order 5 (Hairer & Wanner II, theorem 5.1), and fail for k = 6. Checked in 32
+    /// digits.
     #[test]
     fn the_simplifying_assumptions_hold_to_the_last_digit() {
         let (a, c) = (radau_matrix::<DoubleDouble>(), Scheme::<DoubleDouble>::new().c);
@@ -157,7 +158,8 @@ mod tests {
         assert!(off(&a[2], c[2], 6) > 1e-4);
     }
 
-    /// 3 + 3^(2/3) − 3^(1/3), 3 + (3^(1/3) − 3^(2/3))/2 and (3^(5/6) + 3^(7/6))/2, computed by others to 30 digits.
+    /// Truth: 3 + 3^(2/3) − 3^(1/3), 3 + (3^(1/3) − 3^(2/3))/2 and (3^(5/6) + 3^(7/6))/2, computed independently to 30
+    /// digits.
     #[test]
     fn eigenvalues_are_those_in_closed_form() {
         let Scheme { real, pair, .. } = Scheme::<DoubleDouble>::new();

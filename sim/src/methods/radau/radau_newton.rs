@@ -1,10 +1,8 @@
-//! Newton's method for the stages of a Radau step, with the same Jacobian for all three stages and for
-//! several steps.
+//! Newton's method for the stages of a Radau step, with the same Jacobian for all three stages and for several steps.
 //!
-//! Invariant: `factored` has the step size for which the matrices are factored; a new Jacobian
-//! invalidates the factors. The unknowns of the iteration are the transformed differences W = (T⁻¹ ⊗ I)
-//! Z, for which the 3n equations separate: (γ/h − J) ΔW₁ and ((α + iβ)/h − J) (ΔW₂ + i ΔW₃). Hairer &
-//! Wanner II, §IV.8.
+//! Invariant: `factored` is the step size for which the matrices are factored; a new Jacobian invalidates the factors.
+//! The unknowns of the iteration are the transformed differences W = (T⁻¹ ⊗ I) Z. For them the 3n equations separate,
+//! with the matrices γ/h − J for ΔW₁ and (α + iβ)/h − J for ΔW₂ + i ΔW₃. Hairer & Wanner II, §IV.8.
 
 use tripos_traits::Real;
 
@@ -15,16 +13,15 @@ use crate::linear::lu::Lu;
 use crate::right_hand_side::RightHandSide;
 use crate::stepper::{StepFailure, check_finite};
 
-/// Largest relative difference of two step sizes that use the same factors. Equal steps differ by the
+/// Largest relative difference of two step sizes that use the same factors. The sizes of equal steps differ by the
 /// rounding of t.
 const SAME_SIZE: f64 = 1e-9;
-/// Factor by which changes must shrink in each Newton iteration so that the Jacobian is kept for the
-/// next step.
+/// Ratio of successive Newton changes below which the Jacobian is kept for the next step.
 const FAST: f64 = 1e-3;
-/// Factor by which changes must shrink in each Newton iteration; otherwise the iteration is given up.
+/// Ratio of successive Newton changes above which the iteration is given up.
 const SLOW: f64 = 0.99;
 
-/// Age of the Jacobian: the point of the solution at which it was evaluated.
+/// Age of the Jacobian: unknown, evaluated at an earlier point, or at the current point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Age {
     /// No Jacobian is known.
@@ -37,9 +34,9 @@ enum Age {
 
 /// Accuracy to which Newton's method solves the equations of a step.
 pub(super) struct NewtonAccuracy {
-    /// Largest remaining error, over the weights, with which the equations count as solved.
+    /// Largest remaining error with which the equations count as solved, divided by the weights.
     pub(super) enough: f64,
-    /// Size, over the weights, below which a change that no longer shrinks counts as rounding.
+    /// Size below which a change that no longer shrinks counts as rounding, divided by the weights.
     pub(super) rounding: f64,
     /// Number of Newton iterations after which a step is given up.
     pub(super) iterations: u32,
@@ -59,14 +56,13 @@ pub(super) struct Newton<S> {
     pub(super) real: Lu<S>,
     /// LU factors of the complex matrix (α + iβ)/h − J of Newton's method, of order n, with the Jacobian J.
     complex: Lu<Complex<S>>,
-    /// Right-hand side of the real system; after the solution, the change of W₁.
+    /// Right-hand side of the real linear system; after its solution, the change of W₁.
     first: Vec<S>,
-    /// Right-hand side of the complex system; after the solution, the change of W₂ + i W₃.
+    /// Right-hand side of the complex linear system; after its solution, the change of W₂ + i W₃.
     pair: Vec<Complex<S>>,
     /// Weight of each component, by which its errors and changes are divided.
     pub(super) weights: Vec<f64>,
-    /// Ratio θ/(1 − θ) of the remaining error to the last change, with θ the factor by which changes
-    /// shrink.
+    /// Ratio θ/(1 − θ) of the remaining error to the last change. θ is the factor by which changes shrink.
     left: f64,
     /// Factor θ by which changes shrank in the last iteration; 0 if a single iteration was enough.
     rate: f64,
@@ -76,7 +72,7 @@ pub(super) struct Newton<S> {
     pub(super) jacobians: u64,
 }
 
-/// Vectors of the three stages, one stage after the other: 3 n entries each.
+/// Vectors of the three stages of a step. Each vector has 3n entries, one stage after the other.
 pub(super) struct StageVectors<'a, S> {
     /// Differences Z between the stages and the state at the start of the step.
     pub(super) z: &'a mut [S],
@@ -111,7 +107,7 @@ impl<S: Real> Newton<S> {
         }
     }
 
-    /// True if the Jacobian was evaluated at an earlier point, so that a new Jacobian might help.
+    /// True if the Jacobian was evaluated at an earlier point, so that a new Jacobian might help Newton's method.
     pub(super) fn is_old(&self) -> bool {
         self.age == Age::Old
     }
@@ -185,8 +181,8 @@ impl<S: Real> Newton<S> {
         Ok(())
     }
 
-    /// Solves Z = h (A ⊗ I) f(y + Z) for Z by Newton's method, from given first values, to the accuracy
-    /// `aim`. `stages` writes f at the stages. Error if the method does not converge or f has no value.
+    /// Solves Z = h (A ⊗ I) f(y + Z) for Z by Newton's method, from the given initial values, to the accuracy `aim`.
+    /// `stages` writes f at the stages. Error if the method does not converge or f has no value.
     pub(super) fn solve(
         &mut self,
         scheme: &Scheme<S>,
@@ -200,8 +196,8 @@ impl<S: Real> Newton<S> {
         if S::SLOPES == 0 {
             return Ok(());
         }
-        // Derivatives that the numbers carry have converged only as far as the values before the last
-        // iteration: they need another iteration.
+        // The derivatives that the numbers carry have converged only as far as the values had before the last
+        // iteration. They need another iteration.
         let known = w.to_vec();
         stages(z, f)?;
         self.newton_correction(scheme, h, w, f);
@@ -224,7 +220,7 @@ impl<S: Real> Newton<S> {
     ) -> Result<(), StepFailure> {
         let StageVectors { z, w, f } = vectors;
         transform_stages(&scheme.t_inverse, self.n, z, w);
-        // With the rate of convergence of earlier steps, the first change may already be small enough.
+        // At the rate of convergence of earlier steps, the first change may already be small enough.
         self.left = self.left.max(f64::EPSILON).powf(0.8);
         self.rate = 0.0;
         let (mut last, mut ratio) = (f64::INFINITY, 0.0_f64);
@@ -262,8 +258,8 @@ impl<S: Real> Newton<S> {
         if last <= aim.rounding { Ok(()) } else { Err(StepFailure::NotConverged { iterations: aim.iterations }) }
     }
 
-    /// Changes W by a Newton iteration, and returns the size of the change: the root of its mean square
-    /// over the weights.
+    /// Changes W by a Newton iteration, and returns the size of the change: the root of the mean square of the changes
+    /// divided by the weights.
     ///
     /// (h⁻¹ Λ ⊗ I − I ⊗ J) ΔW = (T⁻¹ ⊗ I) F − (h⁻¹ Λ ⊗ I) W
     fn newton_correction(&mut self, scheme: &Scheme<S>, h: S, w: &mut [S], f: &[S]) -> f64 {
