@@ -1,8 +1,8 @@
-//! Search for the coordinates that a publication uses: with other signs, zeros, order, or absolute
-//! angles for relative angles.
+//! Search for the coordinates that a publication uses. They may differ from the model's in signs, zeros and order, and
+//! be absolute angles instead of relative angles.
 //!
-//! The search compares numbers and proves nothing. The publication is afterwards read and judged in
-//! the coordinates found.
+//! The search compares numbers and proves nothing. The publication is afterwards read and judged in the coordinates
+//! found.
 
 mod coordinate_changes;
 
@@ -20,8 +20,7 @@ const STATES: usize = 3;
 /// Relative difference below which two numbers count as equal.
 const NEAR: f64 = 1e-9;
 
-/// Coordinates of a publication as pairs (name, formula in the model's coordinates), as its table
-/// `[coordinates]` states them.
+/// Coordinates of a publication as pairs (name, formula in the model's coordinates), as in its table `[coordinates]`.
 pub type CoordinateTable = Vec<(String, String)>;
 
 /// Result of a search for the coordinates of a publication.
@@ -33,9 +32,8 @@ pub struct CoordinateSearch {
     pub as_stated: usize,
     /// Number of formulas that are right in the best coordinates found.
     pub most: usize,
-    /// Best choices of coordinates, those with the fewest changes first. Choices that differ by a
-    /// symmetry of the model are listed once. Empty if the publication's stated coordinates are as
-    /// good.
+    /// Best choices of coordinates, with the fewest changes first. Of choices that differ only by a symmetry of the
+    /// model, one is listed. Empty if the coordinates that the publication states are as good.
     pub best: Vec<CoordinateTable>,
     /// Number of coordinate choices that were tried.
     pub tried: usize,
@@ -44,14 +42,14 @@ pub struct CoordinateSearch {
 /// Numerical test of a printed formula against a derived value, or of a printed equation against
 /// zero.
 enum FormulaTest {
-    /// Printed value and its derived value; if `up_to_constant`, the two may differ by a constant.
+    /// Printed value and its derived value. If `up_to_constant` is true, the two may differ by a constant.
     Value { printed: Tape, expected: ExpectedValue, up_to_constant: bool },
     /// Residual of a printed equation, left side − right side. The equation is right if the
     /// residual is zero.
     Zero(Tape),
 }
 
-/// Value that a printed formula must have: a variable of the publication, or a derived quantity.
+/// Value that a printed formula must have: the value of a publication's variable, or of a derived quantity.
 enum ExpectedValue {
     /// Variable of the publication itself; the number is its index among the inputs of the tapes.
     Variable(usize),
@@ -60,11 +58,11 @@ enum ExpectedValue {
     Derived(Tape),
 }
 
-/// Searches for the coordinates under which most formulas of a publication are right.
+/// Searches for the coordinates in which the most formulas of a publication are right.
 ///
 /// # Errors
-/// Reason why no search is possible: loop equations tie the coordinates together, no formula can be
-/// compared, or a speed is not the rate of one coordinate.
+/// Reason why no search is possible: loop equations tie the coordinates together, no formula can be compared, or a
+/// speed is not the rate of one coordinate.
 pub fn find_coordinates(
     model: &Model,
     derivations: &mut Derivations,
@@ -99,8 +97,7 @@ pub fn find_coordinates(
     Ok(CoordinateSearch { compared: checks.len(), as_stated, most, best, tried: changes.len() })
 }
 
-/// Numerical states of the model, and programs (tapes) that evaluate a publication's variables in
-/// them.
+/// Random states of the model, with programs (tapes) that evaluate the variables of a publication in these states.
 struct CoordinateSearchStates {
     /// Symbols that are the inputs of every tape: parameters; q, q' and q'' of each coordinate; u
     /// and u' of each speed.
@@ -110,7 +107,7 @@ struct CoordinateSearchStates {
     /// Number of generalized coordinates, whose q, q' and q'' follow the parameters among the
     /// inputs.
     coordinates: usize,
-    /// Values of the inputs, one list for each state, in the model's own variables.
+    /// Values of the inputs in the model's own variables, one list for each state.
     states: Vec<Vec<f64>>,
     /// Generalized speeds u and their derivatives u', in turn for each speed, from q, q' and q''.
     speeds: Tape,
@@ -119,8 +116,7 @@ struct CoordinateSearchStates {
 }
 
 impl CoordinateSearchStates {
-    /// Draws random parameters, coordinates and speeds; rates and accelerations follow from the
-    /// derived equations.
+    /// Draws random parameters, coordinates and speeds; computes rates and accelerations from the derived equations.
     ///
     /// # Errors
     /// Reason why a formula of the motion has no numerical value.
@@ -201,8 +197,7 @@ impl CoordinateSearchStates {
         own
     }
 
-    /// Number of checks that pass in all states if the publication's coordinates are those of
-    /// `change`.
+    /// Number of checks that pass in all states if the publication uses the coordinates of `change`.
     fn count_right_formulas(&self, checks: &[FormulaTest], change: &CoordinateChange) -> usize {
         let own: Vec<Vec<f64>> =
             self.states.iter().map(|state| self.state_in_changed_coordinates(state, change)).collect();
@@ -228,7 +223,7 @@ impl CoordinateSearchStates {
         checks.iter().filter(is_right).count()
     }
 
-    /// Changes from `found` that differ by more than a symmetry of the model; at most eight.
+    /// Changes of coordinates from `found` that differ by more than a symmetry of the model; at most eight.
     fn changes_distinct_by_symmetry<'c>(
         &self,
         all: &'c [CoordinateChange],
@@ -258,8 +253,8 @@ impl CoordinateSearchStates {
         })
     }
 
-    /// Numerical tests for all formulas of a publication that can be evaluated; entries near a
-    /// point are left out.
+    /// Numerical tests for all formulas of a publication that can be evaluated. Entries that hold only near a point are
+    /// left out.
     fn formula_tests(&self, quantities: &mut Quantities<'_>, publication: &Publication) -> Vec<FormulaTest> {
         let mut list = Vec::new();
         for entry in publication.entries.iter().filter(|entry| entry.near.is_none()) {
@@ -280,8 +275,8 @@ impl CoordinateSearchStates {
         list
     }
 
-    /// Derived value of a quantity; `None` for rows, matrices and partial velocities, which change
-    /// with the coordinates.
+    /// Value that a printed formula `printed` must have for a quantity of this kind. `None` for rows, matrices and
+    /// partial velocities, which change with the coordinates.
     fn expected_value(
         &self,
         quantities: &mut Quantities<'_>,
@@ -313,8 +308,8 @@ impl CoordinateSearchStates {
         self.input(variable).map(ExpectedValue::Variable)
     }
 
-    /// Residuals of the rows of a printed system, matrix · unknowns − right side. Rows with
-    /// reactions or multipliers are left out.
+    /// Residuals matrix · unknowns − right side of the rows of a printed system. Rows with reactions or multipliers are
+    /// left out.
     fn system_row_tests(&self, quantities: &mut Quantities<'_>, system: &System) -> Vec<FormulaTest> {
         let arena = &mut quantities.derivations.kinematics.arena;
         let mut list = Vec::new();
@@ -327,8 +322,8 @@ impl CoordinateSearchStates {
         list
     }
 
-    /// Residuals of a printed program (listing): derivative of a state − printed formula, or its
-    /// matrix rows if it has a matrix.
+    /// Residuals of a printed program (listing): derivative of a state − printed formula. If the program has a matrix,
+    /// the residuals of its matrix rows.
     fn listing_rate_tests(&self, quantities: &mut Quantities<'_>, listing: &Listing) -> Vec<FormulaTest> {
         let model = quantities.model;
         let rate = |symbol: Expr| {
@@ -359,8 +354,7 @@ impl CoordinateSearchStates {
     }
 }
 
-/// Indices of the coordinates that printed formulas mention, directly or through their rates or
-/// speeds.
+/// Indices of the coordinates that printed formulas mention, directly or through their rates or speeds.
 ///
 /// # Errors
 /// Message with the name of a mentioned speed that is not the rate of one coordinate.
@@ -379,8 +373,7 @@ fn mentioned_coordinates(model: &Model, arena: &Arena, printed: &[Expr]) -> Resu
     Ok(used.map(|(at, _)| at).collect())
 }
 
-/// Terms of all printed formulas, with the coordinates, speeds, unknowns and states to which they
-/// give values.
+/// Terms of all printed formulas, with the coordinates, speeds, unknowns and states to which the formulas give values.
 fn printed_terms_for_search(model: &Model, publication: &Publication) -> Vec<Expr> {
     let mut list = Vec::new();
     for entry in &publication.entries {

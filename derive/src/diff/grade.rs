@@ -1,5 +1,5 @@
-//! Marks for a submission, by its root mistakes: an entry that is wrong only because of an earlier
-//! mistake loses no points.
+//! Marks for a submission by its root mistakes: an entry that is wrong only because of an earlier mistake loses no
+//! points.
 
 use super::{Difference, Finding, Judgement, MistakeKind, RootMistake};
 use crate::diagnostic::{Diagnostics, Source, nearest_name_advice, shortened_for_message};
@@ -10,12 +10,12 @@ use toml::de::DeValue;
 /// Amount of detail in the feedback on a mistake.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum FeedbackLevel {
-    /// Tells the entry and the kind of its mistake.
+    /// Names the entry and the kind of its mistake.
     #[default]
     Hint,
-    /// Tells also the place within the entry, such as "the right-hand side".
+    /// Also names the place within the entry, such as "the right-hand side".
     Place,
-    /// Tells also the wrong term and the right term of the mistake.
+    /// Also shows the wrong term and the right term of the mistake.
     Term,
 }
 
@@ -33,7 +33,7 @@ impl FeedbackLevel {
 /// Rubric for marking: points of each entry, ids of required entries, and the feedback level.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rubric {
-    /// Points for an entry that the list `points` does not contain.
+    /// Points for an entry that is not in the list `points`.
     pub default: f64,
     /// Pairs of an entry's id and its points.
     pub points: Vec<(String, f64)>,
@@ -94,7 +94,7 @@ impl Rubric {
         Ok(rubric)
     }
 
-    /// Points for the entry with the id `id`: its own points if stated, else the default.
+    /// Points for the entry with the id `id`: its own points if the rubric gives any, else the default.
     #[must_use]
     pub fn points_of(&self, id: &str) -> f64 {
         self.points.iter().find(|(own, _)| own == id).map_or(self.default, |(_, points)| *points)
@@ -124,8 +124,7 @@ pub struct Grade {
     pub points: f64,
     /// Largest number of points that the submission could earn.
     pub of: f64,
-    /// Marks of the entries in the order of the submission, then of the required entries that it
-    /// lacks.
+    /// Marks of the entries in the order of the submission, followed by marks of required entries that it lacks.
     pub marks: Vec<Mark>,
 }
 
@@ -153,8 +152,7 @@ pub enum Outcome {
     /// The entry is wrong only because of a mistake in an earlier entry, whose id is given; full
     /// points.
     Follows(String),
-    /// No proof shows the entry right or wrong, for the given reason; full points, and a person
-    /// must look.
+    /// The entry is proved neither right nor wrong, for the given reason; full points, and a person must look at it.
     Undecided(String),
     /// The rubric requires the entry, and the submission lacks it; no points.
     Lacking,
@@ -173,12 +171,12 @@ pub struct Feedback {
 }
 
 impl Feedback {
-    /// Feedback on the mistake `root`, which `finding` shows.
+    /// Creates the feedback on the root mistake `root`, found in the entry of `finding`.
     fn new(finding: &Finding, root: &RootMistake) -> Self {
         Self { slip: finding.slip, places: finding.places.clone(), term: root.mistake.clone() }
     }
 
-    /// Text of the feedback with the detail that `level` allows.
+    /// Text of the feedback, with as much detail as `level` allows.
     #[must_use]
     pub fn words(&self, level: FeedbackLevel) -> String {
         if level == FeedbackLevel::Term {
@@ -216,8 +214,7 @@ pub fn grade(difference: &Difference, rubric: &Rubric) -> Grade {
     Grade { points: sum(|mark| mark.points), of: sum(|mark| mark.of), marks }
 }
 
-/// Outcome of the wrong finding with the index `at`: a mistake of its own, or a consequence of an
-/// earlier mistake.
+/// Outcome of the wrong entry with the index `at`: a mistake of its own, or a consequence of an earlier mistake.
 fn grade_wrong_entry(difference: &Difference, at: usize) -> Outcome {
     for root in &difference.roots {
         if root.finding == at {

@@ -1,8 +1,9 @@
-//! Comparison of a published derivation with the derived one, entry by entry, and the effect of its errors on the
+//! Comparison of a published derivation with the derived equations, entry by entry, and the effect of its errors on the
 //! motion.
 //!
-//! Every entry is judged on its own: symbols of the text stand for derived values, so an error counts once, where it is
-//! made. Nothing is repaired or guessed. The only free quantity is the factor of each row of a linear system.
+//! Every entry is judged on its own: symbols of the publication stand for derived values, so that an error counts once,
+//! in the entry where it is made. Nothing is repaired or guessed. The only free quantity is the factor of each row of a
+//! linear system.
 
 mod coordinate_search;
 mod edits;
@@ -45,11 +46,10 @@ use printed::motion_system::MotionSystem;
 /// Result of the comparison of a publication with the derived equations.
 #[derive(Clone, Debug)]
 pub struct Difference {
-    /// Verdicts on all printed entries, in the order of the publication file; rows and entries of a
-    /// system follow one another.
+    /// Findings on all printed entries, in the order of the publication file. Rows and entries of a system are listed
+    /// one after another.
     pub findings: Vec<Finding>,
-    /// Root mistakes behind the findings judged "different". Each such finding belongs to exactly
-    /// one root.
+    /// Root mistakes that cause the findings judged "different". Each such finding belongs to exactly one root mistake.
     pub roots: Vec<RootMistake>,
     /// Consequences of each printed system's errors for the motion.
     pub consequences: Vec<Consequences>,
@@ -64,8 +64,8 @@ impl Difference {
         self.findings.iter().filter(|f| f.judgement.word() == word).count()
     }
 
-    /// Formulas in verdicts and consequences that documents show; remarks are text, and their
-    /// formulas are not included.
+    /// Formulas in findings and consequences that documents show. Formulas in remarks are not included, since remarks
+    /// are text.
     #[must_use]
     pub fn shown_formulas(&self) -> Vec<Expr> {
         let findings = self.findings.iter().flat_map(Finding::shown_formulas);
@@ -79,7 +79,7 @@ impl Difference {
         define_names_in_part(&mut derivations.kinematics.arena, "diff", &self.shown_formulas());
     }
 
-    /// True if every finding is right or only stated: none is "different" and none is "undecided".
+    /// True if every finding is right or only stated, so that none is "different" or "undecided".
     #[must_use]
     pub fn is_clean(&self) -> bool {
         self.count("different") == 0 && self.count("undecided") == 0
@@ -107,7 +107,7 @@ pub fn judge_publication(
     let Kinematics { arena, simplifier, .. } = &mut tools.quantities.derivations.kinematics;
     let mut terms = TermTools { arena, simplifier, comparer: &mut tools.comparer };
     if book.accept_suspected_corrections() | multipliers.choose_multiplier_matrix(&mut terms, model) {
-        // Mistakes in abbreviations, and the author's multipliers, are known now for all entries.
+        // All mistakes in abbreviations, and the author's multipliers, are known now.
         found = judge_entries(model, publication, &mut tools, &mut book, &mut multipliers);
     }
     let JudgementTools { mut quantities, mut comparer, .. } = tools;
@@ -132,9 +132,8 @@ struct JudgementTools<'a> {
     numbers: Vec<(Expr, Expr)>,
 }
 
-/// Judges the entries of a publication in turn.
-/// Returns their findings, their claims (statements as data, for tracing mistakes), matched systems
-/// and motions.
+/// Judges the entries of a publication one after another. Returns their findings, their claims (statements as data, for
+/// tracing mistakes), matched systems and motions.
 fn judge_entries(
     model: &Model,
     publication: &Publication,
@@ -152,7 +151,8 @@ fn judge_entries(
         let earlier = found.tables.as_slice();
         let near = entry.near.as_ref().map(|near| PointExpansion::new(quantities, near));
         let words = near.as_ref().map(|near| near.words.clone());
-        // A formula that is printed up to an order near a point is compared as printed, not in permitted states.
+        // A formula that is printed up to an order near a point is compared in all states, not only in permitted
+        // states.
         let comparer = if near.is_some() { &mut anywhere } else { &mut *comparer };
         let mut judge = formulas::entry_judge::EntryJudge {
             quantities: &mut *quantities,
@@ -183,7 +183,7 @@ fn judge_entries(
         for finding in found.findings[first..].iter_mut().filter(|finding| finding.wrong.is_some()) {
             finding.remarks.extend(other_meanings.iter().cloned());
         }
-        // The first row of a system or listing carries the remarks about the whole.
+        // The first row of a system or listing also carries the remarks about the whole system.
         if let Some(finding) = found.findings.get_mut(first) {
             finding.remarks.extend(words);
             finding.remarks.extend(entry.repaired.iter().map(|text| format!("scan: {text}")));
@@ -193,8 +193,8 @@ fn judge_entries(
     found
 }
 
-/// Remarks for names to which the publication gives a meaning different from the model's. Verdicts
-/// use the model's variables.
+/// Remarks on names to which the publication gives another meaning than the model. Verdicts use the meaning of the
+/// model.
 fn other_meanings(quantities: &Quantities<'_>, publication: &Publication) -> Vec<String> {
     let arena = &quantities.derivations.kinematics.arena;
     let remark = |(name, value): &(String, Expr)| {
@@ -203,8 +203,8 @@ fn other_meanings(quantities: &Quantities<'_>, publication: &Publication) -> Vec
     publication.redefined.iter().map(remark).collect()
 }
 
-/// Pairs of a parameter and its number: the publication's number if stated, else the model's.
-/// Inputs without a number get 0.
+/// Pairs of a parameter and its number: the number of the publication if stated, else that of the model. Inputs without
+/// a number get 0.
 fn parameter_numbers(model: &Model, quantities: &mut Quantities<'_>, publication: &Publication) -> Vec<(Expr, Expr)> {
     let arena = &mut quantities.derivations.kinematics.arena;
     let stated = publication.entries.iter().filter_map(|entry| match &entry.kind {
@@ -250,9 +250,8 @@ impl JudgedEntries {
     }
 }
 
-/// Printed systems and programs (listings) of a publication as equations of motion.
-/// Entries that hold only near a point are left out, and so are programs that do not give a
-/// complete motion.
+/// Printed systems and programs (listings) of a publication as equations of motion. Entries that hold only near a
+/// point, and programs without a complete motion, are left out.
 pub fn printed_motions(model: &Model, derivations: &mut Derivations, publication: &Publication) -> Vec<MotionSystem> {
     let mut quantities = Quantities::new(model, derivations);
     let names = QuantityNames::new(publication, &mut quantities);

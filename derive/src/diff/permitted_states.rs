@@ -1,9 +1,10 @@
-//! Permitted states, in which printed and derived values are compared: on the constraints of a model and in its domain.
+//! Permitted states, in which printed and derived values are compared: states on the constraints of a model and in its
+//! domain.
 //!
-//! Rates are those that the speeds permit, q̇ = W u + w. Each equation between coordinates is solved for one symbol:
-//! for a coordinate in which it is linear, else for a parameter, such as a length of a loop, else for the root of a
-//! quadratic equation. A statement proved for the other symbols then holds in every state on the constraints, except
-//! where a divisor is 0.
+//! Rates are those that the speeds permit, q̇ = W u + w. Each equation between coordinates is solved for one symbol.
+//! The first choice is a coordinate in which the equation is linear. The next is a parameter, such as a length of a
+//! loop; the last is the root of a quadratic equation. A statement that is proved for the remaining symbols then holds
+//! in every state on the constraints, except where a divisor is 0.
 
 use crate::algebra::form::normal_form::Normalizer;
 use crate::algebra::form::simplify::Simplifier;
@@ -18,7 +19,7 @@ use crate::algebra::{Arena, Expr, Function, Node, Rational};
 use crate::mechanics::{Kinematics, Quantities};
 use crate::model::{Model, MotionConstraintKind, TIME};
 
-/// Largest number of multiplications of terms spent on the numerator of one loop equation.
+/// Largest number of multiplications of terms for the numerator of one loop equation.
 const BUDGET: u64 = 100_000;
 
 /// Permitted states of a model: values for the symbols that its constraints determine, and the
@@ -49,8 +50,8 @@ pub fn permitted_states(quantities: &mut Quantities<'_>) -> PermittedStates {
     if is_told { permitted } else { permitted.hide_free_symbols() }
 }
 
-/// Solves the loop equations of a model. Returns pairs (symbol, value).
-/// The second part is the reason if an equation gives no symbol in closed form, else `None`.
+/// Solves the loop equations of a model. Returns pairs (symbol, value). The second part is the reason if an equation
+/// cannot be solved for a symbol in closed form, else `None`.
 fn permitted_values_from_loops(quantities: &mut Quantities<'_>) -> (Vec<(Expr, Expr)>, Option<String>) {
     let model = quantities.model;
     let Kinematics { arena, simplifier, .. } = &mut quantities.derivations.kinematics;
@@ -97,7 +98,7 @@ fn sums_fixed_by_constraints(model: &Model, arena: &mut Arena) -> Vec<(Expr, Exp
         let constant = arena.number(constant);
         let fixed: Vec<_> = fixed.into_iter().chain([(constant, Rational::ONE)]).collect();
         let (sum, rest) = (arena.linear_combination(&moving), arena.linear_combination(&fixed));
-        // sum + rest = 0. In terms, sums occur without a factor that is a number.
+        // The equation is sum + rest = 0. Sums in terms have no numerical factor.
         let (content, sum) = arena.split_content(sum);
         let Some(inverse) = content.reciprocal() else { continue };
         list.push((sum, arena.scale(rest, &inverse.neg())));
@@ -115,11 +116,9 @@ fn numerator(arena: &mut Arena, e: Expr) -> Expr {
     }
 }
 
-/// Solves a loop equation for one symbol. Returns the symbol and its value, or `None` if no symbol
-/// can be solved for.
-/// The value must contain a coordinate, because a symbol that occurs in only one factor of a
-/// product is not determined. Linear symbols are preferred, then positive parameters that occur as
-/// a pure square.
+/// Solves a loop equation for one symbol. Returns the symbol and its value, or `None` if no symbol can be solved for.
+/// The value must contain a coordinate, because a symbol that occurs in only one factor of a product is not determined.
+/// A symbol in which the equation is linear is preferred, then a positive parameter that occurs as a pure square.
 fn permitted_value_of_symbol(
     model: &Model,
     arena: &mut Arena,
@@ -138,8 +137,8 @@ fn permitted_value_of_symbol(
             continue;
         }
         let Some(quadratic) = QuadraticEquation::new(arena, equation, symbol) else { continue };
-        // The best symbol is linear; next is a positive parameter that enters as a pure square, because its root is
-        // unique.
+        // The best symbol is one in which the equation is linear. Next is a positive parameter that occurs as a pure
+        // square, because its root is unique.
         let rank = match (quadratic.is_linear(), positive && quadratic.b == Expr::ZERO) {
             (true, _) => 0,
             (false, true) => 1,
@@ -157,8 +156,8 @@ fn permitted_value_of_symbol(
     found.map(|(_, symbol, value)| (symbol, value))
 }
 
-/// Solves a sin q + b cos q + c = 0 for a coordinate q. Returns the values of sin q, cos q and q.
-/// Returns `None` if no coordinate occurs in this form.
+/// Solves an equation a sin q + b cos q + c = 0 for a coordinate q. Returns pairs of sin q, cos q and q with their
+/// values. Returns `None` if no coordinate occurs in this form.
 fn permitted_values_of_angle(model: &Model, arena: &mut Arena, equation: Expr) -> Option<Vec<(Expr, Expr)>> {
     model.coordinates.iter().filter(|c| c.name != TIME).find_map(|q| {
         let (sine, cosine) = (arena.sin(q.symbol), arena.cos(q.symbol));

@@ -1,4 +1,4 @@
-//! Changes of coordinates that the search tries: orders, signs, zeros, and absolute angles for
+//! Changes of coordinates that the search tries: another order, other signs and zeros, and absolute angles instead of
 //! relative angles.
 
 use super::CoordinateTable;
@@ -17,7 +17,7 @@ const FEW: usize = 3;
 /// plus quarter turns.
 #[derive(Clone)]
 pub(super) struct CoordinateChange {
-    /// Factors −1, 0 or 1, n × n: row i gives the publication's coordinate i in the model's
+    /// Matrix of factors −1, 0 or 1, n × n. Row i gives coordinate i of the publication as a sum of the model's
     /// coordinates.
     pub(super) rows: Vec<Vec<i8>>,
     /// Constant added to each coordinate, in quarter turns of π/2 rad.
@@ -27,7 +27,7 @@ pub(super) struct CoordinateChange {
 }
 
 impl CoordinateChange {
-    /// Composition of two changes: `other` first, then `self`.
+    /// Composition of two changes, in which `other` is applied first.
     pub(super) fn composed_after(&self, other: &Self) -> Self {
         let n = self.rows.len();
         let product = |i: usize, of: &dyn Fn(usize) -> i8| (0..n).map(|k| self.rows[i][k] * of(k)).sum::<i8>();
@@ -45,8 +45,7 @@ impl PartialEq for CoordinateChange {
     }
 }
 
-/// Changes of the coordinates with the indices `moving`, those with the fewest differences first.
-/// The first is the identity.
+/// Changes of the coordinates with the indices `moving`, with the fewest differences first. The first is the identity.
 pub(super) fn coordinate_changes(model: &Model, moving: &[usize]) -> Vec<CoordinateChange> {
     let n = model.coordinates.len();
     let is_angle = |at: usize| model.coordinates[at].unit.is_plain();
@@ -88,13 +87,13 @@ pub(super) fn coordinate_changes(model: &Model, moving: &[usize]) -> Vec<Coordin
     list
 }
 
-/// Identity matrix, n × n, of small integers: the change of coordinates that changes nothing.
+/// Identity matrix of small integers, n × n.
 pub(super) fn identity(n: usize) -> Vec<Vec<i8>> {
     (0..n).map(|i| (0..n).map(|j| i8::from(i == j)).collect()).collect()
 }
 
-/// Permutations of the indices `moving` among coordinates of equal unit: all for up to three, else
-/// single exchanges.
+/// Permutations of the indices `moving` among coordinates of equal unit. All permutations for up to three coordinates,
+/// else only exchanges of two.
 fn coordinate_permutations(model: &Model, moving: &[usize]) -> Vec<Vec<usize>> {
     let fits = |order: &Vec<usize>| {
         order.iter().zip(moving).all(|(a, b)| model.coordinates[*a].unit == model.coordinates[*b].unit)
@@ -118,9 +117,8 @@ fn coordinate_permutations(model: &Model, moving: &[usize]) -> Vec<Vec<usize>> {
     list
 }
 
-/// Choices of (sign, quarter turns) for each coordinate of `moving`; lengths get signs only.
-/// Up to three coordinates: all combinations. More: at most two changed, or all angles changed
-/// alike.
+/// Choices of (sign, quarter turns) for each coordinate of `moving`; lengths get only a sign. For up to three
+/// coordinates, all combinations. For more coordinates, at most two are changed, or all angles are changed alike.
 fn sign_and_zero_choices(moving: &[usize], is_angle: &dyn Fn(usize) -> bool) -> Vec<Vec<(i8, i8)>> {
     let all = [(1, 0), (-1, 0), (1, 1), (1, -1), (1, 2), (-1, 1), (-1, -1), (-1, 2)];
     let options = |at: usize| if is_angle(at) { &all[..] } else { &all[..2] };
@@ -160,8 +158,8 @@ fn sign_and_zero_choices(moving: &[usize], is_angle: &dyn Fn(usize) -> bool) -> 
     list
 }
 
-/// Table `[coordinates]` for a change: model coordinates and speeds that change, then the
-/// publication's own coordinates.
+/// Table `[coordinates]` for a change of coordinates: first the coordinates and speeds of the model that change, then
+/// the publication's own coordinates.
 ///
 /// # Errors
 /// Message if a changed speed of the model is not the rate of one coordinate.

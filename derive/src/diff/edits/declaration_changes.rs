@@ -55,13 +55,13 @@ impl Section {
 /// Property of a declaration that can differ between two models.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DeclaredProperty {
-    /// Default value of a parameter differs.
+    /// The default value of a parameter differs.
     Default,
-    /// Unit of a parameter or generalized coordinate differs.
+    /// The unit of a parameter or generalized coordinate differs.
     Unit,
-    /// Statement that a parameter is positive is in only one model.
+    /// Only one model declares the parameter as positive.
     Positive,
-    /// Definition of an element: its place, the points where it acts, its components, or its condition.
+    /// The definition of an element differs: its place, the points where it acts, its components, or its condition.
     Definition,
 }
 
@@ -89,9 +89,9 @@ pub enum Edit {
     Changed {
         /// Property of the declaration that differs between the models.
         property: DeclaredProperty,
-        /// Text of the property in the old model, for people.
+        /// Text of the property in the old model, for messages.
         old: String,
-        /// Text of the property in the new model, for people.
+        /// Text of the property in the new model, for messages.
         new: String,
     },
 }
@@ -107,25 +107,23 @@ pub struct Declaration {
     pub edit: Edit,
 }
 
-/// Element that a model declares: properties compared as text, terms compared by algebra, and a
-/// text for people.
+/// Element that a model declares: properties compared as text, terms compared by algebra, and a text for messages.
 struct DeclaredElement {
     /// Section of the model file that declares the element.
     section: Section,
     name: String,
     /// Properties of the element that are compared as text, each with its text.
     properties: Vec<(DeclaredProperty, String)>,
-    /// Frames, points and bodies that the element refers to, as text: parents, axes, points where
-    /// it acts.
+    /// Frames, points and bodies that the element refers to, as text: parents, axes, and points where the element acts.
     place: String,
     /// Formulas of the element, such as components, compared by algebra.
     terms: Vec<Expr>,
-    /// Definition as written in the model file; `None` unless it is one formula.
+    /// Definition as written in the model file; `None` unless it is a single formula.
     written: Option<String>,
 }
 
 impl DeclaredElement {
-    /// Element without properties and without a written definition.
+    /// Creates an element without properties and without a written definition.
     fn new(section: Section, name: &str, place: String, terms: Vec<Expr>) -> Self {
         Self { section, name: name.to_owned(), properties: Vec::new(), place, terms, written: None }
     }
@@ -135,7 +133,7 @@ impl DeclaredElement {
         Self { properties, ..self }
     }
 
-    /// Definition of the element as one line of text for people.
+    /// Definition of the element as a line of text for messages.
     fn definition(&self, arena: &Arena) -> String {
         if let Some(written) = &self.written {
             return written.clone();
@@ -149,10 +147,8 @@ impl DeclaredElement {
     }
 }
 
-/// Lists every declaration that differs between two models; the terms of the new model are in
-/// `arena`.
-/// Declarations of the new model come first, in the order of its file, then those that only the old
-/// model has.
+/// Lists every declaration that differs between two models. The terms of the new model are in `arena`. Declarations of
+/// the new model come first, in the order of its file, then declarations that only the old model has.
 pub fn changed_declarations(
     old: &Model,
     old_arena: &Arena,
@@ -325,7 +321,7 @@ fn declared_conditions(model: &Model) -> Vec<DeclaredElement> {
             vec![c.value],
         )
     });
-    // The equation of a loop states more than its rate: the value at which the loop is closed.
+    // The equation of a loop says more than its rate: it also gives the value at which the loop is closed.
     let loops = model
         .loops
         .iter()

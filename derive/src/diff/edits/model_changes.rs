@@ -15,10 +15,9 @@ use crate::mechanics::{Derivations, Formulation};
 pub struct EntryChange {
     /// Name of the entry, such as `kane M[u1, u2']`, `T` or `u1`.
     pub name: String,
-    /// Value in the old model, as a term in the new model's arena; `None` if the old model lacks
-    /// the entry.
+    /// Value in the old model, as a term in the new model's arena; `None` if the entry is missing in the old model.
     pub old: Option<Expr>,
-    /// Value in the new model; `None` if the new model lacks the entry.
+    /// Value in the new model; `None` if the entry is missing in the new model.
     pub new: Option<Expr>,
     /// Difference new − old, simplified; `None` if the entry is missing in a model.
     pub difference: Option<Expr>,
@@ -31,10 +30,10 @@ pub struct EntryChange {
 pub struct ModelDifference {
     /// Entries that differ, in the order of the equations.
     pub changes: Vec<EntryChange>,
-    /// Number of entries that were compared, including those of only one model.
+    /// Number of compared entries; entries that only one of the models has count, too.
     pub compared: usize,
-    /// Formulations that only the old model has, with the reason why the new model lacks them;
-    /// their entries are not compared.
+    /// Formulations that only the old model has, with the reason why the new model lacks them. Their entries are not
+    /// compared.
     pub formulations_lost: Vec<(Formulation, String)>,
     /// Formulations that only the new model has; their entries are not compared.
     pub formulations_gained: Vec<Formulation>,
@@ -42,23 +41,22 @@ pub struct ModelDifference {
     pub integrals_lost: Vec<String>,
     /// Names of first integrals that only the new model has.
     pub integrals_gained: Vec<String>,
-    /// Old variables as formulas in the new variables, if a proof shows the motion unchanged; else
-    /// empty.
+    /// Old variables as formulas in the new variables, if a proof shows that the motion is unchanged; else empty.
     pub variables: Vec<VariableChange>,
     /// Declarations that differ: defaults, units, the domain, elements of the mechanism.
     pub declarations: Vec<Declaration>,
 }
 
 impl ModelDifference {
-    /// Formulas of the changed entries that documents show: old, new and difference.
+    /// Formulas of the changed entries for documents: old value, new value and difference.
     #[must_use]
     pub fn shown(&self) -> Vec<Expr> {
         self.changes.iter().flat_map(|change| [change.old, change.new, change.difference]).flatten().collect()
     }
 
-    /// Gives written names to the named terms of the comparison, for use in documents.
-    /// Terms of the new model get the names that all documents about it use. Terms that only the
-    /// old model or a difference has get their own names. `derivations` belong to the new model.
+    /// Gives written names to the named terms of the comparison, for use in documents. `derivations` belong to the new
+    /// model. Terms of the new model get the names that all documents about it use. Terms that only the old model or a
+    /// difference has get their own names.
     pub fn write_names(&self, derivations: &mut Derivations) {
         derivations.write_names();
         define_names_in_part(&mut derivations.kinematics.arena, "diff", &self.shown());
@@ -110,7 +108,7 @@ pub fn diff_models(old: &mut DerivedModel<'_>, new: &mut DerivedModel<'_>) -> Mo
     }
 }
 
-/// Differences between entries of equal names, and non-zero entries that only one model has.
+/// Differences between entries of equal names. Entries of only one model are differences, too, unless they are zero.
 fn entry_changes(
     old: &Derivations,
     before: &[(String, Expr)],
@@ -126,7 +124,7 @@ fn entry_changes(
     for (name, new) in after {
         let arena = &mut kinematics.arena;
         let Some(old) = find(before, name) else {
-            // A zero entry in a new place changes nothing.
+            // A new entry that is zero changes nothing.
             if *new != Expr::ZERO {
                 list.push(alone(name, None, Some(*new)));
             }

@@ -31,8 +31,7 @@ pub fn diff_scenes(old: &Source, new: &Source) -> Result<Vec<SettingChange>, Dia
     Ok(settings.filter(|setting| setting.old != setting.new).collect())
 }
 
-/// Keys of a TOML file with their values as text; tables are flattened to paths, and titles and
-/// remarks left out.
+/// Keys of a TOML file with their values as text. Tables are flattened to paths, and titles and remarks are left out.
 ///
 /// # Errors
 /// `Diagnostics` if the file is not TOML.
@@ -57,7 +56,7 @@ fn scene_settings(source: &Source) -> Result<Vec<(String, String)>, Diagnostics>
     Ok(list)
 }
 
-/// Text of a number as people write it: 1 for 1.0, and 1e-9 for 0.000000001.
+/// Text of a number as a user would write it: 1 for 1.0, and 1e-9 for 0.000000001.
 fn scene_number_text(x: f64) -> String {
     if x.fract() == 0.0 && x.abs() < 1e15 { format!("{x}") } else { format!("{x:?}") }
 }

@@ -1,10 +1,10 @@
-//! Search for a change of variables between two models of one mechanism: renamed parameters and
-//! coordinates, other signs and zeros of coordinates, other speeds.
+//! Search for a change of variables between two models of one mechanism: renamed parameters and coordinates, other
+//! signs and zeros of coordinates, other speeds.
 //!
-//! Numbers choose the change, and algebra proves it. The old variables are formulas in the new
-//! variables. Then the old T must equal the new T, and the old V the new V up to a constant. The
-//! old constraints must hold, and the accelerations of the new model must satisfy every old row of
-//! Kane's equations. Models with loops are left out: equations tie their coordinates together.
+//! The change is chosen by numbers and proved by algebra. The old variables are formulas in the new variables. With
+//! them, the old T must equal the new T, and the old V must equal the new V up to a constant. The old constraints must
+//! hold, and the accelerations of the new model must satisfy every old row of Kane's equations. Models with loops are
+//! left out, because equations tie their coordinates together.
 
 use super::derived_model::DerivedModel;
 use crate::algebra::meaning::compare::Comparer;
@@ -17,9 +17,9 @@ use crate::algebra::{Arena, Expr, Rational};
 use crate::mechanics::{Formulation, Quantities, rates_to_speeds};
 use crate::model::{Model, TIME, Unit};
 
-/// Largest number of changes of variables that are compared in numbers.
+/// Largest number of changes of variables that are tested with numbers.
 const MOST: usize = 20_000;
-/// Largest number of changes for which a proof is tried, after numbers did not reject them.
+/// Largest number of changes of variables for which a proof is tried, after the numerical test has passed.
 const MOST_PROOFS: usize = 4;
 /// Largest number of permutations in which renamed parameters or coordinates of one unit are
 /// matched.
@@ -31,7 +31,7 @@ const NEAR: f64 = 1e-9;
 /// Constants, in quarter turns of π/2 rad, by which the zero of an angle may be moved.
 const QUARTERS: [i8; 4] = [0, 1, 2, -1];
 
-/// Kind of an old variable that the new model expresses differently.
+/// Kind of an old variable that is expressed differently in the new model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum VariableKind {
     /// Parameter of the model.
@@ -65,19 +65,18 @@ pub struct VariableChange {
     pub new: String,
 }
 
-/// Coordinate of the old model as ± a coordinate of the new model, plus quarter turns.
+/// Image of an old coordinate: plus or minus a coordinate of the new model, plus quarter turns.
 #[derive(Clone, Copy, PartialEq, Eq)]
 struct VariableImage {
     /// Index of the coordinate in the new model that corresponds to the old one.
     to: usize,
-    /// True if the new coordinate has the sign −; false for +.
+    /// True if the new coordinate has the factor −1; false for +1.
     is_turned: bool,
     /// Constant added to the coordinate, in quarter turns of π/2 rad.
     quarters: i8,
 }
 
-/// Proposed change of variables: the new parameter for each old parameter, and the image of each
-/// old coordinate.
+/// Proposed change of variables: a new parameter for each old parameter, and an image for each old coordinate.
 #[derive(Clone)]
 struct VariableChoice {
     /// Index of the new parameter for each old parameter.
@@ -86,9 +85,8 @@ struct VariableChoice {
     images: Vec<VariableImage>,
 }
 
-/// Old variables as formulas in the new ones, if a proof shows that the motion is the same.
-/// Returns `None` if no such change of variables is found, or if every variable keeps its name and
-/// meaning.
+/// Old variables as formulas in the new variables, if a proof shows that the motion is the same. Returns `None` if no
+/// such change of variables is found, or if every variable keeps its name and meaning.
 pub fn find_variable_changes(old: &mut DerivedModel<'_>, new: &mut DerivedModel<'_>) -> Option<Vec<VariableChange>> {
     let (before, after) = (old.model, new.model);
     let counts = |m: &Model| (m.parameters.len(), m.coordinates.len(), m.speeds.len(), m.motion_constraints.len());
@@ -112,8 +110,7 @@ pub fn find_variable_changes(old: &mut DerivedModel<'_>, new: &mut DerivedModel<
     None
 }
 
-/// Changes of variables to try, those with the fewest changed signs and zeros first; at most 20
-/// 000.
+/// Changes of variables to try, with the fewest changed signs and zeros first; at most 20 000.
 fn variable_choices(old: &Model, new: &Model) -> Vec<VariableChoice> {
     let parameters = |m: &Model| m.parameters.iter().map(|p| (p.name.clone(), p.unit.clone())).collect::<Vec<_>>();
     let coordinates = |m: &Model| m.coordinates.iter().map(|c| (c.name.clone(), c.unit.clone())).collect::<Vec<_>>();
@@ -136,9 +133,8 @@ fn variable_choices(old: &Model, new: &Model) -> Vec<VariableChoice> {
     list
 }
 
-/// Matches of old with new names. Equal names match each other; other names are matched in every
-/// order with equal units.
-/// Each match lists the index of the new name for each old name.
+/// Matches of old names with new names. Equal names match each other. Other names are matched in every order in which
+/// the units are equal. Each match lists the index of the new name for each old name.
 fn name_matches(old: &[(String, Unit)], new: &[(String, Unit)]) -> Vec<Vec<usize>> {
     let mut list: Vec<Vec<usize>> = vec![Vec::new()];
     for (name, unit) in old {
@@ -153,8 +149,8 @@ fn name_matches(old: &[(String, Unit)], new: &[(String, Unit)]) -> Vec<Vec<usize
     list
 }
 
-/// Images of the coordinates matched in `order`, of which exactly `size` have another sign or zero;
-/// at most `most` lists.
+/// Images of the coordinates that are matched in `order`. Exactly `size` coordinates of each list have another sign or
+/// zero; at most `most` lists.
 fn variable_images(
     order: &[usize],
     size: usize,
@@ -182,13 +178,12 @@ fn variable_images(
     list.into_iter().map(|(images, _)| images).collect()
 }
 
-/// Energies of both models in numbers, at random states of the new model.
+/// Energies T and V of both models in numbers, at random states of the new model.
 struct ModelEnergies {
-    /// Program for T and V of the old model, in J; its inputs are the old parameters, coordinates
-    /// and rates.
+    /// Program for T and V of the old model, in J. Its inputs are the old parameters, coordinates and rates.
     old: Tape,
-    /// Random values of the new model's parameters, equal in all states, so that V may differ by a
-    /// constant.
+    /// Random values of the new model's parameters. They are equal in all states, because V may differ by a constant
+    /// that depends on them.
     parameters: Vec<f64>,
     /// Random states of the new model at which the energies are compared.
     states: Vec<EnergyState>,
@@ -223,7 +218,7 @@ impl ModelEnergies {
         };
         let (before, after) = (of(old)?, of(new)?);
         let model = new.model;
-        // Rates are those of permitted motions.
+        // The random rates satisfy the constraints of the new model.
         let inputs = [model.p(), model.q(), model.u()].concat();
         let rates = Tape::new(&new.derivations.kinematics.arena, &inputs, &model.kinematic_equations.rates).ok()?;
         let mut generator = Generator(1);
@@ -247,7 +242,7 @@ impl ModelEnergies {
         None
     }
 
-    /// True if, after the change of variables, T is equal in all states, and V is equal up to a
+    /// True if, after the change of variables, T of both models is equal in all states, and V is equal up to a
     /// constant.
     fn agree(&self, choice: &VariableChoice) -> bool {
         let mut zero: Option<f64> = None;
@@ -274,7 +269,7 @@ fn random_variable_value(generator: &mut Generator) -> f64 {
     if generator.next().is_multiple_of(2) { size } else { -size }
 }
 
-/// Old variables that change, if algebra proves the proposed change of variables; `None` without a
+/// Old variables that change under a proposed change of variables, if algebra proves the change; `None` without a
 /// proof.
 fn prove_variable_change(
     old: &mut DerivedModel<'_>,
@@ -305,7 +300,7 @@ fn prove_variable_change(
             return None;
         }
     }
-    // Constraints are stated in q and q̇, or in q and u.
+    // Constraints are formulas in q and q̇, or in q and u.
     for constraint in &before.motion_constraints {
         let equation = put.term(&mut quantities, from, constraint.equation);
         if !is_zero(&mut quantities, equation) {
@@ -382,7 +377,7 @@ impl OldVariables {
         Self { values: Substitution::new(&values), parameters, coordinates, speeds }
     }
 
-    /// Term `e` of the old model, in the arena `from`, rewritten in the variables of the new model.
+    /// Rewrites a term `e` of the old model, in the arena `from`, in the variables of the new model.
     fn term(&mut self, quantities: &mut Quantities<'_>, from: &Arena, e: Expr) -> Expr {
         let arena = &mut quantities.derivations.kinematics.arena;
         let e = Transfer::to_other_model(from, "_old").transfer_term(arena, e);
@@ -390,7 +385,7 @@ impl OldVariables {
         quantities.in_speeds(e)
     }
 
-    /// List of the old variables that differ from the new variable with the same name.
+    /// Lists the old variables that differ from the new variable of the same name.
     fn changed_variable_list(self, quantities: &mut Quantities<'_>) -> Vec<VariableChange> {
         let mut list = Vec::new();
         let mut add = |quantities: &mut Quantities<'_>, kind, old: &str, value: Expr| {
@@ -415,7 +410,7 @@ impl OldVariables {
 }
 
 impl VariableImage {
-    /// Value of the old coordinate as a formula in `symbol`, the new coordinate.
+    /// Formula for the old coordinate, where `symbol` is the new coordinate.
     fn of(self, arena: &mut Arena, symbol: Expr) -> Expr {
         let turned = if self.is_turned { arena.neg(symbol) } else { symbol };
         let pi = arena.pi();

@@ -1,20 +1,21 @@
-//! Claims of printed entries, as data for tracing wrong entries to one another.
+//! Claims of printed entries: their statements as data, with which the source of a wrong entry is traced.
 
 use crate::algebra::Expr;
 use crate::mechanics::{Formulation, QuantityKind};
 
-/// Claim of a printed entry. Indices of tables, rows and columns count from 0; the right-hand side is the last column.
+/// Claim (statement) of a printed entry. Indices of tables, rows and columns count from 0; the right-hand side is the
+/// last column.
 #[derive(Clone, Debug)]
 pub enum Claim {
-    /// Value of a named quantity, as printed and as derived.
+    /// Claim about the value of a named quantity, as printed and as derived.
     Value {
         /// Kind of the named quantity, with its indices.
         kind: QuantityKind,
-        /// Printed value, with the symbols of the text replaced by their values.
+        /// Printed value, with the symbols of the publication replaced by their values.
         printed: Expr,
         /// Derived value, in the same variables as the printed value.
         derived: Expr,
-        /// Formulation by which the publication says that it found the value; `None` if it does not say.
+        /// Formulation from which the publication derives the value; `None` if it does not say.
         by: Option<Formulation>,
     },
     /// Claim of a whole row of a printed system.
@@ -38,17 +39,15 @@ pub enum Claim {
         /// Ids of the entries that the printed number contradicts.
         against: Vec<String>,
     },
-    /// Row of a printed system that holds near a point and expands an earlier printed row.
+    /// Claim of a printed row that holds near a point and expands an earlier printed row.
     Expansion {
         /// Index, among the tables, of the system or program (listing) that has the earlier row.
         table: usize,
         /// Index of the earlier row in its system or program (listing).
         row: usize,
     },
-    /// Row in which a partial derivative ∂/∂t, with q and q̇ held constant, is printed instead of
-    /// the total derivative d/dt.
+    /// Claim of a row with the partial derivative ∂/∂t, q and q̇ held constant, instead of the total derivative d/dt.
     HeldTime,
-    /// Statement that is not traced to other entries, such as a definition or a formula that holds
-    /// only near a point.
+    /// Claim that is not traced to other entries, such as a definition or a formula that holds only near a point.
     Other,
 }

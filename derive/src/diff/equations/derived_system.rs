@@ -7,8 +7,7 @@ use crate::algebra::solve::linear::LinearForm;
 use crate::mechanics::{Formulation, Kinematics, Quantities, RowName, newton_euler_balances};
 use crate::model::{Model, MotionConstraintKind};
 
-/// Linear system whose columns are in the order of the derived unknowns; each row ends with its
-/// right-hand side.
+/// Derived linear system. Its columns are in the order of the unknowns, and each row ends with its right-hand side.
 #[derive(Clone)]
 pub struct DerivedSystem {
     /// Name of each row, such as its speed, coordinate or balance.
@@ -20,9 +19,8 @@ pub struct DerivedSystem {
     pub rows: Vec<Row>,
 }
 
-/// Derived system of the formulation `system`. Newton–Euler balances have components in `frame` if
-/// it is stated.
-/// The error is the reason why the formulation has no system.
+/// Derives the system of the formulation `system`. Newton–Euler balances have components in `frame` if it is given. The
+/// error is the reason why the formulation has no system.
 pub fn derived_system(
     quantities: &mut Quantities<'_>,
     system: Formulation,
@@ -78,8 +76,7 @@ pub fn is_derived_unknown_of_time(model: &Model, unknown: Expr) -> bool {
 }
 
 impl DerivedSystem {
-    /// Removes the rows and unknowns of time, which is a coordinate of the model but not of
-    /// publications.
+    /// Removes the rows and unknowns of time. Time is a coordinate of the model, but not of publications.
     pub fn without_time(self, model: &Model) -> Self {
         let is_row_of_time = |name: &RowName| match name {
             RowName::Coordinate(at) => model.time() == Some(*at),
@@ -95,7 +92,7 @@ impl DerivedSystem {
         Self { names, unknowns: kept.into_iter().map(|at| unknowns[at]).collect(), rows }
     }
 
-    /// Combines this derived system with the printed rows and their matches in one table.
+    /// Combines this derived system with the printed rows and their matches.
     pub fn into_matched_system(
         self,
         formulation: Formulation,

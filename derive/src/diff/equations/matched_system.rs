@@ -23,9 +23,8 @@ pub struct MatchedSystem {
 }
 
 impl MatchedSystem {
-    /// Index of the derived row of which the printed row `row` is a multiple, and the factor
-    /// printed ÷ derived.
-    /// Returns `None` for a printed row that is a combination of several derived rows.
+    /// Derived row of which the printed row `row` is a multiple: its index, and the factor printed ÷ derived. Returns
+    /// `None` for a printed row that is a combination of several derived rows.
     pub fn matched_derived_row(&self, row: usize) -> Option<(usize, Expr)> {
         match &self.matches[row] {
             RowMatchResult::Row { at, factor } => Some((*at, *factor)),

@@ -1,4 +1,4 @@
-//! Comparison of rows of linear systems, independent of the factors and multipliers that an author chose.
+//! Comparison of rows of linear systems, whatever factors and multipliers an author chose.
 
 pub(super) mod claim;
 pub(super) mod derived_system;

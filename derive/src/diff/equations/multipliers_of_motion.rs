@@ -1,10 +1,9 @@
-//! Lagrange multipliers of printed equations that contain the constraints already.
+//! Lagrange multipliers of printed equations into which the author has already inserted the constraints.
 //!
-//! If an author has put the constraints into rows, no comparison of coefficients tells which derived
-//! rows a printed row combines. The motion does. With the derived accelerations a and multipliers λ
-//! of a state, printed rows P a + Q μ = r give the author's multipliers μ. They have the same forces
-//! as λ in all states, so μ = K λ, where K does not depend on rates and inputs. States with given
-//! rates and inputs determine K as a function of the coordinates and parameters.
+//! In such equations, no comparison of coefficients tells which derived rows a printed row combines. The motion does.
+//! With the derived accelerations a and multipliers λ of a state, printed rows P a + Q μ = r give the author's
+//! multipliers μ. Both describe the same forces in all states, so that μ = K λ, where K does not depend on rates and
+//! inputs. States with given rates and inputs determine K as a function of the coordinates and parameters.
 
 use super::derived_system::DerivedSystem;
 use super::lagrange_multipliers::{multiplier_row_subsets, unit_multiplier_matrix};
@@ -15,42 +14,42 @@ use crate::algebra::term::calculus::Substitution;
 use crate::algebra::text::print::print_text;
 use crate::algebra::value::rank::independent_rows;
 
-/// Largest number of unknowns of a system that is solved at states.
+/// Largest number of unknowns of a system that is solved for its motion.
 const MOST_UNKNOWNS: usize = 10;
 /// Largest number of states that are tried to find independent multipliers.
 const MOST_STATES: i64 = 12;
 
-/// Multipliers μ of an author, who has put the constraints into rows.
+/// Multipliers μ of an author who has inserted the constraints into the rows.
 pub struct MultipliersOfMotion {
-    /// Matrix B with λ = B μ.
+    /// Matrix B of λ = B μ, from the author's multipliers μ to the derived multipliers λ.
     pub matrix: Vec<Row>,
-    /// Printed multipliers as sums of the derived ones, in words.
+    /// Description of the printed multipliers as sums of the derived multipliers.
     pub words: String,
 }
 
 /// Motion of the derived system in a state with given rates and inputs.
 struct StateOfMotion {
-    /// Numbers of the rates and inputs.
+    /// Substitution of numbers for the rates and inputs.
     put: Substitution,
-    /// Accelerations and multipliers, as terms in coordinates and parameters.
+    /// Accelerations and multipliers in the state, as terms in coordinates and parameters.
     unknowns: Row,
 }
 
 impl StateOfMotion {
-    /// Multipliers in the state; `columns` are their places among the unknowns.
+    /// Multipliers in the state. `columns` are their indices among the unknowns.
     fn multipliers(&self, columns: &[usize]) -> Row {
         columns.iter().map(|c| self.unknowns[*c]).collect()
     }
 }
 
-/// Printed rows that mention multipliers, whose columns are `columns`.
+/// Printed rows that mention multipliers. `columns` are the columns of the multipliers.
 fn rows_with_multipliers<'a>(printed: &'a [Row], columns: &'a [usize]) -> impl Iterator<Item = &'a Row> {
     printed.iter().filter(|row| columns.iter().any(|c| row[*c] != Expr::ZERO))
 }
 
 impl TermTools<'_> {
-    /// Printed rows with multipliers that are combinations of the derived rows, in which λ = B μ with
-    /// the matrix `change`. The test is modulo random primes.
+    /// Printed rows with multipliers that are combinations of the derived rows, if λ = B μ with the matrix B `change`.
+    /// The test is done modulo random primes.
     pub fn rows_that_follow(
         &mut self,
         order: &DerivedSystem,
@@ -80,12 +79,13 @@ impl TermTools<'_> {
         rows_with_multipliers(printed, columns).filter(follows).cloned().collect()
     }
 
-    /// Finds the author's multipliers from the motion, with which more rows with multipliers follow from
-    /// the derived ones than `least`. `fixed` are the coordinates and the parameters that are no inputs.
+    /// Finds the author's multipliers from the motion. With them, more than `least` printed rows with multipliers must
+    /// follow from the derived rows. `fixed` are the coordinates, and the parameters that are no inputs.
     ///
-    /// Rows from which K is computed follow from it in any case. So K counts only if the rows determine
-    /// each multiplier also without any one of them, or if the axes of the others have unit length and
-    /// all axes are perpendicular. Returns `None` if there is no such K.
+    /// The rows from which K is computed follow from it in any case. K therefore counts only if one of two conditions
+    /// holds. Either the rows still determine each multiplier when any one row is left out. Or K is like a rotation:
+    /// all axes are perpendicular, the axes of multipliers that fail the first test have unit length, and not all
+    /// entries are numbers. Returns `None` if there is no such K.
     pub fn multipliers_of_motion(
         &mut self,
         order: &DerivedSystem,
@@ -106,7 +106,7 @@ impl TermTools<'_> {
         let states = self.states_of_motion(&derived, columns, &varied)?;
         let is_printed = |row: &Row, at: usize| row[columns[at]] != Expr::ZERO;
         let used: Vec<usize> = (0..columns.len()).filter(|at| rows.iter().any(|row| is_printed(row, *at))).collect();
-        // If no choice of all multipliers is possible, a row of one of them is wrong, and the others are chosen.
+        // If no K for all multipliers is found, a row of one of them may be wrong. Each multiplier is then tried alone.
         let fewer: Vec<Vec<usize>> = used.iter().filter(|_| used.len() > 1).map(|at| vec![*at]).collect();
         let mut best: Option<(usize, MultipliersOfMotion)> = None;
         for used in std::iter::once(used).chain(fewer) {
@@ -132,8 +132,8 @@ impl TermTools<'_> {
         best.map(|(_, found)| found)
     }
 
-    /// States in which the derived multipliers are linearly independent, one for each of them.
-    /// `varied` are the rates and inputs, to which a state gives numbers.
+    /// Finds states in which the derived multipliers are linearly independent, as many states as multipliers. `varied`
+    /// are the rates and inputs that get numbers in each state. `None` if no such states are found.
     fn states_of_motion(&mut self, derived: &[Row], columns: &[usize], varied: &[Expr]) -> Option<Vec<StateOfMotion>> {
         let independent = independent_rows(self.arena, derived)?;
         let width = derived.first()?.len() - 1;
@@ -163,8 +163,8 @@ impl TermTools<'_> {
         None
     }
 
-    /// Matrix K with μ = K λ: a row for each used multiplier, computed from as many printed rows.
-    /// Returns `None` if these rows do not determine the multipliers.
+    /// Computes the matrix K of μ = K λ from as many printed rows as there are used multipliers; K has a row for each
+    /// of them. Returns `None` if these rows do not determine the multipliers.
     fn multiplier_matrix_of_rows(
         &mut self,
         states: &[StateOfMotion],
@@ -192,14 +192,15 @@ impl TermTools<'_> {
             of_derived.push(state.multipliers(columns));
             of_printed.push(mu.iter().map(|row| self.simplifier.simplify(self.arena, row[0])).collect());
         }
-        // Each state gives K λ = μ: the rows of λᵀ Kᵀ = μᵀ.
+        // Each state gives an equation K λ = μ, which is a row of λᵀ Kᵀ = μᵀ.
         let (transposed, _) = solve_linear(self.arena, self.simplifier, &of_derived, &of_printed).ok()?;
         let row = |i: usize| transposed.iter().map(|row| self.simplifier.simplify(self.arena, row[i])).collect();
         Some((0..used.len()).map(row).collect())
     }
 
-    /// True if the rows determine each used multiplier also without any one of them, or if K turns the
-    /// axes of the multipliers, those of the others to unit length.
+    /// True if the choice of multipliers is certain. Either the rows still determine each used multiplier when any one
+    /// row is left out. Or K is like a rotation: all axes are perpendicular, the axes of multipliers that fail the
+    /// first test have unit length, and not all entries are numbers.
     fn are_multipliers_told(&mut self, matrix: &[Row], rows: &[Row], columns: &[usize], used: &[usize]) -> bool {
         let forces: Vec<Row> = rows.iter().map(|row| used.iter().map(|at| row[columns[*at]]).collect()).collect();
         let arena = &*self.arena;
@@ -229,8 +230,8 @@ impl TermTools<'_> {
         are_turned && !matrix.iter().flatten().all(|e| self.arena.as_number(*e).is_some())
     }
 
-    /// Inverse of a matrix to which rows are added for the multipliers that no printed row mentions;
-    /// `used` are the places of the others, in the order of the rows. `None` if it is not regular.
+    /// Inverse of a matrix that is completed with rows for the multipliers that no printed row mentions. `used` are the
+    /// indices of the mentioned multipliers, in the order of the rows. `None` if the completed matrix is not regular.
     fn inverse_of_completed_matrix(&mut self, matrix: &[Row], used: &[usize], width: usize) -> Option<Vec<Row>> {
         let mut whole: Vec<Row> = vec![Row::new(); width];
         for (at, row) in used.iter().zip(matrix) {
@@ -241,7 +242,7 @@ impl TermTools<'_> {
                 continue;
             }
             let known: Vec<Row> = whole.iter().filter(|row| !row.is_empty()).cloned().collect();
-            // Of two multipliers, the other one has the perpendicular axis.
+            // Of two multipliers, the unmentioned one has the axis perpendicular to the other.
             let perpendicular = match known.as_slice() {
                 [row] if width == 2 => Some(vec![self.arena.neg(row[1]), row[0]]),
                 _ => None,
@@ -256,7 +257,7 @@ impl TermTools<'_> {
         Some(inverse.into_iter().map(simplified).collect())
     }
 
-    /// Describes the printed multipliers: each as a sum of derived ones.
+    /// Describes the printed multipliers, each as a sum of derived multipliers.
     fn printed_multiplier_words(
         &mut self,
         order: &DerivedSystem,

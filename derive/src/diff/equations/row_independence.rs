@@ -6,22 +6,20 @@
 use crate::algebra::meaning::compare::Comparer;
 use crate::algebra::{Arena, Expr};
 
-/// Largest relative remainder that rounding may leave of a row that is a combination of the others.
+/// Largest relative remainder that rounding may leave of a row that is a combination of other rows.
 const ROUNDED_OFF: f64 = 1e-6;
 
-/// True if the last row is linearly independent of the others at a state that the model's
-/// constraints permit.
-/// The remainder must exceed rounding by far; false proves nothing.
+/// True if the last row is linearly independent of the other rows at a state that the model's constraints permit. The
+/// remainder of the row must exceed rounding by far; false proves nothing.
 pub fn is_last_row_independent(arena: &mut Arena, comparer: &mut Comparer, rows: &[Vec<Expr>]) -> bool {
     let Some(mut samples) = comparer.permitted().samples(arena, &rows.concat()) else { return false };
     let width = rows[0].len();
     samples.find_map(|values| remainder_of_independent_row(values.chunks(width))).is_some_and(|left| left > ROUNDED_OFF)
 }
 
-/// Norm of the last row's component perpendicular to all rows before it, relative to the row's
-/// norm.
-/// Gram–Schmidt runs twice for each row, to keep rounding small. Returns `None` if the earlier rows
-/// are nearly dependent.
+/// Norm of the last row's component perpendicular to all rows before it, relative to the norm of the last row.
+/// Gram–Schmidt runs twice for each row, to keep rounding small. Returns `None` if the earlier rows are nearly
+/// dependent.
 fn remainder_of_independent_row<'a>(rows: impl Iterator<Item = &'a [f64]>) -> Option<f64> {
     let mut basis: Vec<Vec<f64>> = Vec::new();
     let mut left = 1.0;

@@ -1,8 +1,7 @@
-//! Comparison of linear systems row by row; each printed row may have its own factor.
+//! Comparison of linear systems row by row. Each printed row may have its own factor.
 //!
-//! A search (`matching`) finds the factor, so that a row with one wrong entry is still matched, and
-//! the wrong entry can be named. The search proves nothing. Its result is then proved entry by
-//! entry.
+//! A search (`matching`) finds the factor. A row with one wrong entry is therefore still matched, and the wrong entry
+//! can be named. The search proves nothing. Its result is then proved entry by entry.
 
 use super::row_independence::is_last_row_independent;
 use super::row_matching::{RowMatch, best_row_match};
@@ -51,15 +50,14 @@ pub struct TermTools<'a> {
 /// Judgement of one printed row against the derived rows.
 #[derive(Clone, Debug)]
 pub struct RowJudgement {
-    /// Derived rows, with factors, that the printed row was matched with.
+    /// Derived row, or combination of derived rows, that the printed row was matched with.
     pub by: RowMatchResult,
     /// Verdicts on printed = expected, one for each entry; the right-hand side is last.
     pub entries: Vec<Verdict>,
-    /// Expected value of each entry, the right-hand side last: matched derived rows times their
-    /// factors.
+    /// Expected value of each entry, with the right-hand side last. It is the sum of the matched derived rows times
+    /// their factors.
     pub expected: Row,
-    /// Region of states in which each right entry equals its expected value; the right-hand side is
-    /// last.
+    /// Region of states in which each right entry equals its expected value, with the right-hand side last.
     pub holds: Vec<StatesOfValidity>,
     /// True if entries agree only to the number of digits printed.
     pub is_rounded: bool,
@@ -85,8 +83,7 @@ pub(super) const WRITTEN: usize = 6;
 /// Longest multiplier, in characters, that a match reports.
 const LONGEST: usize = 200;
 
-/// Judges a printed row against the derived rows; `index` is the row's number, from 0. All rows
-/// have the same length.
+/// Judges a printed row against the derived rows. `index` is the row's index, from 0. All rows have the same length.
 /// `parameters` are the symbols that do not depend on the state.
 pub fn judge_row(
     terms: &mut TermTools<'_>,
@@ -96,7 +93,8 @@ pub fn judge_row(
     index: usize,
 ) -> RowJudgement {
     let TermTools { arena, simplifier, comparer } = terms;
-    // The search runs modulo primes, where different angles are unrelated. So equal angles must be equal terms.
+    // The search runs modulo primes, in which different angle terms are unrelated. Equal angles must therefore be equal
+    // terms.
     let mut plain = |row: &Row| row.iter().map(|e| comparer.expand_angles(arena, *e)).collect::<Row>();
     let (printed, derived) = (&plain(printed), derived.iter().map(&mut plain).collect::<Vec<Row>>());
     let derived = derived.as_slice();
@@ -106,7 +104,7 @@ pub fn judge_row(
         derived.iter().map(|row| judged_row_in_permitted_states(arena, comparer, row)).collect();
     let found = best_row_match(arena, simplifier, parameters, &seen_printed, &seen_derived, index);
     let by = match found {
-        // Equal entries may be written in different terms, and then the ratio does not simplify to 1.
+        // Equal entries may be written as different terms, and their ratio then does not simplify to 1.
         RowMatch::Row { at, column: Some(column) }
             if !comparer.compare(arena, printed[column], derived[at][column]).is_equal() =>
         {
@@ -152,7 +150,7 @@ pub fn judge_row(
             is_rounded: false,
         },
         Ok(None) => judged,
-        // The row may be a combination of derived rows, and then no entry is wrong.
+        // The row may be a combination of derived rows. Then no entry is wrong.
         Err(why) => {
             let open = |v: Verdict| if v.is_equal() { v } else { Verdict::Undecided(why.clone()) };
             RowJudgement { entries: judged.entries.into_iter().map(open).collect(), ..judged }
@@ -160,17 +158,15 @@ pub fn judge_row(
     }
 }
 
-/// Row rewritten for states that the model's constraints permit: dependent symbols are replaced by
-/// their values.
-/// Equal angles become equal terms.
+/// Rewrites a row for states that the model's constraints permit: dependent symbols are replaced by their values. Equal
+/// angles become equal terms.
 pub fn judged_row_in_permitted_states(arena: &mut Arena, comparer: &mut Comparer, row: &Row) -> Row {
     let put: Row = row.iter().map(|e| comparer.permitted().write_in_free_symbols(arena, *e)).collect();
     put.into_iter().map(|e| comparer.expand_angles(arena, e)).collect()
 }
 
-/// Multipliers λ with Σ λᵢ · derivedᵢ = printed, one for each derived row; an empty list if too
-/// many or too long.
-/// Returns `None` if the printed row is not a combination of the derived rows. The error is the
+/// Multipliers λ with Σ λᵢ · derivedᵢ = printed, one for each derived row. The list is empty if they are too many or
+/// too long to be stated. Returns `None` if the printed row is not a combination of the derived rows. The error is the
 /// reason why no decision is possible.
 pub(super) fn row_combination(
     arena: &mut Arena,
@@ -183,14 +179,14 @@ pub(super) fn row_combination(
         return Ok(None);
     }
     let unknown = || "whether the row is a combination of derived rows is not known".to_owned();
-    // If there are more rows than unknowns, rows depend on others.
+    // If there are more rows than unknowns, some rows depend on others.
     let (independent, columns) = pivot_rows_and_columns(arena, derived).ok_or_else(unknown)?;
     let mut rows: Vec<Row> = independent.iter().map(|at| derived[*at].clone()).collect();
     rows.push(printed.clone());
     let all = arena.reachable(&rows.concat());
     let with_roots = has_roots(arena, &all);
     if with_roots && independent.len() > WRITTEN {
-        // A combination for any values of the roots is one for their own values.
+        // A combination that holds for any values of the roots also holds for their actual values.
         rows = judged_rows_with_free_roots(arena, &all, rows);
     }
     let (found, _) = pivot_rows_and_columns(arena, &rows).ok_or_else(unknown)?;
@@ -226,8 +222,8 @@ pub(super) fn row_combination(
     Ok(Some(if short { multipliers } else { Vec::new() }))
 }
 
-/// Rows in which free symbols replace the roots, absolute values and signs among the terms `all`.
-/// Equal roots get the same symbol r, and r² replaces the argument of a square root.
+/// Replaces roots, absolute values and signs among the terms `all` with free symbols. Equal roots get the same symbol
+/// r, and r² replaces the argument of a square root.
 fn judged_rows_with_free_roots(arena: &mut Arena, all: &[Expr], rows: Vec<Row>) -> Vec<Row> {
     let mut put: Vec<(Expr, Expr)> = Vec::new();
     let mut known: Vec<(Function, Expr, Expr)> = Vec::new();

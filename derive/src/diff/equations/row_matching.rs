@@ -1,25 +1,23 @@
-//! Search for the derived row, or the combination of derived rows, that the author of a printed row
-//! meant.
+//! Search for the derived row, or the combination of derived rows, that the author of a printed row meant.
 //!
-//! A printed row that is right up to a factor is matched with its derived row. For other rows, the
-//! match with the fewest wrong entries wins. Plain factors cost less than involved factors; the
-//! order is 1, a number, a monomial of parameters, another term of parameters. A factor that
-//! depends on the state is accepted only if it makes the whole row right: nobody means a wrong row
-//! with such a factor. The search runs modulo random primes and proves nothing.
+//! A printed row that is right up to a factor is matched with its derived row. For other rows, the match with the
+//! fewest wrong entries wins. Simple factors cost less than complicated factors; the order is 1, a number, a monomial
+//! of parameters, another term of parameters. A factor that depends on the state is accepted only if it makes the whole
+//! row right: no author means a wrong row with such a factor. The search runs modulo random primes and proves nothing.
 
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::solve::linear::solve_linear;
 use crate::algebra::value::rank::residue_matrices;
 use crate::algebra::{Arena, Expr, Function, Node};
 
-/// Match that the search proposes for a printed row, not yet proved.
+/// Match of a printed row that the search proposes; it is not proved yet.
 pub enum RowMatch {
     /// Multiple of one derived row. The factor is the ratio printed ÷ derived of the entries in
     /// `column`.
     Row {
         /// Index of the derived row that matches the printed row.
         at: usize,
-        /// Column whose printed entry over its derived entry is the factor; `None` for the factor 1.
+        /// Column whose ratio printed ÷ derived is the factor; `None` for the factor 1.
         column: Option<usize>,
     },
     /// Sum of derived rows, with one constant multiplier for each. It agrees with the printed row
@@ -35,7 +33,7 @@ const MOST_ROWS: usize = 4;
 /// Multiple of a derived row, with a count of the entries in which it agrees with a printed row.
 #[derive(Clone, Copy)]
 struct MatchCandidate {
-    /// Index of the derived row that is compared with the printed row.
+    /// Index of the derived row of this candidate.
     at: usize,
     /// Column whose ratio printed ÷ derived is the factor; `None` for the factor 1.
     column: Option<usize>,
@@ -45,9 +43,8 @@ struct MatchCandidate {
     right: usize,
 }
 
-/// Best match of a printed row with the rows of a derived system.
-/// Derived row number `index` is preferred if several are equally good. `parameters` are the
-/// symbols that do not depend on the state.
+/// Best match of a printed row with the rows of a derived system. If several derived rows match equally well, row
+/// `index` is preferred. `parameters` are the symbols that do not depend on the state.
 pub fn best_row_match(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -88,9 +85,8 @@ pub fn best_row_match(
     best.1
 }
 
-/// Index of a derived row of which the printed row is an exact multiple, and a column whose ratio
-/// gives the factor.
-/// Returns `None` if no derived row is such a multiple, or if only the factor 1 is found without a
+/// Derived row of which the printed row is an exact multiple: its index, and the index of a column whose ratio gives
+/// the factor. Returns `None` if no derived row is such a multiple, or if only the factor 1 is found, which needs no
 /// column.
 #[must_use]
 pub fn matching_row_with_factor(
@@ -105,8 +101,8 @@ pub fn matching_row_with_factor(
         .find_map(|c| Some((c.at, c.column.filter(|_| c.wrong == 0)?)))
 }
 
-/// Candidates for a match: each derived row with the factor 1 and with each ratio printed ÷
-/// derived, the row `own` first.
+/// Candidates for a match: each derived row with the factor 1 and with each ratio printed ÷ derived. The derived row
+/// `own` comes first.
 fn match_candidates(arena: &Arena, printed: &[Expr], derived: &[Vec<Expr>], own: usize) -> Vec<MatchCandidate> {
     let mut all = derived.to_vec();
     all.push(printed.to_vec());
@@ -147,7 +143,7 @@ fn match_candidates(arena: &Arena, printed: &[Expr], derived: &[Vec<Expr>], own:
     list
 }
 
-/// Cost of a factor that is not 1; `None` if the factor depends on the state.
+/// Cost of a factor other than 1; `None` if the factor depends on the state.
 fn cost_of_row_factor(arena: &Arena, parameters: &[Expr], factor: Expr) -> Option<usize> {
     let parts = arena.reachable(&[factor]);
     if parts.iter().any(|e| arena.symbol_name(*e).is_some() && !parameters.contains(e)) {
@@ -163,9 +159,8 @@ fn cost_of_row_factor(arena: &Arena, parameters: &[Expr], factor: Expr) -> Optio
     })
 }
 
-/// Constant multipliers with which derived rows sum to a printed row in all entries except one, and
-/// the cost of this match.
-/// Returns `None` if there are no such multipliers, or if the system has more than four rows.
+/// Constant multipliers with which the derived rows add up to a printed row in all entries except one, and the cost of
+/// this match. Returns `None` if there are no such multipliers, or if the system has more than four rows.
 fn row_matching_combination(
     arena: &mut Arena,
     simplifier: &mut Simplifier,
@@ -197,8 +192,8 @@ fn row_matching_combination(
     best
 }
 
-/// True if a term contains |x| or sign x. Such a term can be zero in a whole region, and a row
-/// multiplied by it states nothing there.
+/// True if a term contains |x| or sign x. Such a factor can be zero in a whole region of states, and a row multiplied
+/// by zero states nothing there.
 fn is_unfit_row_factor(arena: &Arena, e: Expr) -> bool {
     arena.reachable(&[e]).iter().any(|p| matches!(arena.node(*p), Node::Apply(Function::Abs | Function::Sign, _)))
 }

@@ -17,8 +17,8 @@ pub fn is_constant(quantities: &mut Quantities<'_>, e: Expr) -> bool {
     })
 }
 
-/// True if a term keeps its value in every motion that the constraints permit.
-/// Then it does not depend on the speeds, and its time derivative is 0.
+/// True if a term keeps its value in every motion that the constraints permit: it does not depend on the speeds, and
+/// its time derivative is 0.
 pub fn is_constant_in_motion(quantities: &mut Quantities<'_>, comparer: &mut Comparer, e: Expr) -> bool {
     let model = quantities.model;
     let e = quantities.in_speeds(e);

@@ -20,14 +20,14 @@ use crate::algebra::{Expr, Node};
 use crate::mechanics::{Kinematics, Quantities, Quantity, QuantityKind};
 use crate::publication::{QuantityNames, has_decimals};
 
-/// Largest number of rounds of shortening that a derived value gets before it is shown.
+/// Largest number of rounds in which a derived value is shortened before it is shown.
 const MOST_ROUNDS: usize = 4;
 
-/// Longest text, in bytes, of a printed or derived value that a finding contrasts as a whole.
+/// Longest printed or derived value, in bytes, that a finding shows as a whole.
 pub(super) const LONGEST: usize = 70;
 
-/// Longest list of wrong terms, in bytes, that is reported. For a longer list, two changes of the
-/// formula are searched for.
+/// Longest list of wrong terms, in bytes, that is reported. If the list is longer, two changes of the formula are
+/// sought instead.
 const LONGEST_LIST: usize = 150;
 
 /// Formula as printed, with its value in the variables of the comparison.
@@ -49,14 +49,14 @@ pub struct EntryJudge<'a, 'b> {
     pub comparer: &'a mut Comparer,
     /// Derived values of the names that the publication uses.
     pub names: &'a QuantityNames,
-    /// Printed systems that come before the judged entry.
+    /// Printed systems that precede the judged entry in the publication.
     pub earlier: &'a [MatchedSystem],
-    /// Point near which the entry holds, with the order; `None` if the entry claims to hold
+    /// Point near which the entry holds, with the order of the approximation; `None` if the entry claims to hold
     /// everywhere.
     pub near: Option<PointExpansion>,
     /// Number of changes that may still be tried in the search for mistakes.
     pub changes_left: &'a mut usize,
-    /// Abbreviations of the publication, with those known to be wrong.
+    /// Record of the publication's abbreviations, with the abbreviations known to be wrong.
     pub book: &'a mut AbbreviationMistakes,
     /// Lagrange multipliers as the publication defines them.
     pub multipliers: &'a mut Multipliers,
@@ -65,12 +65,11 @@ pub struct EntryJudge<'a, 'b> {
 }
 
 impl EntryJudge<'_, '_> {
-    /// Judges the entry `quantity = printed`; returns its finding and its claim (the statement as
-    /// data, for tracing mistakes).
+    /// Judges the entry `quantity = printed`. Returns its finding and its claim (the statement as data, for tracing
+    /// mistakes).
     pub fn judge_equation(&mut self, finding: Finding, quantity: &Quantity, printed: Expr) -> TracedFinding {
         let (raw, in_rates) = (printed, self.quantities.mentions_rates(printed));
-        // In a formula for an acceleration, other accelerations are replaced by their derived
-        // values.
+        // In a formula for an acceleration, all other accelerations are replaced with their derived values.
         let is_solved = matches!(quantity.kind(), QuantityKind::SpeedRate(_) | QuantityKind::SecondRate(_));
         let both = self.names.resolve_quantity_names(self.quantities, printed).and_then(|printed| {
             let derived = self.quantities.value(quantity)?;
@@ -81,7 +80,7 @@ impl EntryJudge<'_, '_> {
             Ok(both) => both,
             Err(why) => return Finding { judgement: Judgement::Undecided(why), ..finding }.with_claim(Claim::Other),
         };
-        // The definition of a speed contains rates, whichever variables the printed entry uses.
+        // The definition of a speed contains rates, whatever variables the printed entry uses.
         let in_rates = in_rates || self.quantities.mentions_rates(derived);
         let derived = if in_rates { self.quantities.before_constraints(quantity.kind(), derived) } else { derived };
         let mut rewrite = |e: Expr| if in_rates { self.quantities.in_rates(e) } else { self.quantities.in_speeds(e) };
@@ -90,7 +89,7 @@ impl EntryJudge<'_, '_> {
         let printed = PrintedFormulaValue { raw, value: printed, reading: FormulaReading { in_rates, is_solved } };
         let TracedFinding { finding: found, claim } = self.value(finding.clone(), quantity.kind(), printed, derived);
         let finding = match quantity.kind() {
-            // Only a difference with the unit of an energy can be a free part of an energy.
+            // Only a difference with the unit of an energy can be a freely chosen part of an energy.
             QuantityKind::Energy(energy) if energy.has_a_zero() => {
                 let found = self.energy_with_free_constant(finding, &found, printed, derived).unwrap_or(found);
                 if self.unit_remark(raw, derived).is_none() {
@@ -104,8 +103,7 @@ impl EntryJudge<'_, '_> {
         finding.with_claim(claim)
     }
 
-    /// Judges a printed value of a quantity against the derived value; both are in the same
-    /// variables.
+    /// Judges a printed value of a quantity against the derived value. Both are given in the same variables.
     pub fn value(
         &mut self,
         finding: Finding,
@@ -131,9 +129,8 @@ impl EntryJudge<'_, '_> {
         finding.with_claim(Claim::Value { kind: kind.clone(), printed: printed.value, derived, by: None })
     }
 
-    /// Judges a printed value against a derived value.
-    /// For a wrong value, adds the difference and, if the ratio of the values is constant, the
-    /// factor; else the mistake.
+    /// Judges a printed value against a derived value. For a wrong value, the finding also gets the difference. It gets
+    /// the factor if the ratio of the values is constant, and the mistake otherwise.
     pub fn judge_against_derived(&mut self, finding: Finding, printed: PrintedFormulaValue, derived: Expr) -> Finding {
         let arena = &mut self.quantities.derivations.kinematics.arena;
         let (verdict, holds) = self.comparer.compare_with_states(arena, printed.value, derived);
@@ -156,8 +153,8 @@ impl EntryJudge<'_, '_> {
             finding.difference = Some(difference);
             let factor = constant_ratio(self.quantities, self.comparer, printed.value, derived);
             finding.factor = factor.or_else(|| {
-                // On the constraints, rates that depend on others, as for a rolling wheel, are
-                // written in the independent rates.
+                // In permitted states, rates that depend on others, as for a rolling wheel, are written in the
+                // independent rates.
                 let arena = &mut self.quantities.derivations.kinematics.arena;
                 let [own, right] =
                     [printed.value, derived].map(|e| self.comparer.permitted().write_in_free_symbols(arena, e));
@@ -173,9 +170,8 @@ impl EntryJudge<'_, '_> {
                         Node::Apply(..) => true,
                         _ => false,
                     });
-                    // A factor in parameters may come from a wrong abbreviation. If both values are
-                    // constant, any mistake gives a factor, so a factor with sums or functions says
-                    // nothing.
+                    // A factor in parameters may come from a wrong abbreviation. If both values are constant, any
+                    // mistake gives a factor, so that a factor with sums or functions is no information.
                     let is_number = arena.as_number(factor).is_some();
                     let found = self.find_abbreviation_mistake(printed, derived, RepairSearch::Values);
                     let found = found.filter(|mistake| !mistake.abbreviations.is_empty());
@@ -194,13 +190,13 @@ impl EntryJudge<'_, '_> {
         finding
     }
 
-    /// Remark that the unit of a printed value is inconsistent or not the derived unit; `None` if
-    /// the units fit or are unknown.
+    /// Remark that the unit of a printed value is inconsistent, or not the unit of the derived value. `None` if the
+    /// units fit or are unknown.
     fn unit_remark(&self, printed: Expr, derived: Expr) -> Option<String> {
         let (model, arena) = (self.quantities.model, &self.quantities.derivations.kinematics.arena);
         let has_parameters = |e: Expr| model.parameters.iter().any(|p| arena.mentions(e, p.symbol));
         if !has_parameters(printed) && has_parameters(derived) {
-            // Numbers stand for parameters.
+            // Units cannot be checked, since numbers stand for parameters.
             return None;
         }
         match (model.checked_unit_of(arena, printed), model.checked_unit_of(arena, derived)) {
@@ -214,9 +210,9 @@ impl EntryJudge<'_, '_> {
         }
     }
 
-    /// Describes the mistake in a printed value, in the shortest way found.
-    /// It is a single wrong term of a sum, or the smallest change that makes the formula right.
-    /// Else it is a list of all wrong terms, or both whole values if they are short.
+    /// Describes the mistake in a printed value in the shortest way found. It is a single wrong term of a sum, or the
+    /// smallest change that makes the formula right. Otherwise it is a list of all wrong terms, or both whole values if
+    /// they are short.
     pub fn find_mistake(&mut self, printed: PrintedFormulaValue, derived: Expr, difference: Expr) -> Mistake {
         if let Some(mistake) = self.find_abbreviation_mistake(printed, derived, RepairSearch::Values) {
             return mistake;
@@ -257,15 +253,15 @@ impl EntryJudge<'_, '_> {
         Mistake::of_single_part(vec![format!("{before} should be {after}")], (printed.value, derived), slip)
     }
 
-    /// Single slip that explains the whole error of a printed value, also in an abbreviation;
-    /// `None` if there is none.
+    /// Finds a single slip that explains the whole error of a printed value; the slip may be in an abbreviation. `None`
+    /// if there is none.
     pub fn find_slip(&mut self, printed: PrintedFormulaValue, derived: Expr) -> Option<Mistake> {
         let found = self.find_abbreviation_mistake(printed, derived, RepairSearch::Slips);
         found.or_else(|| self.find_repair(printed, derived, RepairSearch::Slips))
     }
 
-    /// Single change that makes a printed value right, with its abbreviations written out; `None`
-    /// if there is none.
+    /// Finds a single change that makes a printed value right, with its abbreviations written out. `None` if there is
+    /// none.
     fn find_repair(&mut self, printed: PrintedFormulaValue, derived: Expr, search: RepairSearch) -> Option<Mistake> {
         let Repair { words, parts, slip, .. } =
             self.search_repairs_with_tools(printed, |tools, formula, _| find_repair(tools, formula, derived, search))?;
@@ -286,9 +282,8 @@ impl EntryJudge<'_, '_> {
         Some(Mistake { words: found.words, change: found.parts, slip: found.slip, abbreviations: found.abbreviations })
     }
 
-    /// Descriptions of two mistakes that together explain the whole error of a formula; `None` if
-    /// none are found.
-    /// Abbreviations are kept as symbols if the mistakes are found in this way, else written out.
+    /// Finds two mistakes that together explain the whole error of a formula, and describes them. `None` if none are
+    /// found. Abbreviations are first kept as symbols; if no mistakes are found in this way, they are written out.
     fn find_two_mistakes(&mut self, printed: PrintedFormulaValue, derived: Expr) -> Option<Vec<String>> {
         self.search_repairs_with_tools(printed, |tools, formula, book| {
             if let Some(found) = book.find_two_mistakes(tools, printed.raw, derived) {
@@ -298,9 +293,8 @@ impl EntryJudge<'_, '_> {
         })
     }
 
-    /// Runs `search` for repairs of a printed formula, with the formula, the tools and the record
-    /// of abbreviations.
-    /// If the entry holds near a point, changed formulas are expanded before they are compared.
+    /// Runs `search` for repairs of a printed formula, with the formula, the tools and the record of abbreviations as
+    /// arguments. If the entry holds near a point, changed formulas are expanded before they are compared.
     fn search_repairs_with_tools<T>(
         &mut self,
         printed: PrintedFormulaValue,
@@ -318,11 +312,11 @@ impl EntryJudge<'_, '_> {
         search(&mut tools, &mut formula, self.book)
     }
 
-    /// Shorter form of a term that is equal to it in all states that the constraints permit, found
-    /// in at most four rounds.
+    /// Shortens a term in at most four rounds. The result is equal to the term in all states that the constraints
+    /// permit.
     fn shorten_in_permitted_states(&mut self, e: Expr) -> Expr {
         let mut short = e;
-        // The shortened term may contain more sums that can be shortened.
+        // The shortened term may contain further sums that can be shortened.
         for _ in 0..MOST_ROUNDS {
             let arena = &mut self.quantities.derivations.kinematics.arena;
             let next = self.comparer.permitted().replace_by_shorter_terms(arena, short);
@@ -334,7 +328,7 @@ impl EntryJudge<'_, '_> {
         short
     }
 
-    /// Simplifies a term of the derivations; the result is equal to it everywhere.
+    /// Simplifies a term of the derivations. The result is equal to the term everywhere.
     pub fn simplify(&mut self, e: Expr) -> Expr {
         let kinematics = &mut self.quantities.derivations.kinematics;
         kinematics.simplifier.simplify(&mut kinematics.arena, e)

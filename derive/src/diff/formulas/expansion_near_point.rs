@@ -1,13 +1,11 @@
-//! Formulas that hold near a point: printed and derived formulas are expanded up to an order in the
-//! deviations.
+//! Formulas that hold near a point: printed and derived formulas are expanded up to an order in the deviations.
 //!
-//! The substitution x = x₀ + ε (x − x₀), for each variable that stays near the point, gives Taylor
-//! series in ε. Two formulas are equal up to an order if their series are equal up to this order;
-//! later terms do not count.
+//! The substitution x = x₀ + ε (x − x₀), for each variable that stays near the point, gives Taylor series in ε. Two
+//! formulas are equal up to an order if their series are equal up to this order; later terms do not count.
 //!
-//! Small parameters, p = δ p, count as deviations, with δ = ε. But a text may keep products of a
-//! small parameter and a deviation, such as Ω ẋ in the linear equations of Foucault's pendulum.
-//! Then formulas are compared up to the order in ε and, separately, up to the order in δ.
+//! Small parameters, p = δ p, count as deviations, with δ = ε. But a publication may keep products of a small parameter
+//! and a deviation, such as Ω ẋ in the linear equations of Foucault's pendulum. Then formulas are compared up to the
+//! order in ε and, separately, up to the order in δ.
 
 use crate::algebra::term::calculus::{Differential, Substitution};
 use crate::algebra::term::steps::fresh_symbol;
@@ -17,12 +15,11 @@ use crate::algebra::{Arena, Expr, Function, Node};
 use crate::mechanics::{Kinematics, Quantities};
 use crate::publication::Approximation;
 
-/// Point of an approximation, with the values that follow from it, and the order.
+/// Point of an approximation, with the values that follow from it, and the order of the approximation.
 pub struct PointExpansion {
     /// Symbols of the variables that stay near the point, each with its value at the point.
     point: Vec<(Expr, Expr)>,
-    /// Substitution of x₀ + ε (x − x₀) for each variable near the point, with δ instead of ε for
-    /// parameters.
+    /// Substitution of x₀ + ε (x − x₀) for each variable near the point; parameters have δ instead of ε.
     way: Substitution,
     /// Symbol ε, which scales the deviations of variables.
     epsilon: Expr,
@@ -37,9 +34,9 @@ pub struct PointExpansion {
 }
 
 impl PointExpansion {
-    /// Completes a stated point with the rates and speeds that follow from it.
-    /// A variable that stays near a value has a rate near zero. A speed or rate whose formula
-    /// contains only such variables stays near the value of the formula.
+    /// Completes the point of an approximation with the rates and speeds that follow from it. A variable that stays
+    /// near a value has a rate near zero. A speed or rate whose formula contains only such variables stays near the
+    /// value of the formula.
     pub fn new(quantities: &mut Quantities<'_>, stated: &Approximation) -> Self {
         let model = quantities.model;
         let arena = &mut quantities.derivations.kinematics.arena;
@@ -101,9 +98,8 @@ impl PointExpansion {
         Self { point, way, epsilon, delta, keeps_products: false, order: stated.order, words }
     }
 
-    /// Switches to separate orders in deviations and in parameters, if a printed formula needs it.
-    /// A formula needs it if it has a product of a deviation and a small parameter that would be
-    /// beyond the common order.
+    /// Switches to separate orders in deviations and in parameters if a printed formula needs it. A formula needs it if
+    /// it has a product of a deviation and a small parameter that is beyond the common order.
     pub fn separate_orders_if_needed(&mut self, quantities: &mut Quantities<'_>, printed: &[Expr]) {
         let parameters = quantities.model.p();
         if self.point.iter().all(|(symbol, _)| !parameters.contains(symbol)) {
@@ -169,8 +165,7 @@ impl PointExpansion {
         Ok(simplifier.simplify(arena, sum))
     }
 
-    /// Sum of the Taylor terms of `e` in the symbol `size`, up to an order, with 1 put for the
-    /// symbol.
+    /// Sum of the Taylor terms of `e` in the symbol `size`, up to an order, in which the symbol is then replaced by 1.
     ///
     /// # Errors
     /// Reason why `e` has no value or a kink at the point.
@@ -202,8 +197,8 @@ impl PointExpansion {
     }
 }
 
-/// True if `e` has a kink at the point: an argument of |x| or sign x depends on ε and may be zero
-/// there.
+/// True if `e` has a kink at the point. Then an argument of |x| or sign x in `e` depends on ε and may be zero at the
+/// point.
 fn has_kink_at_point(arena: &mut Arena, at_point: &mut Substitution, epsilon: Expr, e: Expr) -> bool {
     let bent: Vec<Expr> = arena
         .reachable(&[e])

@@ -41,13 +41,13 @@ impl Judgement {
 }
 
 impl Finding {
-    /// Changes the judgement to "equal" for an entry whose difference `up_to` does not count, and
-    /// adds a remark on it.
+    /// Changes the judgement to "equal" for an entry whose remaining difference is allowed. `up_to` names this
+    /// difference, and `remark` is added.
     pub(in crate::diff) fn accept_with_remark(self, up_to: &'static str, remark: String) -> Self {
         Self {
             judgement: Judgement::Equal,
             up_to: Some(up_to),
-            // Remarks on units and terms are about a difference.
+            // The earlier remarks on units and terms describe the difference, so that they are dropped.
             remarks: vec![remark],
             difference: None,
             wrong: None,
@@ -67,7 +67,7 @@ impl Finding {
 pub(in crate::diff) struct Mistake {
     /// Descriptions of the wrong parts; empty if no description is short.
     pub(in crate::diff) words: Vec<String>,
-    /// Wrong part and right part; `None` unless this change is the whole mistake.
+    /// Wrong part with the right part; `None` unless this change is the whole mistake.
     pub(in crate::diff) change: Option<(Expr, Expr)>,
     /// Kind of the mistake; `None` unless there is exactly one mistake of a known kind.
     pub(in crate::diff) slip: Option<MistakeKind>,
@@ -76,7 +76,7 @@ pub(in crate::diff) struct Mistake {
 }
 
 impl Mistake {
-    /// Mistake in one part; `change` is the wrong part with the right part.
+    /// Creates the mistake in a single part. `change` is the wrong part with the right part.
     pub(in crate::diff) fn of_single_part(words: Vec<String>, change: (Expr, Expr), slip: Option<MistakeKind>) -> Self {
         Self { words, change: Some(change), slip, ..Self::default() }
     }
@@ -91,28 +91,24 @@ pub struct Finding {
     pub section: String,
     /// Judgement of the entry: equal, scaled, different, undecided or stated.
     pub judgement: Judgement,
-    /// Region of states in which the printed value equals the derived one; everywhere, unless the
-    /// judgement limits it.
+    /// Region of states in which the printed value equals the derived value: everywhere, unless the judgement limits
+    /// it.
     pub holds: StatesOfValidity,
     /// Difference that an accepted entry may have, in words, such as "up to a constant"; `None` for
     /// exact equality.
     pub up_to: Option<&'static str>,
     /// Printed text of the entry, as transcribed in the publication file.
     pub printed: String,
-    /// Derived value; for scaled entries it is multiplied by the factor. `None` if nothing was
-    /// derived.
+    /// Derived value; for a scaled entry it is multiplied by the factor. `None` if no value was derived.
     pub derived: Option<Expr>,
-    /// Factor printed ÷ derived; `None` without a common factor. For different entries, given only
-    /// if it holds exactly.
+    /// Factor printed ÷ derived; `None` without a common factor. A "different" entry has a factor only if it is exact.
     pub factor: Option<Expr>,
-    /// Difference printed − derived, simplified; `None` unless the entry is different.
+    /// Difference printed − derived, simplified; `None` unless the entry is "different".
     pub difference: Option<Expr>,
-    /// Description of the mistake, in words: wrong terms or wrong entries of a row with their right
-    /// values.
-    /// `None` if the entry is right, or if the description would be long.
+    /// Description of the mistake in words: wrong terms, or wrong entries of a row, with their right values. `None` if
+    /// the entry is right, or if the description would be long.
     pub wrong: Option<String>,
-    /// Wrong part and right part of the printed formula; `None` unless this change is the whole
-    /// mistake.
+    /// Wrong part with the right part of the printed formula; `None` unless this change is the whole mistake.
     pub change: Option<(Expr, Expr)>,
     /// Kind of the mistake; `None` unless there is exactly one mistake of a known kind.
     pub slip: Option<MistakeKind>,
@@ -127,8 +123,7 @@ pub struct Finding {
     pub remarks: Vec<String>,
 }
 
-/// Finding with its claim: the entry's statement as data, by which wrong entries are traced to
-/// other entries.
+/// Finding with its claim: the statement of the entry as data, with which wrong entries are traced to other entries.
 pub(in crate::diff) struct TracedFinding {
     /// Finding of the entry, with its judgement.
     pub(in crate::diff) finding: Finding,
@@ -137,7 +132,7 @@ pub(in crate::diff) struct TracedFinding {
 }
 
 impl Finding {
-    /// Combines the finding with its claim: the entry's statement as data, for tracing mistakes.
+    /// Combines the finding with its claim: the statement of the entry as data, for tracing mistakes.
     pub(in crate::diff) fn with_claim(self, claim: Claim) -> TracedFinding {
         TracedFinding { finding: self, claim }
     }
@@ -169,7 +164,7 @@ impl Finding {
         [self.derived, self.factor, self.difference].into_iter().flatten()
     }
 
-    /// Adds a mistake: its description, its repair and its kind.
+    /// Adds the description, the repair and the kind of a mistake to the finding.
     pub(in crate::diff) fn name_mistake(&mut self, mistake: Mistake) {
         let Mistake { words, change, slip, abbreviations } = mistake;
         (self.slip, self.abbreviations) = (slip, abbreviations);
@@ -178,7 +173,7 @@ impl Finding {
         self.change = change;
     }
 
-    /// Adds the derived value and the verdict of the comparison with it.
+    /// Adds the derived value, and the verdict of its comparison with the printed value.
     pub(in crate::diff) fn with_verdict(mut self, verdict: Verdict, holds: StatesOfValidity, derived: Expr) -> Self {
         self.derived = Some(derived);
         self.holds = holds;
@@ -194,7 +189,7 @@ impl Finding {
     }
 }
 
-/// Finding of an entry before its judgement: id, section and printed text.
+/// Creates the finding of an entry before it is judged: id, section and printed text.
 pub(in crate::diff) fn unjudged_finding(id: &str, entry: &Entry, text: &str) -> Finding {
     Finding::new(id, &entry.section, Judgement::Stated, text)
 }

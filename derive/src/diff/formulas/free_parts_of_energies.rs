@@ -1,7 +1,7 @@
 //! Free parts of energies, on which the equations of motion do not depend.
 //!
-//! These are a constant and the potential of loads that the model states as forces. In L, the time
-//! derivative of a function of q and t is free, too.
+//! Free parts are a constant, and the potential of loads that the model declares as forces. In L, the time derivative
+//! of a function of q and t is free, too.
 
 use super::constant_terms::{is_constant, is_constant_in_motion};
 use super::entry_judge::{EntryJudge, LONGEST, PrintedFormulaValue};
@@ -15,18 +15,16 @@ use crate::mechanics::{EnergyQuantity, LoadPotential};
 use crate::model::Model;
 use crate::publication::has_decimals;
 
-/// Largest number of loads whose potentials are tried, in each combination, as a part of a printed
-/// energy.
+/// Largest number of loads whose potentials are tried, in each combination, as part of a printed energy.
 const MOST_LOADS: usize = 4;
 
-/// Loads whose potential an energy may contain: their names in words, and their generalized forces
-/// at zero speeds.
+/// Loads whose potential an energy may contain: their names in words, and their generalized forces at zero speeds.
 type Loads = (String, Vec<Expr>);
 
 impl EntryJudge<'_, '_> {
-    /// Finding of a wrong energy that has another zero (a constant added) and one mistake.
-    /// `found` is the finding without the constant. Returns `None` if the energy has no additional
-    /// constant, or if the constant does not make the mistake clearer.
+    /// Finding of a wrong energy that has another zero (an added constant) and one mistake. `found` is the finding that
+    /// does not separate the constant. Returns `None` if the energy has no additional constant, or if separating it
+    /// does not make the mistake clearer.
     pub(super) fn energy_with_free_constant(
         &mut self,
         finding: Finding,
@@ -58,10 +56,10 @@ impl EntryJudge<'_, '_> {
         found.change.is_some_and(|(own, _)| own != printed.value).then_some(found)
     }
 
-    /// Accepts a printed energy if it differs from the derived energy only in parts without effect on
-    /// the equations of motion. These are a constant, the potential of loads that the model states as
-    /// forces, and, in L, the time derivative of a function of q and t. Otherwise returns the finding
-    /// unchanged. `printed` is the value of the printed energy.
+    /// Accepts a printed energy that differs from the derived energy only in parts without effect on the equations of
+    /// motion. Such parts are a constant, the potential of loads that the model declares as forces, and, in L, the time
+    /// derivative of a function of q and t. Otherwise returns the finding unchanged. `printed` is the value of the
+    /// printed energy.
     pub(super) fn up_to_free_parts(&mut self, finding: Finding, energy: EnergyQuantity, printed: Expr) -> Finding {
         let finding = self.accept_free_energy_constant(finding, printed);
         let Some(difference) = finding.difference.filter(|_| finding.judgement == Judgement::Different) else {
@@ -87,13 +85,12 @@ impl EntryJudge<'_, '_> {
         finding.accept_with_remark("with the potential of a load", remark)
     }
 
-    /// Accepts a printed energy that differs from the derived one by a constant: only its zero
-    /// differs.
+    /// Accepts a printed energy that differs from the derived energy only by a constant, that is, by its zero.
     fn accept_free_energy_constant(&mut self, finding: Finding, printed: Expr) -> Finding {
         let Some(difference) = finding.difference.filter(|_| finding.judgement == Judgement::Different) else {
             return finding;
         };
-        // The difference is tested as it is, on the constraints, and with printed numbers for
+        // The difference is tested in three forms: as it is, in permitted states, and with printed numbers for
         // parameters.
         let arena = &mut self.quantities.derivations.kinematics.arena;
         let permitted = self.comparer.permitted().write_in_free_symbols(arena, difference);
@@ -118,8 +115,8 @@ impl EntryJudge<'_, '_> {
         finding.accept_with_remark("up to a constant", remark)
     }
 
-    /// Loads that the derived energy leaves out, with their generalized forces: all together, then
-    /// each combination of them.
+    /// Loads that the derived energy leaves out, with their generalized forces: first all together, then each
+    /// combination of loads.
     fn loads_left_out_of_energy(&mut self) -> Vec<Loads> {
         let model = self.quantities.model;
         let kinematics = &mut self.quantities.derivations.kinematics;
@@ -144,13 +141,13 @@ impl EntryJudge<'_, '_> {
         list
     }
 
-    /// True if, in every motion that the constraints permit, the given forces do work equal to
-    /// −`sign` times the change of `term`.
+    /// True if the given forces do work equal to −`sign` times the change of `term`, in every motion that the
+    /// constraints permit.
     fn is_free_potential_of_forces(&mut self, term: Expr, forces: &[Expr], sign: Expr) -> bool {
         let model = self.quantities.model;
         let term = self.quantities.in_speeds(term);
         let arena = &mut self.quantities.derivations.kinematics.arena;
-        // Kinetic energies in different rates are equal on the constraints.
+        // Kinetic energies in different rates are equal in permitted states.
         let depends = |speed: Expr| {
             let slope = Differential::partial(speed).apply(arena, term);
             !self.comparer.compare(arena, slope, Expr::ZERO).is_equal()
@@ -177,8 +174,8 @@ impl EntryJudge<'_, '_> {
         })
     }
 
-    /// True if the part `term` of L adds exactly the given forces to Lagrange's equations.
-    /// Without forces, `term` is the time derivative of a function of q and t.
+    /// True if the part `term` of L adds exactly the given forces to Lagrange's equations. If there are no forces,
+    /// `term` must be the time derivative of a function of q and t.
     fn is_time_derivative_in_lagrangian(&mut self, term: Expr, forces: &[Expr]) -> bool {
         let model = self.quantities.model;
         let term = self.quantities.in_rates(term);
@@ -209,7 +206,7 @@ fn coordinates_without_time(model: &Model) -> impl Iterator<Item = usize> + '_ {
     (0..model.coordinates.len()).filter(|at| model.time() != Some(*at))
 }
 
-/// Forces at zero rates q̇, where dampers vanish; `None` if a force has no value there.
+/// Forces at zero rates q̇, at which dampers have no force. `None` if a force has no value there.
 fn forces_at_rest(arena: &mut Arena, model: &Model, forces: &[Expr]) -> Option<Vec<Expr>> {
     let mut at_rest = Substitution::new(&model.q_dot().into_iter().map(|rate| (rate, Expr::ZERO)).collect::<Vec<_>>());
     let resting = forces.iter().map(|force| at_rest.apply(arena, *force)).collect();

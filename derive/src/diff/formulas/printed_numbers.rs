@@ -1,9 +1,9 @@
-//! Judgement of printed numbers (parameters and initial values) by the definitions of the speeds
-//! and by one another.
+//! Judgement of printed numbers (parameters and initial values) by the definitions of the speeds and by other printed
+//! numbers.
 //!
-//! All numbers of one set count as rounded to the same decimal: the last decimal of its longest
-//! number, ± half a unit. Formulas without decimals are exact. Two numbers contradict each other
-//! only if they differ by more than this rounding.
+//! All numbers of one set count as rounded to the same decimal: the last decimal of the set's longest number, ± half a
+//! unit. Formulas without decimals are exact. Two numbers contradict each other only if they differ by more than this
+//! rounding.
 
 use super::finding::{Finding, Judgement, TracedFinding};
 use crate::diff::equations::claim::Claim;
@@ -16,8 +16,7 @@ use crate::algebra::value::tape::Tape;
 use crate::model::Model;
 use crate::publication::{Entry, EntryKind, Initial, Publication};
 
-/// Value of a quantity from elsewhere in the publication than the judged entry, with its
-/// uncertainty.
+/// Value of a judged quantity from another place in the publication, with its uncertainty.
 struct OtherValue {
     /// Value of the quantity, in its SI unit.
     value: f64,
@@ -25,14 +24,14 @@ struct OtherValue {
     slack: f64,
     /// Origin of the value, in words.
     from: String,
-    /// Numbers from which the value was computed, by name; empty if the value is printed itself.
+    /// Names and values of the printed numbers from which the value was computed; empty if the value itself is printed.
     at: Vec<(String, f64)>,
     /// Ids of the entries that give the value.
     entries: Vec<String>,
 }
 
-/// Judges one printed number of a parameter or of a start.
-/// The claim in the result lists the entries that the number contradicts.
+/// Judges a printed number of a parameter or of an initial value. The claim in the result lists the entries that
+/// contradict the number.
 pub fn judge_printed_number(model: &Model, publication: &Publication, entry: &Entry) -> TracedFinding {
     let EntryKind::Initial(initial) = &entry.kind else { unreachable!("asked for numbers only") };
     let mut finding = Finding::new(&entry.id, &entry.section, Judgement::Stated, &initial.text);
@@ -45,7 +44,7 @@ pub fn judge_printed_number(model: &Model, publication: &Publication, entry: &En
     let (mut contradicted, mut against) = (false, Vec::new());
     for other in &others {
         let difference = own - other.value;
-        // Rounding of the arithmetic is far below that of the print.
+        // Rounding errors of the arithmetic are far below the rounding of the printed numbers.
         let allowed = slack + other.slack + 1e-9 * own.abs().max(other.value.abs());
         if difference.abs() <= allowed {
             finding.remarks.push(format!("agrees with {} = {}", other.from, number_text(other.value)));
@@ -75,12 +74,12 @@ fn number_text(x: f64) -> String {
     rounded.to_string()
 }
 
-/// Value of a term without symbols; "not a number" if it has none.
+/// Value of a term without symbols; NaN if the term has no numerical value.
 fn printed_number_value(model: &Model, e: Expr) -> f64 {
     Tape::new(&model.arena, &[], &[e]).map_or(f64::NAN, |tape| tape.evaluate(&[])[0])
 }
 
-/// Entries of a publication that state a number of a parameter or of a start.
+/// Entries of a publication that state a number of a parameter or an initial value.
 pub(super) fn printed_number_entries(publication: &Publication) -> impl Iterator<Item = (&Entry, &Initial)> {
     publication.entries.iter().filter_map(|entry| match &entry.kind {
         EntryKind::Initial(initial) => Some((entry, initial)),
@@ -88,7 +87,7 @@ pub(super) fn printed_number_entries(publication: &Publication) -> impl Iterator
     })
 }
 
-/// Entries with numbers of one set, such as the initial values of one example.
+/// Entries whose numbers belong to one set, such as the initial values of one example.
 fn printed_numbers_of_set<'a>(
     publication: &'a Publication,
     set: &'a str,
@@ -99,8 +98,7 @@ fn printed_numbers_of_set<'a>(
     })
 }
 
-/// Uncertainty of a printed number: half a unit in the last decimal of its set; 0 for exact
-/// formulas.
+/// Uncertainty of a printed number: half a unit in the last decimal of its set; 0 for exact formulas.
 fn printed_number_uncertainty(publication: &Publication, initial: &Initial) -> f64 {
     if initial.decimals.is_none() {
         return 0.0;
@@ -109,8 +107,7 @@ fn printed_number_uncertainty(publication: &Publication, initial: &Initial) -> f
     0.5 * 10_f64.powi(-i32::try_from(most).unwrap_or(0))
 }
 
-/// Value of a generalized speed by its definition, from the coordinates and rates of the same set
-/// of numbers.
+/// Value of a generalized speed by its definition, computed from the coordinates and rates of the same set of numbers.
 /// Returns `None` if the quantity is no speed, or if a needed number is not stated.
 fn speed_from_printed_numbers(model: &Model, publication: &Publication, initial: &Initial) -> Option<OtherValue> {
     let speed = model.speeds.iter().find(|s| s.symbol == initial.quantity)?;

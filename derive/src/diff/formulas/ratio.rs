@@ -27,11 +27,11 @@ pub fn constant_ratio(quantities: &mut Quantities<'_>, comparer: &mut Comparer, 
             return None;
         }
     }
-    // The ratio does not depend on these symbols, so any value may replace them.
+    // The ratio does not depend on these symbols, so that any value may replace them.
     let mut at_one = Substitution::new(&symbols.iter().map(|s| (*s, Expr::ONE)).collect::<Vec<_>>());
     let value = at_one.apply(arena, ratio);
     let value = simplifier.simplify(arena, value);
-    // Roots may hide that the ratio is 1 or −1.
+    // A ratio of 1 or −1 may be hidden by roots.
     let plain = [Expr::ONE, Expr::MINUS_ONE].into_iter().find(|n| comparer.compare(arena, value, *n).is_equal());
     let value = plain.unwrap_or(value);
     let back = arena.mul(value, b);

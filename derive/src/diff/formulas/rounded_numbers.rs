@@ -1,9 +1,8 @@
-//! Equality to the digits printed, for formulas with numbers in place of parameters, such as 2.1853
-//! θ.
+//! Equality to the digits printed, for formulas with numbers instead of parameters, such as 2.1853 θ.
 //!
-//! A printed decimal number may be any number that rounds to it, half a unit of its last decimal up
-//! or down. Numbers may replace parameters only in a formula that mentions no parameter: a lost
-//! factor is a mistake, even if its value is 1.
+//! A printed decimal number represents any number that rounds to it: up to half a unit of its last decimal more or
+//! less. Numbers may replace parameters only in a formula that mentions no parameter: a lost factor is a mistake, even
+//! if its value is 1.
 
 use crate::algebra::meaning::compare::Comparer;
 use crate::algebra::term::calculus::{Differential, Substitution};
@@ -15,16 +14,15 @@ use crate::mechanics::Quantities;
 
 /// Number of random states at which the printed and the derived value are compared.
 const STATES: usize = 6;
-/// Largest number of decimals with which a printed number counts as rounded.
+/// Largest number of decimals of a printed number that may be rounded.
 const MOST_DECIMALS: u32 = 15;
 /// Largest number of rounded numbers in a printed formula.
 const MOST_NUMBERS: usize = 40;
-/// Relative tolerance for rounding errors of the comparison itself.
+/// Relative tolerance for the rounding errors of the comparison.
 const ROUNDING: f64 = 1e-9;
 
-/// True if a printed value with numbers for all parameters equals the derived value, to the digits
-/// printed.
-/// `values` are the parameters with their numbers. Inputs may be mentioned.
+/// True if a printed value with numbers instead of all parameters equals the derived value to the digits printed.
+/// `values` are the parameters with their numbers. The printed value may mention inputs.
 pub fn agrees_to_printed_digits(
     quantities: &mut Quantities<'_>,
     comparer: &mut Comparer,
@@ -73,7 +71,7 @@ pub fn agrees_to_printed_digits(
         let found = tape.evaluate(&state);
         let slack: f64 = decimals.iter().zip(&found[2..]).map(|(decimal, slope)| decimal.slack * slope.abs()).sum();
         let size = found[0].abs().max(found[1].abs());
-        // If a value is "not a number", the comparison is false.
+        // The comparison is false if a value is NaN.
         (found[0] - found[1]).abs() <= slack + ROUNDING * size
     })
 }
@@ -109,8 +107,8 @@ fn rounded_decimals(arena: &Arena, parts: &[Expr]) -> Vec<RoundedDecimal> {
     list
 }
 
-/// Uncertainty of a decimal number, half a unit of its last decimal; `None` for an integer or a
-/// non-terminating decimal.
+/// Uncertainty of a decimal number, half a unit of its last decimal. `None` for an integer, or a fraction without a
+/// finite decimal form.
 fn rounding_uncertainty(number: &Rational) -> Option<f64> {
     let (_, denominator) = number.small()?;
     let places = (1..=MOST_DECIMALS).find(|places| 10_i64.pow(*places) % denominator == 0)?;

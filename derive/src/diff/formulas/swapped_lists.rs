@@ -1,8 +1,8 @@
 //! Detection of two printed lists of numbers that are exchanged.
 //!
-//! In a set of numbers, the rates q̇ and the speeds u of equal index are exchanged for a test. If
-//! this removes all contradictions between numbers of the publication, the lists are swapped. This
-//! is one mistake, not one for each number.
+//! The test exchanges the rates q̇ with the speeds u of equal index in a set of numbers. If this removes all
+//! contradictions between numbers of the publication, the lists are swapped. This counts as one mistake, not as one for
+//! each number.
 
 use super::finding::Judgement;
 use super::printed_numbers::{judge_printed_number, printed_number_entries};
@@ -10,7 +10,7 @@ use crate::model::Model;
 use crate::publication::{EntryKind, Publication};
 use std::collections::BTreeSet;
 
-/// Two lists of numbers of one set that are each printed in place of the other.
+/// Pair of lists of one set of numbers, each printed in the place of the other.
 pub struct SwappedLists {
     /// Ids of the entries of all numbers in both lists.
     pub entries: Vec<String>,
@@ -18,7 +18,7 @@ pub struct SwappedLists {
     pub words: String,
 }
 
-/// Largest number of printed numbers among which swapped lists are searched for.
+/// Largest number of printed numbers for which swapped lists are sought.
 const MOST_NUMBERS: usize = 200;
 
 /// Finds exchanged lists of rates and speeds, at most one pair of lists for each set of numbers.
@@ -32,15 +32,14 @@ pub fn swapped_lists(model: &Model, publication: &Publication) -> Vec<SwappedLis
     sets.into_iter().filter_map(|set| swapped_lists_in_set(model, publication, set)).collect()
 }
 
-/// Number of printed numbers that other printed numbers contradict.
+/// Number of printed numbers that are contradicted by other printed numbers.
 fn count_contradictions_in_lists(model: &Model, publication: &Publication) -> usize {
     printed_number_entries(publication)
         .filter(|(e, _)| judge_printed_number(model, publication, e).finding.judgement == Judgement::Different)
         .count()
 }
 
-/// Exchanged lists of rates and speeds in one set; `None` unless the exchange removes every
-/// contradiction.
+/// Exchanged lists of rates and speeds in a set of numbers. `None` unless the exchange removes every contradiction.
 fn swapped_lists_in_set(model: &Model, publication: &Publication, set: &str) -> Option<SwappedLists> {
     let place = |symbol| {
         publication
@@ -69,7 +68,7 @@ fn swapped_lists_in_set(model: &Model, publication: &Publication, set: &str) -> 
     if pairs.len() < 2 || count_contradictions_in_lists(model, &turned) > 0 {
         return None;
     }
-    // Equal numbers are right in either list.
+    // Rates and speeds with equal numbers are right in either list.
     let moved = |(rate, speed): &&(usize, usize)| {
         let value = |at: usize| match &publication.entries[at].kind {
             EntryKind::Initial(initial) => Some(initial.value),

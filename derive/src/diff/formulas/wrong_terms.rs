@@ -1,9 +1,8 @@
 //! Wrong terms of a printed sum, each with its right value.
 //!
-//! Invariant: if every term in the list is corrected, the printed value equals the derived value.
-//! The list is empty if it would be long. Each term of the difference is assigned to the printed
-//! term of which it is a numerical multiple. A term without such a printed term is missing in
-//! print.
+//! Invariant: if every listed term is corrected, the printed value equals the derived value. A long list is replaced
+//! with an empty list. Each term of the difference is assigned to the printed term of which it is a numerical multiple.
+//! If there is no such printed term, the term is missing in print.
 
 use super::ratio::numerical_ratio;
 use crate::algebra::form::simplify::Simplifier;
@@ -21,7 +20,7 @@ const LONGEST: usize = 80;
 pub enum WrongTerm {
     /// Printed term that should not be there.
     Extra(Expr),
-    /// Printed term, and the right term in its place.
+    /// Wrong printed term, and the right term for its place.
     Other(Expr, Expr),
     /// Derived term that is not printed.
     Missing(Expr),
@@ -43,7 +42,7 @@ impl WrongTerm {
         }
     }
 
-    /// Terms that the mistake mentions: the printed one, the right one, or both.
+    /// Terms that the mistake mentions: the printed term, the right term, or both.
     pub fn parts(&self) -> impl Iterator<Item = Expr> {
         let (first, second) = match *self {
             Self::Extra(e) | Self::Missing(e) => (e, None),
@@ -74,7 +73,7 @@ pub fn wrong_terms(arena: &mut Arena, simplifier: &mut Simplifier, printed: Expr
     let mut found = Vec::new();
     for term in wrong {
         let own = printed.iter().find_map(|own| Some((*own, numerical_ratio(arena, simplifier, term, *own)?)));
-        // With term = k own, the right term is own − term, which vanishes if k = 1.
+        // With term = k own, the right term is own − term. It vanishes if k = 1.
         found.push(match own {
             Some((own, k)) if k.is_one() => WrongTerm::Extra(own),
             Some((own, k)) => WrongTerm::Other(own, arena.scale(own, &Rational::ONE.add(&k.neg()))),
@@ -84,8 +83,7 @@ pub fn wrong_terms(arena: &mut Arena, simplifier: &mut Simplifier, printed: Expr
     if found.iter().any(|term| term.words(arena).len() > 2 * LONGEST) { Vec::new() } else { found }
 }
 
-/// Terms of a sum, or of a product of one sum with other factors, multiplied out; `e` itself if it
-/// is no sum.
+/// Terms of a sum, multiplied out if other factors multiply it; `e` itself if it is no sum.
 pub fn terms_multiplied_out(arena: &mut Arena, e: Expr) -> Vec<Expr> {
     let scaled = |arena: &mut Arena, terms: &[(Expr, Rational)], constant: &Rational| {
         let mut list: Vec<Expr> = terms.iter().map(|(term, k)| arena.scale(*term, k)).collect();

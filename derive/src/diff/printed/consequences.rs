@@ -1,4 +1,4 @@
-//! Effects of printed systems on the motion: determinants, drift of first integrals, differences of
+//! Effects of errors in printed systems on the motion: determinants, drift of first integrals, and differences of
 //! accelerations.
 
 use super::judged_system::MatchedMotion;
@@ -11,7 +11,7 @@ use crate::mechanics::{Derivations, Formulation, Kinematics};
 use crate::model::Model;
 use crate::prove::{Integral, Proof};
 
-/// Time derivative that printed equations give to a first integral of the derived equations.
+/// Time derivative of a first integral of the derived equations along printed equations.
 #[derive(Clone, Debug)]
 pub struct IntegralRate {
     /// First integral of the derived equations, constant in the true motion.
@@ -23,14 +23,12 @@ pub struct IntegralRate {
     pub verdict: Verdict,
 }
 
-/// Consequences of one printed system for the motion: its determinant, first integrals and
-/// accelerations.
+/// Consequences of a printed system's errors for the motion: its determinant, first integrals and accelerations.
 #[derive(Clone, Debug)]
 pub struct Consequences {
     /// Id of the printed system in the publication.
     pub system: String,
-    /// Determinant of the printed matrix, the expected determinant, and the verdict on their
-    /// equality; `None` if not compared.
+    /// Determinant of the printed matrix, expected determinant, and verdict on their equality; `None` if not compared.
     /// The expected determinant is that of the matched derived rows times their factors.
     pub determinant: Option<(Expr, Expr, Verdict)>,
     /// Time derivatives of the first integrals; empty if the system is singular everywhere or too
@@ -62,8 +60,8 @@ pub struct Agreement {
 /// Largest number of unknowns of a system that is solved symbolically.
 const MOST_UNKNOWNS: usize = 12;
 
-/// Finds the consequences of every printed system for the motion, and compares the accelerations of
-/// every pair.
+/// Finds the consequences of every printed system for the motion, and compares the accelerations of every pair of
+/// systems.
 pub fn find_consequences(
     model: &Model,
     derivations: &mut Derivations,
@@ -135,10 +133,8 @@ fn same_motion(derivations: &mut Derivations, comparer: &mut Comparer, a: &Solve
     crate::prove::combined_verdict(verdicts)
 }
 
-/// Compares the determinant of the printed matrix with that of the derived rows times their
-/// factors.
-/// Returns (printed, expected, verdict). `None` unless each printed row matches a different single
-/// derived row.
+/// Compares the determinant of the printed matrix with that of the matched derived rows times their factors. Returns
+/// (printed, expected, verdict). `None` unless the printed rows match different single derived rows.
 fn judge_determinant(
     derivations: &mut Derivations,
     comparer: &mut Comparer,
@@ -149,7 +145,7 @@ fn judge_determinant(
         return None;
     }
     let Kinematics { arena, simplifier, .. } = &mut derivations.kinematics;
-    // Derived rows in the order of the matches, each with its factor. If two printed rows match one derived row,
+    // Derived rows in the order of the matches, each with its factor. If two printed rows match the same derived row,
     // another derived row is missing.
     let mut rows = Vec::new();
     let mut taken = vec![false; matched.matrix.len()];

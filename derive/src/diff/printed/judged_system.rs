@@ -25,8 +25,8 @@ use std::cell::OnceCell;
 pub struct MatchedMotion {
     /// Printed equations of motion, in the order of the derived unknowns.
     pub motion: MotionSystem,
-    /// Coefficient matrix of the derived system, without right-hand sides; empty if accelerations
-    /// are stated directly.
+    /// Coefficient matrix of the derived system, without right-hand sides; empty if the publication states
+    /// accelerations directly.
     pub matrix: Vec<Vec<Expr>>,
     /// Match of each printed row with the derived rows.
     pub rows: Vec<RowMatchResult>,
@@ -34,19 +34,18 @@ pub struct MatchedMotion {
 
 /// Judgement of one printed system or program (listing): findings, matched rows and motion.
 pub struct JudgedSystem {
-    /// Findings for the rows and entries of the system, each with its claim (its statement as
-    /// data).
+    /// Findings on the rows and entries of the system, each with its claim (its statement as data).
     pub findings: Vec<TracedFinding>,
-    /// Printed rows with the matched derived rows.
-    /// `None` if a program states accelerations directly, or if the entry holds only near a point.
+    /// Printed rows with the matched derived rows. `None` if a program states accelerations directly, or if the entry
+    /// holds only near a point.
     pub table: Option<MatchedSystem>,
     /// Printed system as equations of motion; `None` if it is incomplete, or if the entry holds
     /// only near a point.
     pub motion: Option<MatchedMotion>,
 }
 
-/// Rows of a printed system, unchanged, in the order of the derived unknowns.
-/// An unknown that the system does not print gets the coefficient 0.
+/// Rows of a printed system, with unchanged entries, in the order of the derived unknowns. An unknown that is not
+/// printed in the system gets the coefficient 0.
 fn rows_as_printed(system: &System, order: &[Expr]) -> Vec<Row> {
     let columns: Vec<Option<usize>> = order.iter().map(|x| system.unknowns.iter().position(|u| u == x)).collect();
     let row = |(entries, right): (&Vec<Expr>, &Expr)| {
@@ -56,9 +55,8 @@ fn rows_as_printed(system: &System, order: &[Expr]) -> Vec<Row> {
     system.matrix.iter().zip(&system.right).map(row).collect()
 }
 
-/// Printed rows in the order of the derived unknowns, in which derived quantities replace their
-/// names.
-/// The error is the reason why a printed term has no value.
+/// Printed rows in the order of the derived unknowns, in which the names of derived quantities are replaced with their
+/// values. The error is the reason why a printed term has no value.
 pub(super) fn printed_rows_of_judged_system(
     quantities: &mut Quantities<'_>,
     names: &QuantityNames,
@@ -70,10 +68,10 @@ pub(super) fn printed_rows_of_judged_system(
     let mut rows = Vec::new();
     for row in rows_as_printed(system, order) {
         let mut row = row.into_iter().map(|e| reading.value(quantities, names, e)).collect::<Result<Row, String>>()?;
-        // Names of derived quantities may stand for accelerations.
+        // Names of derived quantities may represent accelerations.
         let arena = &mut quantities.derivations.kinematics.arena;
         let right = row.pop().unwrap_or(Expr::ZERO);
-        // A row that is not linear in the unknowns is kept as it is printed.
+        // A row that is not linear in the unknowns is kept as printed.
         let (entries, rest) =
             form.coefficients(arena, right).unwrap_or_else(|_| (vec![Expr::ZERO; order.len()], right));
         for (entry, more) in row.iter_mut().zip(entries) {
@@ -85,8 +83,8 @@ pub(super) fn printed_rows_of_judged_system(
     Ok(rows)
 }
 
-/// Printed system as equations of motion; `None` unless it has all unknowns and all rows of the
-/// derived system.
+/// Converts a printed system to equations of motion. `None` unless it has all unknowns and all rows of the derived
+/// system.
 pub fn motion_of_system(
     quantities: &mut Quantities<'_>,
     names: &QuantityNames,
@@ -106,8 +104,8 @@ fn judged_system_mentions_time(model: &Model, system: &System) -> bool {
     columns.any(|column| system.matrix.iter().any(|row| row[column] != Expr::ZERO))
 }
 
-/// True if printed rows are complete equations of motion: as many rows as unknowns, all unknowns
-/// present, rows linear.
+/// True if printed rows are complete equations of motion: there are as many rows as unknowns, all unknowns are present,
+/// and the rows are linear.
 fn is_complete_motion(quantities: &Quantities<'_>, system: &System, order: &DerivedSystem, rows: &[Row]) -> bool {
     let arena = &quantities.derivations.kinematics.arena;
     let is_linear =
@@ -118,7 +116,7 @@ fn is_complete_motion(quantities: &Quantities<'_>, system: &System, order: &Deri
 }
 
 impl EntryJudge<'_, '_> {
-    /// Judges a printed system: each row, then each entry that has its own id.
+    /// Judges a printed system: first each row, then each entry that has its own id.
     pub fn judge_system(&mut self, entry: &Entry, system: &System) -> JudgedSystem {
         let model = self.quantities.model;
         let both = derived_system(self.quantities, system.formulation, system.frame).and_then(|order| {
@@ -182,8 +180,7 @@ impl EntryJudge<'_, '_> {
                 .zip(row)
                 .map(|(raw, value)| PrintedFormulaValue { raw: *raw, value: *value, reading })
                 .collect();
-            // If entries have their own verdicts, each is compared with an entry of a single
-            // derived row.
+            // If entries have ids of their own, each is compared with an entry of a single derived row.
             let is_apart = system.matrix_ids.is_some() || system.right_ids.is_some();
             let whole = if is_apart { None } else { self.whole_row(&finding, &row_printed, &order, &solving, &judged) };
             let by = whole.as_ref().map_or_else(|| judged.by.clone(), |whole| whole.row_match(judged.by.clone()));
@@ -222,8 +219,7 @@ impl EntryJudge<'_, '_> {
         self.restrict_judged_system(JudgedSystem { findings, table: Some(table), motion })
     }
 
-    /// Finding of a printed row without unknowns that states a constraint of the mechanism, such as
-    /// a loop equation.
+    /// Finding on a printed row without unknowns that states a constraint of the mechanism, such as a loop equation.
     /// Returns `None` for any other row, including an identity that holds in all states.
     fn constraint_finding_in_system(&mut self, finding: &Finding, row: &Row) -> Option<Finding> {
         let (right, entries) = row.split_last()?;
@@ -238,8 +234,8 @@ impl EntryJudge<'_, '_> {
         })
     }
 
-    /// Rewrites the derived rows in the multipliers that the printed rows use.
-    /// Returns a description of the printed multipliers; `None` if they equal the derived ones.
+    /// Rewrites the derived rows in the multipliers of the printed rows. Returns a description of the printed
+    /// multipliers; `None` if they equal the derived multipliers.
     fn adapt_judged_system_to_multipliers(&mut self, order: &mut DerivedSystem, rows: &[Row]) -> Option<String> {
         let model = self.quantities.model;
         let Kinematics { arena, simplifier, .. } = &mut self.quantities.derivations.kinematics;
@@ -247,9 +243,8 @@ impl EntryJudge<'_, '_> {
         terms.adapt_to_printed_multipliers(order, rows, model, self.multipliers)
     }
 
-    /// Expands derived and printed rows up to the order of an entry that holds near a point.
-    /// Rows of any other entry are returned unchanged. The error is the reason why an expansion
-    /// does not exist.
+    /// Expands derived and printed rows up to the order of the entry if it holds near a point. Rows of any other entry
+    /// are returned unchanged. The error is the reason why an expansion does not exist.
     pub(super) fn expand_judged_system(
         &mut self,
         order: DerivedSystem,
@@ -306,10 +301,9 @@ impl EntryJudge<'_, '_> {
         None
     }
 
-    /// Removes table and motion from the result of an entry that holds only near a point; other
-    /// results are unchanged.
-    /// Such an entry is not an equation of the whole motion. It is traced to another row only if it
-    /// is the expansion of that row.
+    /// Removes table and motion from the result of an entry that holds only near a point; other results are unchanged.
+    /// Such an entry is no equation of the whole motion. It is traced to another row only if it is the expansion of
+    /// that row.
     pub(super) fn restrict_judged_system(&self, judged: JudgedSystem) -> JudgedSystem {
         if self.near.is_none() {
             return judged;
@@ -319,9 +313,8 @@ impl EntryJudge<'_, '_> {
         JudgedSystem { findings, table: None, motion: None }
     }
 
-    /// Marks a right row as different if it depends linearly on the rows above it, because an
-    /// equation of motion is missing.
-    /// Adds a remark if the system has too few equations to determine the motion.
+    /// Marks a right row as "different" if it depends linearly on the rows before it, because an equation of motion is
+    /// then missing. Adds a remark if the system has too few equations to determine the motion.
     fn mark_missing_equations_of_system(
         &self,
         findings: &mut [TracedFinding],
@@ -333,7 +326,7 @@ impl EntryJudge<'_, '_> {
         let arena = &self.quantities.derivations.kinematics.arena;
         let Some(first) = findings.first_mut() else { return };
         let constraints = &self.quantities.model.motion_constraints;
-        // Rows without multipliers, and the constraints, determine the accelerations together.
+        // Rows without multipliers determine the accelerations together with the constraints.
         let is_absent = |unknown: &Expr| !system.unknowns.contains(unknown);
         let absent = constraints.iter().filter(|constraint| is_absent(&constraint.multiplier)).count();
         let unknowns = unknowns.len();

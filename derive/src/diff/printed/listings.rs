@@ -14,9 +14,8 @@ use crate::algebra::solve::linear::solve_linear;
 use crate::mechanics::{Kinematics, Quantities, QuantityKind};
 use crate::publication::{Entry, Listing, QuantityNames, has_decimals};
 
-/// Places of the model's coordinates and of its motion variables (q̇ or u) in the state of a
-/// printed program (listing).
-/// Each place is an index into the state; `None` for a variable that the state lacks.
+/// Positions of the model's coordinates and motion variables (q̇ or u) in the state of a printed program (listing).
+/// Each position is an index into the state; `None` for a variable that is not in the state.
 fn variable_places_in_listing(
     quantities: &Quantities<'_>,
     listing: &Listing,
@@ -33,10 +32,9 @@ fn column_of(listing: &Listing, at: usize) -> usize {
     listing.moving.iter().position(|moving| *moving == at).expect("a motion variable")
 }
 
-/// Converts a printed program (listing) to equations of motion, with its own q̇ and its own linear
-/// system or accelerations.
-/// A variable that the state lacks gets the derivative 0. The second value is true if the state
-/// lacks no variable. The error is the reason why a printed term has no value.
+/// Converts a printed program (listing) to equations of motion, with its own q̇ and its own linear system or
+/// accelerations. A variable that is not in the program's state gets the derivative 0. The second value is true if all
+/// variables are in the state. The error is the reason why a printed term has no value.
 pub fn listing_motion(
     quantities: &mut Quantities<'_>,
     names: &QuantityNames,
@@ -52,7 +50,7 @@ pub fn listing_motion(
     let count = variables.len();
     let unit = |i: usize| (0..count).map(|k| if k == i { Expr::ONE } else { Expr::ZERO }).collect::<Vec<_>>();
     let (matrix, right): (Vec<Vec<Expr>>, Vec<Expr>) = match &listing.matrix {
-        // Rows in the order of the listing, columns in the order of the model.
+        // The rows are in the order of the listing, the columns in the order of the model.
         Some(matrix) => {
             let mut ordered = Vec::new();
             for row in matrix {
@@ -69,8 +67,8 @@ pub fn listing_motion(
 }
 
 impl EntryJudge<'_, '_> {
-    /// Judges a printed program: its q̇ by the kinematic equations, then its matrix row by row or
-    /// its accelerations.
+    /// Judges a printed program: first its q̇ by the kinematic equations, then its matrix row by row or its
+    /// accelerations.
     pub fn judge_listing(&mut self, entry: &Entry, listing: &Listing) -> JudgedSystem {
         let undecided = |why: String| {
             let finding = Finding { judgement: Judgement::Undecided(why), ..unjudged_finding(&entry.id, entry, "") };
@@ -122,7 +120,7 @@ impl EntryJudge<'_, '_> {
             for (j, at) in variables.iter().enumerate() {
                 let Some(column) = at.map(|at| column_of(listing, at)) else { continue };
                 let text = &texts[column];
-                // A zero that no line of the program states is listed only if it is wrong.
+                // A zero that is not written in the program is listed only if it is wrong.
                 if text != "0" || !judged.entries[j].is_equal() {
                     let id = listing.matrix_id(&entry.id, i, column);
                     let claim = Claim::Entry { table: self.earlier.len(), row: i, column: j };
@@ -147,8 +145,7 @@ impl EntryJudge<'_, '_> {
         self.restrict_judged_system(JudgedSystem { findings, table, motion })
     }
 
-    /// Judges accelerations that a program states directly, against those from the solved derived
-    /// system.
+    /// Judges accelerations that a program states directly. They are compared with the solution of the derived system.
     fn judge_listing_accelerations(
         &mut self,
         entry: &Entry,
@@ -165,8 +162,7 @@ impl EntryJudge<'_, '_> {
         let (_, variables) = variable_places_in_listing(self.quantities, listing);
         let mut places: Vec<(usize, usize)> =
             variables.into_iter().enumerate().filter_map(|(i, at)| Some((i, at?))).collect();
-        // A mistake of an abbreviation is clearest in an entry that consists of the abbreviation
-        // alone.
+        // A mistake of an abbreviation is seen most clearly in an entry that consists of the abbreviation alone.
         places.sort_by_key(|(_, at)| !self.book.is_name(listing.derivative[*at]));
         for (i, at) in places {
             let (id, text) = (listing.derivative_id(&entry.id, at), &listing.derivative_texts[at]);

@@ -12,13 +12,13 @@ use crate::model::Model;
 /// Equations of motion, printed or derived, as a linear system: matrix · unknowns = right.
 #[derive(Clone, Debug)]
 pub struct MotionSystem {
-    /// Id of the printed system in the publication, or the name of the formulation that derived it.
+    /// Id of the printed system in the publication, or name of the formulation of a derived system.
     pub id: String,
     /// True if the motion variables are the rates q̇; false if they are the generalized speeds u.
     pub in_rates: bool,
     /// Rates q̇ as functions of q and the motion variables, one for each coordinate.
     pub coordinate_rates: Vec<Expr>,
-    /// Square matrix of coefficients: one row for each equation, one column for each unknown.
+    /// Square matrix of coefficients, with a row for each equation and a column for each unknown.
     pub matrix: Vec<Vec<Expr>>,
     /// Right-hand sides of the linear system, one for each row of the matrix.
     pub right: Vec<Expr>,
@@ -31,13 +31,11 @@ pub struct SolvedMotion {
     pub coordinate_rates: Vec<Expr>,
     /// Accelerations u̇ as functions of q and u, one for each generalized speed.
     pub speed_rates: Vec<Expr>,
-    /// Difference between the solved q̈ and the q̈ that follows from u̇ by q̇ = W u + w, in q and
-    /// u.
-    /// It is zero unless the system violates a motion constraint. Empty if q̈ is not among the
-    /// unknowns, or without motion constraints.
+    /// Difference, in q and u, between the solved q̈ and the q̈ that follows from u̇ by q̇ = W u + w. It is zero unless
+    /// the system violates a motion constraint. Empty if q̈ is not among the unknowns, or if there are no motion
+    /// constraints.
     pub off_constraints: Vec<Expr>,
-    /// Multipliers or reactions as functions of q and u; empty if the system has none among its
-    /// unknowns.
+    /// Multipliers or reactions as functions of q and u; empty if the unknowns of the system contain none.
     pub reactions: Vec<Expr>,
 }
 
@@ -92,7 +90,7 @@ impl MotionSystem {
     }
 }
 
-/// Equations of motion with the printed rows; each row ends with its right-hand side.
+/// Creates equations of motion from printed rows. Each row ends with its right-hand side.
 pub(super) fn motion_of_rows(
     quantities: &Quantities<'_>,
     id: &str,

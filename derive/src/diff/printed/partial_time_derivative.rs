@@ -1,5 +1,4 @@
-//! Detection of rows in which a partial derivative ∂/∂t, with q and q̇ held constant, is printed
-//! instead of d/dt.
+//! Detection of rows in which a partial derivative ∂/∂t, with q and q̇ held constant, is printed instead of d/dt.
 
 use super::judged_system::printed_rows_of_judged_system;
 use crate::algebra::Expr;
@@ -16,8 +15,8 @@ use crate::publication::System;
 const WORDS: &str = "∂/∂t is printed instead of d/dt";
 
 impl EntryJudge<'_, '_> {
-    /// Printed rows in which d/dt replaces every ∂/∂t; `None` if no row has a ∂/∂t, or if the entry
-    /// holds near a point.
+    /// Printed rows in which every ∂/∂t is replaced with d/dt. `None` if no row has a ∂/∂t, or if the entry holds near
+    /// a point.
     pub(super) fn rows_with_total_derivatives(
         &mut self,
         system: &System,
@@ -31,9 +30,9 @@ impl EntryJudge<'_, '_> {
         printed_rows_of_judged_system(self.quantities, &names, system, &order.unknowns).ok()
     }
 
-    /// Judgement of the row `total`, in which d/dt replaces ∂/∂t, if `total` is right and the
-    /// printed `row` is wrong or zero.
-    /// Returns `None` if the replacement changes nothing, or if the printed row is right.
+    /// Judgement of the row `total`, in which ∂/∂t is replaced with d/dt. It is returned if `total` is right and the
+    /// printed `row` is wrong or zero. Returns `None` if the replacement changes nothing, or if the printed row is
+    /// right.
     pub(super) fn judge_with_total_derivative(
         &mut self,
         total: &Row,
@@ -52,8 +51,7 @@ impl EntryJudge<'_, '_> {
         Some(self.judge_row(total, order, index)).filter(RowJudgement::is_right)
     }
 
-    /// Completes the finding of a row with a wrong ∂/∂t; `right` is the judgement of the row with
-    /// d/dt.
+    /// Completes the finding on a row with a wrong ∂/∂t. `right` is the judgement of the row with d/dt.
     pub(super) fn partial_derivative_finding(
         &mut self,
         mut finding: Finding,

@@ -1,5 +1,5 @@
-//! Printed systems and programs (listings) of a publication as equations of motion that can be
-//! written as code and run.
+//! Printed systems and programs (listings) of a publication, as equations of motion that can be emitted as code and
+//! run.
 
 use crate::diff::printed_motions;
 use crate::mechanics::{Derivations, Equations, EquationsOrigin, RowName};
@@ -8,9 +8,9 @@ use crate::publication::{EntryKind, Publication};
 
 /// Converts every printed system and listing of a publication to equations of motion.
 ///
-/// The equations stay exactly as printed, except for the order of the unknowns. Energies and the
-/// conversions between q̇ and u are the derived ones, so that the error of a printed run can be
-/// measured. An incomplete system, such as a system that lacks unknowns, is left out.
+/// The equations stay exactly as printed, except for the order of the unknowns. Energies and the conversions between q̇
+/// and u are derived from the model, so that the error of a run with the printed equations can be measured. An
+/// incomplete system, such as one that lacks unknowns, is left out.
 pub fn printed_equations(model: &Model, derivations: &mut Derivations, publication: &Publication) -> Vec<Equations> {
     let mut list = Vec::new();
     for motion in printed_motions(model, derivations, publication) {

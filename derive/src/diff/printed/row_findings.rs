@@ -1,5 +1,5 @@
-//! Findings on rows and entries of printed systems: the verdict, the wrong entries, and the mistake
-//! in each.
+//! Findings on rows and entries of printed systems: the verdict, the wrong entries, and the mistake in each wrong
+//! entry.
 
 use super::whole_rows::WholeRow;
 use crate::diff::equations::derived_system::DerivedSystem;
@@ -27,17 +27,15 @@ pub(super) struct RowPlace<'a> {
 }
 
 impl EntryJudge<'_, '_> {
-    /// Judges a row that is printed with decimal numbers, which may be rounded values of
-    /// parameters.
+    /// Judges a printed row. Decimal numbers in the row may be rounded values of parameters.
     pub(super) fn judge_row_with_decimals(&mut self, row: &Row, order: &DerivedSystem, index: usize) -> RowJudgement {
         let found =
             self.judge_rounded_row(row, order, index).or_else(|| self.judge_rounded_multiple(row, order, index));
         found.unwrap_or_else(|| self.judge_row(row, order, index))
     }
 
-    /// Judgement of a purely numerical row that equals a derived row times a number, to the digits
-    /// printed.
-    /// Returns `None` if the row mentions parameters, or if no derived row fits.
+    /// Judgement of a row of numbers that equals a derived row times a number, to the digits printed. Returns `None` if
+    /// the row mentions parameters, or if no derived row fits.
     fn judge_rounded_multiple(&mut self, row: &Row, order: &DerivedSystem, index: usize) -> Option<RowJudgement> {
         let model = self.quantities.model;
         let mut put = Substitution::new(self.numbers);
@@ -87,9 +85,8 @@ impl EntryJudge<'_, '_> {
         judge_row(&mut terms, &parameters, row, &order.rows, index)
     }
 
-    /// Judgement of a row that equals a derived row to the digits printed; the derived row with the
-    /// same index is tried first.
-    /// Returns `None` if no derived row fits, or if the row is equal without rounding.
+    /// Judgement of a row that equals a derived row to the digits printed. The derived row with the same index is tried
+    /// first. Returns `None` if no derived row fits, or if the row is equal without rounding.
     fn judge_rounded_row(&mut self, row: &Row, order: &DerivedSystem, index: usize) -> Option<RowJudgement> {
         let own = index.min(order.rows.len() - 1);
         for at in std::iter::once(own).chain((0..order.rows.len()).filter(|at| *at != own)) {
@@ -117,9 +114,8 @@ impl EntryJudge<'_, '_> {
         None
     }
 
-    /// Completes the finding of a printed row with its verdict and remarks.
-    /// A wrong row is described by its wrong entries, or by `whole` if the row is read as one
-    /// formula.
+    /// Completes the finding on a printed row with its verdict and remarks. A wrong row is described by its wrong
+    /// entries, or by `whole` if the row is read as one formula.
     pub(super) fn row_finding(
         &mut self,
         mut finding: Finding,
@@ -136,7 +132,7 @@ impl EntryJudge<'_, '_> {
         finding.derived = Some(as_term(self, &judged.expected));
         match &judged.by {
             RowMatchResult::Row { at, factor } => {
-                // An author may write the two sides of an equation the other way round.
+                // An author may exchange the two sides of an equation.
                 let is_turned = system.row_texts.is_some() && *factor == Expr::MINUS_ONE;
                 if *factor != Expr::ONE && !is_turned {
                     finding.factor = Some(*factor);
@@ -160,8 +156,7 @@ impl EntryJudge<'_, '_> {
             finding.up_to = Some("to the digits printed");
             finding.remarks.push(ROUNDED.to_owned());
         }
-        // A factor that contains parameters or the state may come from a wrong abbreviation that
-        // multiplies the whole row.
+        // A factor of the whole row that contains parameters or the state may come from a wrong abbreviation.
         let arena = &self.quantities.derivations.kinematics.arena;
         let is_plain = matches!(&judged.by, RowMatchResult::Row { factor, .. } if arena.as_number(*factor).is_some());
         let right = judged.entries.iter().filter(|verdict| verdict.is_equal()).count();
@@ -217,10 +212,9 @@ impl EntryJudge<'_, '_> {
         self.finding_with_difference(finding, order, &values, &judged.expected, witness)
     }
 
-    /// Adds to a wrong row's finding the difference printed − expected, and a state at which the
-    /// two differ.
-    /// The state is for the whole row, unknowns included; if none is found there, it is `of_entry`,
-    /// for one entry.
+    /// Adds to the finding on a wrong row the difference printed − expected, and a state with values at which the two
+    /// differ. The state is for the whole row with its unknowns. If none is found, `of_entry` is used, which is for a
+    /// single entry.
     pub(super) fn finding_with_difference(
         &mut self,
         mut finding: Finding,
@@ -245,8 +239,7 @@ impl EntryJudge<'_, '_> {
         linear_row_term(&mut self.quantities.derivations.kinematics.arena, unknowns, row)
     }
 
-    /// Name of a row's entry in words: the coefficient of `unknown`, or the right-hand side for
-    /// `None`.
+    /// Name of an entry of a row, in words: the coefficient of `unknown`, or the right-hand side for `None`.
     fn row_entry_name(&self, unknown: Option<&Expr>) -> String {
         let arena = &self.quantities.derivations.kinematics.arena;
         match unknown {
@@ -255,8 +248,7 @@ impl EntryJudge<'_, '_> {
         }
     }
 
-    /// Describes a wrong entry in words, with its place and its repair or its error; returns also
-    /// the mistake.
+    /// Describes a wrong entry in words, with its place and its repair or its error. Also returns the mistake.
     fn describe_wrong_row_entry(
         &mut self,
         unknown: Option<&Expr>,
@@ -274,7 +266,7 @@ impl EntryJudge<'_, '_> {
         (format!("{place} is off by {}", print_text(arena, difference)), mistake)
     }
 
-    /// Completes the finding of a single entry of a row, the entry with the index `at`.
+    /// Completes the finding on a single entry of a row, the entry with the index `at`.
     pub(super) fn entry_finding(
         &mut self,
         finding: Finding,

@@ -1,9 +1,8 @@
 //! Reading of a wrong row as one formula, if its entries alone do not show the mistake.
 //!
-//! Rows are compared entry by entry. One mistake can make several entries of a row wrong: a lost
-//! dot moves a term from one entry to another. Another case is an equation solved for one unknown:
-//! it is no multiple of a derived row, so it is compared with the value of the unknown that all
-//! derived rows give together.
+//! Rows are compared entry by entry. But one mistake can make several entries of a row wrong: a lost dot moves a term
+//! from one entry to another. Another case is an equation that is solved for one unknown. It is no multiple of a
+//! derived row. It is therefore compared with the value of the unknown that follows from all derived rows together.
 
 use crate::diff::equations::derived_system::DerivedSystem;
 use crate::diff::equations::row_judgement::{Row, RowJudgement, RowMatchResult};
@@ -23,8 +22,7 @@ use std::cell::OnceCell;
 /// Largest number of unknowns of a derived system that is solved for the value of an unknown.
 const MOST_UNKNOWNS: usize = 8;
 
-/// Largest number of derived rows, each divided by a coefficient, with which a wrong row is
-/// compared.
+/// Largest number of derived rows, each divided by one of its coefficients, with which a wrong row is compared.
 const MOST_MEANT: usize = 8;
 
 /// Largest number of multipliers that are eliminated from derived rows.
@@ -35,10 +33,9 @@ pub(super) enum WholeRow {
     /// The row is not linear in the unknowns, and holds with the values of the unknowns from the
     /// derived rows.
     Holds,
-    /// One mistake makes the whole row wrong; the second value is the derived row that the author
-    /// meant.
+    /// One mistake explains the wrong row; the second value is the derived row that the author meant.
     Changed(Mistake, Row),
-    /// The row states the value of an unknown, or of a sum of unknowns; its finding.
+    /// The row states the value of an unknown, or of a sum of unknowns; this is its finding.
     Solved(Box<Finding>),
 }
 
@@ -46,14 +43,14 @@ pub(super) enum WholeRow {
 pub(super) struct SolvedUnknowns<'a> {
     /// Derived rows of the system, exact even if the entry holds only near a point.
     pub order: &'a DerivedSystem,
-    /// Values of the unknowns, empty until computed; `None` inside if the rows do not determine
-    /// them or have many unknowns.
+    /// Values of the unknowns, empty until they are computed. The inner `None` means that the rows do not determine
+    /// them or have too many unknowns.
     pub values: OnceCell<Option<Vec<Expr>>>,
 }
 
 impl WholeRow {
-    /// Match of the row for further use: the match `entries` if one mistake explains the row, else
-    /// no single derived row.
+    /// Match of the row for later steps: the match `entries` if one mistake explains the row, else no single derived
+    /// row.
     pub fn row_match(&self, entries: RowMatchResult) -> RowMatchResult {
         match self {
             Self::Changed(..) => entries,
@@ -81,8 +78,7 @@ impl EntryJudge<'_, '_> {
         if solved.as_ref().is_some_and(|found| found.judgement == Judgement::Equal) {
             return solved.map(|found| WholeRow::Solved(Box::new(found)));
         }
-        // A stated reaction or multiplier is meant as a value. A stated acceleration may also be a
-        // balance.
+        // A stated reaction or multiplier is meant as a value. A stated acceleration may also be an equation of motion.
         let is_force = only_unknown_of_whole_row(row)
             .is_some_and(|at| !self.quantities.mentions_accelerations(order.unknowns[at]));
         if is_force && solved.is_some() {
@@ -111,9 +107,8 @@ impl EntryJudge<'_, '_> {
         solved.map(|found| WholeRow::Solved(Box::new(found)))
     }
 
-    /// Rows that the author of a wrong row may have meant: the matched row, then derived rows
-    /// divided by a coefficient.
-    /// A coefficient is used as a divisor if it depends only on parameters.
+    /// Rows that the author of a wrong row may have meant: first the matched row, then derived rows divided by one of
+    /// their coefficients. A coefficient is used as a divisor if it depends only on parameters.
     fn whole_rows_possibly_meant(&mut self, order: &DerivedSystem, judged: &RowJudgement) -> Vec<Row> {
         let mut list = vec![judged.expected.clone()];
         let parameters = self.quantities.model.p();
@@ -139,11 +134,11 @@ impl EntryJudge<'_, '_> {
         list
     }
 
-    /// Derived rows from which the multipliers are eliminated by the other rows, if the printed row
-    /// has no multipliers.
+    /// Derived rows from which the multipliers are eliminated by means of the other rows. Empty if the printed row has
+    /// multipliers, or if the system has none or more than three.
     ///
-    /// With rows P q̈ + L λ = r, the other rows give λ = (LᵀL)⁻¹ Lᵀ (r − P q̈), which an author reads off
-    /// along the axes of the constraints.
+    /// With rows P q̈ + L λ = r, the other rows give λ = (LᵀL)⁻¹ Lᵀ (r − P q̈). An author reads this value off along
+    /// the axes of the constraints.
     fn rows_without_multipliers(&mut self, printed: &Row, order: &DerivedSystem) -> Vec<Row> {
         let multipliers = self.quantities.model.motion_constraints.iter().map(|constraint| constraint.multiplier);
         let columns: Vec<usize> = multipliers.filter_map(|m| order.unknowns.iter().position(|u| *u == m)).collect();
@@ -183,8 +178,8 @@ impl EntryJudge<'_, '_> {
         list
     }
 
-    /// True if a row that is not linear in the unknowns holds with the values of the unknowns from
-    /// the derived rows.
+    /// True if a row that is not linear in the unknowns holds when the unknowns have their values from the derived
+    /// rows.
     fn whole_row_holds_with_solutions(&mut self, row: &[PrintedFormulaValue], solving: &SolvedUnknowns<'_>) -> bool {
         let order = solving.order;
         let values: Row = row.iter().map(|printed| printed.value).collect();
@@ -202,9 +197,8 @@ impl EntryJudge<'_, '_> {
         put.undefined.is_none() && self.comparer.is_zero(arena, residual).is_equal()
     }
 
-    /// Finding of a row that states the value of one unknown, or of a sum of unknowns with
-    /// numerical factors.
-    /// Returns `None` unless the value is right or its mistake is found.
+    /// Finding on a row that states the value of one unknown, or of a sum of unknowns with numerical factors. Returns
+    /// `None` unless the value is right or its mistake is found.
     fn whole_row_finding_of_unknown(
         &mut self,
         finding: &Finding,
@@ -243,7 +237,7 @@ impl EntryJudge<'_, '_> {
         let derived = self.simplify(derived);
         let value = PrintedFormulaValue { raw, value, reading: right.reading };
         let mut found = self.judge_against_derived(finding.clone(), value, derived);
-        // A difference of two whole sums does not name a mistake.
+        // A mistake that exchanges two whole sums explains nothing.
         let arena = &mut self.quantities.derivations.kinematics.arena;
         let is_sum = matches!(arena.node(value.value), Node::Sum(_, terms) if terms.len() > 1);
         let is_named = found.factor.is_some()
@@ -261,14 +255,14 @@ impl EntryJudge<'_, '_> {
         Some(found)
     }
 
-    /// Values of the unknowns from the derived rows, computed once; `None` if the rows do not
-    /// determine them or are many.
+    /// Values of the unknowns from the derived rows, computed once. `None` if the rows do not determine them, or if
+    /// there are too many rows.
     fn unknown_values_for_whole_row(&mut self, solving: &SolvedUnknowns<'_>) -> Option<Vec<Expr>> {
         let order = solving.order;
         solving.values.get_or_init(|| self.solve_unknowns_for_whole_row(order)).clone()
     }
 
-    /// Solves the independent derived rows for all unknowns; `None` unless they are as many as the
+    /// Solves the independent derived rows for all unknowns. `None` unless there are as many independent rows as
     /// unknowns, at most eight.
     fn solve_unknowns_for_whole_row(&mut self, order: &DerivedSystem) -> Option<Vec<Expr>> {
         let n = order.unknowns.len();

@@ -1,8 +1,8 @@
-//! Record of mistakes that a publication's abbreviations have shown so far.
+//! Record of the mistakes found so far in a publication's abbreviations.
 //!
-//! A mistake in an abbreviation makes every formula wrong that uses the abbreviation. It is
-//! reported once, in the abbreviation's own formula. Later formulas are first read with the
-//! corrected abbreviation: they may be right then, or have a mistake of their own.
+//! A mistake in an abbreviation makes every formula wrong that uses the abbreviation. The mistake is reported once, in
+//! the abbreviation's own formula. Later formulas are first read with the corrected abbreviation: they may be right
+//! then, or have a mistake of their own.
 
 use super::printed_formula::PrintedFormula;
 use super::{
@@ -27,18 +27,15 @@ struct Correction {
     slip: MistakeKind,
 }
 
-/// Record of a publication's abbreviations: those known to be wrong, and those that right entries
-/// use.
+/// Record of a publication's abbreviations: those known to be wrong, and those used by right entries.
 pub struct AbbreviationMistakes {
     shorthand: PrintedAbbreviations,
     /// Store of the terms of the corrected formulas.
     arena: Arena,
     corrections: Vec<Correction>,
-    /// Names of abbreviations that right entries use; they count as right, and no mistake is
-    /// searched for in them.
+    /// Names of abbreviations that right entries use. They count as right, and no mistake is sought in them.
     trusted: FxHashSet<String>,
-    /// Mistakes in abbreviations that would alone explain wrong entries, each with the formulas of
-    /// these entries.
+    /// Mistakes in abbreviations, each of which alone would explain wrong entries, with the formulas of these entries.
     suspected: Vec<(Correction, Vec<Expr>)>,
 }
 
@@ -56,7 +53,7 @@ pub struct FormulaMistake {
 }
 
 impl AbbreviationMistakes {
-    /// Record for `shorthand`, the publication's abbreviations, in which none is known to be wrong.
+    /// Creates the record for the abbreviations `shorthand` of a publication, none of which is known to be wrong.
     pub fn new(shorthand: &PrintedAbbreviations) -> Self {
         let (shorthand, arena) = (shorthand.clone(), Arena::new());
         let (corrections, suspected) = (Vec::new(), Vec::new());
@@ -71,9 +68,8 @@ impl AbbreviationMistakes {
         self.trusted.extend(used.into_iter().map(|one| one.name.clone()));
     }
 
-    /// Notes that the entries of a row are right up to a factor of the whole row. An abbreviation that
-    /// is in all entries
-    /// may be this factor, and is not known to be right.
+    /// Records that the entries of a row are right up to a factor of the whole row. An abbreviation that is in all
+    /// entries may be this factor, and is therefore not known to be right.
     pub fn trust_parts(&mut self, entries: impl Iterator<Item = Expr>) {
         let used = |raw: Expr| -> FxHashSet<String> {
             let as_printed = self.shorthand.printed_form(raw);
@@ -86,14 +82,14 @@ impl AbbreviationMistakes {
         self.trusted.extend(apart.collect::<Vec<_>>());
     }
 
-    /// Discards corrections of abbreviations that right entries use. Accepts suspected mistakes
-    /// that would alone explain several entries.
-    /// Returns true if the record has corrections, so that entries may be judged differently now.
+    /// Discards corrections of abbreviations that right entries use. Accepts suspected mistakes that each explain
+    /// several entries alone. Returns true if the record has corrections, so that entries may now be judged
+    /// differently.
     pub fn accept_suspected_corrections(&mut self) -> bool {
         let mut suspected = std::mem::take(&mut self.suspected);
         let declared = |one: &Correction| self.shorthand.abbreviations().iter().position(|own| own.name == one.name);
-        // If two mistakes would explain the same entries, the abbreviation declared last is
-        // preferred: it is the nearest to them.
+        // If two mistakes explain the same entries, the abbreviation that is declared last is preferred: it is nearest
+        // to the entries.
         suspected.sort_by_key(|(one, entries)| std::cmp::Reverse((entries.len(), declared(one))));
         let mut explained: FxHashSet<Expr> = FxHashSet::default();
         for (suspect, entries) in suspected.into_iter().filter(|(_, entries)| entries.len() > 1) {
@@ -114,15 +110,14 @@ impl AbbreviationMistakes {
         self.shorthand.record_quotient(model, quotient, dividend, divisor);
     }
 
-    /// True if a formula, given with abbreviations written out, is printed as the bare name of an
-    /// abbreviation.
+    /// True if a formula is printed as the bare name of an abbreviation. `raw` is the formula with abbreviations
+    /// written out.
     pub fn is_name(&self, raw: Expr) -> bool {
         self.shorthand.is_name(raw)
     }
 
-    /// Finds the mistake of a printed formula that uses abbreviations. `raw` is its value with
-    /// abbreviations written out.
-    /// Returns `None` if the formula uses no abbreviation, or if no mistake is found.
+    /// Finds the mistake of a printed formula that uses abbreviations. `raw` is its value with abbreviations written
+    /// out. Returns `None` if the formula uses no abbreviation, or if no mistake is found.
     pub fn find_abbreviation_mistake(
         &mut self,
         tools: &mut RepairTools<'_, '_>,
@@ -162,8 +157,8 @@ impl AbbreviationMistakes {
         Some(FormulaMistake { words: vec![found.words], parts: found.parts, slip: Some(found.slip), abbreviations })
     }
 
-    /// Finds two mistakes of a printed formula, in addition to known mistakes of its abbreviations.
-    /// Returns `None` if the formula uses no abbreviation, or if no two mistakes are found.
+    /// Finds two mistakes of a printed formula, besides known mistakes of its abbreviations. Returns `None` if the
+    /// formula uses no abbreviation, or if no two mistakes are found.
     pub fn find_two_mistakes(
         &mut self,
         tools: &mut RepairTools<'_, '_>,
@@ -181,8 +176,8 @@ impl AbbreviationMistakes {
         Some(FormulaMistake { words, parts: None, slip: None, abbreviations: Vec::new() })
     }
 
-    /// Replaces known wrong abbreviations of a formula by their right formulas; returns the indices
-    /// of the corrections used.
+    /// Replaces known wrong abbreviations of a formula with their right formulas. Returns the indices of the
+    /// corrections used.
     fn insert_known_corrections(&self, formula: &mut PrintedFormula) -> Vec<usize> {
         let mut used = Vec::new();
         let mut transfer = Transfer::new(&self.arena);
@@ -205,8 +200,8 @@ impl AbbreviationMistakes {
         Some(name)
     }
 
-    /// Records a mistake of an abbreviation that may explain the entry `raw` instead of a mistake
-    /// in the entry itself.
+    /// Records a possible mistake of an abbreviation, which would explain the entry `raw` without a mistake in the
+    /// entry itself.
     fn record_suspected_mistake(&mut self, formula: &PrintedFormula, found: &Repair, raw: Expr) {
         let Some(correction) = self.correction(formula, found) else { return };
         let is_same = |one: &Correction| (&one.name, one.right) == (&correction.name, correction.right);

@@ -1,10 +1,9 @@
 //! Search for two changes that together make a wrong printed formula right.
 //!
-//! Trying all pairs would cost the square of the number of changes. Two changes in different terms
-//! of a sum add their effects; two in different factors of a product multiply them. So the second
-//! change is looked up in a sorted list, by the value that it must have. The first change is then
-//! made, and the second is searched for and proved as the only remaining mistake
-//! ([`super::prove_repair`]).
+//! A trial of all pairs would cost the square of the number of changes. But two changes in different terms of a sum add
+//! their effects, and two changes in different factors of a product multiply them. The value that the second change
+//! must give is therefore known, and the change is looked up in a sorted list. The first change is then made, and the
+//! second is sought and proved as the only remaining mistake ([`super::prove_repair`]).
 
 use super::formula_change::{FormulaChange, formula_changes};
 use super::mistake_kind::MistakeKind;
@@ -18,7 +17,7 @@ use crate::algebra::text::print::print_text;
 
 /// Largest number of changes of one formula that are combined in pairs.
 const MOST_SINGLES: usize = 20_000;
-/// Largest number of pairs that numbers may leave, before the likeliest are chosen.
+/// Largest number of pairs that agree in numbers; if there are more, the likeliest are chosen.
 const MOST_PAIRS: usize = 200;
 
 /// Change of one place, with the numerical values of the whole formula after the change.
@@ -38,9 +37,9 @@ enum PairCombination {
 }
 
 impl PairCombination {
-    /// Value of the formula with the second change alone that makes both changes together right.
-    /// `first` is the value with the first change alone; `printed` and `right` are the values
-    /// without changes and of the right formula.
+    /// Value that the formula must have with the second change alone, so that both changes together make it right.
+    /// `first` is the value with the first change alone, `printed` the value without changes, and `right` the value of
+    /// the right formula.
     fn value_of_second_change(self, first: f64, printed: f64, right: f64) -> f64 {
         match self {
             Self::Sum => right - first + printed,
@@ -49,9 +48,8 @@ impl PairCombination {
     }
 }
 
-/// Two changes at different places that together make a formula equal to the derived value, the
-/// likeliest pair.
-/// Returns `None` if there is no such pair, if its texts are long, or if the formula is too large.
+/// Finds the likeliest two changes at different places that together make a formula equal to the derived value. Returns
+/// `None` if there is no such pair, if its texts are long, or if the formula is too large.
 pub fn find_change_pair(
     tools: &mut RepairTools<'_, '_>,
     formula: &mut PrintedFormula,
@@ -71,7 +69,7 @@ pub fn find_change_pair(
         let close = repair_candidates(tools, &mut rest, &places, derived)?;
         for candidate in close.into_iter().take(MOST_PROOFS) {
             if let Some(second) = prove_repair(tools, &mut rest, candidate, derived) {
-                // The caller knows the arena of the whole formula alone.
+                // The caller knows only the arena of the whole formula.
                 let changed = Transfer::new(&rest.arena).transfer_term(&mut formula.arena, second.changed);
                 return Some([own, Repair { changed, ..second }]);
             }
@@ -80,9 +78,8 @@ pub fn find_change_pair(
     None
 }
 
-/// All changes of one place with their values, sorted by the value at the first state; then the
-/// values of the printed and of the right formula.
-/// Returns `None` if no numerical states are found.
+/// All changes of one place with their values, sorted by the value at the first state, followed by the values of the
+/// printed and of the right formula. Returns `None` if no numerical states are found.
 fn single_changes(
     tools: &mut RepairTools<'_, '_>,
     formula: &mut PrintedFormula,
@@ -145,7 +142,7 @@ fn first_changes_of_pairs(singles: &[SingleChange], printed: [f64; POINTS], righ
     list
 }
 
-/// Repair that describes the first change of a pair; `None` if its text is long.
+/// Creates the repair that describes the first change of a pair; `None` if its text is long.
 fn first_repair_of_pair(formula: &PrintedFormula, place: FormulaPlace, change: &FormulaChange) -> Option<Repair> {
     let [before, after] = [change.before, change.after].map(|e| print_text(&formula.arena, e));
     if before.len() > LONGEST || after.len() > LONGEST {

@@ -8,8 +8,7 @@ use rustc_hash::FxHashSet;
 
 /// Largest number of changes of one formula that are tried.
 const MOST: usize = 40_000;
-/// Largest multiplicity of equal terms (or factors) of which a single copy may be wrong, such as w1
-/// in w1 + w1.
+/// Largest number of equal terms (or factors), such as w1 in w1 + w1, of which a single one may be wrong.
 const MOST_EQUAL: i64 = 4;
 /// Fractions (numerator, denominator) by which terms are multiplied to repair a wrong sign or
 /// number.
@@ -27,12 +26,12 @@ pub struct FormulaChange {
     pub after: Expr,
     /// Whole formula, in which the part is changed.
     pub whole: Expr,
-    /// True if every occurrence of the part is changed; false if only one occurrence is.
+    /// True if every occurrence of the part is changed, false if a single occurrence is.
     pub throughout: bool,
 }
 
 impl FormulaChange {
-    /// Describes the change in words; `before` and `after` are the texts of the part.
+    /// Describes the change in words. `before` and `after` are the texts of the part before and after the change.
     pub fn words(&self, before: &str, after: &str) -> String {
         match (self.after, self.throughout) {
             (Expr::ZERO, _) => format!("the term {before} should not be there"),
@@ -48,8 +47,8 @@ struct PartReplacement {
     part: Expr,
 }
 
-/// Passes every change of the formula `root` at one place to `tell`, each once, until `left`
-/// changes have been tried.
+/// Passes every change of the formula `root` at one place to `tell`, each change once, until `left` changes have been
+/// tried.
 pub fn formula_changes(
     arena: &mut Arena,
     pool: &ReplacementPool,
@@ -132,15 +131,15 @@ fn replacements_at_all_occurrences(
     }
 }
 
-/// Formula `root` with `before` replaced by `after`; `None` if a divisor becomes 0.
+/// Formula `root` in which `before` is replaced with `after`; `None` if a divisor becomes 0.
 pub fn formula_with_replacement(arena: &mut Arena, root: Expr, before: Expr, after: Expr) -> Option<Expr> {
     let mut put = Substitution::new(&[(before, after)]);
     let whole = put.apply(arena, root);
     put.undefined.is_none().then_some(whole)
 }
 
-/// Changed part as reported, before and after: with the function around it if the sum is the only
-/// argument of a function.
+/// Changed part as reported, before and after the change. If the sum is the only argument of a function, the function
+/// is included.
 fn change_with_enclosing_function(
     arena: &mut Arena,
     parents: &[Expr],
@@ -168,7 +167,7 @@ fn term_replacements(arena: &mut Arena, pool: &ReplacementPool, term: Expr) -> V
     for PartReplacement { slip, part } in factor_replacements(arena, pool, bare) {
         list.push(PartReplacement { slip, part: arena.scale(part, &content) });
     }
-    // Of equal terms, such as w1 in w1 + w1, one may be wrong.
+    // Of several equal terms, such as w1 in w1 + w1, one may be wrong.
     if content.to_i64().is_some_and(|n| (2..=MOST_EQUAL).contains(&n.abs())) {
         let one = if content.is_negative() { Rational::MINUS_ONE } else { Rational::ONE };
         let others = arena.scale(bare, &content.add(&one.neg()));
@@ -211,7 +210,7 @@ fn factor_replacements(arena: &mut Arena, pool: &ReplacementPool, part: Expr) ->
                     if let Ok(power) = arena.pow(part, n) {
                         list.push(PartReplacement { slip, part: arena.mul(rest, power) });
                     }
-                    // Of equal factors, such as w1 in w1 w1, one may be wrong.
+                    // Of several equal factors, such as w1 in w1 w1, one may be wrong.
                     if (2..=MOST_EQUAL).contains(&i64::from(n))
                         && matches!(slip, MistakeKind::Symbol | MistakeKind::Function)
                         && let Ok(others) = arena.pow(base, n - 1)
@@ -230,7 +229,7 @@ fn factor_replacements(arena: &mut Arena, pool: &ReplacementPool, part: Expr) ->
                 .map(|other| PartReplacement { slip: MistakeKind::Symbol, part: *other })
                 .collect();
             list.push(PartReplacement { slip: MistakeKind::Power, part: arena.square(part) });
-            // θ is printed for sin θ.
+            // An author may print θ for sin θ.
             list.extend(
                 [arena.sin(part), arena.cos(part)].map(|part| PartReplacement { slip: MistakeKind::Function, part }),
             );
@@ -241,7 +240,7 @@ fn factor_replacements(arena: &mut Arena, pool: &ReplacementPool, part: Expr) ->
                 .into_iter()
                 .map(|part| PartReplacement { slip: MistakeKind::Function, part })
                 .collect();
-            // The argument of another sine of the right formula.
+            // The argument may be that of another sine in the right formula.
             let others =
                 pool.factors().iter().filter(|other| matches!(arena.node(**other), Node::Apply(g, _) if *g == f));
             list.extend(others.map(|other| PartReplacement { slip: MistakeKind::Function, part: *other }));

@@ -9,9 +9,9 @@ pub enum MistakeKind {
     Sign,
     /// A number is wrong.
     Number,
-    /// A wrong symbol, or a lost or gained dot of a time derivative.
+    /// A symbol is wrong, or a dot of a time derivative is lost or gained.
     Symbol,
-    /// A sine printed for a cosine, a cosine for a sine, or a wrong argument.
+    /// A sine is printed for a cosine, a cosine for a sine, or the argument is wrong.
     Function,
     /// An exponent is wrong.
     Power,
@@ -26,9 +26,8 @@ pub enum MistakeKind {
 }
 
 impl MistakeKind {
-    /// Kind of the mistake in a value that is wrong by the factor `factor`, printed value ÷ right
-    /// value.
-    /// Returns `None` for a factor with both extra and lost symbols, and for sums.
+    /// Kind of the mistake in a value that is wrong by the factor `factor`, which is the printed value divided by the
+    /// right value. Returns `None` for a factor with both extra and lost symbols, and for sums.
     #[must_use]
     pub fn of_factor(arena: &Arena, factor: Expr) -> Option<Self> {
         if factor == Expr::MINUS_ONE {

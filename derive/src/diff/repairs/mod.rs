@@ -1,10 +1,9 @@
 //! Search for the smallest change that makes a wrong printed formula right.
 //!
-//! Changes of one place are tried: a sign, a number, another symbol of the same unit, a lost dot,
-//! sine for cosine, a power, a factor, a term. Numbers at random states reject nearly all of them
-//! ([`sample_points`]). A change that numbers do not reject is proved equal to the derived value, as
-//! verdicts are. So a repair is never a guess. Several changes may be right: the smallest is
-//! reported.
+//! Changes of one place are tried: a sign, a number, another symbol of the same unit, a lost dot, sine for cosine, a
+//! power, a factor, a term. Numbers at random states reject nearly all changes ([`sample_points`]). A change that
+//! numbers do not reject is proved equal to the derived value, by the same algebra as verdicts. A repair is therefore
+//! never a guess. If several changes are right, the smallest is reported.
 
 mod abbreviation_mistakes;
 mod change_pairs;
@@ -34,17 +33,15 @@ use solved_parts::repair_by_solved_part;
 
 /// Largest number of changes that are tried for all formulas of one publication together.
 pub const MOST_CHANGES: usize = 500_000;
-/// Largest number of changes of one formula for which a proof is tried, after numbers did not
-/// reject them.
+/// Largest number of changes of one formula for which a proof is tried after the numerical test has passed.
 const MOST_PROOFS: usize = 6;
-/// Largest number of nodes of a formula whose changes are tried.
+/// Largest number of nodes of a formula for which changes are tried.
 const MOST_NODES: usize = 400;
 /// Longest text, in bytes, of a changed part that a repair may report.
 const LONGEST: usize = 100;
 
-/// Rewriting of printed terms into the variables of the derived value; names of derived quantities
-/// are replaced by them.
-/// The error is the reason why a term has no value.
+/// Function that rewrites printed terms in the variables of the derived value, and replaces the names of derived
+/// quantities with their values. The error is the reason why a term has no value.
 pub type Rewriting<'a> = dyn FnMut(&mut Quantities<'_>, Expr) -> Result<Expr, String> + 'a;
 
 /// Tools for the search for repairs of one formula.
@@ -53,9 +50,9 @@ pub struct RepairTools<'t, 'q> {
     pub quantities: &'t mut Quantities<'q>,
     /// Comparer that proves a repaired formula equal to the derived value.
     pub comparer: &'t mut Comparer,
-    /// Rewriting of printed terms into the variables of the derived value.
+    /// Function that rewrites printed terms in the variables of the derived value.
     pub rewriting: &'t mut Rewriting<'t>,
-    /// Number of changes that may still be tried; the search decreases it.
+    /// Number of changes that may still be tried; each tried change decreases it.
     pub left: &'t mut usize,
 }
 
@@ -67,33 +64,31 @@ pub struct Repair {
     pub parts: Option<(Expr, Expr)>,
     /// Kind of the mistake that the change repairs.
     pub slip: MistakeKind,
-    /// Index of the abbreviation that has the mistake, in the formula's list; `None` for the
-    /// formula itself.
+    /// Index, in the formula's list, of the abbreviation that has the mistake; `None` if the formula itself has it.
     place: Option<usize>,
     /// Right formula of the abbreviation, or of the formula itself, in the formula's arena.
     changed: Expr,
 }
 
 impl Repair {
-    /// Repair at `place`: `parts` are the wrong and the right part, `changed` is the right formula
-    /// of the place.
+    /// Creates the repair at `place`. `parts` are the wrong and the right part, and `changed` is the right formula of
+    /// the place.
     fn at(place: FormulaPlace, words: String, parts: (Expr, Expr), slip: MistakeKind, changed: Expr) -> Self {
         Self { words, parts: Some(parts), slip, place: place.at, changed }
     }
 }
 
-/// Kinds of changes that a search for repairs tries.
+/// Kinds of changes that are tried in a search for repairs.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum RepairSearch {
     /// Slips at one place: a wrong sign, number, symbol, function, power, factor or term.
     Slips,
-    /// Slips first, then any simple value of one part that makes the formula right.
+    /// Slips first, then any simple value of a part that makes the formula right.
     Values,
 }
 
-/// Smallest change of a printed formula that makes it equal to the derived value.
-/// Returns `None` if no change of one place does, if its text is long, or if the formula is too
-/// large.
+/// Finds the smallest change of a printed formula that makes it equal to the derived value. Returns `None` if no change
+/// of one place does, if its text is long, or if the formula is too large.
 pub fn find_repair(
     tools: &mut RepairTools<'_, '_>,
     formula: &mut PrintedFormula,
@@ -114,9 +109,8 @@ pub fn find_repair(
     if search == RepairSearch::Values { repair_by_solved_part(tools, formula, derived) } else { None }
 }
 
-/// Repairs of abbreviations, at most one each, that alone make a formula equal to the derived
-/// value.
-/// The author may have made such a mistake instead of a mistake in the formula itself.
+/// Finds repairs of abbreviations, at most one for each, that alone make a formula equal to the derived value. The
+/// author may have made such a mistake instead of one in the formula itself.
 fn find_abbreviation_repairs(
     tools: &mut RepairTools<'_, '_>,
     formula: &mut PrintedFormula,
@@ -136,7 +130,7 @@ fn find_abbreviation_repairs(
     list
 }
 
-/// Changed formula that agrees with the derived value in numbers, before proof.
+/// Changed formula that agrees with the derived value in numbers; it is not proved yet.
 #[derive(Clone, Copy)]
 struct RepairCandidate {
     /// Place that is changed: the formula itself or an abbreviation.
@@ -146,8 +140,7 @@ struct RepairCandidate {
     whole: Expr,
 }
 
-/// Changes for which printed and derived value agree in numbers, the likeliest kind of mistake
-/// first.
+/// Changes after which the printed and the derived value agree in numbers, with the likeliest kind of mistake first.
 /// Returns `None` if no numerical states are found.
 fn repair_candidates(
     tools: &mut RepairTools<'_, '_>,
@@ -155,7 +148,7 @@ fn repair_candidates(
     places: &[FormulaPlace],
     derived: Expr,
 ) -> Option<Vec<RepairCandidate>> {
-    // Changes are built in an arena of their own: they must not change the order of terms in the main one.
+    // Changes are built in a separate arena, because they must not change the order of terms in the main arena.
     let mut arena = std::mem::take(&mut formula.arena);
     let pools = repair_pools(tools, formula, &mut arena, places, derived);
     let Some(mut points) = repair_states(tools, formula, &arena, &pools, derived) else {
@@ -187,7 +180,7 @@ fn repair_pools(
 ) -> Vec<ReplacementPool> {
     let units = units(tools, formula, arena);
     let pool = |place: &FormulaPlace| {
-        // An abbreviation uses those that are declared before it.
+        // An abbreviation uses only abbreviations that are declared before it.
         let known = place.at.unwrap_or(formula.parts.len());
         let units: Vec<(Expr, Unit)> =
             units.iter().filter(|(at, ..)| *at < known).map(|(_, symbol, unit)| (*symbol, unit.clone())).collect();
@@ -196,8 +189,7 @@ fn repair_pools(
     places.iter().map(pool).collect()
 }
 
-/// Index, symbol and unit of each abbreviation of a formula; abbreviations without a known unit are
-/// left out.
+/// Index, symbol and unit of each abbreviation of a formula. Abbreviations without a known unit are left out.
 fn units(tools: &mut RepairTools<'_, '_>, formula: &PrintedFormula, arena: &mut Arena) -> Vec<(usize, Expr, Unit)> {
     let mut list = Vec::new();
     let mut written: Vec<(Expr, Expr)> = Vec::new();
@@ -237,8 +229,8 @@ fn repair_states(
     Some(points)
 }
 
-/// Repair by a candidate change, if a proof shows it equal to the derived value; `None` without
-/// proof or with a long text.
+/// Creates the repair by a candidate change, if a proof shows that the changed formula equals the derived value. `None`
+/// without a proof, or if the text is long.
 fn prove_repair(
     tools: &mut RepairTools<'_, '_>,
     formula: &mut PrintedFormula,

@@ -1,5 +1,4 @@
-//! Printed formula with its abbreviations, each with its own formula: the places where a mistake
-//! may be.
+//! Printed formula with its abbreviations, each with its own formula. These are the places where a mistake may be.
 
 use super::formula_change::formula_with_replacement;
 use crate::algebra::term::calculus::Substitution;
@@ -17,7 +16,7 @@ pub struct PrintedFormula {
     /// Abbreviations that the formula uses, directly or through others, in the order of their
     /// declaration.
     pub parts: Vec<Abbreviation>,
-    /// For each abbreviation, true if it counts as right, so that no mistake is searched for in it.
+    /// True, for each abbreviation, if it counts as right, so that no mistake is sought in it.
     trusted: Vec<bool>,
 }
 
@@ -29,22 +28,20 @@ pub struct FormulaPlace {
     pub at: Option<usize>,
     /// Formula at this place: of the printed formula or of an abbreviation.
     pub formula: Expr,
-    /// Whole formula, in which those abbreviations are written out that depend on this
-    /// abbreviation.
+    /// Whole formula, in which all abbreviations that depend on this abbreviation are written out.
     around: Expr,
 }
 
 impl PrintedFormula {
-    /// Formula without abbreviations, copied from the arena `from` to an arena of its own.
+    /// Creates the formula without abbreviations, copied from the arena `from` to a new arena.
     pub fn without_abbreviations(from: &Arena, e: Expr) -> Self {
         let mut arena = Arena::new();
         let root = Transfer::new(from).transfer_term(&mut arena, e);
         Self { arena, root, parts: Vec::new(), trusted: Vec::new() }
     }
 
-    /// Formula `e` with its abbreviations, copied from the arena of `shorthand` to an arena of its
-    /// own.
-    /// No mistake is searched for in the abbreviations with the names in `trusted`.
+    /// Creates the formula `e` with its abbreviations, copied from the arena of `shorthand` to a new arena. No mistake
+    /// is sought in the abbreviations with the names in `trusted`.
     pub fn with_abbreviations(shorthand: &PrintedAbbreviations, e: Expr, trusted: &FxHashSet<String>) -> Self {
         let mut arena = Arena::new();
         for name in shorthand.leading_names() {
@@ -62,8 +59,7 @@ impl PrintedFormula {
         Self { arena, root, parts, trusted }
     }
 
-    /// Places that may be wrong: the formula itself, then each abbreviation that is used and not
-    /// trusted.
+    /// Places that may be wrong: the formula itself, then each used abbreviation that does not count as right.
     pub fn places(&mut self) -> Vec<FormulaPlace> {
         let mut list = vec![FormulaPlace { at: None, formula: self.root, around: self.root }];
         for at in (0..self.parts.len()).filter(|at| !self.trusted[*at]).collect::<Vec<_>>() {
@@ -85,8 +81,7 @@ impl PrintedFormula {
         list
     }
 
-    /// Whole formula with the formula at `place` replaced by `changed`; `None` if a divisor becomes
-    /// 0.
+    /// Whole formula in which the formula at `place` is replaced with `changed`; `None` if a divisor becomes 0.
     pub fn whole_formula_with_change(&self, arena: &mut Arena, place: FormulaPlace, changed: Expr) -> Option<Expr> {
         match place.at {
             None => Some(changed),
@@ -103,7 +98,7 @@ impl PrintedFormula {
         Some(whole)
     }
 
-    /// Copy in which the formula at `place` is replaced by `changed`.
+    /// Copy in which the formula at `place` is replaced with `changed`.
     pub fn with_changed_place(&self, place: FormulaPlace, changed: Expr) -> Self {
         let (mut root, mut parts) = (self.root, self.parts.clone());
         match place.at {
@@ -113,8 +108,7 @@ impl PrintedFormula {
         Self { arena: self.arena.clone(), root, parts, trusted: self.trusted.clone() }
     }
 
-    /// Description of a mistake, preceded by the name of the abbreviation if the place is in an
-    /// abbreviation.
+    /// Description of a mistake. If the place is in an abbreviation, the name of the abbreviation comes first.
     pub fn mistake_text_with_place(&self, place: FormulaPlace, words: &str) -> String {
         self.name(place).map_or_else(|| words.to_owned(), |name| format!("in {name}, {words}"))
     }

@@ -6,15 +6,15 @@ use crate::mechanics::Quantities;
 use crate::model::Unit;
 use rustc_hash::FxHashMap;
 
-/// Number of model symbols up to which all may replace one another. For larger models, only symbols
-/// of the formulas may.
+/// Number of symbols of a model up to which each may replace any other. In larger models, only symbols that occur in
+/// the formulas may.
 const MOST_SYMBOLS: usize = 40;
 /// Largest number of factors by which terms are multiplied.
 const MOST_FACTORS: usize = 30;
 
-/// Symbols that may replace others in a repair, and factors that may have been lost.
+/// Symbols that may replace other symbols in a repair, and factors that may have been lost.
 pub struct ReplacementPool {
-    /// For each symbol of the printed formula, the symbols that may replace it.
+    /// List of possible replacements for each symbol of the printed formula.
     swaps: FxHashMap<Expr, Vec<Expr>>,
     /// All symbols that changed formulas may contain, sorted.
     symbols: Vec<Expr>,
@@ -23,9 +23,9 @@ pub struct ReplacementPool {
 }
 
 impl ReplacementPool {
-    /// Pool for repairs of the printed formula `root`, in `arena`; `derived` is the right value, in
-    /// the arena of the derivations.
-    /// `abbreviations` are the abbreviations that may occur in the formula, each with its unit.
+    /// Creates the pool for repairs of the printed formula `root`, in `arena`. `derived` is the right value, in the
+    /// arena of the derivations. `abbreviations` are the abbreviations that may occur in the formula, each with its
+    /// unit.
     pub fn new(
         quantities: &Quantities<'_>,
         arena: &mut Arena,
@@ -41,12 +41,12 @@ impl ReplacementPool {
         let in_derived = main.reachable(&[derived]);
         let all = model.parameters.len() + 3 * model.coordinates.len() + model.speeds.len();
         let offered = |e: &Expr| all <= MOST_SYMBOLS || in_derived.binary_search(e).is_ok();
-        // Accelerations stand in equations of motion alone.
+        // Accelerations occur only in equations of motion.
         let used = |arena: &Arena, rate: Expr| {
             let is_printed = |e: &Expr| arena.symbol_name(*e) == main.symbol_name(rate);
             in_derived.binary_search(&rate).is_ok() || printed.iter().any(is_printed)
         };
-        // Each symbol with its unit, and the symbol without dots of which it is a rate.
+        // Each symbol with its unit. The last entry is the symbol without dots if the symbol is a rate.
         let mut known: Vec<(Expr, Unit, Option<Expr>)> = Vec::new();
         for p in model.parameters.iter().filter(|p| offered(&p.symbol)) {
             known.push((transfer.transfer_term(arena, p.symbol), p.unit.clone(), None));
@@ -67,14 +67,14 @@ impl ReplacementPool {
                 known.push((transfer.transfer_term(arena, s.rate), s.unit.per_second(), Some(base)));
             }
         }
-        // A speed u = q' is the dot of q.
+        // A speed u = q' counts as q with a dot.
         let dots: Vec<(Expr, Expr)> = model
             .speeds
             .iter()
             .filter_map(|s| Some((s, model.coordinates.iter().find(|c| c.rate == s.definition)?)))
             .map(|(s, c)| (transfer.transfer_term(arena, s.symbol), transfer.transfer_term(arena, c.symbol)))
             .collect();
-        // Indices are mixed up whatever the units are: q1' for q4'.
+        // Authors may confuse indices whatever the units are: q1' for q4'.
         let mut lists: [Vec<Expr>; 5] = [
             model.coordinates.iter().map(|c| c.symbol).collect(),
             model.coordinates.iter().map(|c| c.rate).collect(),
@@ -108,7 +108,7 @@ impl ReplacementPool {
             }
         }
         factors.truncate(MOST_FACTORS);
-        // Angles bring symbols with them.
+        // The symbols of angles may occur, too.
         for factor in &factors {
             let more = arena.reachable(&[*factor]).into_iter().filter(|e| arena.symbol_name(*e).is_some());
             symbols.extend(more.collect::<Vec<_>>());
@@ -118,8 +118,7 @@ impl ReplacementPool {
         Self { swaps, symbols, factors }
     }
 
-    /// Symbols that may replace `symbol`: those of the same unit, those with a dot more or less,
-    /// and those with another index.
+    /// Symbols that may replace `symbol`: symbols of the same unit, with a dot more or less, or with another index.
     pub fn replacements_for_symbol(&self, symbol: Expr) -> &[Expr] {
         self.swaps.get(&symbol).map_or(&[], Vec::as_slice)
     }

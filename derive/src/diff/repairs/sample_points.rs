@@ -1,8 +1,7 @@
 //! Numerical values of changed formulas at random states, in double precision.
 //!
-//! The states are permitted: they satisfy the model's constraints and its domain. Numbers only
-//! reject, and prove nothing: a change that agrees in numbers is proved by exact algebra
-//! afterwards.
+//! The states are permitted: they satisfy the model's constraints and its domain. Numbers only reject changes, and
+//! prove nothing: a change that agrees in numbers is proved by exact algebra afterwards.
 
 use super::Rewriting;
 use crate::algebra::meaning::compare::Comparer;
@@ -15,8 +14,8 @@ pub const POINTS: usize = 3;
 /// Relative difference up to which two values count as equal.
 pub const SMALL: f64 = 1e-9;
 
-/// Random states that the model's constraints permit: values of the symbols and of the right
-/// formula at each state.
+/// Random states that the model's constraints permit, with the values of the symbols and of the right formula at each
+/// state.
 pub struct SamplePoints {
     /// Values of symbols and of terms evaluated so far, one number for each state.
     values: FxHashMap<Expr, [f64; POINTS]>,
@@ -25,9 +24,9 @@ pub struct SamplePoints {
 }
 
 impl SamplePoints {
-    /// Draws three random states that the model's constraints permit.
-    /// `symbols` are in `arena`; `derived`, the right formula, is in the arena of the derivations.
-    /// Returns `None` if not enough states are found, or if a symbol is unknown to the derivations.
+    /// Draws three random states that the model's constraints permit. `symbols` are in `arena`, and the right formula
+    /// `derived` is in the arena of the derivations. Returns `None` if not enough states are found, or if a symbol is
+    /// unknown to the derivations.
     pub fn new(
         quantities: &mut Quantities<'_>,
         comparer: &mut Comparer,
@@ -57,8 +56,7 @@ impl SamplePoints {
         })
     }
 
-    /// Sets the values of `symbol` to those of `formula`; does nothing if the formula has a symbol
-    /// without values.
+    /// Sets the values of `symbol` to the values of `formula`. Does nothing if the formula has a symbol without values.
     pub fn set_symbol_values(&mut self, arena: &Arena, symbol: Expr, formula: Expr) {
         if self.evaluate_at_points(arena, formula) {
             self.values.insert(symbol, self.values[&formula]);
@@ -84,7 +82,7 @@ impl SamplePoints {
         self.right
     }
 
-    /// True if a changed formula has the values of the right formula at all states, up to rounding.
+    /// True if a changed formula has the values of the right formula at all states, up to rounding errors.
     pub fn agrees_with_right_values(&mut self, arena: &Arena, changed: Expr) -> bool {
         let Some(values) = self.values(arena, changed) else { return false };
         values.iter().zip(&self.right).all(|(value, right)| (value - right).abs() <= SMALL * right.abs().max(1e-3))

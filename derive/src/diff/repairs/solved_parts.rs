@@ -1,8 +1,8 @@
 //! Repair of a wrong formula by solving for the right value of one of its parts.
 //!
-//! If a formula, or its reciprocal, is linear in one part, the right value of this part follows
-//! from the derived value. The value is a repair if it is as simple as printed formulas are: a
-//! missing term, a sum of parameters for a symbol or a number, another product for a term.
+//! If a formula, or its reciprocal, is linear in one part, the right value of this part follows from the derived value.
+//! The value is a repair if it is simple enough for a printed formula: a missing term, a sum of parameters for a symbol
+//! or a number, another product for a term.
 
 use super::printed_formula::{FormulaPlace, PrintedFormula};
 use super::{LONGEST, MistakeKind, Repair, RepairTools};
@@ -13,20 +13,20 @@ use crate::algebra::text::print::print_text;
 use crate::algebra::{Arena, Expr, Node};
 use crate::mechanics::Kinematics;
 
-/// Largest number of sums of a formula in which a missing term is searched for.
+/// Largest number of sums of a formula in which a missing term is sought.
 const MOST_SUMS: usize = 12;
-/// Largest number of terms of a formula for whose right values the search solves.
+/// Largest number of terms of a formula whose right values are solved for.
 const MOST_TERMS: usize = 16;
-/// Largest number of nodes of a formula for whose terms the search solves.
+/// Largest number of nodes of a formula whose terms are solved for.
 const MOST_NODES: usize = 150;
-/// Number of changes that solving for one part costs in the limit on tried changes.
+/// Number of tried changes that solving for one part counts as.
 const COST: usize = 1_000;
-/// Number of characters shown of a sum in which a term is missing.
+/// Largest number of characters that are shown of a sum in which a term is missing.
 const LONGEST_SUM: usize = 60;
 /// Largest number of terms in a sum that replaces a symbol or a number.
 const MOST_ADDED: usize = 3;
 
-/// Kinds of parts for whose right value the search solves.
+/// Kind of a part whose right value is solved for.
 #[derive(Clone, Copy, PartialEq)]
 enum PartKind {
     /// A sum in which a term may be missing.
@@ -37,20 +37,19 @@ enum PartKind {
     Term,
 }
 
-/// Part of a formula for whose right value the search solves.
+/// Part of a formula whose right value is solved for.
 struct FormulaPart {
     /// Formula or abbreviation that contains the part.
     place: FormulaPlace,
     kind: PartKind,
-    /// The part as printed; for a missing term, the sum that lacks it.
+    /// Part as printed; for a missing term, the sum that lacks it.
     part: Expr,
-    /// Formula of the place, in which an unknown symbol replaces the part.
+    /// Formula of the place, in which the part is replaced with an unknown symbol.
     changed: Expr,
 }
 
-/// Repair by the right value of one part: first a missing term, then a parameter or an
-/// abbreviation, then a term.
-/// Returns `None` if no part has a simple right value.
+/// Finds a repair by the right value of one part. Missing terms are tried first, then parameters and abbreviations,
+/// then terms. Returns `None` if no part has a simple right value.
 pub fn repair_by_solved_part(
     tools: &mut RepairTools<'_, '_>,
     formula: &mut PrintedFormula,
@@ -84,7 +83,7 @@ pub fn repair_by_solved_part(
     None
 }
 
-/// Parts of a kind in the formula at `place`; in each, `symbol` replaces the part.
+/// Parts of a kind in the formula at `place`. In each result, `symbol` replaces the part.
 fn solvable_parts(
     tools: &RepairTools<'_, '_>,
     formula: &mut PrintedFormula,
@@ -145,16 +144,16 @@ fn solvable_parts(
     list
 }
 
-/// Kind of the mistake in a part that is printed with a wrong value: that of the factor between both values, or a wrong
-/// symbol if the factor tells no kind.
+/// Kind of the mistake in a part that is printed with a wrong value. It is the kind that belongs to the factor between
+/// both values, or a wrong symbol if the factor belongs to no kind.
 fn mistake_kind_of_solved_part(tools: &mut RepairTools<'_, '_>, printed: Expr, right: Expr) -> MistakeKind {
     let Kinematics { arena, simplifier, .. } = &mut tools.quantities.derivations.kinematics;
     let ratio = arena.div(printed, right).map(|ratio| simplifier.simplify(arena, ratio));
     ratio.and_then(|ratio| MistakeKind::of_factor(arena, ratio)).unwrap_or(MistakeKind::Symbol)
 }
 
-/// Repair by the right value of a part, proved equal to the derived value.
-/// Returns `None` if the value cannot be solved for, is not simple, or has a long text.
+/// Creates the repair by the right value of a part, if it is proved equal to the derived value. Returns `None` if the
+/// value cannot be solved for, is not simple, or has a long text.
 fn solve_part(
     tools: &mut RepairTools<'_, '_>,
     formula: &mut PrintedFormula,
@@ -274,8 +273,8 @@ fn solved_part_is_constant(arena: &Arena, parameters: &[Expr], e: Expr) -> bool 
     arena.reachable(&[e]).into_iter().all(|part| arena.symbol_name(part).is_none() || parameters.contains(&part))
 }
 
-/// True if a term is a plain term, a sum of at most three plain terms, or a product with at most
-/// one such sum.
+/// True if a term is a plain term, a sum of at most three plain terms, or a product with at most one such sum as a
+/// factor.
 fn is_short_solved_sum(arena: &Arena, parameters: &[Expr], e: Expr) -> bool {
     match arena.node(e) {
         Node::Sum(constant, terms) => {
@@ -299,8 +298,7 @@ fn solved_term_has_sum(arena: &Arena, e: Expr) -> bool {
     }
 }
 
-/// True if a term is a number times integer powers of symbols, sines and cosines; only parameters
-/// may be in divisors.
+/// True if a term is a number times integer powers of symbols, sines and cosines, and only parameters are in divisors.
 fn is_plain_solved_term(arena: &Arena, parameters: &[Expr], term: Expr) -> bool {
     match arena.node(term) {
         Node::Sum(constant, terms) => {

@@ -1,13 +1,12 @@
-//! Values that quantities get when printed values replace derived ones in the textbook's formulas.
+//! Values that quantities get when printed values replace derived values in textbook formulas.
 //!
-//! Every formula is the textbook's, in quantities that a publication can name: a = dv/dt, dH/dt =
-//! I·α + ω × I·ω, F*_r = Σ ∂v/∂u_r·R* + ∂ω/∂u_r·T*, L = T − V. A quantity that depends on no
-//! printed value has no value here, so that it is never taken for a consequence. Invariant: all
-//! values are in q, u and u̇. A formula uses only the printed values of its own operands; the
-//! kinematics of the tree of frames is deliberately not recomputed.
+//! The formulas are those of textbooks, in quantities that a publication can name: a = dv/dt, dH/dt = I·α + ω × I·ω,
+//! F*_r = Σ ∂v/∂u_r·R* + ∂ω/∂u_r·T*, L = T − V. A quantity that depends on no printed value has no value here, so that
+//! it never counts as a consequence. Invariant: all values are in q, u and u̇. A formula uses only the printed values
+//! of its own operands. The kinematics of the tree of frames is deliberately not recomputed.
 //!
-//! T. R. Kane & D. A. Levinson, *Dynamics: Theory and Applications* (1985), §§ 2.7, 4.11; H.
-//! Goldstein, C. Poole & J. Safko, *Classical Mechanics*, 3rd edition (2002), § 5.5.
+//! T. R. Kane & D. A. Levinson, *Dynamics: Theory and Applications* (1985), §§ 2.7, 4.11; H. Goldstein, C. Poole & J.
+//! Safko, *Classical Mechanics*, 3rd edition (2002), § 5.5.
 
 mod force_and_energy_sums;
 mod vectors;
@@ -23,21 +22,21 @@ use rustc_hash::FxHashMap;
 
 /// Printed values of quantities, with the values of all quantities that follow from them.
 pub struct ValueConsequences {
-    /// Printed values that replace derived ones.
+    /// Printed values that replace derived values.
     put: Vec<WrongValue>,
-    /// Time derivative d/dt; it uses the printed rates q̇ if there are any.
+    /// Time derivative d/dt. It uses the printed rates q̇ if the publication prints any.
     d_dt: Differential,
-    /// True if rates q̇ of coordinates are among the printed values.
+    /// True if the printed values contain rates q̇ of coordinates, so that d/dt differs from the derived one.
     moves_otherwise: bool,
-    /// Computed vectors, by (vector, index of its point or body, frame); `None` if they depend on
-    /// no printed value.
+    /// Computed vectors, by (vector, index of its point, frame or body, frame of the components). `None` if they depend
+    /// on no printed value.
     vectors: FxHashMap<(VectorName, usize, usize), Option<Components>>,
-    /// Computed scalars; `None` if they depend on no printed value.
+    /// Computed scalars; `None` if they do not depend on a printed value.
     scalars: FxHashMap<QuantityKind, Option<Expr>>,
 }
 
 impl ValueConsequences {
-    /// Starts from the printed values `put`, which are functions of q, u and u̇; computes nothing
+    /// Creates the consequences of the printed values `put`, which are functions of q, u and u̇. Nothing is computed
     /// yet.
     pub fn new(model: &Model, put: Vec<WrongValue>) -> Self {
         let mut d_dt = kinematic_rates(model);
@@ -51,13 +50,13 @@ impl ValueConsequences {
         Self { put, d_dt, moves_otherwise, vectors: FxHashMap::default(), scalars: FxHashMap::default() }
     }
 
-    /// Value that the publication prints for the quantity `kind`; `None` if it prints none.
+    /// Value that the publication prints for the quantity `kind`; `None` if there is none.
     pub fn printed(&self, kind: &QuantityKind) -> Option<Expr> {
         self.put.iter().find(|value| value.kind == *kind).map(|value| value.printed)
     }
 
-    /// Value of a quantity, computed with the values that the publication prints in place of derived
-    /// ones; `None` if the quantity depends on no printed value.
+    /// Value of a quantity, computed with printed values instead of derived values. `None` if the quantity depends on
+    /// no printed value.
     pub fn value(&mut self, quantities: &mut Quantities<'_>, kind: &QuantityKind) -> Option<Expr> {
         if let Some(value) = self.printed(kind) {
             return Some(value);
@@ -70,16 +69,15 @@ impl ValueConsequences {
         value
     }
 
-    /// Value of a quantity, computed from the values that the publication prints, minus its derived
-    /// value; `None` if the quantity depends on no printed value.
+    /// Value of a quantity, computed with printed values, minus its derived value. `None` if the quantity depends on no
+    /// printed value.
     pub fn change_of_quantity(&mut self, quantities: &mut Quantities<'_>, kind: &QuantityKind) -> Option<Expr> {
         let value = self.value(quantities, kind)?;
         let right = derived_value(quantities, kind)?;
         Some(derived_values_arena(quantities).sub(value, right))
     }
 
-    /// Computes a quantity from the printed values of its operands; `None` if it depends on none of
-    /// them.
+    /// Computes a quantity from the printed values of its operands; `None` if it depends on no printed value.
     fn compute_quantity(&mut self, quantities: &mut Quantities<'_>, kind: &QuantityKind) -> Option<Expr> {
         match *kind {
             QuantityKind::Component { vector, of, frame, axis } => {
@@ -97,9 +95,8 @@ impl ValueConsequences {
         }
     }
 
-    /// Components of a vector in `frame`, computed with printed values; `None` if they depend on no
-    /// printed value.
-    /// `of` is the index of the vector's point, frame or body.
+    /// Components of a vector in `frame`, computed with printed values. `None` if they depend on no printed value. `of`
+    /// is the index of the vector's point, frame or body.
     fn vector(
         &mut self,
         quantities: &mut Quantities<'_>,
@@ -122,9 +119,9 @@ impl ValueConsequences {
         value
     }
 
-    /// Frame in which the publication prints components of the vector `name` of the point or body `of`:
-    /// `frame` if it prints some there, else the frame with the lowest index; `None` if it prints no
-    /// component of the vector.
+    /// Frame in which the publication prints components of the vector `name`, whose point or body is `of`. It is
+    /// `frame` if components are printed there, else the frame with the lowest index. `None` if no component of the
+    /// vector is printed.
     fn frame_of_printed_components(&self, name: VectorName, of: usize, frame: usize) -> Option<usize> {
         let frames = self.put.iter().filter_map(|value| match value.kind {
             QuantityKind::Component { vector, of: owner, frame, .. } if (vector, owner) == (name, of) => Some(frame),
@@ -133,9 +130,8 @@ impl ValueConsequences {
         frames.min_by_key(|stated| (*stated != frame, *stated))
     }
 
-    /// Three components of a vector: the printed component where there is one, else the derived
-    /// component.
-    /// Returns `None` if a component that is needed cannot be derived.
+    /// Three components of a vector. Each is the printed component if there is one, else the derived component. Returns
+    /// `None` if a needed component cannot be derived.
     fn components_printed_or_derived(
         &self,
         quantities: &mut Quantities<'_>,

@@ -1,17 +1,15 @@
 //! Groups of printed numbers that contradict one another.
 //!
-//! In each group at least one number is wrong, and nothing shows which. If two lists are exchanged,
-//! all contradictions of their numbers are one mistake.
+//! In each group at least one number is wrong, but the publication does not show which. If two lists are exchanged, all
+//! contradictions of their numbers are one mistake.
 
 use super::root::DependenceKind;
 use super::source_search::DependenceReason;
 use crate::diff::equations::claim::Claim;
 use crate::diff::formulas::swapped_lists::SwappedLists;
 
-/// Traces every wrong number to the first number that it contradicts, directly, through other
-/// numbers, or in swapped lists.
-/// Returns descriptions of the swapped lists, each with the index of the first number that the swap
-/// makes wrong.
+/// Traces every wrong number to the first number that it contradicts: directly, through other numbers, or by swapped
+/// lists. Returns descriptions of the swapped lists, each with the index of the first number that the swap makes wrong.
 pub fn link_contradicting_numbers(
     stated: &[&Claim],
     ids: &[&str],

@@ -1,4 +1,4 @@
-//! Wrong entries of the matrix C in M q̈ + C q̇ + g = τ: the row with a wrong entry, and wrong
+//! Tracing of wrong entries of the matrix C in M q̈ + C q̇ + g = τ, between the row with a wrong entry and wrong
 //! statements about the entry.
 
 use super::root::DependenceKind;
@@ -9,9 +9,8 @@ use crate::diff::equations::claim::Claim;
 use crate::diff::formulas::finding::Finding;
 use crate::mechanics::{QuantityKind, RowQuantity};
 
-/// Traces wrong statements about an entry of C to the wrong row of C q̇ that has the same wrong
-/// entry.
-/// `rates` are the symbols q̇. `reasons`, one for each wrong entry, receives the links found.
+/// Traces wrong statements about an entry of C to the wrong row of C q̇ that has the same wrong entry. `rates` are the
+/// symbols q̇. The links found are written to `reasons`, which has one item for each wrong entry.
 pub fn link_coriolis_entries(
     arena: &mut Arena,
     rates: &[Expr],

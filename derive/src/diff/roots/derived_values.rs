@@ -1,11 +1,10 @@
-//! Derived values of named quantities as functions of q, u and u̇, and arithmetic of vectors with
-//! three components.
+//! Derived values of named quantities as functions of q, u and u̇, and arithmetic of vectors with three components.
 
 use crate::algebra::{Arena, Expr};
 use crate::geometry::{Components, apply_tensor};
 use crate::mechanics::{Quantities, Quantity, QuantityKind, VectorName};
 
-/// Name of the component along `axis` (0 to 2) of a vector in `frame`; `of` is the index of its
+/// Kind of quantity for the component along `axis` (0 to 2) of a vector in `frame`. `of` is the index of the vector's
 /// point, frame or body.
 pub fn component_name(vector: VectorName, of: usize, frame: usize, axis: usize) -> QuantityKind {
     QuantityKind::Component { vector, of, frame, axis }

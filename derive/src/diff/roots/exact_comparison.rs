@@ -1,5 +1,5 @@
-//! Exact comparisons of derived and printed terms, with a limit on their number; after the limit,
-//! every answer is no.
+//! Exact comparisons of derived and printed terms, with a limit on their number. Beyond the limit, every answer is
+//! "no".
 
 use crate::algebra::Expr;
 use crate::algebra::meaning::compare::Comparer;
@@ -11,7 +11,7 @@ use crate::mechanics::{Quantities, QuantityKind};
 /// Largest number of comparisons in the search for the root mistakes of one publication.
 const COMPARISONS: usize = 20_000;
 
-/// Wrong value of a quantity, printed and derived, as functions of q, u and u̇.
+/// Wrong value of a quantity, as printed and as derived, both as functions of q, u and u̇.
 #[derive(Clone)]
 pub struct WrongValue {
     /// Kind of the quantity whose printed value is wrong, with its indices.
@@ -33,7 +33,7 @@ pub struct ExactComparison<'a, 'b> {
 }
 
 impl<'a, 'b> ExactComparison<'a, 'b> {
-    /// Comparison in the states `permitted`, with the full number of comparisons left.
+    /// Creates a comparison in the states `permitted`, with the full number of comparisons left.
     pub fn new(quantities: &'a mut Quantities<'b>, permitted: &PermittedStates) -> Self {
         Self { quantities, comparer: Comparer::in_permitted_states(permitted.clone()), left: COMPARISONS }
     }
@@ -54,7 +54,7 @@ impl<'a, 'b> ExactComparison<'a, 'b> {
         let difference = arena.sub(a, b);
         let difference = self.comparer.permitted().write_in_free_symbols(arena, difference);
         let difference = self.comparer.expand_angles(arena, difference);
-        // No witness is needed: terms proved to differ need no further test.
+        // Terms that are proved to differ need no further test, since no state with numbers is wanted.
         zero_test(arena, difference) != ZeroTest::NonZero && self.comparer.is_zero(arena, difference).is_equal()
     }
 

@@ -1,13 +1,11 @@
-//! Root mistakes: a search, by proof, for wrong entries that repeat other wrong entries or follow
-//! from them.
+//! Search, by proof, for root mistakes: wrong entries that cause other wrong entries.
 //!
-//! An entry is traced to earlier entries in three cases. First, it has an equal wrong value.
-//! Second, exactly the printed value follows when printed values replace the derived ones in its
-//! formula ([`consequences_of_values`], [`row_changes`], [`solved_systems`]). Third, another
-//! component of the same vector has an equal mistake ([`shared_mistake`]). Each claim of dependence
-//! is proved as an identity of terms. An entry without a proof within a counted budget is a root of
-//! its own. Invariant: every entry judged "different" is in exactly one group, the group of its
-//! first source. Equal differences alone do not link two entries: two separate slips may give equal
+//! An entry is traced to earlier entries in three cases. First, it has an equal wrong value. Second, exactly the
+//! printed value follows when printed values replace the derived values in its formula ([`consequences_of_values`],
+//! [`row_changes`], [`solved_systems`]). Third, another component of the same vector has an equal mistake
+//! ([`shared_mistake`]). Each dependence is proved as an identity of terms. An entry for which no proof is found within
+//! the limit on comparisons is a root of its own. Invariant: every entry judged "different" is in exactly one group,
+//! the group of its first source. Equal differences alone do not link two entries: two separate slips may give equal
 //! differences.
 
 mod consequences_of_values;
@@ -38,9 +36,8 @@ use source_search::{DependenceReason, SourceSearch};
 /// Longest description of a mistake in a title, in characters.
 const LONGEST: usize = 200;
 
-/// Finds the root mistakes that cause the wrong entries, in the order of the publication file.
-/// `findings` and `claims` (statements as data) have one item for each entry. `tables` are the
-/// printed systems matched with derived rows.
+/// Finds the root mistakes that cause the wrong entries, in the order of the publication file. `findings` and `claims`
+/// (statements as data) have one item for each entry. `tables` are the printed systems matched with derived rows.
 pub fn find_root_mistakes(
     quantities: &mut Quantities<'_>,
     permitted: &PermittedStates,
@@ -79,11 +76,10 @@ pub fn find_root_mistakes(
     group_by_root(&wrong, &reasons, words)
 }
 
-/// Smallest number of nodes of a term for which equal mistakes in two entries count as one mistake.
+/// Smallest number of nodes of a term from which on equal mistakes in two entries count as one mistake.
 const FEWEST_PARTS: usize = 5;
 
-/// Traces an entry that has no reason yet to an earlier entry in which the same term has the same
-/// mistake.
+/// Traces an entry without a reason to an earlier entry in which the same term has the same mistake.
 fn link_equal_mistakes(
     arena: &Arena,
     publication: &Publication,
@@ -109,7 +105,7 @@ fn link_equal_mistakes(
             continue;
         }
         let Some(change) = wrong[at].change else { continue };
-        // A term that has an abbreviation, such as s12 for sin(q1 + q2), is written once.
+        // A term that has an abbreviation, such as s12 for sin(q1 + q2), is printed only once.
         let is_named = publication.abbreviations.iter().any(|(_, value)| *value == change.0);
         if arena.reachable(&[change.0]).len() < FEWEST_PARTS && !(is_named && arena.symbol_name(change.0).is_none()) {
             continue;
@@ -125,7 +121,7 @@ fn root_mistake_description(arena: &Arena, finding: &Finding) -> String {
     if let Some(wrong) = finding.wrong.as_ref().filter(|words| words.chars().count() <= LONGEST) {
         return wrong.clone();
     }
-    // The factor of a whole row does not describe the row's mistake.
+    // A factor of the whole row does not describe the mistake in it.
     if let Some(factor) = finding.factor.filter(|_| finding.places.is_empty()) {
         return format!("it is off by the factor {}", print_text(arena, factor));
     }
@@ -148,8 +144,7 @@ fn group_by_root(
     words: impl Fn(usize) -> String,
 ) -> Vec<RootMistake> {
     let mut roots: Vec<RootMistake> = Vec::new();
-    // List of each entry's roots, the root of its own group first. The sources of an entry come
-    // before it.
+    // Roots of each entry, with the root of its own group first. All sources of an entry precede it in the list.
     let mut of: Vec<Vec<usize>> = Vec::new();
     for (at, reason) in reasons.iter().enumerate() {
         let Some(reason) = reason else {

@@ -8,11 +8,10 @@ pub enum DependenceKind {
     /// The entry has the same wrong value as another entry, or the same mistake in another
     /// component.
     Repeated,
-    /// The printed value follows exactly if the printed values of other entries replace the derived
-    /// ones.
+    /// The printed value follows exactly when the printed values of other entries replace the derived values.
     Follows,
-    /// The entry is a number that other printed numbers contradict: at least one is wrong, and
-    /// nothing shows which.
+    /// The entry is a number that other printed numbers contradict. At least one of them is wrong, but the publication
+    /// does not show which.
     Contradicts,
 }
 
@@ -28,8 +27,8 @@ impl DependenceKind {
     }
 }
 
-/// Wrong entry that is a consequence of mistakes in other entries; entries are indices in the list
-/// of findings.
+/// Wrong entry that is a consequence of mistakes in other entries. Entries are given by their indices in the list of
+/// findings.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct DependentEntry {
     /// Index of the dependent entry among the findings.
@@ -39,8 +38,7 @@ pub struct DependentEntry {
     /// Indices, among the findings, of the entries that the entry repeats, follows from or
     /// contradicts.
     pub from: Vec<usize>,
-    /// Indices, among the findings, of the entries with further root mistakes that also cause the
-    /// entry.
+    /// Indices, among the findings, of entries with other root mistakes that also cause this entry.
     pub also: Vec<usize>,
 }
 
@@ -56,8 +54,7 @@ pub struct RootMistake {
 }
 
 impl RootMistake {
-    /// Number of entries that are wrong because of the mistake, including the entry with the
-    /// mistake itself.
+    /// Number of entries that are wrong because of the mistake, including the entry that contains it.
     #[must_use]
     pub fn entries(&self) -> usize {
         1 + self.followers.len()
@@ -69,7 +66,7 @@ impl RootMistake {
         format!("{}: {}", findings[self.finding].id, self.mistake)
     }
 
-    /// Wrong entries caused by the mistake that depend on it by the given kind of link.
+    /// Wrong entries that the mistake causes by the given kind of dependence.
     pub fn followers_by_link(&self, link: DependenceKind) -> impl Iterator<Item = &DependentEntry> {
         self.followers.iter().filter(move |f| f.link == link)
     }

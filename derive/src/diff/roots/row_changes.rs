@@ -1,4 +1,4 @@
-//! Rows of the equations of motion, computed with printed values in place of derived ones.
+//! Rows of the equations of motion, computed with printed values instead of derived values.
 
 use super::consequences_of_values::ValueConsequences;
 use super::derived_values::component_name;
@@ -9,10 +9,8 @@ use crate::diff::equations::matched_system::MatchedSystem;
 use crate::diff::equations::row_judgement::Row as Entries;
 use crate::mechanics::{BalanceName, EnergyQuantity, Quantities, QuantityKind, RowName, RowQuantity, VectorName};
 
-/// Derived row `at` of a system, computed with the printed values in `chain` in place of derived
-/// ones.
-/// The row has one coefficient for each unknown, then the right-hand side. `None` if it depends on
-/// no printed value.
+/// Derived row `at` of a system, computed with the printed values in `chain` instead of derived values. The row has one
+/// coefficient for each unknown, then the right-hand side. `None` if it depends on no printed value.
 pub fn row_changed_by_printed_values(
     quantities: &mut Quantities<'_>,
     chain: &mut ValueConsequences,
@@ -39,7 +37,7 @@ pub fn row_changed_by_printed_values(
     Some(row)
 }
 
-/// Derived row `at` with its printed entries, such as `M[1,2]`, `f[1]`, `E[1,2]` or `A[1]`; `None`
+/// Derived row `at`, in which printed entries such as `M[1,2]`, `f[1]`, `E[1,2]` or `A[1]` replace derived ones. `None`
 /// if no entry of the row is printed as a quantity.
 fn row_changed_by_printed_entries(chain: &ValueConsequences, table: &MatchedSystem, at: usize) -> Option<Entries> {
     let kind = |column: usize| match table.names[at] {
@@ -54,9 +52,8 @@ fn row_changed_by_printed_entries(chain: &ValueConsequences, table: &MatchedSyst
     is_stated.then(|| printed.iter().zip(&table.derived[at]).map(|(p, d)| p.unwrap_or(*d)).collect())
 }
 
-/// Change of Kane's row M u̇ − f = −F* − F for the speed with index `speed`, if printed values
-/// replace derived ones.
-/// Returns `None` if the row depends on no printed value.
+/// Change of Kane's row M u̇ − f = −F* − F for the speed with index `speed`, when printed values replace derived
+/// values. Returns `None` if the row depends on no printed value.
 fn kane_row_change(quantities: &mut Quantities<'_>, chain: &mut ValueConsequences, speed: usize) -> Option<Expr> {
     let inertia = chain.change_of_quantity(quantities, &QuantityKind::Row(RowQuantity::InertiaForce, speed));
     let active = chain.change_of_quantity(quantities, &QuantityKind::Row(RowQuantity::ActiveForce, speed));
@@ -68,10 +65,9 @@ fn kane_row_change(quantities: &mut Quantities<'_>, chain: &mut ValueConsequence
     Some(arena.neg(total))
 }
 
-/// Change of Lagrange's row d/dt ∂L/∂q̇ − ∂L/∂q for a coordinate, caused by the error of the
-/// printed L.
-/// Returns `None` if L depends on no printed value, or unless the model has as many speeds as
-/// coordinates and no motion constraints. Only then T and V in u are also known in q̇.
+/// Change of Lagrange's row d/dt ∂L/∂q̇ − ∂L/∂q for a coordinate, caused by the error of the printed L. Returns `None`
+/// if L depends on no printed value. Also `None` unless the model has as many speeds as coordinates and no motion
+/// constraints, since only then T and V in u can be written in q̇.
 fn lagrange_row_change(
     quantities: &mut Quantities<'_>,
     chain: &mut ValueConsequences,
@@ -95,8 +91,8 @@ fn lagrange_row_change(
     Some(arena.sub(momentum_rate, slopes[0]))
 }
 
-/// Change of a Newton–Euler balance m a − F or dH/dt − M, if printed values replace derived ones.
-/// Returns `None` if the balance depends on no printed value.
+/// Change of a Newton–Euler balance m a − F or dH/dt − M, when printed values replace derived values. Returns `None` if
+/// the balance depends on no printed value.
 fn balance_row_change(
     quantities: &mut Quantities<'_>,
     chain: &mut ValueConsequences,

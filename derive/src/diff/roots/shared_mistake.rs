@@ -1,8 +1,8 @@
-//! Search for one mistake that several components of one vector or matrix share.
+//! Search for a mistake that several components of a vector or matrix share.
 //!
-//! Invariant: one description explains, as an identity, the whole difference from the derived value
-//! in both components. It is a common factor, a common factor of one part of the vector's formula,
-//! or the angular velocity of a wrong frame.
+//! Invariant: one description explains, as an identity, the whole difference from the derived value in both components.
+//! It is a common factor, a common factor of one part of the vector's formula, or the angular velocity of a wrong
+//! frame.
 
 use super::derived_values::{derived_value_components, derived_values_arena, difference};
 use super::exact_comparison::{ExactComparison, WrongValue};
@@ -15,11 +15,10 @@ use crate::mechanics::{Kinematics, Quantities, QuantityKind, VectorName};
 pub enum SharedMistake {
     /// Factor printed ÷ derived, equal for both components.
     Factor(Expr),
-    /// Name of a part of both components' formula, and the ratio of the part as printed to the part
-    /// as derived.
+    /// Name of a part in the formula of both components, and the ratio of the printed part to the derived part.
     Part(String, Expr),
-    /// Angular velocity of a wrong frame in ω × vector: index of the frame used, index of the right
-    /// frame, name of the vector.
+    /// Angular velocity of a wrong frame in ω × vector: index of the printed frame, index of the right frame, and name
+    /// of the vector.
     Turned(usize, usize, &'static str),
 }
 
@@ -42,9 +41,9 @@ impl SharedMistake {
     }
 }
 
-/// Vector equal to a factor ±m times the time derivative of another vector.
+/// Vector that equals a factor ±m times the time derivative of another vector.
 struct VectorRate {
-    /// Components of the differentiated vector, in the frame `frame`.
+    /// Components of the differentiated vector in the frame `frame`.
     of: Components,
     /// Kind of the differentiated vector, such as velocity or angular momentum.
     changing: VectorName,
@@ -52,8 +51,8 @@ struct VectorRate {
     times: Expr,
     /// Index of the frame in which the components are taken.
     frame: usize,
-    /// Index of the frame whose rotation enters the derivative: the body's frame or the vector's
-    /// own; `None` for linear motion.
+    /// Index of the frame whose rotation contributes to the derivative: the frame of the body, or of the vector itself.
+    /// `None` for linear motion.
     carrier: Option<usize>,
 }
 
@@ -98,14 +97,14 @@ fn shared_vector_of_component(kind: &QuantityKind) -> Option<QuantityKind> {
     }
 }
 
-/// Ratio of the two terms in `a`, if the two terms in `b` have the same ratio and it depends on
-/// parameters only; else `None`.
+/// Ratio of the two terms in `a`, if the two terms in `b` have the same ratio and it depends on parameters only.
+/// Otherwise `None`.
 fn same_ratio(exact: &mut ExactComparison<'_, '_>, a: (Expr, Expr), b: (Expr, Expr)) -> Option<Expr> {
     let (k, other) = (exact.exact_ratio(a.0, a.1)?, exact.exact_ratio(b.0, b.1)?);
     exact.compare_exactly(k, other).then_some(k)
 }
 
-/// Writes a vector as a factor times a time derivative; `None` if the vector is not of this kind.
+/// Writes a vector as a factor times a time derivative; `None` if the vector is not of this form.
 fn shared_vector_as_rate(quantities: &mut Quantities<'_>, kind: &QuantityKind) -> Option<VectorRate> {
     let QuantityKind::Component { vector, of, frame, .. } = *kind else { return None };
     let model = quantities.model;
@@ -135,10 +134,9 @@ fn shared_vector_as_rate(quantities: &mut Quantities<'_>, kind: &QuantityKind) -
     })
 }
 
-/// Finds a part of the vector's formula with the same wrong factor in both components: ω × vector,
-/// or the remainder.
-/// `off` are the errors printed − derived of the components along the two `axes`. Returns `None` if
-/// no part has such a factor.
+/// Finds a part of the vector's formula with the same wrong factor in both components: ω × vector, or the remaining
+/// part. `off` are the errors printed − derived of the components along the two `axes`. Returns `None` if no part has
+/// such a factor.
 fn find_shared_part(
     exact: &mut ExactComparison<'_, '_>,
     rate: &VectorRate,
@@ -168,8 +166,8 @@ fn find_shared_part(
     None
 }
 
-/// Finds a frame whose angular velocity is used instead of the right one in ω × vector; `None` if
-/// there is no such frame.
+/// Finds a frame whose angular velocity is used in ω × vector instead of the right one; `None` if there is no such
+/// frame.
 fn find_wrong_frame(
     exact: &mut ExactComparison<'_, '_>,
     rate: &VectorRate,

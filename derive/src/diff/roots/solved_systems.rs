@@ -8,18 +8,18 @@ use rustc_hash::FxHashMap;
 
 /// Largest number of unknowns of a system that is solved.
 const MOST_UNKNOWNS: usize = 12;
-/// Number of wrong rows up to which every combination is tried. With more rows, each row alone and
-/// all together are tried.
+/// Number of wrong rows up to which every combination is tried. If there are more rows, each row alone and all rows
+/// together are tried.
 const MOST_ROWS: usize = 4;
 
-/// Solutions computed so far, by index of the table and printed rows; `None` for a system that
+/// Solutions computed so far, by the index of the table and the indices of the printed rows. `None` for a system that
 /// cannot be solved.
 #[derive(Default)]
 pub struct SolvedSystems(FxHashMap<(usize, Vec<usize>), Option<Vec<Expr>>>);
 
 impl SolvedSystems {
-    /// Combinations of the `rows` wrong rows that are tried, as lists of indices, the small ones
-    /// first.
+    /// Combinations of wrong rows that are tried, as lists of indices, with the smallest combinations first. `rows` is
+    /// the number of wrong rows.
     pub fn row_sets(rows: usize) -> Vec<Vec<usize>> {
         if rows > MOST_ROWS {
             return (0..rows).map(|row| vec![row]).chain([(0..rows).collect()]).collect();
@@ -30,9 +30,8 @@ impl SolvedSystems {
         sets
     }
 
-    /// Solves the table with index `place`, with the printed `rows` in place of the derived ones.
-    /// Returns one value for each unknown; `None` if the unknowns are not determined or are more
-    /// than twelve.
+    /// Solves the table with index `place`, in which the printed `rows` replace derived rows. Returns one value for
+    /// each unknown. `None` if the unknowns are not determined, or if there are more than twelve.
     pub fn solve_system(
         &mut self,
         quantities: &mut Quantities<'_>,
@@ -46,8 +45,7 @@ impl SolvedSystems {
     }
 }
 
-/// Solves a table in which the printed `rows` replace the derived rows that they match; `None` if
-/// it cannot be solved.
+/// Solves a table in which the printed `rows` replace the derived rows that they match. `None` if it cannot be solved.
 fn solve_with_printed_rows(
     quantities: &mut Quantities<'_>,
     table: &MatchedSystem,

@@ -1,8 +1,7 @@
 //! Search for the earlier wrong entries that are proved to cause a wrong entry.
 //!
-//! The nearest earlier entries are tried first: a line is more likely to follow from the line above
-//! it than from a line one page before. Work is counted in comparisons. After the last comparison,
-//! entries stay unexplained.
+//! The nearest earlier entries are tried first: a line is more likely to follow from the line above it than from a line
+//! one page before. The number of comparisons is limited. Beyond the limit, entries stay unexplained.
 
 use super::consequences_of_values::ValueConsequences;
 use super::exact_comparison::{ExactComparison, WrongValue};
@@ -21,25 +20,25 @@ use crate::diff::formulas::constant_terms::is_constant;
 use crate::mechanics::{Quantities, QuantityKind};
 use rustc_hash::FxHashMap;
 
-/// Largest number of sources that are combined to explain an entry, apart from all sources at once.
+/// Largest number of sources that are combined to explain an entry, besides the combination of all sources.
 const LARGEST_SET: usize = 3;
 /// Largest number of rows of a system whose combinations are compared with a printed row.
 const MOST_ROWS: usize = 8;
 /// Largest number of combinations of each size that are tried for one entry.
 const SETS: usize = 100;
 
-/// Reason why an entry is wrong; entries are indices in the list of wrong entries.
+/// Reason why an entry is wrong. Entries are given by their indices in the list of wrong entries.
 pub struct DependenceReason {
     /// Kind of dependence on the sources: repeated, follows or contradicts.
     pub link: DependenceKind,
     /// Indices of the entries that are named as sources.
     pub from: Vec<usize>,
-    /// Indices of the earlier entries to whose roots the entry belongs.
+    /// Indices of the earlier entries whose roots the entry shares.
     pub hangs_on: Vec<usize>,
 }
 
 impl DependenceReason {
-    /// Reason with the sources `from`, all of which are named.
+    /// Creates a reason with the sources `from`, all of which are named.
     pub fn new(link: DependenceKind, from: Vec<usize>) -> Self {
         Self { link, hangs_on: from.clone(), from }
     }
@@ -58,26 +57,24 @@ pub struct SourceSearch<'a, 'b> {
     exact: ExactComparison<'a, 'b>,
     /// Claims of the wrong entries, in the order of the publication file.
     stated: &'a [&'a Claim],
-    /// Printed systems matched with derived rows.
+    /// Printed systems that are matched with derived rows.
     tables: &'a [MatchedSystem],
     /// Values of the wrong entries in q, u and u̇; `None` for entries that are not values of
     /// quantities.
     values: Vec<Option<WrongValue>>,
-    /// Consequences of each wrong value alone; `None` for entries that are not values of
-    /// quantities.
+    /// Consequences of each wrong value alone; `None` for entries that are not values of quantities.
     chains: Vec<Option<ValueConsequences>>,
-    /// Rows that follow from one wrong value, by (source, table, derived row); `None` if the row
-    /// does not depend on it.
+    /// Rows that follow from one wrong value, by (source, table, derived row). `None` if the row does not depend on the
+    /// value.
     rows: FxHashMap<(usize, usize, usize), Option<Row>>,
     /// Solutions of derived systems in which printed rows replace derived ones.
     solutions: SolvedSystems,
-    /// Description of the mistake that each entry shares with another component; `None` if none was
-    /// found.
+    /// Description of the mistake that each entry shares with another component; `None` if there is no such mistake.
     pub shared: Vec<Option<String>>,
 }
 
 impl<'a, 'b> SourceSearch<'a, 'b> {
-    /// Search among the claims (statements as data) of wrong entries, which are in the order of the
+    /// Creates the search among the wrong entries. `stated` are their claims (statements as data), in the order of the
     /// publication file.
     pub fn new(
         quantities: &'a mut Quantities<'b>,
@@ -108,8 +105,7 @@ impl<'a, 'b> SourceSearch<'a, 'b> {
         }
     }
 
-    /// Finds the reason why the entry `at` is wrong among the entries before it; `None` if the
-    /// entry is a root.
+    /// Finds the reason why the entry `at` is wrong among the entries before it; `None` if the entry is a root mistake.
     pub fn find_source(&mut self, at: usize) -> Option<DependenceReason> {
         let before = (0..at).rev();
         if let Claim::Expansion { table, row } = self.stated[at] {
@@ -139,8 +135,7 @@ impl<'a, 'b> SourceSearch<'a, 'b> {
         self.follows_from_several(at).map(|sources| DependenceReason::new(DependenceKind::Follows, sources))
     }
 
-    /// True if a value equals the printed value of `of`. Energies whose zero is free may differ by
-    /// a constant.
+    /// True if `value` equals the printed value in `of`. Energies whose zero is free may differ by a constant.
     fn is_printed(&mut self, value: Expr, of: &WrongValue) -> bool {
         let arena = &mut self.exact.quantities.derivations.kinematics.arena;
         let difference = arena.sub(value, of.printed);
@@ -150,8 +145,8 @@ impl<'a, 'b> SourceSearch<'a, 'b> {
         }
     }
 
-    /// True if the entry `at` repeats the entry `source`: the same wrong value of one quantity, or
-    /// the same error in a row.
+    /// True if the entry `at` repeats the entry `source`: it has the same wrong value of one quantity, or the same
+    /// error in a row.
     fn repeats_source(&mut self, source: usize, at: usize) -> bool {
         if let (Some(a), Some(b)) = (&self.values[source], &self.values[at]) {
             let (kinds_agree, a, b) = (a.kind == b.kind, a.printed, b.printed);
@@ -179,7 +174,7 @@ impl<'a, 'b> SourceSearch<'a, 'b> {
         self.fits_printed_entry(at, b, &with)
     }
 
-    /// Place of the row to which an entry belongs; `None` for an entry that is not in a row.
+    /// Place of the row that contains an entry; `None` for an entry that is not in a row.
     fn row_of(&self, at: usize) -> Option<RowPlace> {
         match *self.stated[at] {
             Claim::Row { table, row } | Claim::Entry { table, row, .. } => Some(RowPlace { table, row }),
@@ -187,9 +182,8 @@ impl<'a, 'b> SourceSearch<'a, 'b> {
         }
     }
 
-    /// True if the printed entry agrees with the row `with`, which replaces the derived row.
-    /// A row must agree as a whole, up to a factor; for a single entry, agreement in its own column
-    /// is enough.
+    /// True if the printed entry `at` agrees with the row `with`, which replaces the derived row. A row must agree as a
+    /// whole, up to a factor. A single entry must agree only in its own column.
     fn fits_printed_entry(&mut self, at: usize, place: RowPlace, with: &Row) -> bool {
         let table = &self.tables[place.table];
         let printed = &table.printed[place.row];
@@ -235,8 +229,8 @@ impl<'a, 'b> SourceSearch<'a, 'b> {
         found
     }
 
-    /// True if the printed values in `chain` give exactly the printed entry `at`.
-    /// `row` is the entry's row computed with these values; `None` if the entry is not in a row.
+    /// True if the printed values in `chain` give exactly the printed entry `at`. `row` is the row of the entry,
+    /// computed with these values; `None` if the entry is not in a row.
     fn gives_printed_entry(&mut self, chain: &mut ValueConsequences, row: Option<Row>, at: usize) -> bool {
         if let (Some(place), Some(row)) = (self.row_of(at), row) {
             return self.fits_printed_entry(at, place, &row);
@@ -247,8 +241,8 @@ impl<'a, 'b> SourceSearch<'a, 'b> {
         reached.is_some_and(|reached| self.is_printed(reached, &value))
     }
 
-    /// True if the printed row `at` is a combination of all rows that the printed values in `chain`, of
-    /// the entry `source`, give: an equation solved for an acceleration is one.
+    /// True if the printed row `at` is a combination of the rows that follow from the printed values in `chain`, which
+    /// are those of the entry `source`. An equation solved for an acceleration is such a combination.
     fn gives_printed_combination(&mut self, chain: &mut ValueConsequences, source: usize, at: usize) -> bool {
         let Claim::Row { table: place, row } = *self.stated[at] else { return false };
         let table = &self.tables[place];
@@ -272,8 +266,8 @@ impl<'a, 'b> SourceSearch<'a, 'b> {
         is_changed && count(&rows).is_some() && count(&rows) == count(&with)
     }
 
-    /// True if the printed value at `at` equals the printed value at `source`, or its negative.
-    /// Inertia torques T* = −dH/dt are printed with both signs.
+    /// True if the printed value at `at` equals the printed value at `source`, or its negative. Inertia torques T* =
+    /// −dH/dt are printed with either sign.
     fn is_opposite(&mut self, source: usize, at: usize) -> bool {
         let (Some(a), Some(b)) = (&self.values[source], &self.values[at]) else { return false };
         let (a, b) = (a.printed, b.printed);
@@ -281,10 +275,9 @@ impl<'a, 'b> SourceSearch<'a, 'b> {
         self.exact.compare_exactly(a, b) || self.exact.compare_exactly(negative, b)
     }
 
-    /// Finds wrong printed rows before the entry whose solution gives exactly the entry, an
-    /// acceleration.
-    /// Returns the indices of the entries with these rows; `None` if there are none, or if the
-    /// entry is no acceleration.
+    /// Finds wrong printed rows before the entry `at`, an acceleration, whose solution gives exactly the printed
+    /// acceleration. Returns the indices of the entries with these rows. `None` if there are none, or if the entry is
+    /// no acceleration.
     fn find_solved_rows(&mut self, at: usize) -> Option<Vec<usize>> {
         let value = self.values[at].clone()?;
         let symbol = self.acceleration_of(at)?;
@@ -314,10 +307,9 @@ impl<'a, 'b> SourceSearch<'a, 'b> {
         None
     }
 
-    /// Printed accelerations from which one printed row gives the entry, another acceleration;
-    /// returns their indices.
-    /// The row is solved for the entry's acceleration, with the last printed value of each other
-    /// acceleration. Returns `None` if the result is not the printed entry.
+    /// Finds printed accelerations from which one printed row gives the entry `at`, another acceleration. Returns the
+    /// indices of their entries. The row is solved for the entry's acceleration, with the last printed value of each
+    /// other acceleration. Returns `None` if the result is not the printed entry.
     fn find_solved_row(
         &mut self,
         at: usize,
@@ -358,8 +350,8 @@ impl<'a, 'b> SourceSearch<'a, 'b> {
         }
     }
 
-    /// Indices of a table's wrong rows before an entry, each with the index of the first entry that
-    /// shows the row.
+    /// Indices of wrong rows of a table, each with the index of the first entry that contains the row. Only entries
+    /// before the entry `before` count.
     fn wrong_rows(&self, table: usize, before: usize) -> Vec<(usize, usize)> {
         let mut rows: Vec<(usize, usize)> = Vec::new();
         for at in 0..before {
@@ -371,9 +363,8 @@ impl<'a, 'b> SourceSearch<'a, 'b> {
         rows
     }
 
-    /// Finds an earlier entry, another component of the same vector or matrix, with the same
-    /// mistake; returns its index.
-    /// Returns `None` if there is none. Records the description of the shared mistake.
+    /// Finds an earlier entry with the same mistake, which is another component of the same vector or matrix. Returns
+    /// its index, and records the description of the shared mistake. Returns `None` if there is none.
     fn find_shared_mistake(&mut self, at: usize) -> Option<usize> {
         let own = self.values[at].clone()?;
         for source in (0..at).rev() {
@@ -388,8 +379,7 @@ impl<'a, 'b> SourceSearch<'a, 'b> {
         None
     }
 
-    /// Finds several earlier wrong values that together give exactly the entry: two, three, or one
-    /// of each quantity.
+    /// Finds several earlier wrong values that together give exactly the entry: two, three, or one of each quantity.
     /// Returns the indices of their entries; `None` if no combination gives the entry.
     fn follows_from_several(&mut self, at: usize) -> Option<Vec<usize>> {
         let reaching: Vec<usize> = (0..at).rev().filter(|source| self.depends_on_source(*source, at)).collect();
@@ -402,7 +392,7 @@ impl<'a, 'b> SourceSearch<'a, 'b> {
         if all.len() <= LARGEST_SET || !self.follows_from_sources(&all, at) {
             return None;
         }
-        // A value that is not needed for the result is not a source.
+        // A value that the result does not need is no source.
         for source in all.clone() {
             let fewer: Vec<usize> = all.iter().copied().filter(|s| *s != source).collect();
             if self.follows_from_sources(&fewer, at) {
@@ -451,7 +441,7 @@ impl<'a, 'b> SourceSearch<'a, 'b> {
         chain.printed(&kind).is_none() && chain.value(self.exact.quantities, &kind).is_some()
     }
 
-    /// Sources with one entry for each quantity: the entry nearest to the explained one.
+    /// Selects one source for each quantity: the one nearest to the entry that is explained.
     fn nearest_source_of_each_quantity(&self, sources: &[usize]) -> Vec<usize> {
         let mut chosen: Vec<usize> = Vec::new();
         for source in sources {
@@ -462,8 +452,8 @@ impl<'a, 'b> SourceSearch<'a, 'b> {
         chosen
     }
 
-    /// True if the printed entry `at` follows exactly when the values of all `sources` replace the
-    /// derived ones together.
+    /// True if the printed entry `at` follows exactly when the values of all `sources` together replace the derived
+    /// values.
     fn follows_from_sources(&mut self, sources: &[usize], at: usize) -> bool {
         let put: Vec<WrongValue> = sources.iter().filter_map(|s| self.values[*s].clone()).collect();
         let twice = put.iter().enumerate().any(|(i, value)| put[..i].iter().any(|other| other.kind == value.kind));

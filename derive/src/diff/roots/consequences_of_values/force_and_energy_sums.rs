@@ -1,4 +1,4 @@
-//! Sums over bodies, computed with printed values: generalized forces, the mass matrix, energies.
+//! Sums over bodies, computed with printed values: generalized forces, the mass matrix, and energies.
 
 use super::ValueConsequences;
 use crate::algebra::term::calculus::{Differential, Substitution};
@@ -9,11 +9,11 @@ use crate::diff::roots::derived_values::{
 use crate::geometry::Components;
 use crate::mechanics::{EnergyQuantity, Quantities, QuantityKind, RowQuantity, VectorName};
 
-/// Load on a body, with the velocity of the point or frame at which the load has power.
+/// Load on a body, with the velocity that is multiplied by the load in the power.
 struct LoadPower {
-    /// Kind of the velocity: of the mass centre, or angular.
+    /// Kind of the velocity: that of the mass centre, or the angular velocity.
     velocity: VectorName,
-    /// Index of the point or frame that has the velocity.
+    /// Index of the point or frame whose velocity is meant.
     of: usize,
     /// Kind of the load: a force or a torque.
     load: VectorName,
@@ -22,8 +22,8 @@ struct LoadPower {
 }
 
 impl ValueConsequences {
-    /// Index of the frame in which sums over bodies are formed: that of the first printed
-    /// component, else the inertial frame.
+    /// Index of the frame in which sums over bodies are computed. It is the frame of the first printed component, else
+    /// the inertial frame.
     fn frame_of_sums(&self) -> usize {
         let frame = self.put.iter().find_map(|value| match value.kind {
             QuantityKind::Component { frame, .. }
@@ -34,10 +34,9 @@ impl ValueConsequences {
         frame.unwrap_or(0)
     }
 
-    /// Generalized inertia force F*_r = Σ ∂v_C/∂u_r·R* + ∂ω/∂u_r·T*, with printed values; r is the
-    /// index `speed`.
-    /// Derived terms are used for bodies that depend on no printed value. Returns `None` if no body
-    /// depends on one.
+    /// Generalized inertia force F*_r = Σ ∂v_C/∂u_r·R* + ∂ω/∂u_r·T*, with printed values; r is the index `speed`.
+    /// Derived terms are used for bodies that depend on no printed value. Returns `None` if no body depends on a
+    /// printed value.
     pub(super) fn inertia_force(&mut self, quantities: &mut Quantities<'_>, speed: usize) -> Option<Expr> {
         let mut changes = Vec::new();
         for (at, body) in quantities.model.bodies.iter().enumerate() {
@@ -53,8 +52,8 @@ impl ValueConsequences {
         derived_value_with_changes(quantities, &QuantityKind::Row(RowQuantity::InertiaForce, speed), &changes)
     }
 
-    /// Change of the term ∂v/∂u_r · load if printed values replace derived ones; `None` if both
-    /// factors depend on no printed value.
+    /// Change of the term ∂v/∂u_r · load when printed values replace derived values. `None` if both factors depend on
+    /// no printed value.
     fn power_change(&mut self, quantities: &mut Quantities<'_>, power: &LoadPower, speed: usize) -> Option<Expr> {
         let &LoadPower { velocity, of, load, body } = power;
         let frame = self.frame_of_sums();
@@ -76,10 +75,8 @@ impl ValueConsequences {
         Some(arena.sub(value, right))
     }
 
-    /// Generalized active force F_r = Σ ∂v_C/∂u_r·F + ∂ω/∂u_r·M, with printed values; `None` if it
-    /// depends on none.
-    /// If partial velocities but no resultant force are printed, only the term of the weight
-    /// changes.
+    /// Generalized active force F_r = Σ ∂v_C/∂u_r·F + ∂ω/∂u_r·M, with printed values. `None` if it depends on no
+    /// printed value. If partial velocities but no resultant force are printed, only the term of the weight changes.
     pub(super) fn active_force(&mut self, quantities: &mut Quantities<'_>, speed: usize) -> Option<Expr> {
         let mut changes = Vec::new();
         for (at, body) in quantities.model.bodies.iter().enumerate() {
@@ -98,8 +95,7 @@ impl ValueConsequences {
         derived_value_with_changes(quantities, &QuantityKind::Row(RowQuantity::ActiveForce, speed), &changes)
     }
 
-    /// Entry M_rs = −∂F*_r/∂u̇_s of the mass matrix, with printed values; `None` if F*_r depends on
-    /// none.
+    /// Entry M_rs = −∂F*_r/∂u̇_s of the mass matrix, with printed values. `None` if F*_r depends on no printed value.
     pub(super) fn mass_matrix_entry(
         &mut self,
         quantities: &mut Quantities<'_>,
@@ -113,7 +109,7 @@ impl ValueConsequences {
         Some(arena.neg(slope))
     }
 
-    /// Forcing f_r = F_r + F*_r at u̇ = 0, with printed values; `None` if it depends on none.
+    /// Forcing f_r = F_r + F*_r at u̇ = 0, with printed values; `None` if it depends on no printed value.
     pub(super) fn forcing_entry(&mut self, quantities: &mut Quantities<'_>, row: usize) -> Option<Expr> {
         let active = self.change_of_quantity(quantities, &QuantityKind::Row(RowQuantity::ActiveForce, row));
         let inertia = self.change_of_quantity(quantities, &QuantityKind::Row(RowQuantity::InertiaForce, row));
@@ -146,9 +142,8 @@ impl ValueConsequences {
         }
     }
 
-    /// Kinetic energy of translation, Σ ½ m v·v, or of rotation, Σ ½ ω·H, with printed values.
-    /// Derived terms are used for bodies that depend on no printed value. Returns `None` if no body
-    /// depends on one.
+    /// Kinetic energy of translation, Σ ½ m v·v, or of rotation, Σ ½ ω·H, with printed values. Derived terms are used
+    /// for bodies that depend on no printed value. Returns `None` if no body depends on a printed value.
     fn part_of_kinetic(&mut self, quantities: &mut Quantities<'_>, energy: EnergyQuantity) -> Option<Expr> {
         let half = Rational::fraction(1, 2).expect("not zero");
         let mut changes = Vec::new();
@@ -166,8 +161,8 @@ impl ValueConsequences {
         derived_value_with_changes(quantities, &QuantityKind::Energy(energy), &changes)
     }
 
-    /// Pairs (v, m v) of a body, first from printed values, then as derived; `None` if v depends on
-    /// no printed value.
+    /// Pairs (v, m v) of a body: the first pair from printed values, the second derived. `None` if v depends on no
+    /// printed value.
     fn velocity_and_momentum(
         &mut self,
         quantities: &mut Quantities<'_>,
@@ -181,7 +176,7 @@ impl ValueConsequences {
         Some([v, right].map(|v| (v, v.map(|e| arena.mul(mass, e)))))
     }
 
-    /// Pairs (ω, H) of a body, first from printed values, then as derived; `None` if both depend on
+    /// Pairs (ω, H) of a body: the first pair from printed values, the second derived. `None` if both ω and H depend on
     /// no printed value.
     fn angular_velocity_and_momentum(
         &mut self,

@@ -1,5 +1,5 @@
-//! Vectors computed with printed values: velocities, accelerations, momenta and their derivatives,
-//! loads, partial velocities.
+//! Vectors computed with printed values: velocities, accelerations, momenta and their derivatives, loads, partial
+//! velocities.
 
 use super::ValueConsequences;
 use crate::algebra::Expr;
@@ -11,8 +11,7 @@ use crate::geometry::{Components, apply_tensor, cross_components};
 use crate::mechanics::{Quantities, QuantityKind, VectorName};
 
 impl ValueConsequences {
-    /// Computes a vector, not itself printed, from printed vectors; `None` if it depends on no
-    /// printed value.
+    /// Computes a vector that is not printed from printed vectors; `None` if it depends on no printed value.
     pub(super) fn compute_vector(
         &mut self,
         quantities: &mut Quantities<'_>,
@@ -62,9 +61,9 @@ impl ValueConsequences {
         Some(v.map(|e| derived_values_arena(quantities).neg(e)))
     }
 
-    /// Velocity of a point, computed with printed values; `None` if it depends on none.
-    /// For a printed position p, it is dp/dt. Else it is v_O + ω × p_OP plus the derivative of p_OP
-    /// in the frame. O is the point from which the point P is placed.
+    /// Velocity of a point P, computed with printed values; `None` if it depends on no printed value. For a printed
+    /// position p, it is dp/dt. Otherwise it is v_O + ω × p_OP plus the derivative of p_OP in the frame, where O is the
+    /// point relative to which P is placed.
     fn point_velocity(&mut self, quantities: &mut Quantities<'_>, of: usize, frame: usize) -> Option<Components> {
         if self.frame_of_printed_components(VectorName::Position, of, frame).is_some() {
             return self.vector_rate(quantities, VectorName::Position, of, frame);
@@ -85,9 +84,8 @@ impl ValueConsequences {
         Some(sum(derived_values_arena(quantities), &right, &change?))
     }
 
-    /// Time derivative of a vector in the inertial frame: its derivative in `frame` plus ω of
-    /// `frame` × the vector.
-    /// Returns `None` if it depends on no printed value.
+    /// Time derivative of a vector in the inertial frame: its derivative in `frame` plus the cross product of the
+    /// angular velocity of `frame` with the vector. Returns `None` if it depends on no printed value.
     fn vector_rate(
         &mut self,
         quantities: &mut Quantities<'_>,
@@ -108,8 +106,8 @@ impl ValueConsequences {
         Some(sum(arena, &own, &carried))
     }
 
-    /// Product of the inertia tensor with ω or α of a body; the second value is true if the product
-    /// depends on a printed value.
+    /// Product of a body's inertia tensor with ω or α. The second value is true if the product depends on a printed
+    /// value.
     fn inertia_product(
         &mut self,
         quantities: &mut Quantities<'_>,
@@ -130,9 +128,8 @@ impl ValueConsequences {
         Some((apply_tensor(derived_values_arena(quantities), &tensor, &turning), is_reached))
     }
 
-    /// Time derivative of a body's angular momentum: −T* or dH/dt from printed T* or H, else
-    /// Euler's I·α + ω × I·ω.
-    /// Returns `None` if it depends on no printed value.
+    /// Time derivative of a body's angular momentum. It is −T* or dH/dt from a printed T* or H, else Euler's I·α + ω ×
+    /// I·ω. Returns `None` if it depends on no printed value.
     fn momentum_rate(&mut self, quantities: &mut Quantities<'_>, body: usize, frame: usize) -> Option<Components> {
         if self.frame_of_printed_components(VectorName::InertiaTorque, body, frame).is_some() {
             return self.negative_vector(quantities, VectorName::InertiaTorque, body, frame);
@@ -155,8 +152,7 @@ impl ValueConsequences {
         Some(sum(arena, &own, &carried))
     }
 
-    /// Vector from printed values minus the derived vector; `None` if it depends on no printed
-    /// value.
+    /// Vector computed with printed values, minus the derived vector. `None` if it depends on no printed value.
     fn vector_change(
         &mut self,
         quantities: &mut Quantities<'_>,
@@ -169,9 +165,8 @@ impl ValueConsequences {
         Some(difference(derived_values_arena(quantities), &value, &right))
     }
 
-    /// Partial velocity ∂v/∂u_r, r the index `speed`: as printed, else from a velocity that depends
-    /// on printed values.
-    /// Returns `None` if neither exists.
+    /// Partial velocity ∂v/∂u_r, where r is the index `speed`: as printed, or else from a velocity that depends on
+    /// printed values. Returns `None` if neither exists.
     pub(super) fn partial_velocity(
         &mut self,
         quantities: &mut Quantities<'_>,
