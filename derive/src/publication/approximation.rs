@@ -1,6 +1,6 @@
-//! Reading of the keys `about`, `small` and `order`, which state that formulas hold near a point.
+//! Reading of the keys `about`, `small` and `order`, which say that formulas hold near a point.
 //!
-//! The point may also be that parameters are small. The formulas hold up to an order in the
+//! At the point, variables have given values, or parameters are zero. The formulas hold up to an order in the
 //! deviations from the point.
 
 use super::publication_reader::PublicationReader;
@@ -11,13 +11,12 @@ use crate::diagnostic::{nearest_name_advice, shortened_for_message};
 use crate::toml_reader::Located;
 use toml::de::{DeTable, DeValue};
 
-/// Highest order of an approximation that a publication file may state.
+/// Highest order of an approximation that a publication file may give.
 const MOST: u32 = 4;
 
 impl<'a> PublicationReader<'a, '_> {
-    /// Reads the point, the small parameters and the order that a table states.
-    /// Values that the table lacks are those at the top of the publication file. `None` if no point
-    /// and no small parameter is stated, or if an error is reported.
+    /// Reads the point, the small parameters and the order from a table. Values that the table lacks are taken from the
+    /// top of the publication file. `None` if there is no point and no small parameter, or if an error is reported.
     pub fn read_approximation(&mut self, table: &'a DeTable<'a>) -> Option<Approximation> {
         let order = self.read_order(table);
         let small = self.read_small_parameters(table);
@@ -43,7 +42,7 @@ impl<'a> PublicationReader<'a, '_> {
         Some(Approximation { order, values })
     }
 
-    /// Values of variables at the point that the key `about` of a table states; `None` if absent or
+    /// Reads the values of variables at the point from the key `about` of a table; `None` if the key is absent or
     /// wrong.
     fn read_point(&mut self, table: &'a DeTable<'a>) -> Option<Vec<PointValue>> {
         let value = self.reader.get(table, "about")?;
@@ -65,7 +64,7 @@ impl<'a> PublicationReader<'a, '_> {
         Some(values)
     }
 
-    /// Parameters that the key `small` of a table names, each with the value 0 at the point.
+    /// Reads the parameters under the key `small` of a table, each with the value 0 at the point.
     fn read_small_parameters(&mut self, table: &'a DeTable<'a>) -> Vec<PointValue> {
         let Some(value) = self.reader.get(table, "small") else { return Vec::new() };
         let DeValue::Array(array) = value.get_ref() else {
@@ -86,7 +85,7 @@ impl<'a> PublicationReader<'a, '_> {
         list
     }
 
-    /// Order that the key `order` of a table states, from 1 to 4; `None` if absent or wrong.
+    /// Reads the order under the key `order` of a table, from 1 to 4; `None` if the key is absent or wrong.
     fn read_order(&mut self, table: &'a DeTable<'a>) -> Option<u32> {
         let value = self.reader.get(table, "order")?;
         let order = match value.get_ref() {
@@ -101,8 +100,8 @@ impl<'a> PublicationReader<'a, '_> {
         order
     }
 
-    /// Symbol of the coordinate, time derivative, speed or reaction with the given name.
-    /// Reports any other name and returns `None`.
+    /// Symbol of the coordinate, time derivative, speed or reaction with this name. Reports any other name and returns
+    /// `None`.
     fn point_variable(&mut self, name: &Located) -> Option<Expr> {
         let model = &self.model;
         let mut known = Vec::new();
@@ -124,8 +123,8 @@ impl<'a> PublicationReader<'a, '_> {
         None
     }
 
-    /// Reads a formula that contains only parameters, in the language of model files.
-    /// Reports other symbols and returns `None`.
+    /// Reads a formula that contains only parameters, in the language of model files. Reports other symbols and returns
+    /// `None`.
     fn read_approximation_value(&mut self, formula: &Located) -> Option<Expr> {
         let e = self.formula(formula, Notation::default())?;
         let (arena, parameters) = (&self.model.arena, self.model.p());

@@ -1,5 +1,4 @@
-//! Reading of the entries of a publication: keys that all entries have, and entries with a single
-//! formula.
+//! Reading of the entries of a publication: keys that all entries have, and entries with a single formula.
 
 use super::printed::LabelChoice;
 use super::printed::equalities::sides;
@@ -21,7 +20,7 @@ const MAX_ENTRIES: usize = 2000;
 /// Largest number of characters in an entry's id.
 const MAX_ID: usize = 80;
 
-/// Kind of an entry of a publication file, by the table that states it.
+/// Kind of an entry of a publication file, which is given by the name of its table.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Kind {
     Equation,
@@ -42,7 +41,7 @@ const KINDS: [(Kind, &str, &str); 6] = [
     (Kind::Initial, "initial", "an initial value"),
 ];
 
-/// Keys that a table of the given kind of entry may have in a publication file.
+/// Keys that a table may have for an entry of this kind.
 fn entry_keys(kind: Kind) -> Vec<&'static str> {
     let own: &[&str] = match kind {
         Kind::Equation => &["quantity", "printed", "label", "line", "formulation", "frame"],
@@ -89,7 +88,7 @@ pub(super) fn entry_formula_part(printed: &Located, range: Range<usize>) -> Loca
     }
 }
 
-/// Table of a publication file that states an entry, with its place.
+/// Table of an entry in a publication file, with its place.
 pub struct EntryTable<'a> {
     /// TOML table with the keys of the entry.
     pub table: &'a DeTable<'a>,
@@ -120,7 +119,7 @@ impl<'a> PublicationReader<'a, '_> {
                 }
             }
         }
-        // An unknown key, which may be a misspelt kind of entry, is reported.
+        // An unknown key is reported, since it may be a misspelt kind of entry.
         let all_known = table.iter().all(|(key, _)| KEYS.contains(&key.get_ref().as_ref()));
         if items.is_empty() && all_known && self.reader.errors.len() == before {
             let help = "add [[equation]] entries; docs/publication.md describes the format";
@@ -143,8 +142,8 @@ impl<'a> PublicationReader<'a, '_> {
         entries
     }
 
-    /// Reads a table of the publication file as its entries: several for a matrix or a chain of formulas. The formulas
-    /// may use the variables of the program that the table names.
+    /// Reads a table of the publication file as its entries. A matrix, or a chain of formulas, gives several entries.
+    /// The formulas may use the variables of the program that the table names. `None` if an error is reported.
     fn entry(&mut self, kind: Kind, item: &EntryTable<'a>) -> Option<Vec<Entry>> {
         let program = self.read_program_assignments(item);
         self.words.locals = program.unwrap_or_default();
@@ -153,8 +152,8 @@ impl<'a> PublicationReader<'a, '_> {
         read
     }
 
-    /// Reads a table of the publication file as its entries, after the variables of its program are
-    /// known; `None` if an error is reported.
+    /// Reads a table of the publication file as its entries, once the variables of its program are known. `None` if an
+    /// error is reported.
     fn read_entry(&mut self, kind: Kind, item: &EntryTable<'a>) -> Option<Vec<Entry>> {
         self.reader.report_unknown_keys(item.table, item.what, &entry_keys(kind));
         let id = self.read_entry_id(item);
@@ -200,8 +199,7 @@ impl<'a> PublicationReader<'a, '_> {
         Some(entries)
     }
 
-    /// Reads a printed matrix or vector of a quantity as one equation for each element, each with
-    /// the suffix of its id.
+    /// Reads a printed matrix or vector of a quantity as one equation for each element, each with the suffix of its id.
     /// The Coriolis matrix C is judged as a whole instead. Returns `None` if an error is reported.
     fn matrix_entries(&mut self, item: &EntryTable<'a>) -> Option<Vec<(String, EntryKind)>> {
         let quantity = self.required_entry_text(item, "quantity");
@@ -242,7 +240,7 @@ impl<'a> PublicationReader<'a, '_> {
                 let formula = entry_formula_part(&printed, cell);
                 let (quantity, value) =
                     (self.read_quantity(&name), self.cell_with_factor(factor, &formula, item.notation));
-                // One reason for an unknown quantity is enough.
+                // A single error message for an unknown quantity is enough.
                 let of = value.as_ref().map_or(Expr::ZERO, |(value, _)| *value);
                 let own = self.in_own_coordinates(item, &quantity?, of);
                 let suffix = format!("{}{comma}{}", i + 1, j + 1);
@@ -278,15 +276,15 @@ impl<'a> PublicationReader<'a, '_> {
         list.into_iter().map(|row| row.into_iter().collect()).collect()
     }
 
-    /// Value and text of the factor in front of a matrix, which may be only a sign; `None` if an
-    /// error is reported.
+    /// Value and text of the factor before a matrix, which may be only a sign. `None` if an error is reported.
     fn entry_matrix_factor(&mut self, printed: &Located, notation: Notation) -> Option<(Expr, String)> {
         let value = if printed.text == "-" { Expr::MINUS_ONE } else { self.formula(printed, notation)? };
         let times = if printed.text == "-" || notation == Notation::Latex { "" } else { "*" };
         Some((value, format!("{}{times}", printed.text)))
     }
 
-    /// Value and text of an element of a matrix, multiplied by the factor in front of the matrix.
+    /// Value and text of an element of a matrix, multiplied by the factor before the matrix. `None` if an error is
+    /// reported.
     fn cell_with_factor(
         &mut self,
         factor: Option<&(Expr, String)>,
@@ -306,8 +304,8 @@ impl<'a> PublicationReader<'a, '_> {
         self.reader.string(value, &format!("`{key}`"))
     }
 
-    /// Array under a required key of an entry, and its place; reports a key that is absent or no
-    /// array.
+    /// Array under a required key of an entry, with its place. Reports a key that is absent or has another value, and
+    /// returns `None`.
     pub(super) fn required_entry_array(
         &mut self,
         item: &EntryTable<'a>,
@@ -318,8 +316,8 @@ impl<'a> PublicationReader<'a, '_> {
         Some((self.require_array(value, &format!("`{key}`"), example)?, value.span()))
     }
 
-    /// Printed formula of an entry: the text under `printed`, or the equation of a label in a file.
-    /// Returns `None` if an error is reported.
+    /// Printed formula of an entry: the text under the key `printed`, or the labelled equation in a file. Returns
+    /// `None` if an error is reported.
     fn read_entry_formula(&mut self, item: &EntryTable<'a>) -> Option<Located> {
         let Some(label) = self.reader.get(item.table, "label") else {
             if let Some(line) = self.reader.get(item.table, "line") {
@@ -360,7 +358,7 @@ impl<'a> PublicationReader<'a, '_> {
         self.reader.formula(value, &format!("`{key}`"))
     }
 
-    /// Id of an entry; reports an unsuitable or repeated id and returns `None`.
+    /// Reads the id of an entry. Reports an unsuitable or repeated id and returns `None`.
     fn read_entry_id(&mut self, item: &EntryTable<'a>) -> Option<Located> {
         let id = self.required_entry_text(item, "id")?;
         let odd = |c: char| c.is_whitespace() || c.is_control();
@@ -375,7 +373,7 @@ impl<'a> PublicationReader<'a, '_> {
         Some(id)
     }
 
-    /// Reserves an id for an entry; reports an id that is already in use.
+    /// Reserves an id for an entry, or reports that the id is already in use.
     fn reserve_entry_id(&mut self, id: &str, span: &Range<usize>, of_what: &str) {
         if let Some(first) = self.ids.get(id) {
             let message = format!("the id `{}`{of_what} is used twice", shortened_for_message(id));
@@ -391,9 +389,9 @@ impl<'a> PublicationReader<'a, '_> {
         self.ids.insert(id.to_owned(), span.clone());
     }
 
-    /// Reads an entry `[[equation]]`: the printed values of a quantity, of which a chain `a = b = c` has several, or an
-    /// equation of motion if no quantity, or 0, is stated. Each value has the suffix of its id, which is empty for the
-    /// only one.
+    /// Reads an entry `[[equation]]` with the printed values of a quantity. A chain `a = b = c` has several values. If
+    /// the quantity is absent or 0, the entry is an equation of motion. Each value has the suffix of its id, which is
+    /// empty for a single value.
     fn read_equation(&mut self, item: &EntryTable<'a>) -> Option<Vec<(String, EntryKind)>> {
         let printed = self.read_entry_formula(item);
         if printed.is_none() && self.reader.get(item.table, "label").is_some() {
@@ -433,8 +431,8 @@ impl<'a> PublicationReader<'a, '_> {
         kinds.into_iter().enumerate().map(|(at, kind)| Some((suffix(at), kind?))).collect()
     }
 
-    /// Reads an entry `[[initial]]`: a printed number of a parameter or of a start.
-    /// Reports a second number for the same quantity in the set. `None` if an error is reported.
+    /// Reads an entry `[[initial]]`: a printed number of a parameter, or an initial value. Reports a second number for
+    /// the same quantity in the set. `None` if an error is reported.
     fn read_initial(&mut self, item: &EntryTable<'a>) -> Option<EntryKind> {
         let set = self.required_entry_text(item, "set");
         let quantity = self.required_entry_text(item, "quantity").and_then(|name| self.initial_quantity(name));
@@ -450,14 +448,14 @@ impl<'a> PublicationReader<'a, '_> {
         self.values.insert((set.clone(), symbol), name.span);
         let decimals = count_decimals(&text);
         if self.words.is_renamed(&name.text) {
-            // A number of the publication's own variable.
+            // The number belongs to a variable that only the publication has.
             return Some(EntryKind::Definition { text });
         }
         Some(EntryKind::Initial(Initial { set, quantity: symbol, name: name.text, value: value?, text, decimals }))
     }
 
-    /// Name and symbol of a parameter, coordinate, coordinate's derivative or speed.
-    /// Reports any other name and returns `None`.
+    /// Name and symbol of a parameter, a coordinate, the derivative of a coordinate, or a speed. Reports any other name
+    /// and returns `None`.
     fn initial_quantity(&mut self, name: Located) -> Option<(Located, Expr)> {
         let model = &self.model;
         let mut known: Vec<(String, Expr)> = model.parameters.iter().map(|p| (p.name.clone(), p.symbol)).collect();
@@ -494,8 +492,8 @@ impl<'a> PublicationReader<'a, '_> {
     }
 }
 
-/// Values that an equation or a chain `name = a = b` prints of the quantity on its left side; the whole formula if it
-/// has no `=`.
+/// Values that an equation, or a chain `name = a = b`, prints for the quantity on its left side. A formula without `=`
+/// is a single value.
 fn printed_entry_values(formula: &Located, notation: Notation) -> Vec<Located> {
     let sides = sides(&formula.text, 0..formula.text.len(), notation);
     match &sides[..] {

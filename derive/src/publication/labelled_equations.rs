@@ -1,4 +1,4 @@
-//! Equations of a LaTeX file by their labels, and definitions of abbreviations that such equations state.
+//! Equations of a LaTeX file, found by their labels, and abbreviations that such equations define.
 
 use super::entries::{EntryTable, entry_formula_part};
 use super::names::author_files::notation_of_author_file;
@@ -12,9 +12,9 @@ use std::ops::Range;
 use toml::de::DeTable;
 
 impl<'a> PublicationReader<'a, '_> {
-    /// Equations that have a label in the LaTeX file of an entry, as formulas without macros, except
-    /// definitions that `[abbreviations]` takes from the file. Reports an unknown label or a file
-    /// that is not LaTeX, and returns `None`.
+    /// Equations with this label in the LaTeX file of an entry, as formulas without macros. Definitions that
+    /// `[abbreviations]` takes from the file are left out. Reports an unknown label or a file that is not LaTeX, and
+    /// returns `None`.
     pub fn equations_by_label(
         &mut self,
         item: &EntryTable<'a>,
@@ -32,9 +32,9 @@ impl<'a> PublicationReader<'a, '_> {
         Some(list)
     }
 
-    /// Formula of an abbreviation that the file at the top defines in an equation `name = formula`. The table of the
-    /// abbreviation, at `span` of the publication file, names the label of the equation. `None` if an error is
-    /// reported.
+    /// Formula of an abbreviation that is defined by an equation `name = formula` in the file at the top of the
+    /// publication file. The table of the abbreviation, at `span` of the publication file, gives the label of the
+    /// equation. `None` if an error is reported.
     pub fn labelled_definition(
         &mut self,
         name: &Located,
@@ -71,8 +71,8 @@ impl<'a> PublicationReader<'a, '_> {
         Some(entry_formula_part(equation, right.clone()))
     }
 
-    /// Name that an equation has alone on its left side, or with arguments, as in `h(q) = …`; `None` if a formula or an
-    /// unknown symbol stands there.
+    /// Name that is alone on the left side of an equation, or has only arguments, as in `h(q) = …`. `None` if the left
+    /// side is a formula or an unknown symbol.
     fn name_of_labelled_equation(&self, equation: &Located) -> Option<String> {
         let left = sides(&equation.text, 0..equation.text.len(), Notation::Latex).swap_remove(0);
         let left = equation.text[left].trim();
@@ -80,7 +80,7 @@ impl<'a> PublicationReader<'a, '_> {
         self.words.name_of(name, Notation::Latex)
     }
 
-    /// Equations of a label, also those side by side in one line.
+    /// Equations with this label, including equations side by side in one line. `None` if an error is reported.
     fn all_labelled_equations(
         &mut self,
         item: &EntryTable<'a>,

@@ -1,16 +1,16 @@
 //! Published derivations as data: every printed equation of a publication, to be judged one by one.
 //!
-//! A publication file belongs to a model. Its formulas are read into the arena of the model. So read it before
-//! [`crate::mechanics::derive_all`], whose arena starts as a clone: every handle stays valid there.
+//! A publication file belongs to a model. Its formulas are read into the arena of the model, before
+//! [`crate::mechanics::derive_all`] is called. The arena of the derivations starts as a clone of the model's arena, so
+//! that every handle stays valid there.
 //!
 //! Invariant: nothing is repaired or judged here. A wrong *form* of a file is an error; a wrong printed *equation* is
 //! left for a comparison to find.
 //!
-//! Abbreviations are replaced by their formulas while reading; [`PrintedAbbreviations`] keeps the
-//! formulas as printed. The names
-//! of derived quantities stay symbols, which no model can declare, until
-//! [`QuantityNames::resolve_quantity_names`] replaces them by values. So
-//! an entry may be read, and its errors found, before anything is derived.
+//! Abbreviations are replaced with their formulas while the file is read; [`PrintedAbbreviations`] keeps the formulas
+//! as printed. The names of derived quantities stay symbols, which no model can declare, until
+//! [`QuantityNames::resolve_quantity_names`] replaces them with values. An entry can therefore be read, and its errors
+//! found, before anything is derived.
 //!
 //! ```
 //! use tripos_derive::algebra::meaning::compare::Comparer;
@@ -80,23 +80,20 @@ use std::ops::Range;
 pub struct Publication {
     /// Text of the publication file, with the file's name.
     pub source: Source,
-    /// Title of the publication; empty if the file states none.
+    /// Title of the publication; empty if the file has none.
     pub title: String,
-    /// Description, in words, of the printed source that was transcribed; empty if the file states
-    /// none.
+    /// Description, in words, of the printed source that was transcribed; empty if the file has none.
     pub reference: String,
-    /// Abbreviations of the printed text, in the order of the publication file: (name, formula).
+    /// Abbreviations of the publication, in the order of the file, as pairs (name, formula).
     pub abbreviations: Vec<(String, Expr)>,
-    /// Coordinates and speeds that only the printed text has: (name, formula in the model's
-    /// variables).
+    /// Coordinates and speeds that only the publication has, as pairs (name, formula in the model's variables).
     pub coordinates: Vec<(String, Expr)>,
-    /// Coordinates and speeds of the model to which the printed text gives another meaning: (name,
-    /// formula in the model's variables).
+    /// Coordinates and speeds of the model to which the publication gives another meaning, as pairs (name, formula in
+    /// the model's variables).
     pub redefined: Vec<(String, Expr)>,
     /// Formulas as printed, in which abbreviations are symbols.
     pub shorthand: PrintedAbbreviations,
-    /// Names that the printed text gives to derived quantities: (name, quantity, symbol in the
-    /// formulas).
+    /// Names that the publication gives to derived quantities: (name, quantity, symbol in the formulas).
     pub names: Vec<(String, Quantity, Expr)>,
     /// Entries of the publication, in the order of the publication file.
     pub entries: Vec<Entry>,
@@ -123,7 +120,7 @@ pub struct Entry {
     pub kind: EntryKind,
 }
 
-/// Statement that formulas hold only near a point, up to an order in the deviations from the point.
+/// Condition that formulas hold only near a point, up to an order in the deviations from the point.
 #[derive(Clone, Debug)]
 pub struct Approximation {
     /// Highest order in the deviations that is kept, from 1 to 4.
@@ -155,7 +152,7 @@ pub enum EntryKind {
         /// Printed text of the value, as transcribed.
         text: String,
     },
-    /// Printed definition, which no derivation can contradict.
+    /// Printed definition, which no derived value can contradict.
     Definition {
         /// Printed text of the definition, as transcribed.
         text: String,
@@ -171,8 +168,7 @@ pub enum EntryKind {
 /// Printed number: the value of a parameter, or an initial value.
 #[derive(Clone, Debug)]
 pub struct Initial {
-    /// Name of the set of numbers to which the number belongs. A set has one value of each
-    /// quantity.
+    /// Name of the set to which the number belongs. A set has at most one number for each quantity.
     pub set: String,
     /// Symbol of the parameter, coordinate, coordinate's derivative or speed.
     pub quantity: Expr,
@@ -205,8 +201,8 @@ impl Publication {
 }
 
 impl Entry {
-    /// Ids of all parts of the entry that get a verdict: the entry's own id, or the ids of a
-    /// system's or program's parts.
+    /// Ids of all parts of the entry that are judged: the entry's own id, or the ids of the parts of a system or
+    /// program.
     #[must_use]
     pub fn ids(&self) -> Vec<String> {
         match &self.kind {

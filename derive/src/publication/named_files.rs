@@ -1,4 +1,4 @@
-//! Reading of the files to which a publication refers, each once, and of their macros.
+//! Reading of the files to which a publication refers, and of their macros. Each file is read once.
 
 use super::entries::EntryTable;
 use super::names::author_files::notation_of_author_file;
@@ -14,7 +14,7 @@ use toml::de::DeTable;
 const MAX_NAME: usize = 100;
 
 impl<'a> PublicationReader<'a, '_> {
-    /// Reads the file and the macros that the publication file states at its top, for all entries.
+    /// Reads the file and the macros that are given at the top of the publication file and apply to all entries.
     pub fn read_named_files(&mut self, table: &'a DeTable<'a>) {
         if let Some(value) = self.reader.get(table, "file")
             && let Some(name) = self.reader.string(value, "`file`")
@@ -42,8 +42,8 @@ impl<'a> PublicationReader<'a, '_> {
         }
     }
 
-    /// Name of the file of an entry: the entry's own, else the file at the top of the publication
-    /// file; `None` if neither.
+    /// Name of the file of an entry: its own file, or else the file at the top of the publication file. `None` if there
+    /// is neither.
     pub(super) fn file_of(&mut self, item: &EntryTable<'a>) -> Option<Located> {
         match self.reader.get(item.table, "file") {
             Some(value) => self.reader.string(value, "`file`"),
@@ -51,8 +51,8 @@ impl<'a> PublicationReader<'a, '_> {
         }
     }
 
-    /// Reads a file in the folder of the publication file, once.
-    /// Reports an unsuitable name or an unreadable file, and returns `None`.
+    /// Reads a file in the folder of the publication file, each file once. Reports an unsuitable name or an unreadable
+    /// file, and returns `None`.
     pub(super) fn read_source_file(&mut self, name: &Located) -> Option<Arc<Source>> {
         if let Some(found) = self.files.sources.get(&name.text) {
             return found.clone();
@@ -84,7 +84,7 @@ impl<'a> PublicationReader<'a, '_> {
         read
     }
 
-    /// Reads a LaTeX file and its macros, once; `None` if an error is reported.
+    /// Reads a LaTeX file and its macros, each file once; `None` if an error is reported.
     pub(super) fn read_paper(&mut self, name: &Located) -> Option<Arc<LatexFile>> {
         if let Some(found) = self.files.papers.get(&name.text) {
             return found.clone();
@@ -106,13 +106,13 @@ impl<'a> PublicationReader<'a, '_> {
         self.reader.errors.push(Diagnostic { file, ..Diagnostic::new(problem.place, problem.message, problem.help) });
     }
 
-    /// Registers an assembled formula with the reader, so that errors point into its file.
+    /// Registers an assembled formula with the reader, so that errors refer to places in its file.
     pub(super) fn register_assembled_formula(&mut self, source: &Arc<Source>, formula: TracedText) -> Located {
         self.reader.register_assembled_text(Some(Arc::clone(source)), formula.text, formula.places)
     }
 
-    /// Formula of the publication file in which macros are replaced.
-    /// Reports macros that cannot be replaced, and returns `None`.
+    /// Replaces the macros in a formula of the publication file. Reports macros that cannot be replaced, and returns
+    /// `None`.
     pub fn without_macros(&mut self, formula: &Located) -> Option<Located> {
         if self.files.macros.is_empty() || !formula.text.contains('\\') {
             return Some(formula.clone());

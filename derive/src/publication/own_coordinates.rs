@@ -1,5 +1,4 @@
-//! Conversion of quantities and states to the model's coordinates, if the publication gives names
-//! another meaning.
+//! Conversion of quantities and states to the model's coordinates, if the publication gives its names another meaning.
 
 use super::entries::EntryTable;
 use super::publication_reader::PublicationReader;
@@ -9,14 +8,13 @@ use crate::mechanics::{Quantity, QuantityKind};
 use toml::Spanned;
 use toml::de::DeValue;
 
-/// State of a printed program (listing), its derivative, and the matrix in front of the derivative;
-/// `None` without a matrix.
+/// State of a printed program (listing), its derivative, and the matrix that multiplies the derivative; `None` without
+/// a matrix.
 pub(super) type StateParts = (Vec<Expr>, Vec<Expr>, Option<Vec<Vec<Expr>>>);
 
 impl<'a> PublicationReader<'a, '_> {
-    /// Converts a printed value of a quantity in the publication's own coordinates to a quantity
-    /// and value of the model.
-    /// Reports a quantity that equals none of the model's up to its sign, and returns `None`.
+    /// Converts a printed value of a quantity in the publication's own coordinates to a quantity and value of the
+    /// model. Reports a quantity that does not equal one of the model's quantities up to its sign, and returns `None`.
     pub fn in_own_coordinates(
         &mut self,
         item: &EntryTable<'a>,
@@ -34,8 +32,8 @@ impl<'a> PublicationReader<'a, '_> {
         Some((Quantity::new(kind, self.model), printed))
     }
 
-    /// Accelerations of the publication's own coordinates and speeds in a list of names, each with
-    /// its formula.
+    /// Accelerations, with their formulas, of those coordinates and speeds in a list of names that belong to the
+    /// publication alone.
     pub(super) fn own_accelerations(&self, names: &'a [Spanned<DeValue<'a>>]) -> Vec<(String, Expr)> {
         let name = |value: &'a Spanned<DeValue<'a>>| match value.get_ref() {
             DeValue::String(name) => {
@@ -61,9 +59,8 @@ impl<'a> PublicationReader<'a, '_> {
         }
     }
 
-    /// Kind of the model's quantity that equals a quantity in the publication's coordinates, up to
-    /// its sign.
-    /// The second value is true for the opposite sign. `None` if there is no such quantity.
+    /// Kind of the model's quantity that equals a quantity in the publication's coordinates up to its sign. The second
+    /// value is true for the opposite sign. `None` if there is no such quantity.
     fn kind_in_model_coordinates(&mut self, kind: &QuantityKind) -> Option<(QuantityKind, bool)> {
         let q: Vec<String> = self.model.coordinates.iter().map(|c| c.name.clone()).collect();
         let u: Vec<String> = self.model.speeds.iter().map(|s| s.name.clone()).collect();
@@ -116,9 +113,8 @@ impl<'a> PublicationReader<'a, '_> {
         })
     }
 
-    /// Index of the model's coordinate whose rate equals the rate of `name` up to its sign; true
-    /// for the opposite sign.
-    /// `None` if there is no such coordinate.
+    /// Index of the model's coordinate whose rate equals the rate of `name` up to its sign. The second value is true
+    /// for the opposite sign. `None` if there is no such coordinate.
     fn coordinate_up_to_sign(&mut self, name: &str) -> Option<(usize, bool)> {
         if !self.words.is_renamed(name) {
             return self.model.coordinates.iter().position(|c| c.name == name).map(|at| (at, false));
@@ -130,9 +126,8 @@ impl<'a> PublicationReader<'a, '_> {
         position_of_own_coordinate(&list, rate, turned)
     }
 
-    /// Index of the model's speed that equals the speed `name` up to its sign; true for the
-    /// opposite sign.
-    /// `None` if there is no such speed.
+    /// Index of the model's speed that equals the speed `name` up to its sign. The second value is true for the
+    /// opposite sign. `None` if there is no such speed.
     fn speed_up_to_sign(&mut self, name: &str) -> Option<(usize, bool)> {
         if !self.words.is_renamed(name) {
             return self.model.speeds.iter().position(|s| s.name == name).map(|at| (at, false));
@@ -143,10 +138,8 @@ impl<'a> PublicationReader<'a, '_> {
         position_of_own_coordinate(&list, value, turned)
     }
 
-    /// Converts the state of a printed program (listing), its derivative and its matrix to the
-    /// model's variables.
-    /// Reports a variable that equals none of the model's up to its sign and zero, and returns
-    /// `None`.
+    /// Converts the state of a printed program (listing), its derivative and its matrix to the model's variables.
+    /// Reports a variable that does not equal one of the model's variables up to its sign and zero, and returns `None`.
     pub(super) fn state_in_model_coordinates(
         &mut self,
         names: &[String],
@@ -179,8 +172,8 @@ impl<'a> PublicationReader<'a, '_> {
                 turned_moving.push(at);
             }
         }
-        // A variable with the opposite sign has a derivative with the opposite sign. With a matrix,
-        // its column changes sign.
+        // The derivative of a variable changes its sign together with the variable. With a matrix, the column of the
+        // variable changes its sign instead.
         let moving: Vec<usize> =
             (0..names.len()).filter(|at| names[*at].ends_with('\'') || self.is_speed(&names[*at])).collect();
         for at in turned_moving {
@@ -203,7 +196,7 @@ impl<'a> PublicationReader<'a, '_> {
     }
 }
 
-/// Index of a value in a list, or of its negative `turned`; true if the negative was found. `None`
+/// Index of a value in a list, or of its negative `turned`. The second value is true if the negative was found. `None`
 /// if neither is in the list.
 fn position_of_own_coordinate(list: &[Expr], value: Expr, turned: Expr) -> Option<(usize, bool)> {
     let of = |e: Expr| list.iter().position(|one| *one == e);

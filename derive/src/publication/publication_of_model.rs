@@ -1,5 +1,5 @@
-//! Access to the publication file in the folder of a model file. Programs without access to files
-//! find none.
+//! Access to the publication file in the folder of a model file. A program that is built without access to files finds
+//! none.
 
 use super::Publication;
 #[cfg(feature = "files")]
@@ -38,7 +38,7 @@ pub fn load_publication_of_model(path: &Path, model: &mut Model) -> Result<Optio
     super::load_publication(&crate::diagnostic::Source::read(&found)?, model).map(Some)
 }
 
-/// Returns `None`, because the program is built without access to files.
+/// Always returns `None`, because the program is built without access to files.
 ///
 /// # Errors
 /// Never an error.
@@ -47,10 +47,8 @@ pub fn load_publication_of_model(_path: &Path, _model: &mut Model) -> Result<Opt
     Ok(None)
 }
 
-/// Hash of the publication file in the folder of the model file `path`, including the files that it
-/// names.
-/// Returns an empty text if there is no publication file that can be read. A named file that cannot
-/// be read is left out.
+/// Hash of the publication file in the folder of the model file `path`, including the files to which it refers. Returns
+/// an empty text if there is no readable publication file. A referenced file that cannot be read is left out.
 #[must_use]
 #[cfg(feature = "files")]
 pub fn hash_publication_of_model(path: &Path) -> String {

@@ -1,8 +1,7 @@
-//! Reading of a publication file as a [`Publication`]: the file as a whole, and the names that it
-//! declares.
+//! Reading of a publication file as a [`Publication`]: the file as a whole, and the names that it declares.
 //!
-//! Every error is reported once, at its cause. In this folder, `None` means that an error is
-//! reported in the reader.
+//! Every error is reported once, at its cause. In the modules of this folder, `None` as a result means that an error
+//! has been reported to the reader.
 
 use super::names::author_files::{AuthorFiles, notation_of_author_file, read_file_beside_publication};
 use super::names::name_meanings::NameMeanings;
@@ -69,8 +68,8 @@ pub fn load_publication_in_coordinates(
     load_publication_from(source, model, &|name| read_file_beside_publication(&folder.join(name)), Some(coordinates))
 }
 
-/// Reads a publication file for its model; `read` reads the files to which the publication refers,
-/// by name.
+/// Reads a publication file for its model. The function `read` reads a file to which the publication refers, by its
+/// name.
 ///
 /// # Errors
 /// [`Diagnostics`] with every error of the publication file and of the files to which it refers.
@@ -139,33 +138,30 @@ pub struct PublicationReader<'a, 'm> {
     pub model: &'m mut Model,
     /// Names that formulas may use, with their meanings.
     pub words: NameMeanings,
-    /// Notation of formulas for entries that state no notation.
+    /// Notation of formulas in entries that give no notation of their own.
     pub notation: Notation,
-    /// Point and order for entries that state none; `None` if their formulas hold everywhere.
+    /// Point and order for entries that give none of their own; `None` if the formulas of such entries hold everywhere.
     pub near: Option<Approximation>,
     /// Byte range in the publication file of each entry's id.
     pub ids: FxHashMap<String, Range<usize>>,
-    /// Byte range of each stated number, by its set and quantity.
+    /// Byte range of each printed number. The key is the number's set and quantity.
     pub values: FxHashMap<(String, Expr), Range<usize>>,
     /// Files to which the publication refers.
     pub files: AuthorFiles<'m>,
     /// Coordinates that replace the table `[coordinates]` of the file; `None` to use the file's
     /// own.
     stated: Option<&'m [(String, String)]>,
-    /// Coordinates and speeds that only the publication has: name and formula in the model's
-    /// variables.
+    /// Coordinates and speeds that only the publication has, as pairs (name, formula in the model's variables).
     pub(super) coordinates: Vec<(String, Expr)>,
-    /// Coordinates and speeds of the model to which the publication gives another meaning: name and
-    /// formula.
+    /// Coordinates and speeds of the model to which the publication gives another meaning, as pairs (name, formula).
     redefined: Vec<(String, Expr)>,
 }
 
 impl<'a> PublicationReader<'a, '_> {
-    /// Notation that a table states, directly or by the ending of its file; else the notation of
-    /// the publication file.
+    /// Notation of a table: its own, or that of the ending of its file, or else the notation of the publication file.
     pub fn notation(&mut self, table: &'a DeTable<'a>) -> Notation {
         let Some(value) = self.reader.get(table, "notation") else {
-            // The ending of a file's name tells the language.
+            // The ending of a file name shows the language of the file.
             let file = self.reader.get(table, "file").and_then(|file| file.get_ref().as_str());
             return file.and_then(notation_of_author_file).unwrap_or(self.notation);
         };
@@ -207,7 +203,8 @@ impl<'a> PublicationReader<'a, '_> {
         self.reader.prose(table, key)
     }
 
-    /// Values of a TOML array; reports a value that is not an array, which `what` names.
+    /// Values of a TOML array. Reports a value that is not an array and returns `None`; `what` names the value in the
+    /// message.
     pub fn require_array(
         &mut self,
         value: &'a Spanned<DeValue<'a>>,
@@ -223,7 +220,7 @@ impl<'a> PublicationReader<'a, '_> {
         }
     }
 
-    /// Fields of a section that declares names, at most 1000; reports more.
+    /// Fields of a section that declares names, at most 1000; reports an error if there are more.
     fn read_name_section(&mut self, table: &'a DeTable<'a>, key: &str, example: &str) -> Vec<Field<'a>> {
         let Some(value) = self.reader.get(table, key) else { return Vec::new() };
         let example = format!("[{key}] with lines such as {example}");
@@ -265,10 +262,9 @@ impl<'a> PublicationReader<'a, '_> {
         }
     }
 
-    /// Declares the coordinates and speeds of the publication, as formulas in the model's
-    /// variables, with their derivatives.
-    /// A formula is `None` if it is wrong and reported. A name that the model also has gets its new
-    /// meaning after all formulas are read.
+    /// Declares the coordinates and speeds of the publication, as formulas in the model's variables, with their
+    /// derivatives. A formula is `None` if it is wrong and reported. A name that the model also has gets its new
+    /// meaning once all formulas are read.
     fn read_coordinates(&mut self, list: Vec<(Located, Option<Located>)>) {
         let mut renamed = Vec::new();
         for (name, formula) in list {
@@ -287,9 +283,8 @@ impl<'a> PublicationReader<'a, '_> {
         }
     }
 
-    /// Names and formulas of the publication's coordinates, from the caller or from the table
-    /// `[coordinates]`.
-    /// A formula is `None` if it is wrong and reported.
+    /// Names and formulas of the publication's coordinates, given by the caller or else by the table `[coordinates]`. A
+    /// formula is `None` if it is wrong and reported.
     fn stated_coordinates(&mut self, table: &'a DeTable<'a>) -> Vec<(Located, Option<Located>)> {
         if let Some(stated) = self.stated {
             let whole = self.reader.get(table, "coordinates").map_or(0..0, Spanned::span);
@@ -304,10 +299,9 @@ impl<'a> PublicationReader<'a, '_> {
         formulas.collect()
     }
 
-    /// Reads the tables `[abbreviations]`, `[coordinates]` and `[symbols]`; returns the
-    /// abbreviations: (name, formula).
-    /// Formulas may use the model's names and earlier abbreviations. A formula stands in the
-    /// publication file, or in the author's file under a label.
+    /// Reads the tables `[abbreviations]`, `[coordinates]` and `[symbols]`. Returns the abbreviations as pairs (name,
+    /// formula). Formulas may use the model's names and earlier abbreviations. A formula is in the publication file, or
+    /// in the author's file under a label.
     fn read_abbreviations(&mut self, table: &'a DeTable<'a>) -> Vec<(String, Expr)> {
         let section = self.read_name_section(table, "abbreviations", "s1 = \"sin(q1)\"");
         for (name, _) in &section {

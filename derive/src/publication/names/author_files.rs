@@ -1,4 +1,4 @@
-//! Files to which a publication refers: names, texts, and results of reading them.
+//! Files to which a publication refers: their names, texts and parsed contents.
 
 use super::program_variables::ProgramVariables;
 use crate::algebra::text::notation::Notation;
@@ -9,7 +9,7 @@ use rustc_hash::FxHashMap;
 use std::path::Path;
 use std::sync::Arc;
 
-/// Endings of file names, each with the notation of the formulas in such a file.
+/// Endings of file names, each with the notation of the formulas in files with this ending.
 const ENDINGS: [(&str, Notation); 10] = [
     ("tex", Notation::Latex),
     ("ltx", Notation::Latex),
@@ -23,11 +23,11 @@ const ENDINGS: [(&str, Notation); 10] = [
     ("hpp", Notation::C),
 ];
 
-/// Cache of the files to which a publication refers. `None` marks a file with a reported error.
+/// Cache of the files to which a publication refers. In each map, `None` marks a file with a reported error.
 pub struct AuthorFiles<'r> {
     /// Function that reads a file by its name, or returns the reason why it cannot be read.
     pub read: &'r dyn Fn(&str) -> Result<Source, Diagnostics>,
-    /// Name of the file for entries that state no file; `None` if the publication states none.
+    /// Name of the file for entries that name no file; `None` if the publication has none.
     pub usual: Option<Located>,
     /// LaTeX macros for formulas that are written in the publication file itself.
     pub macros: Macros,
@@ -43,7 +43,7 @@ pub struct AuthorFiles<'r> {
 }
 
 impl<'r> AuthorFiles<'r> {
-    /// Cache without files; the function `read` reads a file by its name, or says why it cannot.
+    /// Creates an empty cache. The function `read` reads a file by its name, or returns the reason why it cannot.
     pub fn new(read: &'r dyn Fn(&str) -> Result<Source, Diagnostics>) -> Self {
         Self {
             read,

@@ -1,4 +1,4 @@
-//! Names of publications: their meanings, spellings and abbreviations, and the variables of programs.
+//! Names in publications: their meanings, spellings and abbreviations, and the variables of programs.
 
 pub(super) mod author_files;
 pub(super) mod name_meanings;

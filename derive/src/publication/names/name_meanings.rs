@@ -20,8 +20,8 @@ use std::sync::Arc;
 const MAX_LENGTH: usize = 60;
 /// Largest number of primes after a name: q̈ is written `q1''`.
 const PRIMES: usize = 2;
-/// Largest number of terms that abbreviations may add to the formulas of one file.
-/// Without a limit, a long abbreviation that is used often would fill any memory.
+/// Largest number of terms that abbreviations may add to the formulas of one file. Without a limit, a long abbreviation
+/// in frequent use would exhaust any memory.
 const MAX_EXPANSION: usize = 200_000;
 
 /// Notes on errors met while one formula is read.
@@ -31,8 +31,7 @@ struct FormulaErrorNotes {
     spoiled: bool,
     /// True if the same error may occur in many formulas, so that it is reported once.
     repeated: bool,
-    /// Number of the program's variable whose unread assignment is the error; `None` for any other
-    /// error.
+    /// Number of the program variable whose assignment was not read, if this is the error; else `None`.
     assignment: Option<usize>,
 }
 
@@ -41,12 +40,11 @@ struct FormulaErrorNotes {
 enum NameMeaning {
     /// Quantity of the model, with the word for its kind, such as "speed".
     Model(&'static str, Expr),
-    /// Formula, or symbol of a derived quantity, that the publication file declares.
+    /// Name that the publication file declares for a formula, or for the symbol of a derived quantity.
     Declared(Expr),
     /// Abbreviation that is declared later in the file.
     Later,
-    /// Name whose declaration is wrong and reported; formulas that use it fail without a further
-    /// message.
+    /// Name whose declaration is wrong and reported. Formulas that use the name fail without a further message.
     Spoiled,
 }
 
@@ -56,7 +54,7 @@ pub struct NameMeanings {
     known: FxHashMap<String, NameMeaning>,
     /// Byte range of each name's declaration in the publication file.
     places: FxHashMap<String, Range<usize>>,
-    /// Names in the order of their declaration, for advice.
+    /// Names in the order of their declaration, for advice in messages.
     order: Vec<String>,
     /// Spellings (symbols and program variables) that the publication uses for names.
     spellings: NameSpellings,
@@ -70,8 +68,8 @@ pub struct NameMeanings {
     renamed: Vec<String>,
     /// Names of the model's coordinates, to recognize program variables for their rates.
     coordinates: Vec<String>,
-    /// Names of multipliers that do not exist, because their constraint is solved, each with the
-    /// constraint and the variable that it fixes.
+    /// Names of multipliers that do not exist because their constraint is solved. Each is followed by the constraint
+    /// and by the variable that it fixes.
     solved: Vec<(String, String, String)>,
     /// Abbreviations as symbols, with the formulas that use them.
     pub shorthand: PrintedAbbreviations,
@@ -121,9 +119,8 @@ impl NameMeanings {
         words
     }
 
-    /// Declares a coordinate or speed of the publication, and its known time derivatives as names
-    /// with primes.
-    /// Returns false for a name that cannot be declared, which is reported.
+    /// Declares a coordinate or speed of the publication, and its known time derivatives as names with primes. Reports
+    /// a name that cannot be declared, and returns false.
     pub fn declare_moving(
         &mut self,
         reader: &mut TomlReader<'_>,
@@ -148,10 +145,8 @@ impl NameMeanings {
         matches!(self.known.get(name), Some(NameMeaning::Model("coordinate" | "speed", _)))
     }
 
-    /// Gives another meaning to the name of a coordinate or speed of the model, and to its time
-    /// derivatives.
-    /// `value` is `None` if the declaration is wrong and already reported. Reports a second
-    /// declaration.
+    /// Gives another meaning to a coordinate or speed of the model, and to its time derivatives. `value` is `None` if
+    /// the declaration is wrong and already reported. Reports a second declaration.
     pub fn redefine(&mut self, reader: &mut TomlReader<'_>, arena: &mut Arena, name: &Located, value: Option<Expr>) {
         if let Some(first) = self.places.get(&name.text) {
             let message = format!("`{}` is declared twice", name.text);
@@ -179,8 +174,7 @@ impl NameMeanings {
         self.renamed.iter().any(|renamed| renamed == name.trim_end_matches('\''))
     }
 
-    /// Formula of a declared name, such as `alpha''`; `None` for names that the publication does
-    /// not declare.
+    /// Formula of a declared name, such as `alpha''`; `None` for names that are not declared in the publication.
     pub fn declared_formula(&self, name: &str) -> Option<Expr> {
         match self.known.get(name) {
             Some(NameMeaning::Declared(value)) => Some(*value),
@@ -188,8 +182,8 @@ impl NameMeanings {
         }
     }
 
-    /// Adds the variables that constraints fix, with their formulas in the generalized coordinates
-    /// and their time derivatives.
+    /// Adds the variables that constraints fix: their formulas in the generalized coordinates, and their time
+    /// derivatives.
     fn insert_constrained_variables(&mut self, model: &mut Model) {
         let mut rates: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
         rates.extend(model.coordinates.iter().map(|c| (c.rate, c.second_rate)));
@@ -214,8 +208,7 @@ impl NameMeanings {
         self.spellings.add_name(name);
     }
 
-    /// Announces an abbreviation before it is declared, so that an earlier use gets a fitting error
-    /// message.
+    /// Announces an abbreviation before it is declared, so that an earlier use gets a suitable error message.
     pub fn announce_abbreviation(&mut self, name: &str) {
         if !self.known.contains_key(name) {
             self.known.insert(name.to_owned(), NameMeaning::Later);
@@ -223,9 +216,8 @@ impl NameMeanings {
         self.spellings.add_name(name);
     }
 
-    /// Records a symbol that the publication uses for a name; the name may end in primes.
-    /// Reports an unknown name, a symbol that is already in use, and a text that cannot be a
-    /// symbol.
+    /// Records a symbol that the publication uses for a name, which may end in primes. Reports an unknown name, a
+    /// symbol that is already in use, and a text that cannot be a symbol.
     pub fn add_spelling(&mut self, reader: &mut TomlReader<'_>, symbol: &Located, name: &Located) {
         if !self.known.contains_key(&name.text) {
             let message = format!("unknown name `{}`", shortened_for_message(&name.text));
@@ -245,9 +237,8 @@ impl NameMeanings {
         }
     }
 
-    /// Declares a name of the publication file; returns false for a name that cannot be declared,
-    /// which is reported.
-    /// `value` is `None` if the declaration is wrong and already reported.
+    /// Declares a name of the publication file. Reports a name that cannot be declared, and returns false. `value` is
+    /// `None` if the declaration is wrong and already reported.
     pub fn declare(&mut self, reader: &mut TomlReader<'_>, name: &Located, value: Option<Expr>) -> bool {
         let text = &name.text;
         let valid = text.starts_with(|c: char| c.is_ascii_alphabetic())
@@ -291,7 +282,7 @@ impl NameMeanings {
         formula: &Located,
         notation: Notation,
     ) -> Option<Expr> {
-        // An error that a single cause may raise at many places is reported once.
+        // An error that has a single cause but may occur at many places is reported once.
         let mut course = FormulaErrorNotes::default();
         match self.read(arena, formula, notation, &mut course) {
             Ok(e) => {
@@ -313,7 +304,7 @@ impl NameMeanings {
         }
     }
 
-    /// Reads a formula of a program; an error is returned as an unread value and not reported.
+    /// Reads a formula of a program. An error is not reported, but returned as an unread value.
     pub fn read_program_formula(&mut self, arena: &mut Arena, formula: &Located, notation: Notation) -> ProgramValue {
         let mut course = FormulaErrorNotes::default();
         let unread = match self.read(arena, formula, notation, &mut course) {
@@ -334,16 +325,15 @@ impl NameMeanings {
         ProgramValue::Unread(unread)
     }
 
-    /// Place of an error in a formula: the unread assignment that caused it, if any, else the part
-    /// of the formula.
+    /// Place of an error in a formula: the unread assignment that caused the error, if any, else the part of the
+    /// formula.
     fn place(&self, formula: &Located, error: &ParseError, course: &FormulaErrorNotes) -> Range<usize> {
         let unread = course.assignment.and_then(|number| self.locals.unread(number));
         unread.map_or_else(|| formula.part(error.span.clone()), |unread| unread.place.clone())
     }
 
-    /// Meaning of a program's variable in the model and the publication file, without the program's
-    /// assignments.
-    /// The second value is true for a parameter. `None` if the name has no meaning there.
+    /// Meaning of a program variable by the model and the publication file, whatever the program assigns to it. The
+    /// second value is true for a parameter. `None` if the name has no meaning there.
     pub fn meaning(&self, name: &str) -> Option<(Expr, bool)> {
         let (none, coordinates) = (ProgramVariables::default(), self.coordinates.as_slice());
         let mut speller = NameSpeller { spellings: &self.spellings, locals: &none, coordinates, repeated: false };
@@ -354,7 +344,8 @@ impl NameMeanings {
         }
     }
 
-    /// Name of the model or of the publication file that a text is, in its notation; `None` for another text.
+    /// Name of the model or of the publication file that the text `text` spells in a notation; `None` for any other
+    /// text.
     pub fn name_of(&self, text: &str, notation: Notation) -> Option<String> {
         let (none, coordinates) = (ProgramVariables::default(), self.coordinates.as_slice());
         let mut speller = NameSpeller { spellings: &self.spellings, locals: &none, coordinates, repeated: false };
@@ -363,10 +354,8 @@ impl NameMeanings {
         self.known.contains_key(name).then(|| name.to_owned())
     }
 
-    /// Records a program's variable as an abbreviation, so that a mistake in its assignment is
-    /// found there.
-    /// A name with an index, and a variable assigned a second time, are written out with the
-    /// abbreviations that they use.
+    /// Records a program variable as an abbreviation, so that a mistake in its assignment is found there. A name with
+    /// an index, and a variable that is assigned a second time, are written out instead.
     pub fn record_program_variable(
         &mut self,
         arena: &Arena,
@@ -381,11 +370,10 @@ impl NameMeanings {
         }
     }
 
-    /// Reads a formula once more with its abbreviations as symbols, and records this form for `e`,
-    /// the written-out form.
-    /// Formulas with `ddt` of an abbreviation are not recorded.
+    /// Reads a formula once more with its abbreviations as symbols, and records this printed form for the written-out
+    /// form `e`. Formulas with `ddt` of an abbreviation are not recorded.
     fn record_printed_form(&mut self, arena: &Arena, formula: &Located, notation: Notation, e: Expr) {
-        // A formula that is the same as that of an abbreviation need not be printed as its name.
+        // A formula that equals an abbreviation's formula need not be printed as the abbreviation's name.
         let is_known = self.shorthand.printed.contains_key(&e) && !self.shorthand.is_name(e);
         if self.shorthand.abbreviations().is_empty() || is_known {
             return;
@@ -426,7 +414,7 @@ impl NameMeanings {
         self.shorthand = kept;
     }
 
-    /// Reads a formula as a term, and notes in `course` the kind of an error.
+    /// Reads a formula as a term. If it fails, the kind of the error is noted in `course`.
     fn read(
         &mut self,
         arena: &mut Arena,
@@ -444,7 +432,7 @@ impl NameMeanings {
         let mut unknown = None;
         let mut rate = |arena: &mut Arena, e: Expr| clock.time_derivative(arena, e);
         let mut resolve = |arena: &mut Arena, name: &str| {
-            // Formulas in other notations have their symbols replaced already.
+            // In other notations, the symbols of a formula have been replaced already.
             let stated = spellings.variable(name).filter(|_| notation == Notation::Tripos);
             let name = stated.as_deref().unwrap_or(name);
             if let Some((number, local)) =

@@ -1,5 +1,5 @@
-//! Spellings that a publication uses for the names of a model: those of `[symbols]`, and the usual
-//! LaTeX form of names.
+//! Spellings that a publication uses for the names of a model: spellings from its table `[symbols]`, and the usual
+//! LaTeX forms of names.
 
 use super::program_variables::{ProgramVariables, variable_number_of_substitute, variable_substitute};
 use crate::algebra::text::notation::{
@@ -9,11 +9,10 @@ use crate::algebra::text::print::latex_name;
 use crate::diagnostic::shortened_for_message;
 use rustc_hash::FxHashMap;
 
-/// Spellings of names in a publication, with the names that they mean.
+/// Spellings of names in a publication, with the names that they represent.
 #[derive(Default)]
 pub struct NameSpellings {
-    /// Names by their LaTeX symbols from `[symbols]`. The key is the symbol without dots, and the
-    /// number of dots.
+    /// Names by their LaTeX symbols from `[symbols]`. The key is the symbol without dots, with the number of dots.
     latex: FxHashMap<(String, usize), String>,
     /// Names by their program variables from `[symbols]`.
     variables: FxHashMap<String, String>,
@@ -25,7 +24,7 @@ pub struct NameSpellings {
 
 /// Outcome of adding a spelling from `[symbols]`.
 pub enum SpellingOutcome {
-    /// The spelling was free and is added.
+    /// The spelling was free and has been added.
     New,
     /// The spelling is already in use for the name given here.
     Taken(String),
@@ -61,8 +60,7 @@ impl NameSpellings {
     /// Adds the spelling `symbol` from `[symbols]` for the name `name`.
     pub fn add_spelling(&mut self, symbol: &str, name: &str) -> SpellingOutcome {
         let variable = program_variable_spelling(symbol);
-        // A spelling in the form of a program variable is also a LaTeX symbol, as names of a model
-        // are.
+        // A spelling in the form of a program variable is also a LaTeX symbol, like the names of a model.
         let latex = match ascii_names_of_unicode(symbol).first() {
             Some(name) if is_name(name) => read_symbol(&latex_name(name)),
             Some(name) if !symbol.is_ascii() => read_symbol(&latex_name(name.trim_end_matches('\'')))
@@ -85,8 +83,8 @@ impl NameSpellings {
         SpellingOutcome::New
     }
 
-    /// Name that a program variable means by `[symbols]`; the variable may end in primes. `None` if
-    /// it has no such meaning.
+    /// Name that `[symbols]` gives to a program variable, which may end in primes. `None` if `[symbols]` does not
+    /// contain the variable.
     pub fn variable(&self, text: &str) -> Option<String> {
         if let Some(name) = self.variables.get(text) {
             return Some(name.clone());
@@ -104,7 +102,7 @@ impl NameSpellings {
         read_symbol(&latex_name(stem)).is_some_and(of)
     }
 
-    /// Names that a LaTeX symbol may mean: none, one, or several with the same symbol.
+    /// Names that a LaTeX symbol may represent: none, one, or several names with the same symbol.
     fn latex_names(&self, symbol: &LatexSymbol) -> Vec<String> {
         let still = symbol.without_dots();
         for own in (0..=symbol.dots).rev() {
@@ -117,7 +115,7 @@ impl NameSpellings {
     }
 }
 
-/// Translator of the symbols of one formula into names.
+/// Translator of the symbols in a formula into names.
 pub struct NameSpeller<'a> {
     /// Spellings that the publication uses for names.
     pub spellings: &'a NameSpellings,
@@ -150,7 +148,7 @@ impl SymbolNames for NameSpeller<'_> {
             let help = format!("say in [symbols] which of {} it is", names.join(", "));
             return Err((format!("`{symbol}` may stand for several names"), Some(help)));
         }
-        // The spelling of a coordinate applies to its time derivatives too.
+        // The spelling of a coordinate also applies to its time derivatives.
         let stated = toml_key_of_spelling(symbol.trim_end_matches('\''));
         let help = match self.spellings.words.iter().find(|word| *word == run) {
             Some(word) => {
@@ -165,7 +163,7 @@ impl SymbolNames for NameSpeller<'_> {
         if let Some(number) = self.locals.variable_number(name) {
             return Ok(variable_substitute(number));
         }
-        // An entry of a vector that was assigned as a whole has no value, if the whole was not read.
+        // If a vector was assigned as a whole and this assignment was not read, an entry of it has no value.
         let whole = name.find(['(', '[']).and_then(|at| self.locals.variable_number(&name[..at]));
         if let Some(number) = whole.filter(|number| self.locals.unread(*number).is_some()) {
             return Ok(variable_substitute(number));
@@ -193,8 +191,8 @@ impl SymbolNames for NameSpeller<'_> {
     }
 }
 
-/// Readings of a program's variable as a time derivative: base name and order of the derivative.
-/// Examples are `theta_dot`, `xddot`, `dq1` and `dx_dt`. The base names need not be coordinates.
+/// Possible meanings of a program variable as a time derivative: base name and order of the derivative. Examples are
+/// `theta_dot`, `xddot`, `dq1` and `dx_dt`. The base names need not be coordinates.
 fn rate_spellings(name: &str) -> Vec<(&str, usize)> {
     let over = name.strip_prefix('d').and_then(|rest| rest.strip_suffix("_dt").or_else(|| rest.strip_suffix("dt")));
     let twice = name.strip_prefix("d2").and_then(|rest| rest.strip_suffix("_dt2").or_else(|| rest.strip_suffix("dt2")));
@@ -224,8 +222,7 @@ fn is_name(text: &str) -> bool {
         && text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
 }
 
-/// Program variable in a uniform spelling: a name, members after points, indices; `None` if the
-/// text is no variable.
+/// Uniform spelling of a program variable: a name, members after dots, and indices. `None` if the text is no variable.
 fn program_variable_spelling(text: &str) -> Option<String> {
     let text = text.replace("->", ".").replace(' ', "").replace('"', "'");
     let (name, mut rest) = match text.find(['(', '[']) {
@@ -247,7 +244,7 @@ fn program_variable_spelling(text: &str) -> Option<String> {
     name.split('.').all(is_word).then_some(text)
 }
 
-/// Names of the notations that a publication file may state.
+/// Names of the notations that may be used in a publication file.
 pub fn notation_names() -> [&'static str; 6] {
     let [a, b, c, d, e] = Notation::ALL.map(Notation::name);
     [a, b, c, "sympy", d, e]

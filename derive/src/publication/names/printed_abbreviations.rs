@@ -1,17 +1,16 @@
 //! Formulas of a publication as printed, in which its abbreviations are symbols.
 //!
-//! Entries are judged with abbreviations written out. For each written-out formula, the printed
-//! form is kept too, so that a mistake in an abbreviation is found in the abbreviation's own
-//! formula. Printed forms have their own arena: they must not change the order of terms in the
-//! model's arena.
+//! Entries are judged with abbreviations written out. The printed form of each written-out formula is kept, too, so
+//! that a mistake in an abbreviation is found in the abbreviation's own formula. Printed forms have their own arena:
+//! they must not change the order of terms in the model's arena.
 
 use crate::algebra::solve::linear::{LinearForm, linear_row_term};
 use crate::algebra::term::transfer::Transfer;
 use crate::algebra::{Arena, Expr, Node};
 use rustc_hash::FxHashMap;
 
-/// Abbreviation of a publication whose formula is a sum or a product, or a function of one.
-/// Other names for a single symbol, number or function of a symbol are not kept.
+/// Abbreviation of a publication for a sum, a product, or a function of one of these. Names for a single symbol, a
+/// number or a function of a symbol are not kept.
 #[derive(Clone, Debug)]
 pub struct Abbreviation {
     /// Name of the abbreviation, as declared in the publication file.
@@ -22,15 +21,14 @@ pub struct Abbreviation {
     pub formula: Expr,
 }
 
-/// Abbreviations of a publication, with the formulas that use them in their printed form.
+/// Abbreviations of a publication, with the printed forms of the formulas that use them.
 #[derive(Clone, Default)]
 pub struct PrintedAbbreviations {
     /// Store of the terms of printed formulas, separate from the model's arena.
     pub(in crate::publication) arena: Arena,
     /// Abbreviations in the order of the publication file.
     pub(in crate::publication) list: Vec<Abbreviation>,
-    /// Printed form of each formula, by the formula in the model's arena with all abbreviations
-    /// written out.
+    /// Printed form of each formula. The key is the formula in the model's arena with all abbreviations written out.
     pub(in crate::publication) printed: FxHashMap<Expr, Expr>,
     /// Names of the model's symbols, which cannot be names of abbreviations.
     reserved: Vec<String>,
@@ -45,13 +43,12 @@ impl std::fmt::Debug for PrintedAbbreviations {
 }
 
 impl PrintedAbbreviations {
-    /// Empty store for printed formulas with abbreviations, in the symbols of the arena `model`.
+    /// Creates an empty store of printed formulas, with the symbols of the arena `model`.
     pub(in crate::publication) fn of(model: &Arena, parameters: Vec<String>) -> Self {
         Self { reserved: model.symbol_names().to_vec(), parameters, ..Self::default() }
     }
 
-    /// Names that come first in products: abbreviations and parameters are printed before
-    /// variables.
+    /// Names that come first in products: abbreviations and parameters precede variables.
     pub fn leading_names(&self) -> impl Iterator<Item = &str> {
         self.list.iter().map(|one| &one.name).chain(&self.parameters).map(String::as_str)
     }
@@ -91,9 +88,8 @@ impl PrintedAbbreviations {
         used
     }
 
-    /// Adds the abbreviation `name`, whose formula in the model's arena is `e`.
-    /// An abbreviation of a single symbol, of a number or of a function of a symbol, such as s1 for
-    /// sin(q1), is not added: it is written out everywhere.
+    /// Adds the abbreviation `name` with the formula `e` in the model's arena. An abbreviation of a single symbol, of a
+    /// number or of a function of a symbol, such as s1 for sin(q1), is not added: it is written out everywhere.
     pub(in crate::publication) fn add_abbreviation(&mut self, model: &Arena, name: &str, e: Expr) {
         if self.arena.find_symbol(name).is_some()
             || self.reserved.iter().any(|one| one == name)
@@ -103,13 +99,12 @@ impl PrintedAbbreviations {
         }
         let formula = self.printed_form(e).unwrap_or_else(|| Transfer::new(model).transfer_term(&mut self.arena, e));
         let symbol = self.arena.symbol(name);
-        // A formula that is an abbreviation alone is printed as its name.
+        // A formula that equals an abbreviation is printed as its name.
         self.printed.insert(e, symbol);
         self.list.push(Abbreviation { name: name.to_owned(), symbol, formula });
     }
 
-    /// Records the printed form of the difference left − right of an equation, if either side uses
-    /// an abbreviation.
+    /// Records the printed form of the difference left − right of an equation if either side uses an abbreviation.
     pub(in crate::publication) fn record_difference(
         &mut self,
         model: &Arena,
@@ -140,10 +135,8 @@ impl PrintedAbbreviations {
         }
     }
 
-    /// Records the printed forms of a row's coefficients and right-hand side, if the equation uses
-    /// an abbreviation.
-    /// In `row`, abbreviations are written out: one coefficient for each unknown, then the
-    /// right-hand side.
+    /// Records the printed forms of a row's coefficients and right-hand side if the equation uses an abbreviation.
+    /// `row` has abbreviations written out: one coefficient for each unknown, then the right-hand side.
     pub(in crate::publication) fn record_row(
         &mut self,
         model: &mut Arena,
@@ -172,15 +165,13 @@ impl PrintedAbbreviations {
         self.printed_form(e).is_some_and(|printed| self.list.iter().any(|one| one.symbol == printed))
     }
 
-    /// Symbol of an abbreviation; `None` for a name that is no abbreviation or that is always
-    /// written out.
+    /// Symbol of an abbreviation; `None` for a name that is no abbreviation or is always written out.
     pub(in crate::publication) fn symbol(&self, name: &str) -> Option<Expr> {
         self.list.iter().find(|one| one.name == name).map(|one| one.symbol)
     }
 }
 
-/// True if a term is a sum of at least two terms, a product of at least two factors, or a function of
-/// one of these.
+/// True if a term is a sum of at least two terms, a product of at least two factors, or a function of one of these.
 fn is_formula(arena: &Arena, e: Expr) -> bool {
     match arena.node(e) {
         Node::Apply(_, argument) => is_formula(arena, *argument),

@@ -5,15 +5,15 @@ use crate::diagnostic::shortened_for_message;
 use rustc_hash::FxHashMap;
 use std::ops::Range;
 
-/// Prefix of the substitute names for a program's variables while a formula is read.
+/// Prefix of the names that replace program variables while a formula is read.
 const LOCAL: &str = "_local_";
 
-/// Substitute name, used while a formula is read, for the program's variable with this number.
+/// Name that replaces the program variable with this number while a formula is read.
 pub fn variable_substitute(number: usize) -> String {
     format!("{LOCAL}{number}_")
 }
 
-/// Number of the program's variable for which a name is the substitute; `None` for any other name.
+/// Number of the program variable that is replaced by `name`; `None` for any other name.
 pub fn variable_number_of_substitute(name: &str) -> Option<usize> {
     name.strip_prefix(LOCAL)?.strip_suffix('_')?.parse().ok()
 }
@@ -21,12 +21,11 @@ pub fn variable_number_of_substitute(name: &str) -> Option<usize> {
 /// Variables that a program listed in a publication assigns, with their values.
 #[derive(Default)]
 pub struct ProgramVariables {
-    /// Index, in the list of values, of the latest value of each variable, by the name in the
-    /// program.
+    /// Index of each variable's latest value in the list of values. The key is the name in the program.
     numbers: FxHashMap<String, usize>,
     /// Assigned values, in the order of the assignments.
     values: Vec<ProgramValue>,
-    /// Lists of variables that the program assigns together from one vector, as in `q, w = state`.
+    /// Lists of variables that the program assigns together from the same vector, as in `q, w = state`.
     unpacked: Vec<Vec<String>>,
     /// Place of the statement that is being read, as a byte range in the reader's texts.
     pub statement: Range<usize>,
@@ -38,25 +37,25 @@ pub struct ProgramVariables {
     solutions: Vec<LinearSolution>,
 }
 
-/// Kind of an array of a program.
+/// Kind of an array in a program, which decides the meaning of its product.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ArrayKind {
-    /// Matrix or vector of two indices whose product is that of matrices, as in MATLAB.
+    /// Matrix or vector with two indices and the product of matrices, as in MATLAB.
     Matrix,
-    /// Array of two indices whose product is taken entry by entry, as in NumPy.
+    /// Array with two indices and an entry-by-entry product, as in NumPy.
     Table,
-    /// Array of one index.
+    /// Array with one index.
     Flat,
-    /// Number that a formula with arrays gives.
+    /// Number that is the result of a formula with arrays.
     Number,
 }
 
-/// Size and kind of an array of a program.
+/// Size and kind of an array in a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ArrayShape {
-    /// Number of rows; of an array with one index, the number of its entries.
+    /// Number of rows; for an array with one index, the number of its entries.
     pub rows: usize,
-    /// Number of columns.
+    /// Number of columns of the array.
     pub columns: usize,
     pub kind: ArrayKind,
 }
@@ -67,7 +66,7 @@ pub struct LinearSolution {
     pub values: Vec<Expr>,
     /// Matrix A, row by row.
     pub matrix: Vec<Vec<Expr>>,
-    /// Right side b.
+    /// Right side b of the system, one entry for each row of A.
     pub right: Vec<Expr>,
 }
 
@@ -76,7 +75,7 @@ pub struct LinearSolution {
 pub enum ProgramValue {
     /// Value that was read as a symbolic term.
     Value(Expr),
-    /// Value that was not read, with the reason.
+    /// Value of an assignment that was not read, with the reason.
     Unread(UnreadAssignment),
 }
 
@@ -89,14 +88,13 @@ pub struct UnreadAssignment {
     pub message: String,
     /// Advice that goes with the message.
     pub help: String,
-    /// True if the message names the assignment that was not read, which may be an earlier
-    /// assignment.
+    /// True if the message names an assignment that was not read. It may be an earlier assignment.
     pub names_assignment: bool,
 }
 
 impl UnreadAssignment {
-    /// Adds the name of the assigned variable to the message, unless the message already names an
-    /// assignment.
+    /// Adds the name of the assigned variable to the message. If the message already names an assignment, it is
+    /// unchanged.
     #[must_use]
     pub fn naming_variable(mut self, name: &str) -> Self {
         if !self.names_assignment {
@@ -109,7 +107,7 @@ impl UnreadAssignment {
 }
 
 impl ProgramVariables {
-    /// Assigns a value to a variable; an earlier value of the variable is kept under its number.
+    /// Assigns a value to a variable. An earlier value of the variable is kept under its own number.
     pub fn assign_variable(&mut self, name: &str, value: ProgramValue) {
         self.numbers.insert(name.to_owned(), self.values.len());
         self.values.push(value);
@@ -120,19 +118,18 @@ impl ProgramVariables {
         self.unpacked.push(names.to_vec());
     }
 
-    /// Lists of variables that the program assigns together from one vector, one list for each
-    /// assignment.
+    /// Lists of variables that the program assigns together from the same vector, with one list for each assignment.
     pub fn unpacked_variables(&self) -> &[Vec<String>] {
         &self.unpacked
     }
 
-    /// Shape of the array with this name; `None` for a name that is no array, or whose shape is not
-    /// known. An array of which only entries were assigned has the shape of these, if none is missing.
+    /// Shape of the array with this name. `None` for a name that is no array, or an array of unknown shape. If only
+    /// entries of the array were assigned and none is missing, the entries determine the shape.
     pub fn array_shape(&self, name: &str) -> Option<ArrayShape> {
         self.shapes.get(name).copied().or_else(|| self.shape_of_entries(name))
     }
 
-    /// Shape of an array of which only entries were assigned; `None` if one is missing.
+    /// Shape of an array whose entries were assigned one by one; `None` if an entry is missing.
     fn shape_of_entries(&self, name: &str) -> Option<ArrayShape> {
         let list = self.entries(name);
         let is_matlab = list.first()?.1.starts_with('(');
@@ -159,7 +156,7 @@ impl ProgramVariables {
         is_complete.then_some(ArrayShape { rows, columns, kind })
     }
 
-    /// Records the shape of an array, or that a name is no array any more.
+    /// Sets the shape of an array. `None` records that the name is no array any more.
     pub fn set_array_shape(&mut self, name: &str, shape: Option<ArrayShape>) {
         self.aliases.retain(|pair| pair.iter().all(|own| own != name));
         match shape {
@@ -180,7 +177,7 @@ impl ProgramVariables {
         }
     }
 
-    /// Other names of the array `name`.
+    /// Other names that may be the same array as `name`.
     pub fn array_aliases(&self, name: &str) -> Vec<String> {
         let other = |[a, b]: &[String; 2]| match (a == name, b == name) {
             (true, _) => Some(b.clone()),
@@ -200,8 +197,7 @@ impl ProgramVariables {
         self.solutions.iter().rev().find(|solution| solution.values == values)
     }
 
-    /// Removes a variable, so that its name has the meaning from the publication file or the model
-    /// again.
+    /// Removes a variable. Its name then has its meaning from the publication file or the model again.
     pub fn forget(&mut self, name: &str) {
         self.numbers.remove(name);
     }
@@ -224,8 +220,7 @@ impl ProgramVariables {
         }
     }
 
-    /// Names of the entries assigned to the vector or matrix `whole`, each with its index as text,
-    /// such as `[0]`.
+    /// Names of the assigned entries of the vector or matrix `whole`, each with its index as text, such as `[0]`.
     pub fn entries(&self, whole: &str) -> Vec<(String, String)> {
         let index = |name: &String| {
             let index = name.strip_prefix(whole)?;

@@ -5,20 +5,19 @@ use crate::algebra::{Arena, Expr};
 use crate::mechanics::{Quantities, Quantity, QuantityKind, RowQuantity};
 use crate::publication::Publication;
 
-/// Symbols of a publication for derived quantities, with their derived values or the reason why
-/// there is none.
+/// Symbols of a publication for derived quantities, each with its derived value or the reason why there is none.
 pub struct QuantityNames {
     /// Symbols with a value, each with its value as a function of q and u.
     values: Vec<(Expr, Expr)>,
     /// Symbols that have no derived value, each with the reason.
     missing: Vec<(Expr, String)>,
-    /// Symbols of partial derivatives ∂/∂t, each with the value of the total derivative d/dt of the
-    /// same momentum.
+    /// Symbols of partial derivatives ∂/∂t of momenta, each with the value of the total derivative d/dt of the
+    /// momentum.
     held: Vec<(Expr, Expr)>,
 }
 
 impl QuantityNames {
-    /// Derived values of the symbols in a publication's table `[names]`.
+    /// Computes the derived values of the symbols in a publication's table `[names]`.
     #[must_use]
     pub fn new(publication: &Publication, quantities: &mut Quantities<'_>) -> Self {
         let (mut values, mut missing, mut held) = (Vec::new(), Vec::new(), Vec::new());
@@ -35,7 +34,7 @@ impl QuantityNames {
         Self { values, missing, held }
     }
 
-    /// Names in which d/dt replaces ∂/∂t, if one of `terms` contains a ∂/∂t; else `None`.
+    /// Copy in which every ∂/∂t has the value of d/dt; `None` unless one of `terms` contains a ∂/∂t.
     #[must_use]
     pub fn with_total_rates(&self, arena: &Arena, terms: &[Expr]) -> Option<Self> {
         let parts = arena.reachable(terms);
@@ -48,10 +47,10 @@ impl QuantityNames {
         is_used.then(|| Self { values, missing: self.missing.clone(), held: Vec::new() })
     }
 
-    /// Replaces the symbols of derived quantities in a printed term by their derived values.
+    /// Replaces the symbols of derived quantities in a printed term with their derived values.
     ///
     /// # Errors
-    /// Reason why a symbol has no value, or that the term divides by a quantity that is zero.
+    /// Reason why a symbol has no value, or a message that the term divides by a quantity that is zero.
     pub fn resolve_quantity_names(&self, quantities: &mut Quantities<'_>, e: Expr) -> Result<Expr, String> {
         let arena = &mut quantities.derivations.kinematics.arena;
         let parts = arena.reachable(&[e]);

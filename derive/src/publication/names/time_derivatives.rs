@@ -14,7 +14,7 @@ pub struct TimeDerivatives {
 }
 
 impl TimeDerivatives {
-    /// Time derivatives of the coordinates, their rates and the generalized speeds of a model.
+    /// Creates the rule for the coordinates, their rates and the generalized speeds of a model.
     pub fn new(model: &Model) -> Self {
         let mut rates: Vec<_> = model.coordinates.iter().map(|c| (c.symbol, c.rate)).collect();
         rates.extend(model.coordinates.iter().map(|c| (c.rate, c.second_rate)));

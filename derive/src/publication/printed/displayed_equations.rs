@@ -14,17 +14,16 @@ const INNER: [&str; 6] = ["split", "aligned", "gathered", "alignedat", "multline
 /// Commands that begin or end environments or set labels; macros that contain them are expanded
 /// first.
 const STRUCTURE: [&str; 6] = ["begin", "end", "[", "]", "label", "tag"];
-/// Largest number of lines of one LaTeX environment that are read.
+/// Largest number of lines that are read in one LaTeX environment.
 const MAX_LINES: usize = 1000;
-/// Largest length, in bytes, of a label that advice for an unknown label mentions.
+/// Largest length, in bytes, of a label that may be suggested for an unknown label.
 const MAX_LABEL: usize = 100;
-/// Largest number of labels among which advice for an unknown label searches.
+/// Largest number of labels that are searched for a suggestion if a label is unknown.
 const MAX_LABELS: usize = 1000;
 /// Largest length of one printed formula, in bytes.
 const MAX_FORMULA: usize = 100_000;
 
-/// LaTeX file prepared for the search of equations: its text without comments and definitions, and
-/// its macros.
+/// LaTeX file prepared for the search for equations: its text without comments and definitions, and its macros.
 pub struct LatexFile {
     /// Text without comments and definitions, with places in the file.
     text: TracedText,
@@ -41,7 +40,7 @@ struct DisplayedFormula {
 
 /// Lines of one equation of a displayed formula, as byte ranges.
 struct EquationLines {
-    /// Left side taken from earlier lines, for a line that begins with `=`.
+    /// Left side, from earlier lines, of an equation whose own line begins with `=`.
     left: Vec<Range<usize>>,
     /// Byte ranges of the equation's own lines in the text of the file.
     pieces: Vec<Range<usize>>,
@@ -49,12 +48,12 @@ struct EquationLines {
     labels: Vec<String>,
     /// True if the lines contain an `=` outside of groups.
     has_relation: bool,
-    /// Byte at which a line begins that may belong to this equation or to the next; `None` if all
-    /// lines are clear.
+    /// Start, as a byte position, of a line that may belong to this equation or to the next. `None` if there is no such
+    /// line.
     unclear: Option<usize>,
 }
 
-/// Choice of equations that a label means.
+/// Choice of the equations that are found by a label.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum LabelChoice {
     /// Only the equations that have the label themselves.
@@ -74,9 +73,8 @@ impl LatexFile {
         Ok(Self { text, macros, displays })
     }
 
-    /// Equations with a label, as formulas without macros.
-    /// The outer error is advice for a label that is not found or not unique. The inner error is a
-    /// formula that cannot be read.
+    /// Equations with a label, as formulas without macros. The outer error is advice for a label that is not found or
+    /// not unique. The inner error is a formula that cannot be read.
     pub fn equations(&self, label: &str, choice: LabelChoice) -> Result<Result<Vec<TracedText>, TracedError>, String> {
         let has = |lines: &EquationLines| lines.labels.iter().any(|l| l == label);
         let found: Vec<&DisplayedFormula> = self.displays.iter().filter(|d| d.equations.iter().any(has)).collect();
@@ -119,9 +117,8 @@ impl LatexFile {
     }
 }
 
-/// Name of the environment that a `\begin{` or `\end{` at byte `at` names, and the byte behind its
-/// closing brace.
-/// Returns `None` if `mark` is not at this byte.
+/// Name of the environment that begins or ends at byte `at`, and the byte after its closing brace. `mark` is `\begin{`
+/// or `\end{`. Returns `None` if `mark` is not at this byte.
 fn latex_environment(text: &str, at: usize, mark: &str) -> Option<(String, usize)> {
     let rest = text[at..].strip_prefix(mark)?;
     let close = next_latex_mark_nearby(rest, 0, '}').filter(|close| *close < 40)?;
@@ -144,7 +141,7 @@ fn displayed_formulas(text: &str) -> Vec<DisplayedFormula> {
                 at = end;
                 continue;
             }
-            // The number of columns of an alignat is not part of the formula.
+            // The number of columns of an `alignat` is not part of the formula.
             let columns = plain.ends_with("alignat") && text[end..].starts_with('{');
             let start = if columns { group_end(text, end).unwrap_or(end) } else { end };
             let layout = if LINES.contains(&plain) { DisplayLayout::Lines } else { DisplayLayout::Single };
@@ -162,7 +159,7 @@ fn displayed_formulas(text: &str) -> Vec<DisplayedFormula> {
     list
 }
 
-/// Layout of a displayed formula in LaTeX.
+/// Layout of a displayed formula in LaTeX: lines, or a single formula.
 #[derive(Clone, Copy, PartialEq)]
 enum DisplayLayout {
     /// Lines, each of which may have its own number and labels.
@@ -191,14 +188,14 @@ fn split_displayed_formula(text: &str, body: Range<usize>, layout: DisplayLayout
         let goes_on = display_row_begins_with_sign(&text[row.clone()]) || above.is_some_and(display_row_ends_with_sign);
         let joins = match (&before, equations.last()) {
             (_, None) => false,
-            // The equation above has no `=` so far.
+            // The equation in the line above has no `=` yet.
             (_, Some(last)) if !last.has_relation => true,
             (None, _) => goes_on,
             (Some(_), _) => false,
         };
         if joins {
             let last = equations.last_mut().expect("an equation above");
-            // A number ends an equation, and a line without a number may begin the next equation.
+            // A number ends an equation. A line without a number may be the beginning of the next equation.
             let numbered = above.is_some_and(|above| !is_without_number(above));
             let followed = at + 1 < rows.len();
             let is_unclear = layout == DisplayLayout::Lines && last.has_relation && numbered && followed;
@@ -230,12 +227,12 @@ fn split_displayed_formula(text: &str, body: Range<usize>, layout: DisplayLayout
     DisplayedFormula { equations }
 }
 
-/// True if LaTeX prints no number for a line.
+/// True if LaTeX prints no number after a line.
 fn is_without_number(row: &str) -> bool {
     row.contains("\\nonumber") || row.contains("\\notag")
 }
 
-/// Line without labels, alignment marks, and commands that only make space.
+/// Line without labels, alignment marks, and commands that only insert space.
 fn display_row_without_space(row: &str) -> String {
     let mut text = text_without_labels(&TracedText::text_at_place(row, 0)).text.replace('&', " ").replace("{}", " ");
     for space in ["\\qquad", "\\quad", "\\,", "\\;", "\\:", "\\!", "\\ ", "\\left.", "\\right.", "~"] {
@@ -262,8 +259,7 @@ fn display_row_ends_with_sign(row: &str) -> bool {
     row.ends_with(['+', '-', '*', '/', '=', '(']) || row.ends_with("\\cdot") || row.ends_with("\\times")
 }
 
-/// Content of the inner environment, such as split, that makes up a whole formula; `None` if there
-/// is none.
+/// Content of an inner environment, such as split, that makes up the whole formula; `None` if there is none.
 fn inner_environment_content(text: &str, body: &Range<usize>) -> Option<Range<usize>> {
     let open = body.start + text[body.clone()].find("\\begin{")?;
     let (name, mut start) = latex_environment(text, open, "\\begin{")?;
@@ -285,9 +281,8 @@ fn inner_environment_content(text: &str, body: &Range<usize>) -> Option<Range<us
     around.into_iter().all(is_frame).then_some(start..end)
 }
 
-/// Walks through a range of LaTeX text. Calls `each(byte, rest of the range)` at every character
-/// outside of groups and environments.
-/// The walk ends when `each` returns false.
+/// Walks through a range of LaTeX text, and calls `each(byte, rest of the range)` at every character outside of groups
+/// and environments. The walk ends when `each` returns false.
 fn walk_display_outside_groups(text: &str, range: &Range<usize>, mut each: impl FnMut(usize, &str) -> bool) {
     let (mut depth, mut at) = (0_usize, range.start);
     while at < range.end {
@@ -317,8 +312,7 @@ fn walk_display_outside_groups(text: &str, range: &Range<usize>, mut each: impl 
     }
 }
 
-/// Byte ranges of the non-empty lines of a text, separated by `\\`, which a row distance may
-/// follow.
+/// Byte ranges of the non-empty lines of a text. Lines are separated by `\\`, after which a row distance may follow.
 fn display_rows(text: &str, range: Range<usize>) -> Vec<Range<usize>> {
     let mut cuts = Vec::new();
     walk_display_outside_groups(text, &range, |at, rest| {
@@ -332,7 +326,7 @@ fn display_rows(text: &str, range: Range<usize>) -> Vec<Range<usize>> {
     let mut list = Vec::new();
     let mut from = range.start;
     for (at, next) in cuts {
-        // A separator inside of a row distance separates nothing.
+        // A separator inside of a row distance does not count.
         if at < from {
             continue;
         }

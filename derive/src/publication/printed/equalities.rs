@@ -1,13 +1,14 @@
-//! Sides of printed equations: chains of equal formulas, and definitions printed side by side.
+//! Splitting of printed equations: into the sides of a chain of equal formulas, and into equations printed side by
+//! side.
 
 use crate::algebra::text::notation::Notation;
 use std::ops::Range;
 
-/// Byte ranges of the equations that a text prints side by side, as in `a = b, \quad c = d`. A text without a second
-/// equation is one range. Commas and wide spaces part equations, except inside groups and environments.
+/// Byte ranges of the equations that a text prints side by side, as in `a = b, \quad c = d`. A text with a single
+/// equation is one range. Commas and wide spaces separate equations, except inside groups and environments.
 pub fn equations(text: &str, notation: Notation) -> Vec<Range<usize>> {
     let is_equation = |range: &Range<usize>| sides(text, range.clone(), notation).len() > 1;
-    // A part that begins with a sign goes on with the formula in front of it.
+    // A part that begins with a sign continues the formula before it.
     let goes_on = |range: &Range<usize>| {
         text[range.clone()].trim_start_matches([' ', '\n', '&', '{', '}']).starts_with(['+', '-', '='])
     };
@@ -31,15 +32,15 @@ pub fn has_right_side(text: &str) -> bool {
     text.find('=').is_some_and(|at| !text[at + 1..].trim().trim_start_matches('0').is_empty())
 }
 
-/// Number of bytes of the mark between two equations with which a text begins; zero if it begins with none.
+/// Length in bytes of the separator of equations with which a text begins; 0 if it begins with none.
 fn equality_separator(rest: &str, notation: Notation) -> usize {
     let marks: &[&str] = if notation == Notation::Latex { &[",", ";", "\\qquad", "\\quad"] } else { &[",", ";"] };
     marks.iter().find(|mark| rest.starts_with(**mark)).map_or(0, |mark| mark.len())
 }
 
-/// Splits a range of a formula's text at the marks that stand outside of all brackets and
-/// environments, and returns the byte ranges of the parts. `mark` gives the length in bytes of the
-/// mark with which a text begins, such as an equals sign, and 0 if it begins with none.
+/// Splits a range of a formula's text at the marks outside of all brackets and environments, and returns the byte
+/// ranges of the parts. `mark` returns the length in bytes of the mark with which a text begins, such as an equals
+/// sign, or 0 if it begins with none.
 fn equality_parts(
     text: &str,
     range: Range<usize>,
@@ -64,7 +65,7 @@ fn equality_parts(
             (_, true) => depth = depth.saturating_sub(1),
             _ => {}
         }
-        // The name of a command and the character behind a backslash are no marks.
+        // The name of a command, and a character after a backslash, are not marks.
         at += if is_command { first + rest[1..].chars().next().map_or(0, char::len_utf8) } else { first };
     }
     parts.push(from..range.end);

@@ -1,5 +1,4 @@
-//! Macros of a LaTeX file: reading of their definitions, and replacement in texts. All work is
-//! limited.
+//! Macros of a LaTeX file: reading of their definitions, and replacement in texts. All work is limited by constants.
 
 use super::traced_text::{TracedError, TracedText};
 use crate::diagnostic::shortened_for_message;
@@ -10,9 +9,9 @@ use std::ops::Range;
 const MAX_CALLS: usize = 10_000;
 /// Largest number of bytes that macros may add to one text.
 const MAX_ADDED: usize = 1_000_000;
-/// Largest depth to which macros may call one another.
+/// Largest depth of nested macro calls.
 const MAX_NESTING: usize = 100;
-/// Largest number of macros in a chain from a macro to an environment that it begins.
+/// Largest number of macros in a chain of macros, the last of which begins an environment.
 const MAX_ROUNDS: usize = 20;
 /// Largest length of a group in braces, in bytes.
 const LONGEST_GROUP: usize = 20_000;
@@ -22,31 +21,29 @@ const NEAR: usize = 200;
 /// Largest length of a macro's definition, in bytes.
 const MAX_BODY: usize = 10_000;
 
-/// Definition of a LaTeX macro: its text, arguments and place.
+/// Definition of a LaTeX macro: its text, its arguments, and its place.
 #[derive(Clone, Debug)]
 struct Macro {
-    /// Byte of the file from which the definition is valid.
+    /// Byte position in the file from which on the definition is valid.
     from: usize,
-    /// Text of the macro with `#1`, `#2`, … for arguments; `None` if the macro is another name for
-    /// a LaTeX command.
+    /// Text of the macro, with `#1`, `#2`, … for arguments. `None` if the macro is another name for a LaTeX command.
     body: Option<String>,
     /// Number of arguments that the macro takes, at most nine.
     arguments: usize,
-    /// Default value of the optional first argument, or the LaTeX command for which the macro is
-    /// another name.
+    /// Default value of the optional first argument. If the macro is another name for a LaTeX command, the command.
     /// `None` if there is neither.
     usual: Option<String>,
     /// True if the form of the definition is not supported, as in `\def\a#1.{…}`.
     is_odd: bool,
 }
 
-/// Macros of a LaTeX file, by name without the backslash. From its place on, a later definition
-/// replaces an earlier one.
+/// Macros of a LaTeX file; the key is the name without the backslash. From its place on, a later definition replaces an
+/// earlier one.
 #[derive(Clone, Debug, Default)]
 pub struct Macros {
     /// Definitions of each macro, in the order of the file.
     known: FxHashMap<String, Vec<Macro>>,
-    /// True if the last definition of each macro holds everywhere, not only behind its place.
+    /// True if the last definition of each macro is valid everywhere, not only after its place.
     everywhere: bool,
 }
 
@@ -96,14 +93,14 @@ pub fn latex_without_comments(text: &str) -> TracedText {
     out
 }
 
-/// Byte behind the closing brace of the group that opens at byte `open`; `None` if it does not
-/// close within 20 000 bytes.
+/// Byte after the closing brace of the group that opens at byte `open`; `None` if it does not close within 20 000
+/// bytes.
 pub fn group_end(text: &str, open: usize) -> Option<usize> {
     group_end_within(text, open, LONGEST_GROUP)
 }
 
-/// Byte behind the closing brace of the group that opens at byte `open`; `None` if it does not
-/// close within `limit` bytes.
+/// Byte after the closing brace of the group that opens at byte `open`; `None` if it does not close within `limit`
+/// bytes.
 pub fn group_end_within(text: &str, open: usize, limit: usize) -> Option<usize> {
     let (mut depth, mut at) = (0_usize, open);
     let bytes = &text.as_bytes()[..text.len().min(open.saturating_add(limit))];
@@ -130,19 +127,18 @@ pub fn next_latex_mark_nearby(text: &str, at: usize, mark: char) -> Option<usize
     text[at..].char_indices().take(NEAR).find(|(_, c)| *c == mark).map(|(distance, _)| distance)
 }
 
-/// Position of the first character from byte `at` on that is not a space; the length of the text if
-/// there is none.
+/// Position of the first character that is not a space, from byte `at` on. The length of the text if there is none.
 fn skip_space(text: &str, at: usize) -> usize {
     text[at..].find(|c: char| !c.is_whitespace()).map_or(text.len(), |space| at + space)
 }
 
-/// Definition of a LaTeX macro as found in a text, with its end.
+/// Definition of a LaTeX macro that was found in a text, and the place where it ends.
 struct Definition {
     /// Name of the defined macro, without the backslash.
     name: String,
-    /// Definition to be stored for this name.
+    /// Definition to be stored under this name.
     made: Macro,
-    /// Position in the text behind the definition, in bytes.
+    /// Byte position in the text just after the definition.
     end: usize,
 }
 
@@ -152,12 +148,12 @@ impl Macros {
         self.known.is_empty()
     }
 
-    /// Macros as they are valid at the end of their file, for use in another file.
+    /// Macros with the definitions that are valid at the end of their file, for use in another file.
     pub fn at_the_end(&self) -> Self {
         Self { everywhere: true, ..self.clone() }
     }
 
-    /// Removes the definitions of macros from a text and stores them; returns the remaining text.
+    /// Removes the definitions of macros from a text and stores them. Returns the remaining text.
     pub fn take_macro_definitions(&mut self, text: &TracedText) -> TracedText {
         let mut rest = TracedText::default();
         let (mut at, mut from) = (0, 0);
@@ -179,8 +175,7 @@ impl Macros {
         rest
     }
 
-    /// Definition that begins at byte `at` with the command `name`; `None` if no definition begins
-    /// there.
+    /// Reads the definition that begins at byte `at` with the command `name`; `None` if no definition begins there.
     fn definition(&self, text: &TracedText, at: usize, name: &str) -> Option<Definition> {
         let place = text.place_of_part(at..at + 1);
         let text = text.text.as_str();
@@ -205,7 +200,7 @@ impl Macros {
             let other = text[at..].starts_with('\\').then(|| command_at(text, at))?;
             let same = self.macro_at_place(other, place.start).cloned();
             let definition = Macro { from: place.start, ..same.unwrap_or(Macro { body: None, ..made }) };
-            // Another name for a LaTeX command keeps the command's own name as its value.
+            // If a macro is another name for a LaTeX command, the command itself is stored as its value.
             let definition = match definition.body {
                 None => Macro { body: None, usual: Some(other.to_owned()), ..definition },
                 Some(_) => definition,
@@ -245,16 +240,15 @@ impl Macros {
         Some(Definition { name: called, made, end })
     }
 
-    /// Definition of a macro that is valid at byte `at` of the file, the last before it; `None` if
-    /// there is none.
+    /// Definition of a macro that is valid at byte `at` of the file, which is the last one before it. `None` if there
+    /// is none.
     fn macro_at_place(&self, name: &str, at: usize) -> Option<&Macro> {
         let list = self.known.get(name)?;
         let end = if self.everywhere { list.len() } else { list.partition_point(|made| made.from <= at) };
         list.get(end.checked_sub(1)?)
     }
 
-    /// Names of the macros whose text contains one of the given commands, directly or through other
-    /// macros.
+    /// Names of the macros whose text contains one of the given commands, directly or through other macros.
     pub fn with_commands(&self, commands: &[&str]) -> FxHashSet<String> {
         let mut found: FxHashSet<String> = FxHashSet::default();
         for _ in 0..MAX_ROUNDS {
@@ -279,8 +273,8 @@ impl Macros {
         found
     }
 
-    /// Replaces, in a text, the macros whose names `wanted` accepts. The error is a call that
-    /// cannot be replaced.
+    /// Replaces, in a text, the macros whose names are accepted by `wanted`. The error is a call that cannot be
+    /// replaced.
     pub fn expand_macros(&self, text: &TracedText, wanted: &dyn Fn(&str) -> bool) -> Result<TracedText, TracedError> {
         let work = Expansion { macros: self, out: TracedText::default(), stack: Vec::new(), calls: 0, added: 0 };
         work.expand_text(text, wanted)
@@ -293,7 +287,7 @@ struct Expansion<'a> {
     macros: &'a Macros,
     /// Output: the text written so far, with macros replaced.
     out: TracedText,
-    /// Texts being read, the innermost last, each with its next byte.
+    /// Texts that are being read, the innermost last, each with the position of its next byte.
     stack: Vec<(TracedText, usize)>,
     /// Number of macro calls replaced so far, to limit the work.
     calls: usize,
@@ -302,8 +296,8 @@ struct Expansion<'a> {
 }
 
 impl Expansion<'_> {
-    /// Reads a text to its end and returns it with the wanted macros replaced. The error is a call
-    /// that cannot be replaced.
+    /// Reads a text to its end, and returns it with the wanted macros replaced. The error is a call that cannot be
+    /// replaced.
     fn expand_text(mut self, text: &TracedText, wanted: &dyn Fn(&str) -> bool) -> Result<TracedText, TracedError> {
         self.stack.push((text.clone(), 0));
         while let Some((text, at)) = self.stack.last_mut() {
@@ -332,8 +326,8 @@ impl Expansion<'_> {
         Ok(self.out)
     }
 
-    /// Adds a space if the written text ends with a command, so that a letter of another text does
-    /// not join its name.
+    /// Adds a space if the written text ends with a command, so that the first letter of the next text does not extend
+    /// the command's name.
     fn end_word(&mut self) {
         let letters = self.out.text.trim_end_matches(|c: char| c.is_ascii_alphabetic());
         if letters.len() < self.out.text.len() && letters.ends_with('\\') {
@@ -342,9 +336,8 @@ impl Expansion<'_> {
         }
     }
 
-    /// Replaces one call of a macro: reads its arguments, and puts its text in front of what is
-    /// read next.
-    /// The error is a missing argument, an unsupported definition, or a text that gets too long.
+    /// Replaces one call of a macro: reads its arguments, and puts the macro's text before the rest of the input. The
+    /// error is a missing argument, an unsupported definition, or a text that gets too long.
     fn expand_macro_call(&mut self, name: &str, made: Macro, place: &Range<usize>) -> Result<(), TracedError> {
         let shown_name = shortened_for_message(name);
         let Some(body) = made.body else {
@@ -400,8 +393,7 @@ impl Expansion<'_> {
         Ok(())
     }
 
-    /// Reads the next argument: a group without its braces, a command, or a single character.
-    /// `None` if none follows.
+    /// Reads the next argument: a group without its braces, a command, or a single character. `None` if there is none.
     fn next_macro_argument(&mut self) -> Option<TracedText> {
         loop {
             let (text, at) = self.stack.last_mut()?;
@@ -428,7 +420,7 @@ impl Expansion<'_> {
         }
     }
 
-    /// Reads an optional argument in brackets, without the brackets; `None` if none follows.
+    /// Reads an optional argument in brackets, without the brackets; `None` if there is none.
     fn optional_macro_argument(&mut self) -> Option<TracedText> {
         let (text, at) = self.stack.last_mut()?;
         let open = skip_space(&text.text, *at);

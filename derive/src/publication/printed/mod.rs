@@ -1,6 +1,6 @@
 //! Reading of authors' own files: LaTeX files with macros, and programs with assignments.
 //!
-//! Every formula keeps its place in the author's file. All work is limited.
+//! Every formula keeps its place in the author's file. All work is limited by constants.
 
 mod displayed_equations;
 pub(super) mod equalities;

@@ -1,19 +1,19 @@
-//! Parsing of a printed matrix in LaTeX, MATLAB, NumPy or SymPy into the places of its entries.
+//! Parsing of a printed matrix in LaTeX, MATLAB, NumPy or SymPy: finds the places of its entries.
 
 use crate::algebra::text::notation::Notation;
 use std::ops::Range;
 
-/// Byte ranges of the entries of a printed matrix, and of the factor in front.
+/// Byte ranges of the entries of a printed matrix, and of the factor before the matrix.
 #[derive(Debug, PartialEq, Eq)]
 pub struct MatrixCells {
     /// Byte ranges of the entries in the text, row by row. All rows have the same length.
     pub rows: Vec<Vec<Range<usize>>>,
-    /// Byte range of the factor in front of the matrix; `None` if there is none.
+    /// Byte range of the factor before the matrix; `None` if there is none.
     pub factor: Option<Range<usize>>,
 }
 
-/// Finds the entries of a printed matrix in a text, with a factor in front and a transpose mark
-/// behind.
+/// Finds the entries of a printed matrix in a text. A factor may precede the matrix, and a transpose mark may follow
+/// it.
 ///
 /// # Errors
 /// Reason why the text is not read as a matrix.
@@ -39,10 +39,8 @@ pub fn printed_matrix_cells(text: &str, notation: Notation) -> Result<MatrixCell
     Ok(MatrixCells { rows, factor })
 }
 
-/// Factor in front of a LaTeX matrix environment, if any, and true if a transpose mark follows the
-/// environment.
-/// `around` is the byte range of the environment. The error is a reason why the text around it is
-/// not read.
+/// Factor before a LaTeX matrix environment, if any, and true if a transpose mark follows the environment. `around` is
+/// the byte range of the environment. The error is a reason why the text around it is not read.
 fn text_around_latex_matrix(text: &str, around: &Range<usize>) -> Result<(Option<Range<usize>>, bool), &'static str> {
     const OPENING: [&str; 12] =
         ["\\left[", "\\left(", "\\left\\{", "(", "[", "&", "\\,", "\\;", "\\:", "\\!", "\\quad", "\\qquad"];
@@ -99,14 +97,12 @@ fn text_around_latex_matrix(text: &str, around: &Range<usize>) -> Result<(Option
     }
 }
 
-/// Factor in front of a matrix in brackets, if any, and true if a transpose mark follows the
-/// brackets.
-/// `around` is the byte range of the brackets. The error is a reason why the text around them is
-/// not read.
+/// Factor before a matrix in brackets, if any, and true if a transpose mark follows the brackets. `around` is the byte
+/// range of the brackets. The error is a reason why the text around them is not read.
 fn text_around_bracket_matrix(text: &str, around: &Range<usize>) -> Result<(Option<Range<usize>>, bool), &'static str> {
     let start = text[..around.start].rfind('=').map_or(0, |at| at + 1);
     let front = text[start..around.start].trim_end();
-    // The text in front may be the name of a function, as in `np.array(` or `vertcat(*`.
+    // The text before the brackets may be the name of a function, as in `np.array(` or `vertcat(*`.
     let name = front.trim_end_matches('*');
     let is_call =
         name.ends_with('(') && name.chars().all(|c| c.is_alphanumeric() || matches!(c, '_' | '.' | '(' | ' '));
@@ -139,13 +135,11 @@ fn text_around_bracket_matrix(text: &str, around: &Range<usize>) -> Result<(Opti
     }
 }
 
-/// Byte ranges of the entries, row by row, and the byte range of the matrix; `None` for the whole
-/// text.
+/// Byte ranges of the entries, row by row, and the byte range of the matrix; `None` if the matrix is the whole text.
 type Found = (Vec<Vec<Range<usize>>>, Option<Range<usize>>);
 
-/// Finds the entries of a LaTeX environment such as bmatrix or array.
-/// Returns their byte ranges and that of the environment. The error is the reason why it is not
-/// read.
+/// Finds the entries of a LaTeX environment such as bmatrix or array. Returns the byte ranges of the entries and of the
+/// environment. The error is the reason why it is not read.
 fn latex_matrix_cells(text: &str) -> Result<Found, &'static str> {
     let no_end = "the matrix has no `\\end{…}`";
     let begin = text
@@ -181,7 +175,7 @@ fn latex_matrix_cells(text: &str) -> Result<Found, &'static str> {
                 from = at;
                 continue;
             }
-            // An escaped character, such as \&, separates nothing.
+            // An escaped character, such as \&, is no separator.
             b'\\' => {
                 at += 1 + rest[1..].chars().next().map_or(0, char::len_utf8);
                 continue;
@@ -194,7 +188,7 @@ fn latex_matrix_cells(text: &str) -> Result<Found, &'static str> {
         }
         at += step;
     }
-    // A \\ behind the last row begins no further row.
+    // A \\ after the last row begins no further row.
     let is_open_row = rows.last().is_some_and(Vec::is_empty) && text[from..end].trim().is_empty();
     if is_open_row && rows.len() > 1 {
         rows.pop();
@@ -205,10 +199,8 @@ fn latex_matrix_cells(text: &str) -> Result<Found, &'static str> {
     Ok((rows, Some(begin..whole_end)))
 }
 
-/// Finds the entries of `[a, b; c, d]`, `[a b; c d]` or `[[a, b], [c, d]]`, with any text in front,
-/// such as `np.array(`.
-/// Returns their byte ranges and that of the brackets. The error is the reason why they are not
-/// read.
+/// Finds the entries of `[a, b; c, d]`, `[a b; c d]` or `[[a, b], [c, d]]`, after any text such as `np.array(`. Returns
+/// the byte ranges of the entries and of the brackets. The error is the reason why they are not read.
 fn bracket_matrix_cells(text: &str) -> Result<Found, &'static str> {
     if let Some(rows) = stacked_matrix_cells(text) {
         return rows.map(|rows| (rows, None));
@@ -252,8 +244,7 @@ fn stacked_matrix_cells(text: &str) -> Option<Result<Vec<Vec<Range<usize>>>, &'s
         let start = range.start + part.len() - part.trim_start().len();
         start..start + part.trim().len()
     };
-    // Name and arguments of the call that a range consists of; names of modules in front are
-    // skipped.
+    // Name and arguments of the call in a range. Names of modules before the function are skipped.
     let call = |range: Range<usize>| {
         let range = trimmed(range);
         let (at, name) = names.iter().filter_map(|name| Some((text[range.clone()].find(name)?, *name))).min()?;
@@ -282,7 +273,7 @@ fn stacked_matrix_cells(text: &str) -> Option<Result<Vec<Vec<Range<usize>>>, &'s
     Some(Ok((0..height).map(|row| lists.iter().map(|column| column[row].clone()).collect()).collect()))
 }
 
-/// Byte ranges of the entries of one row: separated by commas, else by spaces as MATLAB reads them.
+/// Byte ranges of the entries of one row. Entries are separated by commas, or else by spaces as in MATLAB.
 fn row_cells(text: &str, row: Range<usize>) -> Vec<Range<usize>> {
     let by_comma: Vec<Range<usize>> = split_matrix_outside_brackets(text, row.clone(), |c| c == ',')
         .into_iter()
@@ -291,7 +282,7 @@ fn row_cells(text: &str, row: Range<usize>) -> Vec<Range<usize>> {
     if by_comma.len() > 1 {
         return by_comma;
     }
-    // `a -b` is two entries, `a - b` and `a-b` are one.
+    // As in MATLAB, `a -b` is two entries, but `a - b` and `a-b` are one.
     let mut cells: Vec<Range<usize>> = Vec::new();
     for word in
         split_matrix_outside_brackets(text, row, char::is_whitespace).into_iter().filter(|word| !word.is_empty())
@@ -309,8 +300,8 @@ fn row_cells(text: &str, row: Range<usize>) -> Vec<Range<usize>> {
     cells
 }
 
-/// Splits a range of the text of a matrix at the separators that stand outside of all parentheses
-/// and brackets, and returns the byte ranges of the parts.
+/// Splits a range of the text of a matrix at the separators outside of all parentheses and brackets. Returns the byte
+/// ranges of the parts.
 fn split_matrix_outside_brackets(text: &str, range: Range<usize>, is_mark: impl Fn(char) -> bool) -> Vec<Range<usize>> {
     let (mut parts, mut depth, mut from) = (Vec::new(), 0_usize, range.start);
     for (at, c) in text[range.clone()].char_indices() {

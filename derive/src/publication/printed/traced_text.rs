@@ -1,4 +1,4 @@
-//! Text assembled from parts of an author's file, in which every byte keeps its place in the file.
+//! Text that is assembled from parts of an author's file. Every byte keeps its place in the file.
 
 use std::ops::Range;
 
@@ -28,24 +28,24 @@ impl TracedError {
     }
 }
 
-/// Byte position as a 32-bit number; files are far smaller than 4 GiB.
+/// Byte position as a 32-bit number, which is enough since files are far smaller than 4 GiB.
 fn traced_place(at: usize) -> u32 {
     u32::try_from(at).unwrap_or(u32::MAX)
 }
 
 impl TracedText {
-    /// Text that begins at byte `start` of the author's file.
+    /// Creates the text `text`, which begins at byte `start` of the author's file.
     pub fn text_at_place(text: &str, start: usize) -> Self {
         let places = (start..start + text.len()).map(|at| (traced_place(at), traced_place(at + 1))).collect();
         Self { text: text.to_owned(), places }
     }
 
-    /// Text whose every byte comes from the same byte range of the author's file.
+    /// Creates a text in which every byte has the same place, a byte range in the author's file.
     pub fn from_place(text: &str, place: &Range<usize>) -> Self {
         Self { text: text.to_owned(), places: vec![(traced_place(place.start), traced_place(place.end)); text.len()] }
     }
 
-    /// Appends a text whose every byte comes from the byte range `place` of the author's file.
+    /// Appends a text in which every byte has the place `place`, a byte range in the author's file.
     pub fn push_with_place(&mut self, text: &str, place: &Range<usize>) {
         self.text.push_str(text);
         self.places.extend(std::iter::repeat_n((traced_place(place.start), traced_place(place.end)), text.len()));
@@ -62,7 +62,7 @@ impl TracedText {
         Self { text: self.text[range.clone()].to_owned(), places: self.places[range].to_vec() }
     }
 
-    /// Byte range in the author's file of a part of the text; the nearest byte for an empty part.
+    /// Byte range in the author's file of a part of the text. For an empty part, the range of the nearest byte.
     pub fn place_of_part(&self, range: Range<usize>) -> Range<usize> {
         let last = self.places.len();
         let inside = &self.places[range.start.min(last)..range.end.min(last).max(range.start.min(last))];
@@ -72,8 +72,7 @@ impl TracedText {
         bounds.0 as usize..bounds.1 as usize
     }
 
-    /// Text in one line: every run of spaces and line breaks becomes one space, and both ends are
-    /// trimmed.
+    /// Text in a single line: every run of spaces and line breaks becomes one space, and both ends are trimmed.
     pub fn in_one_line(&self) -> Self {
         let mut line = Self::default();
         for (at, c) in self.text.char_indices() {

@@ -1,8 +1,7 @@
 //! Reading of the matrix C of M(q) q̈ + C(q, q̇) q̇ + g(q) = τ as entries that can be judged.
 //!
-//! C is not unique. So each row is judged by its product with q̇. Two claims about C can be judged
-//! in addition: that C is the choice by Christoffel symbols, and that Ṁ − 2 C is skew-symmetric, so
-//! that C + Cᵀ = Ṁ.
+//! C is not unique. Each row is therefore judged by its product with q̇. Two claims about C can be judged, too: that C
+//! is the choice by Christoffel symbols, and that Ṁ − 2 C is skew-symmetric, so that C + Cᵀ = Ṁ.
 
 use crate::algebra::Expr;
 use crate::diagnostic::{nearest_name_advice, shortened_for_message};
@@ -13,15 +12,15 @@ use crate::publication::entries::EntryTable;
 use crate::publication::publication_reader::PublicationReader;
 use crate::toml_reader::Located;
 
-/// Words for claims about the matrix C that a publication may state.
+/// Names of the claims about the matrix C that a publication may make.
 const CLAIMS: [&str; 2] = ["christoffel", "skew-symmetric"];
 
 /// Entry of a printed matrix: its value as a term, and its printed text.
 pub type Cell = (Expr, String);
 
 impl<'a> PublicationReader<'a, '_> {
-    /// Entries by which a printed matrix C is judged, each with the suffix of its id.
-    /// Reports an error and returns `None` unless C has one row and one column for each coordinate.
+    /// Entries with which a printed matrix C is judged, each with the suffix of its id. Reports an error and returns
+    /// `None` unless C has one row and one column for each coordinate.
     pub fn coriolis_entries(
         &mut self,
         item: &EntryTable<'a>,
@@ -73,13 +72,12 @@ impl<'a> PublicationReader<'a, '_> {
         Some(list)
     }
 
-    /// Equation that states the printed value of a quantity.
+    /// Creates an equation entry with the printed value of a quantity.
     fn coriolis_component(&self, kind: QuantityKind, printed: Expr, text: String) -> EntryKind {
         EntryKind::Equation { quantity: Quantity::new(kind, self.model), printed, text }
     }
 
-    /// Reads the claims about C that an entry states under `claims`; reports an unknown claim and
-    /// returns `None`.
+    /// Reads the claims about C under the key `claims` of an entry. Reports an unknown claim and returns `None`.
     fn coriolis_claims(&mut self, item: &EntryTable<'a>) -> Option<Vec<&'static str>> {
         let Some(value) = self.reader.get(item.table, "claims") else { return Some(Vec::new()) };
         let array = self.require_array(value, "`claims`", "claims = [\"skew-symmetric\"]")?;

@@ -1,4 +1,4 @@
-//! Reading of printed systems of equations, of Coriolis matrices, and the text of rows.
+//! Reading of printed systems of equations and of Coriolis matrices, and assembly of the text of rows.
 
 pub(super) mod coriolis_matrix;
 pub(super) mod printed_system;

@@ -1,4 +1,4 @@
-//! Printed linear systems, and the reading of them, stated as a matrix or as equations of motion.
+//! Printed linear systems, and their reading. A system is printed as a matrix or as equations of motion.
 
 use super::row_text::system_row_text;
 use crate::algebra::solve::linear::{LinearForm, linear_row_term};
@@ -28,7 +28,7 @@ pub(in crate::publication) type Matrix = (Vec<Vec<Expr>>, Vec<Vec<String>>);
 /// Requirements for a printed matrix: its width, and the symbols that its entries must not contain.
 #[derive(Clone, Copy)]
 pub(in crate::publication) struct MatrixRequirements<'a> {
-    /// Number of entries in each row; `None` if any common number is allowed.
+    /// Number of entries in each row; `None` if rows of any equal length are allowed.
     pub(in crate::publication) columns: Option<usize>,
     /// Help text for an error in the number of columns.
     pub(in crate::publication) help: &'a str,
@@ -38,15 +38,14 @@ pub(in crate::publication) struct MatrixRequirements<'a> {
     pub(in crate::publication) notation: Notation,
 }
 
-/// Printed linear system, matrix · unknowns = right, with any number of rows and one column for
-/// each unknown.
+/// Printed linear system, matrix · unknowns = right, with any number of rows, and one column for each unknown.
 #[derive(Clone, Debug)]
 pub struct System {
-    /// Formulation whose derived system the printed system is compared with.
+    /// Formulation whose derived system is compared with the printed system.
     pub formulation: Formulation,
     /// Index of the frame of the components of a Newton–Euler system; `None` for other systems.
     pub frame: Option<usize>,
-    /// Unknowns of the system, each once: u̇ for Kane, q̈ for Lagrange, u̇ and reactions for Newton–Euler.
+    /// Unknowns of the system, each once. They are u̇ for Kane, q̈ for Lagrange, u̇ and reactions for Newton–Euler.
     pub unknowns: Vec<Expr>,
     /// Names of the unknowns, in the order of `unknowns`.
     pub unknown_names: Vec<String>,
@@ -62,11 +61,10 @@ pub struct System {
     pub row_texts: Option<Vec<String>>,
     /// True if the system is a single printed equation, whose row has the id of the entry.
     pub is_single: bool,
-    /// Template for the ids of matrix entries, with `{i}` for the row and `{j}` for the column;
-    /// `None` if entries have no ids.
+    /// Template for the ids of matrix entries, with `{i}` for the row and `{j}` for the column. `None` if matrix
+    /// entries have no ids.
     pub matrix_ids: Option<String>,
-    /// Template for the ids of right-hand sides, with `{i}` for the row; `None` if right-hand sides
-    /// have no ids.
+    /// Template for the ids of right-hand sides, with `{i}` for the row. `None` if right-hand sides have no ids.
     pub right_ids: Option<String>,
 }
 
@@ -77,7 +75,7 @@ impl System {
         if self.is_single { id.to_owned() } else { format!("{id}-row{}", row + 1) }
     }
 
-    /// Id of the matrix entry in `row` and `column`, from 0; `None` if matrix entries have no ids.
+    /// Id of the matrix entry in `row` and `column`, both from 0; `None` if matrix entries have no ids.
     #[must_use]
     pub fn matrix_id(&self, row: usize, column: usize) -> Option<String> {
         let template = self.matrix_ids.as_ref()?;
@@ -102,9 +100,8 @@ impl System {
 }
 
 impl<'a> PublicationReader<'a, '_> {
-    /// Reads an entry `[[system]]`: a linear system matrix · unknowns = right, or equations linear
-    /// in the unknowns.
-    /// Returns `None` if an error is reported.
+    /// Reads an entry `[[system]]`: a linear system matrix · unknowns = right, or equations that are linear in the
+    /// unknowns. Returns `None` if an error is reported.
     pub fn read_system(&mut self, item: &EntryTable<'a>) -> Option<System> {
         let keys = ["equations", "label", "labels"];
         if keys.iter().any(|key| self.reader.get(item.table, key).is_some()) {
@@ -163,8 +160,8 @@ impl<'a> PublicationReader<'a, '_> {
         Some(self.move_unknowns_to_matrix(system, item))
     }
 
-    /// Moves the unknowns in the right-hand sides of a system to its matrix.
-    /// Accelerations of the publication's own coordinates are expressed in those of the model.
+    /// Moves unknowns from the right-hand sides of a system to its matrix. Accelerations of the publication's own
+    /// coordinates are expressed in those of the model.
     fn move_unknowns_to_matrix(&mut self, system: System, item: &EntryTable<'a>) -> System {
         let arena = &mut self.model.arena;
         let parts = arena.reachable(&system.right);
@@ -193,8 +190,8 @@ impl<'a> PublicationReader<'a, '_> {
         System { unknowns, unknown_names: names, matrix, right: rests, row_texts, matrix_ids: None, ..system }
     }
 
-    /// Reads a system that is printed as equations, each linear in accelerations and reactions.
-    /// Returns `None` if an error is reported.
+    /// Reads a system that is printed as equations. Each must be linear in accelerations and reactions. Returns `None`
+    /// if an error is reported.
     fn system_of_equations(&mut self, item: &EntryTable<'a>) -> Option<System> {
         for key in ["matrix", "right", "matrix_ids", "right_ids"] {
             if let Some(value) = self.reader.get(item.table, key) {
@@ -217,9 +214,8 @@ impl<'a> PublicationReader<'a, '_> {
         Some(self.system_of_residuals(formulation?, frame.ok()?, residuals))
     }
 
-    /// Equations of a system: those under `equations`, or those that labels in a file name.
-    /// A single `label` means all equations of the LaTeX environment that contains the label.
-    /// `None` if an error is reported.
+    /// Equations of a system: the equations under the key `equations`, or labelled equations of a file. A single
+    /// `label` means all equations of the LaTeX environment that contains the label. `None` if an error is reported.
     fn read_system_equations(&mut self, item: &EntryTable<'a>) -> Option<Vec<Located>> {
         let stated: Vec<&str> =
             ["equations", "label", "labels"].into_iter().filter(|k| self.reader.get(item.table, k).is_some()).collect();
@@ -245,9 +241,8 @@ impl<'a> PublicationReader<'a, '_> {
         list.into_iter().collect()
     }
 
-    /// Checks the `unknowns` stated with equations: they belong to the formulation, and the
-    /// equations contain no others.
-    /// Reports an error and returns `None` if the check fails.
+    /// Checks the `unknowns` that are given with equations: they must belong to the formulation, and the equations must
+    /// contain no others. Reports an error and returns `None` if the check fails.
     fn check_system_unknowns(
         &mut self,
         item: &EntryTable<'a>,
@@ -275,10 +270,8 @@ impl<'a> PublicationReader<'a, '_> {
         Some(())
     }
 
-    /// Reads an equation of motion `left = right`, or a formula that is zero, as a system with one
-    /// row.
-    /// Without a stated formulation, the unknowns in the equation decide the formulation. `None` if
-    /// an error is reported.
+    /// Reads an equation of motion `left = right`, or a formula that is zero, as a system with one row. If the entry
+    /// gives no formulation, the unknowns in the equation determine it. `None` if an error is reported.
     pub fn system_of_motion_equation(&mut self, item: &EntryTable<'a>, formula: &Located) -> Option<System> {
         let residual = self.system_row_residual(formula, item.notation)?;
         let formulation = match self.reader.get(item.table, "formulation") {
@@ -298,7 +291,8 @@ impl<'a> PublicationReader<'a, '_> {
         found.or(multiplier.map(|symbol| (Formulation::Lagrange, symbol)))
     }
 
-    /// Reads a printed value of a reaction or a multiplier as the equation value − symbol = 0.
+    /// Reads a printed value of a reaction or a multiplier as the equation value − symbol = 0, a system with one row.
+    /// `None` if an error is reported.
     pub fn value_of_unknown(
         &mut self,
         item: &EntryTable<'a>,
@@ -307,16 +301,14 @@ impl<'a> PublicationReader<'a, '_> {
     ) -> Option<System> {
         let (formulation, symbol) = unknown;
         let right = self.formula(value, item.notation)?;
-        // Value − symbol: signs in the description of a mistake are then the signs of the printed
-        // value.
+        // With value − symbol, the signs in the description of a mistake are those of the printed value.
         let residual = self.model.arena.sub(right, symbol);
         self.words.shorthand.record_difference(&self.model.arena, residual, right, symbol);
         self.single_row(item, formulation, residual, value.text.clone())
     }
 
-    /// System of one equation residual = 0.
-    /// Components need a frame only if the equation has several unknowns: an equation for one
-    /// unknown is the same in all frames.
+    /// Creates the system of one equation residual = 0. Components need a frame only if the equation has several
+    /// unknowns: an equation for one unknown is the same in all frames. `None` if an error is reported.
     fn single_row(
         &mut self,
         item: &EntryTable<'a>,
@@ -336,8 +328,7 @@ impl<'a> PublicationReader<'a, '_> {
         Some(System { is_single: true, ..system })
     }
 
-    /// Formulation whose unknowns an equation mentions: Newton–Euler for reactions, Kane for u̇,
-    /// else Lagrange.
+    /// Formulation that fits the unknowns in an equation: Newton–Euler for reactions, Kane for u̇, else Lagrange.
     fn formulation_of(&self, residual: Expr) -> Formulation {
         let parts = self.model.arena.reachable(&[residual]);
         let mentions = |symbol: Expr| parts.binary_search(&symbol).is_ok();
@@ -350,8 +341,8 @@ impl<'a> PublicationReader<'a, '_> {
         }
     }
 
-    /// Difference left − right of an equation; the whole formula if it has no `=`.
-    /// Reports a second `=` and returns `None`.
+    /// Difference left − right of an equation, or the whole formula if it has no `=`. Reports a second `=` and returns
+    /// `None`.
     fn system_row_residual(&mut self, formula: &Located, notation: Notation) -> Option<Expr> {
         let mut places = formula.text.match_indices('=').map(|(at, _)| at);
         let (first, second) = (places.next(), places.next());
@@ -374,9 +365,8 @@ impl<'a> PublicationReader<'a, '_> {
         Some(residual)
     }
 
-    /// Builds a system from equations residual = 0, each with its printed text.
-    /// `frame` is the index of the frame for components; `None` for formulations without
-    /// components.
+    /// Builds a system from equations residual = 0, each with its printed text. `frame` is the index of the frame for
+    /// components; `None` for formulations without components.
     fn system_of_residuals(
         &mut self,
         formulation: Formulation,
@@ -411,7 +401,7 @@ impl<'a> PublicationReader<'a, '_> {
         }
     }
 
-    /// Formulation that an entry states; reports an unknown name and returns `None`.
+    /// Reads the formulation of an entry. Reports an unknown name and returns `None`.
     pub(in crate::publication) fn read_system_formulation(&mut self, item: &EntryTable<'a>) -> Option<Formulation> {
         let name = self.required_entry_text(item, "formulation")?;
         let standard = Formulation::STANDARD;
@@ -427,9 +417,8 @@ impl<'a> PublicationReader<'a, '_> {
         found
     }
 
-    /// Index of the frame in which a Newton–Euler system has its components; `None` for systems of
-    /// other formulations.
-    /// The error means that an unsuitable frame is reported.
+    /// Reads the index of the frame for the components of a Newton–Euler system; `None` for systems of other
+    /// formulations. The error means that an unsuitable frame has been reported.
     fn read_system_frame(
         &mut self,
         item: &EntryTable<'a>,
@@ -454,10 +443,8 @@ impl<'a> PublicationReader<'a, '_> {
         found.map(Some).ok_or(ReportedError)
     }
 
-    /// Reads a list of at least one name out of `known`, each at most once; returns their symbols
-    /// and names.
-    /// Reports an error and returns `None` for an unknown or repeated name. `what` describes the
-    /// names in messages.
+    /// Reads a list of names from `known`: at least one, and each at most once. Returns their symbols and names.
+    /// Reports an unknown or repeated name and returns `None`. `what` describes the names in messages.
     pub(in crate::publication) fn read_names_from_list(
         &mut self,
         array: &'a [Spanned<DeValue<'a>>],
@@ -496,7 +483,7 @@ impl<'a> PublicationReader<'a, '_> {
         complete.then(|| found.into_iter().map(|(e, name)| (e, name.text)).unzip())
     }
 
-    /// Reads formulas that must not contain any of the `unknowns`; `None` if an error is reported.
+    /// Reads formulas, which must not contain any of the `unknowns`; `None` if an error is reported.
     pub(in crate::publication) fn read_system_formulas(
         &mut self,
         array: &'a [Spanned<DeValue<'a>>],
@@ -510,13 +497,13 @@ impl<'a> PublicationReader<'a, '_> {
             self.report_unknown_in_system(e, &formula, what, unknowns)?;
             Some((e, formula.text))
         });
-        // All formulas are read, so that all errors are reported.
+        // All formulas are read before the first error ends the reading, so that all errors are reported.
         let read: Vec<Option<_>> = read.collect();
         read.into_iter().collect::<Option<Vec<_>>>().map(|list| list.into_iter().unzip())
     }
 
-    /// Reports a formula that contains an unknown of its system, and returns `None`.
-    /// A system matrix · unknowns = right must be linear as printed.
+    /// Reports a formula that contains an unknown of its system, and returns `None`. A system matrix · unknowns = right
+    /// must be linear as printed.
     fn report_unknown_in_system(&mut self, e: Expr, formula: &Located, what: &str, unknowns: &[Expr]) -> Option<()> {
         let arena = &self.model.arena;
         let parts = arena.reachable(&[e]);
@@ -529,7 +516,7 @@ impl<'a> PublicationReader<'a, '_> {
         None
     }
 
-    /// Reads a matrix whose rows have equal numbers of formulas; `None` if an error is reported.
+    /// Reads a matrix whose rows have the same number of formulas; `None` if an error is reported.
     pub(in crate::publication) fn read_system_matrix(
         &mut self,
         array: &'a [Spanned<DeValue<'a>>],
@@ -559,9 +546,8 @@ impl<'a> PublicationReader<'a, '_> {
         rows.into_iter().collect::<Option<Vec<_>>>().map(|rows| rows.into_iter().unzip())
     }
 
-    /// Reads a template for ids, in which marks stand for the row and column; `None` if the key is
-    /// absent.
-    /// The error means that an unsuitable template is reported.
+    /// Reads a template for ids, which contains marks for the row and the column. `None` if the key is absent. The
+    /// error means that an unsuitable template has been reported.
     fn read_system_id_template(
         &mut self,
         item: &EntryTable<'a>,
@@ -579,9 +565,8 @@ impl<'a> PublicationReader<'a, '_> {
     }
 }
 
-/// Coefficients of the unknowns in an equation, and its remainder without unknowns.
-/// If the equation is not linear in the unknowns, all coefficients are 0 and the remainder is the
-/// whole equation. It is then judged as printed.
+/// Coefficients of the unknowns in an equation, and its remainder without unknowns. If the equation is not linear in
+/// the unknowns, all coefficients are 0 and the remainder is the whole equation. It is then judged as printed.
 fn system_row_coefficients(form: &mut LinearForm, arena: &mut Arena, equation: Expr) -> (Vec<Expr>, Expr) {
     match form.coefficients(arena, equation) {
         Ok(found) => found,

@@ -3,8 +3,7 @@
 use crate::algebra::text::notation::Notation;
 use crate::algebra::text::print::latex_name;
 
-/// Text `a·x + b·y = c` of a row of a linear system, in the row's notation, without terms whose
-/// entry is "0".
+/// Text `a·x + b·y = c` of a row of a linear system, in the notation of the row. Terms whose entry is "0" are left out.
 pub fn system_row_text(entries: &[String], unknowns: &[String], right: &str, notation: Notation) -> String {
     let is_latex = notation == Notation::Latex;
     let (times, open, close) = if is_latex { (" ", "\\left(", "\\right)") } else { ("*", "(", ")") };
