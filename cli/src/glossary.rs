@@ -1,6 +1,6 @@
-//! Glossary of a document: definitions of the names in its formulas.
+//! Glossary of a document: definitions of the names in the document's formulas.
 //!
-//! Invariant: a document contains no name that it does not define.
+//! Invariant: a document defines every name that it contains.
 
 use crate::phrases::NAMED_TERMS_HEADING;
 use serde_json::{Map, Value, json};
@@ -9,8 +9,8 @@ use tripos_derive::algebra::text::definitions::definitions_shown;
 use tripos_derive::algebra::text::print::{print_text, print_whole_text};
 use tripos_derive::algebra::{Arena, Expr};
 
-/// Returns a paragraph that defines every name in the formulas `shown`, each line by names of
-/// earlier lines. Empty if the formulas contain no names.
+/// Returns a paragraph that defines every name in the formulas `shown`. Each line uses only names of earlier lines.
+/// Empty if the formulas contain no names.
 pub fn glossary_text(arena: &Arena, shown: &[Expr]) -> String {
     let names = definitions_shown(arena, shown);
     if names.is_empty() {

@@ -2,8 +2,8 @@
 
 use tripos_derive::plain_text::code_point_text;
 
-/// Escapes a text for the text mode of LaTeX. Characters that its fonts lack are replaced by their
-/// names in brackets.
+/// Escapes a text for the text mode of LaTeX. Characters that LaTeX fonts lack are replaced with their names in
+/// brackets.
 pub fn escape_latex(text: &str) -> String {
     let one = |c: char| match c {
         '\\' => "\\textbackslash{}".to_owned(),

@@ -1,8 +1,8 @@
 //! The commands of the program `tripos`: equations of motion from a model file, derived by several formulations,
 //! compiled and run.
 //!
-//! [`run_program`] is the program itself. [`run_command`] runs a command inside another program, which gets what the
-//! command prints as text. So the Python package has every command.
+//! [`run_program`] is the program itself. [`run_command`] runs a command inside another program and returns the printed
+//! text. The Python package has every command by this function.
 
 mod arguments;
 mod chart;
@@ -38,7 +38,7 @@ use tripos::studies::steady::LinearisationOptions;
 use tripos::studies::work_precision_chart::ChartPlan;
 use tripos_derive::mechanics::RegressorParameters;
 
-/// Runs the command that the command line of this process asks for, and prints its results.
+/// Runs the command in the command line of this process, and prints its results.
 ///
 /// Returns the exit status: 0 done, 1 the answer is "no", 2 bad input, 3 a run that stopped, 130 an interruption.
 #[must_use]
@@ -58,14 +58,14 @@ pub fn run_program() -> ExitCode {
 pub struct CommandOutput {
     /// Exit status: 0 done, 1 the answer is "no", 2 bad input, 3 a run that stopped, 130 an interruption.
     pub status: u8,
-    /// Text that the program prints to standard output: the result.
+    /// Text that the program would print to standard output: the result.
     pub output: String,
-    /// Text that the program prints to standard error: warnings, notes and errors, each a line or more.
+    /// Text that the program would print to standard error: warnings, notes and errors, each on one or more lines.
     pub messages: String,
 }
 
-/// Lock for which the commands of one process wait: they run one after another, since interruption belongs to the
-/// process. A fork of the process has a lock of its own, since no command of the process runs on in it.
+/// Returns the lock that lets the commands of a process run one after another, since an interruption affects the whole
+/// process. A forked process has a lock of its own, since no command of its parent runs in it.
 fn command_lock() -> Arc<Mutex<()>> {
     static LOCK: Mutex<Option<(u32, Arc<Mutex<()>>)>> = Mutex::new(None);
     let process = std::process::id();
@@ -76,10 +76,11 @@ fn command_lock() -> Arc<Mutex<()>> {
     }
 }
 
-/// Runs a command of the program `tripos` with these words, without the name of the program.
+/// Runs a command of the program `tripos`. `words` are the words of its command line, without the name of the program.
 ///
-/// Nothing is printed: text for standard output and standard error is in the result. Signals stay with the caller, who
-/// ends the command from another thread by [`interrupt_command`]. Calls from several threads wait for one another.
+/// Nothing is printed: the result contains the texts for standard output and standard error. Signals are left to the
+/// caller, who can end the command from another thread by [`interrupt_command`]. Calls from several threads run one
+/// after another.
 pub fn run_command(words: impl IntoIterator<Item = OsString>) -> CommandOutput {
     let lock = command_lock();
     let _alone = lock.lock().unwrap_or_else(PoisonError::into_inner);
@@ -93,7 +94,7 @@ pub fn run_command(words: impl IntoIterator<Item = OsString>) -> CommandOutput {
             if error.use_stderr() {
                 print_to_stderr(text.trim_end());
             } else {
-                // The text is kept in memory, where writing does not fail.
+                // The text is kept in memory, so that writing cannot fail.
                 let _ = terminal::failure::print(&text);
             }
             u8::try_from(error.exit_code()).unwrap_or(terminal::failure::status::BAD_INPUT)
@@ -102,7 +103,7 @@ pub fn run_command(words: impl IntoIterator<Item = OsString>) -> CommandOutput {
     CommandOutput { status, output: printed.output, messages: printed.messages }
 }
 
-/// Asks the command that [`run_command`] runs on another thread to end soon and to keep its finished results.
+/// Asks the command that [`run_command`] runs on another thread to end soon. Its finished results are kept.
 pub fn interrupt_command() {
     terminal::interruption::ask_for_interruption();
 }
@@ -114,8 +115,7 @@ fn finish_command(command: Command) -> u8 {
         Ok(status) => status,
         Err(Failure::Hangup) => Failure::Hangup.status(),
         Err(failure) => {
-            // If the user interrupted the command, a failure that follows is reported as an
-            // interruption.
+            // If the user interrupted the command, a failure that follows from this is reported as an interruption.
             let is_own = matches!(failure, Failure::Interrupted(_) | Failure::Output(..));
             let failure = if terminal::interruption::is_interrupted() && !is_own {
                 Failure::Interrupted(String::new())
@@ -124,7 +124,7 @@ fn finish_command(command: Command) -> u8 {
             };
             print_to_stderr(&failure.to_string());
             if is_json {
-                // If standard output is closed, the error cannot be reported there.
+                // If standard output is closed, the error cannot be reported there either.
                 let _ = print_json(&failure.json());
             }
             failure.status()
@@ -132,7 +132,7 @@ fn finish_command(command: Command) -> u8 {
     }
 }
 
-/// Prints the error of the command line as JSON if that was wanted.
+/// Prints the error of the command line as JSON if JSON was requested.
 fn print_json_of_wrong_arguments(error: &clap::Error, words: &[OsString]) {
     let has = |word: &str| words.iter().any(|given| given == word);
     let is_json =
@@ -144,8 +144,7 @@ fn print_json_of_wrong_arguments(error: &clap::Error, words: &[OsString]) {
     }
 }
 
-/// Runs a subcommand. Returns its exit status.
-/// `Err` is the failure of the subcommand.
+/// Runs a subcommand and returns its exit status. `Err` is the failure of the subcommand.
 fn run(command: Command) -> Result<u8, Failure> {
     match command {
         Command::New { folder, like } => commands::new::new(&folder, like.as_deref()),

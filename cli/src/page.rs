@@ -3,10 +3,10 @@
 //! Parts are ordered by importance: an abstract, the motion, the mistakes in print, the runs, then equations, proofs
 //! and derivations. Long parts are folded.
 //!
-//! Invariant: equal input gives equal bytes, except for measured times; every text from a file is escaped; every link
-//! inside the page has a target. Two scripts in the page open the folded target of a link and move the motion; without
-//! them the page has the same content. Absent on purpose: outside resources, which the page's policy forbids, dates and
-//! paths of the machine. Links out of the page lead only to the tables of measured figures.
+//! Invariant: equal input gives equal bytes, except for measured times. Every text from a file is escaped, and every
+//! link inside the page has a target. Two scripts in the page open the folded target of a link and move the motion;
+//! without scripts the page has the same content. Absent on purpose: outside resources, which the page's policy
+//! forbids, dates, and paths of the machine. Links out of the page lead only to the tables of measured figures.
 
 mod abstract_section;
 mod content;
@@ -75,8 +75,7 @@ fn page_sections(page: &Page) -> String {
     out + &derivations_section(page)
 }
 
-/// Returns the HTML of the scenes. The scene whose motion is shown is open; the other scenes are
-/// folded.
+/// Returns the HTML of the scenes. The scene whose motion is shown is unfolded; the other scenes are folded.
 fn page_scenes_section(page: &Page) -> String {
     if page.scenes.is_empty() {
         return String::new();
@@ -128,7 +127,7 @@ fn page_contents_entry(formulation: Formulation, result: &Result<DerivationInSte
     format!("{}{missing}", link(formulation.name(), &escape(formulation.title())))
 }
 
-/// Returns the HTML of the footer: the command for this page and the hash of the model text.
+/// Returns the HTML of the footer: the command that writes this page, and the hash of the model text.
 fn page_footer(page: &Page) -> String {
     format!(
         "<footer>\n<p>To make this page again: <code>tripos page {}</code>. The equations carry the mark <code>{}</code> of the \

@@ -1,6 +1,6 @@
-//! Phrases, and numbers as text, that commands and the page print.
+//! Phrases, and numbers as text, that are used in commands and on the page.
 
-/// Heading above the definitions of named terms in formulas.
+/// Heading above the definitions of the names in formulas.
 pub const NAMED_TERMS_HEADING: &str = "Terms that stand by a name";
 
 /// Returns a number of entries in words, such as `1 entry`.
@@ -46,7 +46,7 @@ pub fn formula_beginning(formula: &str) -> String {
     cut_formula(formula, 200, "")
 }
 
-/// Cuts a formula after `most` characters and adds its length and the words `where_else`.
+/// Cuts a formula after `most` characters, and appends its length and the words `where_else`.
 fn cut_formula(formula: &str, most: usize, where_else: &str) -> String {
     match formula.char_indices().nth(most) {
         Some((at, _)) => format!("{} … ({} characters{where_else})", &formula[..at], formula.chars().count()),

@@ -1,8 +1,8 @@
-//! Figures as files: SVG as drawn, and PNG and PDF made from it.
+//! Figures as files: the SVG text itself, or PNG and PDF made from it.
 //!
-//! Invariant: a figure is the same on any machine. The letters in PNG and PDF come from the fonts
-//! in `cli/fonts`, never from those of the system. PNG and PDF need the feature `pictures`, because
-//! their libraries add a third to the compile time.
+//! Invariant: a figure is the same on every machine. The letters in PNG and PDF come from the fonts in `cli/fonts`,
+//! never from fonts of the system. PNG and PDF need the feature `pictures`, because their libraries increase the
+//! compile time by a third.
 
 #[cfg(feature = "pictures")]
 mod png_and_pdf;
@@ -36,12 +36,10 @@ pub enum PictureFormat {
     Pdf,
 }
 
-/// Returns the file format of a figure, by the extension of its file name. `more` completes the
-/// help of the error.
+/// Returns the file format of a figure, by the extension of its file name. `more` is appended to the help of the error.
 ///
 /// # Errors
-/// [`Failure::Refused`] for an unknown extension, and for a format that this program was built
-/// without.
+/// [`Failure::Refused`] for an unknown extension, and for a format that is not built into this program.
 pub fn picture_format(path: &Path, more: &str) -> Result<PictureFormat, Failure> {
     let kind = match path.extension().and_then(|ending| ending.to_str()) {
         Some("svg") => PictureFormat::Svg,
@@ -91,7 +89,7 @@ fn write_converted_picture(path: &Path, _: PictureFormat, _: &str, _: u32) -> Re
     Err(missing_format_failure(path))
 }
 
-/// Returns the failure for a file format that this program was built without.
+/// Returns the failure for a file format that is not built into this program.
 fn missing_format_failure(path: &Path) -> Failure {
     let what = format!("`{}` is a kind of figure that this program was built without", path_as_plain_text(path));
     let help = "give a file that ends in .svg, or build with `--features pictures`";

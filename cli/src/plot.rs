@@ -1,8 +1,8 @@
 //! Line charts and heat maps as inline SVG.
 //!
-//! Lengths are pixels of a figure that is 1000 wide. The canvas has several units per pixel,
-//! because plotters places everything at whole numbers. Invariant: equal panels give equal bytes.
-//! Logarithmic axes are for absolute values. A drift with a sign is shown on a linear axis.
+//! Lengths are pixels of a figure that is 1000 px wide. The canvas has several units per pixel, because plotters places
+//! everything at whole numbers. Invariant: equal panels give equal bytes. Logarithmic axes show absolute values. A
+//! drift with a sign is shown on a linear axis.
 
 mod axis;
 mod canvas;
@@ -31,11 +31,9 @@ const WIDTH: f64 = 1000.0;
 const GAP: f64 = 22.0;
 /// Height of a line of text in a figure, px.
 const LINE: f64 = 17.0;
-/// Width of an error band, px, that cannot be seen next to its curve. A band that is nowhere wider
-/// is not drawn.
+/// Width, px, up to which an error band is not visible beside its curve. A band that is nowhere wider is not drawn.
 const BAND: f64 = 1.0;
-/// Largest number of names in a legend that all panels share. With more names, each panel has its
-/// own legend.
+/// Largest number of names in a legend that all panels share. If there are more names, each panel has its own legend.
 const MOST_NAMES: usize = 8;
 
 /// Draws panels in a grid of `columns` columns, row by row, as one `<svg>` element. The panels
@@ -52,7 +50,7 @@ pub fn draw(panels: &[Panel], columns: usize) -> Result<String, PlotError> {
     };
     let plots: Vec<PanelLayout> = panels.iter().map(|panel| PanelLayout::new(panel, columns, own(panel))).collect();
     let top = if shared.is_empty() { 0.0 } else { legend_line_count(&shared) * LINE + 10.0 };
-    // All panels have the same left margin, so that the time axes of a column stand under each other.
+    // All panels have the same left margin, so that the time axes of a column are aligned.
     let left = 14.0 + plots.iter().map(|plot| plot.tick_width).fold(0.0, f64::max);
     let column = (WIDTH - GAP * (columns - 1) as f64) / columns as f64;
     let (mut corners, mut y) = (Vec::new(), top);
@@ -110,7 +108,7 @@ fn figure_description(panels: &[Panel]) -> String {
     if shares_names(panels) { of(panels) } else { panels.chunks(1).map(of).collect::<Vec<_>>().join(". ") }
 }
 
-/// True if one legend serves all panels: it is short, and no two names in it have the same look.
+/// True if one legend can serve all panels: it is short, and no look belongs to two names in it.
 fn shares_names(panels: &[Panel]) -> bool {
     let entries = legend_entries(panels, WIDTH);
     let is_clear = |LegendEntry { series, .. }: &LegendEntry| {
@@ -120,7 +118,7 @@ fn shares_names(panels: &[Panel]) -> bool {
     panels.len() == 1 || (entries.len() <= MOST_NAMES && entries.iter().all(is_clear))
 }
 
-/// Returns the number of lines that a legend takes.
+/// Returns the number of text lines in a legend.
 fn legend_line_count(entries: &[LegendEntry<'_>]) -> f64 {
     entries.last().map_or(0.0, |entry| entry.y / LINE + 1.0)
 }
@@ -148,8 +146,8 @@ fn draw_legend(canvas: &Canvas, entries: &[LegendEntry<'_>], corner: (f64, f64))
     Ok(())
 }
 
-/// Returns the entries of a legend `room` px wide: every label once, with its place. New labels of
-/// each panel begin on a new line. A single curve with the name of its panel needs no entry.
+/// Returns the entries of a legend that is `room` px wide: every label once, with its place. New labels of each panel
+/// begin on a new line. A single curve with the name of its panel needs no entry.
 fn legend_entries(panels: &[Panel], room: f64) -> Vec<LegendEntry<'_>> {
     let mut entries: Vec<LegendEntry> = Vec::new();
     let (mut x, mut y) = (0.0, 0.0);
@@ -196,8 +194,8 @@ struct PanelLayout<'a> {
 }
 
 impl<'a> PanelLayout<'a> {
-    /// Chooses the axes and texts of a panel in a figure with this number of columns. `names` is
-    /// its own legend.
+    /// Chooses the axes and texts of a panel in a figure with this number of columns. `names` are the entries of the
+    /// panel's own legend.
     fn new(panel: &'a Panel, columns: usize, names: Vec<LegendEntry<'a>>) -> Self {
         let points = || panel.series.iter().flat_map(|s| &s.points).filter(|p| panel.shows(**p));
         let per_axis = if columns == 1 { 10.0 } else { 5.0 };
@@ -218,7 +216,7 @@ impl<'a> PanelLayout<'a> {
         }
         let foot = panel.note.as_ref().map_or(Vec::new(), |note| wrap_plot_note(note, WIDTH / columns as f64 - 90.0));
         let tick_width = y.ticks.iter().map(|(_, text)| plot_text_width(text)).fold(0.0, f64::max);
-        // With two logarithmic axes, slopes matter. Therefore such a panel is higher.
+        // On two logarithmic axes the slopes of curves matter, so that such a panel is higher.
         let height = if columns == 1 || panel.x_scale == Scale::Logarithmic { 300.0 } else { 150.0 };
         Self { panel, x, y, head, names, foot, tick_width, height }
     }
@@ -313,8 +311,7 @@ fn wrap_plot_note(text: &str, width: f64) -> Vec<String> {
     lines
 }
 
-/// Returns the estimated width of a text in px. The estimate is a little too wide, because the font
-/// is not known.
+/// Returns the estimated width of a text in px. The estimate is slightly too large, because the font is not known.
 fn plot_text_width(text: &str) -> f64 {
     7.0 * text.chars().count() as f64
 }

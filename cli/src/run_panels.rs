@@ -10,14 +10,14 @@ use tripos_derive::plain_text::with_significant_digits;
 use tripos_derive::scene::{ENERGIES, Scene, SceneOutput};
 use tripos_sim::Stop;
 
-/// Curves of one run in the figures: the run, its watched quantities, and the look of the curves.
+/// Curves of one run in the figures: the run, its watched quantities, and the style of the curves.
 #[derive(Clone)]
 pub struct RunCurves<'a> {
     /// Run of a scene that the curves show.
     pub run: &'a Run,
     /// Quantities watched along the run, such as first integrals and determinants.
     pub course: &'a InvariantValues,
-    /// Number that selects colour, dashes and marker; the same in every figure.
+    /// Style number that selects colour, dashes and marker; the same in every figure.
     pub style: usize,
     /// Label of the run in the legend of a figure.
     pub label: String,
@@ -26,8 +26,7 @@ pub struct RunCurves<'a> {
 }
 
 impl<'a> RunCurves<'a> {
-    /// Returns the curves of a run. The label of wrong printed equations states that they are
-    /// wrong.
+    /// Creates the curves of a run. If the run is by wrong printed equations, the label says so.
     pub fn new(run: &'a Run, course: &'a InvariantValues, style: usize, standing: &'a Standing) -> Self {
         let label = match run.by.printed_id() {
             Some(id) if *standing == Standing::Wrong => format!("printed {id} (wrong)"),
@@ -37,7 +36,7 @@ impl<'a> RunCurves<'a> {
         Self { run, course, style, label, standing }
     }
 
-    /// True if two runs show equal numbers, and either both or neither are by wrong equations.
+    /// True if two runs show equal numbers, and both or neither are by wrong equations.
     fn shows_the_same(&self, other: &Self) -> bool {
         let (own, its) = (self.run, other.run);
         (*self.standing == Standing::Wrong) == (*other.standing == Standing::Wrong)
@@ -51,8 +50,7 @@ impl<'a> RunCurves<'a> {
         Series::curve(self.label.clone(), self.style, points)
     }
 
-    /// Returns the series of the run's value with index `which`, with a band of its estimated
-    /// error.
+    /// Returns the series of the run's value with index `which`, with a band for its estimated error.
     fn with_band(&self, values: impl IntoIterator<Item = f64>, which: usize) -> Series {
         let mut series = self.series(values);
         if let (Some(digits), false) = (&self.run.digits, *self.standing == Standing::Wrong) {
@@ -67,7 +65,7 @@ impl<'a> RunCurves<'a> {
     }
 }
 
-/// Merges curves with equal numbers into one curve, whose label has all their names.
+/// Merges curves with equal numbers into one curve, whose label contains all their names.
 pub fn merge_equal_curves(curves: Vec<RunCurves>) -> Vec<RunCurves> {
     let mut list: Vec<RunCurves> = Vec::new();
     for curve in curves {
@@ -79,8 +77,7 @@ pub fn merge_equal_curves(curves: Vec<RunCurves>) -> Vec<RunCurves> {
     list
 }
 
-/// Returns sentences about the runs in a figure: which are shown, wrong, stopped, or loosely
-/// integrated.
+/// Returns sentences about the runs in a figure: the shown, the wrong, the stopped and the loosely integrated runs.
 pub fn run_figure_sentences(curves: &[RunCurves]) -> String {
     let names = |of: &dyn Fn(&Standing) -> bool| {
         let some = curves.iter().filter(|curve| of(curve.standing));
@@ -98,10 +95,10 @@ pub fn run_figure_sentences(curves: &[RunCurves]) -> String {
     out + &loose_runs_sentence(curves) + band_sentence(curves)
 }
 
-/// Number of correct digits below which errors can be seen in a figure.
+/// Number of correct digits below which errors are visible in a figure.
 const SEEN: f64 = 2.5;
 
-/// Returns the sentence about shaded error bands. Empty if no band is wide enough to be seen.
+/// Returns the sentence about shaded error bands. Empty if no band is wide enough to be visible.
 fn band_sentence(curves: &[RunCurves]) -> &'static str {
     let right = curves.iter().filter(|curve| *curve.standing != Standing::Wrong);
     let mut fewest = right.filter_map(|curve| curve.run.digits.as_ref()?.fewest_of_all());
@@ -109,8 +106,8 @@ fn band_sentence(curves: &[RunCurves]) -> &'static str {
     if is_seen { " Shaded: between which values the true ones lie, as far as a second run tells." } else { "" }
 }
 
-/// Returns the sentence about right equations that were loosely integrated, with their errors.
-/// Empty if there are none.
+/// Returns the sentence about runs of right equations that were loosely integrated, with their errors. Empty if there
+/// are none.
 fn loose_runs_sentence(curves: &[RunCurves]) -> String {
     let mut how = "";
     let mut list = Vec::new();
@@ -153,8 +150,8 @@ pub fn energy_panel(curves: &[RunCurves]) -> Panel {
     }
 }
 
-/// Returns a panel for each of the scene's outputs, with a curve for each run. Each curve comes
-/// with its output values at each sample.
+/// Returns a panel for each of the scene's outputs, with a curve for each run. `curves` has the output values of each
+/// run at each sample.
 pub fn outputs(model: &Model, scene: &Scene, curves: &[(RunCurves, Vec<Vec<f64>>)]) -> Vec<Panel> {
     let unit = |output: &SceneOutput| match model.unit_label(&model.arena, output.value) {
         Some(unit) => unit,
@@ -171,8 +168,8 @@ pub fn outputs(model: &Model, scene: &Scene, curves: &[(RunCurves, Vec<Vec<f64>>
             .iter()
             .map(|(curve, values)| {
                 let values = values.iter().map(|sample| sample[at]);
-                // Errors are known only for values that a run records itself. Runs by full
-                // equations record states, not outputs.
+                // Errors are known only for values that a run itself records. Runs by the whole equations record
+                // states, not outputs.
                 if curve.run.by.is_reduced() { curve.with_band(values, at) } else { curve.series(values) }
             })
             .filter(|series| series.points.iter().any(|(_, y)| y.is_finite()))
@@ -208,7 +205,7 @@ pub fn integrals(watch: &WatchedInvariants, curves: &[RunCurves]) -> Vec<Panel> 
     let panel = |(at, integral): (usize, &ConservedQuantity)| {
         let (least, most) = change_range(curves, at);
         let symbol = format!("I{}", at + 1);
-        // The first sample is left out: the others are compared with it.
+        // The first sample is left out, since the other samples are compared with it.
         let series = |curve: &RunCurves| {
             let mut series = curve.series(clamp_values(curve.course.changes(at), least, most));
             series.points.drain(..series.points.len().min(1));
@@ -227,9 +224,9 @@ pub fn integrals(watch: &WatchedInvariants, curves: &[RunCurves]) -> Vec<Panel> 
     watch.integrals.iter().enumerate().map(panel).collect()
 }
 
-/// Returns the smallest and largest change of a first integral that a figure can show.
-/// They follow from the integral's size in the derived runs: from below its rounding error to a
-/// million times the size. So a printed run that diverges does not hide the other runs.
+/// Returns the smallest and largest change of a first integral that a figure can show. They follow from the integral's
+/// size in the runs by derived equations: from below its rounding error to a million times the size. A diverging
+/// printed run therefore does not hide the other runs.
 fn change_range(curves: &[RunCurves], integral: usize) -> (f64, f64) {
     let largest = |of: &dyn Fn(&RunCurves) -> bool| {
         let values = curves.iter().filter(|curve| of(curve)).flat_map(|curve| &curve.course.integrals[integral]);
@@ -241,7 +238,7 @@ fn change_range(curves: &[RunCurves], integral: usize) -> (f64, f64) {
     if decade.is_finite() { (10_f64.powf(decade - 17.0), 10_f64.powf(decade + 6.0)) } else { (1e-17, 1e6) }
 }
 
-/// Moves values outside the range `least` to `most` to its edges. NaN is unchanged.
+/// Replaces values outside the range from `least` to `most` with the nearest end of the range. NaN is unchanged.
 fn clamp_values(values: Vec<f64>, least: f64, most: f64) -> impl Iterator<Item = f64> {
     values.into_iter().map(move |x| {
         if x < least {
@@ -254,8 +251,8 @@ fn clamp_values(values: Vec<f64>, least: f64, most: f64) -> impl Iterator<Item =
     })
 }
 
-/// Returns the panels of determinant, condition number and divisors along the runs, on logarithmic
-/// vertical axes. They show how near a run comes to singular places.
+/// Returns the panels of determinant, condition number and divisors along the runs, on logarithmic vertical axes. They
+/// show how near a run is to singular places.
 pub fn singularity_panels(watch: &WatchedInvariants, curves: &[RunCurves]) -> Vec<Panel> {
     let panel = |title: &str, y_label: String, series: Vec<Series>| Panel {
         title: title.to_owned(),

@@ -9,8 +9,7 @@ use std::path::Path;
 use tripos::Mechanism;
 use tripos::studies::stability::{FindingTopic, Findings};
 
-/// Writes the tables `stability.csv` and `passages.csv` and the figures of the studies into the
-/// folder `out`.
+/// Writes the tables `stability.csv` and `passages.csv`, and the figures of the studies, into the folder `out`.
 ///
 /// # Errors
 /// [`Failure::Output`] if a file cannot be written.
@@ -22,8 +21,8 @@ pub fn write_stability_results(findings: &Findings, out: &Path) -> Result<(), Fa
     Ok(())
 }
 
-/// Writes the table `stability.csv` into the folder `out`, and `passages.csv` with the data of the
-/// heat map if there are passages.
+/// Writes the table `stability.csv` into the folder `out`. If there are passages, also writes `passages.csv` with the
+/// data of the heat map.
 ///
 /// # Errors
 /// [`Failure::Output`] if a file cannot be written.

@@ -1,4 +1,4 @@
-//! Output of a sweep: table, summary, and the record by which an interrupted sweep is resumed.
+//! Output of a sweep: table, summary, and the record with which an interrupted sweep is resumed.
 
 mod growing_table;
 mod kept_rows;

@@ -1,9 +1,9 @@
-//! View of a motion: an HTML figure in three dimensions that turns, plays and describes itself, as
-//! a file or in a page.
+//! View of a motion: a three-dimensional HTML figure that can be turned and played and describes itself. It is a file
+//! of its own or a part of a page.
 //!
-//! Invariant: a view needs no other file and no network. Text from a file reaches the browser only
-//! as text: in HTML through [`escape`], in data through [`as_script`], and from there by
-//! `textContent`. The mechanics are in [`tripos::pictures::view`]. No libraries are used.
+//! Invariant: a view needs no other file and no network. Text from a file reaches the browser only as text: in HTML
+//! through [`escape`], in data through [`as_script`], and from there by `textContent`. The mechanics is in
+//! [`tripos::pictures::view`]. No libraries are used.
 
 mod data;
 mod live_equations;
@@ -18,7 +18,7 @@ use tripos::pictures::view::{ForceArrows, ForceSource, SolidForm, View, ViewMoti
 use tripos_codegen::js::{RUNNERS, javascript_script_text};
 use tripos_derive::scene::Scene;
 
-/// JavaScript sources of the viewer, in the order of their dependence.
+/// JavaScript sources of the viewer. Each source comes after the sources that it needs.
 const SCRIPT: [&str; 11] = [
     include_str!("view/space.js"),
     include_str!("view/motion.js"),
@@ -60,7 +60,7 @@ impl ViewContent<'_> {
     }
 }
 
-/// View together with the equations that it can run, or the reason why it runs none.
+/// View together with the equations that it can run in the browser, or the reason why it runs none.
 #[derive(Clone, Copy)]
 pub struct LiveView<'a> {
     /// Content of the view: mechanism, scene, solids and motions.
@@ -69,12 +69,12 @@ pub struct LiveView<'a> {
     pub live: &'a LiveEquations,
 }
 
-/// True if the viewer's frames are close enough in time to show correctly how every body turns.
+/// True if the viewer's frames are close enough in time to show correctly how every body rotates.
 pub fn turns_truly(seen: &ViewContent<'_>, home: ViewPlace) -> bool {
     data::turns_truly(seen, home.bytes())
 }
 
-/// Returns the HTML page of a view that is a file by itself.
+/// Returns the HTML page of a view that is a file of its own.
 pub fn document(seen: &ViewContent<'_>, live: &LiveEquations) -> String {
     let shown = LiveView { seen, live };
     let (title, scene) = (escape(&seen.mechanism.title), escape(&seen.title));
@@ -90,17 +90,17 @@ pub fn document(seen: &ViewContent<'_>, live: &LiveEquations) -> String {
     )
 }
 
-/// Place of a view: a file by itself or a model's page.
+/// Place of a view: a file of its own, or a model's page.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum ViewPlace {
-    /// The view is an HTML file by itself.
+    /// The view is an HTML file of its own.
     Alone,
     /// The view is part of a model's page.
     Page,
 }
 
 impl ViewPlace {
-    /// Returns the approximate largest number of bytes of the motions' data.
+    /// Returns the largest number of bytes, approximately, of the data of the motions.
     const fn bytes(self) -> usize {
         match self {
             Self::Alone => 800_000,
@@ -108,7 +108,7 @@ impl ViewPlace {
         }
     }
 
-    /// Returns the largest number of bytes of the equations that a view runs.
+    /// Returns the largest number of bytes of the code of the equations that a view runs.
     const fn equations(self) -> usize {
         match self {
             Self::Alone => 400_000,
@@ -117,8 +117,8 @@ impl ViewPlace {
     }
 }
 
-/// Returns the `<script>` element with the viewer, once for all views of a page, and with the
-/// equations of the views that run.
+/// Returns the `<script>` element with the viewer, once for all views of a page. It also contains the equations of the
+/// views that run equations.
 pub fn script(list: &[LiveView<'_>]) -> String {
     let method: String = RUNNERS.iter().map(|(_, text)| javascript_script_text(text)).collect();
     let equations = list.iter().map(|shown| match shown.live {

@@ -1,11 +1,11 @@
-//! Commands that the documentation shows are commands: clap reads each.
+//! Test that clap accepts every command that the documentation shows.
 
 use super::Arguments;
 use clap::Parser;
 use std::path::Path;
 
-/// Goal: the pages show only options that the command has. Method: parse each line of the README, of `docs/` and of the
-/// tutorials that begins with the command, as a reader would type it.
+/// Goal: the documentation shows only options that the command has. Method: each line of the README, of `docs/` and of
+/// the tutorials that begins with the command is parsed, as a reader would type it.
 #[test]
 fn every_command_that_is_documented_is_understood() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
@@ -33,8 +33,8 @@ fn every_command_that_is_documented_is_understood() {
     assert!(seen > 30, "{seen} commands were found");
 }
 
-/// The part of a line that a reader types, after the name of the program and before a redirection to a file; `None` if
-/// the line is no command.
+/// Part of a line that a reader types after the name of the program, without a redirection to a file; `None` if the
+/// line is no command.
 fn typed(line: &str) -> Option<&str> {
     let line = line.split("  #").next()?.split(" > ").next()?.trim();
     let line = line.strip_prefix("$ ").unwrap_or(line).trim();
@@ -42,7 +42,7 @@ fn typed(line: &str) -> Option<&str> {
     rest.or_else(|| line.strip_prefix("tripos "))
 }
 
-/// The words of a command, its name first; what stands between quotes is one.
+/// Words of a command, with its name first. Text between quotes is one word.
 fn words(line: &str) -> Vec<String> {
     let (mut words, mut open) = (vec!["tripos".to_owned()], false);
     for (at, part) in line.split('"').enumerate() {

@@ -197,10 +197,10 @@ pub struct RunOptions {
 }
 
 impl RunOptions {
-    /// Settings of the command line that override the scene's; `None` keeps the scene's value.
+    /// Settings of the command line that override those of a scene; `None` keeps the scene's value.
     ///
     /// # Errors
-    /// [`Error::Request`] for an unknown name of a method, solve or invariant.
+    /// [`Error::Request`] for an unknown name of a method, a solve or an invariant.
     pub fn overrides(&self) -> Result<Overrides, Error> {
         let Self { by, method, project, solve, step, max_step, rtol, atol, step_limit, samples, until } = self;
         Ok(Overrides {

@@ -1,4 +1,4 @@
-//! Files of a speed chart: CSV tables for programs, and a table of advice for people.
+//! Files of a speed chart: CSV tables for other programs, and a table of recommendations for the user.
 
 use super::sentences::{TARGETS, fastest};
 use crate::files::output_files::write_table_file;
@@ -49,7 +49,7 @@ pub fn table_tolerance_text(tolerance: Option<f64>) -> String {
     tolerance.map_or_else(|| "-".to_owned(), |tolerance| format!("{tolerance:e}"))
 }
 
-/// Returns a table of advice: the fastest run for each of three accuracies.
+/// Returns a table of recommendations: the fastest run for each of three accuracies.
 pub fn chart_advice_table(list: &[Measurement]) -> String {
     let mut out = "to reach  use                                          tolerance  time       error\n".to_owned();
     for target in TARGETS {

@@ -1,4 +1,4 @@
-//! Figure of a speed chart: error against run time, with a panel each for methods, formulations and
+//! Figure of a speed chart: error against run time, with one panel for methods, one for formulations and one for
 //! solves.
 
 use super::sentences::{is_derived, is_whole};
@@ -12,7 +12,8 @@ use tripos_derive::scene::AccelerationSolution;
 use tripos_sim::Method;
 use tripos_sim::work_precision::work_precision_front;
 
-/// Draws the speed chart as one `<svg>` element, with a panel each for methods, formulations and solves.
+/// Draws the speed chart as one `<svg>` element, with one panel for methods, one for formulations and one for solves.
+/// `uncertainty` is the relative error of the reference solution.
 ///
 /// # Errors
 /// [`Failure::Output`] if the figure cannot be drawn.
@@ -20,7 +21,7 @@ pub fn draw_speed_chart(list: &[Measurement], uncertainty: f64) -> Result<String
     draw(&chart_panels(list, uncertainty), 3).map_err(|error| chart_figure_failure(&error))
 }
 
-/// Draws any figure, panels or a heat map, as one `<svg>` element.
+/// Draws a figure of any kind, with panels or a heat map, as one `<svg>` element.
 ///
 /// # Errors
 /// [`Failure::Output`] if the figure cannot be drawn.
@@ -40,7 +41,7 @@ pub fn chart_figure_failure(error: &PlotError) -> Failure {
 /// Returns the panels of the speed chart: methods, formulations, solves. `uncertainty` is the
 /// relative error of the reference solution.
 pub fn chart_panels(list: &[Measurement], uncertainty: f64) -> Vec<Panel> {
-    // The formulation that is listed first, and the best method, represent the others.
+    // The first formulation of the list and the best method represent all others.
     let Some(Measurement { by: first, solve: natural, .. }) = list.first() else { return Vec::new() };
     let best = Method::Dop853;
     let is_best = |m: &Measurement| m.way.method() == Some(best);
@@ -52,7 +53,7 @@ pub fn chart_panels(list: &[Measurement], uncertainty: f64) -> Vec<Panel> {
         MethodAtTolerance::Quadrature => Some((format!("{}, {}", m.by.name(), m.way.name()), BY_QUADRATURE)),
         _ => (is_best(m) && m.solve == *natural).then(|| (m.by.name(), own_style(list, &m.by))),
     };
-    // Runs with eliminated accelerations have the same names here as in the panel of formulations.
+    // Runs with eliminated accelerations have the same curve names here as in the panel of formulations.
     let solve = |m: &Measurement| {
         let shown = is_best(m) && is_whole(m) && is_derived(m);
         let (name, style) = match m.solve {
@@ -85,11 +86,11 @@ fn own_style(list: &[Measurement], by: &EquationsOrigin) -> usize {
 /// panel does not show the measurement.
 type CurveOfMeasurement<'a> = &'a dyn Fn(&Measurement) -> Option<(String, usize)>;
 
-/// Returns a panel of the speed chart: the curves that `group` forms, with the Pareto front and a
-/// note.
+/// Returns a panel of the speed chart. `group` assigns the measurements to curves; the Pareto front and a note are
+/// added.
 fn chart_panel(list: &[Measurement], title: &str, group: CurveOfMeasurement<'_>, uncertainty: f64) -> Panel {
     let shown: Vec<((String, usize), &Measurement)> = list.iter().filter_map(|m| Some((group(m)?, m))).collect();
-    // Curves of one name and style may be of several sets of equations.
+    // Curves of the same name and style may belong to several sets of equations.
     let mut curves: Vec<(&(String, usize), &EquationsOrigin)> = Vec::new();
     for (name, m) in &shown {
         if !curves.contains(&(name, &m.by)) {
@@ -98,8 +99,8 @@ fn chart_panel(list: &[Measurement], title: &str, group: CurveOfMeasurement<'_>,
     }
     let points: Vec<(f64, f64)> = shown.iter().map(|(_, m)| chart_point(m)).collect();
     let front: Vec<(f64, f64)> = work_precision_front(&points).into_iter().map(|at| points[at]).collect();
-    // The points of the front are measurements too, so markers are at these points and not along
-    // the line.
+    // The points of the front are measurements, too. They get a bar without length, so that markers are drawn at these
+    // points and not along the line.
     let spread = front.iter().map(|(x, _)| (*x, *x)).collect();
     let mut series =
         vec![Series { label: "Pareto front".to_owned(), style: FRONT, points: front, spread, band: Vec::new() }];
@@ -125,8 +126,8 @@ fn chart_panel(list: &[Measurement], title: &str, group: CurveOfMeasurement<'_>,
     }
 }
 
-/// Returns the place of a measurement in the chart: (median run time in s, error). The error is not
-/// a number for a run that ended early.
+/// Returns the point of a measurement in the chart: (median run time in s, error). The error is NaN for a run that
+/// ended early.
 fn chart_point(m: &Measurement) -> (f64, f64) {
     (m.seconds.median, m.error.unwrap_or(f64::NAN))
 }

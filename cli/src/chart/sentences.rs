@@ -10,9 +10,8 @@ use tripos_sim::work_precision::fastest_within_error;
 /// Accuracies for which a method is recommended: largest relative errors at the end of a run.
 pub const TARGETS: [f64; 3] = [1e-3, 1e-6, 1e-9];
 
-/// Returns the fastest run with an error of at most `target`, among the runs that `of` accepts.
-/// `None` if there is none. Runs of printed equations never count, because printed equations may
-/// differ from the derived ones.
+/// Returns the fastest run with an error of at most `target`, among the runs for which `of` is true. `None` if there is
+/// none. Runs of printed equations never count, because printed equations may differ from the derived equations.
 pub fn fastest(list: &[Measurement], target: f64, of: impl Fn(&Measurement) -> bool) -> Option<&Measurement> {
     let some: Vec<&Measurement> = list.iter().filter(|m| of(m) && is_derived(m)).collect();
     let points: Vec<(f64, f64)> = some.iter().map(|m| (m.seconds.median, m.error.unwrap_or(f64::NAN))).collect();
@@ -37,8 +36,8 @@ fn time_at_accuracy(curve: &[&Measurement], target: f64) -> Option<f64> {
     at_once.into_iter().chain(between).reduce(f64::min).map(f64::exp)
 }
 
-/// Returns, for each kind of run, the shortest time, s, in which it reaches an accuracy, with the
-/// best choice of everything else. `None` for a kind that does not reach it.
+/// Returns, for each kind of run, the shortest time, s, in which it reaches an accuracy, with the best choice of
+/// everything else. `None` for a kind that does not reach it. `of` gives the kind of a run.
 fn times_by_kind<'a, Kind: PartialEq>(
     list: &'a [Measurement],
     target: f64,
@@ -99,23 +98,20 @@ pub fn is_whole(m: &Measurement) -> bool {
     !m.by.is_reduced()
 }
 
-/// Returns the time, s, that each set of equations needs to the accuracy `target`, with the best
-/// method and solve.
-/// `None` for equations that do not reach it.
+/// Returns the shortest time, s, in which each set of equations reaches the accuracy `target`, with the best method and
+/// solve. `None` for equations that do not reach it.
 fn time_by_equations(list: &[Measurement], target: f64) -> Vec<(&EquationsOrigin, Option<f64>)> {
     times_by_kind(list, target, equations(list), |m| Some(&m.by))
 }
 
-/// Returns the time, s, that each method needs to the accuracy `target` by the equations of the
-/// whole model.
-/// `None` for a method that does not reach it.
+/// Returns the shortest time, s, in which each method reaches the accuracy `target` with the equations of the whole
+/// model. `None` for a method that does not reach it.
 fn time_by_method(list: &[Measurement], target: f64) -> Vec<(Method, Option<f64>)> {
     times_by_kind(list, target, Method::ALL, |m| m.way.method().filter(|_| is_whole(m)))
 }
 
-/// Returns the time, s, that the equations of the whole model need to the accuracy `target`, for
-/// each way of solving for accelerations.
-/// `None` if no run with that way reaches it.
+/// Returns the shortest time, s, in which the equations of the whole model reach the accuracy `target`, for each way to
+/// solve for the accelerations. `None` for a way that does not reach it.
 fn time_by_solve(list: &[Measurement], target: f64) -> Vec<(AccelerationSolution, Option<f64>)> {
     times_by_kind(list, target, AccelerationSolution::ALL, |m| is_whole(m).then_some(m.solve))
 }
@@ -234,7 +230,7 @@ mod tests {
         }
     }
 
-    /// Half way between 1e-4 in 0.1 ms and 1e-8 in 10 ms, on logarithmic axes, stands 1e-6 in 1 ms.
+    /// Truth: on logarithmic axes, 1e-6 in 1 ms lies halfway between 1e-4 in 0.1 ms and 1e-8 in 10 ms.
     #[test]
     fn words_are_those_of_the_measurements() {
         let list = [
@@ -262,7 +258,7 @@ mod tests {
         assert!(lead.ends_with("methods 8.0, solves 3.0, formulations 2.0."), "{lead}");
     }
 
-    /// 0.1 ms against 1 ms; the factors of methods and solves stay those of the whole model.
+    /// Truth: 0.1 ms against 1 ms. The factors between methods and between solves remain those of the whole model.
     #[test]
     fn a_scenes_own_equations_are_named_where_they_win() {
         let mut list = vec![

@@ -1,4 +1,4 @@
-//! Command `tripos check`: states facts about a model before its equations are used.
+//! Command `tripos check`: prints facts about a model that can be known before its equations are used.
 
 use crate::files::workspace::{read_model, short_name};
 use crate::phrases::{NAMED_TERMS_HEADING, shorten_formula};
@@ -60,8 +60,8 @@ fn check_json(model: &Mechanism, found: &ModelCheck) -> Value {
     })
 }
 
-/// Returns an assembly branch as JSON: a pose on it, the number of its independent constraints, and
-/// the bounds of that decision.
+/// Returns an assembly branch as JSON: a pose on the branch, the number of independent constraints, and the bounds with
+/// which this number was decided.
 fn branch_of(model: &Mechanism, branch: &AssemblyBranch) -> Value {
     let names = model.coordinates.iter().map(|c| c.name.clone());
     let pose: Map<String, Value> = names.zip(branch.pose.iter().map(|x| json!(x))).collect();
@@ -89,7 +89,7 @@ fn pose_text(model: &Mechanism, pose: &[f64]) -> String {
     format!("through {}", at.join(", "))
 }
 
-/// Rounds a number to four decimals, without the sign of a zero.
+/// Rounds a number to four decimals. A negative zero becomes 0.
 fn round_checked_coordinate(x: f64) -> f64 {
     (x * 1e4).round() / 1e4 + 0.0
 }
@@ -121,8 +121,8 @@ fn load_effect_json(load: &LoadEffect) -> Value {
     json!({ "name": load.load, "energy": energy, "why": load.why })
 }
 
-/// Returns the lines about singular poses of the mechanism, in which its constraints lose rank: a
-/// proof that there are none, or a pose.
+/// Returns the lines about singular poses, in which the constraints of the mechanism lose rank: a proof that there are
+/// none, or such a pose.
 fn singular_text(loss: &RankLoss) -> String {
     let taken: Vec<String> = loss.taken.iter().map(|e| shorten_formula(e)).collect();
     let taken = match taken.as_slice() {
@@ -166,8 +166,7 @@ fn singular_text(loss: &RankLoss) -> String {
     out
 }
 
-/// Returns the lines about the loads that can create energy, or for which this is undecided. Empty
-/// if there are none.
+/// Returns the lines about loads that can create energy, or for which this is undecided. Empty if there are none.
 fn loads_text(loads: &[LoadEffect]) -> String {
     let mut out = String::new();
     for load in loads {

@@ -1,4 +1,4 @@
-//! Command `tripos derive`: prints equations of motion for people and for programs.
+//! Command `tripos derive`: prints equations of motion for the user or for other programs.
 
 mod derivation_document;
 mod json;
@@ -30,8 +30,8 @@ use tripos_derive::mechanics::{
 };
 use tripos_derive::prove::{first_integrals, write_integral_names};
 
-/// Derived formulation with its accelerations in closed form. `solved` is `None` if the
-/// accelerations are not determined.
+/// Derived formulation with its accelerations in closed form. `solved` is `None` if the equations do not determine the
+/// accelerations.
 struct SolvedFormulation {
     derivation: DerivationInSteps,
     solved: Option<Elimination>,
@@ -80,8 +80,8 @@ pub fn derive(
     Ok(0)
 }
 
-/// Derives the formulation named `by`, or all standard ones that the model supports. Unsupported
-/// formulations are named on standard error.
+/// Derives the formulation named `by`, or all standard formulations that the model supports. Names unsupported
+/// formulations on standard error.
 fn derivations(
     model: &Mechanism,
     by: Option<&str>,
@@ -104,8 +104,8 @@ fn derivations(
 }
 
 impl SolvedFormulation {
-    /// Solves derived equations for the accelerations. Terms that the equations already name are
-    /// left out of the elimination steps.
+    /// Solves derived equations for the accelerations. The elimination steps do not name terms again that the equations
+    /// already name.
     fn new(mut derivation: DerivationInSteps) -> Self {
         let DerivationInSteps { arena, equations, .. } = &mut derivation;
         let mut solved = accelerations(arena, &mut Simplifier::default(), equations).ok();
@@ -187,8 +187,8 @@ fn row_text(arena: &Arena, row: &[Expr], unknowns: &[Expr]) -> String {
 /// for them in any model.
 const MOST_PROVED: usize = 8;
 
-/// Returns a document with all derived formulations, and with the first integrals of small models.
-/// `Err` if the model cannot be derived by all formulations.
+/// Returns a document with the derived formulations, and with the first integrals if the model is small. `Err` if the
+/// model cannot be derived by all formulations.
 fn derivation_document(
     model: &Mechanism,
     moving: &[MovingLoadPlace],
@@ -208,7 +208,7 @@ fn derivation_document(
     Ok(document)
 }
 
-/// Returns the definitions and the equations of motion as MathML.
+/// Returns the definitions and the equations of motion as MathML for web pages.
 fn solved_formulations_mathml(derived: &[SolvedFormulation]) -> String {
     let mut out = String::new();
     for DerivationInSteps { arena, equations: e, .. } in derived.iter().map(|derived| &derived.derivation) {

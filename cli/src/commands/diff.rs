@@ -28,18 +28,17 @@ use tripos_derive::plain_text::path_as_plain_text;
 pub struct Comparison {
     /// True if the comparison found no difference.
     is_clean: bool,
-    /// Report on the comparison as text, for people.
+    /// Report on the comparison as text, for the user.
     text: String,
-    /// Report on the comparison as JSON, for programs.
+    /// Report on the comparison as JSON, for other programs.
     json: Value,
 }
 
 /// Function that compares a model with another file: a publication or an edited model.
 pub type Compare = fn(&Mechanism, &Path) -> Result<Comparison, Failure>;
 
-/// Compares a model with each of the files `others` and prints the results. Returns the exit
-/// status, 1 if anything differs.
-/// A file that cannot be compared does not stop the other comparisons. Its failure is printed, and
+/// Compares a model with each of the files `others` and prints the results. Returns the exit status, which is 1 if
+/// anything differs. A file that cannot be compared does not stop the other comparisons. Its failure is printed, and
 /// the highest exit status is returned.
 ///
 /// # Errors
@@ -103,7 +102,7 @@ struct CoordinateReport {
     json: Value,
 }
 
-/// Returns the verdicts on a publication as a comparison. A report on its coordinates comes first,
+/// Returns the verdicts on a publication as a comparison. It begins with the report on the publication's coordinates,
 /// if there is one.
 fn verdicts(judged: JudgedPublication, coordinates: Option<CoordinateReport>) -> Comparison {
     let JudgedPublication { model, publication, mut derivations, proof, difference } = judged;
@@ -118,15 +117,14 @@ fn verdicts(judged: JudgedPublication, coordinates: Option<CoordinateReport>) ->
     Comparison { is_clean: difference.is_clean(), text, json }
 }
 
-/// Returns the verdicts on all entries of a publication, their consequences and the root mistakes
-/// as JSON.
+/// Returns, as JSON, the verdicts on all entries of a publication, their consequences and the root mistakes.
 pub fn json_of(model: &Mechanism, arena: &Arena, difference: &Difference) -> Value {
     let shown = |e: Option<Expr>| e.map(|e| print_whole_text(arena, e));
     let equations: Vec<Value> = difference
         .findings
         .iter()
         .map(|f| {
-            // Printed numbers have no terms: only their values are known.
+            // A printed number is no term, so that only its value is known.
             let number = |x: fn(&Witness) -> f64| f.witness.as_ref().map(|w| x(w).to_string());
             let mut value = json!({
                 "id": f.id,
@@ -185,14 +183,14 @@ pub fn json_of(model: &Mechanism, arena: &Arena, difference: &Difference) -> Val
     })
 }
 
-/// Returns the domain in which a right entry holds: `everywhere`, on the constraints, or in the
-/// domain of the model. `None` for an entry that is not right.
+/// Returns the states in which a right entry holds: `everywhere`, on the constraints, or in the domain of the model.
+/// `None` for an entry that is not right.
 fn diff_validity_domain(finding: &Finding) -> Option<&'static str> {
     let is_right = matches!(finding.judgement, Judgement::Equal | Judgement::Scaled);
     is_right.then(|| finding.holds.words().unwrap_or("everywhere"))
 }
 
-/// Returns the number of entries with each verdict as JSON.
+/// Returns, as JSON, the number of entries with each verdict.
 fn summary(difference: &Difference) -> Value {
     let words = ["equal", "scaled", "different", "undecided", "stated"];
     let mut counts: serde_json::Map<String, Value> =
@@ -268,7 +266,7 @@ fn text_of(model: &Mechanism, title: &str, arena: &Arena, difference: &Differenc
     out
 }
 
-/// Lists the formulas that the text report shows, so that the names in them can be defined.
+/// Lists the formulas in the text report, so that the names in them can be defined.
 fn formulas_in_report(difference: &Difference) -> Vec<Expr> {
     let findings = difference.findings.iter().flat_map(|f| match f.judgement {
         Judgement::Scaled => f.factor.into_iter().collect(),
@@ -278,15 +276,15 @@ fn formulas_in_report(difference: &Difference) -> Vec<Expr> {
     findings.chain(difference.consequences.iter().flat_map(Consequences::shown_formulas)).collect()
 }
 
-/// Returns words for the permitted difference of an entry and for the domain in which it holds.
-/// Empty if it holds exactly and everywhere.
+/// Returns words for the permitted difference of an entry and for the states in which it holds. Empty if it holds
+/// exactly and everywhere.
 fn validity_text(finding: &Finding) -> String {
     let words: Vec<&str> = finding.up_to.into_iter().chain(finding.holds.words()).collect();
     if words.is_empty() { String::new() } else { format!("  {}", words.join(", ")) }
 }
 
-/// Writes the verdict on an entry. A wrong entry also gets its printed form, its derived form, a
-/// witness and remarks.
+/// Writes the verdict on an entry. For a wrong entry, its printed form, its derived form, a state in which they differ
+/// and remarks are added.
 fn write_finding(out: &mut String, arena: &Arena, f: &Finding) {
     match &f.judgement {
         Judgement::Equal | Judgement::Stated => {

@@ -1,4 +1,4 @@
-//! Command `tripos emit`: writes generated code of any model file, for use in another program.
+//! Command `tripos emit`: writes generated code from any model file, for use in another program.
 
 use crate::files::scene_file::read_scene;
 use crate::files::workspace::model_file;
@@ -36,16 +36,16 @@ pub struct EmitRequest {
     pub formulations: Vec<String>,
     /// Names of the optional functions to write; only for Rust.
     pub with: Vec<String>,
-    /// Names of the functions to write; if empty, all. Not for Rust and JavaScript.
+    /// Names of the functions to write; if empty, all functions. Not used for Rust and JavaScript.
     pub functions: Vec<String>,
 }
 
-/// Runs `tripos emit`: writes the equations of a model in a language into a folder, and prints the
-/// change of each file. Returns the exit status.
+/// Runs `tripos emit`: writes the equations of a model as code of a language into a folder, and prints the change of
+/// each file. Returns the exit status.
 ///
 /// # Errors
-/// `Failure` if the request is refused, the model has errors, or a file is in the way or cannot
-/// be written.
+/// `Failure` if the request is refused, if the model has errors, or if a file of another origin would be replaced or
+/// cannot be written.
 pub fn emit(request: &EmitRequest, output: Output) -> Result<u8, Failure> {
     let EmitRequest { model, out, language, with, .. } = request;
     let formulations =
@@ -106,8 +106,8 @@ pub fn emit(request: &EmitRequest, output: Output) -> Result<u8, Failure> {
     Ok(0)
 }
 
-/// Generates the Rust module of a model. The second result is a sentence on its use.
-/// `Err` if the folder has no name, or the model has errors.
+/// Generates the Rust module of a model. The second result is a sentence about its use. `Err` if the folder has no
+/// name, or the model has errors.
 fn emit_rust(
     model: &Path,
     out: &Path,
@@ -122,8 +122,8 @@ fn emit_rust(
     Ok((emission, then))
 }
 
-/// Generates the JavaScript modules of a model. The second result is a sentence on their use.
-/// `Err` if the model has errors.
+/// Generates the JavaScript modules of a model. The second result is a sentence about their use. `Err` if the model has
+/// errors.
 fn emit_javascript(model: &Path, formulations: &[Formulation]) -> Result<(Emission, String), Failure> {
     let emission = emit_javascript_modules(&Model::read(&model_file(model))?, formulations)?;
     let runners = RUNNERS.map(|(name, _)| format!("{name}.{EXTENSION}"));
@@ -133,9 +133,8 @@ fn emit_javascript(model: &Path, formulations: &[Formulation]) -> Result<(Emissi
     Ok((emission, then))
 }
 
-/// Generates the modules of a model in C, Python, MATLAB or for CasADi. The second result is a
-/// sentence on their use.
-/// `Err` if a requested function is unknown, or the model or the scene has errors.
+/// Generates the modules of a model in C, Python, MATLAB or for CasADi. The second result is a sentence about their
+/// use. `Err` if a requested function is unknown, or the model or the scene has errors.
 fn emit_in_dialect(
     request: &EmitRequest,
     dialect: &dyn Dialect,
@@ -170,8 +169,7 @@ fn emit_in_dialect(
     Ok((emitted.emission, then))
 }
 
-/// Reads the model file that an argument names, or the scene file with its model. The scene is
-/// `None` for a model file.
+/// Reads a model file, or a scene file with its model, from the path `argument`. The scene is `None` for a model file.
 /// `Err` if the file has errors.
 fn read_emit_source(argument: &Path) -> Result<(Model, Option<Scene>), Failure> {
     let path = model_file(argument);
@@ -182,10 +180,10 @@ fn read_emit_source(argument: &Path) -> Result<(Model, Option<Scene>), Failure> 
     Ok((Model::read(&path)?, None))
 }
 
-/// Returns the name of the Rust module: the name of its folder.
+/// Returns the name of the Rust module, which is the name of its folder.
 ///
 /// # Errors
-/// `Failure` if the folder has no name that can be read.
+/// `Failure` if the folder has no readable name.
 fn rust_module_name(out: &Path) -> Result<String, Failure> {
     // `.` and `..` have no name of their own.
     let named =

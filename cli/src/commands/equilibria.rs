@@ -1,5 +1,5 @@
-//! Command `tripos equilibria`: finds states in which a mechanism rests or moves steadily, and
-//! their stability.
+//! Command `tripos equilibria`: finds states in which a mechanism rests or moves steadily, and the stability of these
+//! states.
 
 mod closed_form;
 mod equilibria_figure;
@@ -23,20 +23,18 @@ use tripos_derive::scene::load_state_with_unknowns;
 
 /// Starting points of the search for equilibria and steady motions.
 pub struct StartingPoints<'a> {
-    /// Path of the state file or scene to start from; `None` if only conditions in closed form are
-    /// wanted.
+    /// Path of the state file or scene to start from; `None` if only conditions in closed form are requested.
     pub file: Option<&'a Path>,
     /// Number of further starting points of the search.
     pub starts: u64,
 }
 
-/// Runs `tripos equilibria`: prints the conditions of rest and steady motion in closed form, and
-/// the motions found from the state of a file.
-/// `over` holds ranges of numbers to follow, `wanted` the unknowns to solve for, `out` the path of
-/// a figure. Returns the exit status.
+/// Runs `tripos equilibria`: prints the conditions of rest and steady motion in closed form, and the motions found from
+/// the state of a file. `over` has the ranges of numbers to follow, `wanted` the unknowns to solve for, and `out` the
+/// path of a figure. Returns the exit status.
 ///
 /// # Errors
-/// `Failure` if a file has errors, a range is no range, or there is no steady motion to follow.
+/// `Failure` if a file has errors, if a range cannot be read, or if there is no steady motion to follow.
 pub fn equilibria(
     model: &Path,
     from: &StartingPoints<'_>,

@@ -1,5 +1,5 @@
-//! Command `tripos evaluate`: prints matrix, forcing, accelerations, reactions and energies at one
-//! state.
+//! Command `tripos evaluate`: prints matrix, forcing, accelerations, reactions and energies of the equations of motion
+//! at one state.
 
 use crate::files::workspace::{read_model, short_name};
 use crate::terminal::failure::{Failure, Output, print, print_json, warn};
@@ -17,7 +17,7 @@ use tripos_derive::plain_text::with_significant_digits;
 use tripos_derive::scene::{State, load_state};
 use tripos_sim::Dynamics;
 
-/// Equations of motion of a formulation evaluated at one state, in SI units.
+/// Equations of motion of a formulation, evaluated at one state. All values are in SI units.
 struct EvaluatedEquations {
     /// Names of the unknowns of the linear system.
     unknowns: Vec<String>,
@@ -29,7 +29,8 @@ struct EvaluatedEquations {
     accelerations: Vec<(String, f64)>,
     /// Reactions with their names; empty if the formulation has none.
     reactions: Vec<(String, f64)>,
-    /// Multipliers of constraints with their names; empty if the formulation has reactions or none.
+    /// Multipliers of constraints with their names. Empty if the formulation has reactions instead, or if there are no
+    /// constraints.
     multipliers: Vec<(String, f64)>,
     /// Kinetic energy T, J.
     kinetic_energy: f64,
@@ -164,13 +165,11 @@ fn gravity_potential(model: &Mechanism, state: &State) -> Result<f64, Failure> {
     Ok(tape.evaluate(&[state.parameters.as_slice(), &state.q].concat())[0])
 }
 
-/// Reciprocal condition number below which a warning states that more than half of the digits are
-/// lost.
+/// Reciprocal condition number below which a warning says that more than half of the digits are lost.
 const LARGEST_LOSSY_RCOND: f64 = 1e-8;
 
-/// Warns of conditions of the model's domain that do not hold at a state. Conditions on reactions
-/// are checked only if `reactions` are given.
-/// `Err` if a condition contains an unknown symbol.
+/// Warns about conditions of the model's domain that do not hold at a state. Conditions on reactions are checked only
+/// if `reactions` are given. `Err` if a condition contains an unknown symbol.
 fn warn_outside_domain(model: &Mechanism, state: &State, reactions: &[f64]) -> Result<(), Failure> {
     let known: Vec<Expr> = model.reactions.iter().take(reactions.len()).map(|r| r.symbol).collect();
     let inputs = [model.p(), model.q(), model.u(), known].concat();

@@ -23,16 +23,15 @@ pub struct UnitRequest {
     pub set: Vec<String>,
     /// Version of the Functional Mock-up Interface: `2` or `3`, with or without `.0`.
     pub fmi: String,
-    /// True if the unit contains only sources. False if a binary for this platform is compiled too.
+    /// True if the unit contains only sources; false if a binary for this platform is compiled, too.
     pub only_sources: bool,
 }
 
-/// Runs `tripos fmu`: writes a scene as a functional mock-up unit, with sources and with a binary
-/// for this platform. Returns the exit status.
+/// Runs `tripos fmu`: writes a scene as a functional mock-up unit, with sources and with a binary for this platform.
+/// Returns the exit status.
 ///
 /// # Errors
-/// [`Failure`] for a scene that no unit can contain, without a compiler, and if the file cannot be
-/// written.
+/// [`Failure`] if the scene cannot be written as a unit, if there is no compiler, or if the file cannot be written.
 pub fn fmu(request: &UnitRequest, output: Output) -> Result<u8, Failure> {
     if request.out.extension().is_none_or(|extension| extension != "fmu") {
         let what = format!("`{}` does not end with .fmu", path_as_plain_text(&request.out));
@@ -102,7 +101,7 @@ fn compile_fmu(unit: &Fmu) -> Result<Vec<u8>, Failure> {
         std::fs::write(folder.path().join(name), text).map_err(failed)?;
     }
     let compiler = std::env::var_os("CC").filter(|name| !name.is_empty()).unwrap_or_else(|| OsString::from("cc"));
-    // Arguments after the name of the compiler are customary, as in `CC="ccache gcc"`.
+    // The variable may contain arguments after the name of the compiler, as in `CC="ccache gcc"`.
     let name = compiler.to_string_lossy().into_owned();
     let mut words = name.split_whitespace();
     let mut command = Command::new(words.next().unwrap_or("cc"));
@@ -122,8 +121,7 @@ fn compile_fmu(unit: &Fmu) -> Result<Vec<u8>, Failure> {
     std::fs::read(folder.path().join("unit")).map_err(failed)
 }
 
-/// True for sources that the compiler gets as arguments, by the extension `.c`. Other sources are
-/// included by these.
+/// True for sources that are passed to the compiler, which have the extension `.c`. Other sources are included by them.
 fn is_fmu_source(name: &str) -> bool {
     Path::new(name).extension().is_some_and(|extension| extension == "c")
 }

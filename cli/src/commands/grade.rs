@@ -68,9 +68,8 @@ fn is_right(mark: &Mark) -> bool {
     mark.outcome == Outcome::Right
 }
 
-/// Returns the level of detail of the feedback: that of the command line, otherwise that of the
-/// rubric.
-/// `Err` if the command line names no known level.
+/// Returns the level of detail of the feedback: the level of the command line, or else that of the rubric. `Err` if the
+/// command line names an unknown level.
 fn feedback_level(request: &Request, rubric: &Rubric) -> Result<FeedbackLevel, Failure> {
     let Some(name) = &request.level else { return Ok(rubric.level.unwrap_or_default()) };
     FeedbackLevel::feedback_level_by_name(name).ok_or_else(|| {
@@ -82,8 +81,7 @@ fn feedback_level(request: &Request, rubric: &Rubric) -> Result<FeedbackLevel, F
     })
 }
 
-/// Lists the files of all submissions. A folder stands for the TOML files in it, in alphabetical
-/// order.
+/// Lists the files of all submissions. For a folder, these are its TOML files, in alphabetical order.
 ///
 /// # Errors
 /// `Failure` if a folder cannot be read or has no submission.
@@ -114,7 +112,7 @@ fn files(given: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
     Ok(files)
 }
 
-/// Judges one submission; a failure becomes the reason why it has no marks.
+/// Judges one submission. If this fails, the reason is stored instead of marks.
 fn submission(model: &Mechanism, rubric: &Rubric, file: &Path) -> GradedSubmission {
     let name = file.file_stem().map_or_else(|| path_as_plain_text(file), |stem| stem.to_string_lossy().into_owned());
     GradedSubmission { name, grade: grade_submission(model, rubric, file).map_err(|failure| failure.to_string()) }
@@ -132,7 +130,7 @@ fn grade_submission(model: &Mechanism, rubric: &Rubric, file: &Path) -> Result<G
     Ok(graded(&JudgedPublication::new(model, &Source::read(file)?)?.difference, rubric))
 }
 
-/// Returns points as text with at most two decimals, without zeros at the end.
+/// Returns points as text with at most two decimals, without trailing zeros.
 fn points(x: f64) -> String {
     let text = format!("{x:.2}");
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
@@ -177,8 +175,7 @@ fn text_of(list: &[GradedSubmission], level: FeedbackLevel) -> String {
     out
 }
 
-/// Groups the submissions by their mistakes. The key is the id of the wrong entry and the words for
-/// the mistake.
+/// Groups the submissions by their mistakes. The key is the id of the wrong entry with the description of the mistake.
 fn submissions_by_mistake(list: &[GradedSubmission]) -> BTreeMap<(&str, &str), Vec<&str>> {
     let mut found: BTreeMap<(&str, &str), Vec<&str>> = BTreeMap::new();
     for one in list {
@@ -215,8 +212,8 @@ fn json_of(one: &GradedSubmission, level: FeedbackLevel) -> Value {
     json!({ "name": one.name, "points": grade.points, "of": grade.of, "entries": entries })
 }
 
-/// Returns the marks of a submission in the form of Gradescope's `results.json`, one test for each
-/// entry. A student sees only the feedback.
+/// Returns the marks of a submission in the format of Gradescope's `results.json`, with one test for each entry. A
+/// student sees only the feedback.
 fn gradescope(one: &GradedSubmission, level: FeedbackLevel) -> Value {
     let grade = match &one.grade {
         Ok(grade) => grade,

@@ -1,5 +1,5 @@
-//! Command `tripos identify`: finds the inertial parameters that motion determines, and evaluates
-//! the regressor.
+//! Command `tripos identify`: finds the inertial parameters that can be identified from motion, and evaluates the
+//! regressor.
 
 use super::inverse::{Shape, read_motion, table};
 use crate::files::workspace::{read_model, short_name};
@@ -27,7 +27,7 @@ pub fn identify(model: &Path, varied: RegressorParameters, at: Option<&Path>, sh
     let mut model = read_model(model)?;
     let motion = at.map(|at| read_motion(at, &mut model)).transpose()?;
     let mut found = of_model(&model, varied)?;
-    // Groups of closed poses hold at the values of the model file only.
+    // Groups of parameters that were found from closed poses are valid only for the values of the model file.
     if motion.as_ref().is_some_and(|motion| !is_at_defaults(&model, &motion.parameters)) {
         found.ungroup();
     }
@@ -55,8 +55,8 @@ pub fn identify(model: &Path, varied: RegressorParameters, at: Option<&Path>, sh
     Ok(u8::from(found.complete == Completeness::No))
 }
 
-/// Returns the parameter values of the model file, in the order of the model, with inputs 0. `None`
-/// if a parameter has no value.
+/// Returns the parameter values of the model file, in the order of the model, with 0 for inputs. `None` if a parameter
+/// has no value.
 fn defaults(model: &Mechanism) -> Option<Vec<DoubleDouble>> {
     let value = |p: &tripos_derive::model::Parameter| match &p.value {
         Some(value) => Some(DoubleDouble::from_rational(value)),
@@ -65,7 +65,7 @@ fn defaults(model: &Mechanism) -> Option<Vec<DoubleDouble>> {
     model.parameters.iter().map(value).collect()
 }
 
-/// True if all parameters beside inputs have the values of the model file.
+/// True if all parameters except inputs have the values of the model file.
 fn is_at_defaults(model: &Mechanism, parameters: &[DoubleDouble]) -> bool {
     let mut known = model.parameters.iter().zip(parameters).filter(|(p, _)| !p.is_input);
     known.all(|(p, x)| p.value.as_ref().is_some_and(|value| DoubleDouble::from_rational(value) == *x))
@@ -103,7 +103,7 @@ fn combination(found: &Identification, base: &BaseParameter) -> String {
     out
 }
 
-/// Returns the result of the identification as JSON. `values` are those of the base parameters.
+/// Returns the result of the identification as JSON. `values` are the values of the base parameters, if known.
 fn json_of(
     model: &Mechanism,
     found: &Identification,
@@ -138,7 +138,7 @@ fn json_of(
         json!({ "body": model.bodies[anchor.body].name, "point": point, "frame": frame })
     });
     let (word, bound) = match found.complete {
-        // The proof is about the formulas, before closed poses grouped them by numbers.
+        // The proof covers the formulas before parameters were grouped by numbers at closed poses.
         Completeness::Proved(_) if found.before_grouping().is_some() => {
             ("proved before it was grouped in closed poses", None)
         }
@@ -168,7 +168,7 @@ fn json_of(
     })
 }
 
-/// Returns a finite number, and `None` for infinity and NaN, which JSON does not have.
+/// Returns a finite number unchanged, and `None` for infinity and NaN, which JSON cannot represent.
 fn finite_or_none(x: f64) -> Option<f64> {
     x.is_finite().then_some(x)
 }
@@ -181,8 +181,8 @@ fn json_of_row(model: &Mechanism, states: &[MotionSample], row: &RegressorRow) -
     })
 }
 
-/// Returns the regressor as CSV. The columns are the time t in s if known, the state, the speed,
-/// each base parameter, and the known rest.
+/// Returns the regressor as CSV. The columns are the time t in s if known, the state, the speed of the row, each base
+/// parameter, and the known remainder.
 fn csv_of(model: &Mechanism, found: &Identification, states: &[MotionSample], rows: &[RegressorRow]) -> String {
     let names: Vec<&str> = found.base.iter().map(|base| parameter_name_of_column(found, base.column)).collect();
     let heads: Vec<&str> = ["t", "state", "speed"].into_iter().chain(names).chain(["rest"]).collect();
@@ -232,8 +232,7 @@ fn text_of(model: &Mechanism, found: &Identification, values: Option<&[Option<Do
     out
 }
 
-/// Returns sentences about the certainty of the result: that no base parameter is redundant, and
-/// that none is missing.
+/// Returns sentences about the certainty of the result: whether a base parameter may be redundant or missing.
 fn certainty_sentences(found: &Identification) -> String {
     let minimal = format!(
         "none can be left out: the regressor has rank {} at {} random states modulo a prime",

@@ -1,5 +1,4 @@
-//! Command `tripos inverse`: computes the generalized forces that a motion needs, and the inputs
-//! that give them.
+//! Command `tripos inverse`: computes the generalized forces that a motion needs, and the inputs that produce them.
 
 use crate::files::workspace::{read_model, short_name};
 use crate::terminal::failure::{Failure, print, print_json, warn};
@@ -26,8 +25,7 @@ pub enum Shape {
 }
 
 impl Shape {
-    /// Selects the format by the flags `--json` and `--csv`, of which at most one is true. Without
-    /// a flag it is text.
+    /// Selects the format from the flags `--json` and `--csv`, of which at most one is true. Without a flag it is text.
     pub fn of(json: bool, csv: bool) -> Self {
         match (json, csv) {
             (true, _) => Self::Json,
@@ -37,15 +35,14 @@ impl Shape {
     }
 }
 
-/// Gap of a loop, in the unit of its constraint, above which a warning states that the loop is
-/// open.
+/// Gap of a loop, in the unit of its constraint, above which a warning says that the loop is open.
 const LARGEST_LOOP_GAP: f64 = 1e-6;
 
-/// Reads a motion from a file. A TOML file is read by [`load_motion`]. A file that ends in `.csv`
-/// is a table of samples, for the default parameter values of the model.
+/// Reads a motion from a file. A TOML file is read by [`load_motion`]. A file with the extension `.csv` is a table of
+/// samples, for the default parameter values of the model.
 ///
 /// # Errors
-/// `Failure` if the file has errors, or a parameter has no value for a table of samples.
+/// `Failure` if the file has errors, or if a parameter has no default value for a table of samples.
 pub fn read_motion(path: &Path, model: &mut Mechanism) -> Result<Motion, Failure> {
     let source = Source::read(path)?;
     if !path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv")) {
@@ -67,7 +64,7 @@ pub fn read_motion(path: &Path, model: &mut Mechanism) -> Result<Motion, Failure
     Ok(Motion { parameters, given: MotionForm::Samples(load_samples(&source, model)?) })
 }
 
-/// Returns a table as CSV with the column names `heads`.
+/// Returns a table as CSV text. `heads` are the column names.
 pub fn table(heads: &[&str], rows: impl Iterator<Item = Vec<String>>) -> String {
     let mut out = heads.join(",") + "\n";
     for row in rows {
@@ -77,8 +74,8 @@ pub fn table(heads: &[&str], rows: impl Iterator<Item = Vec<String>>) -> String 
     out
 }
 
-/// Runs `tripos inverse`: computes and prints the generalized forces that a motion needs. Returns
-/// the exit status, 1 if the chosen inputs cannot give them.
+/// Runs `tripos inverse`: computes and prints the generalized forces that a motion needs. Returns the exit status,
+/// which is 1 if the chosen inputs cannot produce them.
 ///
 /// # Errors
 /// `Failure` if a file has errors, an input is unknown, or the forces cannot be computed.
@@ -112,7 +109,7 @@ fn inverse_numbers_json(names: &[String], values: &[f64]) -> Map<String, Value> 
     names.iter().cloned().zip(values.iter().map(|x| json!(x))).collect()
 }
 
-/// Returns the needed generalized forces along each speed, rounded to doubles.
+/// Returns the required generalized force along each speed, rounded to `f64`.
 fn force_values(forces: &RequiredForces) -> Vec<f64> {
     forces.along.iter().map(|x| x.hi()).collect()
 }
@@ -147,8 +144,8 @@ fn json_of(model: &Mechanism, inverse: &InverseDynamics, list: &[(MotionSample, 
     })
 }
 
-/// Returns the result as CSV, a row for each instant. The columns are t if known, the state,
-/// `force(u)` along each speed u, and the inputs. Inputs are empty if none give the forces.
+/// Returns the result as CSV, with a row for each instant. The columns are t if known, the state, `force(u)` along each
+/// speed u, and the inputs. Fields of inputs are empty if no inputs produce the forces.
 fn csv_of(model: &Mechanism, inverse: &InverseDynamics, list: &[(MotionSample, RequiredForces)]) -> String {
     let has_instants = list.iter().all(|(moving, _)| moving.t.is_some()) && model.time().is_none();
     let names = list.first().map_or(Vec::new(), |(moving, _)| state_of(model, moving));
@@ -174,7 +171,7 @@ fn csv_of(model: &Mechanism, inverse: &InverseDynamics, list: &[(MotionSample, R
     table(&heads, list.iter().map(row))
 }
 
-/// Returns the result as text: all numbers for one instant, otherwise the largest values.
+/// Returns the result as text: all numbers if there is one instant, otherwise the largest values.
 fn text_of(model: &Mechanism, inverse: &InverseDynamics, list: &[(MotionSample, RequiredForces)]) -> String {
     let mut out = format!("{}: what its motion needs\n", model.title);
     match list {
@@ -220,13 +217,13 @@ fn text_of(model: &Mechanism, inverse: &InverseDynamics, list: &[(MotionSample, 
     out
 }
 
-/// Returns the remark that there are more inputs than needed. Empty if there are not.
+/// Returns a remark if there are more inputs than needed, else an empty text.
 fn surplus_inputs_remark(inverse: &InverseDynamics, forces: &RequiredForces) -> String {
     let more = inverse.inputs.len() - forces.reached;
     if more == 0 { String::new() } else { format!(", the least of those that give the same ({more} may be chosen)") }
 }
 
-/// Returns a sentence on why the inputs do not give the motion. Empty if they do.
+/// Returns a sentence that says why the inputs do not produce the motion. Empty if they do.
 fn unreachable_motion_sentence(inverse: &InverseDynamics, list: &[(MotionSample, RequiredForces)]) -> String {
     if inverse.inputs.is_empty() {
         return "\nthe model has no inputs; --input NAME asks for parameters that loads are linear in\n".to_owned();

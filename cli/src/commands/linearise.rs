@@ -1,4 +1,4 @@
-//! Command `tripos linearise`: prints a mechanism near rest or a steady motion as a linear system.
+//! Command `tripos linearise`: prints the linear system of a mechanism near rest or a steady motion.
 
 mod notations;
 
@@ -23,13 +23,12 @@ use tripos_derive::scene::{load_output, load_state_with_unknowns};
 pub enum LinearSystemFormat {
     /// The linear system is printed as JSON for programs.
     Json,
-    /// Text or matrices in the given notation.
+    /// The linear system is printed as text or as matrices, in this notation.
     Notation(Notation),
 }
 
-/// Runs `tripos linearise`: linearises a model about the state of a file, and prints the linear
-/// system. Returns the exit status.
-/// `letters` are names of parameters that remain symbols in the matrices.
+/// Runs `tripos linearise`: linearises a model about the state of a file, and prints the linear system. `letters` are
+/// names of parameters that remain symbols in the matrices. Returns the exit status.
 ///
 /// # Errors
 /// `Failure` if a file has errors, an output is listed twice, or the state cannot be linearised.
@@ -104,7 +103,7 @@ fn damping(mode: &Mode) -> Option<f64> {
     (size > 0.0).then(|| -mode.value[0] / size)
 }
 
-/// Returns the states with a share of more than 0.01 in a mode, with their shares, largest first.
+/// Returns the states with a share of more than 0.01 in a mode, with their shares. The largest share is first.
 fn linearised_mode_states(found: &SteadyLinearSystem, mode: &Mode) -> Vec<(String, f64)> {
     let names = found.system.kept.iter().map(|at| found.all[*at].clone());
     let mut list: Vec<(String, f64)> =
@@ -113,7 +112,7 @@ fn linearised_mode_states(found: &SteadyLinearSystem, mode: &Mode) -> Vec<(Strin
     list
 }
 
-/// Returns the names of the states with the indices `places`.
+/// Returns the names of the states with these indices.
 fn names(found: &SteadyLinearSystem, places: &[usize]) -> Vec<String> {
     places.iter().map(|at| found.all[*at].clone()).collect()
 }
@@ -164,8 +163,7 @@ fn symbolic_linearisation_json(letters: &SymbolicLinearForm) -> Value {
     json!({ "letters": letters.names, "A": a, "B": b, "C": c, "D": d })
 }
 
-/// Returns the entries of the matrices A, B, C and D with symbolic parameters as text, one per
-/// line, except those that are 0.
+/// Returns the nonzero entries of the matrices A, B, C and D with symbolic parameters as text, one entry per line.
 fn text_of_letters(found: &SteadyLinearSystem, letters: &SymbolicLinearForm) -> String {
     let letter = letters.names.first().map_or("", String::as_str);
     let mut out = format!("\nfor every {}, by exact algebra; all other entries are 0\n", letters.names.join(", "));
@@ -185,7 +183,7 @@ fn text_of_letters(found: &SteadyLinearSystem, letters: &SymbolicLinearForm) -> 
     out
 }
 
-/// Returns the coordinates along which a steady motion goes, with their rates, as JSON.
+/// Returns, as JSON, the coordinates along which a steady motion proceeds, with their rates.
 pub fn linearised_motion_json(found: &SteadyLinearSystem) -> Vec<Value> {
     found.moves.iter().map(|(along, rate)| json!({ "along": along, "rate": rate })).collect()
 }
@@ -199,14 +197,13 @@ pub fn motion_kind_words(found: &SteadyLinearSystem) -> String {
     format!("a steady motion along {}", moves.join("; "))
 }
 
-/// Returns an eigenvalue, or a complex pair, as text with `decimals` decimals.
+/// Returns an eigenvalue, or a complex pair of eigenvalues, as text with `decimals` decimals.
 pub fn eigenvalue_text(mode: &Mode, decimals: usize) -> String {
     let [re, im] = mode.value.map(|x| decimal_text(x, decimals));
     if mode.value[1] > 0.0 { format!("{re} ± {im}i") } else { re }
 }
 
-/// Returns the eigenvalues as text, a line each with the states that take part, and then the
-/// stability.
+/// Returns the eigenvalues as text, each on a line with the states that take part in its mode. The stability follows.
 pub fn modes_text(found: &SteadyLinearSystem) -> String {
     let mut out = String::new();
     for mode in found.modes.iter().filter(|mode| mode.value[1] >= 0.0) {

@@ -1,5 +1,5 @@
-//! Commands `tripos completions` and `tripos man`: descriptions of the command line for shells and
-//! for `man`.
+//! Commands `tripos completions` and `tripos man`: they write descriptions of the command line for shells and for
+//! `man`.
 
 use crate::arguments::Arguments;
 use crate::files::output_files::{make_folder, write_text_file};
@@ -21,14 +21,14 @@ pub fn completions(shell: Shell) -> Result<u8, Failure> {
     Ok(0)
 }
 
-/// Prints the manual page of `tripos`. If `out` is given, writes this page and those of all
-/// subcommands into that folder. Returns the exit status.
+/// Prints the manual page of `tripos`. If `out` is given, instead writes this page and the pages of all subcommands
+/// into that folder. Returns the exit status.
 ///
 /// # Errors
 /// [`Failure`] if a page cannot be printed or written.
 pub fn man(out: Option<&Path>) -> Result<u8, Failure> {
     let mut command = Arguments::command();
-    // After this, subcommands know their full names.
+    // This call gives subcommands their full names.
     command.build();
     let Some(out) = out else {
         print(&page(&Man::new(command))?)?;

@@ -1,4 +1,4 @@
-//! Command `tripos new`: makes a new folder with a commented model and a scene to start from.
+//! Command `tripos new`: makes a new folder with a commented model and a scene as a starting point.
 
 use crate::files::workspace::{model_file, workspace_around};
 use crate::terminal::failure::{Failure, print};
@@ -21,12 +21,11 @@ struct Folder {
     scenes: Vec<(PathBuf, String)>,
 }
 
-/// Runs `tripos new`: writes a model and its scenes into a new folder, and prints the next
-/// commands. `like` names a model to copy. Returns the exit status.
+/// Runs `tripos new`: writes a model and its scenes into a new folder, and prints commands to run next. `like` names a
+/// model to copy. Returns the exit status.
 ///
 /// # Errors
-/// [`Failure`] if the folder is not empty, the model to copy cannot be read, or a file cannot be
-/// written.
+/// [`Failure`] if the folder is not empty, if the model to copy cannot be read, or if a file cannot be written.
 pub fn new(folder: &Path, like: Option<&Path>) -> Result<u8, Failure> {
     let is_free = match std::fs::read_dir(folder) {
         Ok(mut entries) => entries.next().is_none(),
@@ -62,11 +61,11 @@ pub fn new(folder: &Path, like: Option<&Path>) -> Result<u8, Failure> {
     Ok(0)
 }
 
-/// Reads the model to copy, and its scenes. `like` is a file, a folder, or the name of a model in
-/// `models/` of the workspace.
+/// Reads the model to copy, with its scenes. `like` is a file, a folder, or the name of a model in `models/` of the
+/// workspace.
 ///
 /// # Errors
-/// [`Failure`] if there is no such model, or a file cannot be read.
+/// [`Failure`] if there is no such model, or if a file cannot be read.
 fn read_model_to_copy(like: &Path) -> Result<Folder, Failure> {
     let named = || {
         let root = workspace_around(&std::env::current_dir().ok()?)?;

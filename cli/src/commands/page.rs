@@ -1,5 +1,4 @@
-//! Command `tripos page`: derives a model, runs every scene by every formulation, and writes one
-//! HTML page.
+//! Command `tripos page`: derives a model, runs every scene by every formulation, and writes one HTML page.
 
 mod motion_figure;
 mod reduced_run;
@@ -44,23 +43,21 @@ use tripos_derive::scene::{AccelerationSolution, FigureKind, Integrator, Scene, 
 use tripos_derive::{Formulation, Model};
 use tripos_sim::Method;
 
-/// Largest number of steps in a run of printed equations. Such equations can slow down towards a
-/// state that they never reach.
+/// Largest number of steps in a run of printed equations. Runs of wrong equations can approach a state with ever
+/// smaller steps and never reach it.
 const MOST_PRINTED_STEPS: u64 = 10_000;
 
-/// Runs `tripos page`: derives, proves and runs a model, and writes its page. Returns the exit
-/// status.
+/// Runs `tripos page`: derives, proves and runs a model, and writes its page. Returns the exit status.
 ///
 /// # Errors
-/// `Failure` if a file has errors, derived equations cannot run a scene, or a file cannot be
-/// written. An interruption and scenes with errors are also errors, after the page is written.
+/// `Failure` if a file has errors, if derived equations cannot run a scene, or if a file cannot be written. After an
+/// interruption, or if scenes have errors, the page is written before the error is returned.
 pub fn page(request: &Request) -> Result<u8, Failure> {
     let out = request.out.as_path();
     let also = request.also.iter().map(|name| formulation_of_name(name)).collect::<Result<Vec<_>, _>>()?;
     let argument = request.model.as_deref().map_or_else(default_page_model, |given| Ok(given.to_owned()))?;
     let mut model = read_model(&argument)?;
-    // The page shows names of the model file next to formulas, so formulas use exactly these
-    // names.
+    // The page shows names of the model file next to formulas. The formulas must therefore use exactly these names.
     model.arena.clear_printed_names();
     if let Some(note) = edited_workspace_model_warning(&model) {
         warn(&note);
@@ -138,8 +135,7 @@ fn default_page_model() -> Result<PathBuf, Failure> {
     Ok(model.strip_prefix(&here).map_or_else(|_| model.clone(), Path::to_owned))
 }
 
-/// Reads the scenes of a model file. The second list holds the errors of scenes that cannot be
-/// read.
+/// Reads the scenes of a model file. The second list has the errors of scenes that cannot be read.
 fn read_page_scenes(model_file: &Path, model: &mut Model) -> Result<(Vec<Scene>, Vec<Diagnostics>), Failure> {
     let (mut scenes, mut broken) = (Vec::new(), Vec::new());
     for file in scenes_in_model_folder(model_file) {
@@ -162,8 +158,8 @@ fn read_page_scenes(model_file: &Path, model: &mut Model) -> Result<(Vec<Scene>,
     Ok((scenes, broken))
 }
 
-/// Changes the scenes by the values of the option `--set`, and prints the changed values once.
-/// `Err` for an unknown name or a value that a scene cannot have.
+/// Sets values of the option `--set` in the scenes, and prints the changed values once. `Err` for an unknown name or a
+/// value that a scene cannot have.
 fn set_page_scene_values(scenes: Vec<Scene>, model: &mut Mechanism, set: &[String]) -> Result<Vec<Scene>, Failure> {
     let mut list = Vec::new();
     for scene in scenes {
@@ -181,8 +177,7 @@ fn set_page_scene_values(scenes: Vec<Scene>, model: &mut Mechanism, set: &[Strin
 /// Derivation of each formulation, or the reason why the model does not support it.
 type Derivations = Vec<(Formulation, Result<DerivationInSteps, String>)>;
 
-/// Derives the formulations of a model one after the other.
-/// `Err` if a derivation fails for another reason than an unsupported model.
+/// Derives the formulations of a model one after another. `Err` if a derivation fails although the model is supported.
 fn derivations(model: &Mechanism, formulations: &[Formulation], bar: &ProgressBar) -> Result<Derivations, Failure> {
     let mut list = Vec::new();
     for f in formulations.iter().copied() {
@@ -197,7 +192,7 @@ fn derivations(model: &Mechanism, formulations: &[Formulation], bar: &ProgressBa
     Ok(list)
 }
 
-/// Equations of a model prepared for runs, and the quantities that are watched along runs.
+/// Equations of a model prepared for runs, with the quantities that are watched along runs.
 struct PageRuns<'a> {
     /// Model of the mechanism on the page.
     model: &'a Mechanism,
@@ -219,13 +214,13 @@ struct SceneRuns {
     own: Result<ReducedRun, String>,
     /// Runs by printed equations, each with its watched quantities.
     printed: Vec<(Run, InvariantValues)>,
-    /// Trustworthiness of each run, in the order derived, reduced, printed.
+    /// Standing (trustworthiness) of each run, in the order derived, reduced, printed.
     standings: Vec<Standing>,
     /// Names of printed systems that could not be run, each with the reason.
     not_run: Vec<(String, String)>,
 }
 
-/// Results of the scenes that were finished, as sections of the page.
+/// Results of all scenes that were finished, as sections of the page.
 #[derive(Default)]
 struct FinishedScenes {
     /// Section of the page for each finished scene.
@@ -258,7 +253,7 @@ impl<'a> PageRuns<'a> {
         for scene in scenes {
             let runs = self.runs(scene, bar);
             if interruption::is_interrupted() {
-                // Runs that were interrupted are not shown, nor written to tables.
+                // Interrupted runs are not shown, and are not written to tables.
                 break;
             }
             let runs = runs?;
@@ -335,9 +330,8 @@ impl<'a> PageRuns<'a> {
         Ok(runs)
     }
 
-    /// Returns the curves to draw, with a note on the printed equations. Of systems that provably
-    /// give the same motion only the first is drawn.
-    /// The note is `None` if every printed system has a curve.
+    /// Returns the curves to draw, with a note on the printed equations. If several systems are proved to give the same
+    /// motion, only the first is drawn. The note is `None` if every printed system has a curve.
     fn curves_to_draw<'r>(&self, runs: &'r SceneRuns) -> (Vec<RunCurves<'r>>, Option<String>) {
         let mut curves = derived_page_run_curves(runs, |own| own.course.is_some());
         let Some(published) = &self.study.published else { return (curves, None) };
@@ -371,9 +365,8 @@ impl<'a> PageRuns<'a> {
         (curves, (!notes.is_empty()).then(|| notes.join(" ")))
     }
 
-    /// Returns the panels of the figure of states: every state, or the outputs that the scene
-    /// lists.
-    /// `Err` if the outputs of the scene cannot be compared.
+    /// Returns the panels of the figure of states. They show every state, or the outputs that the scene lists. `Err` if
+    /// the outputs of the scene cannot be compared.
     fn states(&self, scene: &Scene, runs: &SceneRuns) -> Result<Vec<Panel>, Failure> {
         let curves = run_panels::merge_equal_curves(derived_page_run_curves(runs, |_| true));
         if !scene.states_outputs {
@@ -426,7 +419,7 @@ impl<'a> PageRuns<'a> {
         let (curves, note) = self.curves_to_draw(&runs);
         let note = note.map(|note| format!(" {note}")).unwrap_or_default();
         let mut integrals = None;
-        // Impacts change the quantities that motions conserve.
+        // Impacts change quantities that motion without impacts conserves.
         if !curves.is_empty() && !self.watch.integrals.is_empty() && scene.impacts.is_empty() {
             let curves = run_panels::merge_equal_curves(curves.clone());
             let panels = run_panels::integrals(&self.watch, &curves);
@@ -470,8 +463,8 @@ impl<'a> PageRuns<'a> {
     }
 }
 
-/// Returns the curves of the runs by derived equations. The reduced equations are included if
-/// `shows` accepts them.
+/// Returns the curves of the runs by derived equations. The run by reduced equations is included if `shows` is true for
+/// it.
 fn derived_page_run_curves(runs: &SceneRuns, shows: impl Fn(&ReducedRun) -> bool) -> Vec<RunCurves<'_>> {
     let own =
         runs.own.iter().filter(|own| shows(own)).map(|own| (&own.run, own.course.as_ref().unwrap_or(&EMPTY_COURSE)));

@@ -18,14 +18,14 @@ use tripos_sim::Stop;
 
 /// Value of the option `--what` that means all first integrals.
 const INTEGRALS: &str = "integrals";
-/// Largest number of panels that are set in one column. More panels are set in two columns.
+/// Largest number of panels that are placed in one column. More panels are placed in two columns.
 const ONE_COLUMN: usize = 3;
 
 /// Quantities that a figure shows, and the quantity on its horizontal axis.
 struct PlotQuantities {
     /// Names of the quantities of each panel.
     panels: Vec<Vec<String>>,
-    /// True if all first integrals are shown too, each in its own panel.
+    /// True if all first integrals are shown, too, each in its own panel.
     integrals: bool,
     /// Name of the quantity on the horizontal axis, such as the time.
     against: String,
@@ -35,11 +35,11 @@ struct PlotQuantities {
 struct PlottedRun {
     /// Label of the run's curves in the legend.
     label: String,
-    /// Run with the values of the wanted quantities.
+    /// Run with the values of the quantities to draw.
     run: Run,
     /// Model of the mechanism in the scene.
     model: Mechanism,
-    /// Scene that was run, with the wanted quantities as outputs.
+    /// Scene that was run, with the quantities to draw as outputs.
     scene: Scene,
     /// Changes of the first integrals along the run; empty if they are not shown.
     integrals: Vec<IntegralChange>,
@@ -55,12 +55,11 @@ struct IntegralChange {
     changes: Vec<f64>,
 }
 
-/// Runs `tripos plot`: runs the scenes, draws the wanted quantities, and writes the figure and its
-/// data. Returns the exit status.
+/// Runs `tripos plot`: runs the scenes, draws the requested quantities, and writes the figure and its data. Returns the
+/// exit status.
 ///
 /// # Errors
-/// [`Failure`] if a scene cannot be read or run, a quantity is unknown, or a file cannot be
-/// written.
+/// [`Failure`] if a scene cannot be read or run, if a quantity is unknown, or if a file cannot be written.
 pub fn plot(request: &Plot) -> Result<u8, Failure> {
     let wanted = PlotQuantities::new(request);
     let (out, kind) = figure_path(request)?;
@@ -144,11 +143,11 @@ fn split_plot_list(text: &str) -> Vec<&str> {
     list
 }
 
-/// Returns the path of the figure and its file format. The format is `None` if only the data are
-/// wanted, by a name in `.csv`.
+/// Returns the path of the figure and its file format. The format is `None` if the file name ends in `.csv`, which
+/// requests the data alone.
 ///
 /// # Errors
-/// [`Failure`] if the extension names no format.
+/// [`Failure`] if the extension is that of no format.
 fn figure_path(request: &Plot) -> Result<(PathBuf, Option<PictureFormat>), Failure> {
     let named = || request.scenes.first().and_then(|scene| scene.file_stem()).map(PathBuf::from).unwrap_or_default();
     let out = request.out.clone().unwrap_or_else(|| named().with_extension("svg"));
@@ -163,7 +162,7 @@ fn plot_data_path(out: &Path) -> PathBuf {
     out.with_extension("csv")
 }
 
-/// Returns the ways to run each scene, each with its words: first the way of the options, then one
+/// Returns the settings with which each scene is run, each with its description: first those of the options, then one
 /// for each `--also`.
 ///
 /// # Errors
@@ -199,10 +198,11 @@ fn run_variants(request: &Plot) -> Result<Vec<(String, Overrides)>, Failure> {
 }
 
 impl PlottedRun {
-    /// Reads a scene, runs it in one way, and keeps the wanted quantities. `words` name the way.
+    /// Reads a scene, runs it with the settings `way`, and keeps the requested quantities. `words` describe the
+    /// settings.
     ///
     /// # Errors
-    /// [`Failure`] if the scene cannot be read or run, or a quantity is unknown.
+    /// [`Failure`] if the scene cannot be read or run, or if a quantity is unknown.
     fn new(
         path: &Path,
         way: &Overrides,
@@ -245,7 +245,7 @@ impl PlottedRun {
         Ok(Self { label, run, model, scene, integrals })
     }
 
-    /// Returns the values of a quantity along the run, one per sample.
+    /// Returns the values of a quantity along the run, with one value for each sample.
     ///
     /// # Errors
     /// `Error` if the run has no such quantity.
@@ -271,7 +271,7 @@ impl PlottedRun {
 /// `Err` if the first integrals cannot be found.
 fn integrals(model: &Mechanism, scene: &Scene, run: &Run) -> Result<Vec<IntegralChange>, Failure> {
     let watch = WatchedInvariants::of_model(model)?;
-    // States of the run hold coordinates and speeds first, then outputs.
+    // A state of the run contains coordinates and speeds first, then outputs.
     let count = model.coordinates.len() + model.speeds.len();
     let states: Vec<Vec<f64>> = run.states.iter().map(|state| state[..count].to_vec()).collect();
     let (values, _) = watch.invariants_along_states(&scene.parameters, &states);

@@ -1,5 +1,4 @@
-//! Command `tripos prove`: proves the equivalence of the formulations, and first integrals of the
-//! motion.
+//! Command `tripos prove`: proves that the formulations are equivalent, and finds first integrals of the motion.
 
 use crate::files::workspace::{read_model, short_name};
 use crate::glossary::{glossary_json, glossary_text};
@@ -16,15 +15,14 @@ use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{LoadDivisor, derive_all};
 use tripos_derive::prove::{Proof, prove as prove_model};
 
-/// Length, in bytes, of the longest formula of a reaction that the text shows.
+/// Largest length, in bytes, of a reaction's formula that the text shows.
 const LONGEST: usize = 600;
 
-/// Runs `tripos prove`: proves the equivalence of the standard formulations and of those in `also`,
-/// and first integrals. Returns the exit status, 1 if a pair of formulations is not proved
-/// equivalent.
+/// Runs `tripos prove`: proves that the standard formulations and those in `also` are equivalent, and finds first
+/// integrals. Returns the exit status, which is 1 if a pair of formulations is not proved equivalent.
 ///
 /// # Errors
-/// `Failure` if the model has errors, or a formulation in `also` is unknown or cannot be derived.
+/// `Failure` if the model has errors, or if a formulation in `also` is unknown or cannot be derived.
 pub fn prove(model: &Path, also: &[String], output: Output) -> Result<u8, Failure> {
     let also = also.iter().map(|name| formulation_of_name(name)).collect::<Result<Vec<_>, _>>()?;
     let model = read_model(model)?;
@@ -52,7 +50,7 @@ pub fn proof_verdict_word(verdict: &Verdict) -> &'static str {
     }
 }
 
-/// Returns the method of proof that decided equality as JSON; null if the verdict is not "equal".
+/// Returns, as JSON, the method of proof that decided equality. Null if the verdict is not "equal".
 pub fn proof_method_json(verdict: &Verdict) -> Value {
     match verdict {
         Verdict::Equal(Engine::NormalForm) => json!("normal-form"),
@@ -61,7 +59,7 @@ pub fn proof_method_json(verdict: &Verdict) -> Value {
     }
 }
 
-/// Returns the witness of a difference as JSON: a point, and the values of both sides there.
+/// Returns the witness of a difference as JSON: a state, and the values of both sides in it.
 pub fn proof_witness_json(witness: &Witness) -> Value {
     let at: serde_json::Map<String, Value> = witness.at.iter().map(|(name, x)| (name.clone(), json!(x))).collect();
     json!({ "at": at, "left": witness.left, "right": witness.right, "difference": witness.difference })

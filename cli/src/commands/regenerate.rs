@@ -1,5 +1,5 @@
-//! Command `tripos regenerate`: the only writer of `generated/` and of the SymPy references in the
-//! models' folders.
+//! Command `tripos regenerate`: the only command that writes `generated/` and the SymPy references in the models'
+//! folders.
 
 mod equation_changes;
 mod python;
@@ -21,8 +21,8 @@ use tripos_derive::Formulation;
 use tripos_derive::diagnostic::nearest_name_advice;
 use tripos_derive::plain_text::path_as_plain_text;
 
-/// Runs `tripos regenerate --check`: prints generated files and references that differ. Returns the
-/// exit status, 1 if there are any.
+/// Runs `tripos regenerate --check`: prints generated files and references that differ. Returns the exit status, which
+/// is 1 if there are any.
 ///
 /// # Errors
 /// `Failure` outside a workspace, for an unknown model, and for models with errors.
@@ -40,12 +40,11 @@ pub fn check(models: &[PathBuf], output: Output) -> Result<u8, Failure> {
     Ok(if found.differences.is_empty() && references.is_empty() { 0 } else { status::NO })
 }
 
-/// Runs `tripos regenerate`: writes generated files that differ, prints the changes of the
-/// equations, and renews the SymPy references. Returns the exit status, 1 if a reference disagrees.
+/// Runs `tripos regenerate`: writes generated files that differ, prints the changes of the equations, and renews the
+/// SymPy references. Returns the exit status, which is 1 if a reference disagrees.
 ///
 /// # Errors
-/// `Failure` outside a workspace, for an unknown model, for models with errors, and if a file
-/// cannot be written.
+/// `Failure` outside a workspace, for an unknown model, for models with errors, and if a file cannot be written.
 pub fn regenerate(models: &[PathBuf], output: Output) -> Result<u8, Failure> {
     let root = workspace_here()?;
     let (found, committed, asked) = compare_with_committed(&root, models)?;
@@ -62,14 +61,13 @@ pub fn regenerate(models: &[PathBuf], output: Output) -> Result<u8, Failure> {
     Ok(answer)
 }
 
-/// Returns the files that differ, the summary of the changes, and the lines about the references as
-/// JSON.
+/// Returns, as JSON, the files that differ, the summary of the changes, and the lines about the references.
 fn json_of(found: &Freshness, summary: &str, references: &[String]) -> Value {
     let files: Vec<String> = found.differences.iter().map(|difference| difference.file().to_owned()).collect();
     json!({ "differ": files, "summary": summary.lines().collect::<Vec<_>>(), "references": references })
 }
 
-/// Returns those of the names `asked` whose models have no errors.
+/// Returns the names from `asked` whose models have no errors.
 fn models_without_errors(found: &Freshness, mut asked: Vec<String>) -> Vec<String> {
     asked.retain(|name| !found.generated.broken.iter().any(|(broken, _)| broken == name));
     asked
@@ -89,7 +87,7 @@ fn compare_with_committed(root: &Path, models: &[PathBuf]) -> Result<(Freshness,
     let all = model_folders(&folder).map_err(unreadable)?;
     let mut asked = Vec::new();
     for model in models {
-        // The argument is a name such as `disk`, or a folder as a shell completes it.
+        // The argument is a name such as `disk`, or a folder that a shell has completed.
         let name = model.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
         if !all.contains(&name) {
             let what = format!("there is no model `{}` in {}", path_as_plain_text(model), path_as_plain_text(&folder));
@@ -110,8 +108,7 @@ fn fail_for_broken_models(found: &Freshness) -> Result<(), Failure> {
     Err(Error::Inputs(found.generated.broken.iter().map(|(_, diagnostics)| diagnostics.clone()).collect()).into())
 }
 
-/// Returns the report on the differences: files, changes of equations, and the number of code
-/// files.
+/// Returns the report on the differences: changed files, changes of equations, and the number of changed code files.
 fn regeneration_summary(root: &Path, found: &Freshness, committed: &Path, asked: usize) -> String {
     if found.differences.is_empty() {
         let models = if asked == 1 { "1 model".to_owned() } else { format!("{asked} models") };
@@ -126,8 +123,7 @@ fn regeneration_summary(root: &Path, found: &Freshness, committed: &Path, asked:
         .into_iter()
         .map(|model| (model, compare_with_committed_equations(&root.join("models"), committed, model)))
         .collect();
-    // Changed copies of edited models are not listed: the person who edited a model knows of the
-    // edit.
+    // Changed copies of edited models are not listed, since the person who edited the model knows of the edit.
     let is_model = |file: &str| file.ends_with(&format!("/{DERIVED_MODEL_COPY}"));
     for difference in
         read.into_iter().filter(|d| !matches!(d, GeneratedFileDifference::Changed(file) if is_model(file)))
@@ -156,8 +152,8 @@ fn regeneration_summary(root: &Path, found: &Freshness, committed: &Path, asked:
     out
 }
 
-/// Returns the name of the model whose equations, code or model file changed in this difference;
-/// `None` for other files. Equations with many terms exist only as code.
+/// Returns the name of the model whose equations, code or model file changed in this difference. `None` for other
+/// files. Equations with many terms exist only as code.
 fn model_to_regenerate(difference: &GeneratedFileDifference) -> Option<&str> {
     let GeneratedFileDifference::Changed(file) = difference else { return None };
     let (model, file) = file.split_once('/')?;
@@ -165,8 +161,8 @@ fn model_to_regenerate(difference: &GeneratedFileDifference) -> Option<&str> {
         .then_some(model)
 }
 
-/// Returns the name of the model whose formulation file for people changed in this difference.
-/// `None` for all other files.
+/// Returns the name of the model whose readable file of a formulation changed in this difference. `None` for all other
+/// files.
 fn formulation_model_to_regenerate(difference: &GeneratedFileDifference) -> Option<&str> {
     let GeneratedFileDifference::Changed(file) = difference else { return None };
     let (model, file) = file.split_once('/')?;
@@ -174,7 +170,7 @@ fn formulation_model_to_regenerate(difference: &GeneratedFileDifference) -> Opti
     Formulation::ALL.iter().any(is_formulation).then_some(model)
 }
 
-/// True if a generated file is code for programs; its equations are in another file for people.
+/// True if a generated file is code. Readable equations are in another file.
 fn is_regenerated_code(file: &str) -> bool {
     Path::new(file).parent().is_some_and(|folder| folder.ends_with("code"))
 }

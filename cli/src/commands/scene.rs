@@ -1,5 +1,5 @@
-//! Command `tripos scene`: shows the reduced equations of a scene and the parts of the model that
-//! it does not need.
+//! Command `tripos scene`: prints the reduced equations of a scene, and the parts of the model that the scene does not
+//! need.
 
 use crate::files::scene_file::SceneWithSetValues;
 use crate::files::workspace::short_name;

@@ -3,8 +3,7 @@
 use crate::terminal::failure::{Failure, print};
 use tripos_derive::schema::SchemaFormat;
 
-/// Prints the JSON Schema of a file format. Returns the exit status. An unknown format prints
-/// nothing.
+/// Prints the JSON Schema of a file format, or nothing for an unknown format. Returns the exit status.
 ///
 /// # Errors
 /// [`Failure`] if the schema cannot be printed.

@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 use tripos_derive::diagnostic::Source;
 use tripos_derive::plain_text::path_as_plain_text;
 
-/// Publication of the shelf with its verdict, or with the reason why it has none.
+/// Publication in the judged folder, with its verdict or the reason why it has none.
 struct ShelvedPublication {
     /// Name of the publication's folder.
     name: String,
@@ -23,8 +23,7 @@ struct ShelvedPublication {
     verdict: Result<ShelfVerdict, String>,
 }
 
-/// Result of comparing the equations that a publication prints with the derived ones, as the list
-/// of publications shows it.
+/// Verdict on the equations that a publication prints, in the form in which the list of publications shows it.
 struct ShelfVerdict {
     /// Title of the publication, for its heading in the list.
     title: String,
@@ -34,18 +33,17 @@ struct ShelfVerdict {
     judged: usize,
     /// Number of entries whose verdict is undecided.
     undecided: usize,
-    /// Root mistakes: the id of the wrong entry, the mistake in words, and the number of entries
-    /// that it makes wrong.
+    /// Root mistakes: the id of the wrong entry, a description of the mistake, and the number of entries that it makes
+    /// wrong.
     mistakes: Vec<(String, String, usize)>,
-    /// First integrals of the true motion that printed systems violate: the system, and the
-    /// integral.
+    /// Pairs of a printed system and a first integral of the right motion that the system violates.
     broken: Vec<(String, String)>,
-    /// Motions that wrong printed systems give, compared with the right motions.
+    /// Motions by wrong printed systems, compared with the right motion.
     motions: Vec<ShelvedMotion>,
 }
 
 impl ShelfVerdict {
-    /// Collects the verdict from the judged entries of a publication.
+    /// Creates the verdict from the judged entries of a publication.
     fn new(judged: &JudgedPublication, motions: Vec<ShelvedMotion>) -> Self {
         let JudgedPublication { model, publication, derivations, difference, .. } = judged;
         let mistake = |root: &tripos_derive::diff::RootMistake| {
@@ -71,8 +69,8 @@ impl ShelfVerdict {
         self.mistakes.is_empty() && self.undecided == 0
     }
 
-    /// Returns the verdict in words, such as "right" or "2 differences". A difference may be an
-    /// approximation by the author.
+    /// Returns the verdict in words, such as "right" or "2 differences". A difference may be an intended approximation
+    /// by the author.
     fn words(&self) -> String {
         match (self.mistakes.len(), self.undecided) {
             (0, 0) => "right".to_owned(),
@@ -83,12 +81,11 @@ impl ShelfVerdict {
     }
 }
 
-/// Runs `tripos shelf`: judges every folder with a model and a publication, and writes a page to
-/// `out`. Returns the exit status, 1 if a publication cannot be judged or decided. Mistakes do not
-/// change the exit status.
+/// Runs `tripos shelf`: judges every folder with a model and a publication, and writes a page to `out`. Returns the
+/// exit status, which is 1 if a publication cannot be judged or decided. Mistakes do not affect the exit status.
 ///
 /// # Errors
-/// `Failure` if there is no publication, a folder cannot be read, or a file cannot be written.
+/// `Failure` if there is no publication, if a folder cannot be read, or if a file cannot be written.
 pub fn shelf(folder: Option<&Path>, out: Option<&Path>, output: Output) -> Result<u8, Failure> {
     let folder = folder.map_or_else(workspace_publications, |folder| Ok(folder.to_owned()))?;
     let volumes: Vec<ShelvedPublication> =
@@ -135,7 +132,7 @@ fn publication_folders(shelf: &Path) -> Result<Vec<PathBuf>, Failure> {
     Ok(list)
 }
 
-/// Judges the publication in a folder; a failure becomes the reason why it has no verdict.
+/// Judges the publication in a folder. If this fails, the reason is stored instead of a verdict.
 fn judge_publication(folder: &Path) -> ShelvedPublication {
     let name = folder.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let judged = || -> Result<ShelfVerdict, Failure> {

@@ -67,8 +67,8 @@ pub fn simulate(request: &Simulate) -> Result<u8, Failure> {
     Ok(status)
 }
 
-/// Prints notes and warnings of a run, and the reason why it did not give all wanted results.
-/// Returns the exit status.
+/// Prints notes and warnings about a run. `missing` is the reason why results are missing, if any are. Returns the exit
+/// status.
 fn report_run(request: &Simulate, run: &Run, missing: Option<String>) -> u8 {
     run.notes.iter().for_each(|note| print_to_stderr(&format!("note: {note}")));
     run.warnings.iter().for_each(|warning| warn(warning));
@@ -150,8 +150,7 @@ fn impacts_json(scene: &Scene, run: &Run) -> Vec<Value> {
     run.solution.impacts.iter().map(one).collect()
 }
 
-/// Returns a line with the number of impacts and the energy lost in them, J. Empty if there were
-/// none.
+/// Returns a line with the number of impacts and the energy lost in them, J. Empty if there are no impacts.
 fn impacts_in_words(run: &Run) -> String {
     let list = &run.solution.impacts;
     // The sum with 0 removes the sign of a negative zero.
@@ -169,8 +168,8 @@ fn shown_value_indices(run: &Run) -> impl Iterator<Item = usize> {
     (0..run.names.len()).filter(|at| run.names[*at] != TIME)
 }
 
-/// Returns the smallest number of correct digits along a run as JSON, with the quantity and the
-/// time. Null if digits were not assessed.
+/// Returns, as JSON, the smallest number of correct digits along a run, with the quantity and the time. Null if digits
+/// were not assessed.
 fn fewest_digits_json(run: &Run) -> Value {
     let found = run.digits.as_ref().and_then(|digits| Some((digits, digits.fewest_of_all()?)));
     found.map_or(
@@ -179,8 +178,8 @@ fn fewest_digits_json(run: &Run) -> Value {
     )
 }
 
-/// Returns a line with the numbers of correct digits at the end and along the run. Empty if they
-/// were not assessed.
+/// Returns a line with the numbers of correct digits at the end of the run and along the run. Empty if digits were not
+/// assessed.
 fn digits_in_words(run: &Run) -> String {
     let Some((digits, fewest)) = run.digits.as_ref().and_then(|digits| Some((digits, digits.fewest_of_all()?))) else {
         return String::new();
@@ -200,8 +199,8 @@ fn drifts_except_energy(run: &Run) -> impl Iterator<Item = &Drift> {
     run.drifts.iter().filter(|drift| !drift.integral.kind.is_energy())
 }
 
-/// Returns a report on the corrections by projection in a run as JSON, so that projection hides no
-/// drift. Null without projection.
+/// Returns, as JSON, a report on the corrections by projection in a run, so that projection hides no drift. Null
+/// without projection.
 fn projection_json(run: &Run) -> Value {
     match &run.solution.projection {
         None => Value::Null,
@@ -220,8 +219,7 @@ fn projection_json(run: &Run) -> Value {
     }
 }
 
-/// Returns a report on the corrections by projection in a run as text, with the largest residual of
-/// the constraints.
+/// Returns, as text, a report on the corrections by projection in a run, with the largest residual of the constraints.
 fn projection_in_words(run: &Run, report: &ProjectionReport) -> String {
     let left = report.singular + report.not_converged;
     let Some(worst) = run.residuals.iter().max_by(|a, b| a.largest.abs().total_cmp(&b.largest.abs())) else {
@@ -296,11 +294,10 @@ fn as_text(model: &Mechanism, scene: &Scene, run: &Run) -> String {
     out
 }
 
-/// Writes the samples of a run to a CSV file: time, shown values, energies, and derivatives if
-/// there are any.
-/// `Err` if the file cannot be written.
+/// Writes the samples of a run to a CSV file: time, shown values, energies, and derivatives if there are any. `Err` if
+/// the file cannot be written.
 fn write_csv(path: &Path, run: &Run, slopes: Option<&Sensitivities>) -> Result<(), Failure> {
-    // A scene with outputs of its own has no columns for energies.
+    // A scene that lists outputs has no columns for energies.
     let energies = ["kinetic_energy", "potential_energy"].into_iter().filter(|_| !run.energies.is_empty());
     let energies = energies.chain(["work"].into_iter().filter(|_| !run.solution.work.is_empty()));
     let header: Vec<String> = ["t"]
@@ -324,9 +321,8 @@ fn write_csv(path: &Path, run: &Run, slopes: Option<&Sensitivities>) -> Result<(
     write_table_file(path, &header, rows)
 }
 
-/// Refuses a path for the samples before the run: an input file, an existing file that is no CSV
-/// file, or a folder that does not exist.
-/// `Err` is the refusal.
+/// Checks the path for the samples before the run. Refuses an input file, an existing file that is no CSV file, and a
+/// folder that does not exist. `Err` is the refusal.
 fn check_csv(path: &Path, existing: ExistingFilePolicy, model: &Mechanism, scene: &Scene) -> Result<(), Failure> {
     refuse_overwriting_inputs(model, Some(scene), [path])?;
     let format = TableFormat::of_name(path)?;

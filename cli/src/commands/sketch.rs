@@ -25,12 +25,12 @@ enum SketchFormat {
     Latex,
 }
 
-/// Runs `tripos sketch`: sketches a model, or the start of a scene, and writes the picture. `at` is
-/// a state file with another pose. Returns the exit status.
+/// Runs `tripos sketch`: sketches a model, or the start of a scene, and writes the picture. `at` is a state file with
+/// another pose. Returns the exit status.
 ///
 /// # Errors
-/// [`Failure`] if a file cannot be read or written, the extension of `out` names no format, or no
-/// body has a place.
+/// [`Failure`] if a file cannot be read or written, if the extension of `out` is that of no format, or if no body has a
+/// place.
 pub fn sketch(what: &Path, at: Option<&Path>, out: &Path, output: Output) -> Result<u8, Failure> {
     let kind = sketch_format(out)?;
     let (mut mechanism, scene) = read_sketched_scene(what)?;
@@ -72,9 +72,8 @@ fn sketch_format(out: &Path) -> Result<SketchFormat, Failure> {
     picture::picture_format(out, ", or in .tex for LaTeX").map(SketchFormat::Figure)
 }
 
-/// Reads the model, and the scene whose start is drawn: the given scene, otherwise the first of the
-/// model. `None` if the model has no scene.
-/// `Err` if a file has errors.
+/// Reads the model, and the scene whose start is drawn: the given scene, or else the first scene of the model. The
+/// scene is `None` if the model has no scene. `Err` if a file has errors.
 fn read_sketched_scene(what: &Path) -> Result<(Mechanism, Option<Scene>), Failure> {
     let is_scene = !what.is_dir() && what.exists() && !is_model(&Source::read(what)?);
     if is_scene {

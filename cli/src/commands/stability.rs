@@ -1,5 +1,5 @@
-//! Command `tripos stability`: studies the limits of a scene's runs, such as passages near singular
-//! places and growth of errors.
+//! Command `tripos stability`: studies the limits of a scene's runs, such as passages near singular places and the
+//! growth of errors.
 
 use crate::files::output_files::{make_folder, refuse_overwriting_inputs};
 use crate::files::scene_file::SceneWithSetValues;

@@ -20,7 +20,7 @@ use tripos::{Error, integration_method_words};
 use tripos_codegen::draft_file::ExistingFilePolicy;
 use tripos_derive::scene::Grid;
 
-/// Largest number of threads that is accepted. A larger number is probably a typing error.
+/// Largest accepted number of threads. A larger number is probably a typing error.
 const MOST_THREADS: usize = 4096;
 
 /// Runs `tripos sweep`: runs the points of the grid, or one part of them, and writes a row for
@@ -103,8 +103,8 @@ struct SweepTime {
     seconds: Duration,
 }
 
-/// Returns words for the extent of a sweep: the number of points, the part of the grid, and the
-/// time taken. `kept` is the number of rows from an earlier, unfinished sweep.
+/// Returns a description of a sweep's size: the number of points, the part of the grid, and the time taken. `kept` is
+/// the number of rows from an earlier, unfinished sweep.
 fn sweep_extent_words(shard: Shard, points: &Range<u64>, kept: u64, grid: &Grid, effort: &SweepTime) -> String {
     let SweepTime { threads, seconds } = effort;
     let count = points.end - points.start - kept;
@@ -122,11 +122,11 @@ fn sweep_extent_words(shard: Shard, points: &Range<u64>, kept: u64, grid: &Grid,
     )
 }
 
-/// Opens the table of a sweep and writes its header. A resumed table keeps the rows of the
+/// Opens the table of a sweep and writes its header. If the sweep is resumed, the table keeps the rows of the
 /// unfinished sweep.
 ///
 /// # Errors
-/// `Failure` if the file exists and must be kept, or if its rows are not of this sweep.
+/// `Failure` if the file exists and must be kept, or if its rows are not from this sweep.
 fn open_sweep_table(
     request: &Request,
     sweep: &Sweep<'_>,
@@ -149,7 +149,7 @@ fn open_sweep_table(
         if request.resume {
             print_to_stderr("all points of this sweep are already run");
         }
-        // A device or a pipe keeps no rows for a resumed sweep, so no record is written.
+        // A device or a pipe keeps no rows for a resumed sweep, so that no record is written.
         if table.unfinished_table_path() != request.out {
             record.write(table.unfinished_table_path())?;
         }
@@ -207,8 +207,7 @@ fn run_sweep_points(
     outcome.map(|()| tally)
 }
 
-/// Returns the number of threads: the given number, otherwise the number of cores, at most
-/// `MOST_THREADS`.
+/// Returns the number of threads: the given number, or else the number of cores, at most `MOST_THREADS`.
 ///
 /// # Errors
 /// `Failure` if the given number is 0 or too large.
@@ -223,7 +222,7 @@ fn thread_count(asked: Option<usize>) -> Result<usize, Failure> {
     }
 }
 
-/// Returns a progress bar with a count of points and the time left.
+/// Returns a progress bar with the number of finished points and the remaining time.
 fn sweep_progress_bar(points: u64) -> ProgressBar {
     let style = ProgressStyle::with_template("{bar:30} {pos}/{len} points, {eta} left");
     ProgressBar::new(points).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))

@@ -1,4 +1,4 @@
-//! Command `tripos view`: writes a scene's motion as a moving picture in one HTML file.
+//! Command `tripos view`: writes a scene's motion as an animated view in one HTML file.
 
 use crate::arguments::View as Request;
 use crate::files::output_files::{refuse_overwriting_inputs, write_text_file};
@@ -52,11 +52,11 @@ pub fn view(request: &Request) -> Result<u8, Failure> {
     Ok(if stopped { status::STOPPED } else { 0 })
 }
 
-/// Returns a motion to compare with, shown as a transparent ghost. `against` names other equations
-/// for the scene, or another scene of the same model.
+/// Returns a motion for comparison, which is shown as a transparent ghost. `against` names other equations for the
+/// scene, or another scene of the same model.
 ///
 /// # Errors
-/// `Failure` if the scene is of another model, or cannot be read or run.
+/// `Failure` if the scene belongs to another model, or if it cannot be read or run.
 fn ghost_motion(mechanism: &Mechanism, scene: &Scene, request: &Request, against: &str) -> Result<ViewMotion, Failure> {
     let path = std::path::Path::new(against);
     if !path.is_file() {

@@ -8,11 +8,11 @@ use tripos_derive::mechanics::{Derivations, derive_all};
 use tripos_derive::prove::{Proof, prove};
 use tripos_derive::publication::{Publication, load_publication, load_publication_in_coordinates};
 
-/// Publication with the verdicts on its entries, and the derived equations for comparison.
+/// Publication with the verdicts on its entries, and with the derived equations that were compared.
 pub struct JudgedPublication {
     /// Model of the publication. Its arena also contains the publication's formulas.
     pub model: Mechanism,
-    /// Publication that is judged: the printed derivation with its entries.
+    /// Printed derivation with its entries, which is judged.
     pub publication: Publication,
     /// Derived equations of the model, in the arena of all verdicts.
     pub derivations: Derivations,
@@ -31,8 +31,7 @@ impl JudgedPublication {
         Self::judge_loaded_publication(model, &|model| load_publication(source, model))
     }
 
-    /// Reads a publication, replaces its table of coordinates, and judges it. The given model is
-    /// not changed.
+    /// Reads a publication for a model and judges it with another table of coordinates. The given model is not changed.
     ///
     /// # Errors
     /// [`Failure`] with every error of the publication file, or if the model cannot be derived.
@@ -44,8 +43,8 @@ impl JudgedPublication {
         Self::judge_loaded_publication(model, &|model| load_publication_in_coordinates(source, model, coordinates))
     }
 
-    /// Judges a publication that `load` reads into a copy of the model.
-    /// `Err` if the publication has errors, or the model cannot be derived.
+    /// Judges the publication that the function `load` reads into a copy of the model. `Err` if the publication has
+    /// errors, or if the model cannot be derived.
     fn judge_loaded_publication(
         model: &Mechanism,
         load: &dyn Fn(&mut Mechanism) -> Result<Publication, Diagnostics>,

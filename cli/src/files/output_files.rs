@@ -1,8 +1,7 @@
 //! Output of commands to files: tables, texts and folders.
 //!
-//! Invariant: everything is written through [`tripos_codegen::draft_file`], so that a file under its
-//! final name is whole. No command overwrites an input: [`refuse_overwriting_inputs`] is called before work
-//! begins.
+//! Invariant: everything is written through [`tripos_codegen::draft_file`], so that a file with its final name is
+//! always complete. No command overwrites an input: [`refuse_overwriting_inputs`] is called before work begins.
 
 mod table_format;
 
@@ -18,10 +17,10 @@ use tripos_derive::plain_text::path_as_plain_text;
 use tripos_derive::publication::publication_path_of_model;
 use tripos_derive::scene::Scene;
 
-/// Writes a table to a file, and replaces an existing file. The name of the file states its format.
+/// Writes a table to a file, and replaces an existing file. The extension of the file name determines the format.
 ///
 /// # Errors
-/// [`Failure`] if the table cannot be written; then no part of it remains.
+/// [`Failure`] if the table cannot be written. In this case no part of it remains.
 pub fn write_table_file<H: AsRef<str>>(
     path: &Path,
     header: &[H],
@@ -67,8 +66,7 @@ pub fn make_folder(path: &Path) -> Result<(), Failure> {
     Ok(draft_file::create_folder(path)?)
 }
 
-/// Refuses output paths that would overwrite an input: the model, the publication in its folder, or
-/// the scene.
+/// Refuses output paths that would overwrite an input: the model, the publication in the model's folder, or the scene.
 ///
 /// # Errors
 /// [`Failure::Refused`] that names the output and the input.

@@ -1,4 +1,4 @@
-//! Scene files that arguments name, each read with its model, and new values for their numbers.
+//! Scene files given as arguments, each read with its model, and new values for numbers of a scene.
 
 use super::workspace::{edited_workspace_model_warning, model_file, read_model};
 use crate::terminal::failure::{Failure, print_to_stderr, warn};
@@ -13,8 +13,8 @@ use tripos_derive::scene::{Family, Grid, Scene, load_scene_with_inputs, model_pa
 /// Reads a scene file and its model.
 ///
 /// # Errors
-/// [`Failure`] for a file that is missing or no scene, with the scenes that may be meant, and for
-/// every error of the scene and its model.
+/// [`Failure`] if the file is missing or is no scene; it suggests scenes that may be meant. Also for every error of the
+/// scene and its model.
 pub fn read_scene(path: &Path) -> Result<(Mechanism, Scene), Failure> {
     let source = scene_source(path)?;
     let place = model_path_of_scene(&source)?;
@@ -33,7 +33,7 @@ pub fn read_scene(path: &Path) -> Result<(Mechanism, Scene), Failure> {
     Ok((model, scene))
 }
 
-/// Scene with new values for some of its numbers, and its model.
+/// Scene in which numbers have new values, with its model.
 pub struct SceneWithSetValues {
     /// Model of the mechanism in the scene.
     pub model: Mechanism,
@@ -43,12 +43,11 @@ pub struct SceneWithSetValues {
     pub set: Vec<(String, f64)>,
 }
 
-/// Reads a scene and changes some of its numbers, each given as `NAME=VALUE`. Prints the new values
-/// on standard error.
+/// Reads a scene and changes numbers in it, each given as `NAME=VALUE`. Prints the new values on standard error.
 ///
 /// # Errors
-/// [`Failure`] as for [`read_scene`]. Also for a name that is neither a parameter nor a number of
-/// the start, and for values that the scene cannot have.
+/// [`Failure`] as for [`read_scene`]. Also for a name that is neither a parameter nor a number of the start, and for
+/// values that the scene cannot have.
 pub fn read_scene_with(path: &Path, set: &[String]) -> Result<SceneWithSetValues, Failure> {
     let (mut model, scene) = read_scene(path)?;
     let (scene, set) = set_scene_values(scene, &mut model, set)?;
@@ -58,12 +57,11 @@ pub fn read_scene_with(path: &Path, set: &[String]) -> Result<SceneWithSetValues
     Ok(SceneWithSetValues { model, scene, set })
 }
 
-/// Changes some numbers of a scene, each given as `NAME=VALUE`. Returns the changed scene, and the
-/// names with their values.
+/// Changes numbers of a scene, each given as `NAME=VALUE`. Returns the changed scene, and the names with their values.
 ///
 /// # Errors
-/// [`Failure`] for a name that is neither a parameter nor a number of the start, and for values
-/// that the scene cannot have.
+/// [`Failure`] for a name that is neither a parameter nor a number of the start, and for values that the scene cannot
+/// have.
 pub fn set_scene_values(
     scene: Scene,
     model: &mut Mechanism,
@@ -99,8 +97,7 @@ pub fn scene_title(scene: &Scene) -> String {
 /// Reads the text of a scene file.
 ///
 /// # Errors
-/// [`Failure`] for a folder, a missing file or a model file, with advice on the scenes that may be
-/// meant.
+/// [`Failure`] for a folder, a missing file or a model file; it suggests scenes that may be meant.
 fn scene_source(path: &Path) -> Result<Source, Failure> {
     let scenes_of = |model: &Path| -> Vec<String> {
         scenes_in_model_folder(model).iter().map(|file| path_as_plain_text(file)).collect()
@@ -125,8 +122,7 @@ fn scene_source(path: &Path) -> Result<Source, Failure> {
     Ok(source)
 }
 
-/// Returns advice for a scene file that does not exist: the TOML files in its folder with similar
-/// names.
+/// Returns a suggestion for a scene file that does not exist: TOML files with similar names in its folder.
 fn missing_scene_advice(path: &Path) -> String {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let Ok(entries) = std::fs::read_dir(folder) else {

@@ -1,4 +1,4 @@
-//! Models that arguments name, and the workspace around the current folder.
+//! Models given as arguments, and the workspace around the current folder.
 
 use crate::terminal::failure::Failure;
 use crate::terminal::interruption::run_follower;
@@ -13,12 +13,12 @@ use tripos_derive::plain_text::path_as_plain_text;
 use tripos_derive::scene::{is_scene, model_path_of_scene};
 use tripos_models::MODELS;
 
-/// Returns the model file that an argument names: the file itself, or `model.toml` in a folder.
+/// Returns the model file for an argument: the file itself, or `model.toml` in a folder.
 pub fn model_file(argument: &Path) -> PathBuf {
     if argument.is_dir() { argument.join("model.toml") } else { argument.to_owned() }
 }
 
-/// Reads the model that an argument names, with its compiled equations if there are any.
+/// Reads the model given by an argument, with its compiled equations if there are any.
 ///
 /// # Errors
 /// `Failure` for a missing file, for a scene, and for every error of the model.
@@ -35,8 +35,8 @@ pub fn read_model(argument: &Path) -> Result<Mechanism, Failure> {
     Ok(Mechanism::read(&path)?.with_compiled_equations(MODELS).with_observer(run_follower()))
 }
 
-/// Returns the failure for a scene file in place of a model, with the scene's model as advice.
-/// `None` for other files.
+/// Returns the failure for a scene file that is given as a model; it suggests the scene's model. `None` for other
+/// files.
 fn scene_instead_of_model_failure(path: &Path) -> Option<Failure> {
     let source = Source::read(path).ok().filter(|source| is_scene(source) && !is_model(source))?;
     let what = format!("`{}` is a scene, not a model", path_as_plain_text(path));
@@ -60,8 +60,7 @@ pub fn short_name(model: &Model) -> String {
     full.parent().and_then(Path::file_name).map_or(stem, |folder| folder.to_string_lossy().into_owned())
 }
 
-/// Returns a warning about a workspace model that was edited after its equations were compiled.
-/// `None` if it was not edited.
+/// Returns a warning that a workspace model was edited after its equations were compiled. `None` if it was not edited.
 pub fn edited_workspace_model_warning(model: &Mechanism) -> Option<String> {
     let of_place = MODELS.iter().find(|m| is_workspace_model_file(model, m.name))?;
     (compiled_model(model).is_none()).then(|| {
@@ -73,8 +72,7 @@ pub fn edited_workspace_model_warning(model: &Mechanism) -> Option<String> {
     })
 }
 
-/// True if the model file is the file in the workspace from which the compiled model `name` was
-/// derived.
+/// True if the model file is the workspace file from which the compiled model `name` was derived.
 fn is_workspace_model_file(model: &Model, name: &str) -> bool {
     let path = &model.source.path;
     let folder = path.canonicalize().ok().and_then(|path| path.parent().map(Path::to_owned));
@@ -82,17 +80,17 @@ fn is_workspace_model_file(model: &Model, name: &str) -> bool {
     root.is_some_and(|root| is_same_model_file(&root.join("models").join(name).join("model.toml"), path))
 }
 
-/// Returns the workspace around a folder: the nearest folder upwards that contains `models` and
+/// Returns the workspace around a folder: the nearest parent folder, or the folder itself, that contains `models` and
 /// `generated/src`. `None` if there is none.
 pub fn workspace_around(folder: &Path) -> Option<PathBuf> {
     let is_root = |folder: &&Path| folder.join("models").is_dir() && folder.join("generated/src").is_dir();
     folder.ancestors().find(is_root).map(Path::to_owned)
 }
 
-/// Returns the workspace around the current folder.
+/// Returns the workspace around the current folder. No other places are searched.
 ///
 /// # Errors
-/// [`Failure::Refused`] if there is none. No other places are searched.
+/// [`Failure::Refused`] if there is none.
 pub fn workspace_here() -> Result<PathBuf, Failure> {
     let here = current_folder()?;
     workspace_around(&here).ok_or_else(|| {

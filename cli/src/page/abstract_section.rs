@@ -1,9 +1,9 @@
-//! Abstract of the page: mechanism, proofs, mistakes in print, outcome of the runs, and the
-//! recommended command to run a scene.
+//! Abstract of the page: mechanism, proofs, mistakes in print, outcome of the runs, and the recommended command to run
+//! a scene.
 //!
-//! Invariant: at most eight short sentences, read aloud in 40 seconds. Every sentence is made of
-//! values, and links to its evidence on the page. No sentence fits only one model, and none
-//! contains ids of printed entries.
+//! Invariant: at most eight short sentences, which can be read aloud in 40 seconds. Every sentence is made from values,
+//! and links to its evidence on the page. No sentence is written for a single model, and none contains ids of printed
+//! entries.
 
 use crate::chart::sentences::TARGETS;
 use crate::page::content::{Page, RecommendedRun, SceneSection};
@@ -20,7 +20,7 @@ use tripos_derive::algebra::{Arena, Expr};
 /// Largest number of characters of a formula in a sentence of the abstract.
 const SHORT: usize = 40;
 
-/// Sentence of the abstract as HTML, after the id of its evidence on the page.
+/// Sentence of the abstract: the id of its evidence on the page, then its HTML.
 type Sentence = (String, String);
 
 /// Returns the HTML section with the abstract.
@@ -56,7 +56,7 @@ fn drawing(page: &Page) -> String {
     }
 }
 
-/// Returns the sentence on the mechanism: bodies, degrees of freedom and constraints.
+/// Returns the sentence about the mechanism: bodies, degrees of freedom and constraints.
 fn mechanism(page: &Page) -> Sentence {
     let model = page.model;
     let clock = usize::from(model.time().is_some());
@@ -82,18 +82,18 @@ fn mechanism(page: &Page) -> Sentence {
     ("mechanism".to_owned(), format!("{} with {freedom}{constraints}.", capitalize(&list_names(&bodies))))
 }
 
-/// Returns a text with a capital first letter.
+/// Returns a text whose first letter is a capital.
 fn capitalize(words: &str) -> String {
     let mut letters = words.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
-/// Returns the titles of formulations, listed as in a sentence.
+/// Returns the titles of formulations as a list within a sentence.
 fn abstract_formulation_titles(list: impl IntoIterator<Item = Formulation>) -> String {
     list_names(&list.into_iter().map(|formulation| escape(formulation.title())).collect::<Vec<_>>())
 }
 
-/// Returns the sentence on the equivalence of the formulations and on where they hold. `None` if no
+/// Returns the sentence about the equivalence of the formulations and the states in which they hold. `None` if no
 /// formulation could be derived.
 fn equality(page: &Page) -> Option<Sentence> {
     let proof = &page.study.proof;
@@ -118,7 +118,7 @@ fn equality(page: &Page) -> Option<Sentence> {
     Some(("equality".to_owned(), format!("{said}, {many} {}.", abstract_validity(page))))
 }
 
-/// Returns the sentence on the first integrals.
+/// Returns the sentence about the first integrals.
 fn integrals(page: &Page) -> Sentence {
     let list = &page.study.proof.integrals;
     let energies = list.iter().filter(|integral| integral.is_energy()).count();
@@ -139,8 +139,8 @@ fn integrals(page: &Page) -> Sentence {
     ("integrals".to_owned(), said)
 }
 
-/// Returns the HTML of words for the places where one of several terms is zero. Long terms are only
-/// counted.
+/// Returns, as HTML, a description of the places where one of several terms is zero. Only the number of long terms is
+/// given.
 fn abstract_zero_places(arena: &Arena, terms: &[Expr]) -> String {
     let is_short = |e: &Expr| length(arena, *e).is_some_and(|characters| characters <= SHORT);
     let mut places: Vec<String> =
@@ -153,7 +153,7 @@ fn abstract_zero_places(arena: &Arena, terms: &[Expr]) -> String {
     places.join(" or ")
 }
 
-/// Returns the HTML of words for the configurations in which the equations hold.
+/// Returns, as HTML, a description of the configurations in which the equations hold.
 fn abstract_validity(page: &Page) -> String {
     let proof = &page.study.proof;
     let arena = &page.study.derivations.kinematics.arena;
@@ -164,7 +164,7 @@ fn abstract_validity(page: &Page) -> String {
     }
 }
 
-/// Returns the sentence on the outcome of the scenes; `None` if the page has none.
+/// Returns the sentence about the outcome of the scenes; `None` if the page has no scenes.
 fn simulation_sentence(page: &Page) -> Option<Sentence> {
     if let [scene] = page.scenes.as_slice() {
         return Some((scene_anchor(0), format!("{}: {}", title(scene), outcome::derived_outcome(scene))));
@@ -185,8 +185,8 @@ fn simulation_sentence(page: &Page) -> Option<Sentence> {
     (all > 0).then(|| ("simulation".to_owned(), format!("Of {}, {}.", counted_noun(all, "scene"), list_names(&kinds))))
 }
 
-/// Returns the sentence on the fastest measured equations, method and tolerance. Without a
-/// measurement, it states the saving by a scene's reduced equations.
+/// Returns the sentences about the fastest measured equations, method and tolerance. Without a measurement, they say
+/// how much a scene's reduced equations save.
 fn recommendation_sentence(page: &Page) -> Vec<Sentence> {
     let measured = page.scenes.iter().enumerate().find_map(|(at, scene)| Some((at, scene, scene.advice.as_ref()?)));
     if let Some((at, scene, advice)) = measured {
@@ -202,7 +202,7 @@ fn recommendation_sentence(page: &Page) -> Vec<Sentence> {
     })
 }
 
-/// Returns the HTML sentence with the command for the fastest run to an error of at most `target`.
+/// Returns the HTML of a sentence with the command for the fastest run whose error is at most `target`.
 fn abstract_fastest_run(scene: &SceneSection, target: f64, choice: &RecommendedRun) -> String {
     let tolerance =
         choice.tolerance.map_or_else(String::new, |tolerance| format!(" --rtol {tolerance:e} --atol {tolerance:e}"));
@@ -216,8 +216,7 @@ fn abstract_fastest_run(scene: &SceneSection, target: f64, choice: &RecommendedR
     )
 }
 
-/// Returns the HTML of the command that runs a scene, with the number of states in its reduced
-/// equations.
+/// Returns the HTML of the command that runs a scene, with the number of states in the scene's reduced equations.
 fn abstract_reduced_run(page: &Page, scene: &SceneSection) -> String {
     let command = format!("<code>tripos simulate {}</code>", escape(&scene.file));
     let Ok(needs) = &scene.needs else { return format!("{command}.") };

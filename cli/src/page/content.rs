@@ -8,11 +8,11 @@ use tripos_derive::{Formulation, Model};
 
 /// Content of the page about a model, before it is written as HTML.
 pub struct Page<'a> {
-    /// Model of the mechanism that the page describes.
+    /// Model of the mechanism on the page.
     pub model: &'a Model,
     /// Equations of motion by each formulation; `Err` is the reason why there are none.
     pub derivations: Vec<(Formulation, Result<DerivationInSteps, String>)>,
-    /// Proofs about the equations, and the verdict on the publication in the model's folder.
+    /// Proofs about the equations, with the verdict on the publication in the model's folder.
     pub study: &'a ModelAnalysis,
     /// Sections about the scenes that were run, in order.
     pub scenes: Vec<SceneSection>,
@@ -20,9 +20,9 @@ pub struct Page<'a> {
     pub sketch: Result<SketchPicture, String>,
     /// Motion of one of the scenes, shown as a moving figure; `None` if there is none.
     pub moving: Option<MotionFigure>,
-    /// Reason why the page is partial; `None` if it is complete.
+    /// Reason why the page is incomplete; `None` if it is complete.
     pub unfinished: Option<String>,
-    /// Path of the model, as a `tripos` command accepts it.
+    /// Path of the model, in the form that `tripos` commands accept.
     pub file: String,
 }
 
@@ -30,7 +30,7 @@ pub struct Page<'a> {
 pub struct SketchPicture {
     /// Picture as an `<svg>` element.
     pub svg: String,
-    /// Caption that states the values of the coordinates in the sketch.
+    /// Caption with the values of the coordinates in the sketch.
     pub caption: String,
 }
 
@@ -44,25 +44,25 @@ pub struct MotionFigure {
 
 /// Moving figure of the page in three parts: HTML, style and script.
 pub struct Viewer {
-    /// HTML of the moving figure.
+    /// HTML element of the moving figure.
     pub figure: String,
     /// CSS of the figure, which styles no other element.
     pub style: &'static str,
-    /// Element `<script>` that moves the figure.
+    /// HTML element `<script>` that moves the figure.
     pub script: String,
-    /// Warning that the shown motion misleads; `None` if it does not.
+    /// Warning that the shown motion is misleading; `None` if it is not.
     pub doubt: Option<String>,
 }
 
 /// Section of the page about a scene that was run.
 pub struct SceneSection {
-    /// Path of the scene file, as a `tripos` command accepts it.
+    /// Path of the scene file, in the form that `tripos` commands accept.
     pub file: String,
     /// Title of the scene.
     pub title: String,
     /// Description of the scene, from its file.
     pub about: String,
-    /// Given data of the scene with their headings: parameters, start, span, integration, domain.
+    /// Given data of the scene, each with a heading: parameters, start, span, integration, domain.
     pub facts: Vec<(&'static str, SceneFact)>,
     /// Reduced equations of the scene; `Err` is the reason why there are none.
     pub needs: Result<ReducedEquationsContent, String>,
@@ -73,19 +73,19 @@ pub struct SceneSection {
     pub not_run: Vec<(String, String)>,
     /// Figures of the scene, in the order of its file.
     pub figures: Vec<Figure>,
-    /// Reasons for figures that the scene cannot have, one sentence each.
+    /// Reasons why figures cannot be drawn for the scene, one sentence each.
     pub not_drawn: Vec<String>,
-    /// Recommended equations, solve and method; `None` if they were not measured.
+    /// Recommended equations, solve and method; `None` if the scene was not measured.
     pub advice: Option<Advice>,
     /// Figure of the first integrals over time; `None` if there are no first integrals or no curves.
     pub integrals: Option<Figure>,
-    /// Figure of determinants, condition numbers and kinematic divisors over time; `None` without curves.
+    /// Figure of determinants, condition numbers and kinematic divisors over time; `None` if there are no curves.
     pub nearness: Option<Figure>,
 }
 
 /// Given datum of a scene: values or words.
 pub enum SceneFact {
-    /// Names of numbers with their values, such as parameters.
+    /// Numbers such as parameters: pairs of name and value.
     Values(Vec<(String, f64)>),
     /// Given datum in words, such as the integration method.
     Words(String),
@@ -95,13 +95,13 @@ pub enum SceneFact {
 pub struct ReducedEquationsContent {
     /// Reduced equations of the scene: those states and equations that its outputs need.
     pub reduced: ReducedScene,
-    /// Numbers of operations in a call of the reduced equations and of the whole model's equations.
+    /// Numbers of operations in an evaluation of the reduced equations and of the whole model's equations.
     pub costs: Costs,
 }
 
 /// Results of a run, as a row of the page's table of runs.
 pub struct RunRow {
-    /// Title of the equations that ran, for a heading.
+    /// Title of the equations that were run, for a heading.
     pub title: String,
     /// Id of the printed system; `None` for derived and reduced equations.
     pub printed: Option<String>,
@@ -123,19 +123,18 @@ pub struct RunRow {
     pub stop: String,
     /// Standing of the run: the verdict on its equations and on its accuracy.
     pub standing: Standing,
-    /// Largest change of the total energy that no work explains, J; `None` if the equations do not
-    /// state the energy.
+    /// Largest change of the total energy that is not explained by work, J; `None` if the equations do not give the
+    /// energy.
     pub energy_drift: Option<f64>,
     /// Number of correct digits of the least accurate value at the end of the run, estimated by a
     /// second run. `None` if not assessed, or if the equations are wrong.
     pub digits: Option<f64>,
-    /// Time from which the run has fewer than three correct digits, s; `None` if it keeps three, or
-    /// if not assessed.
+    /// Time from which on the run has fewer than three correct digits, s. `None` if it always has three, or if not
+    /// assessed.
     pub few_from: Option<f64>,
     /// Further warnings about the run, one sentence each.
     pub warnings: Vec<String>,
-    /// Largest change of each first integral along the run; empty for a run that does not show
-    /// every state.
+    /// Largest change of each first integral along the run. Empty if the run does not record every state.
     pub changes: Vec<f64>,
     /// Least distances of the run from singular configurations.
     pub nearest: SingularityDistances,
@@ -144,39 +143,36 @@ pub struct RunRow {
 /// Standing (trustworthiness) of a run: the verdict on its equations, and on its accuracy.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Standing {
-    /// Right: derived equations, or printed equations that provably give the same motion,
-    /// integrated to the wanted tolerance.
+    /// Right: derived equations, or printed equations that are proved to give the same motion, integrated to the
+    /// requested tolerance.
     Right,
-    /// Loose: right equations, integrated at tolerances that leave few correct digits.
+    /// Loose: right equations, but integrated with tolerances that leave few correct digits.
     Loose {
-        /// Integration method and its tolerances, in words.
+        /// Description of the integration method and its tolerances.
         how: String,
         /// Error at the end of the run, the largest |e|/(1 + |value|); `Err` is the reason why it
         /// is unknown.
         error: Result<f64, String>,
     },
-    /// Stopped: right equations whose run ended before its span.
+    /// Stopped: right equations, but the run ended before the end of its span.
     Stopped,
     /// Wrong: printed equations that do not give the derived accelerations, even if their run
     /// reaches its end.
     Wrong,
-    /// Undecided: printed equations that could not be compared with the derived accelerations.
-    /// Holds the reason.
+    /// Undecided: printed equations that could not be compared with the derived accelerations. The text is the reason.
     Undecided(String),
 }
 
-/// Smallest distances of a run from singular configurations. Most are pairs (value, time in s),
-/// `None` if no sample has a value.
+/// Smallest distances of a run from singular configurations. Most distances are pairs (value, time in s), or `None` if
+/// no sample has a value.
 #[derive(Default)]
 pub struct SingularityDistances {
-    /// Smallest and largest determinant of the matrix A along the run, without times.
-    /// `None` if no sample has a determinant.
+    /// Smallest and largest determinant of the matrix A along the run. `None` if no sample has a determinant.
     pub determinant: Option<(f64, f64)>,
     /// Smallest |det A/det A(t₀)| of the matrix A of the Newton–Euler equations, with its time in
     /// s; `None` without such a matrix.
     pub relative: Option<(f64, f64)>,
-    /// Smallest reciprocal condition number of A, with its time in s.
-    /// `None` if no sample has a condition number.
+    /// Smallest reciprocal condition number of A, with its time in s. `None` if no sample has a condition number.
     pub condition: Option<(f64, f64)>,
     /// Smallest absolute value of each divisor of the kinematic equations, with its time in s.
     pub divisors: Vec<Option<(f64, f64)>>,
@@ -188,7 +184,7 @@ pub struct Figure {
     pub caption: String,
     /// Picture as an `<svg>` element.
     pub svg: String,
-    /// Conclusion from the figure, printed below the caption; `None` if there is none.
+    /// Conclusion from the figure, shown below the caption; `None` if there is none.
     pub remark: Option<String>,
     /// Links to the tables with every plotted point, relative to the page's folder.
     pub data: Vec<String>,
@@ -198,16 +194,15 @@ pub struct Figure {
 pub struct Advice {
     /// Recommendation of equations, solve and method in words.
     pub lead: String,
-    /// Rows of the table of advice: an accuracy, and the fastest run that reaches it; `None` if no
-    /// run does.
+    /// Rows of the table of recommended runs: an accuracy, and the fastest run that reaches it; `None` if no run does.
     pub rows: Vec<(f64, Option<RecommendedRun>)>,
 }
 
 /// Measured run that is recommended for an accuracy.
 pub struct RecommendedRun {
-    /// Name of the equations that are recommended, such as `kane`.
+    /// Name of the recommended equations, such as `kane`.
     pub equations: String,
-    /// Way of solving for the accelerations: `eliminated` or `numeric`.
+    /// Way to solve for the accelerations: `eliminated` or `numeric`.
     pub solve: &'static str,
     /// Name of the integration method.
     pub method: &'static str,

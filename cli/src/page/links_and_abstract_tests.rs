@@ -1,8 +1,8 @@
-//! The face of a page: its order, its links, its abstract.
+//! Tests of the page's order, links and abstract.
 
 use crate::page::tests::{page, page_with_publication, part};
 
-/// The places of a page, and where its links lead.
+/// Returns the ids of a page, and the ids to which its links lead.
 fn places_and_links(page: &str) -> (Vec<&str>, Vec<&str>) {
     let of = |mark: &str| page.split(mark).skip(1).filter_map(|rest| Some(rest.split_once('"')?.0)).collect::<Vec<_>>();
     (of(" id=\""), of("href=\"#"))
@@ -23,7 +23,7 @@ fn every_link_has_its_place_and_every_place_one_name() {
     }
 }
 
-/// Goal: the most important parts come first.
+/// Goal: the most important parts of the page come first.
 #[test]
 fn a_page_begins_with_its_abstract_and_its_motion() {
     let page = page_with_publication();
@@ -50,15 +50,15 @@ fn a_page_begins_with_its_abstract_and_its_motion() {
     assert!(figure.starts_with(sketch), "the sketch comes first");
 }
 
-/// The words of HTML.
+/// Returns the text of HTML without its tags.
 fn text_of(html: &str) -> String {
     let html = html.replace("</dt>", ": </dt>");
     let pieces = html.split('<').skip(1).filter_map(|piece| Some(piece.split_once('>')?.1));
     pieces.collect::<String>().replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&").trim().to_owned()
 }
 
-/// Goal: every sentence of the abstract is true. Method: read by a person; the pendulum with a publication that errs in
-/// a potential and in gravity.
+/// Goal: every sentence of the abstract is true. Method: the sentences are read by a person. They are about the
+/// pendulum, with a publication that has errors in a potential and in gravity.
 #[test]
 fn an_abstract_is_made_of_values() {
     let page = page_with_publication();

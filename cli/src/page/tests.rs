@@ -1,4 +1,4 @@
-//! The page as a whole: well formed, escaped, the same each time.
+//! Tests of the whole page: its HTML is well formed and escaped, and the same in each run.
 
 use super::markup::formula_mathml;
 use crate::page::*;
@@ -36,8 +36,8 @@ frame = "N"
 acceleration = ["g", "0", "0"]
 "#;
 
-/// First place where the tags of a page do not match; `None` if all match. Knows only the elements that the page
-/// contains.
+/// Returns the first place where the tags of a page do not match; `None` if all match. Only the elements that occur on
+/// the page are supported.
 pub fn unbalanced(html: &str) -> Option<String> {
     const VOID: [&str; 5] = ["meta", "!DOCTYPE", "br", "wbr", "col"];
     let mut open: Vec<&str> = Vec::new();
@@ -130,7 +130,7 @@ fn scene() -> SceneSection {
     }
 }
 
-/// The pendulum's swing, of which only the angle is asked for.
+/// Returns the reduced equations for the pendulum's swing, with the angle as the only output.
 fn needs() -> Result<ReducedEquationsContent, String> {
     let mut model = tripos_derive::model::load(&Source::from_text("no/such/place/model.toml", PENDULUM)).unwrap();
     let text = "span = [0, 1]\noutputs = [\"q1\"]\n[start]\nq1 = 0.5\nu1 = 0\n";
@@ -140,7 +140,7 @@ fn needs() -> Result<ReducedEquationsContent, String> {
     Ok(ReducedEquationsContent { reduced, costs })
 }
 
-/// The page of the pendulum.
+/// Returns a page about the pendulum.
 pub fn page() -> String {
     page_of(&tripos_derive::model::load(&Source::from_text("no/such/place/model.toml", PENDULUM)).unwrap())
 }
@@ -163,12 +163,12 @@ fn page_of(model: &Model) -> String {
     })
 }
 
-/// A picture, in place of the sketch.
+/// Returns a picture that replaces the sketch.
 fn drawing() -> SketchPicture {
     SketchPicture { svg: "<svg class=\"sketch\"></svg>".to_owned(), caption: "Drawn at <rest>.".to_owned() }
 }
 
-/// A figure that moves, in place of the viewer.
+/// Returns a moving figure that replaces the viewer.
 fn moving() -> MotionFigure {
     let viewer = Viewer {
         figure: "<figure class=\"view\"></figure>\n".to_owned(),
@@ -179,8 +179,8 @@ fn moving() -> MotionFigure {
     MotionFigure { scene: 0, viewer: Ok(viewer) }
 }
 
-/// A publication of the pendulum: an error, a factor, a system whose gravity is wrong, a system that mentions the state
-/// alone.
+/// Publication about the pendulum: an error, a factor, a system with wrong gravity, and a system that contains the
+/// state only.
 const PUBLICATION: &str = r#"
 title = "A <course> report & more"
 source = "Smith & Sons"
@@ -215,7 +215,7 @@ matrix = [["l"]]
 right = ["-g*sin(q1)"]
 "#;
 
-/// The page of the pendulum with a publication beside it.
+/// Returns a page about the pendulum with a publication.
 pub fn page_with_publication() -> String {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("model.toml"), PENDULUM).unwrap();
@@ -223,7 +223,7 @@ pub fn page_with_publication() -> String {
     page_of(&tripos_derive::model::load(&Source::read(Path::new(&folder.path().join("model.toml"))).unwrap()).unwrap())
 }
 
-/// The part of a page from one text to the next of another.
+/// Returns the part of a page from the text `from` up to the next text `to`.
 pub fn part<'a>(page: &'a str, from: &str, to: &str) -> &'a str {
     let (_, rest) = page.split_once(from).unwrap_or_else(|| panic!("no {from}"));
     rest.split_once(to).unwrap_or_else(|| panic!("no {to}")).0
@@ -274,8 +274,8 @@ fn a_run_that_could_not_go_on_is_shown_with_its_reason() {
     assert!(page.contains(row) && page.contains("<strong>How it ended:</strong> component 3 &lt; 0 is not finite"));
 }
 
-/// Goal: wrong is told from loose. Method: right equations at loose tolerances are called loose, with tolerance and
-/// error; wrong ones are wrong though their run ends well.
+/// Goal: wrong and loose runs are distinguished. Method: right equations at loose tolerances are called loose, with
+/// tolerance and error. Wrong equations are called wrong although their run ends well.
 #[test]
 fn loose_is_not_wrong_and_wrong_is_wrong_however_it_ends() {
     let page = page_with_publication();
@@ -289,7 +289,8 @@ fn loose_is_not_wrong_and_wrong_is_wrong_however_it_ends() {
     assert!(printed.contains("<tr class=\"printed\"><th scope=\"row\"><code>printed:scaled</code></th>"), "{printed}");
 }
 
-/// The advice of a chart is a table, a figure links to its data, and one that cannot be had is explained.
+/// Recommendations of a speed chart are shown as a table, a figure has a link to its data, and the page says why a
+/// figure is missing.
 #[test]
 fn measured_figures_have_data_and_advice() {
     let page = page();
@@ -305,7 +306,7 @@ fn measured_figures_have_data_and_advice() {
     assert!(page.contains("<p class=\"missing\">`passages` cannot be drawn: &lt;no divisor&gt;</p>"));
 }
 
-/// The pendulum keeps both of its states; a scene that has no equations of its own says why.
+/// The reduced equations of the pendulum keep both of its states. A scene without reduced equations gives the reason.
 #[test]
 fn a_scene_shows_what_it_needs_or_why_not() {
     let model = tripos_derive::model::load(&Source::from_text("no/such/place/model.toml", PENDULUM)).unwrap();
@@ -334,7 +335,7 @@ fn a_scene_shows_what_it_needs_or_why_not() {
     assert!(page.contains("<p class=\"missing\">There is no sketch of it: it has &lt;no&gt; place.</p>"), "{page}");
 }
 
-/// A run that does not show every state has no line among the first integrals.
+/// A run that does not record every state has no row in the table of first integrals.
 #[test]
 fn a_run_without_integrals_is_left_out_of_their_table() {
     let mut section = scene();

@@ -6,7 +6,7 @@ use resvg::tiny_skia::{Color, Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
 use tripos::Error;
 
-/// Fonts DejaVu Sans, regular and bold, reduced to the characters that labels need.
+/// Fonts DejaVu Sans, regular and bold, reduced to the characters that occur in labels.
 const FONTS: [&[u8]; 2] =
     [include_bytes!("../../fonts/DejaVuSans.ttf"), include_bytes!("../../fonts/DejaVuSans-Bold.ttf")];
 /// Name of the font family for all labels.
@@ -28,8 +28,8 @@ pub fn pdf(svg: &str) -> Result<Vec<u8>, Failure> {
     pdf_of(&parse_svg(svg)?)
 }
 
-/// Parses the SVG of a figure, with its text laid out in the fonts of this program.
-/// `Err` if the SVG is invalid, which no figure of this program causes.
+/// Parses the SVG of a figure, and lays out its text in the fonts of this program. `Err` if the SVG is invalid, which
+/// no figure of this program causes.
 fn parse_svg(svg: &str) -> Result<Tree, Failure> {
     let mut options = Options { font_family: FAMILY.to_owned(), ..Options::default() };
     let fonts = options.fontdb_mut();
@@ -40,8 +40,7 @@ fn parse_svg(svg: &str) -> Result<Tree, Failure> {
     Tree::from_str(svg, &options).map_err(|error| conversion_failure(&error))
 }
 
-/// Renders a parsed figure on white as a PNG.
-/// `Err` if the picture has too many pixels.
+/// Renders a parsed figure on a white background as a PNG. `Err` if the picture has too many pixels.
 fn png_of(tree: &Tree, dpi: u32) -> Result<Vec<u8>, Failure> {
     let scale = dpi as f32 / CSS;
     let size = tree.size();
@@ -58,13 +57,13 @@ fn png_of(tree: &Tree, dpi: u32) -> Result<Vec<u8>, Failure> {
     let mut pixels = pixels.ok_or_else(|| conversion_failure(&"no picture of this size"))?;
     pixels.fill(Color::WHITE);
     resvg::render(tree, Transform::from_scale(scale, scale), &mut pixels.as_mut());
-    // The picture is painted on white, and is opaque: its transparency is dropped.
+    // The picture is painted on white and is opaque, so that its transparency can be dropped.
     let rgb: Vec<u8> = pixels.data().chunks_exact(4).flat_map(|rgba| [rgba[0], rgba[1], rgba[2]]).collect();
     let mut out = Vec::new();
     let mut encoder = png::Encoder::new(&mut out, pixels.width(), pixels.height());
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);
-    // PNG states its resolution in dots per metre.
+    // A PNG file gives its resolution in dots per metre.
     let dots = (f64::from(dpi) / 0.0254).round();
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most 1200 dots of an inch")]
     let dots = dots as u32;
@@ -101,8 +100,8 @@ mod tests {
         png_of(&parse_svg(&svg).unwrap(), 96).unwrap()
     }
 
-    /// Goal: every character of a label is drawn. Method: each character of the labels draws something, no two draw the
-    /// same, and none draws the mark of a missing glyph.
+    /// Goal: every character of a label is drawn. Method: each character that occurs in labels draws something, no two
+    /// draw the same, and none draws the mark of a missing glyph.
     #[test]
     fn the_fonts_have_every_sign_of_labels() {
         for style in ["", "font-weight=\"bold\""] {

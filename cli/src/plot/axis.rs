@@ -5,32 +5,31 @@
 
 use super::{Scale, figure_text_in_symbols};
 
-/// Axis of a panel. It shows values less `offset`, or their decimal logarithms, from `low` to
-/// `high`.
+/// Axis of a panel. It shows values minus `offset`, or decimal logarithms of values, from `low` to `high`.
 pub struct Axis {
     /// Kind of the axis: linear or logarithmic.
     scale: Scale,
-    /// Number that is subtracted from the values on a linear axis; often 0.
+    /// Number that is subtracted from the values on a linear axis; usually 0.
     offset: f64,
-    /// Lower end of the axis: a value less `offset`, or a decimal logarithm.
+    /// Lower end of the axis: a value minus `offset`, or a decimal logarithm.
     low: f64,
-    /// Upper end of the axis: a value less `offset`, or a decimal logarithm.
+    /// Upper end of the axis: a value minus `offset`, or a decimal logarithm.
     high: f64,
     /// Ticks of the axis: position from 0 (lower end) to 1 (upper end), and text.
     pub ticks: Vec<(f64, String)>,
-    /// Label of the axis with its unit, including a subtracted offset and a power of ten.
+    /// Label of the axis with its unit. It includes a subtracted offset and a power of ten.
     pub label: String,
 }
 
 impl Axis {
-    /// Returns a linear axis for `values` with about `count` ticks. `margin` is the fraction of
-    /// their range added at both ends.
+    /// Returns a linear axis for `values` with about `count` ticks. `margin` is added at both ends, as a fraction of
+    /// the range of the values.
     pub fn new(values: impl Iterator<Item = f64>, label: &str, margin: f64, count: f64) -> Self {
         let (min, max) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)));
         let (min, max) = if min <= max { (min, max) } else { (0.0, 1.0) };
         let size = min.abs().max(max.abs());
         let range = max - min;
-        // Differences of a few rounding errors are drawn as a flat curve.
+        // Differences of a few rounding errors are drawn as a flat curve, so that they are not magnified.
         let flat = range <= 8.0 * f64::EPSILON * size || range < 1e-290;
         let offset = if !flat && range < 1e-4 * size { short_offset(f64::midpoint(min, max), range) } else { 0.0 };
         let around = if size < 1e-290 { 1.0 } else { 0.1 * size };
@@ -63,13 +62,13 @@ impl Axis {
             };
             ((f64::from(power) - low) / (high - low), text)
         };
-        // Ticks are counted from the top, so that the largest power has one.
+        // Ticks are counted from the top, so that the largest power has a tick.
         let ticks = (0..=(last - first) / every).map(|i| tick(last - i * every)).collect();
         Self { scale: Scale::Logarithmic, offset: 0.0, low, high, ticks, label: scaled_label(label, 0.0, 0) }
     }
 
-    /// Sets the ticks of a linear axis at multiples of 1, 2 or 5 times a power of ten. Returns the
-    /// power of ten that the label states instead of the ticks.
+    /// Sets the ticks of a linear axis at multiples of 1, 2 or 5 times a power of ten. Returns the power of ten that is
+    /// shown in the label instead of the ticks.
     fn set_ticks(&mut self, count: f64) -> i32 {
         let rough = (self.high - self.low) / count;
         let decade = truncate_to_integer(rough.log10().floor());
@@ -103,15 +102,13 @@ impl Axis {
     }
 }
 
-/// Returns the number with the fewest digits within two ranges of `middle`, short to read as an
-/// offset.
+/// Returns the number with the fewest digits that is within two ranges of `middle`, for use as an offset.
 fn short_offset(middle: f64, range: f64) -> f64 {
     let rounded = (0..17).filter_map(|digits| format!("{middle:.digits$e}").parse::<f64>().ok());
     rounded.into_iter().find(|x| (x - middle).abs() <= 2.0 * range).unwrap_or(middle)
 }
 
-/// Returns a label such as `T + V [J]` with an offset and a power of ten: `T + V − 24.525 J [10⁻⁹
-/// J]`.
+/// Returns a label such as `T + V [J]` with an offset and a power of ten: `T + V − 24.525 J [10⁻⁹ J]`.
 fn scaled_label(label: &str, offset: f64, power: i32) -> String {
     let (stem, unit) = match label.trim_end().strip_suffix(']').and_then(|text| text.rsplit_once('[')) {
         Some((stem, unit)) => (figure_text_in_symbols(stem), figure_text_in_symbols(unit)),
@@ -144,8 +141,7 @@ fn axis_superscript_digits(number: &str) -> String {
     number.chars().map(raise).collect()
 }
 
-/// Returns a number rounded towards zero, as a 32-bit integer. Numbers out of range give the
-/// nearest integer.
+/// Returns a number rounded towards zero, as a 32-bit integer. A number out of range gives the nearest 32-bit integer.
 #[expect(clippy::cast_possible_truncation, reason = "saturates, and every place in a figure is small")]
 pub fn truncate_to_integer(x: f64) -> i32 {
     x as i32

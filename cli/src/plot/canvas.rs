@@ -1,5 +1,5 @@
-//! Canvas of a figure, with functions that draw lines, rectangles and texts on it. Points and sizes
-//! in pixels become the finer units of the canvas here.
+//! Canvas of a figure, with functions that draw lines, rectangles and texts. The functions convert points and sizes in
+//! pixels to the finer units of the canvas.
 
 use super::axis::truncate_to_integer;
 use super::error::PlotError;
@@ -40,8 +40,8 @@ pub fn draw_rectangle(canvas: &Canvas, a: (f64, f64), b: (f64, f64), color: RGBC
     Ok(canvas.draw(&Rectangle::new(corners, ShapeStyle { color: color.into(), filled: true, stroke_width: 0 }))?)
 }
 
-/// Writes a text at the point `at`, px. `side` is the end of the text that lies there.
-/// `Err` if plotters fails.
+/// Writes a text at the point `at`, px. `side` is the part of the text that is placed at this point. `Err` if plotters
+/// fails.
 pub fn draw_text(canvas: &Canvas, text: &str, at: (f64, f64), side: HPos, style: FontStyle) -> Result<(), PlotError> {
     // Plotters divides a font size by 1.24.
     let font = FontDesc::new(FontFamily::SansSerif, 12.5 * 1.24 * FINE, style);

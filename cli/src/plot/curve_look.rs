@@ -6,19 +6,19 @@ use plotters::prelude::*;
 
 /// Opacity of an error band, from 0 (invisible) to 1.
 const SHADE: f64 = 0.25;
-/// Width of a marker's outline, px. No curve has this width, so that outlines are never dashed.
+/// Width of a marker's outline, px. No curve has this width, because strokes with the width and colour of a curve may
+/// be dashed.
 const OUTLINE: f64 = 1.5;
 
-/// Look of a curve: line colour, width (px) and dashes, then marker colour and outline in units of
-/// its radius. An empty outline means a circle.
+/// Look of a curve: line colour, width (px) and dashes, then marker colour and marker outline. The outline is in units
+/// of the marker's radius; an empty outline means a circle.
 pub struct Look(RGBColor, f64, &'static str, RGBColor, &'static [&'static [(f64, f64)]]);
 
-/// Looks of curves, by style number.
-/// The order is: three standard formulations, reduced equations, five printed systems, five wrong
-/// systems, Pareto front, seven methods, numeric solve, quadrature, formulations on request. Only
-/// wrong systems are red.
-/// Each look has a different marker. The first is a thick light line that stays visible under thin
-/// dashed lines. No two looks have both the same colour and the same width.
+/// Looks of curves; the index is the style number.
+/// The order is: three standard formulations, reduced equations, five printed systems, five wrong systems, Pareto
+/// front, seven methods, numeric solve, quadrature, formulations on request. Only wrong systems are red. Each look has
+/// a different marker. The first is a thick light line that stays visible under thin dashed lines. No two looks have
+/// both the same colour and the same width.
 pub const LOOKS: [Look; 25] = [
     Look(RGBColor(0x56, 0xb4, 0xe9), 4.5, "", RGBColor(0x00, 0x72, 0xb2), &[]),
     Look(
@@ -184,19 +184,19 @@ pub const LOOKS: [Look; 25] = [
 
 #[cfg(test)]
 impl Look {
-    /// True if two looks could be mistaken for each other.
+    /// True if two looks can be mistaken for each other.
     pub fn is_like(&self, other: &Self) -> bool {
         self.4 == other.4 || (self.0 == other.0 && size_to_canvas_units(self.1) == size_to_canvas_units(other.1))
     }
 }
 
-/// Returns the look of a style number. After the last look they begin again.
+/// Returns the look of a style number. Numbers beyond the last look begin again with the first.
 pub fn look(style: usize) -> &'static Look {
     &LOOKS[style % LOOKS.len()]
 }
 
-/// Returns the dashes of curves with this colour and this width in canvas units; `None` for solid
-/// lines. No other strokes have these colours and widths.
+/// Returns the dashes of curves with this colour and this width in canvas units; `None` for solid lines. Only curves
+/// have strokes with these colours and widths.
 pub fn dashes([r, g, b]: [u8; 3], width: u32) -> Option<&'static str> {
     let drawn = LOOKS.iter().find(|look| look.0 == RGBColor(r, g, b) && size_to_canvas_units(look.1) == width);
     drawn.map(|look| look.2).filter(|dashes| !dashes.is_empty())

@@ -1,25 +1,24 @@
-//! Thinning of curves: selection of the points that are drawn, and of the places of markers. Points
-//! are in pixels; the pen thins them again as places in canvas units.
+//! Thinning of curves: selects the points that are drawn, and the places of markers. Points are in pixels; the pen
+//! thins them again as places in canvas units.
 //!
-//! Invariant: a place that the pen leaves out lies within [`SEEN`] of the drawn line, or between the
-//! extremes of a column of width [`COLUMN`]. No place is moved.
+//! Invariant: a place that is not drawn lies within [`SEEN`] of the drawn line, or between the extremes of a column of
+//! width [`COLUMN`]. No place is moved.
 
 use super::axis::truncate_to_integer;
 use plotters_backend::BackendCoord;
 
-/// Largest number of points of a curve that is not thinned.
+/// Number of points up to which a curve is not thinned.
 const PLENTY: usize = 2000;
-/// Largest distance of a removed point from the drawn line, in canvas units. It is too small to be
-/// seen.
+/// Largest distance of a removed point from the drawn line, in canvas units. It is too small to be visible.
 const SEEN: f64 = 1.2;
-/// Width of a column of a long curve, in canvas units. A column keeps only its lowest and highest
-/// point.
+/// Width of a column of a long curve, in canvas units. Of the points in a column, only the lowest and the highest are
+/// kept.
 const COLUMN: i32 = 6;
-/// Largest number of points of a curve that keeps all points of its columns.
+/// Number of points up to which a curve keeps all points of its columns.
 const SHORT: usize = 60;
 
-/// Selects the points of a curve that can be seen. A long curve keeps the ends and extremes of each
-/// pixel column. If x turns back, it keeps points that are half a pixel apart.
+/// Selects the visible points of a curve. A long curve keeps its ends and the extremes of each pixel column. If x turns
+/// back, points that are half a pixel apart are kept.
 pub fn thin_curve(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     if points.len() <= PLENTY {
         return points.to_vec();
@@ -73,8 +72,8 @@ pub fn thinned_marker_places(points: &[(f64, f64)], width: f64, share: f64) -> V
     points.iter().skip(start).step_by(every).copied().collect()
 }
 
-/// Keeps the lowest and the highest place of each column, in their order, and the two ends. A short
-/// curve, or a curve that turns back, keeps all places.
+/// Keeps the lowest and the highest place of each column, in their order, and the two ends. If a curve is short or
+/// turns back, all places are kept.
 pub fn keep_column_extremes(places: Vec<BackendCoord>) -> Vec<BackendCoord> {
     if places.len() <= SHORT || !places.is_sorted_by(|a, b| a.0 <= b.0) {
         return places;
@@ -91,7 +90,7 @@ pub fn keep_column_extremes(places: Vec<BackendCoord>) -> Vec<BackendCoord> {
     kept
 }
 
-/// Removes places that are too near the line through the remaining places to be seen (Ramer 1972;
+/// Removes places that are so near the line through the remaining places that the removal is not visible (Ramer 1972;
 /// Douglas & Peucker 1973).
 pub fn thin_line(places: Vec<BackendCoord>) -> Vec<BackendCoord> {
     if places.len() < 3 {
@@ -125,8 +124,8 @@ fn distance(place: BackendCoord, from: BackendCoord, to: BackendCoord) -> f64 {
 mod tests {
     use super::{SEEN, distance, thin_line};
 
-    /// Goal: the removed points are not missed. Method: a sine of 800 points: few are left, and all others lie by the
-    /// line between them.
+    /// Goal: the removal of points is not visible. Method: of a sine of 800 points, few points are left, and all others
+    /// lie near the line between these.
     #[test]
     #[allow(clippy::cast_possible_truncation, reason = "numbers within 400")]
     fn a_smooth_curve_needs_few_points() {

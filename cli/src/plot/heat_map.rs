@@ -7,10 +7,10 @@ use super::{Cell, HeatMap, LINE, PlotError, WIDTH, plot_text_width, svg_element,
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
-/// Height of a row of the heat map, px.
+/// Height of a row of a heat map, px.
 const HEIGHT: f64 = 22.0;
-/// Colours (red, green, blue) from the smallest to the largest value. Their lightness falls in
-/// equal steps, so that the map is readable without colour.
+/// Colours (red, green, blue) from the smallest to the largest value. Their lightness falls in equal steps, so that the
+/// map is readable without colours.
 const COLOURS: [(f64, f64, f64); 4] =
     [(247.0, 252.0, 245.0), (186.0, 228.0, 179.0), (253.0, 174.0, 97.0), (178.0, 60.0, 60.0)];
 /// Colour of cells without a value.

@@ -1,13 +1,12 @@
-//! Style numbers of curves by their meaning, the same in every figure. A number selects a look:
-//! colour, dashes and marker.
+//! Style numbers of curves by their meaning, the same in every figure. A style number selects a look: colour, dashes
+//! and marker.
 
 use tripos_derive::Formulation;
 use tripos_derive::mechanics::EquationsOrigin;
 use tripos_sim::Method;
 
-/// Returns the style number of a set of equations. Each standard formulation has its own, and so
-/// have reduced equations. Formulations on request share one, and printed systems begin at
-/// `PRINTED`.
+/// Returns the style number of a set of equations. Each standard formulation, and the reduced equations, have their own
+/// number. Formulations on request share one number, and printed systems begin at `PRINTED`.
 pub fn equations_style(by: &EquationsOrigin) -> usize {
     match by.formulation() {
         Some(formulation) => Formulation::STANDARD.iter().position(|f| *f == formulation).unwrap_or(ON_REQUEST),
@@ -16,11 +15,10 @@ pub fn equations_style(by: &EquationsOrigin) -> usize {
     }
 }
 
-/// Largest number of curves of right printed systems in a figure, and also of wrong printed
-/// systems. More curves would look alike.
+/// Largest number of curves of right printed systems in a figure, and also of wrong printed systems. Further curves
+/// would look alike.
 pub const MOST_PRINTED: usize = 5;
-/// Largest number of curves in a figure, including printed systems. More names could not be told
-/// apart.
+/// Largest number of curves in a figure, including printed systems. Further curves could not be distinguished.
 pub const MOST_CURVES: usize = 8;
 /// Style number of the first printed system that is not proved wrong.
 pub const PRINTED: usize = Formulation::STANDARD.len() + 1;

@@ -1,5 +1,5 @@
-//! Pen that draws figures: a backend of the library plotters that writes SVG in few bytes. Strokes
-//! become paths of relative steps, one path for all successive strokes of one look.
+//! Pen that draws figures: a backend of the library plotters that writes SVG in few bytes. Strokes become paths of
+//! relative steps, with one path for all successive strokes of the same look.
 //!
 //! Invariant: text that was written is never read again.
 
@@ -16,7 +16,7 @@ pub struct Pen<'a> {
     out: &'a mut String,
     /// Width and height of the canvas, in canvas units.
     size: (u32, u32),
-    /// Function that gives the dashes of strokes, by their colour and width.
+    /// Function that returns the dashes of strokes from their colour and width.
     dashes: Dashes,
     /// Path that collects the latest strokes; `None` after another kind of element.
     path: Option<Path>,
@@ -49,8 +49,7 @@ impl<'a> Pen<'a> {
         }
     }
 
-    /// Returns the path for strokes of a look. It is the current path if that has the same look,
-    /// otherwise a new path.
+    /// Returns the path for strokes of a look: the current path if it has the same look, else a new path.
     fn path(&mut self, look: String) -> &mut Path {
         if self.path.as_ref().is_some_and(|path| path.look != look) {
             self.end_path();
@@ -78,7 +77,7 @@ fn stroke<S: BackendStyle>(style: &S, dashes: Dashes) -> String {
     format!("fill=\"none\" {}stroke=\"{}\" stroke-width=\"{width}\"{dashes}", opacity(colour_of), colour(colour_of))
 }
 
-/// Replaces the characters of a text that have a meaning in SVG.
+/// Escapes the characters of a text that have a meaning in SVG.
 fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
@@ -146,8 +145,7 @@ impl DrawingBackend for Pen<'_> {
         path: I,
         style: &S,
     ) -> DrawResult {
-        // Overlapping areas in one path would be drawn with a single shade, so each area gets its
-        // own path.
+        // Overlapping areas in one path would be drawn with a single shade, so that each area needs its own path.
         self.end_path();
         let look = format!("{}fill=\"{}\"", opacity(style.color()), colour(style.color()));
         let area = self.path(look);
@@ -194,7 +192,7 @@ impl DrawingBackend for Pen<'_> {
             other => format!(" font-style=\"{}\"", other.as_str()),
         };
         let ((x, y), opacity, fill) = (pos, opacity(style.color()), colour(style.color()));
-        // Plotters states a font size 1.24 times as large.
+        // The font size of plotters is 1.24 times as large.
         let size = style.size() / 1.24;
         let _ = writeln!(
             self.out,
@@ -207,7 +205,7 @@ impl DrawingBackend for Pen<'_> {
 }
 
 impl Path {
-    /// Adds a circle around (x, y) to the path, as two arcs; lengths in canvas units.
+    /// Adds a circle around (x, y) to the path, as two arcs. Lengths are in canvas units.
     fn add_circle(&mut self, (x, y): BackendCoord, radius: u32) {
         let radius = i32::try_from(radius).unwrap_or(i32::MAX / 2);
         self.line(&[(x - radius, y)]);
@@ -215,8 +213,8 @@ impl Path {
         let _ = write!(self.data, "a{radius} {radius} 0 1 0 {wide} 0 {radius} {radius} 0 1 0-{wide} 0");
     }
 
-    /// Adds a line to the path: a move to the first of `places`, then a step to each further place,
-    /// in canvas units.
+    /// Adds a line to the path: a move to the first of `places`, then a step to each further place. Places are in
+    /// canvas units.
     fn line(&mut self, places: &[BackendCoord]) {
         self.data.push('m');
         for (count, place) in places.iter().enumerate() {
@@ -234,7 +232,8 @@ mod tests {
     use super::Pen;
     use plotters::prelude::*;
 
-    /// Goal: strokes stay where they are. Method: two strokes and a ring of one look, an area and a name, by hand.
+    /// Goal: strokes are drawn at their places. Method: two strokes and a ring of the same look, an area and a name are
+    /// compared with paths written by hand.
     #[test]
     fn strokes_of_one_look_are_one_path() {
         let mut out = String::new();

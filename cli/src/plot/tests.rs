@@ -1,4 +1,4 @@
-//! Figures: whatever the values, they draw, and the same each time.
+//! Tests of figures: they can be drawn for any values, and are the same in each run.
 
 use super::*;
 
@@ -15,7 +15,7 @@ fn panel(curves: &[Vec<(f64, f64)>]) -> Panel {
     }
 }
 
-/// One marker, one meaning: no two looks share their outline, nor colour and width, by which dashes are told.
+/// Each marker has one meaning: no two looks share their outline, or both colour and width, which determine the dashes.
 #[test]
 fn every_look_is_another() {
     let looks: Vec<_> = (0..curve_look::LOOKS.len()).map(curve_look::look).collect();
@@ -48,8 +48,9 @@ fn degenerate_panels_draw() {
     assert!(draw(&[], 0).is_ok());
 }
 
-/// Goal: one look has one name in a legend. Method: panels whose first curves have different names have legends of
-/// their own, so that the first name does not stand above the second panel; panels with the same names share one.
+/// Goal: a look has one name in a legend. Method: panels whose first curves have different names get legends of their
+/// own. Otherwise the name of the first panel would stand above the second, too. Panels with the same names share a
+/// legend.
 #[test]
 fn a_legend_is_shared_where_no_look_has_two_names() {
     let points = vec![(0.0, 1.0), (1.0, 2.0)];

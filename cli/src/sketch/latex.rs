@@ -7,12 +7,10 @@ use std::fmt::Write;
 use tripos::pictures::sketch::{DrawingPoint, Label, LabelWord, Mark, MarkRole, PaintKind, Path, PathPart, Sketch};
 use tripos_derive::algebra::text::print::latex_name;
 
-/// Number of TeX points per pixel. With it, letters of 10 points have the size for which the places
-/// of labels were computed.
+/// Number of TeX points per pixel. At this scale, the places of labels are right for letters of 10 points.
 const SCALE: f64 = 0.7;
 
-/// Returns the sketch in `TikZ`, with its description as a comment. It needs only the package
-/// `tikz`.
+/// Returns the sketch in `TikZ`, with its description as a comment. The picture needs only the package `tikz`.
 pub fn tikz_picture(sketch: &Sketch) -> String {
     let mut out = String::from("% Needs \\usepackage{tikz} in the preamble.\n");
     for line in [&sketch.title, &sketch.about, &sketch.drawn] {
@@ -49,7 +47,7 @@ pub fn tikz_picture(sketch: &Sketch) -> String {
     out + "\\end{tikzpicture}\n"
 }
 
-/// Returns a colour as a mixture of red, green and blue, which `xcolor` accepts without a name.
+/// Returns a colour as a mixture of red, green and blue that `xcolor` accepts without a colour name.
 fn colour([r, g, b]: [u8; 3]) -> String {
     format!("{{rgb,255:red,{r};green,{g};blue,{b}}}")
 }
@@ -64,7 +62,7 @@ fn tikz_fill(mark: &Mark) -> String {
     }
 }
 
-/// Returns a point of the sheet as coordinates in `TikZ`.
+/// Returns a point of the drawing as coordinates in `TikZ`.
 fn tikz_point(at: DrawingPoint) -> String {
     format!("({},{})", sketch_coordinate_text(at[0]), sketch_coordinate_text(at[1]))
 }

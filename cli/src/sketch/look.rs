@@ -2,7 +2,7 @@
 
 use tripos::pictures::sketch::MarkRole;
 
-/// Look of all marks and labels that have one meaning, such as a body or a spring.
+/// Look of all marks and labels with the same meaning, such as a body or a spring.
 pub struct Look {
     /// Name of the look: a class in SVG, and a style in `TikZ`.
     pub name: &'static str,
@@ -14,7 +14,7 @@ pub struct Look {
     pub ink: [u8; 3],
     /// Colour (red, green, blue) inside outlines on a white background.
     pub shade: [u8; 3],
-    /// Two colours on a dark background: of lines and words, and inside outlines.
+    /// Two colours on a dark background: the colour of lines and words, and the colour inside outlines.
     pub dark: [[u8; 3]; 2],
 }
 
@@ -30,7 +30,7 @@ const fn solid_look(name: &'static str, wide: f64, ink: [u8; 3], shade: [u8; 3],
     Look { name, wide, dashes: None, ink, shade, dark }
 }
 
-/// Returns the look of the marks and labels with a certain meaning.
+/// Returns the look of the marks and labels with the meaning `role`.
 pub fn look_of_role(role: MarkRole) -> Look {
     match role {
         MarkRole::Ground => solid_look("ground", 0.8, GREY, [0xf4, 0xf3, 0xee], [PALE_GREY, [0x20, 0x22, 0x26]]),

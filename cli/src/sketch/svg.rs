@@ -1,4 +1,4 @@
-//! Sketch of a mechanism as SVG, as a file or for a page.
+//! Sketch of a mechanism as SVG, for a file or for a page.
 
 use super::look::{Look, look_of_role};
 use super::sketch_coordinate_text;
@@ -7,8 +7,8 @@ use std::fmt::Write;
 use tripos::pictures::sketch::{DrawingPoint, Label, LabelWord, Mark, MarkRole, PaintKind, Path, PathPart, Sketch};
 use tripos_derive::algebra::text::print::name_parts;
 
-/// Returns a sketch as a complete SVG file. Its colours are light or dark, as the reader's system
-/// prefers.
+/// Returns a sketch as a complete SVG file. Its colours are light or dark, according to the setting of the reader's
+/// system.
 pub fn sketch_svg_file(sketch: &Sketch) -> String {
     let colour = |[r, g, b]: [u8; 3]| format!("#{r:02x}{g:02x}{b:02x}");
     let mut style = String::from("text{font:15px \"STIX Two Text\",\"Times New Roman\",Times,serif;stroke:none}\n");
@@ -27,14 +27,14 @@ pub fn sketch_svg_element(sketch: &Sketch) -> String {
     svg_element(sketch, "")
 }
 
-/// Returns the CSS rules of a class: `ink` colours lines, words and filled shapes; `shade` colours
-/// the inside of outlines.
+/// Returns the CSS rules of a class. `ink` is the colour of lines, words and filled shapes; `shade` is the colour
+/// inside outlines.
 fn svg_css_rules(look: &Look, ink: &str, shade: &str) -> String {
     let name = look.name;
     format!(".{name}{{stroke:{ink};fill:none}}.{name}.full,.{name}.word{{fill:{ink}}}.{name}.over{{fill:{shade}}}\n")
 }
 
-/// Returns the `<svg>` element of a sketch, with the text `style` in front of its marks.
+/// Returns the `<svg>` element of a sketch. The text `style` is placed before its marks.
 fn svg_element(sketch: &Sketch, style: &str) -> String {
     let [width, height] = sketch.size.map(sketch_coordinate_text);
     let title = escape(&format!("Sketch: {}", sketch.title));
@@ -43,7 +43,7 @@ fn svg_element(sketch: &Sketch, style: &str) -> String {
          viewBox=\"0 0 {width} {height}\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n<title>{title}</title>\n<desc>{}</desc>\n{style}",
         escape(&format!("{} {}", sketch.about, sketch.drawn)),
     );
-    // Successive lines of one look become one element.
+    // Successive lines with the same look become one element.
     let mut marks = sketch.marks.as_slice();
     while let Some(first) = marks.first() {
         let alike =
@@ -89,8 +89,7 @@ fn svg_path_data(path: &Path) -> String {
     out
 }
 
-/// Returns the text element of a label, centred at its place. The base line lies a third of a
-/// letter below the middle.
+/// Returns the text element of a label, centred at its place. The base line is a third of a letter below the middle.
 fn svg_label(label: &Label) -> String {
     let inside: String = label.words.iter().map(svg_label_word).collect();
     let (x, y) = (sketch_coordinate_text(label.at[0]), sketch_coordinate_text(label.at[1] + 4.5));
@@ -106,7 +105,7 @@ fn svg_label_word(word: &LabelWord) -> String {
     match word {
         LabelWord::Name(name) => {
             let (letters, subscript, _) = name_parts(name);
-            // A name of several letters is upright, a single letter slanted.
+            // A name of several letters is upright; a single letter is italic.
             let style = if letters.chars().count() > 1 { "" } else { " font-style=\"italic\"" };
             format!("<tspan{style}>{}</tspan>{}", escape(&letters), svg_subscript(&subscript))
         }

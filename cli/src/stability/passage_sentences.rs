@@ -1,5 +1,5 @@
-//! Sentences on the stability studies of a scene near a singular place. Every number in a sentence
-//! is a finding of these studies.
+//! Sentences about the stability studies of a scene near a singular place. Every number in a sentence is a result of
+//! these studies.
 
 use crate::plot::figure_text_in_symbols;
 use tripos::studies::stability::{ConditioningFinding, Findings, PassageRun, PassageVariable};
@@ -10,10 +10,9 @@ use tripos_derive::scene::AccelerationSolution;
 use tripos_derive::{Formulation, Model};
 use tripos_sim::Method;
 
-/// Ratio of two errors above which the larger counts as a further loss of digits, and not only as
-/// different rounding.
+/// Ratio of two errors above which the larger counts as a further loss of digits, not only as different rounding.
 const CLEAR_ERROR_RATIO: f64 = 3.0;
-/// Largest value of a passage's least divisor for which the singular place affects rounding.
+/// Largest value of the smallest divisor in a passage at which the singular place affects rounding.
 const LARGEST_NEAR_DIVISOR: f64 = 0.05;
 
 /// Returns the first divisor of the kinematic equations as text; empty without a divisor.
@@ -22,7 +21,7 @@ fn passage_divisor_text(model: &Model) -> String {
     first.map(|d| figure_text_in_symbols(&print_text(&model.arena, *d))).unwrap_or_default()
 }
 
-/// Lists texts as a sentence does: `a, b and c`.
+/// Lists texts in the form of a sentence: `a, b and c`.
 fn list_names(list: &[String]) -> String {
     match list {
         [] => String::new(),
@@ -47,16 +46,15 @@ pub fn passages_caption(model: &Model, findings: &Findings) -> String {
     [Some(seen), nearest_passages_sentence(&findings.passages)].into_iter().flatten().collect::<Vec<_>>().join(" ")
 }
 
-/// Returns the passages that `of` accepts among the runs by DOP853, from the farthest to the
-/// nearest.
+/// Returns the passages by DOP853 for which `of` is true, from the farthest to the nearest.
 fn dop853_passages(list: &[PassageRun], of: impl Fn(&PassageRun) -> bool) -> Vec<&PassageRun> {
     let mut runs: Vec<&PassageRun> = list.iter().filter(|p| p.method == Method::Dop853.name() && of(p)).collect();
     runs.sort_by(|a, b| b.least.total_cmp(&a.least));
     runs
 }
 
-/// Returns a sentence on the nearest passages that runs in the distance survive, for each solve and
-/// set of equations, with their errors. `None` if there is none.
+/// Returns a sentence about the nearest passages that the runs pass without failure, for each solve and set of
+/// equations, with their errors. `None` if there is none.
 fn nearest_passages_sentence(list: &[PassageRun]) -> Option<String> {
     let mut parts = Vec::new();
     for solve in AccelerationSolution::ALL {
@@ -84,8 +82,8 @@ fn nearest_passages_sentence(list: &[PassageRun]) -> Option<String> {
     })
 }
 
-/// Returns a sentence on the errors of a scene's reduced equations after passing the singular
-/// place, for each method. `None` if they were not run.
+/// Returns a sentence about the errors of a scene's reduced equations after the singular place, for each method. `None`
+/// if the reduced equations were not run.
 pub fn reduced_passages_sentence(list: &[PassageRun]) -> Option<String> {
     let own: Vec<&PassageRun> = list.iter().filter(|p| p.by.is_reduced()).collect();
     let mut methods: Vec<&str> = own.iter().map(|p| p.method).collect();
@@ -105,9 +103,9 @@ pub fn reduced_passages_sentence(list: &[PassageRun]) -> Option<String> {
         .then(|| format!("The scene's reduced equations pass at {} {}.", list_names(&places), parts.join("; ")))
 }
 
-/// Returns a sentence for the case that Lagrange's equations, integrated in the coordinate, keep
-/// digits that formulations in generalized speeds lose. It states the errors of both. `None` if the
-/// findings do not show this.
+/// Returns a sentence for the case that Lagrange's equations, integrated in the coordinate, keep digits that
+/// formulations in generalized speeds lose. The sentence gives the errors of both. `None` if the results do not show
+/// this.
 pub fn lagrange_passage_sentence(model: &Model, list: &[PassageRun]) -> Option<String> {
     let of = |formulation: Formulation, variable: PassageVariable| {
         let by = EquationsOrigin::from(formulation);
@@ -174,7 +172,7 @@ pub fn passage_conditioning_caption(model: &Model, findings: &Findings) -> Strin
             places.push(looked.divisor);
         }
     }
-    // The sentences are about two places: halfway along the passage, and the nearest place.
+    // The sentences are about two places: the place halfway along the passage, and the nearest place.
     let middle = places.get(places.len() / 2).copied();
     let last = places.last().copied().filter(|_| places.len() / 2 + 1 < places.len());
     list.extend(
@@ -186,8 +184,8 @@ pub fn passage_conditioning_caption(model: &Model, findings: &Findings) -> Strin
     list.join(" ")
 }
 
-/// Returns a sentence on the errors and condition numbers at the value `place` of the divisor.
-/// `None` without findings there.
+/// Returns a sentence about the errors and condition numbers at the value `place` of the divisor. `None` if there are
+/// no results for this value.
 fn conditioning_at_divisor_sentence(list: &[ConditioningFinding], place: f64, divisor: &str) -> Option<String> {
     let here = |solve: AccelerationSolution| {
         list.iter().filter(move |l| l.divisor.total_cmp(&place).is_eq() && l.solve == solve)

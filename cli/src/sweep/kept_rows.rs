@@ -1,8 +1,7 @@
 //! Rows of an unfinished table that are kept when its sweep is resumed.
 //!
-//! Invariant: the kept bytes are those that the sweep would write again. They are its header, then
-//! whole rows of its first points, in order. A last row that was cut off is dropped; any other
-//! content is refused.
+//! Invariant: the kept bytes are those that the sweep would write again: its header, then whole rows of its first
+//! points, in order. A last row that was cut off is dropped. Any other content is refused.
 
 use super::summary::Tally;
 use super::table::Columns;
@@ -14,8 +13,7 @@ use std::ops::Range;
 pub struct KeptRows {
     /// Number of whole rows of the unfinished table that are kept.
     pub rows: u64,
-    /// Number of bytes of the table that are kept, including its header; 0 if the header was cut
-    /// off.
+    /// Number of bytes of the table that are kept, including its header. 0 if the header was cut off.
     pub bytes: u64,
     /// Number of kept rows with each outcome.
     pub tally: Tally,
@@ -23,18 +21,17 @@ pub struct KeptRows {
 
 /// Reason why a sweep cannot continue an unfinished table.
 pub enum UnfinishedTableMismatch {
-    /// The table has content that this sweep would not write. Holds the reason in words.
+    /// The table has content that this sweep would not write. The text is the reason.
     Other(String),
-    /// The table cannot be read. Holds the system's error.
+    /// The table cannot be read. The error is that of the system.
     Unread(io::Error),
 }
 
 impl KeptRows {
-    /// Reads the part of an unfinished table that can be kept. `points` are the points of the
-    /// sweep.
+    /// Reads the part of an unfinished table that can be kept. `points` are the points of the sweep.
     ///
     /// # Errors
-    /// [`UnfinishedTableMismatch`] if the table is not of this sweep, or cannot be read.
+    /// [`UnfinishedTableMismatch`] if the table belongs to another sweep, or if it cannot be read.
     pub fn read(left: impl Read, columns: &Columns, points: &Range<u64>) -> Result<Self, UnfinishedTableMismatch> {
         let mut kept = Self::default();
         let mut lines = BufReader::new(left);
@@ -69,8 +66,7 @@ impl KeptRows {
     }
 }
 
-/// Reads the next line of CSV, which may contain line ends between quotes. False if no whole line
-/// is left.
+/// Reads the next line of CSV, which may contain line ends between quotes. Returns false if no whole line is left.
 /// `Err` if the table cannot be read.
 fn next_csv_line(lines: &mut impl BufRead, line: &mut Vec<u8>) -> io::Result<bool> {
     line.clear();
@@ -78,7 +74,7 @@ fn next_csv_line(lines: &mut impl BufRead, line: &mut Vec<u8>) -> io::Result<boo
         if lines.read_until(b'\n', line)? == 0 || !line.ends_with(b"\n") {
             return Ok(false);
         }
-        // Quotes divide a line into pieces outside and inside of them: a whole line has an odd number.
+        // Quotes divide a line into pieces outside and inside quotes. A whole line has an odd number of pieces.
         let pieces = line.split(|byte| *byte == b'"').count();
         if pieces % 2 == 1 {
             return Ok(true);

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use tripos::studies::sweep::SweepRow;
 
-/// Numbers of a sweep's rows by their outcomes.
+/// Numbers of a sweep's rows, by outcome.
 #[derive(Default)]
 pub struct Tally {
     /// Number of rows for each stop code, such as `end`.
@@ -26,8 +26,8 @@ impl Tally {
         self.count(row.point, row.stop(), row.failure());
     }
 
-    /// Counts a row by its point and its stop code. `failure` is the reason why the row has no
-    /// result; `None` if it has.
+    /// Counts a row by its stop code. `point` is the index of its point, and `failure` the reason why the row has no
+    /// result; `None` if it has a result.
     pub fn count(&mut self, point: u64, stop: &str, failure: Option<&str>) {
         let count = self.stops.entry(stop.to_owned()).or_default();
         count.rows += 1;
@@ -36,7 +36,7 @@ impl Tally {
         }
     }
 
-    /// Returns the number of rows with a stop code for which a run has no result.
+    /// Returns the number of rows whose stop code belongs to runs without a result.
     pub fn rows_without_result(&self) -> u64 {
         self.stops.values().filter(|count| count.failure.is_some()).map(|count| count.rows).sum()
     }
@@ -53,8 +53,8 @@ impl Tally {
         out
     }
 
-    /// Returns the counts as JSON `{CODE: {rows, first, reason}}`. Only codes of rows without
-    /// results have `first` and `reason`.
+    /// Returns the counts as JSON `{CODE: {rows, first, reason}}`. Only codes of rows without results have `first` and
+    /// `reason`.
     pub fn json(&self) -> serde_json::Value {
         let entry = |Count { rows, failure }: &Count| match failure {
             None => serde_json::json!({ "rows": rows }),

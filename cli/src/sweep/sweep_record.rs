@@ -1,9 +1,7 @@
-//! Record of the settings of an unfinished sweep, in the file `FILE.part.json` until the table is
-//! complete.
+//! Record of the settings of an unfinished sweep. It is in the file `FILE.part.json` until the table is complete.
 //!
-//! Invariant: a sweep is resumed only with the settings with which it was started. Everything that
-//! a row depends on is in the record: texts of the files, values, points, equations, and
-//! integration.
+//! Invariant: a sweep is resumed only with the settings with which it was started. The record contains everything that
+//! a row depends on: texts of the files, values, points, equations, and integration.
 
 use crate::files::output_files::write_text_file;
 use crate::terminal::failure::Failure;
@@ -31,8 +29,8 @@ fn sweep_record_input_hash(model: &Model) -> String {
 pub struct Record(Vec<(&'static str, String)>);
 
 impl Record {
-    /// Collects the settings of a sweep. `over` holds the varied values as they were written,
-    /// `shard` the part of the points.
+    /// Collects the settings of a sweep. `over` are the varied values as written in the options, and `shard` is the
+    /// part of the points.
     pub fn new(sweep: &Sweep<'_>, over: &[String], shard: &str) -> Self {
         let Sweep { model, scene, by, solve, code, tells_digits, .. } = sweep;
         Self(vec![
@@ -89,10 +87,10 @@ impl Record {
     }
 }
 
-/// Removes the record of a complete table. A failure is ignored, because the record is never read
-/// without its unfinished table.
+/// Removes the record of a complete table. A failure is ignored, because a record is only read together with its
+/// unfinished table.
 pub fn remove_record(part: &Path) {
-    // Without its unfinished table the record is never read: a failure does not matter.
+    // A record without its unfinished table is never read, so that a failure does not matter.
     let _ = std::fs::remove_file(record_path(part));
 }
 
@@ -101,7 +99,7 @@ pub fn other_sweep_failure(part: &Path, why: &str) -> Failure {
     Failure::request(format!("`{}` was begun by another sweep: {why}", path_as_plain_text(part)), HELP)
 }
 
-/// Advice for an unfinished table that this sweep cannot continue.
+/// Help for an unfinished table that this sweep cannot continue.
 const HELP: &str = "give the options and files that it was begun with, or leave --resume out to start anew";
 
 /// Returns the path of the record: the path of the unfinished table with `.json` appended.

@@ -1,6 +1,6 @@
 //! Table of a sweep as CSV text.
 //!
-//! Invariant: a number is written as the shortest text that reads back to the same double.
+//! Invariant: a number is written as the shortest text that reads back as the same `f64`.
 
 use tripos::studies::sweep::{NO_START, Sweep, SweepRow};
 
@@ -19,9 +19,9 @@ pub struct Columns {
 }
 
 impl Columns {
-    /// Returns the columns for a sweep: `index`, `over:NAME` for each varied number, `t_end`,
-    /// `stop`, and the values at the end. Then follow `steps`, `rejected`, `evaluations`, the
-    /// change of each first integral, `digits` if wanted, and `reason`.
+    /// Returns the columns for a sweep: `index`, `over:NAME` for each varied number, `t_end`, `stop`, and the values at
+    /// the end. The following columns are `steps`, `rejected`, `evaluations`, the change of each first integral,
+    /// `digits` if requested, and `reason`.
     pub fn new(sweep: &Sweep<'_>) -> Self {
         let states = sweep.names.clone();
         let changes: Vec<String> = sweep.conserved_names().iter().map(|name| format!("change of {name}")).collect();
@@ -43,8 +43,7 @@ impl Columns {
         Self { names: names.concat(), stop, states: counts[0], changes: counts[1], tells_digits: sweep.tells_digits }
     }
 
-    /// Returns a name that two columns share, since a scene may choose any name for an output.
-    /// `None` if all names differ.
+    /// Returns a name that two columns share; `None` if all names differ. A scene may choose any name for an output.
     pub fn duplicate_column_name(&self) -> Option<&str> {
         let is_twice = |(at, name): &(usize, &String)| self.names[..*at].contains(name);
         self.names.iter().enumerate().find(is_twice).map(|(_, name)| name.as_str())
@@ -105,7 +104,7 @@ fn lines(records: impl Iterator<Item = Vec<String>>) -> Vec<u8> {
     writer.into_inner().expect("memory takes everything")
 }
 
-/// Returns the shortest decimal text that reads back to the same double: `0.01`, `1e-3`, `NaN`.
+/// Returns the shortest decimal text that reads back as the same `f64`: `0.01`, `1e-3`, `NaN`.
 pub fn sweep_number_text(x: f64) -> String {
     // For numbers of this size with a fraction, text with an exponent is never shorter.
     if x.is_finite() && x.abs() >= 0.01 && x.fract().abs() > 0.0 {

@@ -1,4 +1,4 @@
-//! The two streams of a command: standard output and standard error, or texts in memory for another program.
+//! Standard output and standard error of a command. For another program, both are texts in memory.
 
 use std::cell::RefCell;
 use std::io::Write;
@@ -13,13 +13,14 @@ pub struct Printed {
 }
 
 thread_local! {
-    /// Text that the command of this thread printed; `None` if it prints to the streams of the process.
+    /// Text that the command of this thread has printed so far; `None` if it prints to the streams of the process.
     static PRINTED: RefCell<Option<Printed>> = const { RefCell::new(None) };
 }
 
-/// Runs a command on this thread, and returns its result with what it printed. Nothing is printed meanwhile.
+/// Runs a command on this thread, and returns its result with the text that it printed. Nothing is printed to the
+/// streams of the process meanwhile.
 pub fn captured<T>(command: impl FnOnce() -> T) -> (T, Printed) {
-    /// Ends the capture of this thread, also after a panic.
+    /// Guard that ends the capture of this thread, also after a panic.
     struct Capture;
     impl Drop for Capture {
         fn drop(&mut self) {
@@ -32,7 +33,7 @@ pub fn captured<T>(command: impl FnOnce() -> T) -> (T, Printed) {
     (result, PRINTED.take().unwrap_or_default())
 }
 
-/// True if the command of this thread runs inside another program, which has its output as text.
+/// True if the command of this thread runs inside another program, which gets its output as text.
 pub fn is_captured() -> bool {
     PRINTED.with_borrow(Option::is_some)
 }
@@ -40,7 +41,7 @@ pub fn is_captured() -> bool {
 /// Writes text to standard output and flushes it.
 ///
 /// # Errors
-/// The system's error. Text that is kept in memory has none.
+/// The error of the system. Text that is kept in memory causes none.
 pub fn write_output(text: &str) -> std::io::Result<()> {
     let is_kept = PRINTED.with_borrow_mut(|printed| printed.as_mut().map(|printed| printed.output.push_str(text)));
     if is_kept.is_some() {

@@ -1,5 +1,4 @@
-//! Failures of commands: messages, exit statuses and JSON. Also the printing of results and
-//! warnings.
+//! Failures of commands: messages, exit statuses and JSON. Also prints results and warnings.
 
 use super::console::{write_message, write_output};
 use serde_json::{Value, json};
@@ -25,20 +24,19 @@ pub mod status {
 /// Reason why a command failed.
 #[derive(Debug)]
 pub enum Failure {
-    /// A request was refused, or has no result. Holds the reason.
+    /// A request was refused, or has no result. The error is the reason.
     Refused(Error),
-    /// A file could not be written. Holds its name and the system's error.
+    /// A file could not be written. The fields are its name and the error of the system.
     Output(String, std::io::Error),
-    /// The user interrupted the command. Holds words for the results that are kept; empty if there
-    /// are none.
+    /// The user interrupted the command. The text names the results that are kept; empty if there are none.
     Interrupted(String),
     /// The program that reads standard output has closed it.
     Hangup,
 }
 
 impl Failure {
-    /// Returns the failure of a request that cannot be fulfilled: `what` is wrong, and `help` for
-    /// the user.
+    /// Creates the failure of a request that cannot be fulfilled. `what` says what is wrong, and `help` what the user
+    /// can do.
     pub fn request(what: impl Into<String>, help: impl Into<String>) -> Self {
         Self::Refused(Error::request(what, help))
     }
@@ -65,9 +63,7 @@ impl Failure {
         json!({ "error": { "message": message, "help": help, "places": places }, "exit_status": self.status() })
     }
 
-    /// Returns the message of the failure and its help, if there is any. Of several errors, the
-    /// first is used.
-    /// The help is `None` if there is none.
+    /// Returns the message of the failure, and its help; `None` without help. Of several errors, the first is used.
     fn message_and_help(&self) -> (String, Option<String>) {
         match self {
             Self::Refused(error) => error.message_and_advice(),
@@ -88,7 +84,7 @@ impl fmt::Display for Failure {
         match (self, self.message_and_help()) {
             (Self::Refused(error), _) => write!(f, "{error}"),
             (Self::Output(..), (what, Some(help))) => write!(f, "error: {what}\nhelp: {help}"),
-            // An interruption by the user is no error, so the message has no word `error`.
+            // An interruption by the user is no error, so that the message does not contain the word `error`.
             (_, (what, _)) => f.write_str(&what),
         }
     }
@@ -140,12 +136,12 @@ pub fn warn(text: &str) {
     print_to_stderr(&format!("warning: {text}"));
 }
 
-/// Prints a line for people on standard error. A failure to write it is ignored.
+/// Prints a line for the user on standard error. A failure to write it is ignored.
 pub fn print_to_stderr(text: &str) {
     write_message(&with_visible_characters(text));
 }
 
-/// Writes text for people to standard output.
+/// Writes text for the user to standard output.
 ///
 /// # Errors
 /// [`Failure::Hangup`] for a closed pipe, `Failure::Output` for another error.
@@ -178,23 +174,23 @@ pub fn print_json(value: &serde_json::Value) -> Result<(), Failure> {
     write_out(&out)
 }
 
-/// Form in which a command prints its result: text or JSON.
+/// Format in which a command prints its result: text or JSON.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Output {
-    /// The result is printed as lines for people.
+    /// The result is printed as lines of text for the user.
     Text,
-    /// The result is printed as JSON for programs.
+    /// The result is printed as JSON for other programs.
     Json,
 }
 
 impl Output {
-    /// Returns the form for the flag `--json`: JSON if the flag is given, otherwise text.
+    /// Returns the format for the flag `--json`: JSON if the flag is given, else text.
     pub fn of_flag(json: bool) -> Self {
         if json { Self::Json } else { Self::Text }
     }
 }
 
-/// Prints the result of a command: lines for people, or JSON for programs.
+/// Prints the result of a command: lines of text for the user, or JSON for other programs.
 ///
 /// # Errors
 /// [`Failure`] if standard output cannot be written.

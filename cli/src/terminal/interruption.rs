@@ -1,12 +1,11 @@
-//! Interruption and progress of long commands: the user can end them, and sees how far they are.
+//! Interruption and progress of long commands: the user can end a command, and sees its progress.
 //!
-//! Invariant: a command that was interrupted ends soon, with [`status::INTERRUPTED`], and keeps its
-//! finished results. A second interruption ends it at once. Commands that would lose nothing do not
-//! listen, and end at the first.
+//! Invariant: a command that was interrupted ends soon, with [`status::INTERRUPTED`], and keeps its finished results. A
+//! second interruption ends it at once. Commands that would lose no results do not listen for interruptions, and end at
+//! the first.
 //!
-//! Signals belong to the process, not to a call. Therefore the state here and the shown progress
-//! are global. Interruption never changes numbers: the steps of an interrupted run equal those of
-//! the whole run.
+//! Signals belong to the process, not to a call. The state in this module and the shown progress are therefore global.
+//! An interruption never changes numbers: the steps of an interrupted run equal those of the whole run.
 
 use super::console::is_captured;
 use super::failure::{print_to_stderr, status};
@@ -25,8 +24,8 @@ static RUN_PROGRESS_BAR: OnceLock<SpanProgress> = OnceLock::new();
 /// Number of parts of a span that a progress bar distinguishes.
 const PARTS: u32 = 1000;
 
-/// Starts to listen for interruptions by the keyboard and for polite requests to end. If signals
-/// cannot be caught, they end the process. Inside another program, signals stay with this program.
+/// Starts to listen for interruptions by the keyboard and for requests of the system to end. If signals cannot be
+/// caught, they end the process. Inside another program, signals are left to that program.
 pub fn listen_for_interruption() {
     if is_captured() {
         return;
@@ -39,7 +38,7 @@ pub fn listen_for_interruption() {
             "interrupted: finished results are kept, and running ones end soon; interrupt again to stop at once",
         );
     };
-    // If signals cannot be caught, they end the process.
+    // If signals cannot be caught, they end the process as usual.
     let _ = ctrlc::set_handler(on_interrupt);
 }
 
@@ -48,7 +47,7 @@ pub fn ask_for_interruption() {
     INTERRUPTION_ASKED.store(true, Ordering::Relaxed);
 }
 
-/// Forgets an interruption of an earlier command.
+/// Resets the interruption of an earlier command.
 pub fn forget_interruption() {
     INTERRUPTION_ASKED.store(false, Ordering::Relaxed);
 }
@@ -58,7 +57,7 @@ pub fn is_interrupted() -> bool {
     INTERRUPTION_ASKED.load(Ordering::Relaxed)
 }
 
-/// Returns a follower for the runs of this command. It checks for interruptions and shows progress.
+/// Returns an observer for the runs of this command. It checks for interruptions and shows progress.
 pub fn run_follower() -> Observer {
     Observer::new(Poll::new(poll_interruption), is_interrupted)
 }
@@ -71,7 +70,8 @@ struct SpanProgress {
     span: (f64, f64),
 }
 
-/// Shows a progress bar on the terminal for a run over the span (first, last), s. Inside another program none is shown.
+/// Shows a progress bar on the terminal for a run over the span (first, last), s. Inside another program, no bar is
+/// shown.
 pub fn show_progress_bar(span: (f64, f64)) {
     if is_captured() {
         return;
@@ -89,7 +89,7 @@ pub fn hide_progress_bar() {
     }
 }
 
-/// Updates the progress bar at time `t`, s. Breaks the run if the user has interrupted it.
+/// Updates the progress bar at time `t`, s. Returns `Break` if the user has interrupted the run.
 fn poll_interruption(t: f64) -> ControlFlow<()> {
     if let Some(SpanProgress { bar, span: (from, to) }) = RUN_PROGRESS_BAR.get() {
         let part = (f64::from(PARTS) * (t - from) / (to - from)).clamp(0.0, f64::from(PARTS));
@@ -117,7 +117,7 @@ impl Progress for ProgressBarReporter<'_> {
     }
 }
 
-/// Returns a progress bar with a count and a message.
+/// Returns a progress bar with a number of finished parts and a message.
 pub fn counting_progress_bar() -> ProgressBar {
     let bar = ProgressBar::new(1);
     let style = ProgressStyle::with_template("{bar:30} {pos}/{len} {msg}");

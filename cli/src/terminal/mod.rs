@@ -1,4 +1,4 @@
-//! Messages, failures and interruptions of a running command, as people see them.
+//! Messages, failures and interruptions of a running command, as the user sees them.
 
 pub(super) mod console;
 pub(super) mod failure;

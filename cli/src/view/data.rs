@@ -1,8 +1,7 @@
 //! Data of a view for its viewer, as JSON.
 //!
-//! Invariant: places and attitudes are whole multiples of a step that is too small to be seen. They
-//! are written as differences from one instant to the next, so that the sums are exact and the file
-//! is short.
+//! Invariant: positions and orientations are whole multiples of a step that is too small to be visible. They are
+//! written as differences from one instant to the next. The sums of the differences are exact, and the file is short.
 
 use super::{LiveEquations, ViewContent, ViewPlace};
 use serde_json::{Map, Value, json};
@@ -10,18 +9,18 @@ use tripos::pictures::view::{
     ForceArrows, ForceSource, Quaternion, Solid, SolidForm, SolidPlace, Triple, ViewMotion, quaternion,
 };
 
-/// Steps of the data: of places, relative to the size of the mechanism, and of Euler parameters.
+/// Steps of the data: of positions, relative to the size of the mechanism, and of Euler parameters.
 const STEPS: (f64, f64) = (5e-5, 1e-4);
 /// Step of the data of forces, relative to the usual force of the motion.
 const FORCE: f64 = 1e-4;
 /// Step of the data of times, relative to the span.
 const TIME: f64 = 1e-6;
-/// Largest number of points of a mechanism for which all points are included in the data.
+/// Number of points of a mechanism up to which all points are included in the data.
 const MOST_POINTS: usize = 60;
-/// Estimated number of bytes of a number in the data.
+/// Estimated number of bytes that a number takes in the data.
 const NUMBER: usize = 4;
 
-/// Returns JSON as the content of a `<script>` element, which it cannot end.
+/// Returns JSON as text for the content of a `<script>` element. The text cannot end the element.
 pub fn as_script(value: &Value) -> String {
     value.to_string().replace('<', "\\u003c").replace('\u{2028}', "\\u2028").replace('\u{2029}', "\\u2029")
 }
@@ -57,12 +56,12 @@ impl ViewDataParts {
         Self { points, frames }
     }
 
-    /// Returns the index in the data of a point of the model.
+    /// Returns the index in the data of the model's point with index `point`.
     fn point(&self, point: usize) -> usize {
         self.points.binary_search(&point).unwrap_or_default()
     }
 
-    /// Returns the index in the data of a frame of the model.
+    /// Returns the index in the data of the model's frame with index `frame`.
     fn frame(&self, frame: usize) -> usize {
         self.frames.binary_search(&frame).unwrap_or_default()
     }
@@ -79,15 +78,14 @@ fn place_of_form(form: &SolidForm) -> Option<&SolidPlace> {
     }
 }
 
-/// Returns the largest number of frames of each motion whose data fit into this number of bytes.
+/// Returns the largest number of frames of each motion whose data have at most `bytes` bytes.
 fn frames_within_bytes(seen: &ViewContent<'_>, kept: &ViewDataParts, bytes: usize) -> usize {
     let forces = seen.motions.first().map_or(0, |motion| motion.forces.list.len());
     let each = (3 * kept.points.len() + 4 * kept.frames.len() + 1) * seen.motions.len() + 3 * forces;
     (bytes / (each * NUMBER)).max(2)
 }
 
-/// True if the frames that fit into `bytes` bytes are close enough in time to show correctly how
-/// every body turns.
+/// True if the frames that fit into `bytes` bytes are close enough in time to show correctly how every body rotates.
 pub fn turns_truly(seen: &ViewContent<'_>, bytes: usize) -> bool {
     let most = frames_within_bytes(seen, &ViewDataParts::of_view(seen), bytes);
     seen.motions.iter().all(|m| m.has_true_rotations(&m.thin_motion(seen.view.size, most).0))
@@ -127,8 +125,7 @@ pub fn figure_data(seen: &ViewContent<'_>, live: &LiveEquations, home: ViewPlace
     })
 }
 
-/// Returns the forces of a motion as JSON: kind, name and point of each, and its components in
-/// whole steps.
+/// Returns the forces of a motion as JSON: kind, name and point of each force, and its components in whole steps.
 fn arrows(forces: &ForceArrows, kept: &ViewDataParts) -> Value {
     let step = FORCE * forces.usual;
     let list = forces.list.iter().enumerate().map(|(at, arrow)| {
@@ -191,8 +188,8 @@ fn short(x: f64) -> f64 {
     format!("{x:.5e}").parse().unwrap_or(x)
 }
 
-/// Returns a motion as JSON: times, places of points and attitudes of frames, in whole steps.
-/// `size` is that of the mechanism, m.
+/// Returns a motion as JSON: times, positions of points and orientations of frames, in whole steps. `size` is the size
+/// of the mechanism, m.
 fn motion(motion: &ViewMotion, kept: &ViewDataParts, size: f64) -> Value {
     let (from, to) = (motion.t.first().copied().unwrap_or_default(), motion.t.last().copied().unwrap_or_default());
     let span = (to - from).abs();
@@ -204,8 +201,8 @@ fn motion(motion: &ViewMotion, kept: &ViewDataParts, size: f64) -> Value {
     let frames = kept.frames.iter().map(|frame| {
         let mut turns: Vec<Quaternion> = motion.poses.iter().map(|pose| quaternion(&pose.rotations[*frame])).collect();
         for at in 1..turns.len() {
-            // Two Euler parameters of opposite signs turn alike: the nearer one is taken, so that differences are
-            // small.
+            // Euler parameters of opposite signs describe the same rotation. The nearer sign is chosen, so that
+            // differences are small.
             let same: f64 = turns[at].iter().zip(&turns[at - 1]).map(|(a, b)| a * b).sum();
             if same < 0.0 {
                 turns[at] = turns[at].map(|x| -x);
@@ -253,7 +250,8 @@ mod tests {
     use super::{as_script, differences_in_steps, stored_differences};
     use serde_json::json;
 
-    /// Goal: sums of differences are the places, to half a step. Method: a way there and back, added up.
+    /// Goal: sums of differences equal the positions to half a step. Method: the differences of a path there and back
+    /// are added up.
     #[test]
     fn differences_add_up_to_what_was_written() {
         let places: Vec<[f64; 2]> = (0..500).map(|k| [(f64::from(k) * 0.1).sin(), 3.0 - f64::from(k)]).collect();

@@ -1,8 +1,7 @@
 //! Equations that a view runs in the browser, and the values that its sliders change.
 //!
-//! Invariant: all mechanics in the page is planned from the model here, and texts reach the page as
-//! data. Excluded are impacts, and drives with kinks or jumps in time, at which steps would have to
-//! end.
+//! Invariant: all mechanics in the page is planned here from the model, and texts reach the page as data. Scenes are
+//! excluded if they have impacts, or drives with kinks or jumps in time, at which steps would have to end.
 
 use super::{ViewContent, ViewPlace};
 use crate::terminal::failure::Failure;
@@ -20,11 +19,11 @@ use tripos_traits::{AbsoluteTolerance, Direction};
 
 /// Tolerance of a run in the page, relative and absolute.
 const TOLERANCE: f64 = 1e-10;
-/// Decision of whether a view runs equations in the browser.
+/// Decision whether a view runs equations in the browser.
 pub enum LiveEquations {
     /// The view runs the motion in the browser by these equations.
     Runs(RunnableEquations),
-    /// The view runs no equations. Holds the reason in words.
+    /// The view runs no equations. The text is the reason.
     Rests(String),
 }
 
@@ -39,11 +38,10 @@ pub struct RunnableEquations {
 }
 
 impl RunnableEquations {
-    /// Returns the data for a viewer that shows these points and frames, given by their indices in
-    /// the model.
+    /// Returns the data for a viewer that shows these points and frames, which are indices in the model.
     pub fn shown(&self, points: &[usize], frames: &[usize]) -> Value {
         let mut data = self.data.clone();
-        // Index of the equations in the page's list; there is only one set, the first.
+        // Index of the equations in the page's list, which has only one set.
         data["equations"] = json!(0);
         data["points"] = json!(points);
         data["frames"] = json!(frames);
@@ -100,8 +98,7 @@ impl LiveEquations {
         }
         let title = by.title();
         let mut data = live_equations_data(seen, &plan, &stops, &title);
-        // If the independent speeds become singular during a run, the equations in all rates can
-        // continue.
+        // If the independent speeds become singular during a run, the equations in all rates can continue the motion.
         if !mechanism.loops.is_empty() && written.solved.is_some() {
             let lagrange = EquationsOrigin::from(Formulation::Lagrange);
             let general = WrittenEquations::keep_linear_system(derive_or_read_equations(mechanism, &lagrange)?);
@@ -121,10 +118,9 @@ impl LiveEquations {
 struct StopConditions {
     /// Watched quantities, one for each condition.
     watched: Vec<WatchedQuantity>,
-    /// Direction of the sign change that ends a run, for each condition: −1 falling, 1 rising, 0
-    /// either.
+    /// Direction, for each condition, of the sign change that ends a run: −1 falling, 1 rising, 0 either.
     directions: Vec<i8>,
-    /// True for each condition that must hold at the start, such as those of the domain.
+    /// True, for each condition, if it must hold at the start, as the conditions of the domain must.
     holds: Vec<bool>,
 }
 
@@ -153,8 +149,8 @@ impl StopConditions {
     }
 }
 
-/// Plans the JavaScript function `places`: rotations and positions of the links, from which poses
-/// are assembled.
+/// Plans the JavaScript function `places`. It computes the rotations and positions of the links, from which poses are
+/// assembled.
 fn places(planner: &Planner<'_>) -> Function {
     let values = numbered_values("place", FrameTree::of(planner.model).values);
     planner.plan_function(
@@ -166,15 +162,15 @@ fn places(planner: &Planner<'_>) -> Function {
     )
 }
 
-/// Plans the JavaScript function `sizes`: dimensions of the shapes in the model file, solid by
-/// solid, m.
+/// Plans the JavaScript function `sizes`. It computes the dimensions of the shapes in the model file, m, one solid
+/// after another.
 fn sizes(planner: &Planner<'_>, seen: &ViewContent<'_>) -> Function {
     let values =
         numbered_values("size", stated_solid_lengths(seen.mechanism).into_iter().flatten().map(|(_, e)| e).collect());
     planner.plan_function("sizes", "The sizes of shapes.", Arguments::Configuration, Returns::Vector, &values)
 }
 
-/// Returns values to be computed whose variables are `stem` with the numbers 0, 1 and so on.
+/// Returns values to be computed, whose variables are named `stem` with the numbers 0, 1 and so on.
 fn numbered_values(stem: &str, values: Vec<Expr>) -> Vec<(String, String, Expr)> {
     values.into_iter().enumerate().map(|(at, e)| (format!("{stem}_{at}"), format!("{stem} {at}"), e)).collect()
 }
@@ -196,7 +192,7 @@ fn live_equations_data(seen: &ViewContent<'_>, plan: &MotionPlan, stops: &StopCo
         "title": title,
         "p": scene.parameters, "q": scene.q, "u": scene.u,
         "span": [scene.span.0, scene.span.1],
-        // Tolerances are at most those of the scene, but above zero: steps cannot have an error of 0.
+        // Tolerances are at most those of the scene, but above zero, because the error of a step cannot be 0.
         "rtol": TOLERANCE.min(scene.integration.rtol).max(1e-13),
         "atol": TOLERANCE.min(least).max(1e-30),
         "directions": at(&stops.directions),
@@ -206,17 +202,18 @@ fn live_equations_data(seen: &ViewContent<'_>, plan: &MotionPlan, stops: &StopCo
         "conserves": !plan.has_power && !mechanism.is_driven(),
         "links": { "frames": links.frames, "points": links.points },
         "sizes": if seen.view.is_stated { keys.collect::<Vec<_>>() } else { Vec::new() },
-        // Point of contact and middle point of each solid that touches: its radius follows from their distance.
+        // Point of contact and middle point of each solid that touches another. Its radius follows from the distance of
+        // the two.
         "touches": seen.view.solids.iter().map(|solid| Some([solid.touches?, *solid.form.points().first()?])).collect::<Vec<_>>(),
         "parameters": parameters(seen),
         "start": live_start_sliders(seen),
-        // Coordinates that close the loops, if the scene leaves some to be solved for.
+        // Indices of the coordinates that close the loops, if the scene leaves coordinates to be solved for.
         "closing": live_loop_coordinates(seen),
     })
 }
 
-/// Returns the JSON of a slider. `at` is the index of the value that it changes, `range` its
-/// smallest and largest value.
+/// Returns the JSON of a slider. `at` is the index of the value that the slider changes; `range` is its smallest and
+/// largest value.
 fn slider(name: &str, about: &str, unit: &str, at: usize, value: f64, range: (f64, f64)) -> Value {
     let (from, to) = range;
     json!({ "name": name, "about": about, "unit": unit, "at": at, "value": value, "from": from, "to": to })

@@ -1,8 +1,8 @@
-//! Document about a derivation, independent of a document language: meanings of symbols, all
-//! formulas, and first integrals.
+//! Document about a derivation, independent of a document language: meanings of symbols, all formulas, and first
+//! integrals.
 //!
-//! Invariant: nothing here depends on the syntax of LaTeX, Markdown or Typst. Formulas are trees,
-//! left sides are data, and names are those of the model.
+//! Invariant: nothing here depends on the syntax of LaTeX, Markdown or Typst. Formulas are trees, left sides of
+//! equations are data, and names are those of the model.
 
 use crate::phrases::NAMED_TERMS_HEADING;
 use tripos_derive::Model;
@@ -37,7 +37,7 @@ pub struct Document {
 pub struct BodyEntry {
     /// Name of the body as a formula to be typeset.
     pub name: DisplayTree,
-    /// Mass, mass centre and inertia of the body, as words and formulas.
+    /// Mass, mass centre and inertia of the body, in words and formulas.
     pub about: Vec<InlineContent>,
 }
 
@@ -45,7 +45,7 @@ pub struct BodyEntry {
 pub struct Meaning {
     /// Symbol as a formula to be typeset.
     pub symbol: DisplayTree,
-    /// Description of the symbol in words; often empty.
+    /// Description of the symbol in words; empty if there is none.
     pub about: String,
     /// Unit of the symbol; empty if it has none.
     pub unit: String,
@@ -102,7 +102,7 @@ pub enum LeftSide {
     Vector(Vector),
     /// Component of a vector along an axis of a frame.
     Component(Vector, Axis),
-    /// Component, along an axis, of the partial derivative of a vector by a generalized speed.
+    /// Component, along an axis, of the partial derivative of a vector with respect to a generalized speed.
     Partial(Vector, DisplayTree, Axis),
 }
 
@@ -139,8 +139,8 @@ pub struct System {
 }
 
 impl Document {
-    /// Starts a document about a model: title, symbols and bodies, without derivations. `moving`
-    /// describes places whose motion is given.
+    /// Creates a document about a model: title, symbols and bodies, without derivations. `moving` describes points and
+    /// frames whose motion is given.
     pub fn new(model: &Model, moving: &[MovingLoadPlace]) -> Self {
         let about = std::iter::once(format!("{}.", model.counts_in_words()));
         let about = about.chain(moving.iter().map(|place| place.text(model))).collect();
@@ -183,8 +183,7 @@ impl Document {
         }
     }
 
-    /// Adds the first integrals of the motion to the document, with the definitions of the names in
-    /// them.
+    /// Adds the first integrals of the motion to the document, with definitions of the names in the integrals.
     pub fn integrals(&mut self, model: &Model, arena: &Arena, list: &[Integral]) {
         self.heading(Level::Section, "First integrals");
         if list.is_empty() {
@@ -208,7 +207,7 @@ impl Document {
         self.blocks.push(Block::Heading(level, vec![InlineContent::Words(words.to_owned())]));
     }
 
-    /// Adds definitions as equations, with a sentence on their order.
+    /// Adds definitions as equations, with a sentence about their order.
     fn definitions(&mut self, arena: &Arena, list: &[Definition]) {
         self.blocks.push(Block::Words("Each by those before it.".to_owned()));
         let symbol = |e: Expr| LeftSide::Symbol(print_view(arena, e));
@@ -301,7 +300,7 @@ impl Vector {
 }
 
 impl LeftSide {
-    /// Returns the left side for the name of a line of a derivation.
+    /// Returns the left side of a line of a derivation, from the name of the line.
     fn of_line(model: &Model, name: &LineName) -> Self {
         let basis = |frame: usize, axis: usize| Axis {
             frame: printed_name(&model.arena, &model.frames[frame].name).to_lowercase(),

@@ -1,8 +1,8 @@
-//! Derivation as JSON, for programs.
+//! Derivation as JSON, for other programs.
 //!
 //! Invariants:
-//! - Every name in a formula is a symbol of the model, or is defined in `named`. In accelerations
-//!   it may also be defined by an earlier elimination step.
+//! - Every name in a formula is a symbol of the model, or is defined in `named`. A name in an acceleration may also be
+//!   defined by an earlier elimination step.
 //! - No formula grows beyond its parts: parts that long formulas share have names of their own.
 
 use super::SolvedFormulation;
@@ -55,11 +55,11 @@ fn formulas_in_derivation_json(e: &Equations, steps: &[Step]) -> Vec<Expr> {
     lists.chain(lines).chain(&[e.kinetic_energy, e.potential_energy, e.power]).copied().collect()
 }
 
-/// Writer of formulas as text, which gives names to the shared parts of long formulas.
+/// Writer of formulas as text. It gives names to the parts that long formulas share.
 struct JsonFormulaWriter<'a> {
     /// Arena that stores the terms (symbolic expressions).
     arena: &'a Arena,
-    /// Names of the parts that formulas share, by term.
+    /// Names of shared parts; the key is the term.
     names: SharedNames,
     /// Shared parts that have names, each after the parts that it contains.
     parts: Vec<Expr>,
@@ -94,8 +94,8 @@ impl<'a> JsonFormulaWriter<'a> {
         list.iter().map(|e| self.text(*e)).collect()
     }
 
-    /// Returns definitions as JSON, each after the shared parts that it contains. Then come the
-    /// shared parts of `formulas`.
+    /// Returns definitions as JSON, each after the shared parts that it contains. The shared parts of `formulas`
+    /// follow.
     fn definitions(&mut self, list: &[Definition], formulas: &[Expr]) -> Vec<Value> {
         let mut out = Vec::new();
         for step in list {

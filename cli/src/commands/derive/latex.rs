@@ -14,7 +14,7 @@ use tripos_derive::algebra::text::print::latex_of;
 /// Number of columns that a matrix of amsmath has by default.
 const COLUMNS: usize = 10;
 
-/// Choice between a LaTeX document and only its sections.
+/// Choice between a whole LaTeX document and only its sections.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum LatexExtent {
     /// A whole document, which compiles by itself.
@@ -23,7 +23,7 @@ pub enum LatexExtent {
     Fragment,
 }
 
-/// Returns the document about a derivation as LaTeX text: whole, or only its sections.
+/// Returns the document about a derivation as LaTeX text: the whole document, or only its sections.
 pub fn latex_document(document: &Document, part: LatexExtent) -> String {
     let title = escape_latex(&document.title);
     let about: Vec<String> = document.about.iter().map(|words| escape_latex(words) + "\n").collect();
@@ -40,7 +40,7 @@ pub fn latex_document(document: &Document, part: LatexExtent) -> String {
     }
 }
 
-/// Marks between the lines of equations in the environment `align`.
+/// Marks between the lines of equations in the LaTeX environment `align`.
 const ROWS: RowMarks = RowMarks {
     end: " \\notag \\\\\n  ",
     indent: "&\\quad ",

@@ -1,4 +1,4 @@
-//! Functions that write formulas in a document language, and those for LaTeX, which Markdown uses too.
+//! Functions that write formulas in a document language, and their LaTeX versions, which Markdown uses, too.
 
 use super::derivation_document::{Axis, LeftSide, Vector};
 use tripos_derive::algebra::text::display_tree::DisplayTree;
@@ -7,7 +7,7 @@ use tripos_derive::mechanics::VectorName;
 
 /// Functions that write formulas in a document language.
 pub struct DocumentLanguage {
-    /// Function that writes a formula as lines of at most about the given width, in tenths of an
+    /// Function that writes a formula as lines. Its second argument is the approximate largest width, in tenths of an
     /// em.
     pub lines: fn(&DisplayTree, usize) -> Vec<String>,
     /// Function that writes the left side of an equation.
@@ -51,8 +51,8 @@ fn latex_axis_formula(axis: &Axis) -> String {
     format!("\\mathbf{{{}}}_{{{}}}", axis.frame.replace('_', "\\_"), axis.number)
 }
 
-/// Returns the indices of a matrix entry as text. They are separated by commas if an index has
-/// several digits: 12, but 1,12.
+/// Returns the indices of a matrix entry as text. They are separated by commas only if an index has several digits: 12,
+/// but 1,12.
 pub fn formula_index_text(places: &[usize]) -> String {
     let comma = if places.iter().any(|place| *place > 9) { "," } else { "" };
     places.iter().map(usize::to_string).collect::<Vec<_>>().join(comma)

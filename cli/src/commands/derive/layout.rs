@@ -1,19 +1,16 @@
-//! Layout of formulas on a page of a derivation. Formulas break over lines at their signs, no
-//! matrix is wider than a page, and formulas that are too long to read are left out.
+//! Layout of formulas on a page of a derivation. Formulas are broken into lines at signs, no matrix is wider than a
+//! page, and formulas that are too long to read are left out.
 //!
-//! Invariant: a document has the same layout in LaTeX, Markdown and Typst. Widths are estimates, in
-//! tenths of an em.
+//! Invariant: a document has the same layout in LaTeX, Markdown and Typst. Widths are estimates, in tenths of an em.
 
 use super::derivation_document::{Equation, LeftSide, System};
 use super::latex_formulas::{DocumentLanguage, LATEX};
 use tripos_derive::algebra::text::display_tree::DisplayTree;
 use tripos_derive::algebra::text::print::formula_width;
 
-/// Largest number of characters in the source of a formula that is printed. Nobody would read a
-/// longer formula.
+/// Largest number of characters in the source of a formula that is printed. Longer formulas are not readable.
 const LONGEST: usize = 20_000;
-/// Largest number of characters in the source of a line of a printed formula. TeX cannot set longer
-/// lines.
+/// Largest number of characters in the source of a line of a printed formula. TeX cannot typeset longer lines.
 const LONGEST_LINE: usize = 4_000;
 /// Width of a line on the page, in tenths of an em.
 const LINE: usize = 380;
@@ -65,7 +62,7 @@ impl EquationLayout {
 
 /// Lays equations out for a page, in a document language, with their right sides aligned.
 pub fn lay_out_equations(list: &[Equation], language: &DocumentLanguage) -> Vec<EquationLayout> {
-    // Right sides are aligned: they begin behind the widest left side that shares its line.
+    // Right sides are aligned: they begin after the widest left side that shares its line with a right side.
     let column = list.iter().map(|(left, _)| left_side_layout_width(left)).filter(|width| *width <= WIDE).max();
     let rest = LINE - column.unwrap_or(0).max(INDENT);
     let one = |(left, right): &Equation| {
@@ -78,7 +75,7 @@ pub fn lay_out_equations(list: &[Equation], language: &DocumentLanguage) -> Vec<
     list.iter().map(one).collect()
 }
 
-/// Returns the estimated width of a left side, in tenths of an em, with 40 added for spacing.
+/// Returns the estimated width of a left side, in tenths of an em. It includes 40 for spacing.
 fn left_side_layout_width(left: &LeftSide) -> usize {
     let shown = (LATEX.left)(left);
     let shown =
@@ -111,8 +108,7 @@ pub fn extent(system: &System) -> SystemLayout {
     }
 }
 
-/// Returns the entries of a linear system that a layout lists as equations. None are listed for
-/// `SystemLayout::WholeModel`.
+/// Returns the entries of a linear system that a layout lists as equations. None are listed for `SystemLayout::Whole`.
 pub fn system_layout_entries(system: &System, extent: SystemLayout) -> Vec<Equation> {
     let mut entries = Vec::new();
     if extent == SystemLayout::Entries {

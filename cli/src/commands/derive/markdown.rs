@@ -1,8 +1,7 @@
-//! Derivation in Markdown as GitHub shows it. Formulas are LaTeX, between dollars or in blocks of
-//! `math`.
+//! Derivation in the Markdown of GitHub. Formulas are LaTeX, between dollars or in blocks of `math`.
 //!
-//! Invariant: for any names in a model, its words stay words. Characters that Markdown, HTML or its
-//! search for formulas would read otherwise are escaped.
+//! Invariant: for any names in a model, its words stay words. Characters that Markdown or HTML would interpret, or that
+//! would begin a formula, are escaped.
 
 use super::derivation_document::{Block, BodyEntry, Document, Equation, InlineContent, Level, Meaning, System};
 use super::latex_formulas::LATEX;
@@ -13,8 +12,8 @@ use std::fmt::Write;
 use tripos_derive::algebra::text::display_tree::DisplayTree;
 use tripos_derive::algebra::text::print::latex_of;
 
-/// Largest number of equations in a block of `math`. Browsers set each block as a whole, which
-/// takes long.
+/// Largest number of equations in a block of `math`. A browser typesets each block as a whole, which is slow for long
+/// blocks.
 const ROWS: usize = 25;
 
 /// Returns the document about a derivation as Markdown text.
@@ -74,9 +73,9 @@ fn markdown_inline_content(run: &InlineContent) -> String {
     }
 }
 
-/// Writes a formula within a line. Between bare dollars Markdown removes a backslash before a
-/// punctuation mark, as in `\_`. Between dollars with backticks it removes nothing, but fewer
-/// programs know these.
+/// Writes a formula within a line, between dollars with backticks if needed. Between bare dollars, Markdown removes a
+/// backslash before a punctuation mark, as in `\_`. Between dollars with backticks it removes nothing, but fewer
+/// programs support them.
 fn markdown_inline_formula(formula: &str) -> String {
     let mut after_backslash = formula.split('\\').skip(1);
     let is_plain = after_backslash.all(|rest| rest.starts_with(|c: char| c.is_ascii_alphabetic()));
@@ -131,7 +130,7 @@ fn markdown_equations(list: &[Equation]) -> String {
 fn escape_markdown(text: &str) -> String {
     let mut out = String::new();
     for (at, c) in text.char_indices() {
-        // At the beginning of a line some characters would make a list or a heading.
+        // Some characters at the beginning of a line would begin a list or a heading.
         let before = &text[..at];
         let begins = match c {
             '-' | '+' | '=' => before.is_empty(),
@@ -139,7 +138,7 @@ fn escape_markdown(text: &str) -> String {
             _ => false,
         };
         match c {
-            // GitHub begins a formula at a dollar even after a backslash.
+            // GitHub begins a formula at a dollar sign even if a backslash precedes it.
             '$' => out.push_str("<span>$</span>"),
             '\\' | '`' | '*' | '_' | '{' | '}' | '[' | ']' | '<' | '>' | '#' | '|' | '~' | '&' => out.extend(['\\', c]),
             c if begins => out.extend(['\\', c]),

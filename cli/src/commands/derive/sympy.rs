@@ -1,13 +1,13 @@
 //! Derivation as a Python program that defines the equations for SymPy.
 //!
 //! Invariants:
-//! - Numbers are exact, and nothing is expanded: a named term stays a symbol with a definition.
-//!   Each definition comes after those of the terms in it.
-//! - The program runs for any names in a model. A name that Python or the program itself uses gets
-//!   an underscore at its end.
+//! - Numbers are exact, and nothing is expanded: a named term stays a symbol with a definition. Each definition comes
+//!   after the definitions of the terms in it.
+//! - The program runs for any names in a model. A name that Python or the program itself uses gets an underscore at its
+//!   end.
 //!
-//! All symbols, including coordinates and rates, are plain SymPy symbols. They can be replaced,
-//! differentiated by and compiled one by one.
+//! All symbols, including coordinates and rates, are plain SymPy symbols. Each can be replaced, can be differentiated
+//! by, and can be an argument of compiled functions.
 
 use super::SolvedFormulation;
 use crate::terminal::failure::Failure;
@@ -98,9 +98,9 @@ struct Names {
     /// Pairs of the name in the model file and the name in the program, in the order of
     /// declaration.
     list: Vec<(String, String)>,
-    /// Index in `list`, by the name in the model file.
+    /// Index in `list`; the key is the name in the model file.
     by_name: FxHashMap<String, usize>,
-    /// Names, in the model file, of the parameters that are stated to be positive.
+    /// Names in the model file of the parameters that are declared as positive.
     positive: FxHashSet<String>,
 }
 
@@ -109,7 +109,7 @@ impl Names {
     fn new(model: &Model, derived: &[SolvedFormulation]) -> Self {
         let positive = model.parameters.iter().filter(|p| p.positive).map(|p| p.name.clone()).collect();
         let mut names = Self { list: Vec::new(), by_name: FxHashMap::default(), positive };
-        // Names without primes come first: `q1_dot` may be the name of a parameter.
+        // Names without primes get their names first: `q1_dot` may be the name of a parameter.
         let mut all: Vec<String> = model.parameters.iter().map(|p| p.name.clone()).collect();
         all.extend(model.coordinates.iter().map(|c| c.name.clone()));
         all.extend(model.speeds.iter().map(|s| s.name.clone()));
@@ -133,8 +133,7 @@ impl Names {
         names
     }
 
-    /// Adds a symbol of this name, unless it has a name in the program already. `taken` are the
-    /// names in use.
+    /// Adds the symbol with this name, unless it already has a name in the program. `taken` are the names in use.
     fn add_sympy_name(&mut self, name: String, taken: &mut FxHashSet<String>) {
         if self.by_name.contains_key(&name) {
             return;
@@ -154,7 +153,7 @@ impl Names {
         self.list.push((name, variable));
     }
 
-    /// Returns the name of a symbol in the program; an unknown name is returned unchanged.
+    /// Returns the name of a symbol in the program. A name without a symbol is returned unchanged.
     fn sympy_name<'a>(&'a self, name: &'a str) -> &'a str {
         self.by_name.get(name).map_or(name, |at| &self.list[*at].1)
     }
@@ -175,7 +174,7 @@ struct SympyWriter<'a> {
     arena: &'a Arena,
     /// Names of the symbols in the Python program.
     names: &'a Names,
-    /// Names in the program, by symbol of the arena.
+    /// Names in the program; the key is the symbol in the arena.
     symbols: SharedNames,
 }
 

@@ -143,8 +143,7 @@ fn typst_axis(axis: &Axis) -> String {
     format!("bold(upright({}))_{}", typst_word(&axis.frame), axis.number)
 }
 
-/// Writes a word in a Typst formula. A longer word than one letter is put in quotes, as Typst
-/// requires.
+/// Writes a word in a Typst formula. A word of more than one letter is put in quotes, as Typst requires.
 fn typst_word(word: &str) -> String {
     if word.len() == 1 { word.to_owned() } else { format!("\"{word}\"") }
 }
@@ -156,10 +155,10 @@ fn escape_typst(text: &str) -> String {
         let (before, after) = (&text[..at], &text[at + c.len_utf8()..]);
         let is_escaped = match c {
             '\\' | '*' | '_' | '`' | '$' | '#' | '<' | '>' | '@' | '[' | ']' | '~' => true,
-            // These characters begin comments or dashes.
+            // These characters would begin comments or dashes.
             '/' => before.is_empty() || after.starts_with(['/', '*']),
             '-' => before.is_empty() || after.starts_with(['-', '?']),
-            // At the beginning of a line these characters would make a list or a heading.
+            // These characters would begin a list or a heading if they begin a line.
             '+' | '=' => before.is_empty(),
             '.' => after.starts_with("..") || (!before.is_empty() && before.bytes().all(|b| b.is_ascii_digit())),
             _ => false,

@@ -12,12 +12,11 @@ use tripos_derive::diagnostic::Source;
 use tripos_derive::diff::{CoordinateSearch, CoordinateTable, find_coordinates};
 use tripos_derive::model::is_model;
 
-/// Searches for the coordinates of a publication, and returns its verdicts in these coordinates. If
-/// several choices are equally good, they are listed, and the verdicts are those in the stated
-/// coordinates.
+/// Searches for the coordinates of a publication, and returns the verdicts on the publication in these coordinates. If
+/// several choices are equally good, they are listed, and the verdicts use the coordinates that the publication states.
 ///
 /// # Errors
-/// `Failure` if the file is a model, cannot be read, or leaves no coordinates to search for.
+/// `Failure` if the file is a model, if it cannot be read, or if there are no coordinates to search for.
 pub fn in_found_coordinates(model: &Mechanism, other: &Path) -> Result<Comparison, Failure> {
     let source = Source::read(&model_file(other))?;
     if is_model(&source) {
@@ -72,7 +71,7 @@ fn coordinate_search_text(search: &CoordinateSearch) -> String {
     out
 }
 
-/// Returns the table `[coordinates]` as a publication file states it.
+/// Returns the table `[coordinates]` in the form of a publication file.
 fn found_coordinates_table(table: &CoordinateTable) -> String {
     let lines = table.iter().map(|(name, formula)| format!("{name} = \"{formula}\"\n"));
     format!("[coordinates]\n{}", lines.collect::<String>())

@@ -1,8 +1,7 @@
-//! Command `tripos diff OLD NEW`: shows the changes that an edit of a model makes to its equations,
-//! declarations and scenes.
+//! Command `tripos diff OLD NEW`: shows how an edit of a model changes its equations, declarations and scenes.
 //!
-//! The text fits a screen: it shows each changed entry by its difference, on one line. `--json` has
-//! the old value, the new value and the difference of all entries.
+//! The text fits a screen: each changed entry is shown by its difference, on one line. `--json` contains the old value,
+//! the new value and the difference of all entries.
 
 use super::Comparison;
 use crate::files::workspace::short_name;
@@ -26,11 +25,11 @@ use tripos_derive::mechanics::derive_all;
 use tripos_derive::plain_text::path_as_plain_text;
 use tripos_derive::prove::prove;
 
-/// Largest number of lines of each kind in the text. Further lines are only counted.
+/// Largest number of lines of each kind in the text. Only the number of further lines is given.
 const SHOWN: usize = 16;
 
-/// Compares two models with their declarations and scenes. They count as different if a number can
-/// depend on a change.
+/// Compares two models with their declarations and scenes. The models count as different if a change can affect a
+/// number.
 ///
 /// # Errors
 /// `Failure` if a model cannot be derived, or a scene file cannot be read.
@@ -49,7 +48,7 @@ pub fn diff(old: &Model, new: &Model) -> Result<Comparison, Failure> {
 enum Scope {
     /// Compares declarations and equations of motion.
     Equations,
-    /// Compares also first integrals, which costs a proof for each model.
+    /// Also compares first integrals, which needs a proof for each model.
     EquationsAndIntegrals,
 }
 
@@ -95,13 +94,12 @@ enum SceneEdit {
     Added,
     /// Only the old model has the scene.
     Removed,
-    /// Both models have the scene, and these settings differ.
+    /// Both models have the scene, but these settings differ.
     Changed(Vec<SettingChange>),
 }
 
-/// Returns the changes between the scenes of two models. Empty if a model has no scene: a model
-/// file without its folder does not mean that its scenes were removed.
-/// `Err` if a scene file cannot be read.
+/// Returns the changes between the scenes of two models. Empty if one of the models has no scenes, because a model file
+/// outside its folder does not mean that its scenes were removed. `Err` if a scene file cannot be read.
 fn diff_model_scenes(old: &Path, new: &Path) -> Result<Vec<SceneChange>, Diagnostics> {
     let (before, after) = (scenes_in_model_folder(old), scenes_in_model_folder(new));
     let mut list = Vec::new();
@@ -257,8 +255,7 @@ fn formulas_in_text(difference: &ModelDifference) -> Vec<Expr> {
     changes.flat_map(|change| [change.old, change.new, change.difference]).flatten().collect()
 }
 
-/// Writes lines under a heading. Of more than 16 lines, only the first 16 are written, and the
-/// number of the rest.
+/// Writes lines under a heading. If there are more than 16, it writes the first 16 and the number of the others.
 fn write_model_diff_lines(out: &mut String, lines: &[String]) {
     for line in lines.iter().take(SHOWN) {
         let _ = writeln!(out, "  {}", shorten_formula(line));
@@ -268,8 +265,7 @@ fn write_model_diff_lines(out: &mut String, lines: &[String]) {
     }
 }
 
-/// Returns the line about a changed entry: its difference, or its old and new value if that is
-/// shorter.
+/// Returns the line about a changed entry. It shows the difference, or the old and new value if these are shorter.
 fn change_line(arena: &Arena, change: &EntryChange) -> String {
     let (name, text) = (&change.name, |e| print_text(arena, e));
     match (change.old, change.new, change.difference) {

@@ -8,16 +8,15 @@ use tripos_derive::diff::{DependenceKind, DependentEntry, Difference, Finding, R
 
 /// Largest number of characters in a line of entry ids.
 const WIDTH: usize = 120;
-/// Links from a root mistake to wrong entries, in the order of the list, each with the words before
-/// the ids.
+/// Kinds of dependence on a root mistake, in the order of the list, each with the words before the ids of the dependent
+/// entries.
 const LINKS: [(DependenceKind, &str); 3] = [
     (DependenceKind::Repeated, "repeated in "),
     (DependenceKind::Follows, "follows     "),
     (DependenceKind::Contradicts, "contradicts "),
 ];
 
-/// Lists the root mistakes of a publication, each with the wrong entries that follow from it. Empty
-/// if there are none.
+/// Lists the root mistakes of a publication, each with the wrong entries that it causes. Empty if there are none.
 pub fn root_mistake_list(difference: &Difference) -> String {
     let Difference { findings, roots, .. } = difference;
     if roots.is_empty() {
@@ -47,8 +46,8 @@ pub fn root_mistake_list(difference: &Difference) -> String {
     out
 }
 
-/// Returns the id of a wrong entry. The entries from which it follows are added unless that is the
-/// root, and further roots if there are any.
+/// Returns the id of a wrong entry. The entries from which it follows are added, unless it follows from the root
+/// itself. Further root mistakes are added, too.
 fn wrong_entry_item(findings: &[Finding], root: &RootMistake, follower: &DependentEntry) -> String {
     let ids = |list: &[usize]| list.iter().map(|at| findings[*at].id.as_str()).collect::<Vec<_>>().join(" and ");
     let mut out = findings[follower.finding].id.clone();
@@ -76,8 +75,8 @@ fn wrap_root_mistake_ids(items: &[String]) -> Vec<String> {
     lines
 }
 
-/// Returns words for the entries from which a wrong entry follows, and for its root mistake. `None`
-/// for an entry that follows from no root mistake.
+/// Returns words for the entries from which a wrong entry follows, and for its root mistake. `None` for an entry that
+/// no root mistake causes.
 pub fn cause_of_entry(difference: &Difference, finding: usize) -> Option<String> {
     let (at, follower) = difference.roots.iter().enumerate().find_map(|(at, root)| {
         let follower = root.followers.iter().find(|f| f.finding == finding)?;
@@ -144,7 +143,8 @@ frame = "N"
 acceleration = [0, "-g", 0]
 "#;
 
-    /// v and with it T are wrong, V is wrong by itself, and L has both mistakes; q is two numbers.
+    /// Truth: v is wrong, and T is wrong because of it. V is wrong by itself, and L has both mistakes. q is two
+    /// numbers.
     const PUBLICATION: &str = r#"
 [[equation]]
 id = "v"

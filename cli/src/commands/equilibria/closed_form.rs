@@ -5,9 +5,9 @@ use serde_json::{Value, json};
 use std::fmt::Write;
 use tripos::studies::steady::{Conditions, Formula, NamedFormula, SolutionBranch, SteadyConditions};
 
-/// Largest number of solutions in the text for each kind of motion. JSON lists all solutions.
+/// Largest number of solutions of each kind of motion in the text. JSON lists all solutions.
 const MOST_BRANCHES: usize = 6;
-/// Largest number of characters of a formula in the text. JSON states whole formulas.
+/// Largest number of characters of a formula in the text. JSON contains whole formulas.
 const MOST_LETTERS: usize = 240;
 
 /// Returns the conditions of rest and steady motion in closed form as text.
@@ -67,7 +67,7 @@ fn condition_heading(conditions: &Conditions) -> String {
     format!("  {what}, where")
 }
 
-/// Shortens a formula of more than 240 characters to its beginning, and states its length.
+/// Shortens a formula of more than 240 characters to its beginning, and adds its length.
 fn shorten_formula(text: &str) -> String {
     let letters = text.chars().count();
     if letters <= MOST_LETTERS {
@@ -77,14 +77,13 @@ fn shorten_formula(text: &str) -> String {
     format!("{begin}… ({letters} letters, whole in --json)")
 }
 
-/// Returns the divisors as conditions `… != 0`.
+/// Returns conditions `… != 0` as text, for formulas that are divisors.
 fn closed_form_nonzero_text(list: &[Formula]) -> String {
     let list: Vec<String> = list.iter().map(|e| format!("{} != 0", shorten_formula(&e.text))).collect();
     list.join(", ")
 }
 
-/// Returns a solution of the conditions as text: solved unknowns, inequalities, and equations that
-/// remain.
+/// Returns a solution of the conditions as text: the solved unknowns, inequalities, and the remaining equations.
 fn branch_text(branch: &SolutionBranch) -> String {
     let equal = |told: &NamedFormula| format!("{} = {}", told.name.text, shorten_formula(&told.value.text));
     let mut parts: Vec<String> = branch.solved.iter().map(equal).collect();

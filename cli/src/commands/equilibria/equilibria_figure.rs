@@ -55,8 +55,8 @@ pub fn draw_eigenvalues(out: &Path, name: &str, course: &Continuation) -> Result
     write_equilibria_figure(out, &panels, &[name, "real", "imaginary"], rows)
 }
 
-/// Draws the map of stability changes. For each value of the second number it shows the values of
-/// the first at which an eigenvalue crosses.
+/// Draws the map of stability changes. For each value of the second number, it shows the values of the first number at
+/// which an eigenvalue crosses the imaginary axis.
 ///
 /// # Errors
 /// [`Failure`] if a file cannot be written.

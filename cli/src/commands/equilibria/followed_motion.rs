@@ -43,8 +43,8 @@ pub fn follow_along_number(
     Ok(0)
 }
 
-/// Follows a steady motion along one number for each value of a second number. Prints the map of
-/// stability changes, and draws it if `out` is given. Returns the exit status.
+/// Follows a steady motion along one number, for each value of a second number. Prints the map of stability changes,
+/// and draws it if `out` is given. Returns the exit status.
 ///
 /// # Errors
 /// [`Failure`] if there is no steady motion for any value, or if the figure cannot be written.
@@ -79,7 +79,7 @@ pub fn map_over_two_numbers(
     Ok(0)
 }
 
-/// Returns a followed motion as JSON: points with eigenvalues, and crossings of the imaginary axis.
+/// Returns a followed motion as JSON: points with their eigenvalues, and crossings of the imaginary axis.
 fn json_of(course: &Continuation) -> Value {
     let point = |point: &ContinuationPoint| {
         let mut value = point_of(&point.about);
@@ -94,7 +94,7 @@ fn json_of(course: &Continuation) -> Value {
     })
 }
 
-/// Returns a followed motion as text, a line for each value of the number `name`.
+/// Returns a followed motion as text, with a line for each value of the number `name`.
 fn followed_course_text(model: &Mechanism, name: &str, course: &Continuation) -> String {
     let mut out = format!("{}, over {name}\n\n", model.title);
     for point in &course.points {
@@ -126,7 +126,7 @@ fn followed_crossing_text(name: &str, crossing: &StabilityCrossing) -> String {
     }
 }
 
-/// Returns the map of stability changes as text, a line for each value of the second number.
+/// Returns the map of stability changes as text, with a line for each value of the second number.
 fn followed_motion_map_text(model: &Mechanism, [first, second]: [&str; 2], found: &ContinuationMap) -> String {
     let mut out = format!("{}, over {first} and {second}\n\n", model.title);
     for (value, course) in &found.rows {

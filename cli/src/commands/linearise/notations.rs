@@ -1,7 +1,7 @@
 //! Linear system in the notation of Python, MATLAB or LaTeX.
 //!
-//! Numbers have all their digits for programs, and six digits in LaTeX. If parameters remain
-//! symbols, the matrices are functions of them.
+//! Numbers have all their digits in programs, and six digits in LaTeX. If parameters remain symbols, the matrices are
+//! functions of them.
 
 use super::{eigenvalue_text, linearised_mode_states, motion_kind_words, names};
 use crate::arguments::Notation;
@@ -12,7 +12,7 @@ use tripos_derive::algebra::Arena;
 use tripos_derive::algebra::text::parse::parse_free;
 use tripos_derive::algebra::text::print::{latex, latex_of, python_of};
 
-/// Matrices of a linear system, with each entry as text in a notation.
+/// Matrices of a linear system, each entry as text in a notation.
 struct Written {
     /// Entries of the matrices A, B, C and D, row by row.
     matrices: [Vec<Vec<String>>; 4],
@@ -22,8 +22,8 @@ struct Written {
     letters: Vec<String>,
 }
 
-/// Returns a linear system as text in a notation. `letters` holds the matrices with symbolic
-/// parameters, if there are any.
+/// Returns a linear system as text in a notation. `letters` are the matrices with symbolic parameters, if there are
+/// any.
 pub fn written(
     model: &Mechanism,
     found: &SteadyLinearSystem,
@@ -50,8 +50,8 @@ pub fn written(
     }
 }
 
-/// Returns the comment lines at the beginning: the state, and the eigenvalues with the states that
-/// take part in their modes.
+/// Returns the comment lines at the beginning: the state, and the eigenvalues with the states that take part in their
+/// modes. `mark` begins a comment line.
 fn linear_system_comment(model: &Mechanism, found: &SteadyLinearSystem, mark: &str) -> String {
     let mut out = format!("{mark} {}: near {}, in SI units\n", model.title, motion_kind_words(found));
     let at: Vec<String> = found.states().map(|(name, x)| format!("{name} = {x:?}")).collect();
@@ -70,7 +70,8 @@ fn numeric_entries(wide: &WideMatrix, notation: Notation) -> Vec<Vec<String>> {
     wide.doubles().iter().map(|row| row.iter().map(number).collect()).collect()
 }
 
-/// Returns the entries of a matrix with symbolic parameters as text; `at` is 0 to 3 for A, B, C, D.
+/// Returns the entries of a matrix with symbolic parameters as text. The matrices A, B, C, D have the indices `at` from
+/// 0 to 3.
 fn symbolic_entries(letters: &SymbolicLinearForm, at: usize, notation: Notation) -> Vec<Vec<String>> {
     let letter = letters.names.first().map_or("", String::as_str);
     let entry = |e: &SymbolicEntry| match notation {
@@ -81,8 +82,8 @@ fn symbolic_entries(letters: &SymbolicLinearForm, at: usize, notation: Notation)
     letters.matrices[at].iter().map(|row| row.iter().map(entry).collect()).collect()
 }
 
-/// Returns a number in LaTeX with six significant digits, without zeros at the end. Very large and
-/// very small numbers get a power of ten.
+/// Returns a number in LaTeX with six significant digits, without trailing zeros. Very large and very small numbers get
+/// a power of ten.
 fn latex_number(x: f64) -> String {
     if x.abs() <= 0.0 {
         return "0".to_owned();
@@ -97,7 +98,7 @@ fn latex_number(x: f64) -> String {
     trim_zeros(&format!("{x:.decimals$}"))
 }
 
-/// Removes zeros at the end of decimals.
+/// Removes trailing zeros from the decimals of a number.
 fn trim_zeros(text: &str) -> String {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text.to_owned() }
 }
@@ -174,7 +175,7 @@ impl Written {
             }
             let rows: Vec<String> = rows.iter().map(|row| row.join(" & ")).collect();
             let most = self.widths[at];
-            // amsmath sets matrices of up to ten columns unless it is told of more.
+            // Matrices of amsmath have up to ten columns unless a larger number is set.
             if most > 10 {
                 let _ = writeln!(out, "\\setcounter{{MaxMatrixCols}}{{{most}}}");
             }

@@ -1,4 +1,4 @@
-//! Figure of the motion of one scene on the page, drawn by the viewer of `tripos view`.
+//! Figure of the motion of a scene on the page, drawn by the viewer of `tripos view`.
 
 use crate::page::{MotionFigure, SceneSection, Standing, Viewer};
 use crate::terminal::failure::Failure;
@@ -8,7 +8,7 @@ use tripos::Mechanism;
 use tripos::pictures::view::{View, ViewMotion};
 use tripos_derive::scene::Scene;
 
-/// Returns the figure of the motion of the best scene. `None` if no scene was finished, or after an
+/// Returns the figure of the motion of the most suitable scene. `None` if no scene was finished, or after an
 /// interruption.
 pub fn page_motion_figure(model: &Mechanism, scenes: &[Scene], sections: &[SceneSection]) -> Option<MotionFigure> {
     if interruption::is_interrupted() {
@@ -20,8 +20,8 @@ pub fn page_motion_figure(model: &Mechanism, scenes: &[Scene], sections: &[Scene
     Some(MotionFigure { scene, viewer })
 }
 
-/// Returns the index of the scene to show; `None` without a scene. Preferred are scenes whose run
-/// is right and reaches its end, then the longest.
+/// Returns the index of the scene to show; `None` without a scene. Scenes whose run is right and reaches its end are
+/// preferred, then the longest scene.
 fn motion_figure_scene(scenes: &[Scene], sections: &[SceneSection]) -> Option<usize> {
     let rank = |at: usize| {
         let first = sections[at].runs.iter().find(|run| run.printed.is_none());

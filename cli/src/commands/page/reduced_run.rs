@@ -1,5 +1,5 @@
-//! Reduced equations of a scene on the page: their description, their run, and outputs for
-//! comparison with the whole model.
+//! Reduced equations of a scene on the page: their description, their run, and outputs for a comparison with the whole
+//! model.
 
 use crate::page::ReducedEquationsContent;
 use crate::terminal::failure::Failure;
@@ -13,12 +13,11 @@ use tripos_traits::{DoubleDouble, Real, Scalar};
 
 /// Reduced equations of a scene with their run, for the page.
 pub struct ReducedRun {
-    /// Reduced equations of the scene, with the numbers of operations of a call.
+    /// Description of the reduced equations, with the number of operations of an evaluation.
     pub needs: ReducedEquationsContent,
     /// Run of the scene that integrates its reduced equations.
     pub run: Run,
-    /// Watched quantities along the run; `None` if the reduced equations lack the states that these
-    /// quantities need.
+    /// Watched quantities along the run. `None` if the reduced equations lack states that these quantities need.
     pub course: Option<InvariantValues>,
 }
 
@@ -29,8 +28,7 @@ impl ReducedRun {
     /// [`Failure`] if the scene has no reduced equations, or if they cannot be run.
     pub fn new(model: &Mechanism, scene: &Scene, watch: &WatchedInvariants) -> Result<Self, Failure> {
         let mut reduced = ReducedScene::new(model, scene)?;
-        // Reduced equations are already solved for the accelerations, so a numeric solve is not
-        // needed.
+        // Reduced equations are already solved for the accelerations, so that a numeric solve is not needed.
         reduced.scene.integration.solve = Some(AccelerationSolution::Eliminated);
         let code = reduced.code(model)?;
         let watch = (!scene.states_outputs).then_some(watch);
@@ -47,8 +45,8 @@ pub fn page_state_in_double_double(state: &[f64]) -> Vec<DoubleDouble> {
     state.iter().copied().map(DoubleDouble::from_f64).collect()
 }
 
-/// Returns the values of a scene's outputs along a run, a list for each sample. A value is NaN if
-/// the states do not determine the output.
+/// Returns the values of a scene's outputs along a run, with a list for each sample. A value is NaN if the states do
+/// not determine the output.
 pub fn page_run_outputs(compared: &ComparedQuantities, run: &Run) -> Vec<Vec<f64>> {
     if run.by.is_reduced() {
         return run.states.clone();

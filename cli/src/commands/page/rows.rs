@@ -1,4 +1,4 @@
-//! Rows and facts of the page about a scene and each of its runs.
+//! Rows of the page's tables, and facts, about a scene and each of its runs.
 
 use super::reduced_run::ReducedRun;
 use crate::page::{RunRow, SceneFact, SingularityDistances, Standing};
@@ -15,7 +15,7 @@ pub static EMPTY_COURSE: InvariantValues = InvariantValues {
     divisors: Vec::new(),
 };
 
-/// Returns the number, times and losses of a run's impacts in words; `None` if it has none.
+/// Returns the number, times and energy losses of a run's impacts in words; `None` if the run has no impacts.
 pub fn impacts_words(run: &Run) -> Option<(&'static str, SceneFact)> {
     let list = run.impacts();
     let (first, last) = (list.first()?, list.last()?);
@@ -28,8 +28,8 @@ pub fn impacts_words(run: &Run) -> Option<(&'static str, SceneFact)> {
     Some(("Impacts", SceneFact::Words(format!("{when}; they take {lost} J"))))
 }
 
-/// Returns the given data of a scene with their headings: parameters, start, span, integration and
-/// domain. Empty data are left out.
+/// Returns the given data of a scene, each with a heading: parameters, start, span, integration and domain. Empty data
+/// are left out.
 pub fn scene_facts(model: &Mechanism, scene: &Scene) -> Vec<(&'static str, SceneFact)> {
     let values = |names: Vec<String>, values: &[f64]| names.into_iter().zip(values.iter().copied()).collect::<Vec<_>>();
     let parameters = values(model.parameters.iter().map(|p| p.name.clone()).collect(), &scene.parameters);
@@ -80,8 +80,8 @@ pub fn row(scene: &Scene, run: &Run, course: &InvariantValues, standing: Standin
     }
 }
 
-/// Returns the time, s, from which a run has fewer than three correct digits. `None` if it keeps
-/// three, or if digits were not assessed.
+/// Returns the time, s, from which on a run has fewer than three correct digits. `None` if it always has three, or if
+/// digits were not assessed.
 fn row_time_of_few_digits(run: &Run) -> Option<f64> {
     let digits = run.digits.as_ref()?;
     digits.first_with_few().map(|(instant, _)| digits.t[instant])
@@ -92,7 +92,7 @@ pub fn reduced_run_row(scene: &Scene, own: &ReducedRun, standing: Standing) -> R
     row(scene, &own.run, own.course.as_ref().unwrap_or(&EMPTY_COURSE), standing)
 }
 
-/// Returns the smallest and largest of the values, NaN excepted; `None` without other values.
+/// Returns the smallest and the largest value that is not NaN; `None` if there is none.
 fn row_value_range(values: &[f64]) -> Option<(f64, f64)> {
     let numbers = || values.iter().copied().filter(|x| !x.is_nan());
     Some((numbers().min_by(f64::total_cmp)?, numbers().max_by(f64::total_cmp)?))

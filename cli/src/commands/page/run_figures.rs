@@ -1,8 +1,7 @@
-//! Figures of a scene's runs on the page: states and energies, with their data as tables in a
-//! folder of the page.
+//! Figures of a scene's runs on the page: states and energies. Their data are written as tables into a folder of the
+//! page.
 //!
-//! Invariant: each row of a table is a point that was given to the plot, so that the two cannot
-//! differ.
+//! Invariant: each row of a table is a point that was given to the plot, so that table and plot cannot differ.
 
 use crate::files::output_files::{make_folder, write_table_file, write_text_file};
 use crate::page::Figure;
@@ -15,9 +14,8 @@ use tripos_codegen::model_folders::scene_path_in_model_folder;
 use tripos_derive::plain_text::is_forbidden;
 use tripos_derive::scene::Scene;
 
-/// Returns the folder of a scene's tables, relative to the page's folder: the name of the scene's
-/// file. A scene in the model's own folder gets a longer name if a scene in `scenes/` has the same
-/// name.
+/// Returns the folder of a scene's tables, relative to the page's folder. It has the name of the scene's file. A scene
+/// in the model's own folder gets a longer name if a scene in `scenes/` has the same name.
 pub fn run_figure_folder(model: &Mechanism, scene: &Scene) -> PathBuf {
     let (model, path) = (&model.source.path, &scene.source.path);
     let stem = run_figure_folder_name(&path.file_stem().unwrap_or_default().to_string_lossy());
@@ -30,30 +28,29 @@ pub fn run_figure_folder(model: &Mechanism, scene: &Scene) -> PathBuf {
     name.into()
 }
 
-/// Returns a safe folder name made from a file name. It cannot lead out of the page's folder, is
-/// not the page's own file, and contains no control character.
+/// Returns a safe folder name that is made from a file name. It cannot lead out of the page's folder, is not the page's
+/// own file, and contains no control character.
 fn run_figure_folder_name(stem: &str) -> String {
     let plain: String = stem.chars().map(|c| if is_forbidden(c) || c == '/' || c == '\\' { '_' } else { c }).collect();
     if plain.trim_matches('.').is_empty() || plain == "index.html" { format!("scene {plain}") } else { plain }
 }
 
-/// Drawer of a scene's figures, which also writes their tables.
+/// Drawer of a scene's figures that also writes their tables.
 pub struct RunFigureWriter<'a> {
     /// Path of the page's folder.
     pub out: &'a Path,
     /// Folder of the scene's tables, relative to the folder of the page.
     pub folder: PathBuf,
-    /// Number of figures drawn so far, by their name.
+    /// Number of figures drawn so far with each name.
     pub names: BTreeMap<String, usize>,
 }
 
 impl RunFigureWriter<'_> {
-    /// Draws panels as a figure, and writes it to `NAME.svg` and its data to `NAME.csv`. The second
-    /// figure of a name is `NAME-2`.
+    /// Draws panels as a figure, and writes it to `NAME.svg` and its data to `NAME.csv`. The second figure with the
+    /// same name is `NAME-2`.
     ///
     /// # Errors
-    /// [`Failure::Refused`] if the figure cannot be drawn, [`Failure::Output`] if a file cannot be
-    /// written.
+    /// [`Failure::Refused`] if the figure cannot be drawn, [`Failure::Output`] if a file cannot be written.
     pub fn figure(&mut self, name: &str, caption: &str, panels: &[Panel], columns: usize) -> Result<Figure, Failure> {
         let count = self.names.entry(name.to_owned()).or_default();
         *count += 1;
@@ -89,8 +86,7 @@ pub fn run_figure(caption: &str, panels: &[Panel], columns: usize) -> Result<Fig
     Ok(Figure { caption: caption.to_owned(), svg, remark: None, data: Vec::new() })
 }
 
-/// Returns the caption of a figure: the scene file's own caption, if there is one, then the
-/// computed sentence.
+/// Returns the caption of a figure: the caption in the scene file, if there is one, then the computed sentence.
 pub fn run_figure_caption(own: &str, computed: &str) -> String {
     match own.trim_end_matches('.') {
         "" => computed.to_owned(),

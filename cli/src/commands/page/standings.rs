@@ -1,4 +1,4 @@
-//! Standing (trustworthiness) of each run of a scene, by the verdict on its equations and by its
+//! Standing (trustworthiness) of each run of a scene, from the verdict on its equations and its number of correct
 //! digits.
 
 use crate::page::Standing;
@@ -8,8 +8,8 @@ use tripos_derive::algebra::meaning::compare::Verdict;
 use tripos_derive::scene::Scene;
 use tripos_traits::largest;
 
-/// Returns the standing of printed equations, by the verdict on their accelerations. `None` if
-/// these equal the derived accelerations.
+/// Returns the standing of printed equations, from the verdict on their accelerations. `None` if the accelerations
+/// equal the derived accelerations.
 fn printed_equations_standing(study: &ModelAnalysis, id: &str) -> Option<Standing> {
     let mut systems = study.published.iter().flat_map(|published| &published.difference.consequences);
     match systems.find(|system| system.system == id).map(|system| &system.accelerations) {
@@ -20,8 +20,8 @@ fn printed_equations_standing(study: &ModelAnalysis, id: &str) -> Option<Standin
     }
 }
 
-/// Returns the standing of a run: right, loose with its error, stopped, or by wrong or undecided
-/// equations.
+/// Returns the standing of a run: right, loose (with few correct digits) with its error, stopped, or by wrong or
+/// undecided equations.
 pub fn run_standing(study: &ModelAnalysis, scene: &Scene, run: &Run) -> Standing {
     if let Some(standing) = run.by.printed_id().and_then(|id| printed_equations_standing(study, id)) {
         return standing;

@@ -1,5 +1,4 @@
-//! Figures of a scene that need further runs: speed against accuracy, passages of singular places,
-//! and conditioning.
+//! Figures of a scene that need further runs: speed against accuracy, passages of singular places, and conditioning.
 //!
 //! Invariant: every point of these figures is in a table in the scene's folder.
 
@@ -17,7 +16,7 @@ use tripos::studies::stability::{Findings, StudyInputs, TopicStudy, conditioning
 use tripos::studies::work_precision_chart::{ChartPlan, scene_chart};
 use tripos_derive::scene::{FigureKind, Scene};
 
-/// Measurements of a scene for its figures, made when a figure needs them.
+/// Measurements of a scene for its figures. Each is made when a figure first needs it.
 pub struct StudyFigures<'a> {
     /// Model of the mechanism in the scene.
     model: &'a Mechanism,
@@ -31,7 +30,7 @@ pub struct StudyFigures<'a> {
     findings: Findings,
     /// Recommendation of a method from the speed chart; `None` if the chart was not measured.
     pub advice: Option<Advice>,
-    /// Reasons for figures that this scene cannot have, one sentence each.
+    /// Reasons why figures cannot be drawn for this scene, one sentence each.
     pub not_drawn: Vec<String>,
 }
 
@@ -41,8 +40,8 @@ impl<'a> StudyFigures<'a> {
         Self { model, scene, out, folder, findings: Findings::default(), advice: None, not_drawn: Vec::new() }
     }
 
-    /// Measures and draws a figure with the caption `own` in front. `None` if the scene cannot have
-    /// this figure; then [`Self::not_drawn`] has the reason.
+    /// Measures and draws a figure. Its caption begins with `own`. `None` if the scene cannot have this figure; the
+    /// reason is then in [`Self::not_drawn`].
     ///
     /// # Errors
     /// [`Failure::Output`] if the table of the figure cannot be written.
@@ -58,7 +57,7 @@ impl<'a> StudyFigures<'a> {
                 Ok(figure.map(|figure| Figure { caption: run_figure_caption(own, &figure.caption), ..figure }))
             }
             Err(Failure::Output(path, error)) => Err(Failure::Output(path, error)),
-            // A figure that fails does not stop the page.
+            // A figure that fails does not end the writing of the page.
             Err(failure) => {
                 let why = failure.to_string().trim_start_matches("error: ").replace('\n', "; ");
                 self.not_drawn.push(format!("The figure `{}` cannot be drawn: {why}", kind.name()));
@@ -67,17 +66,16 @@ impl<'a> StudyFigures<'a> {
         }
     }
 
-    /// Makes the folder for a table, and returns it with the link from the page to the table
-    /// `name`.
-    /// `Err` if the folder cannot be made.
+    /// Makes the folder for a table. Returns the folder, and the link from the page to the table `name`. `Err` if the
+    /// folder cannot be made.
     fn make_table_folder(&self, name: &str) -> Result<(PathBuf, String), Failure> {
         let folder = self.out.join(&self.folder);
         make(&folder)?;
         Ok((folder, format!("{}/{name}", self.folder.display())))
     }
 
-    /// Measures speed against accuracy, and draws the speed chart.
-    /// Never `None`. `Err` if the measurement fails or a table cannot be written.
+    /// Measures speed against accuracy, and draws the speed chart. Always returns a figure. `Err` if the measurement
+    /// fails or a table cannot be written.
     fn work_precision(&mut self) -> Result<Option<Figure>, Failure> {
         let session = scene_chart::chart_scene(
             self.model,
@@ -135,9 +133,8 @@ impl<'a> StudyFigures<'a> {
         }))
     }
 
-    /// Writes the tables of all studies made so far, and returns the links to the tables with these
-    /// names.
-    /// `Err` if a table cannot be written.
+    /// Writes the tables of all studies made so far. Returns the links to the tables with these names. `Err` if a table
+    /// cannot be written.
     fn write_study_tables(&self, names: &[&str]) -> Result<Vec<String>, Failure> {
         let (folder, _) = self.make_table_folder("")?;
         write_stability_tables(&self.findings, &folder)?;

@@ -1,8 +1,7 @@
-//! Changes that an edit makes to the equations of a workspace model.
+//! Changes of the equations of a workspace model after an edit.
 //!
-//! The model text from which the committed equations were derived is derived again, and compared
-//! with the present model. The texts of equations are not compared, because after an edit most
-//! names in them mean another term.
+//! The committed model text is derived again, and compared with the present model. The texts of equations are not
+//! compared, because after an edit most names in them have another meaning.
 
 use crate::commands::diff::changed_equations;
 use std::path::Path;
@@ -36,8 +35,8 @@ pub fn compare_with_committed_equations(models: &Path, committed: &Path, folder:
     }
 }
 
-/// Derives the model before and after the edit. Returns lines about the changes; `None` if there
-/// are none.
+/// Derives the model as it was before the edit, and as it is now. Returns lines about the changes; `None` if there are
+/// none.
 ///
 /// # Errors
 /// `Diagnostics` if a model cannot be read or derived.
@@ -46,7 +45,7 @@ fn compare_model_texts(path: &Path, before: String) -> Result<Option<String>, Di
     if new.source.text == before {
         return Ok(None);
     }
-    // Files named in the old model text are searched in the folder of the present model.
+    // Files that the old model text names are read from the folder of the present model.
     let old = load(&Source { path: path.to_owned(), text: before })?;
     changed_equations(&old, &new)
 }

@@ -1,5 +1,4 @@
-//! Search for a Python interpreter with the pinned version of SymPy, and runs of programs with a
-//! time limit.
+//! Search for a Python interpreter with the pinned version of SymPy, and execution of programs with a time limit.
 
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -8,14 +7,13 @@ use std::sync::mpsc::{Receiver, channel};
 use std::time::{Duration, Instant};
 use tripos_derive::reference::reference_environment_name;
 
-/// Time limit for the import of SymPy. It takes one or two seconds, and more from a cold disk.
+/// Time limit for the import of SymPy. The import takes one or two seconds, and longer from a cold disk.
 const TIME_TO_IMPORT: Duration = Duration::from_secs(60);
 /// Largest number of bytes that are read from a program's output.
 const MOST_BYTES: u64 = 64 << 20;
 
-/// Finds the Python interpreter for the SymPy reference. Candidates are the variable
-/// `TRIPOS_PYTHON`, otherwise the environment made by the tests, otherwise `python3`. `Err` is the
-/// reason why none of them has the pinned SymPy.
+/// Finds the Python interpreter for the SymPy reference. It is taken from the variable `TRIPOS_PYTHON`, or else from
+/// the environment made by the tests, or else it is `python3`. `Err` is the reason why none has the pinned SymPy.
 pub fn find_python(root: &Path) -> Result<PathBuf, String> {
     let requirements = root.join("tests/sympy/requirements.txt");
     let requirements =
@@ -35,7 +33,7 @@ fn python_candidates(root: &Path, requirements: &str) -> Vec<PathBuf> {
     if let Some(python) = std::env::var_os("TRIPOS_PYTHON").filter(|path| !path.is_empty()) {
         return vec![python.into()];
     }
-    // Cargo marks its target folder with a file; this program lies in that folder, even if it has another name.
+    // Cargo marks its target folder with a file. This program lies in that folder, even if the folder has another name.
     let program = std::env::current_exe().unwrap_or_default();
     let built = program.ancestors().find(|folder| folder.join("CACHEDIR.TAG").is_file());
     let python = if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" };
@@ -46,8 +44,8 @@ fn python_candidates(root: &Path, requirements: &str) -> Vec<PathBuf> {
     list
 }
 
-/// Checks that a Python interpreter imports the pinned version of SymPy. With another version the
-/// reference would have another text. `Err` is the reason.
+/// Checks that a Python interpreter imports the pinned version of SymPy, since other versions would write other texts.
+/// `Err` is the reason why it does not.
 fn check_sympy_version(python: &Path, requirements: &str) -> Result<(), String> {
     let name = python.display();
     let program = "import tomllib, sympy; print(sympy.__version__)";
@@ -76,8 +74,8 @@ pub struct Output {
 }
 
 impl Output {
-    /// Returns the last line on standard error, where Python states the error. If there is none,
-    /// returns the exit status in words.
+    /// Returns the last line on standard error, in which Python gives the error. If there is none, returns the exit
+    /// status in words.
     pub fn last_line(&self) -> String {
         let line = self.stderr.lines().map(str::trim).rfind(|line| !line.is_empty());
         line.map_or_else(|| self.status.to_string(), str::to_owned)
@@ -93,12 +91,12 @@ pub fn run_with_time_limit(command: &mut Command, limit: Duration) -> Result<Out
     let (stdout, stderr) = (reader(child.stdout.take()), reader(child.stderr.take()));
     let late = || format!("it took more than {} s and was stopped", limit.as_secs_f64());
     let Some(status) = wait_until(&mut child, end).map_err(|error| error.to_string())? else {
-        // The program may have ended just now; in either case nothing of it remains.
+        // The program may have ended just now. In either case no process remains.
         let _ = child.kill();
         let _ = child.wait();
         return Err(late());
     };
-    // A program that the child started may hold the pipes open: it gets no more time either.
+    // A program started by the child may keep the pipes open. It gets no more time either.
     let collect = |text: Receiver<Vec<u8>>| {
         let left = end.saturating_duration_since(Instant::now()).max(Duration::from_millis(100));
         let bytes = text.recv_timeout(left).map_err(|_| late())?;
@@ -107,9 +105,8 @@ pub fn run_with_time_limit(command: &mut Command, limit: Duration) -> Result<Out
     Ok(Output { status, stdout: collect(stdout)?, stderr: collect(stderr)? })
 }
 
-/// Waits for a child process until the instant `end`. Returns its exit status, or `None` if it
-/// still runs.
-/// `Err` if the operating system cannot tell.
+/// Waits for a child process until the instant `end`. Returns its exit status, or `None` if it is still running. `Err`
+/// if the operating system cannot report the status.
 fn wait_until(child: &mut Child, end: Instant) -> std::io::Result<Option<ExitStatus>> {
     loop {
         if let Some(status) = child.try_wait()? {
@@ -122,8 +119,7 @@ fn wait_until(child: &mut Child, end: Instant) -> std::io::Result<Option<ExitSta
     }
 }
 
-/// Reads the output of a child process in a separate thread, so that a full pipe does not stop the
-/// child.
+/// Reads the output of a child process in a separate thread, so that a full pipe does not block the child.
 fn reader(pipe: Option<impl Read + Send + 'static>) -> Receiver<Vec<u8>> {
     let (sender, receiver) = channel();
     std::thread::spawn(move || {
@@ -151,7 +147,7 @@ mod tests {
         let start = Instant::now();
         let why = shell("exec sleep 60", Duration::from_millis(200)).err().unwrap();
         assert!(why.contains("more than 0.2 s"), "{why}");
-        // Here the program ends at once, but what it started keeps the pipe.
+        // The shell ends at once, but the program that it started keeps the pipe open.
         let why = shell("sleep 60 & echo done", Duration::from_millis(500)).err().unwrap();
         assert!(why.contains("more than 0.5 s"), "{why}");
         assert!(start.elapsed() < Duration::from_secs(20));

@@ -1,5 +1,5 @@
-//! SymPy reference of each model: a second derivation, renewed if there is a Python, and recorded
-//! only if it agrees.
+//! SymPy reference of each model: a second derivation. It is renewed if Python is available, and recorded only if it
+//! agrees.
 
 use super::python::{find_python, run_with_time_limit};
 use crate::phrases::formula_beginning;
@@ -21,23 +21,21 @@ const TIME: Duration = Duration::from_secs(120);
 
 /// Outcome of renewing the SymPy reference of one model.
 enum Outcome {
-    /// The reference agrees in this number of entries, and was recorded now.
+    /// The reference agrees in this number of entries, and has been recorded now.
     Recorded(usize),
     /// The reference agrees in this number of entries, and was recorded before.
     Unchanged(usize),
-    /// SymPy does not derive this model. Holds the reason, which the reference records.
+    /// SymPy does not derive this model. The text is the reason, which is recorded in the reference.
     NotDerived(String),
-    /// SymPy did not run to its end, for a reason that is independent of the equations. Holds the
-    /// reason.
+    /// SymPy did not run to its end, for a reason that is independent of the equations. The text is the reason.
     NotRenewed(String),
-    /// The reference disagrees, or cannot be compared. Holds lines for people.
+    /// The reference disagrees, or cannot be compared. The text has lines for the user.
     Refused(String),
 }
 
-/// Derives every model anew by SymPy and records the references that agree. Returns the exit
-/// status, 1 if a reference disagrees, and a line for each model. The lines are printed at once,
-/// unless the result is JSON.
-/// `Err` if a line cannot be printed.
+/// Derives every model again with SymPy and records the references that agree. Returns the exit status, which is 1 if a
+/// reference disagrees, and a line for each model. The lines are printed at once, unless the result is JSON. `Err` if a
+/// line cannot be printed.
 pub fn renew_references(root: &Path, models: &[String], output: Output) -> Result<(u8, Vec<String>), Failure> {
     let python = match find_python(root) {
         Ok(python) => python,
@@ -80,8 +78,7 @@ pub fn renew_references(root: &Path, models: &[String], output: Output) -> Resul
     Ok((answer, lines))
 }
 
-/// Derives one model by SymPy, compares the result with the model's equations, and records it if
-/// they agree.
+/// Derives one model with SymPy and compares the result with the model's equations. Records the result if they agree.
 fn renew_reference(root: &Path, python: &Path, name: &str) -> Outcome {
     let path = root.join("models").join(name).join("model.toml");
     let script = root.join("tests/sympy/reference.py");
@@ -119,8 +116,8 @@ fn record_reference(reference: &Source, count: usize) -> Outcome {
     }
 }
 
-/// Compares a model with its SymPy reference. Returns the number of entries, and lines about each
-/// entry that is not proved equal. `Err` is the reason why they cannot be compared.
+/// Compares a model with its SymPy reference. Returns the number of entries, and lines about each entry that is not
+/// proved equal. `Err` is the reason why there is no comparison.
 fn disagreements(model: &Path, reference: &Source) -> Result<(usize, Vec<String>), String> {
     let model = Model::read(model).map_err(|error| error.to_string())?;
     let reference = Reference::read(reference).map_err(|error| error.to_string())?;
@@ -131,7 +128,8 @@ fn disagreements(model: &Path, reference: &Source) -> Result<(usize, Vec<String>
     Ok((found.len(), wrong.map(|entry| disagreement_lines(arena, entry)).collect()))
 }
 
-/// Returns lines about an entry that disagrees: both formulas, and a witness or the reason.
+/// Returns lines about an entry that disagrees: both formulas, and a state in which they differ or the reason why they
+/// are undecided.
 fn disagreement_lines(arena: &Arena, entry: &ComparedEntry) -> String {
     let mut out = format!("  {}\n", entry.name);
     for (label, e) in [("derived    ", entry.derived), ("SymPy      ", entry.reference)] {
@@ -151,8 +149,8 @@ fn disagreement_lines(arena: &Arena, entry: &ComparedEntry) -> String {
     out
 }
 
-/// Returns lines about recorded references that are missing, broken, or made from another model
-/// text. No Python is run.
+/// Returns lines about recorded references that are missing, broken, or made from another model text. Python is not
+/// run.
 pub fn check_references(root: &Path, models: &[String]) -> Vec<String> {
     let mut lines = Vec::new();
     for name in models {

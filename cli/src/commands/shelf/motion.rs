@@ -1,7 +1,7 @@
-//! Motions by wrong equations of a publication, compared with the motion by the derived equations.
+//! Motions by wrong printed equations of a publication, compared with the motion by the derived equations.
 //!
-//! The start and the span are those of the first scene of the publication's model. Both motions are
-//! runs of this scene: by Kane's equations, and by the printed equations as they stand.
+//! The start and the span are those of the first scene of the publication's model. Both motions are runs of this scene,
+//! one by Kane's equations and one by the equations exactly as printed.
 
 use crate::files::judged_publication::JudgedPublication;
 use crate::terminal::failure::Failure;
@@ -20,7 +20,7 @@ const DIGITS: usize = 3;
 pub struct ShelvedMotion {
     /// Id of the publication's printed system of equations.
     pub system: String,
-    /// Path of the scene file that states the start, relative to the model.
+    /// Path of the scene file that defines the start, relative to the model.
     pub scene: String,
     /// Time at the end of the run by the derived equations, s.
     pub time: f64,
@@ -30,10 +30,10 @@ pub struct ShelvedMotion {
 
 /// Outcome of a run by printed equations.
 pub enum Outcome {
-    /// The run reaches the end. Holds the coordinate that is farthest from the right motion, with
-    /// its printed and its right value.
+    /// The run reaches the end. The coordinate is the one farthest from the right motion, with its printed and its
+    /// right value.
     Apart { coordinate: String, printed: f64, right: f64 },
-    /// The run does not reach the end. Holds the reason.
+    /// The run does not reach the end. The text is the reason.
     Stopped(String),
 }
 
@@ -100,7 +100,7 @@ pub fn motions(folder: &Path, judged: &JudgedPublication) -> Result<Vec<ShelvedM
     Ok(list)
 }
 
-/// Returns the coordinate whose final value by printed equations is farthest from the right value,
+/// Returns the coordinate whose final value by printed equations is farthest from the right value. The distance is
 /// relative to the coordinate's largest absolute value in the right motion.
 fn shelved_motion_outcome(names: &[String], states: &[Vec<f64>], printed: &[f64], right: &[f64]) -> Outcome {
     let range = |at: usize| states.iter().map(|state| state[at].abs()).fold(f64::MIN_POSITIVE, f64::max);

@@ -1,5 +1,5 @@
-//! Option `tripos simulate --gradient`: derivatives of one number at the end of a run by all
-//! parameters and start values.
+//! Option `tripos simulate --gradient`: derivatives of one number at the end of a run with respect to all parameters
+//! and start values.
 
 use super::sensitivity::sensitivity_unit_suffix;
 use super::{as_json, as_text, report_run};
@@ -13,12 +13,11 @@ use tripos::{EquationsName, Gradient, Mechanism, gradient};
 use tripos_derive::plain_text::{with_reliable_digits, with_significant_digits};
 use tripos_derive::scene::Scene;
 
-/// Runs a scene and prints its end and the derivatives of the number `of` there, by all parameters
-/// and start values. Returns the exit status.
+/// Runs a scene. Prints its end, and the derivatives of the number `of` at the end with respect to all parameters and
+/// start values. Returns the exit status.
 ///
 /// # Errors
-/// `Failure` if options cannot be combined, the scene cannot be run, or the output cannot be
-/// printed.
+/// `Failure` if options cannot be combined, if the scene cannot be run, or if the output cannot be printed.
 pub fn simulate_gradient(
     request: &Simulate,
     model: &Mechanism,

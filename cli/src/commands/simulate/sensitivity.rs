@@ -1,5 +1,4 @@
-//! Option `tripos simulate --sensitivity`: derivatives of a run by chosen numbers, in text, JSON
-//! and CSV.
+//! Option `tripos simulate --sensitivity`: derivatives of a run with respect to chosen numbers, in text, JSON and CSV.
 
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
@@ -74,8 +73,7 @@ pub fn sensitivity_text(of: &Sensitivities) -> String {
     out + &why
 }
 
-/// Returns a unit as text after a number. Empty if the quantity has no unit, or if the unit is not
-/// known.
+/// Returns a unit as text to be placed after a number. Empty if the quantity has no unit, or if the unit is not known.
 pub fn sensitivity_unit_suffix(unit: Option<&String>) -> String {
     unit.filter(|unit| *unit != "1").map_or_else(String::new, |unit| format!(" {unit}"))
 }
@@ -85,7 +83,7 @@ pub fn sensitivity_header(of: &Sensitivities) -> impl Iterator<Item = String> {
     of.by.iter().flat_map(move |by| shown_value_indices(of).map(move |at| format!("d({})/d({by})", of.names[at])))
 }
 
-/// Returns the derivatives at a sample, in the order of the columns of [`header`].
+/// Returns the derivatives at a sample, in the order of the columns of [`sensitivity_header`].
 pub fn sensitivity_row(of: &Sensitivities, sample: usize) -> impl Iterator<Item = f64> {
     of.samples.iter().flat_map(move |list| shown_value_indices(of).map(move |at| list[sample][at]))
 }

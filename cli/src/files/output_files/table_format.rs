@@ -1,7 +1,7 @@
-//! Formats of table files: CSV, and with the feature `tables` also Parquet and Arrow, which keep columns.
+//! Formats of table files: CSV, and with the feature `tables` also the column formats Parquet and Arrow.
 //!
-//! Every table is written as CSV first, under its temporary name, so that an interrupted command can
-//! go on with it. A table in columns is made from it at the end.
+//! Every table is first written as CSV, under a temporary name, so that an interrupted command can continue it. A table
+//! in a column format is converted from the CSV table at the end.
 
 use crate::terminal::failure::Failure;
 use std::path::Path;
@@ -25,10 +25,10 @@ pub enum TableFormat {
 const OTHER_FORMATS: [&str; 8] = ["xlsx", "xls", "ods", "mat", "h5", "hdf5", "npy", "npz"];
 
 impl TableFormat {
-    /// Format that the name of a file states by its ending; CSV for any other ending.
+    /// Selects the format by the ending of a file name; CSV for any unknown ending.
     ///
     /// # Errors
-    /// [`Failure`] for the ending of a format that this program does not write.
+    /// [`Failure`] for the ending of a table format that this program does not write.
     pub fn of_name(path: &Path) -> Result<Self, Failure> {
         let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase()).unwrap_or_default();
         match ending.as_str() {
@@ -50,7 +50,7 @@ impl TableFormat {
         }
     }
 
-    /// Finishes a file whose draft is a table as CSV.
+    /// Finishes a file, whose draft is a CSV table, in this format.
     ///
     /// # Errors
     /// [`Failure`] if the file cannot be written or renamed.
@@ -65,7 +65,7 @@ impl TableFormat {
     }
 }
 
-/// Conversion of CSV to tables in columns.
+/// Conversion of CSV tables to column formats.
 #[cfg(feature = "tables")]
 mod columns {
     use arrow_array::{ArrayRef, Float64Array, Int64Array, RecordBatch, StringArray};
@@ -74,10 +74,10 @@ mod columns {
     use std::io::{Read, Write};
     use std::sync::Arc;
 
-    /// Number of rows that are converted at a time.
+    /// Number of rows that are converted together.
     const ROWS: usize = 1 << 16;
 
-    /// Writes a table as a Parquet file.
+    /// Converts a CSV table to a Parquet file.
     pub fn write_parquet(csv: &mut impl Read, out: impl Write + Send) -> io::Result<()> {
         let mut table = ColumnReader::new(csv)?;
         let compressed = parquet::basic::Compression::SNAPPY;
@@ -90,7 +90,7 @@ mod columns {
         writer.into_inner().map_err(io::Error::other)?.flush()
     }
 
-    /// Writes a table as an Arrow file.
+    /// Converts a CSV table to an Arrow file.
     pub fn write_arrow(csv: &mut impl Read, out: impl Write) -> io::Result<()> {
         let mut table = ColumnReader::new(csv)?;
         let mut writer = arrow_ipc::writer::FileWriter::try_new(out, &table.schema).map_err(io::Error::other)?;
@@ -100,8 +100,9 @@ mod columns {
         writer.into_inner().map_err(io::Error::other)?.flush()
     }
 
-    /// Type of a column: texts, numbers of points, or numbers that may be missing. The name decides
-    /// where a part of a sweep may have no text or no number at all, and else the first rows.
+    /// Type of a column: texts, numbers of points, or numbers that may be missing. The columns `stop`, `reason` and
+    /// `index` have fixed types, because they may be empty in the first rows of a part of a sweep. The first rows
+    /// decide the types of other columns.
     fn column_type(name: &str, mut cells: impl Iterator<Item = impl AsRef<str>>) -> DataType {
         match name {
             "stop" | "reason" => DataType::Utf8,
@@ -113,18 +114,18 @@ mod columns {
         }
     }
 
-    /// Reader of a table as CSV that gives batches of columns.
+    /// Reader of a CSV table that returns batches of columns.
     struct ColumnReader<'a, R> {
         /// Names and types of the columns.
         schema: Arc<Schema>,
-        /// Reader of the rows behind the first.
+        /// Reader of the rows after the first rows.
         rows: csv::Reader<&'a mut R>,
-        /// First rows, which were read for the types of the columns.
+        /// First rows, which were read to determine the types of the columns.
         first: Vec<csv::StringRecord>,
     }
 
     impl<'a, R: Read> ColumnReader<'a, R> {
-        /// Reads the header of a table, and its first rows.
+        /// Reads the header and the first rows of a table.
         fn new(csv: &'a mut R) -> io::Result<Self> {
             let mut rows = csv::Reader::from_reader(csv);
             let names = rows.headers()?.clone();
@@ -138,7 +139,7 @@ mod columns {
             Ok(Self { schema: Arc::new(schema), rows, first })
         }
 
-        /// Next rows as columns; `None` at the end of the table.
+        /// Reads the next rows as columns; `None` at the end of the table.
         fn next_batch(&mut self) -> io::Result<Option<RecordBatch>> {
             let first = std::mem::take(&mut self.first);
             let rows = if first.is_empty() { next_rows(&mut self.rows)? } else { first };
@@ -152,12 +153,12 @@ mod columns {
         }
     }
 
-    /// Next rows of a table, at most [`ROWS`].
+    /// Reads the next rows of a table, at most [`ROWS`].
     fn next_rows(rows: &mut csv::Reader<impl Read>) -> io::Result<Vec<csv::StringRecord>> {
         Ok(rows.records().take(ROWS).collect::<Result<_, _>>()?)
     }
 
-    /// Column of a type from the texts of its cells. An empty cell is a missing number.
+    /// Creates a column of a type from the texts of its cells. An empty cell is a missing number.
     fn column<'c>(of: &DataType, cells: impl Iterator<Item = &'c str>) -> Result<ArrayRef, ArrowError> {
         let wrong = |cell: &str| ArrowError::ParseError(format!("`{cell}` is no number"));
         Ok(match of {

@@ -1,4 +1,4 @@
-//! Names and formulas of the page as MathML, broken over lines if they are wide.
+//! Names and formulas of the page as MathML. Wide formulas may be broken into several lines.
 
 use crate::page::markup::html::{escape, join_html};
 use crate::phrases::counted_noun;
@@ -9,13 +9,12 @@ use tripos_derive::algebra::text::print::{self, mathml_name};
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{BalanceName, LineName, QuantityKind, RowName, Stage, VectorName};
 
-/// Largest number of characters of a formula, as plain text, that the page shows. Instead of a
-/// longer formula it states the number of operations.
+/// Largest number of characters, as plain text, of a formula that the page shows. A longer formula is replaced with its
+/// number of operations.
 const LONGEST: usize = 1_500;
-/// Largest number of characters of plain text of a formula in a sentence, or in a row of a table.
+/// Largest number of characters, as plain text, of a formula in a sentence or in a table row.
 const LONGEST_IN_WORDS: usize = 420;
-/// Width, in tenths of an em, above which a formula may be broken over lines. It is about half the
-/// width of a phone.
+/// Width, in tenths of an em, above which a formula may be broken into lines. It is about half the width of a phone.
 const PIECE: usize = 120;
 
 /// Returns the number of characters of a formula as plain text; `None` if it is too long to show.
@@ -30,8 +29,8 @@ pub fn is_short_formula_mathml(arena: &Arena, e: Expr) -> bool {
     length(arena, e).is_some_and(|length| length <= LONGEST_IN_WORDS)
 }
 
-/// Returns a formula as MathML, without places for line breaks. A formula that is too long becomes
-/// its number of operations.
+/// Returns a formula as MathML, without places for line breaks. A formula that is too long is replaced with its number
+/// of operations.
 pub fn formula(arena: &Arena, e: Expr) -> String {
     match length(arena, e) {
         Some(_) => print::mathml(arena, e),
@@ -49,7 +48,7 @@ fn operations(arena: &Arena, e: Expr) -> String {
     format!("a term of {}", counted_noun(operation_count(arena, e), "operation"))
 }
 
-/// Returns a paragraph that names the command by which formulas too long for the page are printed.
+/// Returns a paragraph with the command that prints the formulas that are too long for the page.
 pub fn long_formulas_note(command: &str) -> String {
     format!(
         "<p class=\"quiet\">A term that is too long to be read stands as the number of its operations; <code>{}</code> has it whole.</p>\n",
@@ -59,15 +58,14 @@ pub fn long_formulas_note(command: &str) -> String {
 
 /// Left or right side of an equation whose formulas may be broken over lines.
 pub enum MathmlSide {
-    /// MathML that is never broken over lines.
+    /// MathML that is never broken into lines.
     Whole(String),
     /// Formula that may be broken over lines at its plus and minus signs.
     Marks(DisplayTree),
 }
 
 impl MathmlSide {
-    /// Returns the side for a formula. A formula that is too long to read becomes its number of
-    /// operations.
+    /// Returns the side for a formula. A formula that is too long to read is replaced with its number of operations.
     pub fn of(arena: &Arena, e: Expr) -> Self {
         match length(arena, e) {
             Some(_) => Self::Marks(print::print_view(arena, e)),
@@ -75,8 +73,8 @@ impl MathmlSide {
         }
     }
 
-    /// Returns the side for a formula in a sentence. A formula of more than 420 characters becomes
-    /// its number of operations.
+    /// Returns the side for a formula in a sentence. A formula of more than 420 characters is replaced with its number
+    /// of operations.
     pub fn short(arena: &Arena, e: Expr) -> Self {
         if is_short_formula_mathml(arena, e) {
             Self::of(arena, e)
@@ -85,7 +83,7 @@ impl MathmlSide {
         }
     }
 
-    /// Returns the MathML of the side as pieces. A line may end between two pieces.
+    /// Returns the MathML of the side as pieces. A line break is allowed between two pieces.
     fn pieces(&self) -> Vec<String> {
         match self {
             Self::Whole(content) => vec![content.clone()],
@@ -93,14 +91,14 @@ impl MathmlSide {
         }
     }
 
-    /// True if the side may be broken over several lines.
+    /// True if the side may be broken into several lines.
     fn breaks(&self) -> bool {
         matches!(self, Self::Marks(view) if print::formula_width(view) > PIECE)
     }
 }
 
-/// Returns the HTML of an equation between the given sides, or of a single formula. Lines may be
-/// broken after `=` and before signs; a wide formula also breaks inside parentheses.
+/// Returns the HTML of an equation between the given sides, or of a single formula. Line breaks are allowed after `=`
+/// and before signs; in a wide formula, also inside parentheses.
 pub fn breakable_mathml<'a>(sides: impl IntoIterator<Item = &'a MathmlSide>) -> String {
     let mut pieces: Vec<String> = Vec::new();
     for side in sides {
@@ -113,7 +111,7 @@ pub fn breakable_mathml<'a>(sides: impl IntoIterator<Item = &'a MathmlSide>) -> 
     pieces.iter().map(|piece| inline_mathml(piece)).collect::<Vec<_>>().join(" ")
 }
 
-/// Returns the HTML of three components as (x, y, z). If a component is wide, lines may be broken.
+/// Returns the HTML of three components as (x, y, z). If a component is wide, line breaks are allowed.
 pub fn vector_components_html(arena: &Arena, components: &[Expr; 3]) -> String {
     let comma = "<mo separator=\"true\">,</mo>";
     let sides = components.map(|e| MathmlSide::of(arena, e));
@@ -139,7 +137,7 @@ pub fn vector_components_html(arena: &Arena, components: &[Expr; 3]) -> String {
     pieces.iter().map(|piece| inline_mathml(piece)).collect::<Vec<_>>().join(" ")
 }
 
-/// Returns the HTML of a formula in a sentence. A long formula becomes its number of operations.
+/// Returns the HTML of a formula in a sentence. A long formula is replaced with its number of operations.
 pub fn formula_mathml_in_sentence(arena: &Arena, e: Expr) -> String {
     if is_short_formula_mathml(arena, e) { breakable_mathml(&[MathmlSide::of(arena, e)]) } else { operations(arena, e) }
 }
@@ -153,8 +151,8 @@ pub fn zero_formula_mathml(arena: &Arena, e: Expr) -> String {
     }
 }
 
-/// Returns the number of visible characters of the longest term of a formula. A single term cannot
-/// be broken over lines.
+/// Returns the number of visible characters of the longest term of a formula. A single term cannot be broken into
+/// lines.
 pub fn widest(view: &DisplayTree) -> usize {
     match view {
         DisplayTree::Sum(terms) => terms.iter().map(|(_, term)| 1 + mathml_factor_width(term)).max().unwrap_or(0),
@@ -181,13 +179,13 @@ fn mathml_width(view: &DisplayTree) -> usize {
     }
 }
 
-/// Returns the number of visible characters of a formula as a factor. A sum gets parentheses.
+/// Returns the number of visible characters of a formula that is used as a factor. A sum gets parentheses.
 fn mathml_factor_width(view: &DisplayTree) -> usize {
     mathml_width(view) + if matches!(view, DisplayTree::Sum(_)) { 2 } else { 0 }
 }
 
-/// Returns the HTML of a formula in the verdicts on a publication. A long formula is shown as plain
-/// text, cut after 120 characters.
+/// Returns the HTML of a formula in the verdicts on a publication. A long formula is shown as plain text, which is cut
+/// after 120 characters.
 pub fn formula_mathml_in_verdict(arena: &Arena, e: Expr) -> String {
     if is_short_formula_mathml(arena, e) {
         return breakable_mathml(&[MathmlSide::of(arena, e)]);
@@ -230,8 +228,7 @@ pub fn symbol_mathml(name: &str) -> String {
     }
 }
 
-/// Returns the MathML of a model symbol's name. It differs from names that would otherwise look
-/// equal.
+/// Returns the MathML of the name of a model symbol. It differs visibly from other names that would look equal.
 pub fn distinct_symbol_mathml(model: &Model, name: &str) -> String {
     match print::print_symbol_view(&model.arena, name) {
         word @ DisplayTree::Word(_) => print::mathml_of(&word),
@@ -251,8 +248,8 @@ pub fn unit_vector_mathml(frame: &str, axis: usize) -> String {
     format!("<msub>{}<mn>{}</mn></msub>", vector_letter_mathml(&frame.to_lowercase()), axis + 1)
 }
 
-/// Returns the MathML of a vector of a point, frame or body relative to the inertial frame, such as
-/// ᴺωᶜ. `of` is its index in the model.
+/// Returns the MathML of a vector of a point, frame or body relative to the inertial frame, such as ᴺωᶜ. `of` is the
+/// index of the point, frame or body in the model.
 fn motion_vector_mathml(model: &Model, name: VectorName, of: usize) -> String {
     let letter = match name {
         VectorName::AngularVelocity => "ω",
@@ -323,15 +320,15 @@ pub fn row_name_mathml(model: &Model, row: &RowName) -> String {
     }
 }
 
-/// Returns the MathML of a matrix in square brackets, from MathML cells. The style sheet draws the
-/// brackets, because browsers without a mathematical font do not stretch them.
+/// Returns the MathML of a matrix in square brackets, from cells in MathML. The style sheet draws the brackets, because
+/// browsers without a mathematical font do not stretch them.
 pub fn matrix_mathml(rows: &[Vec<String>]) -> String {
     let row = |cells: &Vec<String>| format!("<mtr>{}</mtr>\n", join_html(cells, |cell| format!("<mtd>{cell}</mtd>")));
     format!("<mtable class=\"matrix\">\n{}</mtable>", join_html(rows, row))
 }
 
-/// Returns the HTML of equations `left = right` below one another, aligned at their equals signs.
-/// Wide sides may be broken over lines.
+/// Returns the HTML of equations `left = right` below one another, aligned at their equals signs. Wide sides may be
+/// broken into lines.
 pub fn aligned_mathml_equations(lines: &[(MathmlSide, MathmlSide)]) -> String {
     format!("<table class=\"lines\">\n<tbody>\n{}</tbody>\n</table>\n", join_html(lines, aligned_mathml_row))
 }

@@ -13,8 +13,8 @@ pub fn address(path: &str) -> String {
     path.bytes().map(|b| if plain(&b) { char::from(b).to_string() } else { format!("%{b:02X}") }).collect()
 }
 
-/// Returns the HTML of a box that scrolls separately from the page and can be reached by keyboard.
-/// `content` is HTML.
+/// Returns the HTML of a box that scrolls separately from the page and can be reached by keyboard. `content` is HTML,
+/// and `label` describes the box.
 pub fn scrolling_box(label: &str, content: &str) -> String {
     format!("<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"{}\">\n{content}</div>\n", escape(label))
 }
@@ -35,7 +35,7 @@ pub fn link(place: &str, text: &str) -> String {
     format!("<a href=\"#{place}\">{text}</a>")
 }
 
-/// Lists names as in a sentence: `a, b and c`.
+/// Lists names in the form of a sentence: `a, b and c`.
 pub fn list_names<T: AsRef<str>>(names: &[T]) -> String {
     let names: Vec<&str> = names.iter().map(AsRef::as_ref).collect();
     match names.split_last() {
@@ -45,8 +45,8 @@ pub fn list_names<T: AsRef<str>>(names: &[T]) -> String {
     }
 }
 
-/// Returns a text as HTML. In numbers such as 1e-9 the hyphen becomes a minus sign, at which no
-/// line is broken.
+/// Returns a text as HTML. In numbers such as 1e-9 the hyphen is replaced with a minus sign, at which no line is
+/// broken.
 pub fn words_html(text: &str) -> String {
     let mut pieces = text.split("e-");
     let mut out = pieces.next().unwrap_or_default().to_owned();
@@ -58,7 +58,7 @@ pub fn words_html(text: &str) -> String {
     escape(&out)
 }
 
-/// Joins the HTML pieces that the function `shape` makes of the items.
+/// Joins the HTML pieces that the function `shape` makes from the items.
 pub fn join_html<T>(items: &[T], shape: impl Fn(&T) -> String) -> String {
     items.iter().fold(String::new(), |out, item| out + &shape(item))
 }
@@ -85,12 +85,12 @@ pub fn number(text: &str) -> String {
     }
 }
 
-/// Returns the HTML of an entry id, in which lines may be broken after hyphens.
+/// Returns the HTML of an entry id. Lines may be broken after its hyphens.
 pub fn breakable_id(id: &str) -> String {
     escape(id).replace('-', "-<wbr>")
 }
 
-/// Returns a number as text with `digits` significant digits, without zeros at the end.
+/// Returns a number as text with `digits` significant digits, without trailing zeros.
 pub fn rounded_number_html(x: f64, digits: usize) -> String {
     let text = with_significant_digits(x, digits);
     match text.split_once('e') {

@@ -1,4 +1,4 @@
-//! Formulas of a page: what may break, and what nobody would read.
+//! Tests of the page's formulas: where lines may be broken, and the replacement of formulas that are too long.
 
 use crate::page::markup::formula_mathml::{
     MathmlSide, aligned_mathml_equations, breakable_mathml, formula, formula_mathml_in_sentence,
@@ -30,8 +30,8 @@ fn long_sums_may_stand_on_several_lines() {
     assert!(rows.contains("<td class=\"wide\" colspan=\"2\">"), "a wide left side pushes no equals signs: {rows}");
 }
 
-/// Goal: no formula that is too long to read is printed. Method: sums of so many different sines; one operation for
-/// each term but the first, four for each sine.
+/// Goal: no formula that is too long to read is printed. Method: sums of many different sines, with one operation for
+/// each term except the first, and four operations for each sine.
 #[test]
 fn what_nobody_would_read_is_told_by_its_number_of_operations() {
     let mut arena = Arena::new();

@@ -1,7 +1,7 @@
-//! Formulas of a publication typeset term by term, as they are printed.
+//! Formulas of a publication, typeset term by term as they are printed.
 //!
-//! Invariant: nothing is reordered, combined or cancelled, as reading into an arena would do. A
-//! reader finds the printed formula again. Text that is no formula is left as text.
+//! Invariant: nothing is reordered, combined or cancelled, as it would be in an arena. A reader therefore recognizes
+//! the printed formula. Text that is no formula is left as text.
 
 use crate::page::markup::formula_mathml::inline_mathml;
 use crate::page::markup::html::escape;
@@ -11,7 +11,7 @@ use tripos_derive::algebra::text::print::mathml_of;
 /// Largest depth of nested parentheses. A deeper formula is shown as text.
 const DEEPEST: usize = 40;
 
-/// Largest number of words of a formula within a sentence.
+/// Largest number of words of a formula that is recognized within a sentence.
 const MOST_WORDS: usize = 24;
 
 /// Names of functions that a formula may call, except `sqrt`.
@@ -26,13 +26,13 @@ pub fn typeset(text: &str) -> Option<Vec<DisplayTree>> {
     text.split(" = ").map(formula).collect()
 }
 
-/// Returns the HTML of a sentence with its formulas typeset. A formula is the longest row of words
-/// in the language of model files that contains a digit, an operator or a prime.
+/// Returns the HTML of a sentence with its formulas typeset. A formula is the longest sequence of words in the language
+/// of model files that contains a digit, an operator or a prime.
 pub fn typeset_words(text: &str) -> String {
     let words: Vec<&str> = text.split(' ').collect();
     let (mut at, mut out) = (0, Vec::new());
     while at < words.len() {
-        // In `the term -a*b` the sign belongs to the formula: a difference has a space on each side of its sign.
+        // In `the term -a*b`, the sign belongs to the formula: a minus sign of a difference has a space on each side.
         let last = words.len().min(at + MOST_WORDS);
         let sign = (at + 1..last).find(|word| words[*word].len() > 1 && words[*word].starts_with('-'));
         let read = (at + 1..=sign.unwrap_or(last)).rev().find_map(|end| {
@@ -66,14 +66,14 @@ struct Parser<'a> {
 }
 
 impl<'a> Parser<'a> {
-    /// Skips `token` if it comes next. True if it did.
+    /// Skips `token` if it comes next. Returns true if it was skipped.
     fn take(&mut self, token: char) -> bool {
         let next = self.rest.strip_prefix(token);
         self.rest = next.unwrap_or(self.rest).trim_start();
         next.is_some()
     }
 
-    /// Returns the next characters for which `belongs` is true, and skips them.
+    /// Skips the next characters for which `belongs` is true, and returns them.
     fn word(&mut self, belongs: impl Fn(char) -> bool) -> &'a str {
         let end = self.rest.find(|c| !belongs(c)).unwrap_or(self.rest.len());
         let (word, rest) = self.rest.split_at(end);
@@ -89,7 +89,7 @@ impl<'a> Parser<'a> {
         }
         let mut terms = Vec::new();
         loop {
-            // In `a + -b` the first sign has no meaning.
+            // In `a + -b`, the first sign has no effect.
             let negative = self.take('-');
             terms.push((negative, self.product()?));
             if !self.take('+') && !self.rest.starts_with('-') {
@@ -166,7 +166,7 @@ fn one(mut factors: Vec<DisplayTree>) -> DisplayTree {
 mod tests {
     use super::*;
 
-    /// MathML without tags: enough to see the order of what is printed.
+    /// Returns MathML without its tags, which is enough to check the order of the printed terms.
     fn plain(text: &str) -> String {
         let sides = typeset(text).unwrap_or_else(|| panic!("{text} is a formula"));
         let mathml = sides.iter().map(mathml_of).collect::<Vec<_>>().join("<mo>=</mo>");

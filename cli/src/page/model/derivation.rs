@@ -1,5 +1,4 @@
-//! Section of the page on one formulation: its equations of motion, and separately its derivation
-//! stage by stage.
+//! Section of the page about one formulation: its equations of motion, and separately its derivation stage by stage.
 
 use super::laws::law;
 use crate::page::content::Page;
@@ -19,21 +18,21 @@ use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::mechanics::{DerivationInSteps, Equations, LineName, QuantityKind, Step};
 use tripos_derive::{Formulation, Model};
 
-/// Number of lines above which a stage of a derivation is folded.
+/// Number of lines from which on a stage of a derivation is folded.
 const MANY_LINES: usize = 14;
 /// Number of characters of plain text above which a stage of a derivation is folded.
 const LONG: usize = 900;
-/// Candidates for the largest length of an entry that is written inside the matrix. The first with
-/// which the system fits the page is used. Longer entries are named M_ij and defined below.
+/// Candidates for the largest length of an entry that is written inside the matrix. The first candidate with which the
+/// system fits the page is used. Longer entries are named M_ij and defined below the matrix.
 const WIDE: [usize; 5] = [56, 48, 40, 34, 28];
-/// Number of characters of plain text that fit on a line of the page as mathematics.
+/// Number of characters of plain text whose mathematics fits on a line of the page.
 const PAGE: usize = 110;
-/// Number of characters of all equations, about three printed pages, above which they are not
-/// repeated row by row and in LaTeX.
+/// Number of characters of all equations above which they are not repeated row by row and in LaTeX. It is about three
+/// printed pages.
 const TOO_LONG: usize = 8_000;
 
-/// Returns the HTML section with the equations of one formulation. `result` may be the reason why
-/// they were not derived.
+/// Returns the HTML section with the equations of one formulation. `result` is the derivation, or the reason why there
+/// is none.
 pub fn section(page: &Page, formulation: Formulation, result: &Result<DerivationInSteps, String>) -> String {
     let (name, title) = (formulation.name(), escape(formulation.title()));
     let content = match result {
@@ -50,8 +49,8 @@ pub fn section(page: &Page, formulation: Formulation, result: &Result<Derivation
     )
 }
 
-/// Returns the HTML of a formulation's derivation, folded; empty if it was not derived. `shown`
-/// collects the stages already shown, so that a repeated stage is folded.
+/// Returns the folded HTML of a formulation's derivation; empty if there is none. `shown` collects the stages that are
+/// already shown, so that a repeated stage is folded.
 pub fn steps(
     page: &Page,
     formulation: Formulation,
@@ -72,19 +71,19 @@ fn derivation_anchor(formulation: Formulation) -> String {
     format!("{}-steps", formulation.name())
 }
 
-/// Returns the command that prints all formulas of a formulation in full length.
+/// Returns the command that prints all formulas of a formulation, however long they are.
 fn derive_command(page: &Page, formulation: Formulation) -> String {
     format!("tripos derive {} --by {} --format json", page.file, formulation.name())
 }
 
-/// Returns the HTML of the definitions of all names in the given formulas. Formulas too long for
-/// the page are ignored.
+/// Returns the HTML of the definitions of all names in the formulas `shown`. Formulas that are too long for the page
+/// are ignored.
 pub fn named_terms(arena: &Arena, shown: &[Expr]) -> String {
     let printed: Vec<Expr> = shown.iter().copied().filter(|e| length(arena, *e).is_some()).collect();
     definitions(arena, &definitions_shown(arena, &printed))
 }
 
-/// Returns the HTML of definitions of named terms, folded; empty for an empty list.
+/// Returns the folded HTML of definitions of named terms; empty for an empty list.
 fn definitions(arena: &Arena, list: &[Definition]) -> String {
     if list.is_empty() {
         return String::new();
@@ -101,8 +100,7 @@ fn principle(formulation: Formulation, model: &Model) -> String {
     if law.is_empty() { format!("{principle}.") } else { format!("{principle} {}.", inline_mathml(&law)) }
 }
 
-/// Returns the HTML of a stage of a derivation. A stage already in `shown`, or a long stage, is
-/// folded.
+/// Returns the HTML of a stage of a derivation. The stage is folded if it is long, or if it is already in `shown`.
 fn derivation_step_html(model: &Model, arena: &Arena, step: &Step, shown: &mut Vec<String>) -> String {
     if step.lines.is_empty() {
         return String::new();
@@ -133,8 +131,8 @@ fn derivation_step_html(model: &Model, arena: &Arena, step: &Step, shown: &mut V
     }
 }
 
-/// Returns the HTML of the linear system with remarks. Then follow its entries, the equations row
-/// by row and in LaTeX, and a link to the derivation.
+/// Returns the HTML of the linear system with remarks, followed by its entries, the equations row by row and in LaTeX,
+/// and a link to the derivation.
 fn show_equations(page: &Page, derivation: &DerivationInSteps) -> String {
     let DerivationInSteps { arena, equations, .. } = derivation;
     let (mut out, mut known, mut more) = (String::new(), Vec::new(), String::new());
@@ -184,8 +182,8 @@ fn show_equations(page: &Page, derivation: &DerivationInSteps) -> String {
     out + &format!("<div class=\"side\">\n{more}<p>{steps}.</p>\n</div>\n")
 }
 
-/// Returns the largest length of an entry that is written inside the matrix, so that the system
-/// fits the page.
+/// Returns the largest length of an entry that is written inside the matrix. It is chosen so that the system fits the
+/// page.
 fn longest_derived_entry(arena: &Arena, equations: &Equations) -> usize {
     let named = "M12".len();
     let width = |e: Expr, limit: usize| length(arena, e).filter(|n| *n <= limit).unwrap_or(named);
@@ -194,12 +192,12 @@ fn longest_derived_entry(arena: &Arena, equations: &Equations) -> usize {
         let matrix: usize = (0..equations.unknowns.len()).map(|j| column(j) + 2).sum();
         matrix + equations.forcing.iter().map(|e| width(*e, *limit)).max().unwrap_or(0) <= PAGE
     };
-    // If no length makes the system fit, the system scrolls.
+    // If the system fits with none of these lengths, it scrolls.
     WIDE.into_iter().find(fits).unwrap_or(WIDE[2])
 }
 
-/// Returns the MathML of the linear system matrix · unknowns = forcing. The second result lists the
-/// entries that are too long for it, as (name, value).
+/// Returns the MathML of the linear system matrix · unknowns = forcing. The second result lists, as (name, value), the
+/// entries that are too long to be written in the system.
 fn derived_system_mathml(arena: &Arena, equations: &Equations) -> (String, Vec<(MathmlSide, MathmlSide)>) {
     let wide = longest_derived_entry(arena, equations);
     let mut named = Vec::new();
@@ -218,7 +216,7 @@ fn derived_system_mathml(arena: &Arena, equations: &Equations) -> (String, Vec<(
         for (j, e) in row.iter().enumerate() {
             let below = equations.symmetric && j < i;
             let (a, b) = if below { (j, i) } else { (i, j) };
-            // Two indices of one digit each need no comma.
+            // Two indices need no comma if each has one digit.
             let comma = if equations.matrix.len() > 9 { "<mo separator=\"true\">,</mo>" } else { "" };
             let name = format!("<msub><mi>M</mi><mrow><mn>{}</mn>{comma}<mn>{}</mn></mrow></msub>", a + 1, b + 1);
             cells.push(entry(*e, name, below));
@@ -232,9 +230,9 @@ fn derived_system_mathml(arena: &Arena, equations: &Equations) -> (String, Vec<(
     (format!("{}{}<mo>=</mo>{}", matrix_mathml(&rows), matrix_mathml(&unknowns), matrix_mathml(&forcing)), named)
 }
 
-/// Returns the HTML of the equations row by row, each as a sum of terms equal to the forcing.
+/// Returns the HTML of the equations row by row. Each row is a sum of terms that equals the forcing.
 fn row_by_row(model: &Model, arena: &Arena, equations: &Equations) -> String {
-    // Terms are joined in a copy of the arena.
+    // Terms are joined in a copy of the arena, so that the original is not changed.
     let mut arena = arena.clone();
     let mut out = String::from("<table class=\"lines\">\n<tbody>\n");
     for ((row, name), forcing) in equations.matrix.iter().zip(&equations.rows).zip(&equations.forcing) {

@@ -12,8 +12,7 @@ struct Law {
     of_constraints: &'static str,
 }
 
-/// Laws of the formulations that have a formula. The other formulations are described in words
-/// only.
+/// Laws of the formulations that have a law as a formula. The other formulations are described only in words.
 const LAWS: [Law; 3] = [
     Law {
         formulation: "kane",
@@ -43,8 +42,8 @@ const LAWS: [Law; 3] = [
     },
 ];
 
-/// Returns the MathML of a formulation's law for a model. Empty if the formulation has no formula.
-/// The letters c in it stand for the motion constraints, functions of q and q̇ that are zero.
+/// Returns the MathML of a formulation's law for a model. Empty if the formulation has no formula. The letters c in the
+/// formula are the motion constraints, functions of q and q̇ that are zero.
 pub fn law(formulation: Formulation, model: &Model) -> String {
     let law = LAWS.iter().find(|law| law.formulation == formulation.name());
     law.map_or_else(String::new, |Law { formula, of_constraints, .. }| {

@@ -1,5 +1,4 @@
-//! Section of the page on the mechanism: parameters, coordinates, speeds, constraints, bodies and
-//! loads.
+//! Section of the page about the mechanism: parameters, coordinates, speeds, constraints, bodies and loads.
 
 use crate::page::markup::formula_mathml::{
     MathmlSide, breakable_mathml, distinct_symbol_mathml, formula, inline_mathml, matrix_mathml, symbol_mathml,
@@ -15,7 +14,7 @@ use tripos_derive::model::{ForcePlace, MotionConstraintKind, ReactionKind, Turn,
 /// Largest number of parameters whose table is not folded.
 const SEEN: usize = 10;
 
-/// Returns the HTML section on the mechanism.
+/// Returns the HTML section about the mechanism.
 pub fn section(model: &Model) -> String {
     let mut out = format!(
         "<section id=\"mechanism\">\n<h2>Mechanism</h2>\n<p class=\"count\">{}.</p>\n",
@@ -35,7 +34,7 @@ pub fn section(model: &Model) -> String {
     out + "</section>\n"
 }
 
-/// Returns the HTML of a unit. `plain` is shown for a quantity without a unit.
+/// Returns the HTML of a unit. A quantity without a unit gets the text `plain`.
 fn mechanism_unit_html(unit: &Unit, plain: &str) -> String {
     let text = match unit.to_string().as_str() {
         "1" => plain.to_owned(),
@@ -238,7 +237,7 @@ fn loads(model: &Model) -> String {
     mechanism_table("Loads", &["Name", "On", "Vector"], &rows) + &mechanism_moving_loads(model)
 }
 
-/// Returns HTML paragraphs on the points of action that move relative to their bodies.
+/// Returns HTML paragraphs about points of action that move relative to their bodies.
 fn mechanism_moving_loads(model: &Model) -> String {
     let line = |text: String| format!("<p>{}</p>\n", escape(&text));
     match moving_load_places(model) {

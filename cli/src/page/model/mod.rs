@@ -1,4 +1,4 @@
-//! Sections of the page on the mechanism, its derivations, and the proofs.
+//! Sections of the page about the mechanism, its derivations, and the proofs.
 
 pub(super) mod derivation;
 mod laws;

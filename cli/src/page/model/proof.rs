@@ -1,5 +1,4 @@
-//! Section of the page on proofs: equivalence of the formulations, first integrals, and singular
-//! matrices.
+//! Section of the page about proofs: equivalence of the formulations, first integrals, and singular matrices.
 
 use crate::page::content::Page;
 use crate::page::markup::formula_mathml::{
@@ -14,7 +13,7 @@ use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::prove::{DeterminantAtZero, EquivalentPair, Integral, IntegralKind, Singularity};
 use tripos_derive::{Formulation, Model};
 
-/// Returns the HTML section on proofs.
+/// Returns the HTML section about proofs.
 pub fn section(page: &Page) -> String {
     let (model, study) = (page.model, page.study);
     let arena = &study.derivations.kinematics.arena;
@@ -77,7 +76,7 @@ pub fn section(page: &Page) -> String {
     out + "</section>\n"
 }
 
-/// Lists every formula in the section on proofs, so that the names in them can be defined.
+/// Lists every formula in the section about proofs, so that the names in them can be defined.
 fn proof_section_formulas(page: &Page) -> Vec<Expr> {
     let (proof, arena) = (&page.study.proof, &page.study.derivations.kinematics.arena);
     let reactions = proof.reactions.iter().map(|reaction| reaction.value);
@@ -89,8 +88,7 @@ fn proof_section_formulas(page: &Page) -> Vec<Expr> {
     all.chain(singular).collect()
 }
 
-/// Returns the HTML of the first integrals: a list of names with verdicts, and formulas that
-/// unfold.
+/// Returns the HTML of the first integrals: a list of names with verdicts, and formulas that can be unfolded.
 fn integrals(model: &Model, arena: &Arena, list: &[Integral], search: &str) -> String {
     let mut out = String::from("<h3 id=\"integrals\">First integrals</h3>\n");
     out += if list.is_empty() { "<p>None found.</p>\n" } else { "<p>Constant along every motion.</p>\n" };
@@ -109,14 +107,14 @@ fn integrals(model: &Model, arena: &Arena, list: &[Integral], search: &str) -> S
     out + &foldable_part("integral-formulas", "As formulas", &(formulas + &search))
 }
 
-/// Returns the table cells of a compared pair of formulations.
+/// Returns the table cells for the comparison of a pair of formulations.
 fn compared_pair_row(pair: &EquivalentPair) -> Vec<String> {
     let (left, right) = (escape(pair.left.title()), escape(pair.right.title()));
     vec![format!("{left} ⇔ {right}"), proof_verdict_html(&pair.verdict), proof_text_html(&pair.map.text())]
 }
 
-/// Returns the HTML of a verdict in words: the method of proof, a witness of a difference, or the
-/// reason for no decision.
+/// Returns the HTML of a verdict in words: the method of proof, a state in which the sides differ, or the reason why
+/// there is no decision.
 fn proof_verdict_html(verdict: &Verdict) -> String {
     match verdict {
         Verdict::Equal(engine) => format!("proved <span class=\"quiet\">({})</span>", escape(&engine.to_string())),
@@ -127,8 +125,8 @@ fn proof_verdict_html(verdict: &Verdict) -> String {
     }
 }
 
-/// Returns the HTML of a witness: two values with the labels `left` and `right`, and the point at
-/// which they differ.
+/// Returns the HTML of a witness: the state in which two values differ, and the values with the labels `left` and
+/// `right`.
 pub fn proof_witness_html(witness: &Witness, [left, right]: [&str; 2]) -> String {
     let last = witness.at.len().saturating_sub(1);
     let at = witness.at.iter().enumerate().map(|(at, (name, x))| {
@@ -144,7 +142,7 @@ pub fn proof_witness_html(witness: &Witness, [left, right]: [&str; 2]) -> String
     format!("{left} {}, {right} {}{place}", value(witness.left), value(witness.right))
 }
 
-/// Returns the HTML of a plain text in which rates q' become q̇.
+/// Returns the HTML of a plain text, in which rates such as q' become q̇.
 fn proof_text_html(text: &str) -> String {
     escape(text).replace("q'", "q̇")
 }
@@ -168,8 +166,7 @@ fn proved_integral_html(model: &Model, arena: &Arena, at: usize, integral: &Inte
     )
 }
 
-/// Returns the MathML symbol of a first integral, I with its number. `at` counts from 0, the number
-/// from 1.
+/// Returns the MathML symbol of a first integral, I with its number. The index `at` counts from 0, the number from 1.
 pub fn proved_integral_symbol(at: usize) -> String {
     format!("<msub><mi>I</mi><mn>{}</mn></msub>", at + 1)
 }
@@ -220,8 +217,8 @@ fn proved_determinants_table(arena: &Arena, list: &[(Formulation, Singularity)])
     )
 }
 
-/// Returns the HTML of proved statements on where a determinant is zero, and where entries of its
-/// matrix divide by zero.
+/// Returns the HTML of proved statements about the places where a determinant is zero, and where entries of its matrix
+/// divide by zero.
 pub fn proved_determinant_zeros(arena: &Arena, singularity: &Singularity) -> String {
     if singularity.determinant == Expr::ZERO {
         return "everywhere".to_owned();

@@ -1,11 +1,10 @@
-//! Readable names of a publication's entries, made from their ids: number of the equation, line and
-//! symbol.
+//! Readable names of a publication's entries, made from their ids: number of the equation, line, and symbol.
 
 use crate::page::markup::formula_mathml::{inline_mathml, symbol_mathml};
 use crate::page::markup::html::escape;
 
-/// Returns the HTML name of a printed entry: `kane-3.2-line1-b1` becomes "Kane (3.2), line 1, b₁".
-/// A part of the id in no known form is unchanged.
+/// Returns the HTML name of a printed entry: `kane-3.2-line1-b1` becomes "Kane (3.2), line 1, b₁". A part of the id
+/// that has no known form is left unchanged.
 pub fn entry_name(id: &str) -> String {
     let mut parts = Vec::new();
     for (at, part) in id.split('-').enumerate() {
@@ -19,8 +18,7 @@ pub fn entry_name(id: &str) -> String {
     parts.join(", ")
 }
 
-/// Returns the HTML of one part of an entry's id. `is_first` is true for the first of several
-/// parts, which gets a capital letter.
+/// Returns the HTML of one part of an entry's id. The first part, for which `is_first` is true, gets a capital letter.
 fn entry_name_part(part: &str, is_first: bool) -> String {
     let letters = part.trim_end_matches(|c: char| c.is_ascii_digit());
     let digits = &part[letters.len()..];

@@ -1,5 +1,5 @@
-//! Section of the page that compares a published derivation with the derived equations: root
-//! mistakes, entries that follow from them, and all verdicts.
+//! Section of the page that compares a published derivation with the derived equations: root mistakes, entries that
+//! follow from them, and all verdicts.
 
 use crate::page::content::Page;
 use crate::page::markup::formula_mathml::{
@@ -26,17 +26,17 @@ const VERDICTS: [(&str, &str); 5] = [
     ("stated", "Stated only"),
 ];
 
-/// Links from a root mistake to wrong entries, each with the words before the list of entries.
+/// Kinds of dependence on a root mistake, each with the words before the list of dependent entries.
 const LINKS: [(DependenceKind, &str); 3] = [
     (DependenceKind::Repeated, "Repeated in"),
     (DependenceKind::Follows, "From it follow"),
     (DependenceKind::Contradicts, "It contradicts, directly or through others,"),
 ];
 
-/// Largest number of visible characters of a printed term that fits on a line with its label.
+/// Largest number of visible characters of a printed term that is placed on a line with its label.
 const WIDEST: usize = 80;
 
-/// Returns the HTML section on the errata of a publication.
+/// Returns the HTML section about the errata of a publication.
 pub fn section(page: &Page, published: &JudgedPublication) -> String {
     let arena = &page.study.derivations.kinematics.arena;
     let difference = &published.difference;
@@ -62,13 +62,12 @@ pub fn section(page: &Page, published: &JudgedPublication) -> String {
     out + "</section>\n"
 }
 
-/// Returns the HTML id of a root mistake on the page. `root` counts from 0, the id from 1.
+/// Returns the HTML id of a root mistake on the page. The index `root` counts from 0, the number in the id from 1.
 pub fn anchor(root: usize) -> String {
     format!("mistake-{}", root + 1)
 }
 
-/// Returns the HTML of the root mistakes. The entries that follow from each mistake are folded
-/// under it.
+/// Returns the HTML of the root mistakes. The entries that follow from a mistake are folded under it.
 fn errata_root_mistakes(arena: &Arena, difference: &Difference) -> String {
     let Difference { findings, roots, .. } = difference;
     if roots.is_empty() {
@@ -85,8 +84,8 @@ fn errata_root_mistakes(arena: &Arena, difference: &Difference) -> String {
     )
 }
 
-/// Returns the HTML of one root mistake: description, entries that repeat it or follow from it, and
-/// an erratum for each entry.
+/// Returns the HTML of one root mistake: its description, the entries that repeat it or follow from it, and an erratum
+/// for each entry.
 fn mistake(arena: &Arena, findings: &[Finding], at: usize, root: &RootMistake) -> String {
     let shown = std::iter::once((root.finding, None)).chain(root.followers.iter().map(|f| (f.finding, Some(f))));
     let rows: String = shown
@@ -104,8 +103,8 @@ fn mistake(arena: &Arena, findings: &[Finding], at: usize, root: &RootMistake) -
     )
 }
 
-/// Returns the HTML of a sentence with the entries that have a certain link to a root mistake.
-/// Empty if there are none.
+/// Returns the HTML of a sentence with the entries that depend on a root mistake in the way `link`. Empty if there are
+/// none.
 fn linked_errata_sentence(findings: &[Finding], root: &RootMistake, link: DependenceKind, words: &str) -> String {
     let ids: Vec<String> = root.followers_by_link(link).map(|f| entry_id_html(findings, f.finding)).collect();
     if ids.is_empty() { String::new() } else { format!("<p>{words} {}.</p>\n", ids.join(", ")) }
@@ -116,7 +115,7 @@ fn entry_id_html(findings: &[Finding], at: usize) -> String {
     format!("<code>{}</code>", escape(&findings[at].id))
 }
 
-/// Returns the HTML of words for the entries from which a wrong entry follows.
+/// Returns the HTML of words that name the entries from which a wrong entry follows.
 fn erratum_cause_html(findings: &[Finding], follower: &DependentEntry) -> String {
     let ids = |list: &[usize]| list.iter().map(|at| entry_id_html(findings, *at)).collect::<Vec<_>>().join(" and ");
     let words = match follower.link {
@@ -173,8 +172,8 @@ fn verdict_counts_table(findings: &[Finding]) -> String {
     table("Verdicts", &columns, &rows).replacen("<table>", "<table class=\"counts\">", 1)
 }
 
-/// Returns the HTML of one erratum: the entry's id, printed and derived form, difference, witness
-/// and remarks. `source` names the entries from which it follows.
+/// Returns the HTML of one erratum: the entry's id, its printed and derived form, the difference, a state in which they
+/// differ, and remarks. `source` names the entries from which it follows.
 fn entry(arena: &Arena, finding: &Finding, source: Option<String>) -> String {
     let mut lines = vec![("printed", erratum_text_html(&finding.printed))];
     if let Some(derived) = finding.derived {
@@ -192,8 +191,7 @@ fn entry(arena: &Arena, finding: &Finding, source: Option<String>) -> String {
     if let Some(factor) = finding.factor {
         lines.push(("factor", formula_mathml_in_verdict(arena, factor)));
     }
-    // If the finding has no derived form, a remark names the compared form, and no witness is
-    // shown.
+    // If the finding has no derived form, a remark names the form that was compared, and no witness is shown.
     if let (Some(found), true) = (&finding.witness, finding.derived.is_some()) {
         lines.push(("for instance", proof_witness_html(found, ["printed", "derived"])));
     }
@@ -216,8 +214,7 @@ fn entry(arena: &Arena, finding: &Finding, source: Option<String>) -> String {
     format!("<tbody>\n{rows}</tbody>\n")
 }
 
-/// Returns the HTML of a printed text: typeset if it is a formula that fits on a line, otherwise as
-/// code.
+/// Returns the HTML of a printed text. It is typeset if it is a formula that fits on a line, else it is shown as code.
 fn erratum_text_html(text: &str) -> String {
     match typeset(text) {
         Some(sides) if sides.iter().all(|side| widest(side) <= WIDEST) => {
@@ -227,8 +224,7 @@ fn erratum_text_html(text: &str) -> String {
     }
 }
 
-/// Returns the HTML of the entries that are right up to a factor. They belong to rows of linear
-/// systems.
+/// Returns the HTML of the entries that are right up to a factor, which are in rows of linear systems.
 fn scaled_errata(arena: &Arena, findings: &[Finding]) -> String {
     let list: Vec<&Finding> = findings.iter().filter(|f| f.judgement == Judgement::Scaled).collect();
     if list.is_empty() {
@@ -247,12 +243,12 @@ fn scaled_errata(arena: &Arena, findings: &[Finding]) -> String {
     )
 }
 
-/// Returns words for the domain in which an entry holds; empty if it holds everywhere.
+/// Returns words for the states in which an entry holds; empty if it holds everywhere.
 fn erratum_validity_words(finding: &Finding) -> String {
     finding.holds.words().map_or_else(String::new, |words| format!(" {words}"))
 }
 
-/// Returns the HTML list of all entries with their verdicts, folded.
+/// Returns the folded HTML list of all entries with their verdicts.
 fn errata_entry_list(findings: &[Finding]) -> String {
     let item = |finding: &Finding| {
         let word = finding.judgement.word();

@@ -1,5 +1,4 @@
-//! Sections of the page on the publication in the model's folder: errata, verdict, effect on the
-//! motion.
+//! Sections of the page about the publication in the model's folder: errata, verdict, and effect on the motion.
 
 mod entry_name;
 pub(super) mod errata;

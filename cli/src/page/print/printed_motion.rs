@@ -12,8 +12,7 @@ use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::diff::{Consequences, Difference};
 use tripos_derive::prove::Singularity;
 
-/// Returns the HTML of the effects of the printed systems on the motion; empty if no system is
-/// printed as a whole.
+/// Returns the HTML of the effects of the printed systems on the motion. Empty if no whole system is printed.
 pub fn motion_consequences(page: &Page, published: &JudgedPublication) -> String {
     let list = &published.difference.consequences;
     if list.is_empty() {
@@ -42,7 +41,7 @@ pub fn motion_consequences(page: &Page, published: &JudgedPublication) -> String
     out + &foldable_part("systems", "Determinants of each system, and rates of the first integrals", &systems)
 }
 
-/// Returns the HTML of a verdict in a table: `yes`, `no` in red, or `undecided`.
+/// Returns the HTML of a verdict in a table: the text `yes`, the text `no` in red, or "undecided".
 fn printed_motion_verdict(verdict: &Verdict, yes: &str, no: &str) -> String {
     match verdict {
         Verdict::Equal(_) => yes.to_owned(),
@@ -75,8 +74,7 @@ fn printed_motions_overview(page: &Page, list: &[Consequences]) -> String {
     table("Printed systems at a glance", &columns, &list.iter().map(row).collect::<Vec<_>>())
 }
 
-/// Returns the HTML of sentences on which printed systems give equal motions; empty if none are
-/// compared.
+/// Returns the HTML of sentences that name the printed systems with equal motions. Empty if no systems are compared.
 fn printed_motions_agreement(difference: &Difference) -> String {
     let agreements = &difference.agreements;
     if agreements.is_empty() {
@@ -107,8 +105,7 @@ fn printed_motions_agreement(difference: &Difference) -> String {
     format!("<p>{}</p>\n", sentences.join(" "))
 }
 
-/// Returns the HTML table on one printed system: accelerations, determinant, and rates of the first
-/// integrals.
+/// Returns the HTML table about one printed system: accelerations, determinant, and rates of the first integrals.
 fn printed_system_table(page: &Page, system: &Consequences, singularity: Option<&Singularity>) -> String {
     let arena = &page.study.derivations.kinematics.arena;
     let mut lines = vec![(
@@ -155,8 +152,8 @@ fn derivative(at: usize) -> String {
     format!("<mfrac><mrow>{d}{}</mrow><mrow>{d}<mi>t</mi></mrow></mfrac>", proved_integral_symbol(at))
 }
 
-/// Returns the table rows on the determinant of a printed system: its formula, the derived formula
-/// if different, and its zeros.
+/// Returns the table rows about the determinant of a printed system: its formula, the derived formula if it differs,
+/// and its zeros.
 fn determinant(
     arena: &Arena,
     printed: Expr,

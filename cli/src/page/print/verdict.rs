@@ -1,22 +1,22 @@
-//! Verdict on a published derivation in sentences, for the abstract of the page.
+//! Verdict on a published derivation as sentences for the abstract of the page.
 
 use crate::page::print::entry_name::entry_name;
 use tripos_derive::algebra::meaning::compare::Verdict;
 use tripos_derive::diff::{Consequences, Difference};
 
-/// Returns sentences as HTML, each with the id of the section that contains its evidence. They
-/// state the number of wrong entries, the root mistakes, and the effect on the motion.
+/// Returns sentences as HTML, each with the id of the section that contains its evidence. The sentences give the number
+/// of wrong entries, the root mistakes, and the effect on the motion.
 pub fn abstract_of_verdict(difference: &Difference) -> Vec<(&'static str, String)> {
     let counted = std::iter::once(("errata", verdict_on_wrong_entries(difference)));
     let mistakes = verdict_on_root_mistakes(difference).map(|said| ("mistakes", said));
     counted.chain(mistakes).chain(verdict_on_printed_systems(difference).map(|said| ("effects", said))).collect()
 }
 
-/// Returns a sentence on the number of root mistakes, and on the mistake that causes most wrong
-/// entries. `None` without a mistake, or if the only mistake causes no other wrong entry.
+/// Returns a sentence about the number of root mistakes, and about the mistake that causes the most wrong entries.
+/// `None` if there is no mistake, or if the only mistake causes no other wrong entry.
 fn verdict_on_root_mistakes(difference: &Difference) -> Option<String> {
     let Difference { roots, findings, .. } = difference;
-    // If several mistakes cause equally many entries, the first is named.
+    // If several mistakes cause the same largest number of entries, the first is named.
     let largest = roots.iter().rev().max_by_key(|root| root.entries()).filter(|root| root.entries() > 1);
     let named = largest.map(|root| (entry_name(&findings[root.finding].id), root.entries()));
     match (roots.len(), named) {
@@ -27,7 +27,7 @@ fn verdict_on_root_mistakes(difference: &Difference) -> Option<String> {
     }
 }
 
-/// Returns a sentence on the numbers of wrong and undecided entries.
+/// Returns a sentence about the numbers of wrong and undecided entries.
 fn verdict_on_wrong_entries(difference: &Difference) -> String {
     let all = difference.findings.len();
     let (wrong, open) = (difference.count("different"), difference.count("undecided"));
@@ -41,8 +41,7 @@ fn verdict_on_wrong_entries(difference: &Difference) -> String {
     format!("{wrong}{open}.")
 }
 
-/// Returns a sentence on the accelerations and the energy by the printed systems; `None` if no
-/// system is printed.
+/// Returns a sentence about the accelerations and the energy by the printed systems. `None` if no system is printed.
 fn verdict_on_printed_systems(difference: &Difference) -> Option<String> {
     let list = &difference.consequences;
     let of = |is: &dyn Fn(&Consequences) -> bool| list.iter().filter(|system| is(system)).count();

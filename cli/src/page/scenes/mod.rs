@@ -1,4 +1,4 @@
-//! Sections of the page on scenes: runs, outcomes, reduced equations, singular places, advice.
+//! Sections of the page about scenes: runs, outcomes, reduced equations, singular places, and recommended runs.
 
 pub(super) mod advice;
 pub(super) mod motion_section;

@@ -8,7 +8,7 @@ use crate::page::scenes::scene::scene_anchor;
 use crate::phrases::counted_noun;
 use std::fmt::Write;
 
-/// Returns the HTML section on the motion, with the moving figure or the reason why there is none.
+/// Returns the HTML section about the motion, with the moving figure or the reason why there is none.
 pub fn section(page: &Page, moving: &MotionFigure) -> String {
     let mut out = String::from("<section id=\"motion\">\n<h2>The motion</h2>\n");
     match &moving.viewer {
@@ -28,8 +28,8 @@ pub fn section(page: &Page, moving: &MotionFigure) -> String {
     out + &other_scenes_commands(page, moving) + "</section>\n"
 }
 
-/// Returns the HTML of commands that show the motions of scenes without a moving figure. Empty if
-/// there are no such scenes.
+/// Returns the HTML of commands that show the motions of scenes without a moving figure. Empty if there are no such
+/// scenes.
 fn other_scenes_commands(page: &Page, moving: &MotionFigure) -> String {
     let shown = moving.viewer.is_ok().then_some(moving.scene);
     let list: Vec<&SceneSection> =

@@ -1,9 +1,8 @@
-//! Outcome of a scene in one or two sentences: how the derived runs ended, and how the printed
-//! equations fared.
+//! Outcome of a scene in one or two sentences: the end of the runs by derived equations, and the result of the printed
+//! equations.
 //!
-//! Invariant: every sentence is made of the values of runs. Only right equations are called loose.
-//! Printed equations are called wrong if they do not give the derived accelerations, even if their
-//! run reaches its end.
+//! Invariant: every sentence is made from the values of runs. Only right equations are called loose. Printed equations
+//! are called wrong if they do not give the derived accelerations, even if their run reaches its end.
 
 use crate::page::content::{RunRow, SceneSection, Standing};
 use crate::page::markup::html::{escape, list_names, number, rounded_number_html, words_html};
@@ -12,10 +11,10 @@ use crate::phrases::counted_noun;
 use std::fmt::Write;
 use tripos_derive::plain_text::with_significant_digits;
 
-/// Largest number of printed runs that a sentence names. Further runs are counted.
+/// Largest number of printed runs that a sentence names. Of further runs, only the number is given.
 const NAMED: usize = 4;
 
-/// Grade of a derived run, in the order of severity, the worst last.
+/// Grade of a run by derived equations, in the order of severity. The worst is last.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum RunOutcome {
     /// Arrived: the run reached its end with enough digits.
@@ -43,12 +42,12 @@ fn derived_runs(scene: &SceneSection) -> Vec<&RunRow> {
     scene.runs.iter().filter(|run| run.printed.is_none()).collect()
 }
 
-/// Returns the worst grade among the derived runs; `None` if there is no such run.
+/// Returns the worst grade among the runs by derived equations; `None` if there is no such run.
 pub fn worst_outcome(scene: &SceneSection) -> Option<RunOutcome> {
     derived_runs(scene).into_iter().map(outcome_of_run).max()
 }
 
-/// Returns the HTML sentence on the outcome of the derived runs.
+/// Returns the HTML sentence about the outcome of the runs by derived equations.
 pub fn derived_outcome(scene: &SceneSection) -> String {
     let runs = derived_runs(scene);
     let Some(worst) = worst_outcome(scene) else { return "No derived equations ran.".to_owned() };
@@ -70,8 +69,8 @@ pub fn derived_outcome(scene: &SceneSection) -> String {
     }
 }
 
-/// Returns words on why a run is loose: the time from which it has few digits, and its error.
-/// Otherwise its first warning.
+/// Returns the reason, in words, why a run is loose: the time from which on it has few digits, and its error. If these
+/// are not known, its first warning.
 fn loose_outcome_words(run: &RunRow) -> String {
     let Standing::Loose { how, error } = &run.standing else { return String::new() };
     let few =
@@ -90,7 +89,7 @@ fn loose_outcome_words(run: &RunRow) -> String {
     }
 }
 
-/// Returns words on the digits and the energy that runs keep to their ends.
+/// Returns words for the digits and the energy that runs keep up to their ends.
 fn kept_accuracy_words(runs: &[&RunRow]) -> String {
     let digits = runs.iter().filter_map(|run| run.digits).reduce(f64::min);
     let drift = runs.iter().filter_map(|run| run.energy_drift).reduce(f64::max);
@@ -104,8 +103,7 @@ fn kept_accuracy_words(runs: &[&RunRow]) -> String {
     }
 }
 
-/// Returns the HTML sentence on the outcome of the printed equations; `None` if no printed
-/// equations ran.
+/// Returns the HTML sentence about the outcome of the printed equations; `None` if no printed equations were run.
 pub fn printed_outcome(scene: &SceneSection) -> Option<String> {
     let runs: Vec<&RunRow> = scene.runs.iter().filter(|run| run.printed.is_some()).collect();
     if runs.is_empty() {
@@ -133,8 +131,8 @@ pub fn printed_outcome(scene: &SceneSection) -> Option<String> {
     Some(out + "." + &worst_drift_outcome(&runs))
 }
 
-/// Returns the HTML sentence on the wrong printed run that reaches its end with the largest energy
-/// drift. Empty if there is none.
+/// Returns the HTML sentence about the wrong printed run with the largest energy drift that reaches its end. Empty if
+/// there is none.
 fn worst_drift_outcome(runs: &[&RunRow]) -> String {
     let wrong = runs.iter().filter(|run| run.arrived && run.standing == Standing::Wrong);
     let known = wrong.filter_map(|run| Some((run, run.energy_drift.filter(|drift| drift.is_finite())?)));

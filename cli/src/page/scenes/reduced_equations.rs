@@ -1,5 +1,4 @@
-//! Part of the page on a scene's reduced equations: the states that they keep, those that they
-//! omit, and proofs.
+//! Part of the page about a scene's reduced equations: the kept states, the omitted states, and proofs.
 
 use crate::page::content::{Page, ReducedEquationsContent, SceneSection};
 use crate::page::markup::formula_mathml::{
@@ -14,7 +13,7 @@ use tripos_derive::algebra::text::print::{mathml_of, print_text};
 use tripos_derive::algebra::{Arena, Expr, Node};
 use tripos_derive::reduce::{Omission, Piece, Prose, ReducedOutput, ReducedQuantity};
 
-/// Returns the HTML on a scene's reduced equations, or on the reason why there are none.
+/// Returns the HTML about a scene's reduced equations, or about the reason why there are none.
 pub fn section(page: &Page, scene: &SceneSection) -> String {
     let needs = match &scene.needs {
         Ok(needs) => needs,
@@ -39,8 +38,8 @@ pub fn section(page: &Page, scene: &SceneSection) -> String {
     out
 }
 
-/// Returns the HTML of a summary of the reduced equations: numbers of kept states, quadratures,
-/// constants and operations.
+/// Returns the HTML of a summary of the reduced equations: numbers of kept states, quadratures, constants, and
+/// operations.
 fn reduction_summary(page: &Page, needs: &ReducedEquationsContent) -> String {
     let reduction = &needs.reduced.reduction;
     let states = page.model.coordinates.len() + page.model.speeds.len();
@@ -137,7 +136,7 @@ fn outputs(needs: &ReducedEquationsContent) -> String {
     let line = |o: &ReducedOutput| {
         let name =
             typeset(&o.name).map_or_else(|| symbol_mathml(&o.name), |sides| sides.iter().map(mathml_of).collect());
-        // An output that is a kept quantity itself needs no line.
+        // An output that is itself a kept quantity needs no line.
         (name != formula(arena, o.value)).then(|| (MathmlSide::Whole(name), MathmlSide::of(arena, o.value)))
     };
     let list: Vec<_> = reduction.outputs.iter().filter_map(line).collect();

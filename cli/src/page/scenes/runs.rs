@@ -1,4 +1,4 @@
-//! Tables of a scene's runs, a row for each: results, and largest changes of first integrals.
+//! Tables of a scene's runs, with a row for each run: results, and largest changes of first integrals.
 
 use crate::page::content::{Page, RunRow, SceneSection, Standing};
 use crate::page::markup::formula_mathml::inline_mathml;
@@ -54,8 +54,7 @@ pub fn runs_table(page: &Page, scene: &SceneSection) -> String {
     scrolling_box(&format!("Runs of {}", scene.title), &table)
 }
 
-/// Returns words for the number of wrong systems among the printed equations that ran. Empty if
-/// none ran.
+/// Returns words for the number of wrong systems among the printed equations that were run. Empty if none were run.
 fn wrong_runs_words(scene: &SceneSection) -> String {
     let printed: Vec<&RunRow> = scene.runs.iter().filter(|run| run.printed.is_some()).collect();
     match (printed.iter().filter(|run| run.standing == Standing::Wrong).count(), printed.len()) {
@@ -117,8 +116,8 @@ fn violates_integral(page: &Page, run: &RunRow, integral: usize) -> bool {
     rate.is_some_and(|rate| matches!(rate.verdict, Verdict::Different(_)))
 }
 
-/// Returns the HTML rows of a run: its numbers, and if needed a row with remarks, the reason of an
-/// early end, and warnings. The reason is not repeated if the run `before` has the same.
+/// Returns the HTML rows of a run: its numbers and, if needed, a row with remarks, the reason of an early end, and
+/// warnings. The reason is not repeated if the run `before` has the same reason.
 fn run_rows(run: &RunRow, before: Option<&RunRow>) -> String {
     let is_like_before = before.is_some_and(|before| !before.arrived && before.stop == run.stop);
     let result = match run.arrived {

@@ -1,5 +1,4 @@
-//! Section of the page on one scene: outcome in sentences, runs, figures and given data. Long parts
-//! are folded.
+//! Section of the page about one scene: outcome in sentences, runs, figures and given data. Long parts are folded.
 
 use crate::page::content::{Figure, Page, SceneFact, SceneSection};
 use crate::page::markup::html::{address, escape, foldable_part, folded_html, words_html};
@@ -11,19 +10,19 @@ use crate::page::scenes::singular_matrices;
 use crate::plot::figure_text_in_symbols;
 use std::fmt::Write;
 
-/// Largest number of a scene's figures that are not folded.
+/// Largest number of figures of a scene that are not folded.
 const SEEN: usize = 2;
 
-/// Choice of what is visible of a scene's section before it is unfolded.
+/// Choice of the parts of a scene's section that are visible before it is unfolded.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum VisiblePart {
-    /// The runs and the first figures of the scene are visible too.
+    /// The outcome, the runs and the first figures of the scene are visible.
     Open,
-    /// Only the outcome of the scene is seen.
+    /// Only the outcome of the scene is visible.
     InASentence,
 }
 
-/// Returns the HTML id of a scene's section on the page. `scene` counts from 0, the id from 1.
+/// Returns the HTML id of a scene's section on the page. The index `scene` counts from 0, the number in the id from 1.
 pub fn scene_anchor(scene: usize) -> String {
     format!("scene-{}", scene + 1)
 }
@@ -48,7 +47,7 @@ pub fn section(page: &Page, scene: &SceneSection, at: usize, shown: VisiblePart,
     out + "</article>\n"
 }
 
-/// Returns the HTML of a scene's section except title and outcome, with long parts folded.
+/// Returns the HTML of a scene's section without title and outcome. Long parts are folded.
 fn scene_content(page: &Page, scene: &SceneSection, place: &str, figures: &mut usize) -> String {
     let id = |what: &str| format!("{place}-{what}");
     let mut out = String::new();
@@ -77,8 +76,7 @@ fn scene_content(page: &Page, scene: &SceneSection, place: &str, figures: &mut u
     out + &given_data_html(scene, &id("given"))
 }
 
-/// Returns the HTML of the given data of a scene: parameters, start, span, integration. Empty if
-/// there are none.
+/// Returns the HTML of the given data of a scene: parameters, start, span and integration. Empty if there are none.
 fn given_data_html(scene: &SceneSection, place: &str) -> String {
     if scene.facts.is_empty() {
         return String::new();
@@ -90,7 +88,7 @@ fn given_data_html(scene: &SceneSection, place: &str) -> String {
     foldable_part(place, "What is given", &format!("<dl>\n{facts}</dl>\n"))
 }
 
-/// Returns the HTML of a numbered figure with caption, links to data and remark. Increases `count`.
+/// Returns the HTML of a numbered figure with caption, links to data and remark. Increases the number `count`.
 fn figure_html(figure: &Figure, count: &mut usize) -> String {
     *count += 1;
     let link = |path: &String| format!("<a href=\"{}\"><code>{}</code></a>", address(path), escape(path));

@@ -1,8 +1,7 @@
-//! Statements of the page on singular matrices: what is proved of the determinants, and what
-//! happened along a scene's runs.
+//! Statements of the page about singular matrices: proofs about the determinants, and values along a scene's runs.
 //!
-//! Invariant: every sentence is computed. A proof holds in all configurations, a statement on a run
-//! only in those that it reached.
+//! Invariant: every sentence is computed. A proof holds in all configurations, but a statement about a run only in the
+//! configurations that the run reached.
 
 use crate::page::content::{Page, RunRow, SceneSection};
 use crate::page::markup::formula_mathml::{MathmlSide, breakable_mathml, formula, inline_mathml, length};
@@ -13,8 +12,7 @@ use std::fmt::Write;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::prove::{DeterminantAtZero, Singularity};
 
-/// Largest number of characters of a divisor, as plain text, in the head of a table. A longer
-/// divisor gets a name.
+/// Largest number of characters of a divisor, as plain text, in the head of a table. A longer divisor gets a name.
 const SHORT: usize = 40;
 
 /// Returns the HTML below the figure of determinants: the sentences that say where matrices of the
@@ -29,8 +27,8 @@ pub fn singularity_statements(page: &Page, scene: &SceneSection) -> String {
     format!("<ul>\n{items}</ul>\n{}", extremes_table(scene, &divisors))
 }
 
-/// Returns the MathML of the divisors of the kinematic equations. Divisors too long for the head of
-/// a table are replaced by names.
+/// Returns the MathML of the divisors of the kinematic equations. Divisors that are too long for the head of a table
+/// are replaced with names.
 fn divisors(page: &Page) -> Vec<String> {
     let (list, arena) = (&page.model.kinematic_equations.divisors, &page.model.arena);
     let typeset =
@@ -43,8 +41,7 @@ fn is_long(arena: &Arena, e: Expr) -> bool {
     length(arena, e).is_none_or(|length| length > SHORT)
 }
 
-/// Returns the MathML name of a long divisor, d with a number. `at` counts from 0, the number from
-/// 1.
+/// Returns the MathML name of a long divisor, d with a number. The index `at` counts from 0, the number from 1.
 fn singular_divisor_name(at: usize) -> String {
     format!("<msub><mi>d</mi><mn>{}</mn></msub>", at + 1)
 }
@@ -59,8 +56,8 @@ fn singular_divisor_definitions(page: &Page) -> Vec<String> {
     list.iter().enumerate().filter(|(_, e)| is_long(arena, **e)).map(definition).collect()
 }
 
-/// Returns the sets of equations whose determinant is known as a formula: the name as HTML, and the
-/// proved statements.
+/// Returns the sets of equations whose determinant is known as a formula: their names as HTML, and the proved
+/// statements about the determinant.
 fn determinants<'a>(page: &'a Page<'_>) -> Vec<(String, &'a Singularity)> {
     let derived = page.study.singular.iter().map(|(f, s)| (escape(f.title()), s));
     let printed = page.study.published.iter().flat_map(|published| {
@@ -70,7 +67,7 @@ fn determinants<'a>(page: &'a Page<'_>) -> Vec<(String, &'a Singularity)> {
     derived.chain(printed).collect()
 }
 
-/// Returns the HTML of statements on determinants that hold in every configuration.
+/// Returns the HTML of statements about determinants that hold in every configuration.
 fn singular_matrix_proofs(page: &Page, divisors: &[String]) -> Vec<String> {
     let list = determinants(page);
     let named = |of: &dyn Fn(&Singularity) -> bool| {
@@ -114,8 +111,8 @@ fn singular_matrix_proofs(page: &Page, divisors: &[String]) -> Vec<String> {
     items
 }
 
-/// Returns HTML sentences on the smallest reciprocal condition number among derived runs and among
-/// printed runs.
+/// Returns HTML sentences about the smallest reciprocal condition number among runs by derived equations, and among
+/// runs by printed equations.
 fn condition_number_sentences(scene: &SceneSection) -> Vec<String> {
     let worst = |printed: bool| {
         let runs = scene.runs.iter().filter(|run| run.printed.is_some() == printed);
@@ -140,8 +137,8 @@ fn condition_number_sentences(scene: &SceneSection) -> Vec<String> {
     [sentence("the derived", worst(false)), sentence("printed", worst(true))].into_iter().flatten().collect()
 }
 
-/// Returns the HTML sentence on the smallest absolute value of a divisor in the derived runs.
-/// `None` if no run has recorded it.
+/// Returns the HTML sentence about the smallest absolute value of a divisor in the runs by derived equations. `None` if
+/// no run has recorded it.
 fn divisor_along_runs(scene: &SceneSection, at: usize, divisor: &str) -> Option<String> {
     let runs = scene.runs.iter().filter(|run| run.printed.is_none());
     let list = runs.filter_map(|run| Some((run, (*run.nearest.divisors.get(at)?)?)));
@@ -176,7 +173,7 @@ fn extremes_table(scene: &SceneSection, divisors: &[String]) -> String {
     }
     let columns: Vec<&str> = columns.iter().map(String::as_str).collect();
     let mut rows = String::new();
-    // Runs that do not show every state were not watched.
+    // Divisors and determinants were not recorded in runs that do not show every state.
     for run in scene.runs.iter().filter(|run| !run.nearest.divisors.is_empty() || run.nearest.determinant.is_some()) {
         let nearest = &run.nearest;
         let pair = |pair: Option<(f64, f64)>| match pair {

@@ -1,15 +1,15 @@
-//! Standing (trustworthiness) of a run on the page: words, remarks and colours for right, loose,
-//! stopped, wrong and undecided runs.
+//! Standing (trustworthiness) of a run on the page: words, remarks and colours for right, loose, stopped, wrong and
+//! undecided runs.
 //!
-//! Wrong and loose runs have different words and colours everywhere. Wrong means that the equations
-//! are wrong, however the run ends. A loose run has right equations.
+//! Wrong and loose runs have different words and colours everywhere. A run is wrong if its equations are wrong, however
+//! it ends. A loose run has right equations.
 
 use crate::page::content::{RunRow, Standing};
 use crate::page::markup::html::escape;
 use tripos_derive::plain_text::with_significant_digits;
 
 impl Standing {
-    /// Returns a short word for the standing; `None` for right equations whose run is good.
+    /// Returns a short word for the standing; `None` for a good run with right equations.
     pub fn standing_word(&self) -> Option<&'static str> {
         match self {
             Self::Right => None,
@@ -20,11 +20,11 @@ impl Standing {
         }
     }
 
-    /// Returns the remark below the row of a run; `None` if it needs none. `t_end` is the time at
-    /// the end of the run, s.
+    /// Returns the remark below the row of a run; `None` if no remark is needed. `t_end` is the time at the end of the
+    /// run, s.
     pub fn standing_remark(&self, t_end: f64) -> Option<String> {
         match self {
-            // Wrong equations are named once, above the printed equations.
+            // Wrong equations are mentioned once, above the printed equations.
             Self::Right | Self::Stopped | Self::Wrong => None,
             Self::Loose { how, error: Ok(error) } => Some(format!(
                 "right equations, loosely integrated: {how} leaves an error of {} at t = {t_end} s, the largest \
@@ -41,8 +41,7 @@ impl Standing {
     }
 }
 
-/// Returns the HTML attribute with the classes of a run's table row. `more` is a further class, or
-/// empty.
+/// Returns the HTML attribute with the classes of a run's table row. `more` is an additional class; it may be empty.
 pub fn standing_row_class(run: &RunRow, more: &str) -> String {
     let printed = run.printed.as_ref().map(|_| "printed");
     let standing = run.standing.standing_word();
