@@ -1,4 +1,4 @@
-//! Arrays of NumPy as arguments, and as values.
+//! NumPy arrays as arguments of functions and as returned values.
 
 use crate::failure::RequestError;
 use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
@@ -9,18 +9,19 @@ use pyo3::sync::PyOnceLock;
 use pyo3::types::PyDict;
 use tripos::state_arrays::{Rows, StateRows, ValueShape};
 
-/// Coordinates, generalized speeds and, for some functions, accelerations: one state of the shape (n,), or N states of
-/// the shape (N, n).
+/// Arrays of coordinates, generalized speeds and, for some functions, accelerations. They have the shape (n,) for one
+/// state, or (N, n) for N states.
 pub struct StateArrays<'py> {
     q: StateArray<'py>,
     u: StateArray<'py>,
     u_dot: Option<StateArray<'py>>,
-    /// Number of states; `None` for one state without a row of its own.
+    /// Number of states; `None` for a single state in arrays of the shape (n,).
     pub states: Option<usize>,
 }
 
 impl<'py> StateArrays<'py> {
-    /// Reads the arrays of states with so many coordinates and motion variables.
+    /// Reads the arrays of states with these numbers of coordinates and motion variables. Error if the arrays have
+    /// different numbers of states.
     pub fn new(
         (coordinates, variables): (usize, usize),
         q: &Bound<'py, PyAny>,
@@ -32,7 +33,7 @@ impl<'py> StateArrays<'py> {
         let u_dot = u_dot.map(|given| StateArray::new("u_dot", given, variables)).transpose()?;
         let arrays = [Some(&q), Some(&u), u_dot.as_ref()];
         let counts = || arrays.iter().flatten().filter_map(|array| array.states);
-        // A single row counts for all states, as everywhere in NumPy.
+        // As in NumPy, an array with a single row is used for all states.
         let states = counts().find(|count| *count != 1).or_else(|| counts().next());
         if counts().any(|count| count != 1 && Some(count) != states) {
             let counts: Vec<String> = counts().map(|count| count.to_string()).collect();
@@ -41,7 +42,8 @@ impl<'py> StateArrays<'py> {
         Ok(Self { q, u, u_dot, states })
     }
 
-    /// Rows of all states.
+    /// Returns the rows of all arrays, with one row of each array for each state. An array with a single row serves all
+    /// states.
     pub fn rows(&self) -> PyResult<StateRows<'_>> {
         let count = self.states.unwrap_or(1);
         let v_dot = self.u_dot.as_ref().map_or(Ok(Rows::shared(&[])), |array| array.rows(count))?;
@@ -49,17 +51,17 @@ impl<'py> StateArrays<'py> {
     }
 }
 
-/// One argument of a function.
+/// Array given as one argument of a function, with a row for each state.
 struct StateArray<'py> {
-    /// The numbers, row by row.
+    /// Numbers of the array, row by row.
     array: PyReadonlyArrayDyn<'py, f64>,
-    /// Number of states; `None` for one state without a row of its own.
+    /// Number of states; `None` for a single state in an array of the shape (n,).
     states: Option<usize>,
 }
 
 impl<'py> StateArray<'py> {
-    /// Reads an argument of this name, whose states have `width` numbers. An array of doubles, row by row, is read in
-    /// place; anything else is converted as NumPy converts it.
+    /// Reads the argument with this name. Each state must have `width` numbers. An array of `f64` numbers, row by row,
+    /// is used without a copy; anything else is converted by NumPy.
     fn new(name: &str, given: &Bound<'py, PyAny>, width: usize) -> PyResult<Self> {
         let in_place = given.extract::<PyReadonlyArrayDyn<'py, f64>>().ok().filter(|array| array.is_c_contiguous());
         let array = match in_place {
@@ -80,7 +82,8 @@ impl<'py> StateArray<'py> {
         Ok(Self { array, states })
     }
 
-    /// Rows of the argument for a function of `count` states.
+    /// Returns the rows of the argument for `count` states. If the argument has another number of rows, its single row
+    /// serves all states.
     fn rows(&self, count: usize) -> PyResult<Rows<'_>> {
         let values = self.array.as_slice()?;
         let width = self.array.shape().last().copied().unwrap_or(0);
@@ -88,7 +91,7 @@ impl<'py> StateArray<'py> {
     }
 }
 
-/// Array of doubles, row by row, from any array or list of real numbers.
+/// Converts any array or list of real numbers to an array of `f64` numbers, row by row. Error for other values.
 fn converted<'py>(name: &str, given: &Bound<'py, PyAny>) -> PyResult<PyReadonlyArrayDyn<'py, f64>> {
     static CONVERT: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
     let py = given.py();
@@ -98,7 +101,8 @@ fn converted<'py>(name: &str, given: &Bound<'py, PyAny>) -> PyResult<PyReadonlyA
     how.set_item(intern!(py, "order"), intern!(py, "C"))?;
     let array = convert.call1((given,)).and_then(|array| {
         let kind: String = array.getattr(intern!(py, "dtype"))?.getattr(intern!(py, "kind"))?.extract()?;
-        // Truth values, integers, floats and objects such as fractions; times and complex numbers are none of them.
+        // Accepted kinds are truth values, integers, floats, and objects such as fractions, but not times and complex
+        // numbers.
         if !["b", "i", "u", "f", "O"].contains(&kind.as_str()) {
             let dtype = array.getattr(intern!(py, "dtype"))?;
             return Err(PyTypeError::new_err(format!("its numbers are of the type {dtype}")));
@@ -113,7 +117,8 @@ fn converted<'py>(name: &str, given: &Bound<'py, PyAny>) -> PyResult<PyReadonlyA
     array.extract()
 }
 
-/// Array with the values at one state (`states` is `None`) or at each state, which `fill` writes.
+/// Creates an array of values, which `fill` writes. It has the values of one state if `states` is `None`, else a row
+/// for each state.
 pub fn filled_array(
     py: Python<'_>,
     states: Option<usize>,

@@ -8,7 +8,7 @@ use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 use tripos_cli::{CommandOutput, interrupt_command, run_command};
 
-/// Time between two looks at the signals of Python.
+/// Time between two checks for signals of Python.
 const BETWEEN_SIGNALS: Duration = Duration::from_millis(50);
 
 /// Runs a command with these words. Returns its exit status and the texts that the program prints to standard output
@@ -16,11 +16,12 @@ const BETWEEN_SIGNALS: Duration = Duration::from_millis(50);
 #[pyfunction]
 pub fn command(py: Python<'_>, words: Vec<OsString>) -> PyResult<(u8, String, String)> {
     let (sender, receiver) = channel();
-    // A receiver is shared with the closure that waits without the lock of the interpreter.
+    // A mutex shares the receiver with the closure that waits without the lock of the interpreter.
     let receiver = Mutex::new(receiver);
-    // The command has a thread of its own, with the stack of a main thread; this thread listens for signals.
+    // The command runs on its own thread, with a stack as large as that of a main thread. This thread checks for
+    // signals.
     let work = std::thread::Builder::new().stack_size(8 << 20).spawn(move || {
-        // The receiver lives until the thread has ended.
+        // The receiver exists until the thread has ended, so that sending cannot fail.
         let _ = sender.send(run_command(words));
     })?;
     let mut interruption = None;

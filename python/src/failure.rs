@@ -11,7 +11,7 @@ create_exception!(tripos, InputError, TriposError, "Errors of a file; `places` l
 create_exception!(tripos, RequestError, TriposError, "A request that is not possible; `help` says what to do instead.");
 create_exception!(tripos, StoppedError, TriposError, "A run or a state without a result, with the reason.");
 
-/// Exception of an error, with the attributes `places` and `help`.
+/// Creates the exception of an error, with the attributes `places` and `help`.
 pub fn raised(py: Python<'_>, error: &Error) -> PyErr {
     let text = error.to_string();
     let exception = match error {
@@ -28,7 +28,7 @@ pub fn raised(py: Python<'_>, error: &Error) -> PyErr {
     set().err().unwrap_or(exception)
 }
 
-/// Places of an error: dictionaries of file, line, column, message and help.
+/// Places of an error in files, as Python dictionaries of file, line, column, message and help.
 fn places<'py>(py: Python<'py>, error: &Error) -> PyResult<Vec<Bound<'py, PyDict>>> {
     let mut list = Vec::new();
     for file in error.files() {

@@ -1,6 +1,7 @@
-//! The extension module of the Python package `tripos`: models and scenes of the library `tripos`, with arrays.
+//! Extension module of the Python package `tripos`: models and scenes of the library `tripos`, with NumPy arrays.
 //!
-//! Nothing of mechanics is here. The Python side ([`python/tripos`]) gives these classes their shapes and words.
+//! The module contains no mechanics. The Python code in `python/tripos` defines the public classes and their
+//! documentation.
 
 mod arrays;
 mod command;

@@ -1,4 +1,4 @@
-//! Class of models.
+//! Python class of models.
 
 use crate::arrays::{StateArrays, filled_array};
 use crate::failure::{RequestError, raised};
@@ -25,9 +25,9 @@ use tripos_traits::DoubleDouble;
 #[pyclass(frozen, subclass, module = "tripos._tripos")]
 pub struct Model {
     pub mechanism: Mechanism,
-    /// Equations that were derived so far, by their names.
+    /// Equations that were derived so far; the key is the name of the equations.
     codes: Mutex<BTreeMap<String, Code>>,
-    /// Default of each parameter; `None` if the file gives none.
+    /// Default value of each parameter; `None` if the file gives none.
     defaults: Vec<Option<f64>>,
     /// Base parameters and their regressor; empty until they are first used.
     identified: OnceLock<(Identification, StateRegressor)>,
@@ -40,7 +40,8 @@ impl Model {
         Self { mechanism, codes: Mutex::default(), defaults, identified: OnceLock::new() }
     }
 
-    /// Values of the parameters in the order of the model: those that are given, else the defaults of the file.
+    /// Values of the parameters in the order of the model: the given value, or else the default of the file. Error for
+    /// an unknown name, a value that is no number, or a parameter without a value.
     fn parameter_values(&self, given: &Bound<'_, PyDict>) -> PyResult<Vec<f64>> {
         let parameters = &self.mechanism.model.parameters;
         let mut values: Vec<Option<f64>> = self.defaults.clone();
@@ -64,14 +65,15 @@ impl Model {
         values.iter().enumerate().map(|(at, value)| value.ok_or_else(|| missing(at))).collect()
     }
 
-    /// Base parameters and their regressor, found at the first call.
+    /// Returns the base parameters and their regressor, which are computed at the first call.
     fn identification(&self, py: Python<'_>) -> PyResult<&(Identification, StateRegressor)> {
         if let Some(known) = self.identified.get() {
             return Ok(known);
         }
         let found = py.detach(|| {
             let mut found = identify(&self.mechanism, RegressorParameters::Bodies)?;
-            // Arrays may hold any pose and any parameters, where groups of closed poses do not hold.
+            // Arrays may contain any pose and any parameters, but groups that were found from closed poses are not
+            // valid for all of them.
             found.ungroup();
             let regressor = StateRegressor::new(&self.mechanism, &found)?;
             Ok((found, regressor))
@@ -80,7 +82,7 @@ impl Model {
         Ok(self.identified.get_or_init(|| found))
     }
 
-    /// Equations of a name, derived at the first call.
+    /// Returns the equations with this name, which are derived at the first call.
     fn code(&self, py: Python<'_>, name: &str) -> PyResult<Code> {
         let known = |codes: &Mutex<BTreeMap<String, Code>>| {
             codes.lock().unwrap_or_else(PoisonError::into_inner).get(name).cloned()
@@ -176,7 +178,7 @@ impl Model {
         let arrays = StateArrays::new((lengths.coordinates, lengths.variables), q, u, u_dot)?;
         let rows = arrays.rows()?;
         filled_array(py, arrays.states, shape, |out| {
-            // Work that is longer than two changes of the interpreter's lock is done without it.
+            // The lock of the interpreter is kept only for work that is shorter than two changes of the lock.
             if rows.count < STATES_WITHOUT_LOCK {
                 evaluate_states(function, &code, &p, rows, out);
             } else {
@@ -221,10 +223,10 @@ impl Model {
     }
 }
 
-/// Smallest number of states for which the lock of the interpreter is given to other threads.
+/// Smallest number of states for which other threads get the lock of the interpreter during the evaluation.
 const STATES_WITHOUT_LOCK: usize = 16;
 
-/// Exception for a function that the equations do not have.
+/// Creates the exception for a function that the equations do not have.
 fn absent(name: &str, code: &Code) -> PyErr {
     let names: Vec<&str> =
         StateFunction::ALL.into_iter().filter(|f| f.shape(code).is_some()).map(StateFunction::name).collect();

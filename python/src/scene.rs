@@ -1,4 +1,4 @@
-//! Classes of scenes and of their runs.
+//! Python classes of scenes and of their runs.
 
 use crate::failure::{RequestError, raised};
 use crate::model::Model;
@@ -24,24 +24,24 @@ pub struct Scene {
     scene: Mutex<tripos::Scene>,
 }
 
-/// Time between two looks at the signals of Python, ms: a look takes the lock of the interpreter.
+/// Time between two checks for signals of Python, ms. It limits how often a run takes the lock of the interpreter.
 const BETWEEN_SIGNALS: u64 = 20;
 
-/// Instant of the last look at the signals, in milliseconds after the first.
+/// Time of the last check for signals, in milliseconds after the first check.
 static LOOKED: AtomicU64 = AtomicU64::new(0);
-/// True if a signal came during the run.
+/// True if a signal has come during the run.
 static IS_INTERRUPTED: AtomicBool = AtomicBool::new(false);
-/// Exception of the signal that came during the run. Nobody waits for anything while holding it, since a fork of the
-/// process at this moment would never see it released.
+/// Exception of the signal that came during the run. No thread may wait while it holds this mutex, since a process
+/// forked at this moment would never see the mutex released.
 static RAISED: Mutex<Option<PyErr>> = Mutex::new(None);
 
-/// Calls `look` with the lock of the interpreter if it is time for a look at Python, and remembers an exception that it
-/// raises. True if there is an exception, which [`raise_signal`] raises after the run.
+/// Calls `look` with the lock of the interpreter if the time for the next check has come, and stores an exception that
+/// it raises. Returns true if there is an exception, which [`raise_signal`] raises after the run.
 fn is_interrupted_after(look: impl Fn(Python<'_>) -> PyResult<()>) -> bool {
     static BEGIN: OnceLock<Instant> = OnceLock::new();
     let now = u64::try_from(BEGIN.get_or_init(Instant::now).elapsed().as_millis()).unwrap_or(u64::MAX);
     let looked = LOOKED.load(Ordering::Relaxed);
-    // One of several threads looks.
+    // If several threads run, only one of them checks.
     let is_time = now >= looked + BETWEEN_SIGNALS
         && LOOKED.compare_exchange(looked, now, Ordering::Relaxed, Ordering::Relaxed).is_ok();
     if is_time
@@ -54,7 +54,7 @@ fn is_interrupted_after(look: impl Fn(Python<'_>) -> PyResult<()>) -> bool {
     IS_INTERRUPTED.load(Ordering::Acquire)
 }
 
-/// True if the user interrupted Python; [`raise_signal`] raises the exception after the run.
+/// True if the user has interrupted Python. [`raise_signal`] raises the exception after the run.
 #[expect(clippy::redundant_closure_for_method_calls, reason = "the method is of one lifetime alone")]
 fn is_interrupted() -> bool {
     is_interrupted_after(|py| py.check_signals())
@@ -82,7 +82,7 @@ fn observer(report: Option<Py<PyAny>>) -> Observer {
     Observer::new(Poll::new(poll), is_interrupted)
 }
 
-/// Setting of a name, or the exception that its text deserves.
+/// Parses the text of a setting; `None` without a text. Error with a Python exception if the text is invalid.
 fn setting<T: std::str::FromStr>(text: Option<&str>) -> PyResult<Option<T>>
 where
     T::Err: ToString,
@@ -90,7 +90,7 @@ where
     text.map(str::parse).transpose().map_err(|error: T::Err| RequestError::new_err(error.to_string()))
 }
 
-/// Settings of a run from keyword arguments.
+/// Reads the settings of a run from keyword arguments.
 fn overrides(settings: Option<&Bound<'_, PyDict>>) -> PyResult<Overrides> {
     let mut how = Overrides::default();
     for (name, value) in settings.into_iter().flatten() {
@@ -124,7 +124,7 @@ impl Scene {
         Self { scene: Mutex::new(scene.with_compiled_equations(MODELS).with_observer(observer(None))) }
     }
 
-    /// Copy of the scene, for work without the lock of the interpreter.
+    /// Copy of the scene for work without the lock of the interpreter.
     fn copied(&self) -> tripos::Scene {
         self.scene.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
@@ -473,7 +473,7 @@ impl SampledRun {
     }
 }
 
-/// Energy of this name at the end of a run, J; `None` for another name, or if the run has no energies there.
+/// Energy with this name at the end of a run, J. `None` for another name, or if the run has no energies at its end.
 fn energy_at_end(run: &tripos::Run, name: &str) -> Option<f64> {
     let (kinetic, potential) = run.energies.last().filter(|_| run.solution.t.last() == Some(&run.solution.t_end))?;
     match name {
@@ -484,7 +484,7 @@ fn energy_at_end(run: &tripos::Run, name: &str) -> Option<f64> {
     }
 }
 
-/// Rows of equal lengths as an array.
+/// Converts rows of equal lengths to a NumPy array. `width` is the number of columns if there are no rows.
 fn rows_as_array<'py>(py: Python<'py>, rows: &[Vec<f64>], width: usize) -> PyResult<Bound<'py, PyArray2<f64>>> {
     if rows.is_empty() {
         return Ok(PyArray2::zeros(py, [0, width], false));
@@ -492,7 +492,7 @@ fn rows_as_array<'py>(py: Python<'py>, rows: &[Vec<f64>], width: usize) -> PyRes
     Ok(PyArray2::from_vec2(py, rows)?)
 }
 
-/// Values by names.
+/// Creates a Python dictionary of values by name.
 fn values_by_name<'py>(py: Python<'py>, names: &[String], values: &[f64]) -> PyResult<Bound<'py, PyDict>> {
     let table = PyDict::new(py);
     for (name, value) in names.iter().zip(values) {
