@@ -122,7 +122,7 @@ fn state_of(model: &Mechanism, moving: &MotionSample) -> Vec<(String, f64)> {
     q.chain(u).chain(rates).map(|(name, x)| (name, x.hi())).collect()
 }
 
-/// Returns the result as JSON, with all instants.
+/// Returns the required forces and inputs at all instants as JSON.
 fn json_of(model: &Mechanism, inverse: &InverseDynamics, list: &[(MotionSample, RequiredForces)]) -> Value {
     let one = |(moving, forces): &(MotionSample, RequiredForces)| {
         let (names, values): (Vec<String>, Vec<f64>) = state_of(model, moving).into_iter().unzip();

@@ -21,7 +21,7 @@ use tripos_derive::scene::{Scene, load_scene_with_inputs, load_state};
 enum SketchFormat {
     /// Picture in a format such as SVG, PNG or PDF.
     Figure(picture::PictureFormat),
-    /// LaTeX with TikZ.
+    /// LaTeX text that draws the picture with the package TikZ.
     Latex,
 }
 

@@ -13,9 +13,9 @@ pub enum FeedbackLevel {
     /// Names the entry and the kind of its mistake.
     #[default]
     Hint,
-    /// Also names the place within the entry, such as "the right-hand side".
+    /// Names the entry, the kind of its mistake, and the place within the entry, such as "the right-hand side".
     Place,
-    /// Also shows the wrong term and the right term of the mistake.
+    /// Names the entry and shows the wrong term with the right term of the mistake.
     Term,
 }
 

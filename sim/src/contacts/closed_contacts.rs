@@ -115,8 +115,9 @@ impl ClosedContacts {
     /// Computes the impulses Λ along all rows of the contacts. `c` are the velocities of the rows without these
     /// impulses. Along each gap Λ ≥ 0 and G Λ + c ≥ 0, and one of the two is 0.
     ///
-    /// Along the slips of contacts that push, G Λ + c = 0; with friction, Coulomb's law holds for the slip velocity G Λ
-    /// + c. If `c` are accelerations instead of velocities, Λ are the forces of contacts that do not slip yet.
+    /// Along the slips of contacts that push, G Λ + c = 0. If a contact has friction, its slip velocity G Λ + c obeys
+    /// Coulomb's law instead. If `c` are accelerations instead of velocities, Λ are the forces of contacts that do not
+    /// slip yet.
     ///
     /// # Errors
     /// [`UndecidedContacts`] if there are no such Λ, or several that give different motions.
@@ -259,7 +260,7 @@ mod tests {
         }
     }
 
-    /// Truth: a mass m at −v leaves with e v; the impulse is (1 + e) m v, by either law.
+    /// Truth: a mass m that arrives at the velocity −v leaves with e v. The impulse is (1 + e) m v, by either law.
     #[test]
     fn one_contact_gives_back_e_times_what_closed_it_by_either_law() {
         let one = closed(&[1.0 / 3.0], &[&[0]]);

@@ -27,15 +27,15 @@ pub struct Corner {
 pub const SLOPE_DIRECTIONS: usize = 4;
 
 impl Corner {
-    /// Creates a corner at time `at`, s, at which the right-hand side jumps. The time depends on no
-    /// variable.
+    /// Creates a corner at time `at`, s, at which the right-hand side jumps. The time is constant: it
+    /// does not depend on the variables by which the state carries derivatives.
     #[must_use]
     pub const fn jump(at: f64) -> Self {
         Self { at, jumps: true, moves: [0.0; SLOPE_DIRECTIONS] }
     }
 
     /// Creates a corner at time `at`, s, at which the right-hand side is continuous and has a kink. The
-    /// time depends on no variable.
+    /// time is constant: it does not depend on the variables by which the state carries derivatives.
     #[must_use]
     pub const fn kink(at: f64) -> Self {
         Self { at, jumps: false, moves: [0.0; SLOPE_DIRECTIONS] }

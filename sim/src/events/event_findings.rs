@@ -7,7 +7,7 @@ use super::samples::Sign;
 /// Zero of an event function that a search found in a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Finding {
-    /// Fraction of the step at which the zero lies.
+    /// Fraction of the step at which the event function is zero.
     pub(crate) theta: f64,
     /// Kind of the zero, such as a rising crossing or a touch.
     pub(crate) kind: Kind,

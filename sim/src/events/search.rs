@@ -18,8 +18,8 @@ const DELTA: f64 = 1.0 / 67_108_864.0;
 /// Number of equal intervals between the samples of an event function in a step.
 const INTERVALS: u32 = 8;
 
-/// Searches a step for the zeros of an event function, and returns them. Updates `memory` to the end of
-/// the step. Without `ranges` the function is sampled.
+/// Searches a step for the zeros of an event function, and returns them. Updates `memory` to the end of the step. If
+/// `ranges` is `None`, the function is sampled.
 pub(crate) fn search(probe: &mut Probe<'_>, memory: &mut EventMemory, ranges: Option<Ranges<'_, '_>>) -> Findings {
     match ranges {
         Some(mut ranges) => search_by_ranges(probe, memory, &mut ranges),

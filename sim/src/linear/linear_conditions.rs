@@ -168,7 +168,7 @@ mod tests {
         x
     }
 
-    /// True if all entries differ by less than `most`.
+    /// True if two vectors have the same length and differ by less than `most` in every entry.
     fn near(a: &[f64], b: &[f64], most: f64) -> bool {
         a.len() == b.len() && a.iter().zip(b).all(|(a, b)| (a - b).abs() < most)
     }

@@ -56,7 +56,7 @@ const LONG_NAMES: &str = "\\emergencystretch=3em\n\\let\\underscore\\_\n\
 /// LaTeX text that begins a list of names with their meanings.
 const LIST: &str = "\\begin{description}\n\\setlength{\\itemsep}{0pt}\\setlength{\\parsep}{0pt}\n";
 
-/// Returns the LaTeX section on the bodies with mass and inertia.
+/// Returns the LaTeX section about the bodies with mass and inertia.
 fn latex_bodies(list: &[BodyEntry]) -> String {
     let mut out = format!("\n\\section{{Bodies}}\n{LIST}");
     for BodyEntry { name, about } in list {
@@ -66,7 +66,7 @@ fn latex_bodies(list: &[BodyEntry]) -> String {
     out + "\\end{description}\n"
 }
 
-/// Returns the LaTeX section on the symbols with their meanings and units.
+/// Returns the LaTeX section about the symbols with their meanings and units.
 fn latex_symbols(list: &[Meaning]) -> String {
     let mut out = format!("\n\\section{{Symbols}}\n{LIST}");
     for Meaning { symbol, about, unit } in list {

@@ -28,7 +28,7 @@ pub fn typst(document: &Document) -> String {
     out + &document.blocks.iter().map(typst_block).collect::<String>()
 }
 
-/// Returns the Typst section on the symbols with their meanings and units.
+/// Returns the Typst section about the symbols with their meanings and units.
 fn typst_symbols(list: &[Meaning]) -> String {
     let mut out = "\n== Symbols\n\n".to_owned();
     for Meaning { symbol, about, unit } in list {
@@ -39,7 +39,7 @@ fn typst_symbols(list: &[Meaning]) -> String {
     out
 }
 
-/// Returns the Typst section on the bodies with mass and inertia.
+/// Returns the Typst section about the bodies with mass and inertia.
 fn typst_bodies(list: &[BodyEntry]) -> String {
     let mut out = "\n== Bodies\n\n".to_owned();
     for BodyEntry { name, about } in list {

@@ -57,7 +57,7 @@ impl TriedContact<'_> {
         self.friction.is_some_and(|mu| mu > 0.0)
     }
 
-    /// Lists all modes that the contact could have, each with and without a force along the gap where both
+    /// Lists all modes that the contact could have, each with and without a force along the gap if both
     /// are possible.
     fn choices(&self) -> Vec<ModeChoice> {
         let pushes = |mode| ModeChoice { mode, pushes: true };
