@@ -295,8 +295,8 @@ mod tests {
         }
     }
 
-    /// Truth: the first step leads across a zero. No step before it warns of the zero, so that the divisor's values at
-    /// its own ends must.
+    /// Truth: the first step leads across a zero of the divisor. No earlier step can warn of it, so that the zero must
+    /// be found from the divisor's values at the ends of the first step.
     #[test]
     fn a_first_step_that_leads_across_ends_the_run_inside_it() {
         let rhs = |_t: f64, y: &[f64], out: &mut [f64]| {

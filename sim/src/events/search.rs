@@ -186,8 +186,8 @@ fn set_signs_before_search(
     }
 }
 
-/// Sets the signs of the first samples to zero if the run began at a zero and rounding cannot separate the times of the
-/// samples from the start.
+/// Sets the signs of the first samples to zero if the run began at a zero. This concerns samples whose times cannot be
+/// distinguished from the start because of rounding.
 fn set_start_signs_before_search(probe: &Probe<'_>, nodes: &mut [Node], memory: &mut EventMemory) {
     let Some(zero_at) = memory.zero_at else { return };
     let (end, instant) = (probe.step.times().1, probe.rounding_of_time());

@@ -145,9 +145,9 @@ impl<S: Real> Taylor<S> {
         (before * power).max(last * (power * h))
     }
 
-    /// Norm of the jump of the state's derivative at the end of a step of `h` s, between the Taylor polynomial of the
-    /// step and that of the next step. The jump is expressed as the error of the state that a term of the next order
-    /// would make.
+    /// Norm of the jump of the state's derivative at the end of a step of `h` s. The jump is the difference between the
+    /// Taylor polynomial of the step and that of the next step. It is expressed as the error of the state that a term
+    /// of the next order would make.
     ///
     /// The jump reveals an error if the last terms happen to vanish. For x'' = −x³ at x = 0, only every fourth term is
     /// not zero.

@@ -47,9 +47,9 @@ use crate::error::SimError;
 pub struct MotionByQuadrature<'a> {
     /// Equations of motion with the energy of the start.
     energy: Energy<'a>,
-    /// State (q, v) at the start, n + 1 entries.
+    /// State (q, v) at the start: n coordinates and the speed.
     start: Vec<f64>,
-    /// Rates q′ at the start, n entries.
+    /// Rates q′ of the n coordinates at the start.
     rates: Vec<f64>,
     /// Coordinates of the turning points below and above the start; `None` if no turning point is known.
     turns: [Option<f64>; 2],

@@ -78,8 +78,8 @@ pub fn find_change_pair(
     None
 }
 
-/// All changes of one place with their values, sorted by the value at the first state, followed by the values of the
-/// printed and of the right formula. Returns `None` if no numerical states are found.
+/// All changes of one place with their values, sorted by the value at the first state. The second and third result are
+/// the values of the printed formula and of the right formula. Returns `None` if no numerical states are found.
 fn single_changes(
     tools: &mut RepairTools<'_, '_>,
     formula: &mut PrintedFormula,

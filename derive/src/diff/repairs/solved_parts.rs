@@ -273,8 +273,8 @@ fn solved_part_is_constant(arena: &Arena, parameters: &[Expr], e: Expr) -> bool 
     arena.reachable(&[e]).into_iter().all(|part| arena.symbol_name(part).is_none() || parameters.contains(&part))
 }
 
-/// True if a term is a plain term, a sum of at most three plain terms, or a product with at most one such sum as a
-/// factor.
+/// True if a term is a plain term, or a sum of at most three plain terms. Also true for a product with at most one such
+/// sum as a factor.
 fn is_short_solved_sum(arena: &Arena, parameters: &[Expr], e: Expr) -> bool {
     match arena.node(e) {
         Node::Sum(constant, terms) => {

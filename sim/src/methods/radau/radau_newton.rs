@@ -261,7 +261,8 @@ impl<S: Real> Newton<S> {
     /// Changes W by a Newton iteration, and returns the size of the change: the root of the mean square of the changes
     /// divided by the weights.
     ///
-    /// (h⁻¹ Λ ⊗ I − I ⊗ J) ΔW = (T⁻¹ ⊗ I) F − (h⁻¹ Λ ⊗ I) W
+    /// The change ΔW solves (h⁻¹ Λ ⊗ I − I ⊗ J) ΔW = (T⁻¹ ⊗ I) F − (h⁻¹ Λ ⊗ I) W. F are the derivatives f at the three
+    /// stages, and Λ = T⁻¹ A⁻¹ T.
     fn newton_correction(&mut self, scheme: &Scheme<S>, h: S, w: &mut [S], f: &[S]) -> f64 {
         let n = self.n;
         let real = scheme.real / h;
