@@ -118,3 +118,59 @@ fn what_goes_round_is_chosen() {
         assert!(["u_A", "u_B"].contains(&speed.name.as_str()), "{}", speed.name);
     }
 }
+
+/// A four-bar linkage of spatial bars whose joints lie at several heights; `HEIGHT` is that of the closing ball.
+const STACKED: &str = r#"
+name = "stacked"
+[parameters]
+a = { unit = "m", value = 0.2, positive = true }
+b = { unit = "m", value = 0.5, positive = true }
+c = { unit = "m", value = 0.4, positive = true }
+d = { unit = "m", value = 0.6, positive = true }
+h1 = { unit = "m", value = 0.1 }
+h2 = { unit = "m", value = 0.2 }
+h3 = { unit = "m", value = HEIGHT }
+m = { unit = "kg", value = 1, positive = true }
+I = { unit = "kg*m^2", value = 0.01, positive = true }
+[inertial]
+frame = "N"
+origin = "O"
+[bodies]
+crank = { mass = "m", inertia = "I" }
+coupler = { mass = "m", inertia = "I" }
+rocker = { mass = "m", inertia = "I" }
+[joints]
+J1 = { kind = "pin", body = "crank", centre = ["a/2", 0, 0] }
+J2 = { kind = "pin", body = "coupler", to = "crank", at = ["a", 0, "h1"], centre = ["b/2", 0, 0] }
+J3 = { kind = "pin", body = "rocker", at = ["d", 0, 0], centre = ["c/2", 0, 0] }
+J4 = { kind = "ball", body = "rocker", to = "coupler", at = ["b", 0, "h2"], body_at = ["c", 0, "h3"] }
+"#;
+
+/// Goal: an equation of a closing joint without coordinates is a condition on parameters, not a constraint. Method: the
+/// ball of a planar loop; heights that agree, in the model and in the scene, and heights that do not.
+#[test]
+fn a_planar_loop_closed_by_a_ball_needs_heights_that_agree() {
+    let mut model = load(&STACKED.replace("HEIGHT", "0.3"));
+    assert_eq!((model.loops.len(), model.speeds.len(), model.conditions.len()), (2, 1, 1));
+    assert!(model.repeated.iter().any(|repeated| repeated.name == "J4_3"), "{:?}", model.repeated);
+    let flat = load(
+        &STACKED
+            .replace("0.1 }\nh2", "0 }\nh2")
+            .replace("h2 = { unit = \"m\", value = 0.2 }", "h2 = { unit = \"m\", value = 0 }")
+            .replace("HEIGHT", "0"),
+    );
+    assert_eq!((flat.loops.len(), flat.conditions.len()), (2, 1));
+    let mut scene = |parameters: &str| {
+        let speed = model.speeds[0].name.clone();
+        let text = format!(
+            "model = \"model.toml\"\nspan = [0, 1]\n[parameters]\n{parameters}\n[start]\nq_J1 = 1\n{speed} = 0\n[guess]\nq_J2 = -0.5\nq_J3 = 1.5\n"
+        );
+        tripos_derive::scene::load(&Source::from_text("scene.toml", &text), &mut model)
+    };
+    assert!(scene("").is_ok() && scene("h1 = 0.15\nh2 = 0.15").is_ok());
+    let error = scene("h1 = 0.15").unwrap_err().to_string();
+    assert!(error.contains("at the values of this scene `J4_3` is open by 0.05"), "{error}");
+
+    let error = read(&STACKED.replace("HEIGHT", "0.25")).err().unwrap().to_string();
+    assert!(error.contains("the joint cannot close its loop: `J4_3` is open by 0.05"), "{error}");
+}

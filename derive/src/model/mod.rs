@@ -38,6 +38,7 @@ pub use velocities::NamedVelocity;
 
 use crate::algebra::{Arena, Expr, Rational};
 use crate::diagnostic::Source;
+use constraints::configuration_constraints::{CLOSED, constant_gap};
 use rustc_hash::FxHashMap;
 use std::ops::Range;
 use units::unit_of;
@@ -301,6 +302,9 @@ pub struct Model {
     /// Redundant loop equations: their rates follow from those of [`Self::loops`] in all poses in which the loops are
     /// closed. They restrict no further velocity.
     pub closed: Vec<LoopEquation>,
+    /// Equations of closing joints without coordinates, as (name, left side): conditions on parameters
+    /// under which the loops can be closed. The default values satisfy them.
+    pub conditions: Vec<(String, Expr)>,
     /// Constraints that follow from other constraints in all poses in which the loops are closed.
     pub dependent: Vec<RedundantConstraint>,
     /// Speeds of joints that the constraints determine from [`Self::speeds`].
@@ -328,6 +332,17 @@ pub struct Model {
 }
 
 impl Model {
+    /// Condition on parameters that given values of the parameters violate, as (name, gap of the loop in
+    /// SI units). `None` if the values satisfy all conditions.
+    pub(crate) fn violated_condition(&self, parameters: &[f64]) -> Option<(&str, f64)> {
+        let known: Vec<(Expr, f64)> = self.p().into_iter().zip(parameters.iter().copied()).collect();
+        self.conditions.iter().find_map(|(name, equation)| {
+            let (gap, size) = constant_gap(&self.arena, *equation, &known)?;
+            let is_open = gap.is_nan() || gap.abs() > CLOSED * size;
+            is_open.then_some((name.as_str(), gap))
+        })
+    }
+
     /// Named expressions of `[expressions]` that contain no symbols other than `symbols`, as (name, term).
     pub(crate) fn expressions_in(&self, symbols: &[Expr]) -> Vec<(String, Expr)> {
         let is_known = |e: &Expr| self.arena.symbol_name(*e).is_none() || symbols.contains(e);

@@ -12,6 +12,7 @@ use super::constraints::configuration_constraints::{
 };
 use super::constraints::motion_constraints::{ConstraintParts, MotionConstraints};
 use super::constraints::openings::joint_opening_motions;
+use super::impossible_bodies::default_parameter_values;
 use super::input::InputBinding;
 use super::reading::declared_names::{NameKind, Names};
 use super::reading::loading::Loading;
@@ -210,14 +211,23 @@ impl<'a> Loading<'a> {
         let before_constraints = self.reader.errors.len();
         let Connections { velocities, values, configuration, motion, slips, holding, is_known } =
             self.connections(table, &mut elements, &coordinates, &joints);
-        let SolvedConfiguration { constraints, replacements, kept, repeated: said, prescribing, opened, undefined } =
-            solve_configuration_constraints(
-                &mut self.reader,
-                &mut self.arena,
-                &mut coordinates,
-                &elements.potentials,
-                configuration,
-            );
+        let SolvedConfiguration {
+            constraints,
+            replacements,
+            kept,
+            constant,
+            repeated: said,
+            prescribing,
+            opened,
+            undefined,
+        } = solve_configuration_constraints(
+            &mut self.reader,
+            &mut self.arena,
+            &mut coordinates,
+            &elements.potentials,
+            configuration,
+            &default_parameter_values(&parameters),
+        );
         self.report_undefined(undefined);
         motion_errors += self.reader.errors.len() - before_constraints;
         let mut domain = self.domain(table);
@@ -259,6 +269,9 @@ impl<'a> Loading<'a> {
         let expressions = self.named_expressions_with(&mut fixed);
         let MotionConstraints { motion, loops, repeated, closed, dependent, branch, .. } =
             ties.filter(|_| self.reader.errors.is_empty())?;
+        let without_coordinates = constant.iter().map(|one| one.name.clone());
+        let said: Vec<String> = said.into_iter().chain(without_coordinates).collect();
+        let conditions = constant.into_iter().map(|StatedConstraint { name, equation, .. }| (name, equation)).collect();
         let mut model = Model {
             title: title?,
             reference,
@@ -291,6 +304,7 @@ impl<'a> Loading<'a> {
             openings,
             loops,
             closed,
+            conditions,
             dependent,
             branch,
             domain,

@@ -11,8 +11,9 @@
 use crate::algebra::solve::linear::LinearForm;
 use crate::algebra::term::calculus::{Differential, Substitution};
 use crate::algebra::value::zero_test::{ZeroTest, zero_test};
-use crate::algebra::{Arena, Expr};
+use crate::algebra::{Arena, Expr, Node};
 use crate::model::bodies::elements::Elements;
+use crate::model::impossible_bodies::values_of_terms_at;
 use crate::model::reading::declared_names::{MOTION, NameKind, TIME};
 use crate::model::reading::loading::Loading;
 use crate::model::{Constraint, Coordinate, Potential};
@@ -102,6 +103,9 @@ pub struct SolvedConfiguration {
     pub replacements: Vec<(Expr, Expr)>,
     /// Constraints that could not be solved for a coordinate: loops and prescribed coordinates.
     pub kept: Vec<StatedConstraint>,
+    /// Equations of closing joints without coordinates, which parameters fulfil at their default
+    /// values.
+    pub constant: Vec<StatedConstraint>,
     /// Names of redundant equations that were left out without an error.
     pub repeated: Vec<String>,
     /// Names of unsolved constraints of the model file that contain a single coordinate other than
@@ -135,8 +139,10 @@ pub fn solve_configuration_constraints(
     coordinates: &mut Vec<Coordinate>,
     potentials: &[Potential],
     stated: Vec<StatedConstraint>,
+    defaults: &[(Expr, f64)],
 ) -> SolvedConfiguration {
     let (mut solved, mut kept, mut repeated) = (Vec::<Constraint>::new(), Vec::new(), Vec::new());
+    let mut constant = Vec::new();
     let mut undefined = None;
     let mut replacements: Vec<(Expr, Expr)> = Vec::new();
     let (mut prescribing, every) = (Vec::new(), configuration_symbols(coordinates));
@@ -159,6 +165,19 @@ pub fn solve_configuration_constraints(
                 (format!("the constraint `{name}` is always fulfilled"), help)
             };
             reader.error(constraint.span, message, help);
+            continue;
+        }
+        if !mentions(equation) && constraint.may_repeat && !depends {
+            let name = &constraint.name;
+            match constant_gap(arena, equation, defaults) {
+                Some((gap, size)) if gap.abs() > CLOSED * size => {
+                    let message =
+                        format!("the joint cannot close its loop: `{name}` is open by {:.6} in every pose", gap.abs());
+                    let help = "correct the positions of the loop's joints";
+                    reader.error(constraint.span, message, help);
+                }
+                _ => constant.push(StatedConstraint { equation, ..constraint }),
+            }
             continue;
         }
         if !mentions(equation) {
@@ -211,7 +230,24 @@ pub fn solve_configuration_constraints(
             enforced_by: constraint.enforced_by,
         });
     }
-    SolvedConfiguration { constraints: solved, replacements, kept, repeated, prescribing, opened, undefined }
+    SolvedConfiguration { constraints: solved, replacements, kept, constant, repeated, prescribing, opened, undefined }
+}
+
+/// Relative gap up to which an equation without coordinates counts as fulfilled.
+pub const CLOSED: f64 = 1e-9;
+
+/// Value of an equation without coordinates at given values of the parameters, and the sum of the sizes
+/// of its terms. `None` if the value of a parameter is not given.
+pub fn constant_gap(arena: &Arena, equation: Expr, known: &[(Expr, f64)]) -> Option<(f64, f64)> {
+    let Node::Sum(constant, terms) = arena.node(equation) else {
+        let value = values_of_terms_at(arena, known, &[equation])?[0];
+        return Some((value, value.abs()));
+    };
+    let factors: Vec<Expr> = terms.iter().map(|(term, _)| *term).collect();
+    let values = values_of_terms_at(arena, known, &factors)?;
+    let scaled = values.iter().zip(terms).map(|(value, (_, factor))| value * factor.to_f64());
+    let all: Vec<f64> = scaled.chain([constant.to_f64()]).collect();
+    Some((all.iter().sum(), all.iter().map(|value| value.abs()).sum()))
 }
 
 /// Symbols of the coordinates, time excepted.

@@ -60,6 +60,12 @@ impl<'a> ValueReader<'a, '_> {
         parameters: &[Number],
         place: Range<usize>,
     ) -> Option<Vec<SolvedVariable>> {
+        if let Some((name, gap)) = self.model.violated_condition(&double_values(parameters)) {
+            let message = format!("at the values of this scene `{name}` is open by {:.6} in every pose", gap.abs());
+            let help = "give the positions of the loop's joints values with which the loop can be closed";
+            self.reader.error(place, message, help);
+            return None;
+        }
         let free: Vec<usize> = (0..q.len()).filter(|at| q[*at].is_none()).collect();
         // If no coordinate is free, the held variables are checked later, when all values are known.
         let held = if free.is_empty() { &[] } else { held };
