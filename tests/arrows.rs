@@ -101,6 +101,14 @@ fn the_library_knows_neither_generated_code_nor_the_command() {
     }
 }
 
+/// A robot description becomes the text of a model file; what the text means is the concern of others.
+#[test]
+fn robot_descriptions_know_only_diagnostics() {
+    let others =
+        ["tripos_codegen", "tripos_sim", "tripos_models", "tripos::", "tripos_derive::model", "tripos_derive::algebra"];
+    knows_nothing_of("robots/src", &others);
+}
+
 #[test]
 fn codegen_knows_only_derive() {
     knows_nothing_of("codegen/src", &["tripos_sim", "tripos_models", "tripos::"]);

@@ -206,6 +206,15 @@ pub enum Command {
         /// the library
         #[arg(long, value_name = "MODEL")]
         like: Option<PathBuf>,
+        /// Read this robot description as a beginning: a URDF or an MJCF file
+        #[arg(long, value_name = "FILE", conflicts_with = "like")]
+        from: Option<PathBuf>,
+        /// Let the root of a URDF file move freely; by default it is fixed to the ground
+        #[arg(long, requires = "from")]
+        floating: bool,
+        /// Keep the digits of all angles; by default 1.5708 is read as pi/2, which makes the equations shorter
+        #[arg(long, requires = "from")]
+        as_written: bool,
     },
     /// Print the JSON Schema of a format of files, for editors
     Schema {

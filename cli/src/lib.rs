@@ -147,7 +147,10 @@ fn print_json_of_wrong_arguments(error: &clap::Error, words: &[OsString]) {
 /// Runs a subcommand and returns its exit status. `Err` is the failure of the subcommand.
 fn run(command: Command) -> Result<u8, Failure> {
     match command {
-        Command::New { folder, like } => commands::new::new(&folder, like.as_deref()),
+        Command::New { folder, like, from, floating, as_written } => {
+            let options = tripos_robots::Options { is_floating: floating, is_as_written: as_written };
+            commands::new::new(&folder, &commands::new::Beginning { like, from, options })
+        }
         Command::Completions { shell } => commands::manual::completions(shell),
         Command::Man { out } => commands::manual::man(out.as_deref()),
         Command::Schema { format } => commands::schema::schema(&format),

@@ -8,11 +8,12 @@ use library::Library;
 use std::path::Path;
 
 /// Library crates, each with the folder of its sources.
-const CRATES: [(&str, &str); 6] = [
+const CRATES: [(&str, &str); 7] = [
     ("tripos-derive", "derive/src"),
     ("tripos-codegen", "codegen/src"),
     ("tripos-sim", "sim/src"),
     ("tripos-traits", "sim/traits/src"),
+    ("tripos-robots", "robots/src"),
     ("tripos", "run/src"),
     ("tripos-cli", "cli/src"),
 ];

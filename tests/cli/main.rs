@@ -35,6 +35,7 @@ mod pictures;
 mod plots;
 mod random_scenes;
 mod regenerate;
+mod robots;
 mod scene;
 mod shelf;
 mod sketch;

@@ -19,14 +19,27 @@ struct Folder {
     model: String,
     /// Scenes, each with its file name and its text.
     scenes: Vec<(PathBuf, String)>,
+    /// Remarks for the user, one line each.
+    remarks: Vec<String>,
 }
 
-/// Runs `tripos new`: writes a model and its scenes into a new folder, and prints commands to run next. `like` names a
-/// model to copy. Returns the exit status.
+/// Beginning of a new model: a commented example, a model to copy, or a robot description.
+pub struct Beginning {
+    /// Model to copy.
+    pub like: Option<PathBuf>,
+    /// Robot description to read, in URDF or MJCF.
+    pub from: Option<PathBuf>,
+    /// Options of reading the robot description.
+    pub options: tripos_robots::Options,
+}
+
+/// Runs `tripos new`: writes a model and its scenes into a new folder, and prints the next
+/// commands. Returns the exit status.
 ///
 /// # Errors
-/// [`Failure`] if the folder is not empty, if the model to copy cannot be read, or if a file cannot be written.
-pub fn new(folder: &Path, like: Option<&Path>) -> Result<u8, Failure> {
+/// [`Failure`] if the folder is not empty, the model to copy or the robot description cannot be
+/// read, or a file cannot be written.
+pub fn new(folder: &Path, beginning: &Beginning) -> Result<u8, Failure> {
     let is_free = match std::fs::read_dir(folder) {
         Ok(mut entries) => entries.next().is_none(),
         Err(error) => error.kind() == std::io::ErrorKind::NotFound,
@@ -37,11 +50,13 @@ pub fn new(folder: &Path, like: Option<&Path>) -> Result<u8, Failure> {
             format!("the new folder `{}` cannot be made: something with this name exists", path_as_plain_text(folder));
         return Err(Failure::request(what, "give the name of a folder that does not exist, or is empty".to_owned()));
     };
-    let made = match like {
-        Some(like) => read_model_to_copy(like)?,
-        None => Folder {
+    let made = match beginning {
+        Beginning { like: Some(like), .. } => read_model_to_copy(like)?,
+        Beginning { from: Some(from), options, .. } => read_robot(from, *options)?,
+        Beginning { .. } => Folder {
             model: MODEL.replace("TITLE", &title.replace(['\\', '"'], "_")),
             scenes: vec![("first.toml".into(), SCENE.to_owned())],
+            remarks: Vec::new(),
         },
     };
     let model = folder.join("model.toml");
@@ -52,6 +67,9 @@ pub fn new(folder: &Path, like: Option<&Path>) -> Result<u8, Failure> {
         std::fs::create_dir_all(parent).map_err(|error| Failure::Output(path_as_plain_text(parent), error))?;
         draft_file::write(&path, text)?;
         print(&format!("new      {}\n", path_as_plain_text(&path)))?;
+    }
+    for remark in &made.remarks {
+        print(&format!("{remark}\n"))?;
     }
     let model = path_as_plain_text(&model);
     print(&format!("\nnext:\n  tripos check {model}\n  tripos prove {model}\n"))?;
@@ -94,5 +112,16 @@ fn read_model_to_copy(like: &Path) -> Result<Folder, Failure> {
         let text = Source::read(&path).map_err(tripos::Error::from)?.text;
         scenes.push((name.into(), text));
     }
-    Ok(Folder { model, scenes })
+    Ok(Folder { model, scenes, remarks: Vec::new() })
+}
+
+/// Reads a robot description as a model with one scene.
+///
+/// # Errors
+/// [`Failure`] with all mistakes of the description.
+fn read_robot(path: &Path, options: tripos_robots::Options) -> Result<Folder, Failure> {
+    let source = Source::read(path).map_err(tripos::Error::from)?;
+    let import = tripos_robots::import(&source, options).map_err(tripos::Error::from)?;
+    let remarks = import.omissions.iter().map(|omission| format!("left out {omission}"));
+    Ok(Folder { remarks: remarks.collect(), model: import.model, scenes: vec![("first.toml".into(), import.scene)] })
 }

@@ -1,0 +1,77 @@
+//! Robot descriptions in URDF and MJCF, read into model files of Tripos.
+//!
+//! [`import`] reads a description, checks it, joins bodies that are fixed to one another, and writes a model file:
+//! the text that a person would write, with joints, inertias, limits, loops, couplings, drives and shapes. Parts of
+//! the description without a meaning in a model of rigid bodies are listed.
+
+#![cfg_attr(doctest, doc = include_str!("../README.md"))]
+
+mod fixed_bodies;
+mod inertia;
+mod mjcf;
+mod model_text;
+mod names;
+mod numbers;
+mod pose;
+mod robot;
+mod scene_text;
+mod urdf;
+mod xml;
+
+pub use robot::Omission;
+use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source};
+
+/// A model file made from a robot description.
+#[derive(Clone, Debug)]
+pub struct Import {
+    /// Text of the model file.
+    pub model: String,
+    /// Text of a scene that starts at rest in the reference configuration.
+    pub scene: String,
+    /// Parts of the description that were left out or simplified.
+    pub omissions: Vec<Omission>,
+}
+
+/// Options of reading a robot description.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Options {
+    /// True if the root of a URDF file moves freely; false if it is fixed to the ground.
+    pub is_floating: bool,
+    /// True if angles keep the digits of the file; false if 1.5708 is read as π/2, which makes equations shorter.
+    pub is_as_written: bool,
+}
+
+/// Reads a robot description in URDF or MJCF, and writes it as a model file.
+///
+/// # Errors
+/// All mistakes of the description, each with its place in the file.
+pub fn import(source: &Source, options: Options) -> Result<Import, Diagnostics> {
+    let document = xml::parse(source)?;
+    let root = document.root_element();
+    let reading = xml::Reading::new(options);
+    let read = match root.tag_name().name() {
+        "robot" => urdf::read(root, options, &reading),
+        "mujoco" => mjcf::read(root, &reading),
+        other => {
+            let message = format!("the root element is `{other}`: neither `robot` (URDF) nor `mujoco` (MJCF)");
+            let advice = "give a URDF or an MJCF file";
+            return Err(Diagnostics::new(source.clone(), vec![Diagnostic::new(xml::place(root), message, advice)]));
+        }
+    };
+    let mut robot = reading.into_result(source, read)?;
+    fixed_bodies::join(&mut robot);
+    if robot.bodies.is_empty() {
+        let error = Diagnostic::of_file(
+            "no body of this robot moves",
+            "give a robot with a moving joint; `--floating` lets the root of a URDF file move freely",
+        );
+        return Err(Diagnostics::new(source.clone(), vec![error]));
+    }
+    let format = if root.has_tag_name("robot") { "URDF" } else { "MJCF" };
+    let text = model_text::model_text(&mut robot, format, &source.path);
+    Ok(Import {
+        scene: scene_text::scene_text(&robot, &text.coordinates),
+        model: text.model,
+        omissions: robot.omissions,
+    })
+}

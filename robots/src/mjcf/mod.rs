@@ -1,0 +1,467 @@
+//! MJCF files of MuJoCo: bodies with their joints, geoms that give mass, loops and couplings under `<equality>`, and
+//! actuators of joints.
+//!
+//! Conventions (MuJoCo XML reference): angles are in degrees unless the compiler says otherwise; the poses of the
+//! file are those of the reference configuration, in which each joint coordinate has the value `ref`; an anchor of
+//! `<connect>` is in the axes of the first body, one of `<weld>` in those of the second.
+
+mod actuators;
+mod element;
+mod equalities;
+mod geoms;
+
+use crate::pose::Pose;
+use crate::robot::{Body, Inertia, Joint, JointIndex, JointMotion, Robot};
+use crate::xml::{Reading, elements, fixed_numbers, place, vector};
+use element::{Angles, Defaults, Element, read_orientation, read_pose};
+use nalgebra::{Matrix3, Vector3};
+use roxmltree::Node;
+use std::collections::BTreeMap;
+
+/// Acceleration of free fall of a file that states none, m/s².
+const GRAVITY: f64 = 9.81;
+
+/// Part of the file that gives a body its mass.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum InertiaSource {
+    /// `<inertial>` if the body has it, else its geoms.
+    Auto,
+    /// Geoms if the body has any, else `<inertial>`.
+    Geoms,
+    /// `<inertial>` alone.
+    Inertial,
+}
+
+/// Settings of `<compiler>`.
+struct Compiler {
+    /// Unit and sequence of angles.
+    angles: Angles,
+    /// True if a range alone limits a joint.
+    has_automatic_limits: bool,
+    /// Part of the file that gives a body its mass.
+    inertia_source: InertiaSource,
+    /// Smallest and largest group of geoms that give mass.
+    mass_groups: [f64; 2],
+    /// Smallest mass of a body, kg.
+    least_mass: f64,
+    /// Smallest moment of inertia, kg m².
+    least_moment: f64,
+    /// True if moments that no body has are replaced by their mean.
+    balances_moments: bool,
+    /// Mass of the whole robot, kg, to which all masses are scaled.
+    total_mass: Option<f64>,
+}
+
+/// A site or a body: index of the body (`None` for the ground), and the pose in its axes.
+#[derive(Clone)]
+struct NamedFrame {
+    /// Index of the body; `None` for the ground.
+    body: Option<usize>,
+    /// Pose in the axes of the body.
+    pose: Pose,
+}
+
+/// Reader of a file: the robot so far, and what elements refer to by name.
+struct Reader<'a, 'm> {
+    /// Reading so far.
+    reading: &'m Reading,
+    /// Settings of `<compiler>`.
+    compiler: Compiler,
+    /// Default classes.
+    defaults: Defaults<'a>,
+    /// Robot so far.
+    robot: Robot,
+    /// Poses of the bodies on the ground in the reference configuration.
+    reference_poses: Vec<Pose>,
+    /// Bodies by name.
+    bodies: BTreeMap<&'a str, usize>,
+    /// Sites by name.
+    sites: BTreeMap<&'a str, NamedFrame>,
+    /// Joints by name.
+    joints: BTreeMap<&'a str, JointIndex>,
+}
+
+/// Surroundings of an element: its body, the pose of its frame, and the default class of the elements in it.
+#[derive(Clone)]
+struct Surroundings<'a> {
+    /// Index of the body; `None` for the ground.
+    body: Option<usize>,
+    /// Pose of the frame in the axes of the body.
+    pose: Pose,
+    /// Default class.
+    class: Option<&'a str>,
+}
+
+/// Reads an MJCF file.
+pub fn read(root: Node<'_, '_>, reading: &Reading) -> Robot {
+    let mut reader = Reader {
+        reading,
+        compiler: read_compiler(root, reading),
+        defaults: Defaults::default(),
+        robot: Robot::new(root.attribute("model").unwrap_or("robot"), GRAVITY),
+        reference_poses: Vec::new(),
+        bodies: BTreeMap::new(),
+        sites: BTreeMap::new(),
+        joints: BTreeMap::new(),
+    };
+    for include in root.descendants().filter(|node| node.has_tag_name("include")) {
+        let advice = "put the text of that file here; MuJoCo's `mj_saveLastXML` writes a whole file";
+        reading.add(place(include), "the file includes another one", advice);
+    }
+    for node in elements(root).filter(|node| node.has_tag_name("default")) {
+        reader.defaults.read(node);
+    }
+    reader.read_options(root);
+    for node in elements(root).filter(|node| node.has_tag_name("worldbody")) {
+        reader.read_content(node, &Surroundings { body: None, pose: Pose::default(), class: None });
+    }
+    reader.scale_masses();
+    for node in elements(root) {
+        match node.tag_name().name() {
+            "equality" => reader.read_equalities(node),
+            "actuator" => reader.read_actuators(node),
+            "compiler" | "default" | "option" | "worldbody" | "asset" | "visual" | "statistic" | "size" | "include" => {
+            }
+            other => {
+                for part in elements(node) {
+                    let text = format!("{} `{}`", other, part.tag_name().name());
+                    reader.reading.omit(text);
+                }
+            }
+        }
+    }
+    reader.robot
+}
+
+/// Reads the settings of all `<compiler>` elements; the last value of a setting counts.
+fn read_compiler(root: Node<'_, '_>, reading: &Reading) -> Compiler {
+    let mut compiler = Compiler {
+        angles: Angles { unit: 1.0_f64.to_radians(), sequence: "xyz".to_owned() },
+        has_automatic_limits: true,
+        inertia_source: InertiaSource::Auto,
+        mass_groups: [0.0, 5.0],
+        least_mass: 0.0,
+        least_moment: 0.0,
+        balances_moments: false,
+        total_mass: None,
+    };
+    for node in elements(root).filter(|node| node.has_tag_name("compiler")) {
+        match node.attribute("angle") {
+            Some("radian") => compiler.angles.unit = 1.0,
+            Some("degree") => compiler.angles.unit = 1.0_f64.to_radians(),
+            _ => {}
+        }
+        if let Some(sequence) = node.attribute("eulerseq") {
+            if sequence.chars().count() == 3 && sequence.chars().all(|axis| "xyzXYZ".contains(axis)) {
+                sequence.clone_into(&mut compiler.angles.sequence);
+            } else {
+                let message = format!("`eulerseq` is `{sequence}`");
+                reading.add(place(node), message, "give three letters of x, y, z, X, Y and Z");
+            }
+        }
+        match node.attribute("inertiafromgeom") {
+            Some("true") => compiler.inertia_source = InertiaSource::Geoms,
+            Some("false") => compiler.inertia_source = InertiaSource::Inertial,
+            _ => {}
+        }
+        if let Some(range) = fixed_numbers::<2>(node, "inertiagrouprange", reading) {
+            compiler.mass_groups = range;
+        }
+        let number = |name: &str| fixed_numbers::<1>(node, name, reading).map(|[number]| number);
+        compiler.has_automatic_limits &= node.attribute("autolimits") != Some("false");
+        compiler.balances_moments |= node.attribute("balanceinertia") == Some("true");
+        compiler.least_mass = number("boundmass").unwrap_or(compiler.least_mass);
+        compiler.least_moment = number("boundinertia").unwrap_or(compiler.least_moment);
+        compiler.total_mass = number("settotalmass").filter(|mass| *mass > 0.0).or(compiler.total_mass);
+        if node.attribute("coordinate") == Some("global") {
+            reading.add(place(node), "poses in axes of the ground are no longer part of MJCF", "give local poses");
+        }
+    }
+    compiler
+}
+
+impl<'a> Reader<'a, '_> {
+    /// Reads `<option>`: the acceleration of free fall.
+    fn read_options(&mut self, root: Node<'a, '_>) {
+        for node in elements(root).filter(|node| node.has_tag_name("option")) {
+            if let Some(gravity) = vector(node, "gravity", self.reading) {
+                self.robot.gravity = gravity;
+            }
+            let flags = elements(node).filter(|flag| flag.has_tag_name("flag"));
+            if flags.into_iter().any(|flag| flag.attribute("gravity") == Some("disable")) {
+                self.robot.gravity = Vector3::zeros();
+            }
+            for name in ["density", "viscosity", "wind"] {
+                if node.attribute(name).is_some_and(|text| text.contains(|c| ('1'..='9').contains(&c))) {
+                    self.reading.omit(format!("{name} of the medium"));
+                }
+            }
+        }
+    }
+
+    /// Reads the elements in a body, in a frame, or on the ground. Returns the geoms of the body.
+    fn read_content(&mut self, node: Node<'a, '_>, around: &Surroundings<'a>) -> Vec<geoms::Geom> {
+        let mut found = Vec::new();
+        for child in elements(node) {
+            let element = self.defaults.element(child, around.class, self.reading);
+            match child.tag_name().name() {
+                "geom" => {
+                    let geom = geoms::read(&element, &around.pose, &self.compiler.angles, self.reading);
+                    if around.body.is_none() {
+                        self.robot.ground_shapes.extend(geom.shape);
+                    } else {
+                        found.push(geom);
+                    }
+                }
+                "site" => {
+                    let pose = around.pose.compose(&read_pose(&element, &self.compiler.angles, self.reading));
+                    if let Some(name) = child.attribute("name") {
+                        self.sites.insert(name, NamedFrame { body: around.body, pose });
+                    }
+                }
+                "frame" => {
+                    let pose = around.pose.compose(&read_pose(&element, &self.compiler.angles, self.reading));
+                    let class = child.attribute("childclass").or(around.class);
+                    found.extend(self.read_content(child, &Surroundings { body: around.body, pose, class }));
+                }
+                "body" => self.read_body(child, around),
+                "joint" | "freejoint" | "inertial" | "camera" | "light" => {}
+                other => self.reading.omit(format!("element `{other}`")),
+            }
+        }
+        found
+    }
+
+    /// Reads a body and the bodies that it carries.
+    fn read_body(&mut self, node: Node<'a, '_>, around: &Surroundings<'a>) {
+        let index = self.robot.bodies.len();
+        let class = node.attribute("childclass").or(around.class);
+        let plain = self.defaults.element(node, None, self.reading);
+        let pose = around.pose.compose(&read_pose(&plain, &self.compiler.angles, self.reading));
+        let outer = around.body.map_or_else(Pose::default, |parent| self.reference_poses[parent].clone());
+        self.reference_poses.push(outer.compose(&pose));
+        let name = node.attribute("name").map_or_else(|| format!("body{}", index + 1), str::to_owned);
+        if let Some(own) = node.attribute("name")
+            && let Some(first) = self.bodies.insert(own, index)
+        {
+            let first = self.robot.bodies[first].place.clone();
+            let message = format!("the body `{own}` stands twice");
+            self.reading.add_with_other(place(node), message, "give each a name of its own", first, "first here");
+        }
+        if node.attribute("mocap") == Some("true") {
+            self.reading.omit(format!("motion of the body {name}, which a user sets"));
+        }
+        if node.attribute("gravcomp").is_some_and(|text| text.contains(|c| ('1'..='9').contains(&c))) {
+            self.reading.omit(format!("compensation of the weight of {name}"));
+        }
+        self.robot.bodies.push(Body {
+            name: name.clone(),
+            parent: around.body,
+            pose: pose.clone(),
+            joints: Vec::new(),
+            inertia: None,
+            shapes: Vec::new(),
+            place: place(node),
+        });
+        let is_top = around.body.is_none();
+        for child in elements(node).filter(|child| matches!(child.tag_name().name(), "joint" | "freejoint")) {
+            let number = self.robot.bodies[index].joints.len();
+            let Some(joint) = self.read_joint(child, class, &name, number, is_top) else { continue };
+            if joint.motion == JointMotion::Free {
+                // The coordinates of a free joint are the pose on the ground.
+                self.robot.bodies[index].pose = Pose::default();
+            }
+            let joint_index = JointIndex { body: index, joint: number };
+            if let Some(own) = child.attribute("name")
+                && let Some(first) = self.joints.insert(own, joint_index)
+            {
+                let first = self.robot.joint(first).place.clone();
+                let message = format!("the joint `{own}` stands twice");
+                self.reading.add_with_other(place(child), message, "give each a name of its own", first, "first here");
+            }
+            let start = pose.clone();
+            self.robot.bodies[index].joints.push(Joint { free_start: start, ..joint });
+        }
+        let inside = Surroundings { body: Some(index), pose: Pose::default(), class };
+        let geoms = self.read_content(node, &inside);
+        let inertial = elements(node).find(|child| child.has_tag_name("inertial"));
+        self.robot.bodies[index].inertia = self.body_inertia(node, inertial, &geoms);
+        self.robot.bodies[index].shapes = geoms.into_iter().filter_map(|geom| geom.shape).collect();
+    }
+
+    /// Mass and inertia of a body, from `<inertial>` or from its geoms. `None` for a body without mass.
+    fn body_inertia(
+        &self,
+        node: Node<'a, '_>,
+        inertial: Option<Node<'a, '_>>,
+        geoms: &[geoms::Geom],
+    ) -> Option<Inertia> {
+        let takes_geoms = match self.compiler.inertia_source {
+            InertiaSource::Auto => inertial.is_none(),
+            InertiaSource::Geoms => !geoms.is_empty() || inertial.is_none(),
+            InertiaSource::Inertial => false,
+        };
+        let inertia = if takes_geoms {
+            let [least, most] = self.compiler.mass_groups;
+            let massive = geoms.iter().filter(|geom| geom.group >= least && geom.group <= most);
+            massive.filter_map(|geom| geom.inertia.clone()).reduce(|sum, one| sum.joined(&one))
+        } else {
+            inertial.and_then(|inertial| self.read_inertial(inertial))
+        };
+        let mut inertia = inertia.filter(|inertia| inertia.mass > 0.0)?;
+        inertia.mass = inertia.mass.max(self.compiler.least_mass);
+        for axis in 0..3 {
+            inertia.tensor[(axis, axis)] = inertia.tensor[(axis, axis)].max(self.compiler.least_moment);
+        }
+        if let Some(reason) = inertia.impossibility() {
+            if self.compiler.balances_moments {
+                inertia.tensor = Matrix3::identity() * (inertia.tensor.trace() / 3.0);
+            } else {
+                let message = format!("this inertia is impossible: {reason}");
+                let advice = "correct the mass or the moments: no body can have them";
+                self.reading.add(place(inertial.unwrap_or(node)), message, advice);
+            }
+        }
+        Some(inertia)
+    }
+
+    /// Reads `<inertial>`. `None` after recording a mistake.
+    fn read_inertial(&self, node: Node<'a, '_>) -> Option<Inertia> {
+        let element = self.defaults.element(node, None, self.reading);
+        let pose = read_pose(&element, &self.compiler.angles, self.reading);
+        let Some(mass) = element.number("mass", self.reading) else {
+            if element.text("mass").is_none() {
+                self.reading.add(place(node), "`inertial` has no mass", "add `mass=\"…\"`");
+            }
+            return None;
+        };
+        let tensor = match (element.text("fullinertia"), element.text("diaginertia")) {
+            (Some(_), Some(_)) => {
+                let message = "both `fullinertia` and `diaginertia` state the inertia";
+                self.reading.add(element.place_of("fullinertia"), message, "give one of them");
+                return None;
+            }
+            (Some(_), None) => {
+                let [xx, yy, zz, xy, xz, yz] = element.fixed::<6>("fullinertia", self.reading)?;
+                if read_orientation(&element, &self.compiler.angles, self.reading).is_some() {
+                    let message = "`fullinertia` is in the axes of the body, and has no orientation of its own";
+                    self.reading.add(element.place_of("fullinertia"), message, "leave the orientation out");
+                }
+                Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz)
+            }
+            (None, Some(_)) => Matrix3::from_diagonal(&element.vector("diaginertia", self.reading)?),
+            (None, None) => Matrix3::zeros(),
+        };
+        Some(Inertia { mass, centre: Vector3::zeros(), tensor }.moved(&pose))
+    }
+
+    /// Reads a joint. `None` after recording a mistake.
+    fn read_joint(
+        &mut self,
+        node: Node<'a, '_>,
+        class: Option<&str>,
+        body: &str,
+        number: usize,
+        is_top: bool,
+    ) -> Option<Joint> {
+        let element = self.defaults.element(node, class, self.reading);
+        let is_free_element = node.has_tag_name("freejoint");
+        let kind = if is_free_element { "free" } else { element.text("type").unwrap_or("hinge") };
+        let motion = match kind {
+            "hinge" => JointMotion::Hinge,
+            "slide" => JointMotion::Slide,
+            "ball" => JointMotion::Ball,
+            "free" => JointMotion::Free,
+            other => {
+                let message = format!("there is no joint of the type `{other}`");
+                self.reading.add(element.place_of("type"), message, "give `hinge`, `slide`, `ball` or `free`");
+                return None;
+            }
+        };
+        if motion == JointMotion::Free && !is_top {
+            let advice = "put the body on the ground, or give it other joints";
+            self.reading.add(place(node), "a free joint stands on a body that another body carries", advice);
+            return None;
+        }
+        let axis = element.vector("axis", self.reading).unwrap_or_else(Vector3::z);
+        if axis.norm() == 0.0 {
+            self.reading.add(element.place_of("axis"), "the axis has the length 0", "give a direction");
+            return None;
+        }
+        let number_text = if number == 0 { String::new() } else { (number + 1).to_string() };
+        let name = node.attribute("name").map_or_else(|| format!("{body}_joint{number_text}"), str::to_owned);
+        let mut joint = Joint::new(name, motion, axis, place(node));
+        if motion != JointMotion::Free {
+            joint.position = element.vector("pos", self.reading).unwrap_or_default();
+        }
+        if is_free_element {
+            return Some(joint);
+        }
+        let unit = if motion == JointMotion::Hinge { self.compiler.angles.unit } else { 1.0 };
+        let value = |name: &str| element.number(name, self.reading).unwrap_or(0.0);
+        joint.damping = value("damping");
+        joint.friction = value("frictionloss");
+        joint.stiffness = value("stiffness");
+        joint.armature = value("armature");
+        joint.spring_reference = value("springref") * unit;
+        joint.reference = value("ref") * unit;
+        list_joint_omissions(&element, &mut joint, self.reading);
+        let is_limited = match element.text("limited") {
+            Some("true") => true,
+            Some("false") => false,
+            _ => self.compiler.has_automatic_limits && element.text("range").is_some(),
+        };
+        if is_limited
+            && joint.has_one_coordinate()
+            && let Some([lower, upper]) = element.fixed::<2>("range", self.reading)
+        {
+            if lower >= upper {
+                let message = format!("the lower limit {lower} is not below the upper limit {upper}");
+                self.reading.add(element.place_of("range"), message, "exchange the two limits");
+            }
+            joint.limits = Some((lower * unit, upper * unit));
+        }
+        Some(joint)
+    }
+
+    /// Scales all masses and inertias to the total mass that the compiler sets.
+    fn scale_masses(&mut self) {
+        let Some(total) = self.compiler.total_mass else { return };
+        let inertias = || self.robot.bodies.iter().filter_map(|body| body.inertia.as_ref());
+        let factor = total / inertias().map(|inertia| inertia.mass).sum::<f64>();
+        if factor.is_finite() {
+            for inertia in self.robot.bodies.iter_mut().filter_map(|body| body.inertia.as_mut()) {
+                inertia.mass *= factor;
+                inertia.tensor *= factor;
+            }
+        }
+    }
+}
+
+/// Lists properties of a joint that are left out, and removes them.
+fn list_joint_omissions(element: &Element<'_, '_, '_>, joint: &mut Joint, reading: &Reading) {
+    let name = joint.name.clone();
+    if element.numbers("springdamper", reading).is_some_and(|numbers| numbers.iter().any(|n| *n != 0.0)) {
+        reading.omit(format!("`springdamper` of the joint {name}"));
+    }
+    for property in ["stiffness", "damping"] {
+        if element.numbers(property, reading).is_some_and(|n| n.iter().skip(1).any(|n| *n != 0.0)) {
+            reading.omit(format!("higher powers in the {property} of the joint {name}"));
+        }
+    }
+    if joint.has_one_coordinate() {
+        return;
+    }
+    let properties =
+        [("stiffness", &mut joint.stiffness), ("armature", &mut joint.armature), ("dry friction", &mut joint.friction)];
+    for (property, value) in properties {
+        if *value != 0.0 {
+            reading.omit(format!("{property} of the joint {name}, which has several coordinates"));
+            *value = 0.0;
+        }
+    }
+    if joint.motion == JointMotion::Free && joint.damping != 0.0 {
+        reading.omit(format!("damping of the free joint {name}"));
+        joint.damping = 0.0;
+    }
+}
