@@ -4,7 +4,7 @@ use crate::arrows::sources;
 use std::path::{Path, PathBuf};
 
 /// Folders of sources whose comments are checked.
-const FOLDERS: [&str; 7] = ["derive", "codegen", "sim", "robots", "run", "cli", "tests"];
+const FOLDERS: [&str; 8] = ["linear", "derive", "codegen", "sim", "robots", "run", "cli", "tests"];
 
 /// Words that begin a clause in place of a noun, or that point at a neighbour which rustdoc does not show.
 const ELLIPTIC: [&str; 10] = ["What", "Which", "Where", "How", "Whether", "Of", "As", "That", "By", "The same,"];

@@ -8,7 +8,8 @@ use library::Library;
 use std::path::Path;
 
 /// Library crates, each with the folder of its sources.
-const CRATES: [(&str, &str); 7] = [
+const CRATES: [(&str, &str); 8] = [
+    ("tripos-linear", "linear/src"),
     ("tripos-derive", "derive/src"),
     ("tripos-codegen", "codegen/src"),
     ("tripos-sim", "sim/src"),

@@ -14,6 +14,7 @@ use crate::mechanics::{Kinematics, rates_to_speeds};
 use crate::model::Model;
 use crate::prove::{IntegralKind, Pivot, VectorField, rigid_motions};
 use nalgebra::DMatrix;
+use tripos_linear::SingularValues;
 
 /// Symmetry of a flow: a vector field on the states that commutes with the flow and keeps the loops
 /// closed.
@@ -114,7 +115,7 @@ fn is_combination_of_symmetries(flow: &mut Flow, list: &[Symmetry], count: usize
     let columns = DMatrix::from_column_slice(count, list.len(), &tape.evaluate(&values));
     let own = columns.column(at).into_owned();
     let others = columns.remove_column(at);
-    let Ok(shares) = others.clone().svd(true, true).solve(&own, DEPENDENT * others.norm()) else { return false };
+    let shares = SingularValues::new(&others).solve(&own, DEPENDENT * others.norm());
     (others * shares - &own).norm() <= DEPENDENT * own.norm()
 }
 

@@ -9,6 +9,7 @@ use crate::algebra::{Arena, Expr};
 use crate::model::Model;
 use crate::model::constraints::closed_poses::{ClosedPoseSearch, RandomNumbers, random_coordinate_ranges};
 use nalgebra::{DMatrix, DVector};
+use tripos_linear::{SingularValues, singular_values};
 
 /// Numbers of random closed poses in a sample. They are tried in turn until dependent and
 /// independent columns of the regressor differ clearly.
@@ -149,11 +150,11 @@ fn loop_relations_of_sample([rows, elsewhere]: &[DMatrix<f64>; 2], poses: usize)
     if seen.independent < INDEPENDENT.max(GAP * seen.dependent.max(ROUNDING)) {
         return (None, seen);
     }
-    let svd = rows.select_columns(&kept).svd(true, true);
+    let found = SingularValues::new(&rows.select_columns(&kept));
     let beside = elsewhere.select_columns(&kept);
     let mut shares = Vec::new();
     for (at, column) in given {
-        let Ok(factors) = svd.solve(&column, 0.0) else { return (None, seen) };
+        let factors = found.solve(&column, 0.0);
         let length = column.norm();
         let is_huge =
             |(place, factor): (usize, &f64)| factor.abs() * rows.column(kept[place]).norm() > LARGEST * length;
@@ -232,8 +233,14 @@ fn sample_rows_on_loops(model: &Model, found: &mut Identification, most: usize) 
     let instant = time.map(|at| (model.coordinates[at].symbol, 0.0));
     let of_poses: Vec<(Expr, f64)> = known.iter().copied().chain(instant).collect();
     let loops: Vec<Expr> = model.loops.iter().chain(&model.closed).map(|c| c.equation).collect();
-    let poses =
-        ClosedPoseSearch { known: &of_poses, coordinates: &coordinates, reach: &reach, loops: &loops, flat: 0.0 };
+    let poses = ClosedPoseSearch {
+        known: &of_poses,
+        coordinates: &coordinates,
+        reach: &reach,
+        loops: &loops,
+        flat: 0.0,
+        home: None,
+    };
     // If there are enough poses, relations are found in half of them and checked in the other half.
     let tries = 2 * poses.tries() * most / POSES[0];
     let mut poses = poses.seek_closed_poses_from(&mut regressor.arena, tries, 2 * most)?;
@@ -341,7 +348,7 @@ fn keep_regular_poses(
                 row /= *size;
             }
         }
-        matrix.singular_values().min()
+        singular_values(&matrix).min()
     };
     let mut judged: Vec<(f64, Vec<f64>)> = all.into_iter().map(|(matrix, q)| (least(matrix), q)).collect();
     judged.retain(|(least, _)| *least > SINGULAR);

@@ -13,6 +13,7 @@ use nalgebra::{DMatrix, DVector};
 use tripos_derive::algebra::value::tape::Tape;
 use tripos_derive::algebra::{Arena, Expr};
 use tripos_derive::reduce::MovingFrame;
+use tripos_linear::SingularValues;
 use tripos_traits::DoubleDouble;
 
 /// Greatest number of Newton steps from a start to the section of a moving frame, where its pins
@@ -104,11 +105,11 @@ impl MovingFrameMotion<'_> {
             if slopes.iter().any(|x| !x.is_finite()) {
                 return None;
             }
-            let svd = slopes.svd(true, true);
-            if svd.singular_values.min() <= NOTHING * svd.singular_values.max() {
+            let found = SingularValues::new(&slopes);
+            if found.values.min() <= NOTHING * found.values.max() {
                 return None;
             }
-            let step = svd.solve(&DVector::from_fn(count, |at, _| -pins[at].hi()), 0.0).ok()?;
+            let step = found.solve(&DVector::from_fn(count, |at, _| -pins[at].hi()), 0.0);
             let shorter = (FARTHEST / step.amax()).min(1.0);
             let far: Vec<f64> = step.iter().map(|x| shorter * x).collect();
             x = self.moved_along_symmetries(&x, &far, HALVINGS)?;

@@ -5,6 +5,7 @@ use crate::algebra::{Arena, Expr};
 use crate::model::constraints::closed_poses::{ClosedPoseSearch, random_coordinate_ranges};
 use crate::model::{Model, Unit};
 use nalgebra::DMatrix;
+use tripos_linear::singular_values;
 
 /// Largest number of unknowns (coordinates and components of λ) for which poses are searched.
 const MOST_UNKNOWNS: usize = 120;
@@ -74,6 +75,7 @@ impl SingularPoseSearch<'_> {
             reach: &reach,
             loops: &equations,
             flat: FLAT,
+            home: None,
         };
         let Some(found) = poses.find_closed_poses(arena, usize::MAX) else { return nothing };
         let ranks = found.iter().filter_map(|q| {
@@ -130,6 +132,6 @@ impl SingularPoseSearch<'_> {
                 row /= size;
             }
         }
-        Some(matrix.singular_values().iter().filter(|value| **value >= LOST).count())
+        Some(singular_values(&matrix).iter().filter(|value| **value >= LOST).count())
     }
 }

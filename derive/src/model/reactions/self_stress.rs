@@ -19,6 +19,7 @@ use crate::geometry::{Frames, Motion, Vector};
 use crate::model::impossible_bodies::{default_parameter_values, values_of_terms_at};
 use crate::model::{ForcePlace, JointReaction, Model, Reaction, ReactionKind, SlipComponent};
 use nalgebra::{DMatrix, DVector, Vector3};
+use tripos_linear::SingularValues;
 
 /// Norm up to which a column counts as dependent on other columns. It is the norm that the column keeps after these
 /// are projected out, relative to its own norm.
@@ -365,7 +366,7 @@ impl Model {
         let matrix = DMatrix::from_fn(work.len(), all, |row, column| columns[column][row]);
         let length = work.norm();
         let mut sizes = if length > 0.0 && all > 0 {
-            let found = matrix.clone().svd(true, true).solve(work, NOTHING * matrix.norm()).ok()?;
+            let found = SingularValues::new(&matrix).solve(work, NOTHING * matrix.norm());
             if (&matrix * &found - work).norm() > DEPENDENT * length {
                 return None;
             }

@@ -7,6 +7,7 @@ use crate::algebra::value::tape::Tape;
 use crate::model::Model;
 use crate::scene::numbers::scene_number::Number;
 use nalgebra::{DMatrix, DVector};
+use tripos_linear::{SingularValues, singular_values};
 use tripos_traits::{DoubleDouble, Scalar};
 
 /// Largest number of steps of Newton's method.
@@ -137,7 +138,7 @@ impl Loops {
         }
         let found = self.newton(&known, &doubles(q), free);
         let slopes = self.slopes(&known, &found.q).select_columns(free);
-        let sizes = slopes.singular_values();
+        let sizes = singular_values(&slopes);
         let determines = slopes.nrows() >= free.len() && sizes.min() > SINGULAR * sizes.max();
         if !found.is_closed || !determines {
             return None;
@@ -219,7 +220,7 @@ impl Loops {
         if self.independent == 0 {
             return false;
         }
-        let values = self.slopes(p, q).rows(0, self.independent).singular_values();
+        let values = singular_values(&self.slopes(p, q).rows(0, self.independent));
         values.min() <= SINGULAR * values.max()
     }
 
@@ -230,9 +231,9 @@ impl Loops {
         let mut open = DVector::from_vec(self.loop_residuals(p, &q));
         let inverse_at = |q: &[f64]| {
             let slopes = self.slopes(p, q).select_columns(free);
-            let svd = slopes.svd(true, true);
-            let largest = svd.singular_values.iter().fold(0.0, |most: f64, s| most.max(*s));
-            svd.pseudo_inverse(RANK * largest).expect("both factors were asked for, and no rank is below 0")
+            let found = SingularValues::new(&slopes);
+            let largest = found.values.iter().fold(0.0, |most: f64, s| most.max(*s));
+            found.pseudo_inverse(RANK * largest)
         };
         let mut inverse = inverse_at(&q);
         for _ in 0..STEPS {

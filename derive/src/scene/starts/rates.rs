@@ -17,6 +17,7 @@ use crate::scene::numbers::number_reader::ValueReader;
 use crate::scene::numbers::scene_number::{Number, double_values, extended_values};
 use nalgebra::{DMatrix, DVector};
 use std::ops::Range;
+use tripos_linear::SingularValues;
 use tripos_traits::{DoubleDouble, Scalar};
 
 /// Singular value up to which a direction in the space of rates counts as undetermined, relative to the largest
@@ -106,9 +107,9 @@ impl ValueReader<'_, '_> {
             self.reader.error(place.clone(), "the constraints have no value at this state", "choose another state");
             return None;
         }
-        let svd = square.svd(true, true);
-        let least = RANK * svd.singular_values.max();
-        let open = undetermined_rates(&svd.singular_values, svd.v_t.as_ref()?, least);
+        let found = SingularValues::new(&square);
+        let least = RANK * found.values.max();
+        let open = undetermined_rates(&found.values, &found.right, least);
         if !open.is_empty() {
             self.report_open_rates(stated, &open, place);
             return None;
@@ -122,7 +123,7 @@ impl ValueReader<'_, '_> {
             left = list.iter().map(|condition| condition.value - condition.at(&values, &rates)).collect();
             let sides = DVector::from_iterator(list.len(), left.iter().map(|left| left.hi()))
                 .resize_vertically(list.len().max(n), 0.0);
-            for (rate, step) in rates.iter_mut().zip(svd.solve(&sides, least).ok()?.iter()) {
+            for (rate, step) in rates.iter_mut().zip(found.solve(&sides, least).iter()) {
                 *rate = *rate + DoubleDouble::from_f64(*step);
             }
         }

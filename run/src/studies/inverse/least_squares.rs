@@ -1,6 +1,7 @@
 //! Least-squares solutions to 32 digits, for linear systems with a matrix of any shape and rank.
 
 use nalgebra::{DMatrix, DVector};
+use tripos_linear::SingularValues;
 use tripos_traits::DoubleDouble;
 
 /// Fraction of the largest singular value below which a singular value counts as zero.
@@ -38,11 +39,9 @@ impl LeastSquaresSolver {
         if rows.is_empty() || columns == 0 {
             return Self { inverse: DMatrix::zeros(columns, rows.len()), rank: 0 };
         }
-        let svd = matrix.svd(true, true);
-        let least = RANK * svd.singular_values.max();
-        let rank = svd.singular_values.iter().filter(|x| **x > least).count();
-        let inverse = svd.pseudo_inverse(least.max(f64::MIN_POSITIVE)).expect("both factors were asked for");
-        Self { inverse, rank }
+        let found = SingularValues::new(&matrix);
+        let least = RANK * found.values.max();
+        Self { inverse: found.pseudo_inverse(least), rank: found.rank(least) }
     }
 
     /// Solves the linear system for a right-hand side, in three steps that each add up to sixteen digits.

@@ -2,7 +2,8 @@
 //! agree with the modes.
 
 use super::{ContactMode, ContactSolution};
-use nalgebra::{DMatrix, DVector, Dyn, SVD};
+use nalgebra::{DMatrix, DVector};
+use tripos_linear::SingularValues;
 
 /// Relative size of a singular value below which it counts as rounding; the largest singular value is 1.
 const DEPENDENT: f64 = 1e-11;
@@ -162,20 +163,20 @@ impl ModeTrial<'_> {
             return None;
         }
         let sides = DVector::from_iterator(unknown.len(), unknown.iter().map(|(row, _)| -c[*row]));
-        let svd = part.clone().svd(true, true);
-        let rounding = DEPENDENT * svd.singular_values.max();
-        let mut values = refined_least_forces(&svd, &part, &sides, rounding)?;
-        if svd.singular_values.min() <= rounding
+        let found = SingularValues::new(&part);
+        let rounding = DEPENDENT * found.values.max();
+        let mut values = refined_least_forces(&found, &part, &sides, rounding);
+        if found.values.min() <= rounding
             && let Some(weights) = self.weights_of_contact_forces(chosen, &unknown, &values)
         {
-            values = weighted_least_forces(&part, &sides, &weights)?;
+            values = weighted_least_forces(&part, &sides, &weights);
             if !self.friction_bears_forces(chosen, &unknown, &values) {
                 // A motion along a slip can be prevented by a force along that slip; a force along a gap may prevent it
                 // alone.
                 let mut faint = weights;
                 let along = faint.iter_mut().zip(&unknown).filter(|(_, (row, _))| !self.is_gap(*row));
                 along.for_each(|(weight, _)| *weight *= FAINT);
-                values = weighted_least_forces(&part, &sides, &faint)?;
+                values = weighted_least_forces(&part, &sides, &faint);
             }
         }
         for ((row, follows), value) in unknown.iter().zip(values.iter()) {
@@ -276,29 +277,21 @@ fn choices_of_modes(modes: &[ContactMode]) -> Vec<ModeChoice> {
     modes.iter().map(|mode| ModeChoice { mode: *mode, pushes: mode.is_held() }).collect()
 }
 
-/// Solution x of A x = b with the smallest sum of (xᵢ / wᵢ)² for the weights w. `None` if there is no
-/// solution.
-fn weighted_least_forces(a: &DMatrix<f64>, b: &DVector<f64>, weights: &DVector<f64>) -> Option<DVector<f64>> {
+/// Solution x of A x = b with the smallest sum of (xᵢ / wᵢ)² for the weights w; in the sense of least squares if there
+/// is no solution.
+fn weighted_least_forces(a: &DMatrix<f64>, b: &DVector<f64>, weights: &DVector<f64>) -> DVector<f64> {
     let scaled = DMatrix::from_fn(a.nrows(), a.ncols(), |i, j| a[(i, j)] * weights[j]);
-    let svd = scaled.clone().svd(true, true);
-    let rounding = DEPENDENT * svd.singular_values.max();
-    Some(refined_least_forces(&svd, &scaled, b, rounding)?.component_mul(weights))
+    let found = SingularValues::new(&scaled);
+    let rounding = DEPENDENT * found.values.max();
+    refined_least_forces(&found, &scaled, b, rounding).component_mul(weights)
 }
 
-/// Least-squares solution x of A x = b with the smallest length, by the singular values of A above `rounding`. `None`
-/// if the solver fails.
-///
-/// The solution is refined with its residuals. If entries of A have very different sizes, singular values and vectors
-/// may be accurate to ten digits only.
-fn refined_least_forces(
-    svd: &SVD<f64, Dyn, Dyn>,
-    a: &DMatrix<f64>,
-    b: &DVector<f64>,
-    rounding: f64,
-) -> Option<DVector<f64>> {
-    let mut x = svd.solve(b, rounding).ok()?;
+/// Least-squares solution x of A x = b with the smallest length, by the singular values of A above `rounding`. The
+/// solution is refined with its residuals.
+fn refined_least_forces(found: &SingularValues, a: &DMatrix<f64>, b: &DVector<f64>, rounding: f64) -> DVector<f64> {
+    let mut x = found.solve(b, rounding);
     for _ in 0..REFINEMENTS {
-        x += svd.solve(&(b - a * &x), rounding).ok()?;
+        x += found.solve(&(b - a * &x), rounding);
     }
-    Some(x)
+    x
 }

@@ -3,6 +3,7 @@
 
 use crate::preparation::impacts::{HeldContacts, SceneContacts};
 use nalgebra::{DMatrix, DVector};
+use tripos_linear::SingularValues;
 use tripos_sim::{ContactMode, ContactSolution};
 
 /// Fraction of the largest singular value below which a singular value counts as rounding.
@@ -140,18 +141,18 @@ impl HeldDirectionSystem {
     /// Solves A λ + c = 0 for the forces λ. If several solutions exist, returns the smallest in scaled
     /// units. `None` if the system or the solution is not finite.
     pub fn solve(&self, c: &DVector<f64>) -> Option<DVector<f64>> {
-        self.solve_scaled(self.scaled.clone(), c)
+        self.solve_scaled(&self.scaled, c)
     }
 
     /// Solves Aᵀ x + c = 0 for x. If several solutions exist, returns the smallest in scaled units. `None`
     /// if the system or the solution is not finite.
     pub fn solve_transposed(&self, c: &DVector<f64>) -> Option<DVector<f64>> {
-        self.solve_scaled(self.scaled.transpose(), c)
+        self.solve_scaled(&self.scaled.transpose(), c)
     }
 
     /// Solves a linear system whose matrix is already scaled. If several solutions exist, returns the
     /// smallest. `None` if the system is not finite.
-    fn solve_scaled(&self, matrix: DMatrix<f64>, c: &DVector<f64>) -> Option<DVector<f64>> {
+    fn solve_scaled(&self, matrix: &DMatrix<f64>, c: &DVector<f64>) -> Option<DVector<f64>> {
         if c.is_empty() {
             return Some(c.clone());
         }
@@ -159,9 +160,9 @@ impl HeldDirectionSystem {
         if !matrix.iter().chain(c.iter()).all(|x| x.is_finite()) {
             return None;
         }
-        let svd = matrix.svd(true, true);
-        let rounding = DEPENDENT * svd.singular_values.max();
-        Some(svd.solve(&-c, rounding).ok()?.component_mul(&self.unit))
+        let found = SingularValues::new(matrix);
+        let rounding = DEPENDENT * found.values.max();
+        Some(found.solve(&-c, rounding).component_mul(&self.unit))
     }
 
     /// Tells for each held direction if its force is not determined, because other directions hold the
@@ -170,10 +171,9 @@ impl HeldDirectionSystem {
         if self.unit.is_empty() || !self.scaled.iter().all(|x| x.is_finite()) {
             return vec![false; self.unit.len()];
         }
-        let svd = self.scaled.clone().svd(false, true);
-        let rounding = DOUBTFUL * svd.singular_values.max();
-        let Some(directions) = svd.v_t else { return vec![true; self.unit.len()] };
-        let nothing = svd.singular_values.iter().enumerate().filter(|(_, value)| **value <= rounding);
+        let SingularValues { values, right: directions, .. } = SingularValues::new(&self.scaled);
+        let rounding = DOUBTFUL * values.max();
+        let nothing = values.iter().enumerate().filter(|(_, value)| **value <= rounding);
         let nothing: Vec<usize> = nothing.map(|(at, _)| at).collect();
         (0..self.unit.len()).map(|row| nothing.iter().any(|at| directions[(*at, row)].abs() > DOUBTFUL)).collect()
     }

@@ -15,6 +15,7 @@ use super::wide_matrix::WideMatrix;
 use crate::Error;
 use nalgebra::Complex as Double;
 use nalgebra::DMatrix;
+use tripos_linear::singular_values;
 use tripos_traits::{DoubleDouble, Scalar};
 
 /// Relative error that the entries of a matrix are assumed to have.
@@ -83,8 +84,15 @@ fn eigenvalues_fit_matrix(a: &WideMatrix, noise: f64, list: &[Mode]) -> bool {
     let off_product = (most - product.norm()).max(0.0) + IN_DOUBLES * most + by_noise;
     let is_product = !most.is_finite() || (product - determinant(a)).norm() <= off_product + f64::MIN_POSITIVE;
     let is_root = |mode: &Mode| {
-        let left = rounded.map(|x| Double::new(x, 0.0)) - DMatrix::identity(n, n) * value(mode);
-        left.singular_values().min() <= mode.error + off
+        let eigenvalue = value(mode);
+        let real = &rounded - DMatrix::identity(n, n) * eigenvalue.re;
+        // The real matrix [Re, −Im; Im, Re] has each singular value of the complex one twice.
+        let mut both = DMatrix::zeros(2 * n, 2 * n);
+        both.view_mut((0, 0), (n, n)).copy_from(&real);
+        both.view_mut((n, n), (n, n)).copy_from(&real);
+        both.view_mut((0, n), (n, n)).fill_diagonal(eigenvalue.im);
+        both.view_mut((n, 0), (n, n)).fill_diagonal(-eigenvalue.im);
+        singular_values(&both).min() <= mode.error + off
     };
     all().count() == n && is_sum && is_product && list.iter().all(is_root)
 }

@@ -2,6 +2,7 @@
 //! corrections.
 
 use nalgebra::{DMatrix, DVector};
+use tripos_linear::SingularValues;
 use tripos_traits::{DoubleDouble, Scalar};
 
 /// Dense matrix of numbers with 32 digits.
@@ -103,9 +104,8 @@ pub fn least_squares(a: &DMatrix<f64>, r: &DVector<f64>, relative: f64) -> Optio
     if scaled.iter().any(|x| !x.is_finite()) {
         return None;
     }
-    let svd = scaled.svd(true, true);
-    let most = svd.singular_values.max();
-    let found = svd.solve(&-r, relative * most).ok()?;
+    let values = SingularValues::new(&scaled);
+    let found = values.solve(&-r, relative * values.values.max());
     Some(DVector::from_fn(found.len(), |j, _| found[j] / columns[j]))
 }
 
@@ -118,20 +118,17 @@ pub fn null_space(a: &DMatrix<f64>, relative: f64) -> DMatrix<f64> {
     }
     // Rows of zeros make the matrix square, so that all right singular vectors are computed.
     let square = a.clone().resize_vertically(a.nrows().max(n), 0.0);
-    let svd = square.svd(false, true);
-    let v_t = svd.v_t.unwrap_or_else(|| DMatrix::identity(n, n));
-    let most = svd.singular_values.max().max(f64::MIN_POSITIVE);
+    let SingularValues { values, right, .. } = SingularValues::new(&square);
+    let most = values.max().max(f64::MIN_POSITIVE);
     let columns: Vec<_> =
-        (0..n).filter(|at| svd.singular_values[*at] <= relative * most).map(|at| v_t.row(at).transpose()).collect();
+        (0..n).filter(|at| values[*at] <= relative * most).map(|at| right.row(at).transpose()).collect();
     if columns.is_empty() { DMatrix::zeros(n, 0) } else { DMatrix::from_columns(&columns) }
 }
 
 /// Computes an orthonormal basis, as columns, of the `count` directions that a square matrix maps to the
 /// shortest vectors.
 pub fn smallest_singular_directions(a: &DMatrix<f64>, count: usize) -> DMatrix<f64> {
-    let svd = a.clone().svd(false, true);
-    let v_t = svd.v_t.unwrap_or_else(|| DMatrix::identity(a.ncols(), a.ncols()));
-    let mut order: Vec<usize> = (0..a.ncols()).collect();
-    order.sort_by(|i, j| svd.singular_values[*i].total_cmp(&svd.singular_values[*j]));
-    DMatrix::from_fn(a.ncols(), count.min(a.ncols()), |row, column| v_t[(order[column], row)])
+    let SingularValues { right, .. } = SingularValues::new(a);
+    let last = a.ncols().saturating_sub(1);
+    DMatrix::from_fn(a.ncols(), count.min(a.ncols()), |row, column| right[(last - column, row)])
 }
