@@ -174,3 +174,25 @@ fn a_planar_loop_closed_by_a_ball_needs_heights_that_agree() {
     let error = read(&STACKED.replace("HEIGHT", "0.25")).err().unwrap().to_string();
     assert!(error.contains("the joint cannot close its loop: `J4_3` is open by 0.05"), "{error}");
 }
+
+/// Goal: a model states on which branch its loops are closed. Method: the two assemblies of a four-bar linkage, in
+/// scenes without a guess; values from which no pose closes the loop.
+#[test]
+fn an_assembly_decides_the_branch() {
+    for (coupler, rocker) in [(-0.5, 1.7), (-2.1, -2.3)] {
+        let text = STACKED.replace("HEIGHT", "0.3")
+            + &format!("[assembly]\nq_J1 = 1\nq_J2 = {coupler}\nq_J3 = \"{rocker}\"\n");
+        let mut model = load(&text);
+        let pose = model.assembly.clone().unwrap();
+        assert!((pose[2] - rocker).abs() < 0.2, "{pose:?}");
+        let scene = format!("model = \"model.toml\"\nspan = [0, 1]\n[start]\nq_J1 = {}\n\"q_J1'\" = 0\n", pose[0]);
+        let scene = tripos_derive::scene::load(&Source::from_text("scene.toml", &scene), &mut model)
+            .unwrap_or_else(|e| panic!("{e}"));
+        assert!((scene.q[2] - pose[2]).abs() < 1e-9, "{pose:?}");
+    }
+    let open = STACKED.replace("HEIGHT", "0.3").replace("value = 0.6", "value = 6") + "[assembly]\nq_J1 = 1\n";
+    let error = read(&open).err().unwrap().to_string();
+    assert!(error.contains("no pose with closed loops is near the values under `assembly`"), "{error}");
+    let unknown = STACKED.replace("HEIGHT", "0.3") + "[assembly]\nq_J9 = 1\n";
+    assert!(read(&unknown).err().unwrap().to_string().contains("q_J9"));
+}

@@ -302,6 +302,9 @@ pub struct Model {
     /// Redundant loop equations: their rates follow from those of [`Self::loops`] in all poses in which the loops are
     /// closed. They restrict no further velocity.
     pub closed: Vec<LoopEquation>,
+    /// Pose with closed loops near the values under `[assembly]`, at the default values: a value in SI units for each
+    /// generalized coordinate. `None` if the model file has no such section.
+    pub assembly: Option<Vec<f64>>,
     /// Equations of closing joints without coordinates, as (name, left side): conditions on parameters
     /// under which the loops can be closed. The default values satisfy them.
     pub conditions: Vec<(String, Expr)>,

@@ -21,6 +21,7 @@ use super::{
     ComparedBodies, Coordinate, DomainCondition, JointReaction, Model, NamedVelocity, Parameter, RedundantEquation,
     SlipComponent,
 };
+use crate::algebra::solve::pivot_values::PivotValues;
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::{Arena, Expr};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, shortened_for_message};
@@ -30,7 +31,7 @@ use std::ops::Range;
 use toml::de::DeTable;
 
 /// Keys of a model file at its top level.
-const KEYS: [&str; 26] = [
+const KEYS: [&str; 27] = [
     "schema",
     "name",
     "source",
@@ -53,6 +54,7 @@ const KEYS: [&str; 26] = [
     "inputs",
     "reactions",
     "constraints",
+    "assembly",
     "rolling",
     "domain",
     "shapes",
@@ -235,6 +237,7 @@ impl<'a> Loading<'a> {
         signals.put_in(&mut self.arena, &mut elements, &mut domain);
         let (stated_speeds, speeds) = (texts.len(), self.speeds(texts, &values, &replacements));
         let openings = joint_opening_motions(&mut self.arena, &opened, &elements, &[&kept, &motion], &replacements);
+        let assembly = self.assembly(table);
         let mut fixed = Substitution::new(&replacements);
         elements.rewrite(&mut |e| fixed.apply(&mut self.arena, e));
         elements.check_elements(self, &parameters);
@@ -246,6 +249,7 @@ impl<'a> Loading<'a> {
             speeds: &speeds,
             joints: &joints,
             parameters: &parameters,
+            assembly: assembly.as_ref(),
             kept,
             stated,
             rolling: slips.into_iter().map(|(c, rolled)| (fix(c), rolled)).collect(),
@@ -263,8 +267,21 @@ impl<'a> Loading<'a> {
         elements.rewrite(&mut |e| fixed.apply(&mut self.arena, e));
         // After an error in any declaration, the number and the rank of the speeds are meaningless.
         let tied = ties.as_ref().filter(|_| motion_errors == 0 && speeds.len() == stated_speeds && has_speeds);
+        let branch = ties.as_ref().and_then(|ties| ties.branch.as_ref());
+        let assembled = assembly.as_ref().and_then(|assembly| match branch {
+            Some(branch) => Some(branch.pose.clone()),
+            None => {
+                let known = default_parameter_values(&parameters);
+                assembly.pose(&self.arena, &coordinates, &elements.frames, &known)
+            }
+        });
+        let home = branch.filter(|_| assembly.is_some());
+        let point = home.map(|branch| {
+            let poses = coordinates.iter().map(|c| c.symbol).zip(branch.pose.iter().copied());
+            PivotValues::new(default_parameter_values(&parameters).into_iter().chain(poses))
+        });
         let kinematic_equations =
-            tied.and_then(|ties| self.kinematic_equations(table, &coordinates, &speeds, &ties.motion));
+            tied.and_then(|ties| self.kinematic_equations(table, &coordinates, &speeds, &ties.motion, point.as_ref()));
         self.replace_in_conditions(&mut fixed, &mut domain, &mut signals);
         let expressions = self.named_expressions_with(&mut fixed);
         let MotionConstraints { motion, loops, repeated, closed, dependent, branch, .. } =
@@ -304,6 +321,7 @@ impl<'a> Loading<'a> {
             openings,
             loops,
             closed,
+            assembly: assembled,
             conditions,
             dependent,
             branch,

@@ -33,6 +33,7 @@ pub(crate) const KEYS: &[Key] = &[
     optional_key("inputs", Named(&INPUT), "signals that drive loads"),
     optional_key("reactions", Named(&REACTION), "unknown forces and torques of constraints and joints"),
     optional_key("constraints", Named(&CONSTRAINT), "equations that hold at all times"),
+    optional_key("assembly", Named(&Formula), "values of coordinates near which the loops are closed"),
     optional_key("rolling", Named(&ROLLING), "what does not slip at a point"),
     optional_key("domain", Named(&Formula), "strict inequalities where the model holds"),
     optional_key("shapes", Named(&SHAPE), "appearance of bodies in views; equations do not depend on it"),

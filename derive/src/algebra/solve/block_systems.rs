@@ -8,7 +8,8 @@
 //! The module `elimination` is separate: it is for systems whose pivots are known not to vanish,
 //! and it shares subexpressions.
 
-use super::linear::{Singular, solve_linear};
+use super::linear::{Singular, solve_linear_near};
+use super::pivot_values::PivotValues;
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::value::range::range_excludes_zero;
 use crate::algebra::value::rank::rank;
@@ -33,6 +34,7 @@ pub fn solve_blocks(
     simplifier: &mut Simplifier,
     a: &[Vec<Expr>],
     b: &[Expr],
+    point: Option<&PivotValues>,
 ) -> Result<(Vec<Expr>, Vec<Expr>), Singular> {
     if let Some(found) = rank(arena, a)
         && let Some(row) = found.dependent
@@ -48,7 +50,7 @@ pub fn solve_blocks(
         let (solution, by) = if rows.len() <= LARGEST && rows.len() == columns.len() {
             solve_block_by_cofactors(arena, simplifier, &block, &right)
         } else {
-            solve_large_block(arena, simplifier, &block, &right)?
+            solve_large_block(arena, simplifier, &block, &right, point)?
         };
         for (column, value) in columns.iter().zip(solution) {
             x[*column] = value;
@@ -66,6 +68,7 @@ fn solve_large_block(
     simplifier: &mut Simplifier,
     a: &[Vec<Expr>],
     b: &[Expr],
+    point: Option<&PivotValues>,
 ) -> Result<(Vec<Expr>, Vec<Expr>), Singular> {
     let n = a.len();
     let mut rows: Vec<Vec<Expr>> = a.iter().zip(b).map(|(row, right)| [row.as_slice(), &[*right]].concat()).collect();
@@ -100,7 +103,7 @@ fn solve_large_block(
         solve_block_by_cofactors(arena, simplifier, &block, &right)
     } else {
         let right: Vec<Vec<Expr>> = right.into_iter().map(|e| vec![e]).collect();
-        let (solution, pivots) = solve_linear(arena, simplifier, &block, &right)?;
+        let (solution, pivots) = solve_linear_near(arena, simplifier, &block, &right, point)?;
         (solution.into_iter().map(|row| row[0]).collect(), pivots)
     };
     let mut x = vec![Expr::ZERO; n];

@@ -1,6 +1,7 @@
 //! Linear forms and linear systems: coefficients of given symbols in an expression, and exact
 //! solution by elimination.
 
+use super::pivot_values::PivotValues;
 use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::term::calculus::{Differential, Gradient, Substitution};
 use crate::algebra::value::zero_test::{ZeroTest, zero_test};
@@ -151,11 +152,26 @@ pub fn solve_linear(
     a: &[Vec<Expr>],
     b: &[Vec<Expr>],
 ) -> Result<(Vec<Vec<Expr>>, Vec<Expr>), Singular> {
+    solve_linear_near(arena, simplifier, a, b, None)
+}
+
+/// Solves A X = B as [`solve_linear`] does. If `point` is given, no pivot is small at this point beside the entries of
+/// its row, so that the solution has values there if A is regular there.
+///
+/// # Errors
+/// [`Singular`] if A is singular for all values of its symbols.
+pub fn solve_linear_near(
+    arena: &mut Arena,
+    simplifier: &mut Simplifier,
+    a: &[Vec<Expr>],
+    b: &[Vec<Expr>],
+    point: Option<&PivotValues>,
+) -> Result<(Vec<Vec<Expr>>, Vec<Expr>), Singular> {
     let n = a.len();
     let mut rows: Vec<Vec<Expr>> = a.iter().zip(b).map(|(l, r)| [l.as_slice(), r].concat()).collect();
     let (mut pivots, mut used, mut order) = (Vec::new(), vec![false; n], Vec::new());
     for _ in 0..n {
-        let Some((row, column)) = simplest_linear_pivot(arena, &rows, &used, &order, n) else {
+        let Some((row, column)) = simplest_linear_pivot(arena, &rows, &used, &order, n, point) else {
             let row = (0..n).find(|r| !used[*r]).unwrap_or(n);
             return Err(Singular { rank: order.len(), row });
         };
@@ -197,7 +213,9 @@ pub fn determinant(arena: &mut Arena, simplifier: &mut Simplifier, a: &[Vec<Expr
     let mut rows = a.to_vec();
     let (mut used, mut order, mut product) = (vec![false; n], Vec::new(), Expr::ONE);
     for _ in 0..n {
-        let Some((row, column)) = simplest_linear_pivot(arena, &rows, &used, &order, n) else { return Expr::ZERO };
+        let Some((row, column)) = simplest_linear_pivot(arena, &rows, &used, &order, n, None) else {
+            return Expr::ZERO;
+        };
         used[row] = true;
         order.push((row, column));
         let pivot = rows[row].clone();
@@ -231,19 +249,23 @@ fn is_odd(order: &[(usize, usize)]) -> bool {
     (rows + columns) % 2 == 1
 }
 
-/// Row and column of the next pivot: the simplest entry that is not identically zero by the zero
-/// test. Rows and columns that have a pivot already are left out. `None` if there is no such entry.
+/// Row and column of the next pivot: the simplest entry that is not identically zero by the zero test, and not small at
+/// `point`, if it is given. Rows and columns that have a pivot already are left out. `None` if there is no such entry.
 fn simplest_linear_pivot(
     arena: &Arena,
     rows: &[Vec<Expr>],
     used: &[bool],
     order: &[(usize, usize)],
     n: usize,
+    point: Option<&PivotValues>,
 ) -> Option<(usize, usize)> {
     let mut best: Option<(usize, usize, usize)> = None;
+    let columns: Vec<usize> = (0..n).filter(|c| !order.iter().any(|(_, column)| column == c)).collect();
+    let large = point.map(|point| point.large_entries(arena, rows, &columns));
     for (r, row) in rows.iter().enumerate().filter(|(r, _)| !used[*r]) {
-        for (c, &entry) in row[..n].iter().enumerate() {
-            if order.iter().any(|(_, column)| *column == c) || entry == Expr::ZERO {
+        for &c in &columns {
+            let entry = row[c];
+            if entry == Expr::ZERO || large.as_ref().is_some_and(|large| !large[r][c]) {
                 continue;
             }
             let cost = if arena.as_number(entry).is_some() { 0 } else { arena.reachable(&[entry]).len() };

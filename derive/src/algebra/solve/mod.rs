@@ -7,5 +7,6 @@ pub mod closed;
 pub mod elimination;
 pub mod linear;
 pub mod linear_relations;
+pub mod pivot_values;
 pub(crate) mod quadratic_equation;
 pub mod quadratic_minimum;

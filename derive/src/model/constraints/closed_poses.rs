@@ -17,6 +17,7 @@ use crate::model::constraint::AssemblyBranch;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
+use tripos_linear::{SingularValues, singular_values};
 
 /// Largest number of random starts of a search for closed poses. Mechanisms with many loops have fewer starts.
 const TRIES: usize = 40;
@@ -26,6 +27,10 @@ const POSES_ENOUGH: usize = 6;
 const STEPS: usize = 200;
 /// Number of steps of a walk from one closed pose to the next.
 const WALK: usize = 60;
+/// Number of walks that start at the pose in which a mechanism is assembled.
+const WALKS_FROM_HOME: usize = 4;
+/// Number of steps of each of these walks: they stay near the pose.
+const WALK_FROM_HOME: usize = 5;
 /// Distance of successive poses on a walk through closed poses, relative to the ranges of the coordinates.
 const STRIDE: f64 = 0.05;
 /// Largest number of loops of a mechanism for which the search walks through closed poses.
@@ -59,6 +64,8 @@ pub struct ClosedPoseSearch<'m> {
     /// Additional residual allowed for each loop equation, relative to the norm of all derivatives. It is 0 except
     /// for searches in which an equation may have no derivatives in a pose.
     pub flat: f64,
+    /// Coordinates near which the mechanism is assembled; `None` if the model file does not state them.
+    pub home: Option<&'m [f64]>,
 }
 
 /// Redundant constraint: it follows from other constraints in every closed pose that was found.
@@ -157,11 +164,17 @@ impl ClosedPoses {
         };
         let freedoms = |found: &ClosedPose| poses.coordinates.len() - found.rows.independent.len();
         let is_declared = |found: &ClosedPose| declared.contains(&freedoms(found));
-        let mut all: Vec<ClosedPose> =
-            poses.find_closed_poses_with_walks(&of_loops).into_iter().filter_map(judged).collect();
+        let found = match poses.home {
+            Some(home) => poses.poses_around(&of_loops, home),
+            None => poses.find_closed_poses_with_walks(&of_loops),
+        };
+        let mut all: Vec<ClosedPose> = found.into_iter().filter_map(judged).collect();
         // Random poses reach the branch with most degrees of freedom. A mechanism may be meant to be
         // assembled on another branch.
-        if !all.iter().any(is_declared) || all.iter().any(|found| freedoms(found) != freedoms(&all[0])) {
+        let is_mixed = |all: &[ClosedPose]| {
+            !all.iter().any(is_declared) || all.iter().any(|found| freedoms(found) != freedoms(&all[0]))
+        };
+        if poses.home.is_none() && is_mixed(&all) {
             let moves = |found: &&ClosedPose| is_declared(found) && (freedoms(found) > 0 || *declared.end() == 0);
             let best = |list: &[ClosedPose]| list.iter().filter(moves).map(|found| found.rows.independent.len()).max();
             let grown: Vec<ClosedPose> =
@@ -224,7 +237,7 @@ impl ClosedPoses {
         // With a derivative that is not finite, every choice of rows gets 0, so that no choice is preferred.
         let value = |pose: &DMatrix<f64>| {
             let part = pose.select_rows(rows);
-            if part.iter().all(|x| x.is_finite()) { part.singular_values().min() } else { 0.0 }
+            if part.iter().all(|x| x.is_finite()) { singular_values(&part).min() } else { 0.0 }
         };
         self.poses.iter().map(value).fold(f64::INFINITY, f64::min)
     }
@@ -319,7 +332,7 @@ fn closed_pose_rows_in_combination(matrix: &DMatrix<f64>, kept: &[usize], row: &
     if !rows.iter().all(|x| x.is_finite()) {
         return None;
     }
-    let shares = rows.svd(true, true).solve(row, 1e-12).ok()?;
+    let shares = SingularValues::new(&rows).solve(row, 1e-12);
     Some(kept.iter().zip(shares.iter()).filter(|(_, share)| share.abs() > INDEPENDENT).map(|(at, _)| *at).collect())
 }
 
@@ -341,8 +354,23 @@ impl ClosedPoseSearch<'_> {
         let mut found = self.seek_closed_poses(tape, &mut chance, self.tries(), POSES_ENOUGH);
         if self.loops.len() <= MOST_LOOPS_WALKED {
             for first in found.clone() {
-                self.walk_closed_poses(tape, first, &mut chance, &mut found);
+                self.walk_closed_poses(tape, first, WALK, &mut chance, &mut found);
             }
+        }
+        found
+    }
+
+    /// Closed pose at the pose `home` or near it, and the closed poses of short walks that start there. Empty if no
+    /// closed pose is near.
+    fn poses_around(&self, tape: &Tape, home: &[f64]) -> Vec<Vec<f64>> {
+        let mut first = home.to_vec();
+        if !self.close_first_loops(tape, self.loops.len(), &mut first) {
+            return Vec::new();
+        }
+        let mut chance = RandomNumbers(SEED);
+        let mut found = vec![first.clone()];
+        for _ in 0..WALKS_FROM_HOME {
+            self.walk_closed_poses(tape, first.clone(), WALK_FROM_HOME, &mut chance, &mut found);
         }
         found
     }
@@ -366,7 +394,7 @@ impl ClosedPoseSearch<'_> {
             if !slopes.iter().all(|x| x.is_finite()) {
                 continue;
             }
-            let svd = slopes.singular_values();
+            let svd = singular_values(&slopes);
             let rank = svd.iter().filter(|value| **value > INDEPENDENT * svd.max()).count();
             if rank > best.0 {
                 best = (rank, Vec::new());
@@ -377,7 +405,7 @@ impl ClosedPoseSearch<'_> {
         }
         let mut found = best.1;
         for first in found.iter().take(WALKS_ONE_BY_ONE).cloned().collect::<Vec<_>>() {
-            self.walk_closed_poses(tape, first, &mut chance, &mut found);
+            self.walk_closed_poses(tape, first, WALK, &mut chance, &mut found);
         }
         found
     }
@@ -430,23 +458,30 @@ impl ClosedPoseSearch<'_> {
         found
     }
 
-    /// Walks through closed poses from the pose `q`, and adds them to `found`. Each step continues the last direction
-    /// as far as the loops permit.
-    fn walk_closed_poses(&self, tape: &Tape, mut q: Vec<f64>, chance: &mut RandomNumbers, found: &mut Vec<Vec<f64>>) {
+    /// Walks through closed poses from the pose `q` by at most `steps` steps, and adds them to `found`. Each step
+    /// continues the last direction as far as the loops permit.
+    fn walk_closed_poses(
+        &self,
+        tape: &Tape,
+        mut q: Vec<f64>,
+        steps: usize,
+        chance: &mut RandomNumbers,
+        found: &mut Vec<Vec<f64>>,
+    ) {
         let (rows, columns) = (self.loops.len(), self.coordinates.len());
         let start: Vec<f64> = self.reach.iter().map(|reach| reach * chance.draw()).collect();
         let mut direction = DVector::from_vec(start);
-        for _ in 0..WALK {
-            let values = tape.evaluate(&self.with_known(&q));
-            let slopes = DMatrix::from_row_slice(rows, columns, &values[rows..]);
+        for _ in 0..steps {
+            let outputs = tape.evaluate(&self.with_known(&q));
+            let slopes = DMatrix::from_row_slice(rows, columns, &outputs[rows..]);
             if !slopes.iter().all(|x| x.is_finite()) {
                 return;
             }
-            let svd = slopes.svd(false, true);
-            let (Some(axes), largest) = (svd.v_t, svd.singular_values.max()) else { return };
+            let SingularValues { values, right, .. } = SingularValues::new(&slopes);
+            let largest = values.max();
             // Keep the part of the last direction that the loops permit.
             let mut onward = direction.clone();
-            for (axis, value) in axes.row_iter().zip(svd.singular_values.iter()) {
+            for (axis, value) in right.row_iter().zip(values.iter()) {
                 if *value > INDEPENDENT * largest {
                     onward -= axis.transpose() * axis.transpose().dot(&direction);
                 }

@@ -343,8 +343,14 @@ impl Loading<'_> {
             lengths.map(|(_, value)| *value),
         );
         let places: Vec<Expr> = given.coordinates.iter().map(|c| c.symbol).collect();
-        let poses =
-            ClosedPoseSearch { known: given.defaults, coordinates: &places, reach: &reach, loops: others, flat: 0.0 };
+        let poses = ClosedPoseSearch {
+            known: given.defaults,
+            coordinates: &places,
+            reach: &reach,
+            loops: others,
+            flat: 0.0,
+            home: None,
+        };
         let found = poses.find_closed_poses(&mut self.arena, POSES)?;
         let mut values = vec![equation];
         for place in &places {

@@ -1,5 +1,6 @@
 //! Constraints of a model file, frames of joints, explicit time, and generalized speeds.
 
+pub(super) mod assembly;
 pub(crate) mod closed_poses;
 pub(super) mod comparison;
 pub(super) mod configuration_constraints;

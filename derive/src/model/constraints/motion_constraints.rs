@@ -20,6 +20,7 @@ pub struct SpeedDefinitions<'s> {
     pub brought: &'s [bool],
 }
 
+use super::assembly::Assembly;
 use super::configuration_constraints::StatedConstraint;
 use super::independent_constraints::{ConstrainedSystem, ConstraintCandidate, IndependentConstraints};
 use crate::algebra::Expr;
@@ -68,6 +69,8 @@ pub struct ConstraintParts<'m> {
     pub joints: &'m Joints<'m>,
     /// Parameters of the model, whose default values are used in closed poses.
     pub parameters: &'m [Parameter],
+    /// Values of coordinates near which the mechanism is assembled; `None` if the model file does not state them.
+    pub assembly: Option<&'m Assembly>,
     /// Equations between coordinates that cannot be solved for a coordinate.
     pub kept: Vec<StatedConstraint>,
     /// Equations between velocities that the model file states.
@@ -168,7 +171,8 @@ impl<'a> Loading<'a> {
     /// Forms the independent motion constraints of a mechanism. Reports constraints that contradict earlier ones, and
     /// redundant ones if their redundancy is an error. `None` after errors.
     pub fn motion_constraints(&mut self, tied: ConstraintParts<'_>) -> Option<MotionConstraints> {
-        let ConstraintParts { coordinates, elements, speeds, joints, parameters, kept, stated, rolling } = tied;
+        let ConstraintParts { coordinates, elements, speeds, joints, parameters, assembly, kept, stated, rolling } =
+            tied;
         let clock = coordinates.iter().any(|c| c.name == TIME);
         if !clock && kept.is_empty() && stated.is_empty() && rolling.is_empty() {
             return Some(MotionConstraints::default());
@@ -231,10 +235,15 @@ impl<'a> Loading<'a> {
         let mut ties = MotionConstraints { motion, loops, repeated, ..MotionConstraints::default() };
         let brought: Vec<bool> = speeds.iter().map(|(speed, _)| joints.adds_joint_speed(speed)).collect();
         let speeds: Vec<Expr> = speeds.iter().map(|(speed, _)| speed.definition).collect();
+        let home = assembly.and_then(|assembly| {
+            let pose = assembly.pose(&self.arena, coordinates, &elements.frames, &known)?;
+            Some((pose, &assembly.place))
+        });
         self.remove_redundant_constraints(
             coordinates,
             SpeedDefinitions { definitions: &speeds, brought: &brought },
             &known,
+            home.as_ref().map(|(pose, place)| (pose.as_slice(), *place)),
             also_at,
             &mut ties,
         );

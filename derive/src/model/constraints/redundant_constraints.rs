@@ -20,6 +20,7 @@ impl Loading<'_> {
         coordinates: &[Coordinate],
         speeds: SpeedDefinitions<'_>,
         defaults: &[(Expr, f64)],
+        home: Option<(&[f64], &Range<usize>)>,
         also: Range<usize>,
         ties: &mut MotionConstraints,
     ) {
@@ -28,7 +29,15 @@ impl Loading<'_> {
             return;
         }
         let declared = brought.iter().filter(|brought| !**brought).count()..=speeds.len();
-        let Some(closed) = self.redundancy_in_closed_poses(coordinates, speeds, declared, defaults, ties) else {
+        let pose = home.map(|(pose, _)| pose);
+        let Some(closed) = self.redundancy_in_closed_poses(coordinates, speeds, declared, defaults, pose, ties) else {
+            if let Some((_, place)) = home {
+                let message = "no pose with closed loops is near the values under `assembly`";
+                let help =
+                    "state values nearer to a pose in which the mechanism is assembled, and in which it can move";
+                self.reader.error(place.clone(), message.to_owned(), help);
+                return;
+            }
             for at in also.rev() {
                 remove_redundant_constraint_at(ties, at);
             }
@@ -52,14 +61,16 @@ impl Loading<'_> {
         }
     }
 
-    /// Finds closed poses with the derivatives of constraints and speeds in them. The poses are on a branch whose
-    /// number of degrees of freedom is in `declared`, if the search reaches one. `None` if no closed pose is found.
+    /// Finds closed poses, near the pose `home` if it is given, with the derivatives of constraints and speeds in them.
+    /// The poses are on a branch whose number of degrees of freedom is in `declared`, if the search reaches one. `None`
+    /// if no closed pose is found.
     fn redundancy_in_closed_poses(
         &mut self,
         coordinates: &[Coordinate],
         speeds: &[Expr],
         declared: RangeInclusive<usize>,
         defaults: &[(Expr, f64)],
+        home: Option<&[f64]>,
         ties: &MotionConstraints,
     ) -> Option<ClosedPoses> {
         let rates: Vec<Expr> = coordinates.iter().map(|c| c.rate).collect();
@@ -74,8 +85,14 @@ impl Loading<'_> {
             random_coordinate_ranges(coordinates.iter().map(|c| c.unit.is_plain()), lengths.map(|(_, value)| *value));
         let places: Vec<Expr> = coordinates.iter().map(|c| c.symbol).collect();
         let equations: Vec<Expr> = ties.loops.iter().map(|c| c.equation).collect();
-        let poses =
-            ClosedPoseSearch { known: defaults, coordinates: &places, reach: &reach, loops: &equations, flat: 0.0 };
+        let poses = ClosedPoseSearch {
+            known: defaults,
+            coordinates: &places,
+            reach: &reach,
+            loops: &equations,
+            flat: 0.0,
+            home,
+        };
         let count = ties.motion.len();
         ClosedPoses::new(&mut self.arena.clone(), &poses, count, &rows, declared)
     }

@@ -5,6 +5,7 @@ use crate::algebra::form::simplify::Simplifier;
 use crate::algebra::solve::block_systems::solve_blocks;
 use crate::algebra::solve::elimination::divisors;
 use crate::algebra::solve::linear::LinearForm;
+use crate::algebra::solve::pivot_values::PivotValues;
 use crate::algebra::term::calculus::Substitution;
 use crate::algebra::term::contraction::contract_products;
 use crate::algebra::value::rank::rank;
@@ -157,6 +158,7 @@ impl<'a> Loading<'a> {
         coordinates: &[Coordinate],
         speeds: &[(Speed, Range<usize>)],
         constraints: &[(MotionConstraint, Range<usize>)],
+        point: Option<&PivotValues>,
     ) -> Option<KinematicEquations> {
         if coordinates.is_empty() || speeds.len() + constraints.len() != coordinates.len() {
             self.report_speed_count(table, coordinates, speeds, constraints);
@@ -197,7 +199,7 @@ impl<'a> Loading<'a> {
         if self.reader.errors.len() > before {
             return None;
         }
-        match solve_blocks(&mut self.arena, &mut Simplifier::default(), &matrix, &right) {
+        match solve_blocks(&mut self.arena, &mut Simplifier::default(), &matrix, &right, point) {
             Ok((rates, divisors)) => {
                 let divisors = divisors.iter().map(|e| contract_products(&mut self.arena, *e)).collect::<Vec<_>>();
                 let divisors = self.speed_divisor_factors(&divisors, coordinates);

@@ -70,11 +70,16 @@ impl<'a> ValueReader<'a, '_> {
         // If no coordinate is free, the held variables are checked later, when all values are known.
         let held = if free.is_empty() { &[] } else { held };
         if self.model.loops.is_empty() && held.is_empty() {
+            // All loops were solved for coordinates: the others have the values of the assembled pose.
+            for (value, assembled) in q.iter_mut().zip(self.model.assembly.iter().flatten()) {
+                value.get_or_insert_with(|| Number::from_double_double(DoubleDouble::from_f64(*assembled)));
+            }
             return Some(Vec::new());
         }
         let loops = Loops::with_held_variables(self.model, held);
         let p = double_values(parameters);
-        let value = |at: usize| q[at].as_ref().or(guesses[at].as_ref()).map_or(0.0, |x| x.double);
+        let assembled = |at: usize| self.model.assembly.as_ref().map_or(0.0, |pose| pose[at]);
+        let value = |at: usize| q[at].as_ref().or(guesses[at].as_ref()).map_or_else(|| assembled(at), |x| x.double);
         let start: Vec<f64> = (0..q.len()).map(value).collect();
         let all: Vec<usize> = (0..q.len()).collect();
         let found = loops.newton(&p, &start, if free.is_empty() { &all } else { &free });
