@@ -50,6 +50,12 @@ pub fn join(robot: &mut Robot) {
         move_end(&mut one.first, &mut one.first_pose, &places);
         move_end(&mut one.second, &mut one.second_pose, &places);
     }
+    let (open, fixed): (Vec<_>, Vec<_>) = robot.loops.drain(..).partition(|one| one.first != one.second);
+    robot.loops = open;
+    for one in fixed {
+        let text = format!("connection {}: it joins parts that are fixed to one another", one.name);
+        Omission::add(&mut robot.omissions, text);
+    }
     for joint in robot.couplings.iter_mut().flat_map(|one| std::iter::once(&mut one.follower).chain(&mut one.leader)) {
         move_joint(joint, &places);
     }
@@ -76,16 +82,25 @@ fn move_joint(joint: &mut JointIndex, places: &[Place]) {
 
 /// Removes the joints of bodies that carry no mass, unless a loop or a coupling needs them.
 fn fix_massless_ends(robot: &mut Robot) {
-    let ends = robot.loops.iter().flat_map(|one| [one.first, one.second]).flatten();
-    let leaders = robot.couplings.iter().filter_map(|one| one.leader).map(|leader| leader.body);
-    let held: Vec<usize> = ends.chain(leaders).collect();
     let mut is_needed: Vec<bool> = robot.bodies.iter().map(has_inertia).collect();
-    for at in held {
+    for at in robot.loops.iter().flat_map(|one| [one.first, one.second]).flatten() {
         is_needed[at] = true;
     }
-    for at in (0..robot.bodies.len()).rev() {
-        if let Some(parent) = robot.bodies[at].parent {
-            is_needed[parent] |= is_needed[at];
+    loop {
+        let before = is_needed.clone();
+        for at in (0..robot.bodies.len()).rev() {
+            if let Some(parent) = robot.bodies[at].parent {
+                is_needed[parent] |= is_needed[at];
+            }
+        }
+        // A joint that leads one with mass is needed, too.
+        for one in &robot.couplings {
+            if let Some(leader) = one.leader {
+                is_needed[leader.body] |= is_needed[one.follower.body];
+            }
+        }
+        if is_needed == before {
+            break;
         }
     }
     for at in (0..robot.bodies.len()).filter(|at| !is_needed[*at]) {

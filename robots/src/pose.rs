@@ -117,3 +117,11 @@ pub fn quaternion(rotation: &Matrix3<f64>) -> [f64; 4] {
     let sign = if found.w < 0.0 { -1.0 } else { 1.0 };
     [found.w, found.i, found.j, found.k].map(|part| if part == 0.0 { 0.0 } else { part * sign })
 }
+
+/// Smallest turn that brings axis 3 along a direction.
+pub fn turn_to(direction: &Vector3<f64>) -> Matrix3<f64> {
+    match Rotation3::rotation_between(&Vector3::z(), direction) {
+        Some(rotation) => *rotation.matrix(),
+        None => axis_turn(0, std::f64::consts::PI),
+    }
+}

@@ -22,6 +22,9 @@ const GRAVITY: f64 = 9.81;
 /// Largest plausible angle of a pose, rad. Larger numbers are degrees.
 const LARGEST_ANGLE: f64 = 13.0;
 
+/// Size from which a limit is none: files write such numbers for joints that move without end.
+const NO_LIMIT: f64 = 1000.0;
+
 /// A joint of the file, before its place in the tree is known.
 struct UrdfJoint<'a, 'i> {
     /// Element of the joint.
@@ -70,7 +73,7 @@ pub fn read(root: Node<'_, '_>, options: Options, reading: &Reading) -> Robot {
         });
     }
     read_mimics(&joints, &bodies, &mut robot, reading);
-    add_actuators(root, &joints, &bodies, &mut robot);
+    add_actuators(root, &joints, &bodies, &mut robot, reading);
     list_omissions(root, reading);
     robot
 }
@@ -243,7 +246,7 @@ fn read_inertial(node: Node<'_, '_>, reading: &Reading) -> Option<Inertia> {
     };
     let mass = wanted(element(node, "mass"), "mass", "value");
     let tensor = element(node, "inertia");
-    let moment = |name: &str| if tensor.is_some() { wanted(tensor, "inertia", name) } else { Some(0.0) };
+    let moment = |name: &str| wanted(tensor, "inertia", name);
     let product = |name: &str| tensor.and_then(|tensor| number(tensor, name, reading)).unwrap_or(0.0);
     let (xx, yy, zz) = (moment("ixx"), moment("iyy"), moment("izz"));
     let (xy, xz, yz) = (product("ixy"), product("ixz"), product("iyz"));
@@ -328,17 +331,24 @@ fn read_joint(urdf: &UrdfJoint<'_, '_>, reading: &Reading) -> (Pose, Option<Join
     }
     let is_limited = joint.has_one_coordinate() && node.attribute("type") != Some("continuous");
     if let Some(limit) = element(node, "limit").filter(|_| is_limited) {
-        let (lower, upper) = (number(limit, "lower", reading), number(limit, "upper", reading));
-        let (lower, upper) = (lower.unwrap_or(0.0), upper.unwrap_or(0.0));
+        let bound = |name: &str| {
+            let text = limit.attribute(name).unwrap_or("0").trim();
+            match text.parse::<f64>() {
+                Ok(infinite) if infinite.is_infinite() => infinite,
+                _ => number(limit, name, reading).unwrap_or(0.0),
+            }
+        };
+        let (lower, upper) = (bound("lower"), bound("upper"));
         if lower > upper {
             let message = format!("the lower limit {lower} exceeds the upper limit {upper}");
             reading.add(place(limit), message, "exchange the two limits");
         }
-        if motion == JointMotion::Hinge && lower.abs().max(upper.abs()) > 8.0 * LARGEST_ANGLE {
+        let most = lower.abs().max(upper.abs());
+        if motion == JointMotion::Hinge && most > 8.0 * LARGEST_ANGLE && most < NO_LIMIT {
             let message = format!("the limits {lower} and {upper} rad are more than sixteen turns");
             reading.add(place(limit), message, "angles of URDF are in radians, not in degrees");
         }
-        joint.limits = (lower < upper).then_some((lower, upper));
+        joint.limits = (lower < upper && most < NO_LIMIT).then_some((lower, upper));
     }
     (pose, Some(joint))
 }
@@ -399,12 +409,23 @@ fn read_mimics(joints: &[UrdfJoint<'_, '_>], bodies: &BTreeMap<&str, usize>, rob
 
 /// Adds an input for each joint with one coordinate that does not follow another. If the file has transmissions, only
 /// their joints have inputs.
-fn add_actuators(root: Node<'_, '_>, joints: &[UrdfJoint<'_, '_>], bodies: &BTreeMap<&str, usize>, robot: &mut Robot) {
+fn add_actuators(
+    root: Node<'_, '_>,
+    joints: &[UrdfJoint<'_, '_>],
+    bodies: &BTreeMap<&str, usize>,
+    robot: &mut Robot,
+    reading: &Reading,
+) {
     let transmissions: Vec<&str> = elements(root)
         .filter(|node| node.has_tag_name("transmission"))
         .flat_map(|node| elements(node).filter(|part| part.has_tag_name("joint")))
         .filter_map(|joint| joint.attribute("name"))
         .collect();
+    for name in &transmissions {
+        if !joints.iter().any(|joint| joint.name == *name) {
+            reading.omit(format!("transmission of the unknown joint {name}"));
+        }
+    }
     for joint in joints {
         let Some(body) = bodies.get(joint.child).copied() else { continue };
         let has_one = robot.bodies[body].joints.first().is_some_and(Joint::has_one_coordinate);
@@ -423,12 +444,30 @@ fn add_actuators(root: Node<'_, '_>, joints: &[UrdfJoint<'_, '_>], bodies: &BTre
     }
 }
 
+/// Attributes of the elements that are read. An attribute with a slip in its name would otherwise be lost.
+const ATTRIBUTES: &[(&str, &[&str])] = &[
+    ("origin", &["xyz", "rpy"]),
+    ("axis", &["xyz"]),
+    ("mass", &["value"]),
+    ("inertia", &["ixx", "ixy", "ixz", "iyy", "iyz", "izz"]),
+    ("limit", &["lower", "upper", "effort", "velocity"]),
+    ("dynamics", &["damping", "friction"]),
+    ("mimic", &["joint", "multiplier", "offset"]),
+];
+
 /// Lists the elements of the root that have no meaning in a model of rigid bodies.
 fn list_omissions(root: Node<'_, '_>, reading: &Reading) {
     for node in elements(root) {
         match node.tag_name().name() {
             "link" | "joint" | "material" | "transmission" => {}
             other => reading.omit(format!("element `{other}`")),
+        }
+    }
+    for (tag, known) in ATTRIBUTES {
+        for node in root.descendants().filter(|node| node.has_tag_name(*tag)) {
+            for attribute in node.attributes().filter(|attribute| !known.contains(&attribute.name())) {
+                reading.omit(format!("unknown attribute `{}` of `{tag}`", attribute.name()));
+            }
         }
     }
     let limits = root.descendants().filter(|node| node.has_tag_name("limit"));

@@ -4,7 +4,7 @@ use crate::Options;
 use crate::numbers::{number_text, rounded_multiple};
 use crate::robot::{Omission, Robot};
 use nalgebra::Vector3;
-use roxmltree::{Document, Node};
+use roxmltree::{Document, Node, ParsingOptions};
 use std::cell::RefCell;
 use std::ops::Range;
 use tripos_derive::diagnostic::{Diagnostic, Diagnostics, Source, shortened_for_message};
@@ -70,7 +70,7 @@ impl Reading {
     }
 }
 
-/// Parses XML. A document type, elements nested more than 200 deep, and text that is no XML are refused.
+/// Parses XML. Entities of a document type, elements nested more than 200 deep, and text that is no XML are refused.
 ///
 /// # Errors
 /// One diagnostic with its place.
@@ -92,7 +92,9 @@ pub fn parse(source: &Source) -> Result<Document<'_>, Diagnostics> {
             return fail(at..at + 1, message, "give a robot description whose bodies are nested less deep");
         }
     }
-    match Document::parse(&source.text) {
+    // A document type is read, but entities, which can grow without bound, are not.
+    let options = ParsingOptions { allow_dtd: !source.text.contains("<!ENTITY"), ..ParsingOptions::default() };
+    match Document::parse_with_options(&source.text, options) {
         Ok(document) => Ok(document),
         Err(error) => {
             let at = offset_of(&source.text, error.pos());

@@ -13,12 +13,24 @@ impl<'a> Reader<'a, '_> {
             let name = child
                 .attribute("name")
                 .map_or_else(|| format!("drive{}", self.robot.actuators.len() + 1), str::to_owned);
-            if !child.has_attribute("joint") {
+            let attribute = if child.has_attribute("jointinparent") { "jointinparent" } else { "joint" };
+            if !child.has_attribute(attribute) {
                 self.reading.omit(format!("actuator `{tag}` that acts on no joint"));
                 continue;
             }
-            let Some(joint) = self.named_joint(child, "joint") else { continue };
+            let Some(joint) = self.named_joint(child, attribute) else { continue };
             let element = self.defaults.element(child, None, self.reading);
+            for (property, what) in [
+                ("ctrlrange", "range of the input"),
+                ("forcerange", "limit of the load"),
+                ("timeconst", "time constant"),
+                ("damping", "damping"),
+                ("delay", "delay"),
+            ] {
+                if element.text(property).is_some_and(|text| text.contains(|c| ('1'..='9').contains(&c))) {
+                    self.reading.omit(format!("{what} of the actuator {name}"));
+                }
+            }
             let number = |name: &str, default: f64| element.number(name, self.reading).unwrap_or(default);
             let has_state = element.text("dyntype").is_some_and(|kind| kind != "none");
             let list = |name: &str| element.numbers(name, self.reading).unwrap_or_default();
@@ -46,7 +58,7 @@ impl<'a> Reader<'a, '_> {
                 _ => None,
             };
             let Some((gain, bias, position_gain, velocity_gain, input)) = law else {
-                self.reading.omit(format!("actuator {name} (`{tag}`)"));
+                self.reading.omit(format!("actuator {name} (`{tag}`), which has no linear law of one joint"));
                 continue;
             };
             let gear = list("gear").first().copied().unwrap_or(1.0);

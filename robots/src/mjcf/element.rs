@@ -1,8 +1,8 @@
 //! Elements of MJCF files with the defaults of their classes.
 
-use crate::pose::{Pose, axis_turn, quaternion_turn, turn_about};
+use crate::pose::{Pose, axis_turn, quaternion_turn, turn_about, turn_to};
 use crate::xml::{Reading, elements, numbers_of, place};
-use nalgebra::{Matrix3, Rotation3, Vector3};
+use nalgebra::{Matrix3, Vector3};
 use roxmltree::Node;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -57,6 +57,17 @@ impl<'a> Defaults<'a> {
         around: Option<&str>,
         reading: &Reading,
     ) -> Element<'d, 'a, 'i> {
+        self.element_as(node.tag_name().name(), node, around, reading)
+    }
+
+    /// Element as [`Self::element`] gives it, with the defaults that classes state under the tag `tag`.
+    pub fn element_as<'d, 'i>(
+        &'d self,
+        tag: &str,
+        node: Node<'a, 'i>,
+        around: Option<&str>,
+        reading: &Reading,
+    ) -> Element<'d, 'a, 'i> {
         let name = node.attribute("class").or(around);
         let class = name.and_then(|name| self.classes.get(name));
         if let (Some(name), None) = (name, class)
@@ -65,7 +76,7 @@ impl<'a> Defaults<'a> {
             let advice = nearest_name_advice(name, self.classes.keys().copied());
             reading.add(place(node), format!("there is no default class `{name}`"), advice);
         }
-        Element { node, defaults: class.unwrap_or(&self.main).get(node.tag_name().name()) }
+        Element { node, defaults: class.unwrap_or(&self.main).get(tag) }
     }
 }
 
@@ -198,13 +209,5 @@ pub fn read_orientation(element: &Element<'_, '_, '_>, angles: &Angles, reading:
             }
             Some(rotation)
         }
-    }
-}
-
-/// Smallest turn that brings axis 3 along a direction.
-pub fn turn_to(direction: &Vector3<f64>) -> Matrix3<f64> {
-    match Rotation3::rotation_between(&Vector3::z(), direction) {
-        Some(rotation) => *rotation.matrix(),
-        None => axis_turn(0, std::f64::consts::PI),
     }
 }

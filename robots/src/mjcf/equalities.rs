@@ -11,7 +11,7 @@ impl<'a> Reader<'a, '_> {
     /// Reads `<equality>`.
     pub(super) fn read_equalities(&mut self, node: Node<'a, '_>) {
         for child in elements(node) {
-            let element = self.defaults.element(child, None, self.reading);
+            let element = self.defaults.element_as("equality", child, None, self.reading);
             let tag = child.tag_name().name();
             if element.text("active") == Some("false") {
                 self.reading.omit(format!("`{tag}` that is not active"));
@@ -106,15 +106,14 @@ impl<'a> Reader<'a, '_> {
                 (pose, Pose::at(other.position))
             }
             LoopKind::Weld => {
-                let stated = element.fixed::<7>("relpose", self.reading);
-                let relative = match stated {
-                    Some([x, y, z, w, a, b, c]) if [w, a, b, c].iter().any(|part| *part != 0.0) => {
-                        Pose { position: [x, y, z].into(), rotation: quaternion_turn(w, a, b, c) }
-                    }
-                    _ => relative,
-                };
                 let at = Pose::at(anchor.unwrap_or_default());
-                (relative.compose(&at), at)
+                match element.fixed::<7>("relpose", self.reading) {
+                    // The stated position is that of the second body's anchor in the axes of the first body.
+                    Some([x, y, z, w, a, b, c]) if [w, a, b, c].iter().any(|part| *part != 0.0) => {
+                        (Pose { position: [x, y, z].into(), rotation: quaternion_turn(w, a, b, c) }, at)
+                    }
+                    _ => (relative.compose(&at), at),
+                }
             }
         };
         Some((NamedFrame { body: first, pose: first_pose }, NamedFrame { body: second, pose: second_pose }))

@@ -1,7 +1,7 @@
 //! Geoms of MJCF files: shapes, and the mass and inertia that they give to bodies.
 
-use super::element::{Angles, Element, read_pose, turn_to};
-use crate::pose::Pose;
+use super::element::{Angles, Element, read_pose};
+use crate::pose::{Pose, turn_to};
 use crate::robot::{Inertia, Shape, Solid};
 use crate::xml::{Reading, place};
 use nalgebra::{Matrix3, Vector3};
@@ -18,6 +18,8 @@ pub struct Geom {
     pub inertia: Option<Inertia>,
     /// Group of the geom, by which the compiler selects the geoms that give mass.
     pub group: f64,
+    /// True for a mesh, whose mass is not known.
+    pub is_mesh: bool,
 }
 
 /// Reads a geom. `around` is the pose of the frame that contains it, in the axes of the body.
@@ -47,7 +49,7 @@ pub fn read(element: &Element<'_, '_, '_>, around: &Pose, angles: &Angles, readi
     if size.len() < needed || size.iter().take(needed).any(|length| *length <= 0.0) {
         let message = format!("the size of this {kind} needs {needed} positive numbers");
         reading.add(element.place_of("size"), message, "give radii and half lengths, m");
-        return Geom { shape: None, inertia: None, group };
+        return Geom { shape: None, inertia: None, group, is_mesh: false };
     }
     let solid = match kind {
         "plane" => Solid::Plane,
@@ -62,11 +64,11 @@ pub fn read(element: &Element<'_, '_, '_>, around: &Pose, angles: &Angles, readi
         "mesh" | "hfield" | "sdf" => {
             let name = element.text("mesh").or_else(|| element.text("hfield")).unwrap_or("without a name");
             reading.omit(format!("{kind} {name}"));
-            return Geom { shape: None, inertia: None, group };
+            return Geom { shape: None, inertia: None, group, is_mesh: kind == "mesh" };
         }
         other => {
             reading.add(place(element.node), format!("there is no geom of the type `{other}`"), "correct the type");
-            return Geom { shape: None, inertia: None, group };
+            return Geom { shape: None, inertia: None, group, is_mesh: false };
         }
     };
     let mass = element.number("mass", reading);
@@ -78,7 +80,12 @@ pub fn read(element: &Element<'_, '_, '_>, around: &Pose, angles: &Angles, readi
         let mass = mass.unwrap_or(density * volume);
         Inertia { mass, centre: Vector3::zeros(), tensor: Matrix3::from_diagonal(&(moments * mass)) }.moved(&pose)
     });
-    Geom { shape: Some(Shape { solid, pose }), inertia: inertia.filter(|inertia| inertia.mass > 0.0), group }
+    Geom {
+        shape: Some(Shape { solid, pose }),
+        inertia: inertia.filter(|inertia| inertia.mass > 0.0),
+        group,
+        is_mesh: false,
+    }
 }
 
 /// Volume of a solid, m³, and its principal moments of inertia for a mass of 1, m². `None` for a plane.

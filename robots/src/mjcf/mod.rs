@@ -44,7 +44,7 @@ struct Compiler {
     mass_groups: [f64; 2],
     /// Smallest mass of a body, kg.
     least_mass: f64,
-    /// Smallest moment of inertia, kg m².
+    /// Smallest principal moment of inertia, kg m².
     least_moment: f64,
     /// True if moments that no body has are replaced by their mean.
     balances_moments: bool,
@@ -90,6 +90,36 @@ struct Surroundings<'a> {
     pose: Pose,
     /// Default class.
     class: Option<&'a str>,
+}
+
+/// An element in a body or in a frame of the body.
+struct Framed<'a, 'i> {
+    /// Element of the file.
+    node: Node<'a, 'i>,
+    /// Pose of the frame in the axes of the body.
+    pose: Pose,
+    /// Default class of the frame or the body.
+    class: Option<&'a str>,
+}
+
+/// Elements in a body and in its frames, other than bodies, in the order of the file. `pose_of` reads the pose of a
+/// frame.
+fn framed_elements<'a, 'i>(
+    node: Node<'a, 'i>,
+    class: Option<&'a str>,
+    pose_of: &dyn Fn(Node<'a, 'i>) -> Pose,
+) -> Vec<Framed<'a, 'i>> {
+    let mut found = Vec::new();
+    for child in elements(node).filter(|child| !child.has_tag_name("body")) {
+        if !child.has_tag_name("frame") {
+            found.push(Framed { node: child, pose: Pose::default(), class });
+            continue;
+        }
+        let outer = pose_of(child);
+        let inside = framed_elements(child, child.attribute("childclass").or(class), pose_of);
+        found.extend(inside.into_iter().map(|framed| Framed { pose: outer.compose(&framed.pose), ..framed }));
+    }
+    found
 }
 
 /// Reads an MJCF file.
@@ -187,9 +217,17 @@ impl<'a> Reader<'a, '_> {
             if let Some(gravity) = vector(node, "gravity", self.reading) {
                 self.robot.gravity = gravity;
             }
-            let flags = elements(node).filter(|flag| flag.has_tag_name("flag"));
-            if flags.into_iter().any(|flag| flag.attribute("gravity") == Some("disable")) {
-                self.robot.gravity = Vector3::zeros();
+            for flag in elements(node).filter(|flag| flag.has_tag_name("flag")).flat_map(|flag| flag.attributes()) {
+                match (flag.name(), flag.value()) {
+                    ("gravity", "disable") => self.robot.gravity = Vector3::zeros(),
+                    (
+                        "spring" | "damper" | "actuation" | "equality" | "limit" | "frictionloss" | "passive",
+                        "disable",
+                    ) => {
+                        self.reading.omit(format!("flag that disables `{}`: the model has it", flag.name()));
+                    }
+                    _ => {}
+                }
             }
             for name in ["density", "viscosity", "wind"] {
                 if node.attribute(name).is_some_and(|text| text.contains(|c| ('1'..='9').contains(&c))) {
@@ -226,6 +264,10 @@ impl<'a> Reader<'a, '_> {
                 }
                 "body" => self.read_body(child, around),
                 "joint" | "freejoint" | "inertial" | "camera" | "light" => {}
+                other @ ("replicate" | "attach" | "composite" | "flexcomp") => {
+                    let advice = "write out its bodies; MuJoCo's `mj_saveLastXML` does it";
+                    self.reading.add(place(child), format!("`{other}` makes bodies, and is not read"), advice);
+                }
                 other => self.reading.omit(format!("element `{other}`")),
             }
         }
@@ -264,9 +306,18 @@ impl<'a> Reader<'a, '_> {
             place: place(node),
         });
         let is_top = around.body.is_none();
-        for child in elements(node).filter(|child| matches!(child.tag_name().name(), "joint" | "freejoint")) {
+        let own = framed_elements(node, class, &|element| {
+            read_pose(&self.defaults.element(element, None, self.reading), &self.compiler.angles, self.reading)
+        });
+        for Framed { node: child, pose: frame, class } in &own {
+            if !matches!(child.tag_name().name(), "joint" | "freejoint") {
+                continue;
+            }
+            let (child, class) = (*child, *class);
             let number = self.robot.bodies[index].joints.len();
-            let Some(joint) = self.read_joint(child, class, &name, number, is_top) else { continue };
+            let Some(mut joint) = self.read_joint(child, class, &name, number, is_top) else { continue };
+            joint.position = frame.transform(&joint.position);
+            joint.axis = frame.rotation * joint.axis;
             if joint.motion == JointMotion::Free {
                 // The coordinates of a free joint are the pose on the ground.
                 self.robot.bodies[index].pose = Pose::default();
@@ -284,7 +335,7 @@ impl<'a> Reader<'a, '_> {
         }
         let inside = Surroundings { body: Some(index), pose: Pose::default(), class };
         let geoms = self.read_content(node, &inside);
-        let inertial = elements(node).find(|child| child.has_tag_name("inertial"));
+        let inertial = own.iter().find(|framed| framed.node.has_tag_name("inertial"));
         self.robot.bodies[index].inertia = self.body_inertia(node, inertial, &geoms);
         self.robot.bodies[index].shapes = geoms.into_iter().filter_map(|geom| geom.shape).collect();
     }
@@ -293,7 +344,7 @@ impl<'a> Reader<'a, '_> {
     fn body_inertia(
         &self,
         node: Node<'a, '_>,
-        inertial: Option<Node<'a, '_>>,
+        inertial: Option<&Framed<'a, '_>>,
         geoms: &[geoms::Geom],
     ) -> Option<Inertia> {
         let takes_geoms = match self.compiler.inertia_source {
@@ -303,15 +354,21 @@ impl<'a> Reader<'a, '_> {
         };
         let inertia = if takes_geoms {
             let [least, most] = self.compiler.mass_groups;
-            let massive = geoms.iter().filter(|geom| geom.group >= least && geom.group <= most);
-            massive.filter_map(|geom| geom.inertia.clone()).reduce(|sum, one| sum.joined(&one))
+            let massive = || geoms.iter().filter(|geom| geom.group >= least && geom.group <= most);
+            if massive().any(|geom| geom.is_mesh) {
+                let message = "the mass of this body comes from a mesh, which is not read";
+                self.reading.add(place(node), message, "add `<inertial …/>` to the body");
+            }
+            massive().filter_map(|geom| geom.inertia.clone()).reduce(|sum, one| sum.joined(&one))
         } else {
-            inertial.and_then(|inertial| self.read_inertial(inertial))
+            inertial.and_then(|inertial| Some(self.read_inertial(inertial.node)?.moved(&inertial.pose)))
         };
         let mut inertia = inertia.filter(|inertia| inertia.mass > 0.0)?;
         inertia.mass = inertia.mass.max(self.compiler.least_mass);
-        for axis in 0..3 {
-            inertia.tensor[(axis, axis)] = inertia.tensor[(axis, axis)].max(self.compiler.least_moment);
+        if self.compiler.least_moment > 0.0 {
+            let mut principal = inertia.tensor.symmetric_eigen();
+            principal.eigenvalues.apply(|moment| *moment = moment.max(self.compiler.least_moment));
+            inertia.tensor = principal.recompose();
         }
         if let Some(reason) = inertia.impossibility() {
             if self.compiler.balances_moments {
@@ -319,7 +376,7 @@ impl<'a> Reader<'a, '_> {
             } else {
                 let message = format!("this inertia is impossible: {reason}");
                 let advice = "correct the mass or the moments: no body can have them";
-                self.reading.add(place(inertial.unwrap_or(node)), message, advice);
+                self.reading.add(place(inertial.map_or(node, |inertial| inertial.node)), message, advice);
             }
         }
         Some(inertia)
@@ -394,6 +451,10 @@ impl<'a> Reader<'a, '_> {
         if motion != JointMotion::Free {
             joint.position = element.vector("pos", self.reading).unwrap_or_default();
         }
+        if element.text("align") == Some("true") {
+            self.reading
+                .omit(format!("alignment of the free joint {}: its coordinates are those of the body", joint.name));
+        }
         if is_free_element {
             return Some(joint);
         }
@@ -415,11 +476,13 @@ impl<'a> Reader<'a, '_> {
             && joint.has_one_coordinate()
             && let Some([lower, upper]) = element.fixed::<2>("range", self.reading)
         {
-            if lower >= upper {
+            // The range 0 0 stands for no range, by which elements cancel that of their class.
+            let is_none = lower == 0.0 && upper == 0.0;
+            if lower >= upper && !is_none {
                 let message = format!("the lower limit {lower} is not below the upper limit {upper}");
                 self.reading.add(element.place_of("range"), message, "exchange the two limits");
             }
-            joint.limits = Some((lower * unit, upper * unit));
+            joint.limits = (!is_none).then_some((lower * unit, upper * unit));
         }
         Some(joint)
     }
@@ -450,7 +513,13 @@ fn list_joint_omissions(element: &Element<'_, '_, '_>, joint: &mut Joint, readin
         }
     }
     if joint.has_one_coordinate() {
+        if element.text("actuatorfrcrange").is_some() {
+            reading.omit(format!("limit of the drives of the joint {name}"));
+        }
         return;
+    }
+    if element.text("range").is_some() && joint.motion == JointMotion::Ball {
+        reading.omit(format!("range of the ball joint {name}"));
     }
     let properties =
         [("stiffness", &mut joint.stiffness), ("armature", &mut joint.armature), ("dry friction", &mut joint.friction)];

@@ -2,7 +2,7 @@
 
 use super::{BodyNames, Coordinate, JointNames, NewParameter, Writer, value_of};
 use crate::numbers::{number_text, without_rounding};
-use crate::pose::{Pose, quaternion, turn_about};
+use crate::pose::{Pose, quaternion, turn_about, turn_to};
 use crate::robot::{Body, Inertia, Joint, JointIndex, JointMotion};
 use nalgebra::{Matrix3, Vector3};
 use std::fmt::Write;
@@ -28,7 +28,6 @@ pub(super) const JOINT_AFFIXES: &[&str] = &[
     "*_damping",
     "*_friction",
     "*_spring",
-    "*_follows",
     "*_min",
     "*_max",
 ];
@@ -39,21 +38,23 @@ struct JointPlace<'t> {
     body: &'t str,
     /// Name of the body that carries the joint; `None` for the ground.
     carrier: Option<&'t str>,
-    /// Position of the joint on the carrier, and the turn of the moved body's axes there, in the reference
-    /// configuration.
+    /// Pose of the moved body's axes at the joint, in the axes of the carrier, in the reference configuration.
     pose: Pose,
+    /// Axis of the joint in the axes of the moved body, of length 1.
+    axis: Vector3<f64>,
     /// Mass centre of the moved body from the joint; `None` if it is at the joint.
     centre: Option<Vector3<f64>>,
 }
 
 impl Writer<'_> {
-    /// Writes a body with its joints. Joints before the last one move auxiliary bodies without mass.
+    /// Writes a body with its joints. Joints before the last one move auxiliary bodies without mass. A body whose joint
+    /// has an oblique axis has its axis 3 along it.
     pub(super) fn write_body(&mut self, at: usize, body: &Body) {
         let name = self.names.reserve(&body.name, &["*", "*_frame", "*_centre", "m_*"]);
         let mut carrier = body.parent.map(|parent| self.bodies[parent].body.clone());
-        let outer = body.parent.map_or_else(Vector3::zeros, |parent| self.bodies[parent].origin);
-        let mut pose = Pose { position: body.pose.position - outer, rotation: body.pose.rotation };
-        let mut origin = Vector3::zeros();
+        // Pose of the description's axes of the body in the model's axes of the joint's carrier.
+        let mut outer = self.on_body(body.parent, &body.pose).2;
+        let mut base = Pose::default();
         let mut point = String::new();
         for (number, joint) in body.joints.iter().enumerate() {
             let is_last = number + 1 == body.joints.len();
@@ -64,21 +65,23 @@ impl Writer<'_> {
                 self.sections.bodies.push(format!("{part} = {{ {MASSLESS} }}"));
                 part
             };
+            base = Pose { position: joint.position, rotation: model_axes(joint) };
             let own = body.inertia.as_ref().filter(|_| is_last);
             let place = JointPlace {
                 body: &moved,
                 carrier: carrier.as_deref(),
-                pose: Pose { position: pose.transform(&(joint.position - origin)), rotation: pose.rotation },
-                centre: own.map(|inertia| inertia.centre - joint.position),
+                pose: outer.compose(&base),
+                axis: axis_along_axes(&(base.rotation.transpose() * joint.axis.normalize())),
+                centre: own.map(|inertia| base.inverse().transform(&inertia.centre)),
             };
             point = self.write_joint(JointIndex { body: at, joint: number }, joint, place);
-            origin = joint.position;
-            pose = Pose::default();
+            outer = base.inverse();
             carrier = Some(moved);
         }
-        let inertia = self.inertia_keys(&name, body.inertia.as_ref());
+        let inertia = body.inertia.as_ref().map(|inertia| inertia.moved(&base.inverse()));
+        let inertia = self.inertia_keys(&name, inertia.as_ref());
         self.sections.bodies.push(format!("{name} = {{ {inertia} }}"));
-        self.bodies.push(BodyNames { frame: format!("{name}_frame"), body: name, point, origin });
+        self.bodies.push(BodyNames { frame: format!("{name}_frame"), body: name, point, base });
     }
 
     /// Mass and inertia of a body, as keys of its table.
@@ -126,9 +129,8 @@ impl Writer<'_> {
 
     /// Writes a joint. Returns its name in the model.
     fn write_joint(&mut self, index: JointIndex, joint: &Joint, place: JointPlace<'_>) -> String {
-        let JointPlace { body, carrier, mut pose, centre } = place;
+        let JointPlace { body, carrier, mut pose, axis, centre } = place;
         let name = self.names.reserve(&joint.name, JOINT_AFFIXES);
-        let axis = joint.axis.normalize();
         match joint.motion {
             JointMotion::Hinge => pose.rotation *= turn_about(&axis, -joint.reference),
             JointMotion::Slide => pose.position -= pose.rotation * axis * joint.reference,
@@ -142,7 +144,7 @@ impl Writer<'_> {
             JointMotion::Free => ("free", false),
         };
         let axis_key =
-            if has_axis { format!("axis = {}", axis_text(&joint.axis)) } else { "sequence = \"euler\"".to_owned() };
+            if has_axis { format!("axis = {}", axis_text(&axis)) } else { "sequence = \"euler\"".to_owned() };
         let mut keys = vec![format!("kind = \"{kind}\""), axis_key, format!("body = \"{body}\"")];
         keys.extend(carrier.map(|carrier| format!("to = \"{carrier}\"")));
         let on = carrier.unwrap_or("the ground");
@@ -162,7 +164,9 @@ impl Writer<'_> {
                 }
                 _ => joint.reference,
             };
-            self.coordinates.push(Coordinate { name: coordinate.clone(), start });
+            let is_free = !self.robot.couplings.iter().any(|coupling| coupling.follower == index);
+            let reference = joint.reference;
+            self.coordinates.push(Coordinate { name: coordinate.clone(), start, reference, is_free });
             self.joints.push(JointNames {
                 index,
                 joint: name.clone(),
@@ -170,6 +174,8 @@ impl Writer<'_> {
                 body: body.to_owned(),
                 carrier: carrier.map(str::to_owned),
                 frame: format!("{body}_frame"),
+                axis: axis.iamax(),
+                sense: axis[axis.iamax()],
             });
             return name;
         }
@@ -180,7 +186,12 @@ impl Writer<'_> {
             _ => vec![1.0, 0.0, 0.0, 0.0],
         };
         for (at, start) in values.into_iter().enumerate() {
-            self.coordinates.push(Coordinate { name: format!("q_{name}_{}", at + 1), start });
+            self.coordinates.push(Coordinate {
+                name: format!("q_{name}_{}", at + 1),
+                start,
+                reference: start,
+                is_free: true,
+            });
         }
         if joint.motion == JointMotion::Ball {
             self.write_ball_damping(joint, &name, body, carrier);
@@ -192,15 +203,10 @@ impl Writer<'_> {
     /// origin of the ground is left out.
     pub(super) fn write_markers(&mut self) {
         for marker in &self.robot.markers {
-            let (frame, origin, offset) = match marker.body {
-                Some(body) => {
-                    let names = &self.bodies[body];
-                    (names.frame.clone(), names.point.clone(), names.origin)
-                }
-                None => ("N".to_owned(), "O".to_owned(), Vector3::zeros()),
-            };
-            let position = marker.pose.position - offset;
-            let is_turned = marker.pose.rotation != Matrix3::identity();
+            let (frame, origin, pose) = self.on_body(marker.body, &marker.pose);
+            let (frame, origin) = (frame.to_owned(), origin.to_owned());
+            let position = pose.position;
+            let is_turned = pose.rotation != Matrix3::identity();
             let is_ground = marker.body.is_none() && position == Vector3::zeros() && !is_turned;
             if marker.has_mass || is_ground {
                 continue;
@@ -211,7 +217,7 @@ impl Writer<'_> {
             self.sections
                 .points
                 .push(format!("{name} = {{ from = \"{origin}\", frame = \"{frame}\", position = {position} }}"));
-            if let Some(turn) = self.turn(&name, &marker.pose.rotation) {
+            if let Some(turn) = self.turn(&name, &pose.rotation) {
                 self.sections.frames.push(format!("{name}_frame = {{ from = \"{frame}\", {turn} }}"));
             }
         }
@@ -221,16 +227,28 @@ impl Writer<'_> {
 /// Keys of a body without mass.
 const MASSLESS: &str = "mass = 0, inertia = { diagonal = [0, 0, 0] }";
 
-/// Axis of a joint: 1, 2 or 3, or a vector.
+/// Axes of the model for a body that a joint moves, as a rotation matrix in the axes of the description: axis 3 lies
+/// along an oblique axis of the joint; other joints keep the axes of the description.
+fn model_axes(joint: &Joint) -> Matrix3<f64> {
+    let has_axis = matches!(joint.motion, JointMotion::Hinge | JointMotion::Slide | JointMotion::Planar);
+    let along = joint.axis.iter().filter(|component| **component != 0.0).count();
+    if has_axis && along > 1 { turn_to(&joint.axis) } else { Matrix3::identity() }
+}
+
+/// Axis that lies along a coordinate axis but for rounding, exactly along it.
+fn axis_along_axes(axis: &Vector3<f64>) -> Vector3<f64> {
+    let mut exact = Vector3::zeros();
+    exact[axis.iamax()] = axis[axis.iamax()].signum();
+    exact
+}
+
+/// Axis of a joint: 1, 2 or 3, or a vector against one of these axes.
 fn axis_text(axis: &Vector3<f64>) -> String {
-    let along: Vec<usize> = (0..3).filter(|k| axis[*k] != 0.0).collect();
-    match along[..] {
-        [only] if axis[only] > 0.0 => (only + 1).to_string(),
-        [only] => {
-            let mut components = ["0"; 3];
-            components[only] = "-1";
-            format!("[{}]", components.join(", "))
-        }
-        _ => format!("[{}]", axis.iter().map(|value| number_text(*value)).collect::<Vec<_>>().join(", ")),
+    let at = axis.iamax();
+    if axis[at] > 0.0 {
+        return (at + 1).to_string();
     }
+    let mut components = ["0"; 3];
+    components[at] = "-1";
+    format!("[{}]", components.join(", "))
 }

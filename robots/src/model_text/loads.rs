@@ -2,7 +2,6 @@
 
 use super::{JointNames, NewParameter, Writer, quoted, value_of};
 use crate::robot::{Actuator, ActuatorInput, Joint, JointMotion, Omission};
-use nalgebra::Vector3;
 
 /// Units of a joint's coordinate and load.
 struct JointUnits {
@@ -27,10 +26,10 @@ impl Writer<'_> {
     /// Writes a load of one coordinate: a torque about the joint's axis, or a force along it, on the moved body
     /// against its carrier. `name` is the name of the entry, and `formula` the load's value.
     fn write_load(&mut self, joint: &Joint, names: &JointNames, name: &str, formula: &str) {
-        let (frame, axis, sign) = axis_of_load(&joint.axis, &names.frame);
+        let frame = &names.frame;
         let mut components = [0; 3].map(|zero| zero.to_string());
-        components[axis] = match (sign, formula.strip_prefix('-')) {
-            ("", _) => format!("\"{formula}\""),
+        components[names.axis] = match (names.sense < 0.0, formula.strip_prefix('-')) {
+            (false, _) => format!("\"{formula}\""),
             (_, Some(positive)) if !formula.contains(" + ") => format!("\"{positive}\""),
             _ if formula.contains(" + ") => format!("\"-({formula})\""),
             _ => format!("\"-{formula}\""),
@@ -90,8 +89,7 @@ impl Writer<'_> {
         let about = "rate below which the dry friction is smoothed; the description states none".to_owned();
         let slow = self.parameter(format!("slow_{name}"), &format!("{unit}/s"), 0.01, about);
         let kind = if joint.motion == JointMotion::Hinge {
-            let (frame, axis, _) = axis_of_load(&joint.axis, &names.frame);
-            format!("frame = \"{frame}\", axis = {}, torque = \"{size}\"", axis + 1)
+            format!("frame = \"{}\", axis = {}, torque = \"{size}\"", names.frame, names.axis + 1)
         } else {
             format!("at = \"{name}\", coefficient = 1, normal_force = \"{size}\"")
         };
@@ -186,15 +184,5 @@ impl JointNames {
     /// Key `against` of a load of the joint, with a comma before it; empty for a joint on the ground.
     fn against(&self) -> String {
         self.carrier.as_ref().map_or_else(String::new, |carrier| format!(", against = \"{carrier}\""))
-    }
-}
-
-/// Frame in which a joint's axis is an axis, the index of this axis from 0, and the sign along it. A joint about a
-/// vector has the frame `…_turn1`, whose axis 3 lies along the vector.
-fn axis_of_load(axis: &Vector3<f64>, body_frame: &str) -> (String, usize, &'static str) {
-    let along: Vec<usize> = (0..3).filter(|k| axis[*k] != 0.0).collect();
-    match along[..] {
-        [only] => (body_frame.to_owned(), only, if axis[only] > 0.0 { "" } else { "-" }),
-        _ => (format!("{body_frame}_turn1"), 2, ""),
     }
 }

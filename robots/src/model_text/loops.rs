@@ -1,9 +1,9 @@
 //! Joints that close loops, and equations between coordinates of a model file.
 
-use super::Writer;
 use super::bodies::JOINT_AFFIXES;
+use super::{Coordinate, Writer};
+use crate::numbers::number_text;
 use crate::robot::{Coupling, JointIndex, JointMotion, Loop, LoopKind};
-use nalgebra::Vector3;
 
 impl Writer<'_> {
     /// Writes a joint that closes a loop.
@@ -23,13 +23,12 @@ impl Writer<'_> {
         let mut keys = vec![format!("kind = \"{kind}\""), format!("body = \"{body_name}\"")];
         let on = carrier.map_or_else(|| "the ground".to_owned(), |carrier| self.bodies[carrier].body.clone());
         keys.extend(carrier.map(|_| format!("to = \"{on}\"")));
-        let outer = carrier.map_or_else(Vector3::zeros, |carrier| self.bodies[carrier].origin);
+        let (carrier_pose, body_pose) = (self.on_body(carrier, carrier_pose).2, self.on_body(Some(body), body_pose).2);
         let origin = || "[0, 0, 0]".to_owned();
-        let at = self.position("", &name, &(carrier_pose.position - outer), &format!("position of {name} on {on}"));
+        let at = self.position("", &name, &carrier_pose.position, &format!("position of {name} on {on}"));
         keys.push(format!("at = {}", at.unwrap_or_else(origin)));
-        let inner = body_pose.position - self.bodies[body].origin;
         let about = format!("position of {name} on {body_name}");
-        let body_at = self.position("", &format!("{name}_{body_name}"), &inner, &about);
+        let body_at = self.position("", &format!("{name}_{body_name}"), &body_pose.position, &about);
         keys.push(format!("body_at = {}", body_at.unwrap_or_else(origin)));
         if one.kind == LoopKind::Weld {
             keys.extend(self.turn(&name, &carrier_pose.rotation).map(|turn| format!("turned = {{ {turn} }}")));
@@ -78,7 +77,18 @@ impl Writer<'_> {
             terms.push(factor.map_or_else(|| symbol.clone(), |factor| format!("{symbol}*{factor}")));
         }
         let right = if terms.is_empty() { "0".to_owned() } else { terms.join(" + ") };
-        self.sections.constraints.push(format!("{}_follows = \"{} = {right}\"", names.joint, names.coordinate));
+        let name = self.names.reserve(&format!("{}_follows", names.joint), &["*"]);
+        self.sections.constraints.push(format!("{name} = \"{} = {right}\"", names.coordinate));
+    }
+
+    /// Writes the reference configuration of a robot with loops: the pose in which they are closed.
+    pub(super) fn write_assembly(&mut self) {
+        if self.robot.loops.is_empty() {
+            return;
+        }
+        for Coordinate { name, reference, .. } in &self.coordinates {
+            self.sections.assembly.push(format!("{name} = {}", number_text(*reference)));
+        }
     }
 
     /// Unit of the coordinate of a hinge or a slide.

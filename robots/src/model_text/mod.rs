@@ -7,7 +7,7 @@ mod shapes;
 
 use crate::names::Names;
 use crate::numbers::{angle_text, number_text, without_rounding};
-use crate::pose::yaw_pitch_roll;
+use crate::pose::{Pose, yaw_pitch_roll};
 use crate::robot::{JointIndex, Omission, Robot};
 use nalgebra::{Matrix3, Vector3};
 use std::fmt::Write;
@@ -29,9 +29,13 @@ pub struct Coordinate {
     /// Value in the reference configuration, or the middle of the joint's limits if that value is not between them;
     /// rad, m or 1.
     pub start: f64,
+    /// Value in the reference configuration; rad, m or 1.
+    pub reference: f64,
+    /// False if the coordinate follows another one.
+    pub is_free: bool,
 }
 
-/// Names of a body in the model, and the place from which positions on it are measured.
+/// Names of a body in the model, with the axes and the origin in which the model states positions on it.
 struct BodyNames {
     /// Name of the body.
     body: String,
@@ -39,8 +43,8 @@ struct BodyNames {
     frame: String,
     /// Name of the point at the last joint of the body.
     point: String,
-    /// Position of this point in the axes of the body, m.
-    origin: Vector3<f64>,
+    /// Pose, in the axes of the description, of the model's axes at this point.
+    base: Pose,
 }
 
 /// Names of a joint with one coordinate.
@@ -58,6 +62,10 @@ struct JointNames {
     carrier: Option<String>,
     /// Name of the moved body's frame.
     frame: String,
+    /// Index of the frame's axis along which the joint's axis lies, from 0.
+    axis: usize,
+    /// Direction of the joint's axis along that axis: 1 or −1.
+    sense: f64,
 }
 
 /// Sections of a model file while it is written, a line for each entry.
@@ -70,6 +78,7 @@ struct Sections {
     bodies: Vec<String>,
     joints: Vec<String>,
     constraints: Vec<String>,
+    assembly: Vec<String>,
     gravity: Vec<String>,
     forces: Vec<String>,
     torques: Vec<String>,
@@ -123,6 +132,7 @@ pub fn model_text(robot: &mut Robot, format: &str, path: &Path) -> ModelText {
         writer.write_loop(one);
     }
     writer.write_couplings();
+    writer.write_assembly();
     writer.write_markers();
     writer.write_shapes();
     let Writer { sections, coordinates, omissions, .. } = writer;
@@ -152,6 +162,7 @@ impl Sections {
             ("bodies", &self.bodies),
             ("joints", &self.joints),
             ("constraints", &self.constraints),
+            ("assembly", &self.assembly),
             ("gravity", &self.gravity),
             ("forces", &self.forces),
             ("torques", &self.torques),
@@ -237,6 +248,17 @@ impl Writer<'_> {
             });
         }
         (!list.is_empty()).then(|| format!("sequence = \"{sequence}\", angles = [{}]", list.join(", ")))
+    }
+
+    /// Frame and point of a body, and a pose on it in this frame, from this point. `None` stands for the ground.
+    fn on_body(&self, body: Option<usize>, pose: &Pose) -> (&str, &str, Pose) {
+        match body {
+            Some(at) => {
+                let BodyNames { frame, point, base, .. } = &self.bodies[at];
+                (frame, point, base.inverse().compose(pose))
+            }
+            None => ("N", "O", pose.clone()),
+        }
     }
 
     /// Names of a joint with one coordinate.

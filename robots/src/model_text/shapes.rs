@@ -89,15 +89,10 @@ impl Writer<'_> {
 
     /// Frame and place of a shape. A shape that is turned by no multiple of a right angle gets a frame of its own.
     fn shape_place(&mut self, body: Option<usize>, shape: &Shape) -> ShapePlace {
-        let (owner, frame, point, origin) = match body {
-            Some(at) => {
-                let names = &self.bodies[at];
-                (names.body.clone(), names.frame.clone(), names.point.clone(), names.origin)
-            }
-            None => ("ground".to_owned(), "N".to_owned(), "O".to_owned(), Vector3::zeros()),
-        };
-        let middle = shape.pose.position - origin;
-        let rotation = &shape.pose.rotation;
+        let owner = body.map_or_else(|| "ground".to_owned(), |at| self.bodies[at].body.clone());
+        let (frame, point, pose) = self.on_body(body, &shape.pose);
+        let (frame, point) = (frame.to_owned(), point.to_owned());
+        let (middle, rotation) = (pose.position, &pose.rotation);
         let is_round = matches!(shape.solid, Solid::Sphere(_) | Solid::Ellipsoid(_));
         let axes = if is_round { Some([0, 1, 2]) } else { axis_permutation(rotation) };
         if let Some(axes) = axes {

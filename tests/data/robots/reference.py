@@ -4,8 +4,8 @@
 
 Each state has the coordinates and generalized speeds, the kinetic energy T (J), the weight's potential (J, up to a
 constant of the robot), and, unless a joint has several coordinates in Pinocchio, the mass matrix M and the bias h of
-M u' + h = tau. Loops of MJCF files are left out: the states are those of the tree. leg_fourbar.motion.json has the
-coordinates 0.1 s after a release at rest, with the loop closed by MuJoCo's stiffest equality.
+M u' + h = tau. Loops of MJCF files are left out: the states are those of the tree. NAME.motion.json has the
+coordinates 0.1 s after a release at rest, with the loops closed by MuJoCo's stiffest equality.
 """
 
 import json, re, sys
@@ -146,7 +146,8 @@ def motion(path):
         for _ in range(round(0.1 / step)):
             mujoco.mj_step(model, data)
         ends.append(data.qpos.copy())
-    values = {f"q_{named(model.joint(at).name)}": float(ends[1][at]) for at in range(model.njnt)}
+    joints = [model.joint(at) for at in range(model.njnt) if model.jnt_type[at] in (2, 3)]
+    values = {f"q_{named(joint.name)}": float(ends[1][joint.qposadr[0]]) for joint in joints}
     difference = float(np.abs(ends[1] - ends[0]).max())
     out = {"tool": f"mujoco {mujoco.__version__}", "time": 0.1, "step_halved": difference, "coordinates": values}
     path.with_suffix(".motion.json").write_text(json.dumps(out) + "\n")
@@ -157,4 +158,5 @@ if __name__ == "__main__":
         urdf(path)
     for path in sorted(HERE.glob("*.xml")):
         mjcf(path)
-    motion(HERE / "leg_fourbar.xml")
+    for name in ("leg_fourbar", "delta"):
+        motion(HERE / f"{name}.xml")
