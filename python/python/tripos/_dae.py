@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -10,25 +10,18 @@ from numpy.typing import ArrayLike, NDArray
 from . import _tripos
 from ._arguments import Array, real_array
 
-if TYPE_CHECKING:
-    from ._model import Model
-
 
 class Dae:
     """Equations of motion as an implicit system F(t, y, y') = 0."""
 
-    def __init__(self, model: Model, equations: str, parameters: dict[str, float]) -> None:
-        self._value, self._equations, self._parameters = model._model.value, equations, parameters
-        self._coordinates = len(model.coordinates)
-        self._variables = model._variables_of("forcing", equations, parameters)
-        unknowns = len(self._of("forcing", np.zeros(self._coordinates), np.zeros(self._variables)))
+    def __init__(self, value: Callable[[str, Array, Array], Array], coordinates: int, variables: int) -> None:
+        """Makes the system from a function of (name of a quantity, q, u), and from the lengths of q and u."""
+        self._of, self._coordinates, self._variables = value, coordinates, variables
+        unknowns = len(self._of("forcing", np.zeros(coordinates), np.zeros(variables)))
         #: True for each number of the state whose rate occurs; False for reactions.
         self.is_differential: NDArray[np.bool_] = np.arange(self._coordinates + unknowns) < (
             self._coordinates + self._variables
         )
-
-    def _of(self, name: str, q: Array, u: Array) -> Array:
-        return self._value(name, self._equations, self._parameters, q, u)
 
     def __call__(self, t: float, y: ArrayLike, y_dot: ArrayLike) -> Array:
         """Residual F(t, y, y'), which is zero for a motion."""

@@ -491,4 +491,10 @@ class Model:
         >>> bool(abs(dae(0.0, y, model.rhs()(0.0, y))).max() < 1e-14)
         True
         """
-        return Dae(self, equations, values_of(parameters, values))
+        given = values_of(parameters, values)
+        variables = self._variables_of("forcing", equations, given)
+
+        def value(name: str, q: Array, u: Array) -> Array:
+            return self._model.value(name, equations, given, q, u)
+
+        return Dae(value, len(self.coordinates), variables)
